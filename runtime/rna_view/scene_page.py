@@ -26,7 +26,7 @@ def scene_site(path: Path) -> Site:
     site = Site(notes=_left_out(scene_file))
     asset = _add_asset(scene_file, site)
     if scene.assets[0].tier is not None:
-        site.query["tier"] = scene.assets[0].tier
+        site.attributes["tier"] = scene.assets[0].tier
     record = {
         "asset": asset,
         "camera": {
@@ -40,7 +40,7 @@ def scene_site(path: Path) -> Site:
         "exposure": scene.exposure,
         "view": scene.view,
     }
-    site.query["scene"] = site.add_scene(record)
+    site.attributes["scene"] = site.add_scene(record)
     return site
 
 

@@ -9,13 +9,14 @@ from dataclasses import dataclass, field
 from html import escape
 from importlib.resources import files
 from pathlib import Path
-from urllib.parse import quote, urlencode
 
 from rna_sdk.errors import ViewError
 from rna_sdk.file_kinds import kind_of, not_a
 from rna_sdk.package import Package
 
-VIEWER_FILES = ("index.html", "viewer.js", "viewer.css")
+ELEMENT = "rna-viewer.js"
+"""Defines the element, on the page and on any other."""
+VIEWER_FILES = ("index.html", "viewer.js", "viewer.css", ELEMENT)
 SCENE = "scene.json"
 SITE_NAME = re.compile(rf"[0-9a-f]{{32}}\.(rna|exr|hdr)|{re.escape(SCENE)}")
 """Names that a page's own files can have; those of the viewer are none of them."""
@@ -32,13 +33,13 @@ class Site:
         contents: by name, the file, or its bytes. Names are hashes of what the files hold, with a
             suffix that says what that is: a name that somebody else chose can be taken for an
             address, or for a file of the viewer.
+        attributes: of the page's element, as `src="NAME"`.
         labels: what people call a file, by its name.
-        query: what the page's address would ask for, as `asset=NAME`.
         notes: what a person should know, one line each.
     """
 
     contents: dict[str, Path | bytes] = field(default_factory=dict)
-    query: dict[str, str] = field(default_factory=dict)
+    attributes: dict[str, str] = field(default_factory=dict)
     labels: dict[str, str] = field(default_factory=dict)
     notes: list[str] = field(default_factory=list)
 
@@ -67,10 +68,9 @@ class Site:
     def index(self) -> bytes:
         """index.html, which opens the site's scene or package."""
         page = viewer_file("index.html").decode()
-        asked = escape(urlencode(self.query, quote_via=quote))
-        labels = escape(json.dumps(self.labels))
-        body = f'<body data-query="{asked}" data-labels="{labels}">'
-        return page.replace("<body>", body, 1).encode()
+        own = {**self.attributes, "data-labels": json.dumps(self.labels)}
+        written = "".join(f' {name}="{escape(value)}"' for name, value in own.items())
+        return page.replace("<rna-viewer", f"<rna-viewer{written}", 1).encode()
 
     def _add(self, path: Path, suffix: str) -> str:
         with path.open("rb") as file:
@@ -102,14 +102,14 @@ def site_for(source: Path, tier: str | None = None, environment: Path | None = N
         site = scene_site(source)
     elif kind == "package":
         site = Site()
-        site.query["asset"] = site.add_package(source)
+        site.attributes["src"] = site.add_package(source)
     else:
         wrong = not_a("package", source) or "expected a .rna package or a .yaml scene file"
         raise ViewError(f"{source}: {wrong}")
     if tier is not None:
-        site.query["tier"] = tier
+        site.attributes["tier"] = tier
     if environment is not None:
         if not environment.is_file():
             raise ViewError(f"{environment}: no such file")
-        site.query["env"] = site.add_image(environment)
+        site.attributes["environment"] = site.add_image(environment)
     return site

@@ -6,7 +6,11 @@ import { fileURLToPath } from "node:url";
 import { shaders } from "./shaders.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
-const PAGES = { viewer: "../rna_view/site", preview: "../rna_render/preview/site" };
+// By page: where it goes, and what is there beside its main.js and page.css.
+const PAGES = {
+  viewer: { own: "../rna_view/site", more: [{ in: "src/element/rna_viewer.js", out: "rna-viewer" }] },
+  preview: { own: "../rna_render/preview/site", more: [] },
+};
 const ENTRIES = ["surface", "fiber", "evaluate", "weights_uniform.wgsl", "weights_storage.wgsl", "hit", "light", "queue"];
 
 /** Imports that are no files: rna_gpu's shaders; and in place of all of three what its reader of EXR needs. */
@@ -19,12 +23,12 @@ const plugin = {
   },
 };
 
-for (const [name, own] of Object.entries(PAGES)) {
+for (const [name, { own, more }] of Object.entries(PAGES)) {
   const out = process.argv[2] ? join(process.argv[2], name) : join(here, own);
   mkdirSync(out, { recursive: true });
   await build({
     absWorkingDir: here,
-    entryPoints: [{ in: `src/${name}/main.js`, out: name }, { in: `src/${name}/page.css`, out: name }],
+    entryPoints: [{ in: `src/${name}/main.js`, out: name }, { in: `src/${name}/page.css`, out: name }, ...more],
     outdir: out,
     bundle: true,
     minify: true,

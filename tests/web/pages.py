@@ -55,7 +55,7 @@ def wait_for_picture(page: Page, rounds: int) -> None:
 
 def notice(page: Page) -> str | None:
     """The line that the page shows, if any."""
-    shown = "const n = document.getElementById('notice'); return n.hidden ? null : n.textContent"
+    shown = "const n = rnaViewer.notices.place; return n.hidden ? null : n.textContent"
     return page.evaluate(f"(() => {{ {shown} }})()")
 
 

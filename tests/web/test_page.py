@@ -45,7 +45,7 @@ def drop(page: Page, path: Path) -> None:
             dataTransfer.items.add(file);
             window.dispatchEvent(new DragEvent("drop", {{ dataTransfer, cancelable: true }}));
             await new Promise((resolve) => setTimeout(resolve, 50));
-            while (rnaViewer.loading && !document.getElementById("loading").hidden) {{
+            while (rnaViewer.loading) {{
                 await new Promise((resolve) => setTimeout(resolve, 20));
             }}
         }})()"""
@@ -163,7 +163,7 @@ def test_broken_packages_get_one_line_each(page, package):
         if path.name in unread:
             continue
         file = FILE.format(data=base64_of(path), name=path.name)
-        page.evaluate(f"document.getElementById('notice').hidden = true, rnaViewer.open({file})")
+        page.evaluate(f"rnaViewer.notices.place.hidden = true, rnaViewer.open({file})")
         line = notice(page)
         if line is None or "\n" in line or not line.endswith("]") or "did not work" in line:
             wrong.append(f"{path.name}: {line}")

@@ -48,7 +48,7 @@ def package(tmp_path) -> Path:
 def test_server_gives_the_page_and_its_files_alone(package):
     with served(site_for(package)) as server:
         status, headers, page = fetch(server.url)
-        assert status == 200 and f'data-query="asset={name_of(package)}"'.encode() in page
+        assert status == 200 and f'src="{name_of(package)}"'.encode() in page
         assert "script-src 'self'" in headers["Content-Security-Policy"]
         assert fetch(server.url + name_of(package))[2] == package.read_bytes()
         for name in ("../cli.py", "site/viewer.js", "etc/passwd", "%2e%2e/x"):
@@ -79,7 +79,7 @@ def test_export_writes_a_page_for_any_server(package, tmp_path, capsys):
     assert {path.name for path in folder.iterdir()} == {*VIEWER_FILES, MARKER, name_of(package)}
     assert (folder / name_of(package)).read_bytes() == package.read_bytes()
     page = (folder / "index.html").read_text()
-    assert f'data-query="asset={name_of(package)}"' in page
+    assert f'<rna-viewer src="{name_of(package)}"' in page
     assert 'http-equiv="Content-Security-Policy"' in page and "script-src 'self'" in page
     assert "HTTPS" in capsys.readouterr().out
 
@@ -109,7 +109,7 @@ def test_export_removes_what_an_earlier_one_wrote_alone(package, tmp_path):
 def test_scene_becomes_camera_and_lights():
     toy = EXAMPLES / "quickstart" / "toy.rna"
     site = scene_site(EXAMPLES / "quickstart" / "scene.yaml")
-    assert site.query == {"scene": "scene.json"} and not site.notes
+    assert site.attributes == {"scene": "scene.json"} and not site.notes
     assert site.contents[name_of(toy)] == toy and site.labels == {name_of(toy): "toy.rna"}
     notes = scene_site(EXAMPLES / "scene" / "scene.yaml").notes
     assert any("objects" in note for note in notes)
@@ -181,10 +181,10 @@ def test_what_is_no_package_or_image_is_refused(package, tmp_path):
             site_for(package, environment=image)
 
 
-def test_query_is_escaped(package):
-    page = Site({}, {"asset": 'a"b&c.rna'}).index().decode()
-    asked = page.split('data-query="')[1].split('"')[0]
-    assert unescape(asked) == "asset=a%22b%26c.rna"
+def test_attributes_are_escaped(package):
+    page = Site({}, {"src": 'a"b&c.rna'}).index().decode()
+    asked = page.split('<rna-viewer src="')[1].split('"')[0]
+    assert unescape(asked) == 'a"b&c.rna'
 
 
 def test_what_is_no_asset_is_refused(tmp_path):

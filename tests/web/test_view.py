@@ -130,7 +130,7 @@ def test_a_cheaper_tier_is_named_where_this_one_is_slow(page):
         """(() => {
             const tiers = [["hq", 900], ["small", 100], ["tiny", 20], ["unknown"]].map(
                 ([name, multiplyAdds]) => ({ name, cost: multiplyAdds && { multiplyAdds } }));
-            const { panel, opened, shown } = rnaViewer, button = document.getElementById("faster");
+            const panel = rnaPanel, { opened, shown } = rnaViewer, button = document.getElementById("faster");
             const own = [opened.manifest.tiers, shown.tier];
             const told = [];
             opened.manifest.tiers = tiers;
@@ -149,13 +149,13 @@ def test_a_cheaper_tier_is_named_where_this_one_is_slow(page):
 def test_the_picture_and_its_controls_have_names(page):
     named = page.evaluate(
         """(() => {
-            const canvas = document.querySelector("canvas");
-            const keys = document.getElementById(canvas.getAttribute("aria-describedby"));
+            const { canvas } = rnaViewer, root = canvas.getRootNode();
+            const keys = root.getElementById(canvas.getAttribute("aria-describedby"));
             const inputs = [...document.querySelectorAll("input, select, button:not(#faster)")];
             const unnamed = inputs.filter((one) => !one.labels?.length && !one.textContent);
             const names = ["role", "aria-label"].map((name) => canvas.getAttribute(name));
             return [...names, keys.textContent, unnamed.map(({ id }) => id)];
         })()"""
     )
-    assert named[0] == "application" and "asset" in named[1] and "pinch" in named[2]
+    assert named[0] == "application" and named[1] == "toy" and "pinch" in named[2]
     assert named[3] == []

@@ -1,5 +1,5 @@
-// The page's state: what the renderer last told, which picture is shown, which is requested next.
-import { element, say, wrappedDegrees } from "../ui/elements.js";
+// The page's state: what the renderer last told, which picture is shown, what is asked for next.
+import { element, Notices, wrappedDegrees } from "../ui/elements.js";
 import { listen } from "../ui/pointer.js";
 import { Changes } from "./changes.js";
 import { Panel } from "./panel.js";
@@ -10,12 +10,13 @@ export class Preview {
   constructor() {
     this.canvas = element("picture");
     this.context = this.canvas.getContext("2d");
+    this.notices = new Notices(element("notice"));
     // rotation: of the lights, degrees; ahead of the state while changes wait. shown: revision of the picture.
     Object.assign(this, { state: null, shown: 0, rotation: 0, panel: new Panel(this) });
     this.changes = new Changes({
       isSeen: () => this.state && this.shown >= this.state.revision,
       onstate: (state) => this._take(state),
-      onerror: say,
+      onerror: (text) => this.notices.say(text),
     });
     listen(this.canvas, {
       orbit: (x, y) => this.request({ orbit_deg: [x * DEGREES, y * DEGREES] }),
@@ -49,7 +50,7 @@ export class Preview {
         if (!this.state) await this._load();
         after = await this._nextPicture(after);
       } catch {
-        say(`The preview has ended. Started again with --port ${location.port}, it goes on here.`);
+        this.notices.say(`The preview has ended. Started again with --port ${location.port}, it goes on here.`);
         Object.assign(this, { state: null, shown: 0 });
         this.changes.pending = null;
         after = 0;
@@ -95,7 +96,7 @@ export class Preview {
       this._draw(bitmap);
       this.panel.showLabel(label, this.state.samples);
     }
-    say(label.error);
+    this.notices.say(label.error);
     this.shown = label.revision;
     // For whoever measures or tests.
     Object.assign(this.canvas.dataset, { revision: label.revision, samples: label.samples });

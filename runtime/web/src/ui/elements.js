@@ -1,4 +1,4 @@
-// What the panels of both pages share: elements by id, their events, numbers as text, the line of a message.
+// What the pages and the element share: elements by id, their events, numbers as text, the line of a message.
 
 export const element = (id) => document.getElementById(id);
 
@@ -6,18 +6,21 @@ export function on(id, event, action) {
   element(id).addEventListener(event, ({ target }) => action(target));
 }
 
-const notices = new Map();
+/** A line over the picture. */
+export class Notices {
+  constructor(place) {
+    Object.assign(this, { place, lines: new Map() });
+  }
 
-/**
- * A line over the picture; null takes it away. calm: it is no error. about: lines about other subjects stay.
- */
-export function say(text, calm = false, about = "page") {
-  if (text) notices.set(about, { text, calm });
-  else notices.delete(about);
-  const notice = element("notice"), lines = [...notices.values()];
-  notice.hidden = !lines.length;
-  notice.replaceChildren(...lines.map(({ text: line }) => Object.assign(document.createElement("span"), { textContent: line })));
-  notice.classList.toggle("calm", lines.every((line) => line.calm));
+  /** null takes the line away. calm: it is no error. about: lines about other subjects stay. */
+  say(text, calm = false, about = "page") {
+    if (text) this.lines.set(about, { text, calm });
+    else this.lines.delete(about);
+    const lines = [...this.lines.values()], texts = new Set(lines.map((line) => line.text));
+    this.place.hidden = !lines.length;
+    this.place.replaceChildren(...[...texts].map((line) => Object.assign(document.createElement("span"), { textContent: line })));
+    this.place.classList.toggle("calm", lines.every((line) => line.calm));
+  }
 }
 
 export const clamp = (x, low, high) => Math.min(Math.max(x, low), high);

@@ -6,13 +6,15 @@ const STEP = (5 * Math.PI) / 180;
 /**
  * One finger or the left button orbits; with Alt or Shift, or two fingers, the light turns; the right button pans;
  * wheel and pinch zoom. `actions`: orbit(x, y), light(x, y), pan(x, y), zoom(factor), all with a last argument
- * that tells whether more will follow at once; reset().
+ * that tells whether more will follow at once; settle(), reset(). may(event): whether an event is for the picture;
+ * others are the page's.
  */
-export function listen(canvas, actions) {
+export function listen(canvas, actions, may = () => true) {
   const pointers = new Map();
   let way = null;
 
   canvas.addEventListener("pointerdown", (event) => {
+    if (!may(event)) return;
     pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
     capture(canvas, event.pointerId);
     canvas.classList.add("dragging");
@@ -44,17 +46,18 @@ export function listen(canvas, actions) {
     });
   }
 
-  canvas.addEventListener("contextmenu", (event) => event.preventDefault());
-  canvas.addEventListener("dblclick", () => actions.reset());
+  canvas.addEventListener("contextmenu", (event) => may(event) && event.preventDefault());
+  canvas.addEventListener("dblclick", (event) => may(event) && actions.reset());
   let settling = 0;
   canvas.addEventListener("wheel", (event) => {
+    if (!may(event)) return;
     event.preventDefault();
     const pixels = event.deltaMode === 0 ? event.deltaY : event.deltaY * 32;
     actions.zoom(Math.exp(Math.min(300, Math.max(-300, pixels)) * 0.0012), true);
     clearTimeout(settling);
     settling = setTimeout(() => actions.settle(), 200);
   }, { passive: false });
-  canvas.addEventListener("keydown", (event) => onKey(event, actions));
+  canvas.addEventListener("keydown", (event) => may(event) && onKey(event, actions));
 }
 
 function capture(canvas, id) {

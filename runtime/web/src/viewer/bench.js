@@ -1,6 +1,4 @@
 // ?bench=1: how many queries a second the decoder answers here, and how long a picture takes. One line to send in.
-import * as inWebGL from "../webgl/answers.js";
-import * as inWebGPU from "../webgpu/answers.js";
 
 const TRIALS = 5, TRIAL_MS = 400;
 
@@ -23,8 +21,7 @@ function randomRows({ bounds: { min, max } }, count) {
 const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
 
 /** Million queries a second of a part's decoder: median of trials, from a count that takes long enough. */
-export async function queriesPerSecond(engine, parts, k = 0) {
-  const { evaluate } = engine.constructor.label === "WebGPU" ? inWebGPU : inWebGL;
+async function queriesPerSecond({ engine, answers: { evaluate } }, parts, k = 0) {
   let count = 1024, ms = 0;
   for (;;) {
     const rows = randomRows(parts[k], count), begun = performance.now();
@@ -43,7 +40,7 @@ export async function queriesPerSecond(engine, parts, k = 0) {
 }
 
 /** What a query of the part costs: multiply-adds and bytes of planes. */
-export function costOf({ transport, planes }) {
+function costOf({ transport, planes }) {
   const multiplyAdds = transport.layers.reduce((sum, { rows, columns }) => sum + rows * columns, 0);
   const bytes = 12 * planes.channels * { float16: 2, float32: 4, int8: 1 }[planes.precision];
   return { multiplyAdds, bytes };
@@ -57,26 +54,26 @@ async function adapterName(engine) {
 }
 
 /** Measures the asset that is open, and shows the table. */
-export async function runBenchmark(app) {
-  const { viewer, engine, shown, opened } = app;
+export async function runBenchmark(stage) {
+  const { viewer, engine, shown, opened } = stage;
   if (!shown) return;
   const samples = 3;
   viewer.rounds = samples;
   viewer.restart();
   await viewer.converged(samples);
-  const pixels = app.canvas.width * app.canvas.height, ms = viewer.stats.ms;
-  viewer.pause();
+  const pixels = stage.canvas.width * stage.canvas.height, ms = viewer.stats.ms;
+  const reader = stage.reader();
   await engine.done();
-  const { rate, count } = await queriesPerSecond(engine, shown.parts);
+  const { rate, count } = await queriesPerSecond(reader, shown.parts);
   const { multiplyAdds, bytes } = costOf(shown.parts[0]);
   const line = {
     asset: opened.manifest.name, tier: shown.name, api: engine.constructor.label, gpu: await adapterName(engine),
     millionQueriesPerSecond: Number(rate.toPrecision(3)), queries: count, multiplyAddsPerQuery: multiplyAdds,
-    planeBytesPerQuery: bytes, picture: `${app.canvas.width} x ${app.canvas.height}`, lights: viewer.lights.length,
+    planeBytesPerQuery: bytes, picture: `${stage.canvas.width} x ${stage.canvas.height}`, lights: viewer.lights.length,
     msPerSample: Math.round(ms), megapixelsPerSecond: Number((pixels / ms / 1e3).toPrecision(3)), browser: navigator.userAgent,
   };
   show(line);
-  app.viewer.start();
+  stage.viewer.start();
   globalThis.rnaBenchmark = line;
 }
 

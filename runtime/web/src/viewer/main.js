@@ -1,25 +1,46 @@
-// The start of the page: what its address, or its own body, asks for.
-import { nameOf } from "../package/source.js";
-import { say } from "../ui/elements.js";
-import { App } from "./app.js";
+// The page: the element with a panel beside it, and what the address asks for.
+import { element } from "../ui/elements.js";
 import { runBenchmark } from "./bench.js";
-import { fileAddress, readParameters } from "./parameters.js";
+import { Panel } from "./panel.js";
+import { ATTRIBUTES, readParameters } from "./parameters.js";
 
 async function start() {
-  const { query, labels } = document.body.dataset;
-  const { parameters, problems } = readParameters(query, location.search);
-  say(problems.join("; "), true, "address");
+  const viewer = element("viewer"), { parameters, problems } = readParameters(location.search);
   document.body.classList.toggle("bare", parameters.get("ui") === "0");
-  const app = (globalThis.rnaViewer = new App(parameters, JSON.parse(labels ?? "{}")));
-  app.begin();
-  const address = (name) => (parameters.has(name) ? fileAddress(parameters.get(name)) : null);
-  const given = address("asset"), scene = address("scene"), image = address("env");
-  if (given) app.expectAsset();
-  const described = scene && (await app.openScene(scene));
-  if (image) await app.openImage(image, nameOf(image));
-  const asset = given ?? (described?.asset && fileAddress(described.asset));
-  if (asset) await app.open(asset);
-  if (parameters.get("bench") === "1") await runBenchmark(app);
+  for (const [name, value] of parameters) if (ATTRIBUTES[name]) viewer.setAttribute(...ATTRIBUTES[name](value));
+  // A scene has lights and a ground of its own, or none.
+  if (viewer.hasAttribute("scene")) for (const name of ["sun", "ground"]) viewer.removeAttribute(name);
+  if (self !== top) viewer.removeAttribute("wheel-zoom");  // the page around this one scrolls
+  await customElements.whenDefined("rna-viewer");
+  const stage = (globalThis.rnaViewer = viewer.stage);
+  globalThis.rnaPanel = new Panel(stage);
+  viewer.notices.say(problems.join("; "), true, "address");
+  const { classList } = document.body;
+  classList.toggle("expecting", viewer.hasAttribute("src") || viewer.hasAttribute("scene"));
+  stage.addEventListener("loading", () => classList.add("expecting"));
+  stage.addEventListener("ended", () => classList.remove("expecting"));
+  stage.addEventListener("package", () => classList.add("loaded"));
+  stage.addEventListener("failed", ({ about }) => about === "scene" && classList.remove("expecting"));
+  listenForDrops(stage);
+  if (parameters.get("bench") === "1") viewer.addEventListener("load", () => runBenchmark(stage), { once: true });
+}
+
+function listenForDrops(stage) {
+  const { classList } = document.body;
+  for (const name of ["dragenter", "dragover"]) {
+    addEventListener(name, (event) => {
+      event.preventDefault();
+      classList.add("dropping");
+    });
+  }
+  addEventListener("dragleave", () => classList.remove("dropping"));
+  addEventListener("drop", async (event) => {
+    event.preventDefault();
+    classList.remove("dropping");
+    for (const file of [...(event.dataTransfer?.files ?? [])]) {
+      await (/\.(hdr|pic|exr)$/i.test(file.name) ? stage.openImage(file, file.name) : stage.open(file));
+    }
+  });
 }
 
 start();

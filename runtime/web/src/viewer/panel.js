@@ -1,13 +1,13 @@
-// The panel's controls and figures, progress, poster, messages.
-import { element, on, readableBytes, readableTime, say, showValue, signed } from "../ui/elements.js";
+// The panel's controls and figures.
+import { element, on, readableBytes, readableTime, showValue, signed } from "../ui/elements.js";
 
 const FLUENT_MS = 100;  // a sample, while something moves
 const CHEAPER = 0.7;    // of the cost: what makes another tier worth a word
 
 export class Panel {
-  constructor(app) {
-    this.app = app;
-    on("tier", "change", ({ value }) => app.switchTier(value));
+  constructor(stage) {
+    this.stage = stage;
+    on("tier", "change", ({ value }) => stage.switchTier(value));
     const light = (id, name) => {
       on(id, "input", ({ valueAsNumber }) => this._setLight(name, valueAsNumber, true));
       on(id, "change", ({ valueAsNumber }) => this._setLight(name, valueAsNumber, false));
@@ -17,36 +17,31 @@ export class Panel {
     light("sun-height", "sunHeight");
     light("rotation", "rotation");
     on("environment", "change", ({ value }) => this._setLight("choice", value, false));
-    on("exposure", "input", ({ valueAsNumber }) => app.setExposure(valueAsNumber));
-    on("exposure", "change", () => this.hasGround && app.changed());  // the ground has the colour of the page
-    on("view-transform", "change", ({ value }) => app.setView(value));
-    on("denoise", "change", ({ checked }) => app.setDenoise(checked));
-    on("ground", "change", () => app.changed());
-    on("faster", "click", () => app.switchTier(this.faster));
-    on("reset", "click", () => app.resetView());
+    on("exposure", "input", ({ valueAsNumber }) => stage.setExposure(valueAsNumber, false));
+    on("exposure", "change", ({ valueAsNumber }) => stage.setExposure(valueAsNumber));
+    on("view-transform", "change", ({ value }) => stage.setView(value));
+    on("denoise", "change", ({ checked }) => stage.setDenoise(checked));
+    on("ground", "change", ({ checked }) => stage.setGround(checked));
+    on("faster", "click", () => stage.switchTier(this.faster));
+    on("reset", "click", () => stage.reset());
     on("screenshot", "click", () => this._save());
     on("fullscreen", "click", () => this._fullScreen());
-    this.showLighting(app.lighting);
-    this.showExposure(0);
+    const hear = (name, action) => stage.addEventListener(name, action);
+    hear("set", () => this._showControls());
+    hear("engine", ({ label, reasons }) => { element("api").textContent = [label, ...reasons].join(": "); });
+    hear("package", ({ opened, shown }) => this._showPackage(opened, shown));
+    hear("shown", () => this._showStats(stage.viewer.stats));
+    this._showControls();
   }
 
   _setLight(name, value, moving) {
     // The first touch of the sun puts the page's sun in place of a scene's.
-    if (name === "sun" || name === "sunHeight") this.app.lighting.suns = null;
-    this.app.lighting[name] = value;
-    this.showLighting(this.app.lighting);
-    this.app.changed(moving);
+    const suns = name === "sun" || name === "sunHeight" ? null : this.stage.lighting.suns;
+    this.stage.setLight({ [name]: value, suns }, { moving, byUser: true });
   }
 
-  get hasGround() {
-    return element("ground").checked;
-  }
-
-  setGround(on) {
-    element("ground").checked = on;
-  }
-
-  showLighting({ images, choice, strength, sun, suns, sunHeight, rotation }) {
+  _showControls() {
+    const { images, choice, strength, sun, suns, sunHeight, rotation } = this.stage.lighting;
     const options = [...images].map(([key, { label }]) => new Option(label, key, false, key === choice));
     element("environment").replaceChildren(...options);
     showValue("environment-intensity", strength, strength.toFixed(2));
@@ -54,35 +49,23 @@ export class Panel {
     showValue("sun-intensity", sun, suns ? "the scene's" : sun.toFixed(1));
     showValue("sun-height", sunHeight, suns ? "the scene's" : `${signed(Math.round(sunHeight), 0)}\u00b0`);
     showValue("rotation", rotation, `${signed(Math.round(rotation), 0)}\u00b0`);
-  }
-
-  showExposure(stops) {
-    showValue("exposure", stops, `${signed(stops, 1)} stops`);
-  }
-
-  showView(view) {
+    const { exposure, view } = this.stage.look;
+    showValue("exposure", exposure, `${signed(exposure, 1)} stops`);
     element("view-transform").value = view;
+    element("ground").checked = this.stage.ground;
   }
 
-  showEngine(label, reasons) {
-    element("api").textContent = [label, ...reasons].join(": ");
-  }
-
-  showPackage({ manifest, warnings = manifest.warnings, bytesOf, ...opened }, { tier }) {
-    const own = this.app.opened;
-    document.title = `${manifest.name} – RNA viewer`;
-    element("name").textContent = manifest.name;
-    element("tier").replaceChildren(
-      ...manifest.tiers.map(({ name }) => new Option(name, name, false, name === tier.name)),
-    );
-    const { validation, cost } = tier;
+  _showPackage(opened, { tier }) {
+    const { name, tiers } = opened.manifest, { validation, cost } = tier;
+    document.title = `${name} – RNA viewer`;
+    element("name").textContent = name;
+    element("tier").replaceChildren(...tiers.map((own) => new Option(own.name, own.name, false, own.name === tier.name)));
     element("error").textContent = validation ? `${validation.psnr.toFixed(1)} dB, FLIP ${validation.flip.toFixed(3)}` : "not recorded";
     element("cost").textContent = cost ? `${cost.multiplyAdds.toLocaleString("en")} multiply-adds` : "not recorded";
-    element("size").textContent = readableBytes(own.bytesOf(tier.name));
-    if (warnings.length) say(warnings.join("; "), true, "asset");
+    element("size").textContent = readableBytes(opened.bytesOf(tier.name));
   }
 
-  showStats({ ms, rounds, scale }) {
+  _showStats({ ms, rounds, scale }) {
     element("time").textContent = ms ? readableTime(ms) : "–";
     element("rounds").textContent = scale === 1 ? String(rounds) : `first look, 1/${scale} of the size`;
     this._suggestTier(ms);
@@ -90,7 +73,7 @@ export class Panel {
 
   /** A cheaper tier, where this one is not fluent: the best that may be, else the cheapest. */
   _suggestTier(ms) {
-    const { opened, shown } = this.app, own = shown?.tier.cost?.multiplyAdds;
+    const { opened, shown } = this.stage, own = shown?.tier.cost?.multiplyAdds;
     const time = ({ cost }) => (ms * cost.multiplyAdds) / own;  // the decoder's part of it, which is most
     const cheaper = own && ms > FLUENT_MS
       ? opened.manifest.tiers.filter(({ cost }) => cost && cost.multiplyAdds < CHEAPER * own).sort((a, b) => time(b) - time(a))
@@ -101,27 +84,9 @@ export class Panel {
     if (found) element("faster").textContent = `Switch to tier ${found.name}: about ${readableTime(time(found))} a sample`;
   }
 
-  /** got: bytes so far, null when there is nothing more to wait for. */
-  showProgress(got, all) {
-    element("loading").hidden = got === null;
-    if (got === null) return;
-    const bar = element("bar");
-    if (all) Object.assign(bar, { max: Math.max(all, got), value: got });
-    else bar.removeAttribute("value");
-    element("bytes").textContent = all ? `${readableBytes(got)} of ${readableBytes(Math.max(all, got))}` : readableBytes(got);
-  }
-
-  showPoster(blob) {
-    const image = element("poster");
-    if (image.src) URL.revokeObjectURL(image.src);
-    image.hidden = !blob;
-    if (blob) image.src = URL.createObjectURL(blob);
-    else image.removeAttribute("src");
-  }
-
   /** Saves the picture once it has all samples; pressed again, as it is. */
   async _save() {
-    const { viewer } = this.app, button = element("screenshot");
+    const { viewer } = this.stage, button = element("screenshot");
     if (!viewer) return;
     if (this.saving) return this.saving.abort();
     const saving = (this.saving = new AbortController());
@@ -136,8 +101,8 @@ export class Panel {
     this.saving = null;
     button.textContent = "Save picture";
     const link = document.createElement("a");
-    link.href = URL.createObjectURL(await this.app.screenshot());
-    link.download = `${this.app.opened?.manifest.name ?? "rna"}.png`;
+    link.href = URL.createObjectURL(await this.stage.screenshot());
+    link.download = `${this.stage.opened?.manifest.name ?? "rna"}.png`;
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
   }

@@ -1,6 +1,8 @@
-// What the page's address, or its own body, asks for. What cannot be used is told and left out.
+// What the page's address asks for, as attributes of the element. What cannot be used is told and left out.
 //   ?asset=toy.rna  &tier=small  &env=studio.hdr  &scene=scene.json  &ui=0  &view=filmic  &bench=1
 //   &api=webgpu|webgl2  &rounds=64  &dpr=1  &jitter=0 (rays through the middles of pixels, for comparisons)
+
+import { fileAddress } from "../package/file_address.js";
 
 const anything = () => null;
 const oneOf = (...choices) => (value) => (choices.includes(value) ? null : `expected ${choices.join(" or ")}`);
@@ -16,15 +18,21 @@ const CHECKS = {
   rounds: number(1, 1e6, true), dpr: number(0.1, 8, false),
 };
 
-/** { parameters, problems }: of the page's own query, then of the address. problems: a line each. */
-export function readParameters(own, address) {
+/** By parameter, the element's attribute and its value. */
+export const ATTRIBUTES = {
+  asset: (value) => ["src", fileAddress(value)], env: (value) => ["environment", fileAddress(value)],
+  scene: (value) => ["scene", fileAddress(value)], tier: (value) => ["tier", value], view: (value) => ["view-transform", value],
+  api: (value) => ["api", value], rounds: (value) => ["samples", value], dpr: (value) => ["pixel-ratio", value],
+  jitter: (value) => ["jitter", value],
+};
+
+/** { parameters, problems }: of the address. problems: a line each. */
+export function readParameters(address) {
   const parameters = new Map(), problems = [];
-  for (const query of [own, address]) {
-    for (const [name, value] of new URLSearchParams(query)) {
-      const wrong = Object.hasOwn(CHECKS, name) ? CHECKS[name](value) : misspelt(name);
-      if (wrong) problems.push(Object.hasOwn(CHECKS, name) ? `?${name}=: ${wrong}, found ${value}` : wrong);
-      else parameters.set(name, value);
-    }
+  for (const [name, value] of new URLSearchParams(address)) {
+    const wrong = Object.hasOwn(CHECKS, name) ? CHECKS[name](value) : misspelt(name);
+    if (wrong) problems.push(Object.hasOwn(CHECKS, name) ? `?${name}=: ${wrong}, found ${value}` : wrong);
+    else parameters.set(name, value);
   }
   return { parameters, problems };
 }
@@ -47,12 +55,4 @@ function distance(a, b) {
     }
   }
   return rows[a.length][b.length];
-}
-
-/**
- * A file's address. "#" is a letter of its name, for files have no places in them that an address could name; so is
- * "%" without two digits of an encoded byte behind it.
- */
-export function fileAddress(value) {
-  return value.replaceAll("#", "%23").replace(/%(?![0-9a-f]{2})/gi, "%25");
 }

@@ -20,7 +20,7 @@ export class WebGLEngine {
     canvas.addEventListener("webglcontextlost", (event) => {
       event.preventDefault();
       engine.lost = true;
-      engine.onlost?.("the WebGL context was lost");
+      if (!engine.closed) engine.onlost?.("the WebGL context was lost");
     });
     return engine;
   }
@@ -174,9 +174,11 @@ export class WebGLEngine {
   }
 
   close() {
+    this.closed = true;
     this._deleteAsset();
     this._deleteImages();
     for (const program of Object.values(this.programs)) program.delete();
+    this.gl.getExtension("WEBGL_lose_context")?.loseContext();  // browsers allow few contexts at a time
   }
 }
 

@@ -7,7 +7,6 @@ const COARSEST = 16;
 const NOISE = 0.4;         // of one sample, in values of the screen: differences that may be noise
 const NOISY_ROUNDS = 12;   // from which on no noise is taken out
 const DARKNESS = { kind: "sun", direction: [0, 1, 0], colour: [0, 0, 0] };
-export const BACKDROP = [0.052, 0.056, 0.063];
 
 export class Viewer extends EventTarget {
   constructor(engine, canvas, orbit) {
@@ -15,7 +14,7 @@ export class Viewer extends EventTarget {
     Object.assign(this, { engine, canvas, orbit });
     Object.assign(this, {
       lights: [], ground: null, exposure: 0, view: "srgb", denoise: true, rounds: 256, jitter: 1, generation: 0, msPerPixel: 0.005, shown: null,
-      finest: 1, ready: false, stopped: false, moving: false, stats: { ms: 0, rounds: 0 },
+      finest: 1, ready: false, stopped: false, moving: false, resting: false, backdrop: [0, 0, 0], stats: { ms: 0, rounds: 0 },
     });
     this.wake = null;
   }
@@ -39,8 +38,15 @@ export class Viewer extends EventTarget {
     this.generation += 1;
   }
 
+  /** Holds samples back; those that are there stay. */
+  rest(on) {
+    this.resting = on;
+    if (!on) this.rouse?.();
+  }
+
   stop() {
     this.stopped = true;
+    this.rest(false);
     this.pause();
     this.wake?.();
     return this.running;
@@ -57,7 +63,7 @@ export class Viewer extends EventTarget {
     if (!this.shown) return;
     const { rounds } = this.shown, noisy = this.denoise && rounds < NOISY_ROUNDS;
     this.engine.show({
-      rounds, exposure: 2 ** this.exposure, backdrop: BACKDROP, filmic: this.view === "filmic",
+      rounds, exposure: 2 ** this.exposure, backdrop: this.backdrop, filmic: this.view === "filmic",
       spread: noisy ? NOISE / Math.sqrt(rounds) : 0,
     });
   }
@@ -119,6 +125,7 @@ export class Viewer extends EventTarget {
     const cost = this.msPerPixel * width * Math.max(1, lights.length);
     const rows = Math.max(1, Math.min(height, Math.floor(BAND_MS / cost), Math.floor(engine.bandPixels / width)));
     for (let from = 0; from < height; from += rows) {
+      if (this.resting) await new Promise((resolve) => { this.rouse = resolve; });
       this._band(camera, round, lights, from, Math.min(height, from + rows));
       await engine.done();
       if (generation !== this.generation || this.stopped || engine.lost) return false;

@@ -1,0 +1,3874 @@
+(()=>{var ka=Object.defineProperty;var Ti=(n,e)=>{for(var t in e)ka(n,t,{get:e[t],enumerable:!0})};function bn(n){return n.replaceAll("#","%23").replace(/%(?![0-9a-f]{2})/gi,"%25")}var Dt=class extends Error{constructor(e,t,r){super(`${t?t+": ":""}${r} [${e}]`),this.code=e,this.where=t}};function _(n,e,t){throw new Dt(n,e,t)}var B=class extends Error{};var _r=65536,Sa=2**30,lt=class{constructor(e,t){this.blob=e,this.name=t,this.size=e.size,this.ranged=!1,this.fetched=e.size}async read(e,t){return new Uint8Array(await this.blob.slice(e,t).arrayBuffer())}},An=class n{static async open(e,t=()=>{},r,i=yr(e)){let s=new n;Object.assign(s,{url:e,progress:t,signal:r,fetched:0,name:i});let a=await s._ask({Range:`bytes=0-${_r-1}`}),c=/\/(\d+)$/.exec(a.headers.get("Content-Range")??"");s.ranged=a.status===206&&c!==null;let u=Number(a.headers.get("Content-Length"))||0;s.expected=s.ranged?_r:u;let h=s.ranged?_r:Sa;return u>h&&await s._tooLong(a,h),s.head=await s._collect(a,h),s.size=s.ranged?Number(c[1]):s.head.length,s}async read(e,t){if(t<=this.head.length)return this.head.subarray(e,t);if(!this.ranged)return this.head.subarray(e,Math.min(t,this.size));let r=await this._ask({Range:`bytes=${e}-${t-1}`});if(r.status!==206)throw new B(`${this.name}: the server forgot about ranges`);let i=await this._collect(r,t-e);if(i.length<t-e)throw new B(`${this.name}: the server sent ${i.length} bytes of ${t-e}`);return i}async _ask(e){let t;try{t=await fetch(this.url,{headers:e,signal:this.signal})}catch(r){if(r.name==="AbortError")throw r;let i=new URL(this.url,location.href).protocol==="file:";throw new B(i?"a page opened from a file cannot load packages: serve the folder (rna-view, any web server), or drop the .rna file here":`cannot load ${this.url}: no answer, or the server does not allow other sites (CORS)`)}if(!t.ok&&t.status!==416)throw new B(`cannot load ${this.url}: HTTP ${t.status}`);return t}async _collect(e,t){if(e.status===416||!e.body)return new Uint8Array;let r=[],i=0,s=e.body.getReader();for(;;){let{done:u,value:h}=await s.read();if(u)break;i+=h.length,i>t&&await this._tooLong(s,t),r.push(h),this.fetched+=h.length,this.progress(this.fetched,this.expected)}let a=new Uint8Array(i),c=0;for(let u of r)a.set(u,c),c+=u.length;return a}async _tooLong(e,t){throw await(e.body??e).cancel().catch(()=>{}),new B(this.ranged?`${this.name}: the server sent more than the ${t} bytes that were asked for`:`${this.name}: more than ${t} bytes from a server without range requests: use rna-view, or a server that has them`)}};function yr(n){let e=new URL(n,location.href).pathname.split("/").pop();try{return decodeURIComponent(e)||n}catch{return e}}var En=class{constructor(e){Object.assign(this,{place:e,lines:new Map})}say(e,t=!1,r="page"){e?this.lines.set(r,{text:e,calm:t}):this.lines.delete(r);let i=[...this.lines.values()],s=new Set(i.map(a=>a.text));this.place.hidden=!i.length,this.place.replaceChildren(...[...s].map(a=>Object.assign(document.createElement("span"),{textContent:a}))),this.place.classList.toggle("calm",i.every(a=>a.calm))}},Ni=(n,e,t)=>Math.min(Math.max(n,e),t),Rn=n=>((n+180)%360+360)%360-180;function Je(n){return n<1e6?`${Math.round(n/1e3)} kB`:`${(n/1e6).toFixed(n<1e7?2:1)} MB`}var Oi={azimuth:.6,elevation:.35,fov:30},Ii=89*Math.PI/180,Ta=.95,Fe=(n,e,t=1)=>n.map((r,i)=>r+t*e[i]),Ut=(n,e)=>n.map(t=>t*e),xr=(n,e)=>n.reduce((t,r,i)=>t+r*e[i],0),Na=n=>Ut(n,1/Math.hypot(...n)),Mi=([n,e,t],[r,i,s])=>[e*s-t*i,t*r-n*s,n*i-e*r],wr=n=>Math.min(Ii,Math.max(-Ii,n));function zi(n,e,t){let r=Fe(n,e,-1),i=Math.hypot(...r);return{azimuth:Math.atan2(r[0],r[2]),elevation:Math.asin(r[1]/i),distance:i,target:e,fov:t}}var kn=class{constructor(){Object.assign(this,{target:[0,0,0],distance:1,size:1,turntable:0,...Oi})}place(e,t,r,i){let s=e.map(v=>Object.fromEntries(Object.entries(v).filter(([,x])=>x!=null))),{azimuth:a,elevation:c,fov:u,target:h=[],distance:p,share:d=1}=Object.assign({},Oi,...s);Object.assign(this,{azimuth:a,elevation:c,fov:u}),t&&this.frame(t,r,i),this.distance=p??d*this.distance,this.target=this.target.map((v,x)=>h[x]??v)}frame({min:e,max:t},r,i=!1){this.target=Ut(Fe(e,t),.5),this.size=Math.hypot(...Fe(t,e,-1))/2||1;let s=Ta*Math.tan(this.fov*Math.PI/360),a=Array.from({length:8},(h,p)=>Fe([0,1,2].map(d=>(p>>d&1?t:e)[d]),this.target,-1)),u=(i?Array.from({length:16},(h,p)=>p*Math.PI/8):[this.turntable]).flatMap(h=>{let{forward:p,side:d,above:v}=this._axes(h);return a.map(x=>Math.max(Math.abs(xr(x,v)),Math.abs(xr(x,d))/r)/s-xr(x,p))});this.distance=Math.max(...u)||this.size}get position(){return Fe(this.target,this._away(this.turntable),this.distance)}turn(e,t){this.azimuth+=e,this.elevation=wr(this.elevation+t)}zoom(e){this.distance=Math.min(1e4*this.size,Math.max(.001*this.size,this.distance*e))}pan(e,t){let{side:r,above:i}=this._axes(),s=2*this.distance*Math.tan(this.fov*Math.PI/360);this.target=Fe(Fe(this.target,r,e*s),i,t*s)}camera(e,t){let{forward:r,side:i,above:s}=this._axes(),a=Math.tan(this.fov*Math.PI/360),c=a*e/t;return{position:this.position,corner:Fe(Fe(r,i,-c),s,a),stepX:Ut(i,2*c/e),stepY:Ut(s,-2*a/t)}}_away(e){let t=Math.cos(this.elevation),r=this.azimuth+e;return[t*Math.sin(r),Math.sin(this.elevation),t*Math.cos(r)]}_axes(e=this.turntable){let t=Ut(this._away(e),-1),r=Na(Mi(t,[0,1,0]));return{forward:t,side:r,above:Mi(r,t)}}};var Ce=Math.PI/180,Oa={deg:Ce,rad:1},Ia={m:1,cm:.01,mm:.001},Ma={"%":.01};function Tn(n,e){throw new Error(`expected ${n}, found ${JSON.stringify(e)}`)}function br(n,e){let[,t,r]=/^([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)([a-z%]+)$/i.exec(n)??[];return Object.hasOwn(e,r??"")?Number(t)*e[r]:null}function Ht(n,e,t){let r=n.trim().split(/\s+/);return r.length!==t.length&&Tn(e,n),r.map((i,s)=>i==="auto"?null:t[s](i)??Tn(e,n))}var ht=n=>br(n,Oa),Sn=n=>br(n,Ia),ut=(n,e,t=!1)=>r=>{let i=Number(r);return r.trim()!==""&&i>=n&&i<=e&&(!t||Number.isInteger(i))?i:Tn(`a ${t?"whole ":""}number from ${n} to ${e}`,r)},Bt=(...n)=>e=>n.includes(e)?e:Tn(n.join(" or "),e),Qe=n=>n,$e=()=>!0;function za(n){let e=a=>Sn(a)??br(a,Ma),[t,r,i]=Ht(n,"THETA PHI RADIUS, as 45deg 75deg 2m",[ht,ht,e]),s=n.trim().endsWith("%");return{azimuth:t,elevation:r===null?null:wr(Math.PI/2-r),distance:s?null:i,share:s?i:null}}var Fa=n=>Ht(n,"X Y Z, as 0m 0.5m 0m",[Sn,Sn,Sn]);function Ca(n){let[e]=Ht(n,"an angle, as 30deg",[ht]);return e===null?null:Math.min(170,Math.max(1,e/Ce))}var Fi=n=>Ht(n,"an angle, as 90deg",[ht])[0]/Ce;function La(n){if(n.trim()==="none")return{sun:0};let e=s=>s>=0?Number(s):null,[t,r,i]=Ht(n,"none or AZIMUTH HEIGHT BRIGHTNESS, as 40deg 45deg 2",[ht,ht,e]);return{sunAzimuth:(t??40*Ce)/Ce,sunHeight:(r??45*Ce)/Ce,sun:i??2}}var $t={src:Qe,alt:Qe,poster:Qe,scene:Qe,environment:Qe,tier:Qe,api:Qe,loading:Bt("auto","lazy","eager"),reveal:Bt("auto","manual"),"camera-orbit":za,"camera-target":Fa,"field-of-view":Ca,sun:La,"light-rotation":Fi,"environment-intensity":ut(0,1e6),ground:$e,exposure:ut(-30,30),"view-transform":Bt("srgb","filmic"),"camera-controls":$e,"disable-zoom":$e,"disable-pan":$e,"disable-light":$e,"touch-action":Bt("pan-y","pan-x","none"),"wheel-zoom":Bt("focus","always"),"auto-rotate":$e,"auto-rotate-delay":ut(0,1e9),"rotation-per-second":Fi,samples:ut(1,1e6,!0),"pixel-ratio":ut(.1,8),jitter:ut(0,1)},On=n=>n.replace(/-(.)/g,(e,t)=>t.toUpperCase()),Nn=n=>String(Number(n.toPrecision(6))),ft=n=>`${Nn(n)}deg`,Ci=n=>`${Nn(n)}m`;function Gt({azimuth:n,elevation:e,distance:t,target:r,fov:i}){let s=n/Ce,a=s-360*Math.round(s/360);return{cameraOrbit:`${ft(a)} ${ft(90-e/Ce)} ${Ci(t)}`,cameraTarget:r.map(Ci).join(" "),fieldOfView:ft(i)}}function In({rotation:n,strength:e,suns:t,sun:r,sunAzimuth:i,sunHeight:s}){return{sun:t||!(r>0)?"none":`${ft(i)} ${ft(s)} ${Nn(r)}`,lightRotation:ft(n),environmentIntensity:Nn(e)}}var Pa=`
+<div id="view" part="view"></div>
+<slot></slot>
+<div id="poster"><slot name="poster"><img part="poster" alt="" hidden></slot></div>
+<div id="over">
+  <div id="loading" hidden>
+    <slot name="progress-bar"><progress id="bar" part="progress-bar" aria-label="Loading"></progress><span id="bytes"></span></slot>
+  </div>
+  <p id="notice" part="notice" role="alert" hidden></p>
+</div>
+<p id="keys" class="spoken">
+  Arrow keys or one finger orbit. Plus, minus or a pinch go nearer and farther. Square brackets, Shift and arrow keys, or
+  two fingers turn the light. Home resets.
+</p>
+<p id="status" class="spoken" role="status"></p>
+`,Da=`
+:host {
+  display: block; position: relative; overflow: hidden; width: 100%; aspect-ratio: 16 / 10;
+  background-color: rgb(64, 67, 71); color: #fff; font: 13px/1.45 system-ui, "Segoe UI", Roboto, "Liberation Sans", sans-serif;
+}
+:host([hidden]), [hidden] { display: none !important; }
+#view, canvas, #poster, #poster img, ::slotted([slot="poster"]) { position: absolute; inset: 0; width: 100%; height: 100%; }
+#view { background-color: inherit; }
+canvas { display: block; }
+canvas:focus-visible { outline: 2px solid #fff; outline-offset: -2px; }
+:host([camera-controls]) canvas { cursor: grab; }
+:host([camera-controls]) canvas.dragging { cursor: grabbing; }
+#poster { pointer-events: none; }
+#poster img { object-fit: contain; }
+#over {
+  position: absolute; inset: 0; padding: 16px; pointer-events: none; overflow: hidden; box-sizing: border-box;
+  display: flex; flex-direction: column; justify-content: flex-end; align-items: center; gap: 10px;
+}
+#loading { text-align: center; font-variant-numeric: tabular-nums; }
+#bar {
+  display: block; width: min(60vw, 320px); max-width: 100%; height: 4px; margin-bottom: 6px; border: 0; border-radius: 2px;
+  appearance: none; background: #3a3a3a;
+}
+#bar::-webkit-progress-bar { background: #3a3a3a; border-radius: 2px; }
+#bar::-webkit-progress-value { background: #cfcfcf; border-radius: 2px; }
+#bar::-moz-progress-bar { background: #cfcfcf; border-radius: 2px; }
+#notice {
+  max-width: min(100%, 60ch); margin: 0; padding: 10px 16px; border-radius: 6px; pointer-events: auto; text-align: center;
+  background: #7a2525; border: 1px solid #a34a4a; overflow-wrap: anywhere;
+}
+#notice.calm { background: #000c; border-color: #555; }
+#notice span { display: block; }
+.spoken { position: absolute; width: 1px; height: 1px; margin: 0; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
+`,Mn=null;function Li(n){let e=n.attachShadow({mode:"open",delegatesFocus:!0});return Mn??=new CSSStyleSheet,Mn.cssRules.length||Mn.replaceSync(Da),e.adoptedStyleSheets=[Mn],e.innerHTML=Pa,e}var Ua=["front","front right","right","back right","back","back left","left","front left"],Pi=20*Math.PI/180;function Di({azimuth:n,elevation:e}){let t=Math.round(4*n/Math.PI),r=Ua[(t%8+8)%8],i=e>Pi?", from above":e<-Pi?", from below":"";return`View from the ${r}${i}`}function Bi(n,e=0){let t=n.length/6,r=Uint32Array.from({length:t},(p,d)=>d),i=new Float32Array(3*t);for(let p=0;p<t;p++)for(let d=0;d<3;d++)i[3*p+d]=.5*(n[6*p+d]+n[6*p+3+d]);let s=new Float32Array(16*t),a=new Uint32Array(s.buffer),c={boxes:n,centres:i,order:r},u=[[0,t,0,-1]],h=0;for(;u.length;){let[p,d,v,x]=u.pop(),S=8*h;h+=1,x>=0&&(a[x+3]=e+S/8),Ba(c,p,d);for(let L=0;L<3;L++)s[S+L]=me[L],s[S+4+L]=me[3+L];if(d-p<=4){a[S+3]=p,a[S+7]=d-p;continue}let T=v<24?$a(c,p,d):p;p<T&&T<d||(T=Ga(c,p,d)),u.push([T,d,v+1,S],[p,T,v+1,-1])}return{nodes:a.slice(0,8*h),order:r}}function Sr(n,e,t,r){for(let i=0;i<3;i++)n[e+i]=Math.min(n[e+i],t[r+i]),n[e+3+i]=Math.max(n[e+3+i],t[r+3+i])}function Tr(n){for(let e=0;e<n.length;e+=6)for(let t=0;t<3;t++)n[e+t]=1/0,n[e+3+t]=-1/0;return n}var me=new Float32Array(6),Rr=new Float32Array(96),kr=new Uint32Array(16),Ar=new Float64Array(16),Er=new Float64Array(16);function Ba({boxes:n,order:e},t,r){Tr(me);for(let i=t;i<r;i++)Sr(me,0,n,6*e[i])}function Hi({centres:n,order:e},t,r,i){let s=1/0,a=-1/0;for(let c=t;c<r;c++){let u=n[3*e[c]+i];s=Math.min(s,u),a=Math.max(a,u)}return[s,a]}var $i=(n,e,t)=>Math.min(Math.floor((n-e)/(t-e)*16),15);function Ha({boxes:n,centres:e,order:t},r,i,s,a,c){Tr(Rr),kr.fill(0);for(let p=r;p<i;p++){let d=$i(e[3*t[p]+s],a,c);kr[d]+=1,Sr(Rr,6*d,n,6*t[p])}Ui(Er,15,-1),Ui(Ar,0,1);let u=1/0,h=0;for(let p=1;p<16;p++)Ar[p-1]+Er[p]<u&&(u=Ar[p-1]+Er[p],h=p);return{cost:u,cut:h,axis:s,low:a,high:c}}function Ui(n,e,t){Tr(me);for(let r=e,i=0;r>=0&&r<16;r+=t){Sr(me,0,Rr,6*r),i+=kr[r];let s=me[3]-me[0],a=me[4]-me[1],c=me[5]-me[2];n[r]=i?(s*a+a*c+c*s)*i:1/0}}function $a(n,e,t){let r={cost:1/0};for(let v=0;v<3;v++){let[x,S]=Hi(n,e,t,v),T=S>x?Ha(n,e,t,v,x,S):r;T.cost<r.cost&&(r=T)}if(r.cost===1/0)return e;let{centres:i,order:s}=n,{axis:a,cut:c,low:u,high:h}=r,p=e,d=t-1;for(;p<=d;){let v=s[p];$i(i[3*v+a],u,h)<c?p++:(s[p]=s[d],s[d--]=v)}return p}function Ga(n,e,t){let{centres:r,order:i}=n,s=[0,1,2].map(c=>{let[u,h]=Hi(n,e,t,c);return h-u}),a=s.indexOf(Math.max(...s));return i.subarray(e,t).sort((c,u)=>r[3*c+a]-r[3*u+a]),Math.floor((e+t)/2)}var Nr={note:"Generated by `python -m rna_gpu.records.write_records`; do not edit.",constants:{MAX_LAYERS:32,MAX_EXACT_INPUTS:512,UNIFORM_WEIGHTS:4096,RNA_NONE:4294967295,RNA_FLOAT32:0,RNA_FLOAT16:1,RNA_INT8:2,RNA_BLOCK_FEATURES:0,RNA_BLOCK_POSITION:1,RNA_BLOCK_NORMAL:2,RNA_BLOCK_TANGENT:3,RNA_BLOCK_H:4,RNA_BLOCK_WO:5,RNA_BLOCK_WI:6,RNA_BLOCK_HALF_VECTOR:7,RNA_BLOCK_HIGHLIGHT:8,RNA_BLOCK_LEARNED_NORMAL:9,RNA_BLOCK_FIBER_ANGLES:10,RNA_BLOCK_FIBER_LOBES:11,RNA_CHANNEL_GROUPS:16,NONE:4294967295,SUM_BEAUTY:0,SUM_NORMAL:1,SUM_POSITION:2,SUM_LIGHT_SAMPLES:3,SUM_BEHIND:4,SUM_GROUPS:5,CAMERA_RAY:1,SHADOW_RAY:4,ALL_DIRECTIONS:4294967295,HEMISPHERE:4294967294,CHOICES:1,DIRECTION:2,ROULETTE:3,LIGHT:4,DIMENSIONS:7,HAS_SKY:1,FOR_BETA:2,RAYS_MEET_LIGHTS:4,FOR_EMISSION:8,FOR_LIGHT:16,TRANSMITS:32,OF_MATERIAL:0,OF_NEURAL:1,OF_FIBERS:2,EMITS:1,LETS_THROUGH:2,IS_GLASS:4,HAS_CUTOFF:8,HAS_SCHLICK:16,BASE:0,METAL:1,COAT:2,GLOW:3,CLEAR:4,CLEAR_ROUGH:5,THROUGH:6,RELIEF:7,LIGHT_SEEN:1,LIGHT_DELTA:2,LIGHT_INFINITE:4,DIRECTIONAL:0,SUN:1,POINT:2,RECTANGLE:3,DISK:4,SPHERE:5,UNIFORM:6,IMAGE:7,TRIANGLES:8},records:{RnaLayer:{words:8,members:{inputs:{at:0,type:"u32",count:1},outputs:{at:1,type:"u32",count:1},weights:{at:2,type:"u32",count:1},bias:{at:3,type:"u32",count:1},units:{at:4,type:"u32",count:1},relu:{at:5,type:"u32",count:1},int8_step:{at:6,type:"f32",count:1},reserved:{at:7,type:"u32",count:1}}},RnaPart:{words:484,members:{low:{at:0,type:"f32",count:3},resolution:{at:3,type:"u32",count:1},high:{at:4,type:"f32",count:3},channel_groups:{at:7,type:"u32",count:1},query_groups:{at:8,type:"u32",count:1},layer_count:{at:9,type:"u32",count:1},plane_precision:{at:10,type:"u32",count:1},gain:{at:11,type:"u32",count:1},query_low:{at:12,type:"f32",count:1},query_high:{at:13,type:"f32",count:1},top:{at:14,type:"f32",count:1},unit:{at:15,type:"f32",count:1},matrix:{at:16,record:"RnaLayer",count:1},scales:{at:24,type:"f32",count:192},layers:{at:216,record:"RnaLayer",count:32},slots:{at:472,type:"u32",count:12}}},RnaNode:{words:8,members:{low:{at:0,type:"f32",count:3},child:{at:3,type:"u32",count:1},high:{at:4,type:"f32",count:3},count:{at:7,type:"u32",count:1}}},RnaInstance:{words:32,members:{to_object:{at:0,type:"f32",count:12},rotation:{at:12,type:"f32",count:12},place:{at:24,type:"f32",count:3},scale:{at:27,type:"f32",count:1},root:{at:28,type:"u32",count:1},rays:{at:29,type:"u32",count:1},extent:{at:30,type:"f32",count:1},own:{at:31,type:"u32",count:1}}},Frame:{words:36,members:{camera:{at:0,type:"f32",count:3},width:{at:3,type:"u32",count:1},corner:{at:4,type:"f32",count:3},paths:{at:7,type:"u32",count:1},step_x:{at:8,type:"f32",count:3},sample:{at:11,type:"u32",count:1},step_y:{at:12,type:"f32",count:3},seed:{at:15,type:"u32",count:1},depth:{at:16,type:"u32",count:1},light:{at:17,type:"u32",count:1},part:{at:18,type:"u32",count:1},parts:{at:19,type:"u32",count:1},rays:{at:20,type:"u32",count:1},clamp:{at:21,type:"f32",count:1},light_count:{at:22,type:"u32",count:1},sums:{at:23,type:"u32",count:1},flags:{at:24,type:"u32",count:1},branch:{at:25,type:"u32",count:1},branches:{at:26,type:"u32",count:1},neural_part:{at:27,type:"u32",count:1},table_size:{at:28,type:"u32",count:1},things:{at:29,type:"u32",count:1},surfaces:{at:30,type:"u32",count:1},lights:{at:31,type:"u32",count:1},albedo:{at:32,type:"u32",count:1},domains:{at:33,type:"u32",count:1},textures:{at:34,type:"u32",count:1}}},Path:{words:24,members:{origin:{at:0,type:"f32",count:3},pixel:{at:3,type:"u32",count:1},direction:{at:4,type:"f32",count:3},pdf:{at:7,type:"f32",count:1},beta:{at:8,type:"f32",count:3},state:{at:11,type:"u32",count:1},normal:{at:12,type:"f32",count:3},t:{at:15,type:"f32",count:1},instance:{at:16,type:"u32",count:1},primitive:{at:17,type:"u32",count:1},own:{at:18,type:"u32",count:1},b1:{at:19,type:"f32",count:1},leaving:{at:20,type:"f32",count:3},b2:{at:23,type:"f32",count:1}}},Pending:{words:24,members:{x:{at:0,type:"f32",count:3},h:{at:3,type:"f32",count:1},axis:{at:4,type:"f32",count:3},part:{at:7,type:"u32",count:1},wo:{at:8,type:"f32",count:3},light:{at:11,type:"u32",count:1},wi:{at:12,type:"f32",count:3},strand:{at:15,type:"u32",count:1},weight:{at:16,type:"f32",count:3},seen:{at:19,type:"f32",count:1},visible:{at:20,type:"f32",count:3},reserved:{at:23,type:"u32",count:1}}},Thing:{words:4,members:{number:{at:0,type:"f32",count:1},catches:{at:1,type:"u32",count:1},step:{at:2,type:"f32",count:1},passes:{at:3,type:"u32",count:1}}},Surface:{words:36,members:{kind:{at:0,type:"u32",count:1},part:{at:1,type:"u32",count:1},flags:{at:2,type:"u32",count:1},normal_map:{at:3,type:"u32",count:1},base_color:{at:4,type:"f32",count:3},roughness:{at:7,type:"f32",count:1},metallic:{at:8,type:"f32",count:1},coat_f0:{at:9,type:"f32",count:1},coat_weight:{at:10,type:"f32",count:1},transmission:{at:11,type:"f32",count:1},emission:{at:12,type:"f32",count:3},normal_scale:{at:15,type:"f32",count:1},clear_coat:{at:16,type:"f32",count:1},clear_coat_roughness:{at:17,type:"f32",count:1},second_uvs:{at:18,type:"u32",count:1},tangents:{at:19,type:"u32",count:1},textures:{at:20,type:"u32",count:8},through:{at:28,type:"u32",count:1},cutoff:{at:29,type:"f32",count:1},ior:{at:30,type:"f32",count:2},f0:{at:32,type:"f32",count:1}}},Texture:{words:12,members:{place:{at:0,type:"u32",count:1},size:{at:1,type:"u32",count:1},form:{at:2,type:"u32",count:1},row_u:{at:4,type:"f32",count:3},row_v:{at:8,type:"f32",count:3}}},Light:{words:32,members:{kind:{at:0,type:"u32",count:1},group:{at:1,type:"u32",count:1},flags:{at:2,type:"u32",count:1},instance:{at:3,type:"u32",count:1},numbers:{at:4,type:"f32",count:20},probability:{at:24,type:"f32",count:3},places:{at:28,type:"u32",count:4}}}},lights:{directional:{colour:0,axis:3},sun:{colour:0,axis:3,one_minus_cosine:6},point:{colour:0,place:3,axis:6,cos_inner:9,cos_outer:10},rectangle:{colour:0,frame:3,half:15},disk:{colour:0,frame:3,radius:15},sphere:{colour:0,centre:3,radius:6},uniform:{colour:0},image:{colour:0,turn_cosine:3,turn_sine:4,total:5,mean:6,rows:7,columns:8},triangles:{colour:0,rotation:3,place:12,scale:15}}};var{constants:re,records:we}=Nr;function Gi(n){for(let[,e,t]of n.matchAll(/struct (\w+) \{([^}]*)\}/g)){let r={},i=0;for(let[,s,a]of t.matchAll(/^\s*(\w+): ([\w<>]+)/gm)){let c=Number(/vec(\d)/.exec(a)?.[1]??1),u=c===3?4:c,h=Math.ceil(i/u)*u;r[s]={at:h,type:a.includes("u32")?"u32":"f32",count:c},i=h+c}we[e]={words:4*Math.ceil(i/4),members:r}}}function le(n,e){let t=new Uint32Array(we[n].words);return Zi(t,new Float32Array(t.buffer),0,n,e),t}var pt=n=>4*we[n].words;function qi(n,e){let t=[];for(let[r,i]of Object.entries(e))[i].flat().forEach((s,a)=>{t[Nr.lights[n][r]+a]=s});return Float32Array.from(t,r=>r??0)}function Zi(n,e,t,r,i){for(let[s,a]of Object.entries(i)){let{at:c,type:u,record:h}=we[r].members[s],p=t+c,d=typeof a=="number"?[a]:a;h?[d].flat().forEach((v,x)=>Zi(n,e,p+x*we[h].words,h,v)):(u==="f32"?e:n).set(d,p)}}var{NONE:Za,OF_NEURAL:ja,OF_FIBERS:Wa,LETS_THROUGH:ji,HAS_CUTOFF:Ya}=re,zn=class{constructor(){Object.assign(this,{surfaces:[],textures:[],images:[],imagesLength:0})}ofFibers(e){return this._add({kind:Wa,part:e})}ofTriangles({mesh:e,transmittance:t,normalMaps:r},i){let s=e.indices.length/3,a=Wi(t,s),c=Wi(r,s),u=new Map,h=new Uint32Array(s);for(let p=0;p<s;p++){let d=`${c[p]} ${a[p]}`;u.has(d)||u.set(d,this._ofRecords(i,r[c[p]],t[a[p]])),h[p]=u.get(d)}return h}arrays(){let e=this.surfaces.map(s=>le("Surface",s)),t=Uint32Array.from([...e,...this.textures].flatMap(s=>[...s])),r=new Uint32Array(this.imagesLength),i=0;for(let s of this.images)r.set(s,i),i+=s.length;return{table:t,images:r,texturesAt:e.reduce((s,a)=>s+a.length/4,0),hasTextures:this.textures.length>0,transmits:this.surfaces.some(({flags:s})=>s&ji)}}_add(e){return this.surfaces.push({normal_map:Za,...e})-1}_ofRecords(e,t,r){let i={kind:ja,part:e};return t&&(i.normal_map=this._texture(t.texture)),r&&(i.flags=ji|(r.cutoff==null?0:Ya),Object.assign(i,{through:this._texture(r.texture),cutoff:r.cutoff??0,ior:r.ior??[0,0]})),this._add(i)}_texture({values:e,width:t,height:r,channels:i}){let s=new Uint32Array(t*r),a=this.imagesLength;for(let c=0;c<s.length;c++){let[u,h=u,p=i===1?u:0]=e.subarray(i*c,i*(c+1));s[c]=u|h<<8|p<<16}return this.images.push(s),this.imagesLength+=s.length,this.textures.push(le("Texture",{place:a,size:r<<16|t,row_u:[1,0,0],row_v:[0,1,0]}))-1}};function Wi(n,e){let t=new Int32Array(e).fill(-1);return n.forEach(({triangles:[r,i]},s)=>t.fill(s,r,r+i)),t}var Va=1,Xa=2;function Fn(n){let e=n.map(Ka),t=p=>e.reduce((d,v)=>d+v[p],0),r={primitives:new Uint32Array(4*t("primitives")),points:new Float32Array(4*t("points")),normals:new Float32Array(4*t("normals")),boxes:new Float32Array(6*t("primitives")),surfaces:new zn,parts:[],extent:0,strands:0},i={primitive:0,point:0},s=[...n.keys()].sort((p,d)=>(n[p].kind==="fiber")-(n[d].kind==="fiber"));for(let p of s){let d=n[p];r.parts[p]={first:i.primitive,fiber:d.kind==="fiber"},d.kind==="fiber"?Qa(r,d.curves,p,i):Ja(r,d,p,i),i={primitive:i.primitive+e[p].primitives,point:i.point+e[p].points}}let{nodes:a,order:c}=Bi(r.boxes,1),u=new Uint32Array(r.primitives.length),h=new Uint32Array(c.length);return c.forEach((p,d)=>{u.set(r.primitives.subarray(4*p,4*p+4),4*d),h[p]=d}),{...r,boxes:null,...r.surfaces.arrays(),primitives:u,nodes:ec(a),where:h,box:tc(a)}}function Ka({kind:n,mesh:e,curves:t}){if(n==="surface"){let i=e.positions.length/3;return{primitives:e.indices.length/3,points:i,normals:i}}let r=t.radii.length;return{primitives:r-(t.offsets.length-1),points:r,normals:0}}function Ja(n,e,t,{primitive:r,point:i}){let{positions:s,normals:a,uvs:c,indices:u}=e.mesh,{points:h,boxes:p,primitives:d}=n;for(let x=0;x<s.length/3;x++){let S=4*(i+x);for(let T=0;T<3;T++)h[S+T]=s[3*x+T],n.normals[S+T]=a[3*x+T],n.extent=Math.max(n.extent,Math.abs(s[3*x+T]));h[S+3]=c?c[2*x]:0,n.normals[S+3]=c?c[2*x+1]:0}let v=n.surfaces.ofTriangles(e,t);for(let x=0;x<u.length/3;x++){let S=[0,1,2].map(T=>u[3*x+T]);d.set([...S.map(T=>T+i),2*v[x]],4*(r+x));for(let T=0;T<3;T++){let L=S.map(Y=>s[3*Y+T]);p[6*(r+x)+T]=Math.min(...L),p[6*(r+x)+3+T]=Math.max(...L)}}}function Qa(n,e,t,{primitive:r,point:i}){let{boxes:s,primitives:a}=n,{radii:c,offsets:u}=e,h=n.surfaces.ofFibers(t);for(let d=0;d<c.length;d++){let[v,x,S]=e.points.subarray(3*d,3*d+3);n.points.set([v,x,S,c[d]],4*(i+d)),n.extent=Math.max(n.extent,Math.max(Math.abs(v),Math.abs(x),Math.abs(S))+c[d])}let p=r;for(let d=0;d+1<u.length;d++,n.strands++)for(let v=u[d];v+1<u[d+1];v++,p++){let x=(v>u[d]&&Va)|(v+2<u[d+1]&&Xa);a.set([i+v,x,n.strands,2*h+1],4*p);for(let S=0;S<3;S++){let T=e.points[3*v+S],L=e.points[3*v+3+S],Y=c[v]*1.0005,Q=c[v+1]*1.0005;s[6*p+S]=Math.min(T-Y,L-Q),s[6*p+3+S]=Math.max(T+Y,L+Q)}}}function ec(n){let e=new Uint32Array(n.length+8);return e.set(n.subarray(0,8)),e[3]=0,e[7]=1,e.set(n,8),e}function tc(n){let e=new Float32Array(n.buffer,0,8);return{min:[...e.subarray(0,3)],max:[...e.subarray(4,7)]}}var Yi=[1024,512];function Vi(n){let{rgb:e,width:t,height:r}=ic(n),i=[0,e.length,e.length+r+1,e.length+2*r+3],s=new Float32Array(i[3]+(r+1)*(t+1));s.set(e);let a=u=>Math.cos(Math.PI*Math.min(1,Math.max(0,(u-.5)/r))),c=0;for(let u=0;u<=r;u++){let h=a(u)-a(u+1),p=t*Math.max(u-1,0),d=t*Math.min(u,r-1);s[i[1]+u]=h;let v=0;for(let x=0;x<t;x++){let S=(x+1)%t,T=[p+x,p+S,d+x,d+S].reduce((L,Y)=>L+nc(e,Y),0);v+=T/4*h,s[i[3]+u*(t+1)+x+1]=v}c+=v,s[i[2]+u+1]=c}return{floats:s,places:i,total:c,width:t,height:r,up:rc(e,t,r)}}var nc=(n,e)=>.2126*n[3*e]+.7152*n[3*e+1]+.0722*n[3*e+2];function rc(n,e,t){let r=[0,0,0];for(let i=0;i<t;i++){let s=Math.PI*(i+.5)/t,a=2*Math.PI**2*Math.sin(s)/(e*t)*Math.max(0,Math.cos(s));for(let c=0;c<3*e;c++)r[c%3]+=n[3*e*i+c]*a}return r}function ic({rgb:n,width:e,height:t}){let r=Math.max(1,Math.ceil(e/Yi[0]),Math.ceil(t/Yi[1]));if(r===1)return{rgb:n,width:e,height:t};let i=Math.ceil(e/r),s=Math.ceil(t/r),a=new Float32Array(3*i*s);for(let c=0;c<s;c++)for(let u=0;u<i;u++){let h=0;for(let p=c*r;p<Math.min(t,(c+1)*r);p++)for(let d=u*r;d<Math.min(e,(u+1)*r);d++,h++)for(let v=0;v<3;v++)a[3*(c*i+u)+v]+=n[3*(p*e+d)+v];for(let p=0;p<3;p++)a[3*(c*i+u)+p]/=h}return{rgb:a,width:i,height:s}}function Cn(n){return{rgb:Float32Array.from({length:96},(r,i)=>n[i%3]),width:8,height:4}}function Xi(){let t=new Float32Array(24576),r=[[[-.7,.6,.5],.93,[2.4,2.5,2.7]],[[.8,.5,-.35],.95,[3.2,3,2.7]]];for(let i=0;i<64;i++){let s=Math.PI*(i+.5)/64;for(let a=0;a<128;a++){let c=2*Math.PI*((a+.5)/128-.5),u=[Math.sin(s)*Math.sin(c),Math.cos(s),-Math.sin(s)*Math.cos(c)],h=.16+.14*Math.max(0,u[1]);for(let p=0;p<3;p++){let d=h*[.95,1,1.08][p];for(let[v,x,S]of r){let T=(u[0]*v[0]+u[1]*v[1]+u[2]*v[2])/Math.hypot(...v);d+=S[p]*Math.min(1,Math.max(0,(T-x)/.03))}t[3*(i*128+a)+p]=d}}}return{rgb:t,width:128,height:64}}var Or=0,Ir=1,Mr=2,zr=3,Fr=4,Cr=5,Lr=6,Pr=7;var Dr=1006;var dt=1015,mt=1016;var Ge=1023;var qt=1028;var gt=1030;var qe="srgb-linear";var Ki=null;function sc(n){let e=n[0];if(typeof e=="string"&&e.startsWith("TSL:")){let t=n[1];t&&t.isStackTrace?n[0]+=" "+t.getLocation():n[1]='Stack trace not available. Enable "THREE.Node.captureStackTrace" to capture stack traces.'}return n}function Ji(...n){n=sc(n);let e="THREE."+n.shift();if(Ki)Ki("warn",e,...n);else{let t=n[0];t&&t.isStackTrace?console.warn(t.getError(e)):console.warn(e,...n)}}var qf={[Or]:Or,[Mr]:Lr,[Fr]:Fr,[zr]:Cr,[Ir]:Ir,[Lr]:Mr,[Pr]:Pr,[Cr]:zr};var jf=Math.PI/180,Wf=180/Math.PI;function Qi(n,e,t){return Math.max(e,Math.min(t,n))}var Le=oc();function oc(){let n=new ArrayBuffer(4),e=new Float32Array(n),t=new Uint32Array(n),r=new Uint32Array(512),i=new Uint32Array(512);for(let u=0;u<256;++u){let h=u-127;h<-27?(r[u]=0,r[u|256]=32768,i[u]=24,i[u|256]=24):h<-14?(r[u]=1024>>-h-14,r[u|256]=1024>>-h-14|32768,i[u]=-h-1,i[u|256]=-h-1):h<=15?(r[u]=h+15<<10,r[u|256]=h+15<<10|32768,i[u]=13,i[u|256]=13):h<128?(r[u]=31744,r[u|256]=64512,i[u]=24,i[u|256]=24):(r[u]=31744,r[u|256]=64512,i[u]=13,i[u|256]=13)}let s=new Uint32Array(2048),a=new Uint32Array(64),c=new Uint32Array(64);for(let u=1;u<1024;++u){let h=u<<13,p=0;for(;(h&8388608)===0;)h<<=1,p-=8388608;h&=-8388609,p+=947912704,s[u]=h|p}for(let u=1024;u<2048;++u)s[u]=939524096+(u-1024<<13);for(let u=1;u<31;++u)a[u]=u<<23;a[31]=1199570944,a[32]=2147483648;for(let u=33;u<63;++u)a[u]=2147483648+(u-32<<23);a[63]=3347054592;for(let u=1;u<64;++u)u!==32&&(c[u]=1024);return{floatView:e,uint32View:t,baseTable:r,shiftTable:i,mantissaTable:s,exponentTable:a,offsetTable:c}}function ac(n){Math.abs(n)>65504&&Ji("DataUtils.toHalfFloat(): Value out of range."),n=Qi(n,-65504,65504),Le.floatView[0]=n;let e=Le.uint32View[0],t=e>>23&511;return Le.baseTable[t]+((e&8388607)>>Le.shiftTable[t])}function cc(n){let e=n>>10;return Le.uint32View[0]=Le.mantissaTable[Le.offsetTable[e]+(n&1023)]+Le.exponentTable[e],Le.floatView[0]}var I=class{static toHalfFloat(e){return ac(e)}static fromHalfFloat(e){return cc(e)}};var Ln=class{};var ge=Uint8Array,vt=Uint16Array,lc=Int32Array,es=new ge([0,0,0,0,0,0,0,0,1,1,1,1,2,2,2,2,3,3,3,3,4,4,4,4,5,5,5,5,0,0,0,0]),ts=new ge([0,0,0,0,1,1,2,2,3,3,4,4,5,5,6,6,7,7,8,8,9,9,10,10,11,11,12,12,13,13,0,0]),uc=new ge([16,17,18,0,8,7,9,6,10,5,11,4,12,3,13,2,14,1,15]),ns=function(n,e){for(var t=new vt(31),r=0;r<31;++r)t[r]=e+=1<<n[r-1];for(var i=new lc(t[30]),r=1;r<30;++r)for(var s=t[r];s<t[r+1];++s)i[s]=s-t[r]<<5|r;return{b:t,r:i}},rs=ns(es,2),is=rs.b,fc=rs.r;is[28]=258,fc[258]=28;var ss=ns(ts,0),hc=ss.b,th=ss.r,Hr=new vt(32768);for(W=0;W<32768;++W)Pe=(W&43690)>>1|(W&21845)<<1,Pe=(Pe&52428)>>2|(Pe&13107)<<2,Pe=(Pe&61680)>>4|(Pe&3855)<<4,Hr[W]=((Pe&65280)>>8|(Pe&255)<<8)>>1;var Pe,W,Zt=(function(n,e,t){for(var r=n.length,i=0,s=new vt(e);i<r;++i)n[i]&&++s[n[i]-1];var a=new vt(e);for(i=1;i<e;++i)a[i]=a[i-1]+s[i-1]<<1;var c;if(t){c=new vt(1<<e);var u=15-e;for(i=0;i<r;++i)if(n[i])for(var h=i<<4|n[i],p=e-n[i],d=a[n[i]-1]++<<p,v=d|(1<<p)-1;d<=v;++d)c[Hr[d]>>u]=h}else for(c=new vt(r),i=0;i<r;++i)n[i]&&(c[i]=Hr[a[n[i]-1]++]>>15-n[i]);return c}),jt=new ge(288);for(W=0;W<144;++W)jt[W]=8;var W;for(W=144;W<256;++W)jt[W]=9;var W;for(W=256;W<280;++W)jt[W]=7;var W;for(W=280;W<288;++W)jt[W]=8;var W,os=new ge(32);for(W=0;W<32;++W)os[W]=5;var W;var pc=Zt(jt,9,1);var dc=Zt(os,5,1),Ur=function(n){for(var e=n[0],t=1;t<n.length;++t)n[t]>e&&(e=n[t]);return e},be=function(n,e,t){var r=e/8|0;return(n[r]|n[r+1]<<8)>>(e&7)&t},Br=function(n,e){var t=e/8|0;return(n[t]|n[t+1]<<8|n[t+2]<<16)>>(e&7)},mc=function(n){return(n+7)/8|0},gc=function(n,e,t){return(e==null||e<0)&&(e=0),(t==null||t>n.length)&&(t=n.length),new ge(n.subarray(e,t))};var vc=["unexpected EOF","invalid block type","invalid length/literal","invalid distance","stream finished","no stream handler",,"no callback","invalid UTF-8 data","extra field too long","date not in range 1980-2099","filename too long","stream finishing","invalid zip data"],Ae=function(n,e,t){var r=new Error(e||vc[n]);if(r.code=n,Error.captureStackTrace&&Error.captureStackTrace(r,Ae),!t)throw r;return r},_c=function(n,e,t,r){var i=n.length,s=r?r.length:0;if(!i||e.f&&!e.l)return t||new ge(0);var a=!t,c=a||e.i!=2,u=e.i;a&&(t=new ge(i*3));var h=function(un){var fn=t.length;if(un>fn){var Ft=new ge(Math.max(fn*2,un));Ft.set(t),t=Ft}},p=e.f||0,d=e.p||0,v=e.b||0,x=e.l,S=e.d,T=e.m,L=e.n,Y=i*8;do{if(!x){p=be(n,d,1);var Q=be(n,d+1,3);if(d+=3,Q)if(Q==1)x=pc,S=dc,T=9,L=5;else if(Q==2){var it=be(n,d,31)+257,Ue=be(n,d+10,15)+4,hr=it+be(n,d+5,31)+1;d+=14;for(var Ve=new ge(hr),Ie=new ge(19),ne=0;ne<Ue;++ne)Ie[uc[ne]]=be(n,d+ne*3,7);d+=Ue*3;for(var an=Ur(Ie),pr=(1<<an)-1,_e=Zt(Ie,an,1),ne=0;ne<hr;){var zt=_e[be(n,d,pr)];d+=zt&15;var J=zt>>4;if(J<16)Ve[ne++]=J;else{var he=0,st=0;for(J==16?(st=3+be(n,d,3),d+=2,he=Ve[ne-1]):J==17?(st=3+be(n,d,7),d+=3):J==18&&(st=11+be(n,d,127),d+=7);st--;)Ve[ne++]=he}}var cn=Ve.subarray(0,it),ye=Ve.subarray(it);T=Ur(cn),L=Ur(ye),x=Zt(cn,T,1),S=Zt(ye,L,1)}else Ae(1);else{var J=mc(d)+4,ae=n[J-4]|n[J-3]<<8,rt=J+ae;if(rt>i){u&&Ae(0);break}c&&h(v+ae),t.set(n.subarray(J,rt),v),e.b=v+=ae,e.p=d=rt*8,e.f=p;continue}if(d>Y){u&&Ae(0);break}}c&&h(v+131072);for(var ln=(1<<T)-1,dr=(1<<L)-1,pe=d;;pe=d){var he=x[Br(n,d)&ln],Ee=he>>4;if(d+=he&15,d>Y){u&&Ae(0);break}if(he||Ae(2),Ee<256)t[v++]=Ee;else if(Ee==256){pe=d,x=null;break}else{var xe=Ee-254;if(Ee>264){var ne=Ee-257,Me=es[ne];xe=be(n,d,(1<<Me)-1)+is[ne],d+=Me}var Xe=S[Br(n,d)&dr],ot=Xe>>4;Xe||Ae(3),d+=Xe&15;var ye=hc[ot];if(ot>3){var Me=ts[ot];ye+=Br(n,d)&(1<<Me)-1,d+=Me}if(d>Y){u&&Ae(0);break}c&&h(v+131072);var X=v+xe;if(v<ye){var ze=s-ye,Be=Math.min(ye,X);for(ze+v<0&&Ae(3);v<Be;++v)t[v]=r[ze+v]}for(;v<X;++v)t[v]=t[v-ye]}}e.l=x,e.p=pe,e.b=v,e.f=p,x&&(p=1,e.m=T,e.d=S,e.n=L)}while(!p);return v!=t.length&&a?gc(t,0,v):t.subarray(0,v)};var yc=new ge(0);var xc=function(n,e){return((n[0]&15)!=8||n[0]>>4>7||(n[0]<<8|n[1])%31)&&Ae(6,"invalid zlib data"),(n[1]>>5&1)==+!e&&Ae(6,"invalid zlib data: "+(n[1]&32?"need":"unexpected")+" dictionary"),(n[1]>>3&4)+2};function _t(n,e){return _c(n.subarray(xc(n,e&&e.dictionary),-4),{i:2},e&&e.out,e&&e.dictionary)}var wc=typeof TextDecoder<"u"&&new TextDecoder,bc=0;try{wc.decode(yc,{stream:!0}),bc=1}catch{}var Pn=class extends Ln{constructor(e){super(e),this.type=mt,this.outputFormat=Ge,this.part=0}parse(e){let Ve=Math.pow(2.7182818,2.2),Ie=null,ne=null;function an(o,l){let f=0;for(let y=0;y<65536;++y)(y==0||o[y>>3]&1<<(y&7))&&(l[f++]=y);let g=f-1;for(;f<65536;)l[f++]=0;return g}function pr(o){for(let l=0;l<16384;l++)o[l]={},o[l].len=0,o[l].lit=0,o[l].p=null}let _e={l:0,c:0,lc:0};function zt(o,l,f,g,y){for(;f<o;)l=l<<8|Ai(g,y),f+=8;f-=o,_e.l=l>>f&(1<<o)-1,_e.c=l,_e.lc=f}let he=new Array(59);function st(o){for(let f=0;f<=58;++f)he[f]=0;for(let f=0;f<65537;++f)he[o[f]]+=1;let l=0;for(let f=58;f>0;--f){let g=l+he[f]>>1;he[f]=l,l=g}for(let f=0;f<65537;++f){let g=o[f];g>0&&(o[f]=g|he[g]++<<6)}}function cn(o,l,f,g,y,b){let m=l,E=0,w=0;for(;g<=y;g++){if(m.value-l.value>f)return!1;zt(6,E,w,o,m);let A=_e.l;if(E=_e.c,w=_e.lc,b[g]=A,A==63){if(m.value-l.value>f)throw new Error("THREE.EXRLoader: Something wrong with hufUnpackEncTable");zt(8,E,w,o,m);let R=_e.l+6;if(E=_e.c,w=_e.lc,g+R>y+1)throw new Error("THREE.EXRLoader: Something wrong with hufUnpackEncTable");for(;R--;)b[g++]=0;g--}else if(A>=59){let R=A-59+2;if(g+R>y+1)throw new Error("THREE.EXRLoader: Something wrong with hufUnpackEncTable");for(;R--;)b[g++]=0;g--}}st(b)}function ye(o){return o&63}function ln(o){return o>>6}function dr(o,l,f,g){for(;l<=f;l++){let y=ln(o[l]),b=ye(o[l]);if(y>>b)throw new Error("THREE.EXRLoader: Invalid table entry");if(b>14){let m=g[y>>b-14];if(m.len)throw new Error("THREE.EXRLoader: Invalid table entry");if(m.lit++,m.p){let E=m.p;m.p=new Array(m.lit);for(let w=0;w<m.lit-1;++w)m.p[w]=E[w]}else m.p=new Array(1);m.p[m.lit-1]=l}else if(b){let m=0;for(let E=1<<14-b;E>0;E--){let w=g[(y<<14-b)+m];if(w.len||w.p)throw new Error("THREE.EXRLoader: Invalid table entry");w.len=b,w.lit=l,m++}}}return!0}let pe={c:0,lc:0};function Ee(o,l,f,g){o=o<<8|Ai(f,g),l+=8,pe.c=o,pe.lc=l}let xe={c:0,lc:0};function Me(o,l,f,g,y,b,m,E,w){if(o==l){g<8&&(Ee(f,g,y,b),f=pe.c,g=pe.lc),g-=8;let A=f>>g;if(A=new Uint8Array([A])[0],E.value+A>w)return!1;let R=m[E.value-1];for(;A-- >0;)m[E.value++]=R}else if(E.value<w)m[E.value++]=o;else return!1;xe.c=f,xe.lc=g}function Xe(o){return o&65535}function ot(o){let l=Xe(o);return l>32767?l-65536:l}let X={a:0,b:0};function ze(o,l){let f=ot(o),y=ot(l),b=f+(y&1)+(y>>1),m=b,E=b-y;X.a=m,X.b=E}function Be(o,l){let f=Xe(o),g=Xe(l),y=f-(g>>1)&65535,b=g+y-32768&65535;X.a=b,X.b=y}function un(o,l,f,g,y,b,m){let E=m<16384,w=f>y?y:f,A=1,R,N;for(;A<=w;)A<<=1;for(A>>=1,R=A,A>>=1;A>=1;){N=0;let k=N+b*(y-R),M=b*A,F=b*R,O=g*A,z=g*R,U,G,H,Z;for(;N<=k;N+=F){let P=N,C=N+g*(f-R);for(;P<=C;P+=z){let D=P+O,V=P+M,j=V+O;E?(ze(o[P+l],o[V+l]),U=X.a,H=X.b,ze(o[D+l],o[j+l]),G=X.a,Z=X.b,ze(U,G),o[P+l]=X.a,o[D+l]=X.b,ze(H,Z),o[V+l]=X.a,o[j+l]=X.b):(Be(o[P+l],o[V+l]),U=X.a,H=X.b,Be(o[D+l],o[j+l]),G=X.a,Z=X.b,Be(U,G),o[P+l]=X.a,o[D+l]=X.b,Be(H,Z),o[V+l]=X.a,o[j+l]=X.b)}if(f&A){let D=P+M;E?ze(o[P+l],o[D+l]):Be(o[P+l],o[D+l]),U=X.a,o[D+l]=X.b,o[P+l]=U}}if(y&A){let P=N,C=N+g*(f-R);for(;P<=C;P+=z){let D=P+O;E?ze(o[P+l],o[D+l]):Be(o[P+l],o[D+l]),U=X.a,o[D+l]=X.b,o[P+l]=U}}R=A,A>>=1}return N}function fn(o,l,f,g,y,b,m,E,w){let A=0,R=0,N=m,k=Math.trunc(g.value+(y+7)/8);for(;g.value<k;)for(Ee(A,R,f,g),A=pe.c,R=pe.lc;R>=14;){let F=A>>R-14&16383,O=l[F];if(O.len)R-=O.len,Me(O.lit,b,A,R,f,g,E,w,N),A=xe.c,R=xe.lc;else{if(!O.p)throw new Error("THREE.EXRLoader: hufDecode issues");let z;for(z=0;z<O.lit;z++){let U=ye(o[O.p[z]]);for(;R<U&&g.value<k;)Ee(A,R,f,g),A=pe.c,R=pe.lc;if(R>=U&&ln(o[O.p[z]])==(A>>R-U&(1<<U)-1)){R-=U,Me(O.p[z],b,A,R,f,g,E,w,N),A=xe.c,R=xe.lc;break}}if(z==O.lit)throw new Error("THREE.EXRLoader: hufDecode issues")}}let M=8-y&7;for(A>>=M,R-=M;R>0;){let F=l[A<<14-R&16383];if(F.len)R-=F.len,Me(F.lit,b,A,R,f,g,E,w,N),A=xe.c,R=xe.lc;else throw new Error("THREE.EXRLoader: hufDecode issues")}return!0}function Ft(o,l,f,g,y,b){let m={value:0},E=f.value,w=ue(l,f),A=ue(l,f);f.value+=4;let R=ue(l,f);if(f.value+=4,w<0||w>=65537||A<0||A>=65537)throw new Error("THREE.EXRLoader: Something wrong with HUF_ENCSIZE");let N=new Array(65537),k=new Array(16384);pr(k);let M=g-(f.value-E);if(cn(o,f,M,w,A,N),R>8*(g-(f.value-E)))throw new Error("THREE.EXRLoader: Something wrong with hufUncompress");dr(N,w,A,k),fn(N,k,o,f,R,A,b,y,m)}function Yo(o,l,f){for(let g=0;g<f;++g)l[g]=o[l[g]]}function hn(o){for(let l=1;l<o.length;l++){let f=o[l-1]+o[l]-128;o[l]=f}}function pn(o,l){let f=0,g=Math.floor((o.length+1)/2),y=0,b=o.length-1;for(;!(y>b||(l[y++]=o[f++],y>b));)l[y++]=o[g++]}function mr(o){let l=o.byteLength,f=new Array,g=0,y=new DataView(o);for(;l>0;){let b=y.getInt8(g++);if(b<0){let m=-b;l-=m+1;for(let E=0;E<m;E++)f.push(y.getUint8(g++))}else{let m=b;l-=2;let E=y.getUint8(g++);for(let w=0;w<m+1;w++)f.push(E)}}return f}function Vo(o,l,f,g,y,b){let m=new DataView(b.buffer),E=f[o.idx[0]].width,w=f[o.idx[0]].height,A=3,R=Math.floor(E/8),N=Math.ceil(E/8),k=Math.ceil(w/8),M=E-(N-1)*8,F=w-(k-1)*8,O={value:0},z=new Array(A),U=new Array(A),G=new Array(A),H=new Array(A),Z=new Array(A);for(let C=0;C<A;++C)Z[C]=l[o.idx[C]],z[C]=C<1?0:z[C-1]+N*k,U[C]=new Float32Array(64),G[C]=new Uint16Array(64),H[C]=new Uint16Array(N*64);for(let C=0;C<k;++C){let D=8;C==k-1&&(D=F);let V=8;for(let $=0;$<N;++$){$==N-1&&(V=M);for(let q=0;q<A;++q)G[q].fill(0),G[q][0]=y[z[q]++],gi(O,g,G[q]),vi(G[q],U[q]),_i(U[q]);A==3&&Ko(U);for(let q=0;q<A;++q)wi(U[q],H[q],$*64)}let j=0;for(let $=0;$<A;++$){let q=f[o.idx[$]].type;for(let ee=8*C;ee<8*C+D;++ee){j=Z[$][ee];for(let fe=0;fe<R;++fe){let K=fe*64+(ee&7)*8;m.setUint16(j+0*q,H[$][K+0],!0),m.setUint16(j+2*q,H[$][K+1],!0),m.setUint16(j+4*q,H[$][K+2],!0),m.setUint16(j+6*q,H[$][K+3],!0),m.setUint16(j+8*q,H[$][K+4],!0),m.setUint16(j+10*q,H[$][K+5],!0),m.setUint16(j+12*q,H[$][K+6],!0),m.setUint16(j+14*q,H[$][K+7],!0),j+=16*q}}if(R!=N)for(let ee=8*C;ee<8*C+D;++ee){let fe=Z[$][ee]+8*R*2*q,K=R*64+(ee&7)*8;for(let Re=0;Re<V;++Re)m.setUint16(fe+Re*2*q,H[$][K+Re],!0)}}}let P=new Uint16Array(E);m=new DataView(b.buffer);for(let C=0;C<A;++C){f[o.idx[C]].decoded=!0;let D=f[o.idx[C]].type;if(f[C].type==2)for(let V=0;V<w;++V){let j=Z[C][V];for(let $=0;$<E;++$)P[$]=m.getUint16(j+$*2*D,!0);for(let $=0;$<E;++$)m.setFloat32(j+$*2*D,I.fromHalfFloat(P[$]),!0)}}}function Xo(o,l,f,g,y,b){let m=new DataView(b.buffer),E=f[o],w=E.width,A=E.height,R=Math.ceil(w/8),N=Math.ceil(A/8),k=Math.floor(w/8),M=w-(R-1)*8,F=A-(N-1)*8,O={value:0},z=0,U=new Float32Array(64),G=new Uint16Array(64),H=new Uint16Array(R*64);for(let Z=0;Z<N;++Z){let P=8;Z==N-1&&(P=F);for(let C=0;C<R;++C)G.fill(0),G[0]=y[z++],gi(O,g,G),vi(G,U),_i(U),wi(U,H,C*64);for(let C=8*Z;C<8*Z+P;++C){let D=l[o][C];for(let V=0;V<k;++V){let j=V*64+(C&7)*8;for(let $=0;$<8;++$)m.setUint16(D+$*2*E.type,H[j+$],!0);D+=16*E.type}if(R!=k){let V=k*64+(C&7)*8;for(let j=0;j<M;++j)m.setUint16(D+j*2*E.type,H[V+j],!0)}}}E.decoded=!0}function gi(o,l,f){let g,y=1;for(;y<64;)g=l[o.value],g==65280?y=64:g>>8==255?y+=g&255:(f[y]=g,y++),o.value++}function vi(o,l){l[0]=I.fromHalfFloat(o[0]),l[1]=I.fromHalfFloat(o[1]),l[2]=I.fromHalfFloat(o[5]),l[3]=I.fromHalfFloat(o[6]),l[4]=I.fromHalfFloat(o[14]),l[5]=I.fromHalfFloat(o[15]),l[6]=I.fromHalfFloat(o[27]),l[7]=I.fromHalfFloat(o[28]),l[8]=I.fromHalfFloat(o[2]),l[9]=I.fromHalfFloat(o[4]),l[10]=I.fromHalfFloat(o[7]),l[11]=I.fromHalfFloat(o[13]),l[12]=I.fromHalfFloat(o[16]),l[13]=I.fromHalfFloat(o[26]),l[14]=I.fromHalfFloat(o[29]),l[15]=I.fromHalfFloat(o[42]),l[16]=I.fromHalfFloat(o[3]),l[17]=I.fromHalfFloat(o[8]),l[18]=I.fromHalfFloat(o[12]),l[19]=I.fromHalfFloat(o[17]),l[20]=I.fromHalfFloat(o[25]),l[21]=I.fromHalfFloat(o[30]),l[22]=I.fromHalfFloat(o[41]),l[23]=I.fromHalfFloat(o[43]),l[24]=I.fromHalfFloat(o[9]),l[25]=I.fromHalfFloat(o[11]),l[26]=I.fromHalfFloat(o[18]),l[27]=I.fromHalfFloat(o[24]),l[28]=I.fromHalfFloat(o[31]),l[29]=I.fromHalfFloat(o[40]),l[30]=I.fromHalfFloat(o[44]),l[31]=I.fromHalfFloat(o[53]),l[32]=I.fromHalfFloat(o[10]),l[33]=I.fromHalfFloat(o[19]),l[34]=I.fromHalfFloat(o[23]),l[35]=I.fromHalfFloat(o[32]),l[36]=I.fromHalfFloat(o[39]),l[37]=I.fromHalfFloat(o[45]),l[38]=I.fromHalfFloat(o[52]),l[39]=I.fromHalfFloat(o[54]),l[40]=I.fromHalfFloat(o[20]),l[41]=I.fromHalfFloat(o[22]),l[42]=I.fromHalfFloat(o[33]),l[43]=I.fromHalfFloat(o[38]),l[44]=I.fromHalfFloat(o[46]),l[45]=I.fromHalfFloat(o[51]),l[46]=I.fromHalfFloat(o[55]),l[47]=I.fromHalfFloat(o[60]),l[48]=I.fromHalfFloat(o[21]),l[49]=I.fromHalfFloat(o[34]),l[50]=I.fromHalfFloat(o[37]),l[51]=I.fromHalfFloat(o[47]),l[52]=I.fromHalfFloat(o[50]),l[53]=I.fromHalfFloat(o[56]),l[54]=I.fromHalfFloat(o[59]),l[55]=I.fromHalfFloat(o[61]),l[56]=I.fromHalfFloat(o[35]),l[57]=I.fromHalfFloat(o[36]),l[58]=I.fromHalfFloat(o[48]),l[59]=I.fromHalfFloat(o[49]),l[60]=I.fromHalfFloat(o[57]),l[61]=I.fromHalfFloat(o[58]),l[62]=I.fromHalfFloat(o[62]),l[63]=I.fromHalfFloat(o[63])}function _i(o){let l=.5*Math.cos(.7853975),f=.5*Math.cos(3.14159/16),g=.5*Math.cos(3.14159/8),y=.5*Math.cos(3*3.14159/16),b=.5*Math.cos(5*3.14159/16),m=.5*Math.cos(3*3.14159/8),E=.5*Math.cos(7*3.14159/16),w=new Array(4),A=new Array(4),R=new Array(4),N=new Array(4);for(let k=0;k<8;++k){let M=k*8;w[0]=g*o[M+2],w[1]=m*o[M+2],w[2]=g*o[M+6],w[3]=m*o[M+6],A[0]=f*o[M+1]+y*o[M+3]+b*o[M+5]+E*o[M+7],A[1]=y*o[M+1]-E*o[M+3]-f*o[M+5]-b*o[M+7],A[2]=b*o[M+1]-f*o[M+3]+E*o[M+5]+y*o[M+7],A[3]=E*o[M+1]-b*o[M+3]+y*o[M+5]-f*o[M+7],R[0]=l*(o[M+0]+o[M+4]),R[3]=l*(o[M+0]-o[M+4]),R[1]=w[0]+w[3],R[2]=w[1]-w[2],N[0]=R[0]+R[1],N[1]=R[3]+R[2],N[2]=R[3]-R[2],N[3]=R[0]-R[1],o[M+0]=N[0]+A[0],o[M+1]=N[1]+A[1],o[M+2]=N[2]+A[2],o[M+3]=N[3]+A[3],o[M+4]=N[3]-A[3],o[M+5]=N[2]-A[2],o[M+6]=N[1]-A[1],o[M+7]=N[0]-A[0]}for(let k=0;k<8;++k)w[0]=g*o[16+k],w[1]=m*o[16+k],w[2]=g*o[48+k],w[3]=m*o[48+k],A[0]=f*o[8+k]+y*o[24+k]+b*o[40+k]+E*o[56+k],A[1]=y*o[8+k]-E*o[24+k]-f*o[40+k]-b*o[56+k],A[2]=b*o[8+k]-f*o[24+k]+E*o[40+k]+y*o[56+k],A[3]=E*o[8+k]-b*o[24+k]+y*o[40+k]-f*o[56+k],R[0]=l*(o[k]+o[32+k]),R[3]=l*(o[k]-o[32+k]),R[1]=w[0]+w[3],R[2]=w[1]-w[2],N[0]=R[0]+R[1],N[1]=R[3]+R[2],N[2]=R[3]-R[2],N[3]=R[0]-R[1],o[0+k]=N[0]+A[0],o[8+k]=N[1]+A[1],o[16+k]=N[2]+A[2],o[24+k]=N[3]+A[3],o[32+k]=N[3]-A[3],o[40+k]=N[2]-A[2],o[48+k]=N[1]-A[1],o[56+k]=N[0]-A[0]}function Ko(o){for(let l=0;l<64;++l){let f=o[0][l],g=o[1][l],y=o[2][l];o[0][l]=f+1.5747*y,o[1][l]=f-.1873*g-.4682*y,o[2][l]=f+1.8556*g}}let gr=new Float32Array(1),yi=new Uint32Array(gr.buffer);function xi(o){gr[0]=o;let l=yi[0],f=l>>>16&32768,g=l&2147483647;if(g>=1199570944)return f|(g>2139095040?32256:31744);if(g<947912704)return gr[0]=Math.abs(o)+.5,f|yi[0]-1056964608;let y=g+4095+(g>>>13&1);return f|y-939524096>>>13}function wi(o,l,f){if(ne===null){ne=new Uint16Array(65536);for(let g=1;g<65536;++g){if((g&31744)===31744)continue;let y=I.fromHalfFloat(g),b=Math.abs(y),m=b<=1?Math.pow(b,2.2):Math.pow(Ve,b-1);ne[g]=xi(y<0?-m:m)}}for(let g=0;g<64;++g)l[f+g]=ne[xi(o[g])]}function dn(o){return new DataView(o.array.buffer,o.offset.value,o.size)}function Jo(o){let l=o.viewer.buffer.slice(o.offset.value,o.offset.value+o.size),f=new Uint8Array(mr(l)),g=new Uint8Array(f.length);return hn(f),pn(f,g),new DataView(g.buffer)}function vr(o){let l=o.array.slice(o.offset.value,o.offset.value+o.size),f=_t(l),g=new Uint8Array(f.length);return hn(f),pn(f,g),new DataView(g.buffer)}function Qo(o){let l=o.viewer,f={value:o.offset.value},g=new Uint16Array(o.columns*o.lines*(o.inputChannels.length*o.type)),y=new Uint8Array(8192),b=0,m=new Array(o.inputChannels.length);for(let F=0,O=o.inputChannels.length;F<O;F++)m[F]={},m[F].start=b,m[F].end=m[F].start,m[F].nx=o.columns,m[F].ny=o.lines,m[F].size=o.type,b+=m[F].nx*m[F].ny*m[F].size;let E=Ct(l,f),w=Ct(l,f);if(w>=8192)throw new Error("THREE.EXRLoader: Something is wrong with PIZ_COMPRESSION BITMAP_SIZE");if(E<=w)for(let F=0;F<w-E+1;F++)y[F+E]=He(l,f);let A=new Uint16Array(65536),R=an(y,A),N=ue(l,f);Ft(o.array,l,f,N,g,b);for(let F=0;F<o.inputChannels.length;++F){let O=m[F];for(let z=0;z<m[F].size;++z)un(g,O.start+z,O.nx,O.size,O.ny,O.nx*O.size,R)}Yo(A,g,b);let k=0,M=new Uint8Array(g.buffer.byteLength);for(let F=0;F<o.lines;F++)for(let O=0;O<o.inputChannels.length;O++){let z=m[O],U=z.nx*z.size,G=new Uint8Array(g.buffer,z.end*2,U*2);M.set(G,k),k+=U*2,z.end+=U}return new DataView(M.buffer)}function ea(o){let l=o.array.slice(o.offset.value,o.offset.value+o.size),f=_t(l),g=o.inputChannels.length*o.lines*o.columns*o.totalBytes,y=new ArrayBuffer(g),b=new DataView(y),m=0,E=0,w=new Array(4);for(let A=0;A<o.lines;A++)for(let R=0;R<o.inputChannels.length;R++){let N=0;switch(o.inputChannels[R].pixelType){case 1:w[0]=m,w[1]=w[0]+o.columns,m=w[1]+o.columns;for(let M=0;M<o.columns;++M){let F=f[w[0]++]<<8|f[w[1]++];N+=F,b.setUint16(E,N,!0),E+=2}break;case 2:w[0]=m,w[1]=w[0]+o.columns,w[2]=w[1]+o.columns,m=w[2]+o.columns;for(let M=0;M<o.columns;++M){let F=f[w[0]++]<<24|f[w[1]++]<<16|f[w[2]++]<<8;N+=F,b.setUint32(E,N,!0),E+=4}break}}return b}function ta(o){let l=o.array,f=o.offset.value,g=o.columns,y=o.lines,b=o.inputChannels,m=o.totalBytes,E=se.compression==="B44A_COMPRESSION",w=new Uint8Array(y*g*m),A=new Uint16Array(16),R=0;for(let N=0;N<b.length;N++){let k=b[N],M=k.pixelType*2,F=Math.ceil(g/k.xSampling),O=Math.ceil(y/k.ySampling),z=k.xSampling===1&&k.ySampling===1;if(k.pixelType!==1){for(let H=0;H<O;H++)if(z){let Z=H*g*m+R*g;for(let P=0;P<F*M;P++)w[Z+P]=l[f++]}else f+=F*M;R+=M;continue}let U=Math.ceil(F/4),G=Math.ceil(O/4);for(let H=0;H<G;H++)for(let Z=0;Z<U;Z++){if(E&&l[f+2]>=52){let P=l[f]<<8|l[f+1],C=P&32768?P&32767:~P&65535;A.fill(C),f+=3}else{let P=l[f]<<8|l[f+1],C=l[f+2]>>2,D=32<<C,V=P+((l[f+2]<<4|l[f+3]>>4)&63)*(1<<C)-D&65535,j=V+((l[f+3]<<2|l[f+4]>>6)&63)*(1<<C)-D&65535,$=j+(l[f+4]&63)*(1<<C)-D&65535,q=P+(l[f+5]>>2&63)*(1<<C)-D&65535,ee=V+((l[f+5]<<4|l[f+6]>>4)&63)*(1<<C)-D&65535,fe=j+((l[f+6]<<2|l[f+7]>>6)&63)*(1<<C)-D&65535,K=$+(l[f+7]&63)*(1<<C)-D&65535,Re=q+(l[f+8]>>2&63)*(1<<C)-D&65535,at=ee+((l[f+8]<<4|l[f+9]>>4)&63)*(1<<C)-D&65535,Lt=fe+((l[f+9]<<2|l[f+10]>>6)&63)*(1<<C)-D&65535,ke=K+(l[f+10]&63)*(1<<C)-D&65535,Ke=Re+(l[f+11]>>2&63)*(1<<C)-D&65535,yn=at+((l[f+11]<<4|l[f+12]>>4)&63)*(1<<C)-D&65535,xn=Lt+((l[f+12]<<2|l[f+13]>>6)&63)*(1<<C)-D&65535,wn=ke+(l[f+13]&63)*(1<<C)-D&65535,Pt=[P,q,Re,Ke,V,ee,at,yn,j,fe,Lt,xn,$,K,ke,wn];for(let ct=0;ct<16;ct++)A[ct]=Pt[ct]&32768?Pt[ct]&32767:~Pt[ct]&65535;f+=14}if(k.pLinear){if(Ie===null){Ie=new Uint16Array(65536);for(let P=0;P<65536;P++)if((P&31744)===31744||P>32768)Ie[P]=0;else{let C=I.fromHalfFloat(P);Ie[P]=C<=0?0:I.toHalfFloat(8*Math.log(C))}}for(let P=0;P<16;P++)A[P]=Ie[A[P]]}for(let P=0;P<4;P++){let C=H*4+P;if(!(C>=O))for(let D=0;D<4;D++){let V=Z*4+D;if(V>=F)continue;let j=A[P*4+D];for(let $=0;$<k.ySampling;$++){let q=C*k.ySampling+$;if(!(q>=y))for(let ee=0;ee<k.xSampling;ee++){let fe=V*k.xSampling+ee;if(fe>=g)continue;let K=q*g*m+R*g+fe*2;w[K]=j&255,w[K+1]=j>>8&255}}}}}R+=2}return new DataView(w.buffer)}function bi(o){let l=o.viewer,f={value:o.offset.value},g=new Uint8Array(o.columns*o.lines*(o.inputChannels.length*o.type*2)),y={version:te(l,f),unknownUncompressedSize:te(l,f),unknownCompressedSize:te(l,f),acCompressedSize:te(l,f),dcCompressedSize:te(l,f),rleCompressedSize:te(l,f),rleUncompressedSize:te(l,f),rleRawSize:te(l,f),totalAcUncompressedCount:te(l,f),totalDcUncompressedCount:te(l,f),acCompression:te(l,f)};if(y.version<2)throw new Error("THREE.EXRLoader: "+se.compression+" version "+y.version+" is unsupported");let b=new Array,m=Ct(l,f)-2;for(;m>0;){let O=mn(l.buffer,f),z=He(l,f),U=z>>2&3,G=(z>>4)-1,H=new Int8Array([G])[0],Z=He(l,f);b.push({name:O,index:H,type:Z,compression:U}),m-=O.length+3}let E=se.channels,w=new Array(o.inputChannels.length);for(let O=0;O<o.inputChannels.length;++O){let z=w[O]={},U=E[O];z.name=U.name,z.compression=0,z.decoded=!1,z.type=U.pixelType,z.pLinear=U.pLinear,z.width=o.columns,z.height=o.lines}let A={idx:new Array(3)};for(let O=0;O<o.inputChannels.length;++O){let z=w[O],U=z.name.lastIndexOf("."),G=U>=0?z.name.substring(U+1):z.name;for(let H=0;H<b.length;++H){let Z=b[H];G===Z.name&&z.type===Z.type&&(z.compression=Z.compression,Z.index>=0&&(A.idx[Z.index]=O),z.offset=O)}}let R,N,k;if(y.acCompressedSize>0)switch(y.acCompression){case 0:R=new Uint16Array(y.totalAcUncompressedCount),Ft(o.array,l,f,y.acCompressedSize,R,y.totalAcUncompressedCount);break;case 1:let O=o.array.slice(f.value,f.value+y.totalAcUncompressedCount),z=_t(O);R=new Uint16Array(z.buffer),f.value+=y.totalAcUncompressedCount;break}if(y.dcCompressedSize>0){let O={array:o.array,offset:f,size:y.dcCompressedSize};N=new Uint16Array(vr(O).buffer),f.value+=y.dcCompressedSize}if(y.rleRawSize>0){let O=o.array.slice(f.value,f.value+y.rleCompressedSize),z=_t(O);k=mr(z.buffer),f.value+=y.rleCompressedSize}let M=0,F=new Array(w.length);for(let O=0;O<F.length;++O)F[O]=new Array;for(let O=0;O<o.lines;++O)for(let z=0;z<w.length;++z)F[z].push(M),M+=w[z].width*o.type*2;A.idx[0]!==void 0&&w[A.idx[0]]&&Vo(A,F,w,R,N,g);for(let O=0;O<w.length;++O){let z=w[O];if(!z.decoded)switch(z.compression){case 2:let U=0,G=0;for(let H=0;H<o.lines;++H){let Z=F[O][U];for(let P=0;P<z.width;++P){for(let C=0;C<2*z.type;++C)g[Z++]=k[G+C*z.width*z.height];G++}U++}break;case 1:Xo(O,F,w,R,N,g);break;default:throw new Error("THREE.EXRLoader: unsupported channel compression")}}return new DataView(g.buffer)}function mn(o,l){let f=new Uint8Array(o),g=0;for(;f[l.value+g]!=0;)g+=1;let y=new TextDecoder().decode(f.slice(l.value,l.value+g));return l.value=l.value+g+1,y}function na(o,l,f){let g=new TextDecoder().decode(new Uint8Array(o).slice(l.value,l.value+f));return l.value=l.value+f,g}function ra(o,l){let f=ce(o,l),g=ue(o,l);return[f,g]}function ia(o,l){let f=ue(o,l),g=ue(o,l);return[f,g]}function ce(o,l){let f=o.getInt32(l.value,!0);return l.value=l.value+4,f}function ue(o,l){let f=o.getUint32(l.value,!0);return l.value=l.value+4,f}function Ai(o,l){let f=o[l.value];return l.value=l.value+1,f}function He(o,l){let f=o.getUint8(l.value);return l.value=l.value+1,f}let te=function(o,l){let f=Number(o.getBigInt64(l.value,!0));return l.value+=8,f};function ie(o,l){let f=o.getFloat32(l.value,!0);return l.value+=4,f}function sa(o,l){return I.toHalfFloat(ie(o,l))}function Ct(o,l){let f=o.getUint16(l.value,!0);return l.value+=2,f}function oa(o,l){return I.fromHalfFloat(Ct(o,l))}function aa(o,l,f,g){let y=f.value,b=[];for(;f.value<y+g-1;){let m=mn(l,f),E=ce(o,f),w=He(o,f);f.value+=3;let A=ce(o,f),R=ce(o,f);b.push({name:m,pixelType:E,pLinear:w,xSampling:A,ySampling:R})}return f.value+=1,b}function ca(o,l){let f=ie(o,l),g=ie(o,l),y=ie(o,l),b=ie(o,l),m=ie(o,l),E=ie(o,l),w=ie(o,l),A=ie(o,l);return{redX:f,redY:g,greenX:y,greenY:b,blueX:m,blueY:E,whiteX:w,whiteY:A}}function la(o,l){let f=["NO_COMPRESSION","RLE_COMPRESSION","ZIPS_COMPRESSION","ZIP_COMPRESSION","PIZ_COMPRESSION","PXR24_COMPRESSION","B44_COMPRESSION","B44A_COMPRESSION","DWAA_COMPRESSION","DWAB_COMPRESSION"],g=He(o,l);return f[g]}function ua(o,l){let f=ce(o,l),g=ce(o,l),y=ce(o,l),b=ce(o,l);return{xMin:f,yMin:g,xMax:y,yMax:b}}function fa(o,l){let f=["INCREASING_Y","DECREASING_Y","RANDOM_Y"],g=He(o,l);return f[g]}function ha(o,l){let f=["ENVMAP_LATLONG","ENVMAP_CUBE"],g=He(o,l);return f[g]}function pa(o,l){let f=["ONE_LEVEL","MIPMAP_LEVELS","RIPMAP_LEVELS"],g=["ROUND_DOWN","ROUND_UP"],y=ue(o,l),b=ue(o,l),m=He(o,l);return{xSize:y,ySize:b,levelMode:f[m&15],roundingMode:g[m>>4]}}function da(o,l){let f=ie(o,l),g=ie(o,l);return[f,g]}function ma(o,l){let f=ie(o,l),g=ie(o,l),y=ie(o,l);return[f,g,y]}function ga(o,l,f,g,y){if(g==="string"||g==="stringvector"||g==="iccProfile")return na(l,f,y);if(g==="chlist")return aa(o,l,f,y);if(g==="chromaticities")return ca(o,f);if(g==="compression")return la(o,f);if(g==="box2i")return ua(o,f);if(g==="envmap")return ha(o,f);if(g==="tiledesc")return pa(o,f);if(g==="lineOrder")return fa(o,f);if(g==="float")return ie(o,f);if(g==="v2f")return da(o,f);if(g==="v3f")return ma(o,f);if(g==="int")return ce(o,f);if(g==="rational")return ra(o,f);if(g==="timecode")return ia(o,f);if(g==="preview"||g==="deepImageState"||g==="idmanifest")return f.value+=y,"skipped";f.value+=y}function va(o,l){let f=Math.log2(o);return l=="ROUND_DOWN"?Math.floor(f):Math.ceil(f)}function _a(o,l,f){let g=0;switch(o.levelMode){case"ONE_LEVEL":g=1;break;case"MIPMAP_LEVELS":g=va(Math.max(l,f),o.roundingMode)+1;break;case"RIPMAP_LEVELS":throw new Error("THREE.EXRLoader: RIPMAP_LEVELS tiles currently unsupported.")}return g}function Ei(o,l,f,g){let y=new Array(o);for(let b=0;b<o;b++){let m=1<<b,E=l/m|0;g=="ROUND_UP"&&E*m<l&&(E+=1);let w=Math.max(E,1);y[b]=(w+f-1)/f|0}return y}function ya(){let o=this,l=o.offset,f={value:0};for(let g=0;g<o.tileCount;g++){let y=ce(o.viewer,l),b=ce(o.viewer,l);l.value+=8,o.size=ue(o.viewer,l);let m=y*o.blockWidth,E=b*o.blockHeight;o.columns=m+o.blockWidth>o.width?o.width-m:o.blockWidth,o.lines=E+o.blockHeight>o.height?o.height-E:o.blockHeight;let w=o.columns*o.totalBytes,R=o.size<o.lines*w?o.uncompress(o):dn(o);l.value+=o.size;for(let N=0;N<o.lines;N++){let k=N*o.columns*o.totalBytes;for(let M=0;M<o.inputChannels.length;M++){let F=se.channels[M].name,O=o.channelByteOffsets[F]*o.columns,z=o.decodeChannels[F];if(z===void 0)continue;f.value=k+O;let U=(o.height-(1+E+N))*o.outLineWidth;for(let G=0;G<o.columns;G++){let H=U+(G+m)*o.outputChannels+z;o.byteArray[H]=o.getter(R,f)}}}}}function xa(){let o=this,l=o.offset,f={value:0};for(let g=0;g<o.height/o.blockHeight;g++){let y=ce(o.viewer,l)-se.dataWindow.yMin;o.size=ue(o.viewer,l),o.lines=y+o.blockHeight>o.height?o.height-y:o.blockHeight;let b=o.columns*o.totalBytes,E=o.size<o.lines*b?o.uncompress(o):dn(o);l.value+=o.size;for(let w=0;w<o.lines;w++){let A=y+w,R=w*b,N=(o.height-1-A)*o.outLineWidth;for(let k=0;k<o.inputChannels.length;k++){let M=se.channels[k].name,F=o.channelByteOffsets[M]*o.columns,O=o.decodeChannels[M];if(O!==void 0){f.value=R+F;for(let z=0;z<o.columns;z++){let U=N+z*o.outputChannels+O;o.byteArray[U]=o.getter(E,f)}}}}}}function wa(){let o=this,l=o.chunkOffsets,f={value:0};for(let g=0;g<l.length;g++){let y={value:l[g]};y.value+=4;let b=ce(o.viewer,y)-se.dataWindow.yMin;o.size=ue(o.viewer,y),o.lines=b+o.blockHeight>o.height?o.height-b:o.blockHeight;let m=o.columns*o.totalBytes,E=o.size<o.lines*m,w=o.offset;o.offset=y;let A=E?o.uncompress(o):dn(o);o.offset=w;for(let R=0;R<o.lines;R++){let N=b+R,k=R*m,M=(o.height-1-N)*o.outLineWidth;for(let F=0;F<o.inputChannels.length;F++){let O=se.channels[F].name,z=o.channelByteOffsets[O]*o.columns,U=o.decodeChannels[O];if(U!==void 0){f.value=k+z;for(let G=0;G<o.columns;G++){let H=M+G*o.outputChannels+U;o.byteArray[H]=o.getter(A,f)}}}}}}function Ri(o,l,f,g){if(f===0)return null;let y=o.slice(l,l+f);switch(g){case"NO_COMPRESSION":return new DataView(y.buffer,y.byteOffset,y.byteLength);case"RLE_COMPRESSION":{let b=new Uint8Array(mr(y.buffer.slice(y.byteOffset,y.byteOffset+y.byteLength))),m=new Uint8Array(b.length);return hn(b),pn(b,m),new DataView(m.buffer)}case"ZIPS_COMPRESSION":{let b=_t(y),m=new Uint8Array(b.length);return hn(b),pn(b,m),new DataView(m.buffer)}default:throw new Error("THREE.EXRLoader: "+g+" is unsupported for deep data")}}function ba(){let o=this,l=o.chunkOffsets,f=o.width,g=o.height,y=o.deepChannels,b=se.compression,m=o.multiPart,E=o.decodeChannels,w=o.outputChannels,A=o.byteArray instanceof Uint16Array,R=-1;for(let N=0;N<y.length;N++)if(y[N].name==="A"){R=N;break}for(let N=0;N<l.length;N++){let k={value:l[N]};m&&(k.value+=4);let M=ce(o.viewer,k)-se.dataWindow.yMin,F=te(o.viewer,k),O=te(o.viewer,k);te(o.viewer,k);let z=Ri(o.array,k.value,F,b);if(k.value+=F,z===null)continue;let U=new Uint32Array(f);for(let D=0;D<f;D++)U[D]=z.getUint32(D*4,!0);let G=U[f-1];if(G===0){k.value+=O;continue}let H=Ri(o.array,k.value,O,b),Z=[],P=0;for(let D=0;D<y.length;D++)Z.push(P),P+=G*y[D].bytesPerSample;let C=(g-1-M)*o.outLineWidth;for(let D=0;D<f;D++){let V=D===0?0:U[D-1],$=U[D]-V;if($===0)continue;let q=new Float32Array(w),ee=0;for(let K=0;K<$;K++){let Re=V+K,at=1-ee;if(at<=0)break;let Lt=1;if(R>=0){let ke=y[R].bytesPerSample,Ke=Z[R]+Re*ke;Lt=ke===2?I.fromHalfFloat(H.getUint16(Ke,!0)):H.getFloat32(Ke,!0)}for(let ke=0;ke<y.length;ke++){let Ke=y[ke],yn=E[Ke.name];if(yn===void 0)continue;let xn=Ke.bytesPerSample,wn=Z[ke]+Re*xn,Pt=xn===2?I.fromHalfFloat(H.getUint16(wn,!0)):H.getFloat32(wn,!0);q[yn]+=Pt*at}ee+=Lt*at}E.A!==void 0&&(q[E.A]=ee);let fe=C+D*w;for(let K=0;K<w;K++)o.byteArray[fe+K]=A?I.toHalfFloat(q[K]):q[K]}}}function ki(o,l,f){let g={},y=!1;for(;;){let b=mn(l,f);if(b==="")break;y=!0;let m=mn(l,f),E=ue(o,f),w=ga(o,l,f,m,E);w===void 0?console.warn(`THREE.EXRLoader: Skipped unknown header attribute type '${m}'.`):g[b]=w}return y?g:null}function Aa(o,l,f){if(o.getUint32(0,!0)!=20000630)throw new Error("THREE.EXRLoader: Provided file doesn't appear to be in OpenEXR format.");let g=o.getUint8(4),y=o.getUint8(5),b={singleTile:!!(y&2),longName:!!(y&4),deepFormat:!!(y&8),multiPart:!!(y&16)};f.value=8;let m=[];if(b.multiPart){for(;;){let E=ki(o,l,f);if(E===null)break;E.version=g,E.spec=b,m.push(E)}if(m.length===0)throw new Error("THREE.EXRLoader: No valid part headers found.")}else{let E=ki(o,l,f);E.version=g,E.spec=b,m.push(E)}return m}function Ea(o,l,f,g,y,b){let m={size:0,viewer:l,array:f,offset:g,width:o.dataWindow.xMax-o.dataWindow.xMin+1,height:o.dataWindow.yMax-o.dataWindow.yMin+1,inputChannels:o.channels,channelByteOffsets:{},shouldExpand:!1,yCbCr:!1,totalBytes:null,columns:null,lines:null,type:null,uncompress:null,getter:null,format:null,colorSpace:qe};switch(o.compression){case"NO_COMPRESSION":m.blockHeight=1,m.uncompress=dn;break;case"RLE_COMPRESSION":m.blockHeight=1,m.uncompress=Jo;break;case"ZIPS_COMPRESSION":m.blockHeight=1,m.uncompress=vr;break;case"ZIP_COMPRESSION":m.blockHeight=16,m.uncompress=vr;break;case"PIZ_COMPRESSION":m.blockHeight=32,m.uncompress=Qo;break;case"PXR24_COMPRESSION":m.blockHeight=16,m.uncompress=ea;break;case"B44_COMPRESSION":case"B44A_COMPRESSION":m.blockHeight=32,m.uncompress=ta;break;case"DWAA_COMPRESSION":m.blockHeight=32,m.uncompress=bi;break;case"DWAB_COMPRESSION":m.blockHeight=256,m.uncompress=bi;break;default:throw new Error("THREE.EXRLoader: "+o.compression+" is unsupported")}let E={};for(let k of o.channels)switch(k.name){case"BY":case"RY":case"Y":case"R":case"G":case"B":case"A":E[k.name]=!0,m.type=k.pixelType}let w=!1,A=!1;if(E.Y&&E.RY&&E.BY)m.outputChannels=4,m.yCbCr=!0;else if(E.R&&E.G&&E.B)m.outputChannels=4;else if(E.Y)m.outputChannels=1;else throw new Error("THREE.EXRLoader: file contains unsupported data channels.");switch(m.outputChannels){case 4:b==Ge?(w=!E.A,m.format=Ge,m.colorSpace=qe,m.outputChannels=4,m.decodeChannels={R:0,G:1,B:2,A:3}):b==gt?(m.format=gt,m.colorSpace=qe,m.outputChannels=2,m.decodeChannels={R:0,G:1}):b==qt?(m.format=qt,m.colorSpace=qe,m.outputChannels=1,m.decodeChannels={R:0}):A=!0;break;case 1:b==Ge?(w=!0,m.format=Ge,m.colorSpace=qe,m.outputChannels=4,m.shouldExpand=!0,m.decodeChannels={Y:0}):b==gt?(m.format=gt,m.colorSpace=qe,m.outputChannels=2,m.shouldExpand=!0,m.decodeChannels={Y:0}):b==qt?(m.format=qt,m.colorSpace=qe,m.outputChannels=1,m.decodeChannels={Y:0}):A=!0;break;default:A=!0}if(A)throw new Error("THREE.EXRLoader: invalid output format for specified file.");if(m.yCbCr&&(m.format=Ge,m.outputChannels=4,m.decodeChannels={Y:0,RY:1,BY:2},w=!0),m.type==1)switch(y){case dt:m.getter=oa;break;case mt:m.getter=Ct;break}else if(m.type==2)switch(y){case dt:m.getter=ie;break;case mt:m.getter=sa}else throw new Error("THREE.EXRLoader: unsupported pixelType "+m.type+" for "+o.compression+".");m.columns=m.width;let R=m.width*m.height*m.outputChannels;switch(y){case dt:m.byteArray=new Float32Array(R),w&&m.byteArray.fill(1,0,R);break;case mt:m.byteArray=new Uint16Array(R),w&&m.byteArray.fill(15360,0,R);break;default:console.error("THREE.EXRLoader: unsupported type: ",y);break}let N=0;for(let k of o.channels)m.decodeChannels[k.name]!==void 0&&(m.channelByteOffsets[k.name]=N),N+=k.pixelType*2;if(m.totalBytes=N,m.outLineWidth=m.width*m.outputChannels,o.spec.deepFormat){m.deepChannels=[];let k=0;for(let M of o.channels){let F=M.pixelType===0?4:M.pixelType*2;m.deepChannels.push({name:M.name,pixelType:M.pixelType,bytesPerSample:F}),k+=F}m.deepBytesPerSample=k,m.chunkOffsets=o._chunkOffsets,m.multiPart=o.spec.multiPart,m.decode=ba.bind(m)}else if(o.spec.singleTile){m.blockHeight=o.tiles.ySize,m.blockWidth=o.tiles.xSize;let k=_a(o.tiles,m.width,m.height),M=Ei(k,m.width,o.tiles.xSize,o.tiles.roundingMode),F=Ei(k,m.height,o.tiles.ySize,o.tiles.roundingMode);m.tileCount=M[0]*F[0];for(let O=0;O<k;O++)for(let z=0;z<F[O];z++)for(let U=0;U<M[O];U++)te(l,g);m.decode=ya.bind(m)}else if(o.spec.multiPart)m.blockWidth=m.width,m.chunkOffsets=o._chunkOffsets,m.decode=wa.bind(m);else{m.blockWidth=m.width;let k=Math.ceil(m.height/m.blockHeight);for(let M=0;M<k;M++)te(l,g);m.decode=xa.bind(m)}return m}let gn={value:0},vn=new DataView(e),Ra=new Uint8Array(e),_n=Aa(vn,e,gn),Si=Math.max(0,Math.min(this.part,_n.length-1)),se=_n[Si];if(se.spec.multiPart||se.spec.deepFormat)for(let o=0;o<_n.length;o++){let l=_n[o].chunkCount;if(o===Si){se._chunkOffsets=[];for(let f=0;f<l;f++)se._chunkOffsets.push(te(vn,gn))}else for(let f=0;f<l;f++)te(vn,gn)}let de=Ea(se,vn,Ra,gn,this.type,this.outputFormat);if(de.decode(),de.shouldExpand){let o=de.byteArray;if(this.outputFormat==Ge)for(let l=0;l<o.length;l+=4)o[l+2]=o[l+1]=o[l];else if(this.outputFormat==gt)for(let l=0;l<o.length;l+=2)o[l+1]=o[l]}if(de.yCbCr){let o=de.byteArray,l=de.width*de.height;if(this.type===mt)for(let f=0;f<l;f++){let g=f*4,y=I.fromHalfFloat(o[g]),b=I.fromHalfFloat(o[g+1]),m=I.fromHalfFloat(o[g+2]),E=(1+b)*y,w=(1+m)*y,A=(y-E*.2126-w*.0722)/.7152;o[g]=I.toHalfFloat(Math.max(0,E)),o[g+1]=I.toHalfFloat(Math.max(0,A)),o[g+2]=I.toHalfFloat(Math.max(0,w))}else for(let f=0;f<l;f++){let g=f*4,y=o[g],b=o[g+1],m=o[g+2],E=(1+b)*y,w=(1+m)*y;o[g]=Math.max(0,E),o[g+1]=Math.max(0,(y-E*.2126-w*.0722)/.7152),o[g+2]=Math.max(0,w)}}return{header:se,width:de.width,height:de.height,data:de.byteArray,format:de.format,colorSpace:de.colorSpace,type:this.type,minFilter:Dr,magFilter:Dr,generateMipmaps:!1,flipY:!1}}setDataType(e){return this.type=e,this}setOutputFormat(e){return this.outputFormat=e,this}setPart(e){return this.part=e,this}};var as=32768,Ac=2**27,cs=2**28,ls=1024,Ec=12,$r=2**29,us=1e18;function Dn(n,e,t){let r=Math.max(n,e)>as||n*e>Ac;if(Math.min(n,e)<1||r)throw new B(`has ${n} x ${e} pixels; from 1 to ${as} a side, 2^27 in all`);let i=n*e*Ec;if(i>cs&&i>ls*t)throw new B(`has ${n} x ${e} pixels in ${t} bytes; an image above ${cs} bytes of radiance is at most ${ls} times its file`)}var Rc=512,kc=2048,Sc=4096,Bn=["NO","RLE","ZIPS","ZIP","PIZ","PXR24","B44","B44A","DWAA","DWAB"],Tc=0,Nc=2,Oc=2,Ic=4096,fs=["RY","BY"];function hs(n){let{parts:e,flags:t}=Pc(n),r=zc(e),i=e[r];Fc(i,e.length,t);for(let Q of[i.dataWindow,i.displayWindow])Dn(...Un(Q),n.length);let s=e.reduce((Q,J)=>Q+Math.max(0,Mc(J)),0);if(s>$r)throw new B(`has ${s} values in all its channels; at most ${$r}`);let a=i.dataWindow,c=i.displayWindow,u=Math.max(a[0],c[0]),h=Math.min(a[2],c[2]),p=Math.max(a[1],c[1]),d=Math.min(a[3],c[3]);if(u>h||p>d)throw new B("its data window lies outside its display window");Cc(i);let x=new Pn().setDataType(dt).setPart(r).parse(Lc(n,i).buffer),[S,T]=Un(c),[L]=Un(a),Y=new Float32Array(3*S*T);for(let Q=p;Q<=d;Q++){let J=a[3]-Q;for(let ae=u;ae<=h;ae++){let rt=4*(J*L+ae-a[0]),it=3*((Q-c[1])*S+ae-c[0]);for(let Ue=0;Ue<3;Ue++)Y[it+Ue]=x.data[rt+Ue]}}return{rgb:Y,width:S,height:T}}function Un([n,e,t,r]){return[t-n+1,r-e+1]}function Mc({dataWindow:n,channels:e}){let[t,r]=Un(n);return Math.max(0,t)*Math.max(0,r)*e.length}function qr({channels:n}){let e=new Set(n.map(({name:t})=>t));return e.has("R")&&e.has("G")&&e.has("B")?["R","G","B"]:e.has("Y")&&!fs.some(t=>e.has(t))?["Y"]:[]}function zc(n){let e=n.findIndex(i=>qr(i).length>0);if(e>=0)return e;let t=[...new Set(n.flatMap(({channels:i})=>i.map(({name:s})=>s)))].sort();if(["Y",...fs].every(i=>t.includes(i)))throw new B("has luminance and chroma (Y, RY, BY): save it with R, G and B");let r=t.length>12?` and ${t.length-12} more`:"";throw new B(`has no channels R, G and B, nor Y; it has ${t.slice(0,12).join(", ")||"none"}${r}`)}function Fc(n,e,t){let r=n.type?n.type.startsWith("deep"):(t&kc)!==0,i=n.type?n.type==="tiledimage":(t&Rc)!==0,s=a=>{throw new B(a)};r&&s("is a deep image, with any number of samples a pixel: flatten it"),n.envmap&&s("is a cube map: convert it to latitude and longitude"),n.channels.some(({x:a,y:c})=>a!==1||c!==1)&&s("has channels of fewer texels than others: save them all at full size"),Bn[n.compression]===void 0&&s(`has compression ${n.compression}, expected one of ${Bn.join(", ")}`),i&&e>1&&s("has tiles in one of several parts: save it with scan lines"),i&&n.levels===Oc&&s("has tiles of several sizes by row and column: save it with one size")}function Cc(n){let e=qr(n),t=new Set;for(let{name:r,type:i}of n.channels)e.includes(r)&&t.add(["uint32","float16","float32"][i]);if(t.size>1||t.has("uint32"))throw new B(`has colours of type ${[...t].sort().join(", ")}, expected float16 or float32`)}function Lc(n,e){let t=n.slice(),r=qr(e),i=e.channels.find(({name:a})=>a===r[0]).type,s=["DWAA","DWAB"].includes(Bn[e.compression]);for(let a of e.channels)if(a.type===Tc&&Bn[e.compression]!=="PXR24"&&(t[a.typeAt]=Nc),["A","Y","RY","BY"].includes(a.name)&&!r.includes(a.name)&&!(s&&a.type===i))for(let u=0;u<a.name.length;u++)t[a.at+u]|=32;return t}function Pc(n){let e=new DataView(n.buffer,n.byteOffset,n.length),t=e.getUint32(4,!0),r={bytes:n,view:e,at:8},i=[];do{let s=Dc(r);if(s===null)break;i.push(s)}while(t&Sc);if(!i.length)throw new B("broken EXR image: it has no header");return{parts:i,flags:t}}function Dc(n){let e={channels:null,compression:null,dataWindow:null,displayWindow:null,type:"",envmap:0,levels:0},{view:t}=n;for(let i=0;;i++){let s=Gr(n);if(s===""){if(i===0)return null;break}let a=Gr(n),c=t.getInt32(n.at,!0),u=n.at+4;if(c<0||u+c>n.bytes.length||i>Ic)throw new B("broken EXR image: an attribute goes past the file's end");s==="channels"&&(e.channels=Uc({...n,at:u})),s==="compression"&&(e.compression=t.getUint8(u)),(s==="dataWindow"||s==="displayWindow")&&(e[s]=[0,4,8,12].map(h=>t.getInt32(u+h,!0))),s==="type"&&(e.type=String.fromCharCode(...n.bytes.subarray(u,u+Math.min(c,64)))),s==="envmap"&&a==="envmap"&&(e.envmap=t.getUint8(u)),s==="tiles"&&(e.levels=t.getUint8(u+8)&15),n.at=u+c}let r=["channels","compression","dataWindow","displayWindow"].find(i=>e[i]===null);if(r!==void 0)throw new B(`broken EXR image: it has no ${r}`);return e}function Uc(n){let e=[];for(;;){let t=n.at,r=Gr(n);if(r==="")return e;let i=n.at,{view:s}=n;e.push({name:r,at:t,typeAt:i,type:s.getInt32(i,!0),x:s.getInt32(i+8,!0),y:s.getInt32(i+12,!0)}),n.at+=16}}function Gr(n){let e=n.bytes.indexOf(0,n.at);if(e<0||e-n.at>255)throw new B("broken EXR image: its header does not end");let t=new TextDecoder("utf-8",{fatal:!0}).decode(n.bytes.subarray(n.at,e));return n.at=e+1,t}var Bc=65536,ps=[8,32767],Hc=/^([-+])([XY]) +(\d{1,9}) +([-+])([XY]) +(\d{1,9})$/,$c=/^[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$/,Zr=/^[ \t\r\x0b\f]+|[ \t\r\x0b\f]+$/g,ve=n=>new B(`broken HDR image${n}`);function ds(n){let e=Gc(n),{count:t,length:r,columns:i,back:s,exposure:a}=e,c=qc(n,e),u=1/a,[h,p]=i?[t,r]:[r,t],d=new Float32Array(3*h*p);for(let v=0;v<t;v++){let x=s[0]?t-1-v:v;for(let S=0;S<r;S++){let T=s[1]?r-1-S:S,L=4*(v*r+S),Y=3*(i?T*h+x:x*h+T),Q=c[L+3],J=Q>0?u*2**(Q-136):0;for(let ae=0;ae<3;ae++)d[Y+ae]=c[L+ae]*J}}return{rgb:d,width:h,height:p}}function Gc(n){let e=[],t=0,r=-1;for(;r<0||e.length<r+2;){let d=n.subarray(0,Bc).indexOf(10,t);if(d<0)throw ve(": it has no header");e.push(Array.from(n.subarray(t,d),v=>String.fromCharCode(v)).join("")),t=d+1,r<0&&e.at(-1).replace(/\r+$/,"")===""&&(r=e.length-1)}let i=1;for(let d of e.slice(1,r)){let v=d.indexOf("="),[x,S]=v<0?[d,""]:[d.slice(0,v),d.slice(v+1)],T=x.replace(Zr,""),L=S.replace(Zr,"");if(T==="FORMAT"&&L!=="32-bit_rle_rgbe")throw ve(`: format '${L}', expected 32-bit_rle_rgbe`);T==="EXPOSURE"&&(i*=$c.test(L)?Number(L)||1:0)}if(!(i>0&&i<1/0))throw ve(": EXPOSURE is not a positive number");let s=e[r+1].replace(Zr,""),a=Hc.exec(s);if(a===null||a[2]===a[5])throw ve(`: size '${s.slice(0,40)}', expected such as '-Y height +X width'`);let c=Number(a[3]),u=Number(a[6]),h=a[2]==="X",p=[a[1]+a[2],a[4]+a[5]].map(d=>d==="+Y"||d==="-X");return Dn(...h?[c,u]:[u,c],n.length),{offset:t,count:c,length:u,columns:h,back:p,exposure:i}}function qc(n,{offset:e,count:t,length:r}){let i=new Uint8Array(4*t*r),s=e;try{for(let a=0;a<t;a++)s=Zc(n,s,i.subarray(4*a*r),r,a)}catch(a){if(n.length-e===i.length)return n.subarray(e);throw a}return i}function Zc(n,e,t,r,i){if(r>=ps[0]&&r<=ps[1]&&e+4<=n.length&&n[e]===2&&n[e+1]===2&&n[e+2]<128){if(n[e+2]*256+n[e+3]!==r)throw ve(`, line ${i}: a run goes past the line's end`);return jc(n,e+4,t,r,i)}return Wc(n,e,t,r,i)}function jc(n,e,t,r,i){for(let s=0;s<4;s++)for(let a=0;a<r;){if(e+2>n.length)throw ve(`, line ${i}: the file ends there`);let c=n[e]>128,u=c?n[e]-128:n[e];if(u===0)throw ve(`, line ${i}: a run of no pixels`);if(a+u>r)throw ve(`, line ${i}: a run goes past the line's end`);if(e+1+(c?1:u)>n.length)throw ve(`, line ${i}: the file ends there`);for(let h=0;h<u;h++)t[4*(a+h)+s]=n[e+1+(c?0:h)];a+=u,e+=c?2:1+u}return e}function Wc(n,e,t,r,i){let s=0,a=0;for(;s<r;){if(e+4>n.length)throw ve(`, line ${i}: the file ends there`);if(n[e]===1&&n[e+1]===1&&n[e+2]===1){if(s===0)throw ve(`, line ${i}: a run repeats a pixel, but there is none before it`);let c=a>16?1/0:n[e+3]*2**a;if(s+c>r)throw ve(`, line ${i}: a run goes past the line's end`);for(let u=0;u<c;u++)t.copyWithin(4*(s+u),4*(s-1),4*s);s+=c,a+=8}else t.set(n.subarray(e,e+4),4*s),s+=1,a=0;e+=4}return e}var Yc=[118,47,49,1],Vc=[35,63];function jr(n,e){let t=new Uint8Array(n),r=s=>s.every((a,c)=>t[c]===a),i=r(Yc)?hs:r(Vc)?ds:null;if(i===null)throw new B(`${e}: is neither an EXR nor a Radiance HDR image`);try{return Xc(i(t))}catch(s){let a=s instanceof B?s.message:`cannot read the image: ${s.message??s}`;throw new B(`${e}: ${a}`)}}function Xc(n){let{rgb:e}=n,t=0;for(let r=0;r<e.length;r+=3){let i=!0;for(let s=r;s<r+3;s++)i&&=Number.isFinite(e[s])&&e[s]<=us,e[s]>0||(e[s]=0);i||t++}if(t)throw new B(`has ${t} texels that are not finite numbers of at most 1e+18`);return n}var ms={blocks:[{name:"features",width:null,kinds:["surface","fiber"],light:!1},{name:"position",width:3,kinds:["surface","fiber"],light:!1},{name:"normal",width:3,kinds:["surface"],light:!1},{name:"tangent",width:3,kinds:["fiber"],light:!1},{name:"h",width:1,kinds:["fiber"],light:!1},{name:"wo",width:3,kinds:["surface","fiber"],light:!1},{name:"wi",width:3,kinds:["surface","fiber"],light:!0},{name:"half_vector",width:5,kinds:["surface"],light:!0},{name:"highlight",width:1,kinds:["surface"],light:!0},{name:"learned_normal",width:2,kinds:["surface"],light:!0},{name:"fiber_angles",width:6,kinds:["fiber"],light:!0},{name:"fiber_lobes",width:3,kinds:["fiber"],light:!0}]};var Hn=ms.blocks,Wt=n=>Hn.find(e=>e.name===n),$n=(n,e)=>Wt(n).width??e;var Ze=22,et=46,Yt=30,gs=64,vs=256,Jc=/^[A-Za-z0-9_-][A-Za-z0-9._-]*(\/[A-Za-z0-9_-][A-Za-z0-9._-]*)*$/,yt="manifest.json",_s=2**20,Xt=n=>new DataView(n.buffer,n.byteOffset,n.byteLength);async function xs(n){let{size:e}=n;e===0&&_("FILE_EMPTY",n.name,"the file has no bytes"),e>2**32-2&&_("FILE_TOO_LARGE",n.name,`${e} bytes`);let{count:t,start:r}=await Qc(n),i=await n.read(r,e-Ze),s=tl(i,t,r,n.name);return rl(s,r,n.name),new Map(s.map(a=>[a.name,a]))}async function Qc(n){let{size:e,name:t}=n,r=Xt(await n.read(0,Math.min(4,e))),s=e>=4&&r.getUint32(0,!0)===67324752?"ZIP_TRUNCATED":"ZIP_NOT_ZIP";e<Ze&&_(s,t,"shorter than the end record of a ZIP archive");let a=Xt(await n.read(e-Ze,e)),c=e===Ze&&a.getUint32(0,!0)===101010256;a.getUint32(0,!0)!==101010256&&await el(n,s);let u=v=>a.getUint16(v,!0);[4,6,8,10].some(v=>u(v)===65535)&&_("ZIP_ZIP64",t,"a ZIP64 archive"),(u(4)||u(6))&&_("ZIP_ZIP64",t,"an archive of several disks");let h=u(10),p=a.getUint32(12,!0),d=a.getUint32(16,!0);return h>vs&&_("ZIP_TOO_MANY",t,`${h} entries; at most ${vs}`),(u(8)!==h||u(20)!==0||d+p!==e-Ze)&&_("ZIP_DIRECTORY",t,"the end record does not fit the central directory"),(c||h===0)&&_("ZIP_ORDER",t,`${yt} is not the first entry`),{count:h,start:d}}async function el(n,e){let t=await n.read(Math.max(0,n.size-Ze-65535),n.size),r=Xt(t);for(let i=t.length-Ze;i>=0;i--)r.getUint32(i,!0)===101010256&&i+Ze+r.getUint16(i+20,!0)===t.length&&_("ZIP_DIRECTORY",n.name,"the archive has a comment");_(e,n.name,"the file does not end with the end record of a ZIP archive")}function tl(n,e,t,r){let i=Xt(n),s=[],a=new Set,c=0;for(let u=0;u<e;u++){(c+et>n.length||i.getUint32(c,!0)!==33639248)&&_("ZIP_DIRECTORY",r,`the central directory has no header ${u}`);let h=i.getUint16(c+28,!0);(c+et+h>n.length||i.getUint32(c+30,!0))&&_("ZIP_DIRECTORY",r,`header ${u} of the central directory is malformed`);let p=n.subarray(c+et,c+et+h),d=String.fromCharCode(...p);nl(i,c,d,r),(!Jc.test(d)||d.includes(`
+`)||h>200)&&_("ZIP_NAME",r,`an entry is called ${JSON.stringify(d.slice(0,80))}`);let v=d.toLowerCase();a.has(v)&&_("ZIP_DUPLICATE",d,"the name is there twice"),a.add(v),s.push({name:d,size:i.getUint32(c+24,!0),crc:i.getUint32(c+16,!0),header:i.getUint32(c+42,!0),central:n.subarray(c,c+et+h)}),c+=et+h}c!==n.length&&_("ZIP_DIRECTORY",r,"bytes behind the last central header");for(let{name:u,header:h,size:p}of s)h+Yt+u.length+p>t&&_("ZIP_TRUNCATED",u,`${p} bytes reach past the entries`);return s}function nl(n,e,t,r){let i=u=>n.getUint16(e+u,!0),s=u=>n.getUint32(e+u,!0),a=JSON.stringify(t.slice(0,80));(s(42)===4294967295||s(20)===4294967295||s(24)===4294967295)&&_("ZIP_ZIP64",r,`${a} needs ZIP64`),i(34)&&_("ZIP_ZIP64",r,`${a} is on another disk`),i(8)&1&&_("ZIP_ENCRYPTED",r,`${a} is encrypted`),([[4,20],[6,20],[8,0],[12,0],[14,33],[36,0]].some(([u,h])=>i(u)!==h)||s(38))&&_("ZIP_HEADER",r,`${a}: a version, flag, time or attribute is not the fixed one`),i(10)&&_("ZIP_COMPRESSED",r,`${a} is compressed`),s(20)!==s(24)&&_("ZIP_SIZE",r,`${a} has two sizes`)}function rl(n,e,t){let r=[...n].sort((a,c)=>a.header-c.header),i=0;r.forEach((a,c)=>{a.end=c+1<r.length?r[c+1].header:e,a.extra=a.end-a.header-Yt-a.name.length-a.size,a.extra<0&&_("ZIP_OVERLAP",a.name,"shares bytes with the next entry"),a.header!==i&&_("ZIP_GAP",t,`bytes ${i} to ${a.header} are no entry's`),i=a.end});let s=r[0];s.name!==yt&&_("ZIP_ORDER",t,`${yt} is not the first entry`),s.size>_s&&_("MANIFEST_TOO_LARGE",yt,`${s.size} bytes; at most ${_s}`)}function ws(n,e){let t=Xt(e),{name:r}=n,i=n.name.length;e.length<n.end-n.header&&_("ZIP_TRUNCATED",r,"the file ends within it"),t.getUint32(0,!0)===67324752&&t.getUint16(26,!0)===i&&ys(e.subarray(4,26),n.central.subarray(6,28))&&ys(e.subarray(Yt,Yt+i),n.central.subarray(et))||_("ZIP_LOCAL_HEADER",r,"local and central header differ");let a=t.getUint16(28,!0),c=Yt+i;il(e.subarray(c,c+a),a,r),(n.header+c+a)%gs&&_("ZIP_ALIGNMENT",r,`data at byte ${n.header+c+a}, no multiple of ${gs}`),a!==n.extra&&_(a>n.extra?"ZIP_OVERLAP":"ZIP_GAP",r,"its data does not end where the next entry starts");let u=e.subarray(c+a,c+a+n.size);return sl(u)!==n.crc&&_("ZIP_CRC",r,"the bytes do not have the CRC-32 of the header"),u}function il(n,e,t){if(e===0)return;e>=4&&n.length===e&&n[0]===82&&n[1]===78&&n[2]+256*n[3]===e-4&&n.subarray(4).every(i=>i===0)||_("ZIP_EXTRA",t,"the extra field is not zero padding")}var ys=(n,e)=>n.length===e.length&&n.every((t,r)=>t===e[r]),Vt=Array.from({length:4},()=>new Uint32Array(256));for(let n=0;n<256;n++){let e=n;for(let t=0;t<8;t++)e=e&1?e>>>1^3988292384:e>>>1;Vt[0][n]=e>>>0}for(let n=1;n<4;n++)for(let e=0;e<256;e++){let t=Vt[n-1][e];Vt[n][e]=t>>>8^Vt[0][t&255]}function sl(n){let[e,t,r,i]=Vt,s=4294967295,a=0;for(;a+4<=n.length;a+=4)s^=n[a]|n[a+1]<<8|n[a+2]<<16|n[a+3]<<24,s=i[s&255]^r[s>>>8&255]^t[s>>>16&255]^e[s>>>24];for(;a<n.length;a++)s=e[(s^n[a])&255]^s>>>8;return(s^4294967295)>>>0}var ol=64,al=/-?(?:0|[1-9]\d*)(?:\.\d+)?(?:[eE][+-]?\d+)?/y,cl=/[ \t\n\r]*/y,ll=/[^"\\\u0000-\u001f]*/y,bs={'"':'"',"\\":"\\","/":"/",b:"\b",f:"\f",n:`
+`,r:"\r",t:"	"};function xt(n,e,t){let r;try{r=new TextDecoder("utf-8",{fatal:!0,ignoreBOM:!0}).decode(n)}catch{_(t,e,"no UTF-8")}let i=new Wr(r,e,t);i.space(),r[i.at]!=="{"&&_(t,e,"not a JSON object");let s=i.value(1);return i.space(),i.at!==r.length&&i.bad(),s}var Wr=class{constructor(e,t,r){Object.assign(this,{text:e,where:t,code:r,at:0})}bad(e="malformed JSON"){_(this.code,this.where,`${e} at character ${this.at}`)}match(e){e.lastIndex=this.at;let t=e.exec(this.text);return t&&(this.at=e.lastIndex),t}space(){this.match(cl)}take(e){return this.text.startsWith(e,this.at)?(this.at+=e.length,!0):!1}value(e){let t=this.text[this.at];if((t==="{"||t==="[")&&e>ol&&this.bad("nested too deep"),t==="{")return this.object(e);if(t==="[")return this.array(e);if(t==='"')return this.string();for(let[s,a]of[["true",!0],["false",!1],["null",null]])if(this.take(s))return a;/NaN|-?Infinity/y.test(this.text.slice(this.at,this.at+9))&&this.notFinite();let r=this.match(al);r||this.bad();let i=Number(r[0]);return Number.isFinite(i)||this.notFinite(),i===0?0:i}notFinite(){_("JSON_NOT_FINITE",this.where,`no finite number at character ${this.at}`)}list(e,t){if(this.at+=1,this.space(),!this.take(e)){do this.space(),t(),this.space();while(this.take(","));this.take(e)||this.bad()}}array(e){let t=[];return this.list("]",()=>t.push(this.value(e+1))),t}object(e){let t=new Map;this.list("}",()=>{this.text[this.at]!=='"'&&this.bad();let i=this.string();t.has(i)&&_("JSON_DUPLICATE_KEY",this.where,`the key "${i}" twice`),this.space(),this.take(":")||this.bad(),this.space(),t.set(i,this.value(e+1))});let r=Object.create(null);for(let[i,s]of t)r[i]=s;return r}string(){let e="";for(this.at+=1;e+=this.match(ll)[0],!this.take('"');){this.take("\\")||this.bad();let t=this.text[this.at++];if(t==="u"){let r=this.match(/[0-9a-fA-F]{4}/y);r||this.bad(),e+=String.fromCharCode(parseInt(r[0],16))}else t in bs?e+=bs[t]:this.bad()}return e.isWellFormed()||this.bad("half of a surrogate pair"),e}};var As={F32:Float32Array,F16:Uint16Array,I8:Int8Array,U8:Uint8Array,U16:Uint16Array,I16:Int16Array,U32:Uint32Array,I32:Int32Array},ul=65536;function wt(n,e,t,r){let i=e.byteOffset+t;return i%n.BYTES_PER_ELEMENT===0?new n(e.buffer,i,r):new n(e.slice(t,t+r*n.BYTES_PER_ELEMENT).buffer)}function bt(n,e,t){n.length<8&&_(t,e,"shorter than a header");let r=new DataView(n.buffer,n.byteOffset).getBigUint64(0,!0);(r>ul||Number(r)>n.length-8)&&_(t,e,`a header of ${r} bytes`);let i=8+Number(r);n[8]!==123&&_(t,e,"the header does not start with {");let{__metadata__:s,...a}=xt(n.subarray(8,i),e,t);return{tensors:a,metadata:s,data:i}}var Rs=n=>n!==null&&typeof n=="object"&&!Array.isArray(n),Es=n=>Number.isSafeInteger(n)&&n>=0;function At(n){return Rs(n)&&typeof n.dtype=="string"&&Array.isArray(n.shape)&&n.shape.every(Es)&&Array.isArray(n.data_offsets)&&n.data_offsets.length===2&&n.data_offsets.every(Es)}var Et=n=>n===void 0||Rs(n);function Rt(n,{tensors:e,data:t},r,i,s){let a=0,c=r.map(u=>{let{dtype:h,shape:p,data_offsets:[d,v]}=e[u],x=p.reduce((S,T)=>S*T,1);return(d!==a||v-d!==x*As[h].BYTES_PER_ELEMENT||t+v>n.length)&&_(s,i,`the bytes of ${u} are not where they must be`),a=v,wt(As[h],n,t+d,x)});return t+a!==n.length&&_(s,i,"bytes behind the last tensor"),c}var ks=2**26,fl=2**25,hl=2**31,pl={points:[["F32"],2],radii:[["F32"],1],offsets:[["U32"],1]},dl={scales:[["F32"],1],origins:[["F32"],2],offsets:[["U32"],1],steps:[["I16","I32"],2],radii:[["U8","U16"],1]};function Ss(n,e,t){let r=bt(n,e,"GEOMETRY_CONTAINER"),{tensors:i}=r,s="steps"in i||"scales"in i,a=s?dl:pl,c=Object.keys(a);ml(r,a,c,e),s&&t&&_("VERSION_TOO_OLD",e,"quantised curves in a package for readers of 1.0");let u=Object.fromEntries(c.map(T=>[T,i[T].shape])),h=Rt(n,r,c,e,"GEOMETRY_RANGE"),p=Object.fromEntries(c.map((T,L)=>[T,h[L]])),d=u.offsets[0]-1,v=u.radii[0];(!(s?u.origins[0]===d&&u.steps[0]===v-d&&u.scales[0]===2:u.points[0]===v)||d<1)&&_("GEOMETRY_ARRAY",e,"tensors whose shapes do not fit each other"),gl(p.offsets,v,e);let S=s?vl(p,e):p;return _l(S,e),S}function ml(n,e,t,r){let{tensors:i}=n,s="GEOMETRY_PROFILE",a=Object.keys(i);(a.length!==t.length||t.some(u=>!a.includes(u)))&&_(s,r,`found ${a.join(", ")||"no tensors"}, expected ${t.join(", ")}`),Et(n.metadata)||_(s,r,"__metadata__ is no object");for(let[u,[h,p]]of Object.entries(e)){let d=i[u];At(d)&&h.includes(d.dtype)&&d.shape.length===p&&(p===1||d.shape[1]===3)||_(s,r,`${u} is not ${h.join(" or ")} of ${p} dimensions`)}((i.points??i.radii).shape[0]>ks||i.radii.shape[0]>ks||i.offsets.shape[0]-1>fl)&&_(s,r,"more points or strands than allowed"),n.data%64&&_(s,r,"data does not start at a multiple of 64")}function gl(n,e,t){let r=n[0]===0&&n.at(-1)===e;for(let i=1;i<n.length&&r;i++)r=n[i]>=n[i-1]+2;r||_("GEOMETRY_STRANDS",t,"the offsets do not part the points into strands")}function vl({scales:n,origins:e,offsets:t,steps:r,radii:i},s){let[a,c]=n;a>0&&Number.isFinite(a)||_("GEOMETRY_STEPS",s,"steps without length"),e.some(p=>!Number.isFinite(p))&&_("GEOMETRY_NOT_FINITE",s,"an origin is not finite"),(!(c>0&&Number.isFinite(c))||i.some(p=>p===0))&&_("GEOMETRY_RADIUS",s,"a radius that is not above 0");let u=new Float32Array(3*i.length),h=0;for(let p=0;p+1<t.length;p++){for(let d=0;d<3;d++){let v=e[3*p+d],x=0;u[3*t[p]+d]=v;for(let S=t[p]+1,T=h;S<t[p+1];S++,T++)x+=r[3*T+d],Math.abs(x)>hl&&_("GEOMETRY_STEPS",s,`strand ${p} goes too far`),u[3*S+d]=v+a*x}h+=t[p+1]-t[p]-1}return{points:u,radii:Float32Array.from(i,p=>p*c),offsets:t}}function _l({points:n,radii:e,offsets:t},r){(n.some(i=>!Number.isFinite(i))||e.some(i=>!Number.isFinite(i)))&&_("GEOMETRY_NOT_FINITE",r,"a point or a radius is not finite");for(let i=0;i+1<t.length;i++)for(let s=t[i]+1;s<t[i+1];s++)n[3*s]===n[3*s-3]&&n[3*s+1]===n[3*s-2]&&n[3*s+2]===n[3*s-1]&&_("GEOMETRY_SEGMENT",r,`two equal points in strand ${i}`);e.some(i=>!(i>0))&&_("GEOMETRY_RADIUS",r,"a radius that is not above 0")}var yl={1:Float32Array,2:Uint8Array,3:Int8Array,6:Int32Array},xl=64*2**20,wl=4096,bl=2**18;function Ns(n,e){n.length>xl&&_("DECODER_TOO_LARGE",e,`${n.length} bytes`);let t=u=>_("DECODER_NOT_ONNX",e,u),r=new Yr(t),i=r.message(n,{1:"one",7:"one",8:"many",20:"many",25:"many"});(!i[7]||!i[1])&&t("no graph, or no IR version"),(i[20].length||i[25].length)&&_("DECODER_NESTED",e,"functions or training information"),Al(i,r,e);let s=r.message(i[7],{1:"many",5:"many",11:"many",12:"many",15:"many"});s[15].length&&_("DECODER_NESTED",e,"sparse tensors"),s[1].length>wl&&_("DECODER_GRAPH",e,`${s[1].length} nodes`);let a=s[1].map(u=>El(r,u,e)),c=new Map;for(let u of s[5]){let h=Os(r,u,e);c.has(h.name)&&_("DECODER_GRAPH",e,`${h.name} is there twice`),c.set(h.name,h)}return{nodes:a,constants:c,inputs:s[11].map(u=>Ts(r,u)),outputs:s[12].map(u=>Ts(r,u))}}function Al(n,e,t){let r=Number(n[1]);r>=7&&r<=10||_("DECODER_VERSION",t,`IR version ${r}`);let i=n[8].map(c=>e.message(c,{1:"one",2:"one"})),s=i.map(c=>e.text(c[1]));s.some(c=>c!==""&&c!=="ai.onnx")&&_("DECODER_DOMAIN",t,`operators of ${s.join(", ")}`);let a=Number(i[0]?.[2]??0);(i.length!==1||a<13||a>21)&&_("DECODER_VERSION",t,`operator set ${a}`)}function El(n,e,t){let r=n.message(e,{1:"many",2:"many",4:"one",5:"many",7:"one"}),i=n.text(r[7]);i!==""&&i!=="ai.onnx"&&_("DECODER_DOMAIN",t,`an operator of ${i}`);let s={};for(let a of r[5]){let{1:c,3:u,5:h,6:p,11:d}=n.message(a,{1:"one",3:"one",5:"one",6:"one",11:"many"});(p||d.length)&&_("DECODER_NESTED",t,"a graph within a node"),h&&Os(n,h,t),s[n.text(c)]=u===void 0?null:Number(BigInt.asIntN(64,u))}return{operator:n.text(r[4]),inputs:r[1].map(n.text),outputs:r[2].map(n.text),attributes:s}}function Os(n,e,t){let r=n.message(e,{1:"numbers",2:"one",8:"one",9:"one",13:"many",14:"one"});(r[13].length||r[14])&&_("DECODER_EXTERNAL",t,"data outside the file");let i=r[1].map(Number),s=Number(r[2]??0);(i.length>2||i.some(h=>h>8192)||![1,2,3,6,7,9,10].includes(s))&&_("DECODER_TENSOR",t,`a tensor of type ${s} and shape [${i}]`);let a=i.reduce((h,p)=>h*p,1),c=yl[s],u=c&&r[9]instanceof Uint8Array&&r[9].length===a*c.BYTES_PER_ELEMENT;return{name:n.text(r[8]),type:s,dims:i,values:u?wt(c,r[9],0,a):null}}function Ts(n,e){let t=n.message(e,{1:"one",2:"one"}),r=n.message(t[2]??new Uint8Array,{1:"one"}),i=n.message(r[1]??new Uint8Array,{1:"one",2:"one"}),a=n.message(i[2]??new Uint8Array,{1:"many"})[1].map(c=>{let{1:u,2:h}=n.message(c,{1:"one",2:"one"});return h!==void 0&&n.text(h),u===void 0?null:Number(u)});return{name:n.text(t[1]),type:Number(i[1]??0),dims:a}}var Yr=class{constructor(e){this.wrong=e,this.fields=0,this.text=(t=new Uint8Array)=>{if(!(t instanceof Uint8Array))return e("a name that is no text");try{return new TextDecoder("utf-8",{fatal:!0,ignoreBOM:!0}).decode(t)}catch{return e("a name that is no UTF-8")}}}message(e,t){e instanceof Uint8Array||this.wrong("a message that is a number");let r={};for(let[i,s]of Object.entries(t))s!=="one"&&(r[i]=[]);for(let i=0;i<e.length;){++this.fields>bl&&this.wrong("too many fields");let s,a;[s,i]=this.varint(e,i),[a,i]=this.value(e,i,Number(s&7n)),this.keep(r,Number(s>>3n),a,t)}return r}keep(e,t,r,i){let s=i[t];if(s==="many")e[t].push(r);else if(s==="one")e[t]!==void 0&&this.wrong(`the field ${t} twice`),e[t]=r;else if(s==="numbers"&&r instanceof Uint8Array)for(let a=0,c;a<r.length;)[c,a]=this.varint(r,a),e[t].push(c);else s==="numbers"&&e[t].push(r)}value(e,t,r){if(r===0)return this.varint(e,t);let i={1:8,5:4}[r];return r===2&&([i,t]=this.varint(e,t),i=Number(i)),(i===void 0||t+i>e.length)&&this.wrong("a field that is cut short"),[e.subarray(t,t+i),t+i]}varint(e,t){let r=0n;for(let i=0n;i<70n&&!(t>=e.length);i+=7n){let s=e[t++];if(r|=BigInt(s&127)<<i,s<128)return[BigInt.asUintN(64,r),t]}return this.wrong("a number that is cut short")}};var De=1,Rl=2,kl=3,Sl=6,Is=2**24,Ms=2**16,zs=2**24;function Fs(n,{columns:e,outputs:t,output:r,precision:i},s){let a=Ns(n,s);Tl(a,e,t,r,s);let c=a.nodes.some(({operator:u})=>/^(De)?[qQ]uantizeLinear$/.test(u));return c!==(i==="int8")&&_("DECODER_PRECISION",s,`arithmetic that is not ${i}`),Ol(a,s),new Vr(a,e,t,c,s).decoder()}function Tl({inputs:n,outputs:e},t,r,i,s){let a=(c,u,h)=>c.length===1&&c[0].name===u&&c[0].type===De&&c[0].dims.length===2&&c[0].dims[0]===null&&c[0].dims[1]===h;a(n,"queries",t)||_("DECODER_INPUT",s,`not one input queries [N, ${t}]`),a(e,i,r)||_("DECODER_OUTPUT",s,`not one output ${i} [N, ${r}]`)}var Nl=new Set(`Abs Add And Atan Cast Ceil Clip Concat Constant Cos DequantizeLinear Div Elu Equal Erf Exp
+Floor Gelu Gemm Greater GreaterOrEqual HardSigmoid HardSwish Identity IsInf IsNaN LayerNormalization LeakyRelu Less
+LessOrEqual Log MatMul Max Min Mish Mul Neg Not Or PRelu Pow QuantizeLinear Reciprocal Relu Selu Sigmoid Sign Sin Slice
+Softplus Softsign Split Sqrt Sub Sum Tanh ThresholdedRelu Where Xor`.split(/\s+/));function Ol({nodes:n,constants:e},t){let r=n.find(({operator:s})=>!Nl.has(s));r&&_("DECODER_OPERATOR",t,`the operator ${r.operator}`);let i=new Set(["queries",...e.keys()]);for(let s of n)(s.inputs.some(a=>a&&!i.has(a))||s.outputs.some(a=>i.has(a)))&&_("DECODER_GRAPH",t,"nodes out of order, or a value made twice"),s.outputs.forEach(a=>i.add(a))}var Vr=class{constructor({nodes:e,constants:t},r,i,s,a){Object.assign(this,{constants:t,columns:r,outputs:i,int8:s,where:a,width:r,at:0,value:"queries"});let c=({operator:p,inputs:d})=>p==="DequantizeLinear"&&t.has(d[0]);this.dequantizers=new Map(e.filter(c).map(p=>[p.outputs[0],p])),this.chain=e.filter(p=>!c(p)),this.values=this.work=0;let h=[...t.values(),...[...this.dequantizers.values()].map(({inputs:p})=>t.get(p[0]))].reduce((p,{dims:d})=>p+d.reduce((v,x)=>v*x,1),0);h>Is&&_("DECODER_COST",a,`${h} values of constants; at most ${Is}`),this.readers=new Map;for(let p of e.flatMap(d=>d.inputs))this.readers.set(p,(this.readers.get(p)??0)+1)}outside(e){throw new B(`${this.where}: this viewer runs decoders of the profile (spec, 6.4) alone: ${e} [DECODER_PROFILE]`)}get operator(){return this.chain[this.at]?.operator}next(e){let t=this.chain[this.at];return(t?.operator!==e||t.inputs[0]!==this.value||t.outputs.length!==1)&&this.outside(`${t?.operator??"nothing"} where ${e} must be`),(this.readers.get(this.value)!==1||Object.keys(t.attributes).length)&&this.outside(`${e} with attributes, or a value that is read twice`),this.at+=1,this.value=t.outputs[0],t.inputs.slice(1)}spend(e,t=1){this.values+=e,this.work+=t*e,(this.values>Ms||this.work>zs)&&_("DECODER_COST",this.where,`a query takes ${this.values} values and ${this.work} multiply-adds, or more; at most ${Ms} and ${zs}`)}constant(e,t,r){let i=this.constants.get(e);return(!i?.values||i.type!==t||i.dims.join()!==r.join())&&this.outside(`${e??"nothing"} is not of type ${t} and shape [${r}]`),i.values}take(e,...t){let r=this.next(e);return e==="MatMul"?this.spend(this.outputs,this.width):this.spend(this.width),r.length!==t.length&&this.outside(`${e} of ${r.length+1} operands`),t.map(([i,s],a)=>this.constant(r[a],i,s))}decoder(){let e=[De,[]],t=[De,[this.columns]],[[r],[i]]=this.take("Clip",e,e),s=this.int8?this.take("Mul",t)[0]:null,a=this.int8?this.take("Add",t)[0]:null,c=this.layers(),[[u],[h]]=this.take("Clip",e,e);this.take("Exp");let[[p]]=this.take("Sub",e);(u!==0||p!==1)&&this.outside(`Clip from ${u}, Sub of ${p}`);let[d]=this.operator==="MatMul"?this.take("MatMul",[De,[this.width,this.outputs]]):this.take("Mul",e);(this.operator||this.dequantizers.size)&&this.outside("nodes behind the last one"),d.length===1&&this.width!==this.outputs&&_("DECODER_LOAD",this.where,`${this.width} values for ${this.outputs} outputs`);let v=d.length===1?{unit:d[0],matrix:null}:{unit:1,matrix:d};return{low:r,high:i,gain:s,offset:a,layers:c,top:h,...v,int8:this.int8,columns:this.columns,outputs:this.outputs}}layers(){let e=[];for(;;){let t=this.int8?this.quantized():null;if(e.push(this.gemm(t)),this.operator==="Clip")return e;this.int8||this.take("Relu")}}quantized(){let e=[[De,[]],[Rl,[]]],[[t],[r]]=this.take("QuantizeLinear",...e),[[i],[s]]=this.take("DequantizeLinear",...e);return(r||s||t!==i)&&this.outside("two scales, or a zero point"),t}gemm(e){let t=this.next("Gemm");t.length!==2&&this.outside(`Gemm of ${t.length+1} operands`);let r=v=>this.constants.get(v)?.dims.at(-1)??0,i=this.width;if(!this.int8){let v=r(t[0]);return this.spend(v,i),this.width=v,{weight:this.fitting(t[0],De,i,v),bias:this.constant(t[1],De,[v]),rows:i,columns:v}}let[s,a]=this.dequantized(t[0],1),[c,u]=this.dequantized(t[1],0),h=r(s);this.spend(h,i);let p=this.constant(a,De,[h]);return this.constant(u,De,[h]).some((v,x)=>v!==Math.fround(e*p[x]))&&this.outside("a bias with a scale of its own"),this.width=h,{weight:this.fitting(s,kl,i,h),bias:this.constant(c,Sl,[h]),rows:i,columns:h,step:e,scales:p}}fitting(e,t,r,i){let s=this.constants.get(e)?.dims??[];return s.length===2&&s[0]!==r&&_("DECODER_LOAD",this.where,`weights for ${s[0]} values, of which there are ${r}`),this.constant(e,t,[r,i])}dequantized(e,t){let r=this.dequantizers.get(e);return this.dequantizers.delete(e),(r?.attributes.axis!==t||r.inputs.length!==2||this.readers.get(e)!==1)&&this.outside(`${e} is no DequantizeLinear of constants along axis ${t}`),r.inputs}};async function Cs(n,{elementSize:e,distance:t,size:r},i){let s=await Il(n,r,i),a=Math.floor(r/e),c=new Uint8Array(r);for(let u=0;u<e;u++){let h=u*a;for(let p=0;p<a;p++)c[p*e+u]=s[h+p]}if(c.set(s.subarray(a*e),a*e),t){let u={1:Uint8Array,2:Uint16Array,4:Uint32Array}[e],h=new u(c.buffer,0,a);for(let p=t;p<a;p++)h[p]+=h[p-t]}return c}async function Il(n,e,t){let r=new Uint8Array(e),i=0;try{let s=new Blob([n]).stream().pipeThrough(new DecompressionStream("deflate")).getReader();for(;;){let{done:a,value:c}=await s.read();if(a)break;if(i+c.length>e)throw s.cancel().catch(()=>{}),new RangeError(`more than ${e} bytes`);r.set(c,i),i+=c.length}}catch(s){_("DEFLATE_STREAM",t,`no whole zlib stream of ${e} bytes (${s.message})`)}return i!==e&&_("DEFLATE_STREAM",t,`inflates to ${i} bytes, expected ${e}`),r}var Ls={$schema:"https://json-schema.org/draft/2020-12/schema",title:"RNA 1.1 manifest.json",type:"object",if:{required:["parts"]},then:{$ref:"#/$defs/Manifest"},else:{$ref:"#/$defs/ShortManifest"},$defs:{Agreement:{additionalProperties:!1,description:"Largest difference between the exported decoder and the trained model.",properties:{maxAbsolute:{minimum:0,type:"number"},maxRelative:{minimum:0,type:"number"}},required:["maxAbsolute","maxRelative"],title:"Agreement",type:"object"},Bounds:{additionalProperties:!1,description:"The box the triplane spans; readers round its numbers to float32.",properties:{min:{description:"Smallest x, y, z.",maxItems:3,minItems:3,prefixItems:[{maximum:1e18,minimum:-1e18,type:"number"},{maximum:1e18,minimum:-1e18,type:"number"},{maximum:1e18,minimum:-1e18,type:"number"}],type:"array"},max:{description:"Largest x, y, z; each greater than that of min.",maxItems:3,minItems:3,prefixItems:[{maximum:1e18,minimum:-1e18,type:"number"},{maximum:1e18,minimum:-1e18,type:"number"},{maximum:1e18,minimum:-1e18,type:"number"}],type:"array"}},required:["min","max"],title:"Bounds",type:"object"},Cone:{additionalProperties:!1,description:"Directions near an axis.",properties:{axis:{description:"Its middle, a unit vector.",maxItems:3,minItems:3,prefixItems:[{type:"number"},{type:"number"},{type:"number"}],type:"array"},halfAngle:{description:"From the axis to its edge, radians.",maximum:3.141592653589793,minimum:0,type:"number"}},required:["axis","halfAngle"],title:"Cone",type:"object"},Cost:{additionalProperties:!1,description:"Cost of a query.",properties:{multiplyAdds:{description:"Multiply-adds of the decoder per query.",maximum:9007199254740991,minimum:0,type:"integer"},nsPerQuery:{description:"Nanoseconds per query, everything included.",minimum:0,type:"number"},threads:{description:"Threads used in the measurement.",maximum:9007199254740991,minimum:1,type:"integer"},machine:{description:"What it was measured on.",type:"string"}},required:["multiplyAdds","nsPerQuery","threads","machine"],title:"Cost",type:"object"},Domain:{additionalProperties:!1,description:"Trained directions, object space.",properties:{wo:{description:"View directions, from the surface to the eye.",oneOf:[{enum:["sphere","hemisphere"],type:"string"},{items:{$ref:"#/$defs/Cone"},maxItems:16,minItems:1,type:"array"}]},wi:{description:"Light directions, from the surface to the light.",oneOf:[{enum:["sphere","hemisphere"],type:"string"},{items:{$ref:"#/$defs/Cone"},maxItems:16,minItems:1,type:"array"}]}},required:["wo","wi"],title:"Domain",type:"object"},EntryRecord:{additionalProperties:!1,description:"Size and hash of one entry.",properties:{size:{description:"Bytes.",maximum:9007199254740991,minimum:0,type:"integer"},sha256:{description:"SHA-256, lower-case hex.",not:{pattern:`
+`},pattern:"^[0-9a-f]{64}$",type:"string"}},required:["size","sha256"],title:"EntryRecord",type:"object"},FlipAtHeight:{additionalProperties:!1,description:"Error of an asset that is seen small.",properties:{height:{description:"Height of the validation images, pixels.",maximum:9007199254740991,minimum:1,type:"integer"},flip:{description:"Mean FLIP at that height.",minimum:0,type:"number"}},required:["height","flip"],title:"FlipAtHeight",type:"object"},JsonValue:{},Manifest:{additionalProperties:!1,description:"manifest.json. `write_package` computes `entries` and the versions; leave them out.",properties:{format:{const:"rna",type:"string"},version:{description:"Version of the format it follows.",not:{pattern:`
+`},pattern:"^[1-9][0-9]{0,3}\\.(0|[1-9][0-9]{0,3})$",type:"string"},minReaderVersion:{description:"Oldest reader that can.",not:{pattern:`
+`},pattern:"^[1-9][0-9]{0,3}\\.(0|[1-9][0-9]{0,3})$",type:"string"},generator:{description:"What wrote the package, with its version.",type:"string"},name:{description:"The asset's name, for a person.",minLength:1,type:"string"},domain:{$ref:"#/$defs/Domain"},units:{$ref:"#/$defs/Units"},entries:{additionalProperties:{$ref:"#/$defs/EntryRecord"},description:"Every entry of the archive except manifest.json.",propertyNames:{maxLength:200,not:{pattern:`
+`},pattern:"^[A-Za-z0-9_-][A-Za-z0-9._-]*(/[A-Za-z0-9_-][A-Za-z0-9._-]*)*$"},type:"object"},provenance:{$ref:"#/$defs/Provenance"},license:{description:"SPDX expression, or the terms.",minLength:1,type:"string"},extensionsUsed:{default:[],items:{maxLength:64,not:{pattern:`
+`},pattern:"^[A-Za-z0-9][A-Za-z0-9._-]*$",type:"string"},type:"array"},extensionsRequired:{default:[],items:{maxLength:64,not:{pattern:`
+`},pattern:"^[A-Za-z0-9][A-Za-z0-9._-]*$",type:"string"},type:"array"},extensions:{additionalProperties:{$ref:"#/$defs/JsonValue"},default:{},description:"Data of extensions, by name; each in extensionsUsed.",propertyNames:{maxLength:64,not:{pattern:`
+`},pattern:"^[A-Za-z0-9][A-Za-z0-9._-]*$"},type:"object"},extras:{additionalProperties:{$ref:"#/$defs/JsonValue"},default:{},description:"Anything; readers ignore it.",type:"object"},parts:{description:"What the asset is made of.",items:{$ref:"#/$defs/Part"},maxItems:16,minItems:1,type:"array"},tiers:{items:{$ref:"#/$defs/Tier"},maxItems:16,minItems:1,type:"array"}},required:["format","version","minReaderVersion","units","entries","generator","name","domain","provenance","license","parts","tiers"],title:"Manifest",type:"object"},NormalMapRecord:{additionalProperties:!1,description:"Triangles with relief, and the map of it.",properties:{triangles:{description:"The first, and how many.",maxItems:2,minItems:2,prefixItems:[{maximum:9007199254740991,minimum:0,type:"integer"},{maximum:9007199254740991,minimum:1,type:"integer"}],type:"array"},texture:{description:"Entry with the map.",maxLength:200,not:{pattern:`
+`},pattern:"^[A-Za-z0-9_-][A-Za-z0-9._-]*(/[A-Za-z0-9_-][A-Za-z0-9._-]*)*$",type:"string"}},required:["triangles","texture"],title:"NormalMapRecord",type:"object"},Part:{additionalProperties:!1,description:"One geometry with planes and decoders of its own.",properties:{name:{description:"Unique in the package.",maxLength:64,not:{pattern:`
+`},pattern:"^[A-Za-z0-9][A-Za-z0-9._-]*$",type:"string"},kind:{description:"What the geometry is: a mesh, or curves.",enum:["surface","fiber"],type:"string"},bounds:{$ref:"#/$defs/Bounds"},geometry:{description:"Entry with the mesh or the curves.",maxLength:200,not:{pattern:`
+`},pattern:"^[A-Za-z0-9_-][A-Za-z0-9._-]*(/[A-Za-z0-9_-][A-Za-z0-9._-]*)*$",type:"string"},transmittance:{default:[],description:"Holes and thin glass of a surface.",items:{$ref:"#/$defs/TransmittanceRecord"},maxItems:64,minItems:1,type:"array"},normalMaps:{default:[],description:"Relief of a surface.",items:{$ref:"#/$defs/NormalMapRecord"},maxItems:64,minItems:1,type:"array"}},required:["name","kind","bounds","geometry"],title:"Part",type:"object"},Provenance:{additionalProperties:!1,description:"Origin of the asset.",properties:{source:{description:"The original model: name, author, address.",type:"string"},tool:{description:"What made the training data, with its version.",type:"string"},capture:{additionalProperties:{$ref:"#/$defs/JsonValue"},default:{},description:"Capture settings.",type:"object"},training:{additionalProperties:{$ref:"#/$defs/JsonValue"},default:{},description:"Training settings.",type:"object"}},required:["source","tool"],title:"Provenance",type:"object"},ShortManifest:{additionalProperties:!1,description:"manifest.json of one part that has nothing new since 1.0.",properties:{format:{const:"rna",type:"string"},version:{description:"Version of the format it follows.",not:{pattern:`
+`},pattern:"^[1-9][0-9]{0,3}\\.(0|[1-9][0-9]{0,3})$",type:"string"},minReaderVersion:{description:"Oldest reader that can.",not:{pattern:`
+`},pattern:"^[1-9][0-9]{0,3}\\.(0|[1-9][0-9]{0,3})$",type:"string"},generator:{description:"What wrote the package, with its version.",type:"string"},name:{description:"The asset's name, for a person.",minLength:1,type:"string"},domain:{$ref:"#/$defs/Domain"},units:{$ref:"#/$defs/Units"},entries:{additionalProperties:{$ref:"#/$defs/EntryRecord"},description:"Every entry of the archive except manifest.json.",propertyNames:{maxLength:200,not:{pattern:`
+`},pattern:"^[A-Za-z0-9_-][A-Za-z0-9._-]*(/[A-Za-z0-9_-][A-Za-z0-9._-]*)*$"},type:"object"},provenance:{$ref:"#/$defs/Provenance"},license:{description:"SPDX expression, or the terms.",minLength:1,type:"string"},extensionsUsed:{default:[],items:{maxLength:64,not:{pattern:`
+`},pattern:"^[A-Za-z0-9][A-Za-z0-9._-]*$",type:"string"},type:"array"},extensionsRequired:{default:[],items:{maxLength:64,not:{pattern:`
+`},pattern:"^[A-Za-z0-9][A-Za-z0-9._-]*$",type:"string"},type:"array"},extensions:{additionalProperties:{$ref:"#/$defs/JsonValue"},default:{},description:"Data of extensions, by name; each in extensionsUsed.",propertyNames:{maxLength:64,not:{pattern:`
+`},pattern:"^[A-Za-z0-9][A-Za-z0-9._-]*$"},type:"object"},extras:{additionalProperties:{$ref:"#/$defs/JsonValue"},default:{},description:"Anything; readers ignore it.",type:"object"},kind:{description:"What the geometry is: a mesh, or curves.",enum:["surface","fiber"],type:"string"},bounds:{$ref:"#/$defs/Bounds"},geometry:{description:"Entry with the mesh or the curves.",maxLength:200,not:{pattern:`
+`},pattern:"^[A-Za-z0-9_-][A-Za-z0-9._-]*(/[A-Za-z0-9_-][A-Za-z0-9._-]*)*$",type:"string"},tiers:{items:{$ref:"#/$defs/ShortTier"},maxItems:16,minItems:1,type:"array"}},required:["format","version","minReaderVersion","units","entries","generator","name","domain","provenance","license","kind","bounds","geometry","tiers"],title:"ShortManifest",type:"object"},ShortTier:{additionalProperties:!1,description:"A tier of one part, planes and decoder in it.",properties:{planes:{description:"Entry with the triplane.",maxLength:200,not:{pattern:`
+`},pattern:"^[A-Za-z0-9_-][A-Za-z0-9._-]*(/[A-Za-z0-9_-][A-Za-z0-9._-]*)*$",type:"string"},decoder:{description:"Entry with the ONNX decoder.",maxLength:200,not:{pattern:`
+`},pattern:"^[A-Za-z0-9_-][A-Za-z0-9._-]*(/[A-Za-z0-9_-][A-Za-z0-9._-]*)*$",type:"string"},inputs:{description:"Input blocks, in the order of the columns of `queries`.",items:{enum:["features","position","normal","tangent","h","wo","wi","half_vector","highlight","learned_normal","fiber_angles","fiber_lobes"],type:"string"},minItems:1,type:"array",uniqueItems:!0},resolution:{description:"R, texels along a plane's side.",maximum:4096,minimum:1,type:"integer"},channels:{description:"C, features a texel.",maximum:64,minimum:1,type:"integer"},planePrecision:{description:"dtype of the planes.",enum:["int8","float16","float32"],type:"string"},decoderPrecision:{description:"Arithmetic of the decoder; int8 means quantised by QDQ nodes.",enum:["float32","int8"],type:"string"},agreement:{anyOf:[{$ref:"#/$defs/Agreement"},{type:"null"}],default:null},name:{description:"What hosts call the tier; unique in the package.",maxLength:64,not:{pattern:`
+`},pattern:"^[A-Za-z0-9][A-Za-z0-9._-]*$",type:"string"},validation:{anyOf:[{$ref:"#/$defs/Validation"},{type:"null"}],default:null},cost:{anyOf:[{$ref:"#/$defs/Cost"},{type:"null"}],default:null}},required:["planes","decoder","inputs","resolution","channels","planePrecision","decoderPrecision","name"],title:"ShortTier",type:"object"},Tier:{additionalProperties:!1,description:"One choice of speed and accuracy: planes and decoders of every part.",properties:{name:{description:"What hosts call the tier; unique in the package.",maxLength:64,not:{pattern:`
+`},pattern:"^[A-Za-z0-9][A-Za-z0-9._-]*$",type:"string"},parts:{description:"One for each part, in their order.",items:{$ref:"#/$defs/TierPart"},maxItems:16,minItems:1,type:"array"},validation:{anyOf:[{$ref:"#/$defs/Validation"},{type:"null"}],default:null},cost:{anyOf:[{$ref:"#/$defs/Cost"},{type:"null"}],default:null}},required:["name","parts"],title:"Tier",type:"object"},TierEmission:{additionalProperties:!1,description:"Emission of a part: a separate decoder on features of the same planes.",properties:{decoder:{description:"Entry with the ONNX decoder of emission.",maxLength:200,not:{pattern:`
+`},pattern:"^[A-Za-z0-9_-][A-Za-z0-9._-]*(/[A-Za-z0-9_-][A-Za-z0-9._-]*)*$",type:"string"},inputs:{description:"Input blocks, in the order of the columns of `queries`.",items:{enum:["features","position","normal","tangent","h","wo","wi","half_vector","highlight","learned_normal","fiber_angles","fiber_lobes"],type:"string"},minItems:1,type:"array",uniqueItems:!0},decoderPrecision:{description:"Arithmetic of the decoder.",enum:["float32","int8"],type:"string"},agreement:{anyOf:[{$ref:"#/$defs/Agreement"},{type:"null"}],default:null}},required:["decoder","inputs","decoderPrecision"],title:"TierEmission",type:"object"},TierPart:{additionalProperties:!1,description:"Planes and decoders of one part: of transport, and optionally of emission.",properties:{planes:{description:"Entry with the triplane.",maxLength:200,not:{pattern:`
+`},pattern:"^[A-Za-z0-9_-][A-Za-z0-9._-]*(/[A-Za-z0-9_-][A-Za-z0-9._-]*)*$",type:"string"},decoder:{description:"Entry with the ONNX decoder.",maxLength:200,not:{pattern:`
+`},pattern:"^[A-Za-z0-9_-][A-Za-z0-9._-]*(/[A-Za-z0-9_-][A-Za-z0-9._-]*)*$",type:"string"},inputs:{description:"Input blocks, in the order of the columns of `queries`.",items:{enum:["features","position","normal","tangent","h","wo","wi","half_vector","highlight","learned_normal","fiber_angles","fiber_lobes"],type:"string"},minItems:1,type:"array",uniqueItems:!0},resolution:{description:"R, texels along a plane's side.",maximum:4096,minimum:1,type:"integer"},channels:{description:"C, features a texel.",maximum:64,minimum:1,type:"integer"},planePrecision:{description:"dtype of the planes.",enum:["int8","float16","float32"],type:"string"},decoderPrecision:{description:"Arithmetic of the decoder; int8 means quantised by QDQ nodes.",enum:["float32","int8"],type:"string"},agreement:{anyOf:[{$ref:"#/$defs/Agreement"},{type:"null"}],default:null},emission:{$ref:"#/$defs/TierEmission",default:null}},required:["planes","decoder","inputs","resolution","channels","planePrecision","decoderPrecision"],title:"TierPart",type:"object"},TransmittanceRecord:{additionalProperties:!1,description:"Triangles that let light through, and how much of it.",properties:{triangles:{description:"The first, and how many.",maxItems:2,minItems:2,prefixItems:[{maximum:9007199254740991,minimum:0,type:"integer"},{maximum:9007199254740991,minimum:1,type:"integer"}],type:"array"},texture:{description:"Entry with the texture.",maxLength:200,not:{pattern:`
+`},pattern:"^[A-Za-z0-9_-][A-Za-z0-9._-]*(/[A-Za-z0-9_-][A-Za-z0-9._-]*)*$",type:"string"},cutoff:{default:null,description:"A hole where the texture is greater than this, else none.",exclusiveMaximum:1,exclusiveMinimum:0,type:"number"},ior:{default:null,description:"Relative indices of refraction, from the front and the back.",maxItems:2,minItems:2,prefixItems:[{maximum:100,minimum:.01,type:"number"},{maximum:100,minimum:.01,type:"number"}],type:"array"}},required:["triangles","texture"],title:"TransmittanceRecord",type:"object"},Units:{additionalProperties:!1,description:"Units of the package.",properties:{length:{const:"metre",type:"string"}},required:["length"],title:"Units",type:"object"},Validation:{additionalProperties:!1,description:"Error against reference images the training never saw.",properties:{psnr:{description:"Peak signal-to-noise ratio, dB.",type:"number"},flip:{description:"Mean FLIP.",minimum:0,type:"number"},relativeMse:{description:"Mean relative squared error.",minimum:0,type:"number"},images:{description:"Number of images compared.",maximum:9007199254740991,minimum:1,type:"integer"},definition:{description:"What exactly was compared, for a person.",type:"string"},flipAtHeight:{default:[],description:"`flip` of the images reduced to other heights, which the bounds fill; from the largest.",items:{$ref:"#/$defs/FlipAtHeight"},type:"array"}},required:["psnr","flip","relativeMse","images","definition"],title:"Validation",type:"object"}}};var Xr={object:n=>n!==null&&typeof n=="object"&&!Array.isArray(n),array:Array.isArray,string:n=>typeof n=="string",number:n=>typeof n=="number",integer:n=>Number.isSafeInteger(n),boolean:n=>typeof n=="boolean",null:n=>n===null};function kt(n,e,t=""){new Jr(n).check(n,e,t)}var Jr=class{constructor(e){this.root=e}fits(e,t){try{return this.check(e,t,""),!0}catch{return!1}}check(e,t,r){e.$ref&&this.check(this.root.$defs[e.$ref.split("/").pop()],t,r),e.if&&this.check(this.fits(e.if,t)?e.then:e.else,t,r);let i=s=>_("FIELD_VALUE",r,`found ${Kr(t)}, expected ${s}`);e.type&&!Xr[e.type](t)&&i(e.type),"const"in e&&t!==e.const&&i(Kr(e.const)),e.enum&&!e.enum.includes(t)&&(e.enum.includes("features")&&_("INPUT_UNKNOWN",r,`no block ${Kr(t)}`),i(e.enum.join(", ")));for(let s of[e.anyOf,e.oneOf])s&&!s.some(a=>this.fits(a,t))&&this.check(s.find(a=>Xr[a.type]?.(t))??s[0],t,r);e.not&&this.fits(e.not,t)&&i("another value"),typeof t=="number"&&this.checkNumber(e,t,i),typeof t=="string"&&this.checkString(e,t,i),Array.isArray(t)?this.checkArray(e,t,r,i):Xr.object(t)&&this.checkObject(e,t,r)}checkNumber(e,t,r){t<e.minimum&&r(`at least ${e.minimum}`),t>e.maximum&&r(`at most ${e.maximum}`),t<=e.exclusiveMinimum&&r(`more than ${e.exclusiveMinimum}`),t>=e.exclusiveMaximum&&r(`less than ${e.exclusiveMaximum}`)}checkString(e,t,r){t.length<e.minLength&&r(`${e.minLength} characters or more`),t.length>e.maxLength&&r(`at most ${e.maxLength} characters`),e.pattern&&!new RegExp(e.pattern,"u").test(t)&&r(e.pattern)}checkArray(e,t,r,i){t.length<e.minItems&&i(`${e.minItems} items or more`),t.length>e.maxItems&&i(`at most ${e.maxItems} items`),t.forEach((s,a)=>{let c=e.prefixItems?.[a]??e.items;c&&this.check(c,s,`${r}/${a}`)}),e.uniqueItems&&new Set(t).size!==t.length&&_("INPUT_UNKNOWN",r,"a name twice")}checkObject(e,t,r){let i=Object.keys(t),s=e.properties??{};for(let a of i)e.additionalProperties===!1&&!Object.hasOwn(s,a)&&_("FIELD_UNKNOWN",`${r}/${a}`,"no such member"),e.propertyNames&&this.check({type:"string",...e.propertyNames},a,`${r}/${a}`);for(let a of e.required??[])Object.hasOwn(t,a)||_("FIELD_MISSING",`${r}/${a}`,"missing");for(let a of i){let c=Object.hasOwn(s,a)?s[a]:e.additionalProperties;c&&this.check(c,t[a],`${r}/${a}`)}}};function Kr(n){let e=JSON.stringify(n);return e.length>60?`${e.slice(0,57)}...`:e}var Qr={type:"string",pattern:"^[A-Za-z0-9_-][A-Za-z0-9._-]*(/[A-Za-z0-9_-][A-Za-z0-9._-]*)*$",maxLength:200},Kt=(n,e=Number.MAX_SAFE_INTEGER)=>({type:"integer",minimum:n,maximum:e}),ei={type:"number",minimum:0,maximum:1},tt=n=>({type:"object",properties:n,required:Object.keys(n),additionalProperties:!1}),Ds=2**32-2,zl=2**20,Fl=64,Us={RNA_deflate:tt({entries:{type:"object",propertyNames:Qr,additionalProperties:tt({elementSize:{enum:[1,2,4]},distance:Kt(0),size:Kt(0,Ds),sha256:{type:"string",pattern:"^[0-9a-f]{64}$"}})}}),RNA_poster:tt({image:Qr,width:Kt(1),height:Kt(1)}),RNA_standin:tt({parts:{type:"array",minItems:1,maxItems:16,items:tt({baseColor:{type:"array",items:ei,minItems:3,maxItems:3},roughness:ei,metallic:ei})}}),RNA_proxy:tt({parts:{type:"array",minItems:1,maxItems:16,items:{anyOf:[{type:"null"},{type:"array",minItems:1,maxItems:8,items:tt({geometry:Qr,height:Kt(1)})}]}}})},Gn=Object.keys(Us);function Bs(n){let e=n.extensions??{};for(let t of Gn){let r=`/extensions/${t}`;if(!Object.hasOwn(e,t)){n.extensionsUsed?.includes(t)&&_("FIELD_MISSING",r,"its data is missing");continue}kt(Us[t],e[t],r),Cl[t](e[t],n,r)}}function ti(n,e,t){Object.hasOwn(n.entries,e)||_("REFERENCE_MISSING",t,`no entry ${e}`)}function Ps(n,e,t){n.length!==e.parts.length&&_("PARTS_DIFFER",t,`found ${n.length} parts, expected ${e.parts.length}`)}var Cl={RNA_deflate({entries:n},e,t){e.extensionsRequired?.includes("RNA_deflate")||_("EXTENSION_UNDECLARED",t,"RNA_deflate is not in extensionsRequired");let r=Object.values(n).reduce((i,{size:s})=>i+s,0);r>Ds&&_("FIELD_VALUE",t,`${r} decoded bytes`);for(let[i,{size:s}]of Object.entries(n)){ti(e,i,t);let a=zl+Fl*e.entries[i].size;s>a&&_("DEFLATE_SIZE",`${t}/entries/${i}/size`,`${s} decoded bytes; at most ${a}`)}},RNA_poster({image:n},e,t){ti(e,n,t)},RNA_standin({parts:n},e,t){Ps(n,e,t)},RNA_proxy({parts:n},e,t){Ps(n,e,t),n.some(r=>r)||_("FIELD_VALUE",t,"a proxy of no part"),n.forEach((r,i)=>{let{transmittance:s,normalMaps:a}=e.parts[i];r&&(s||a)&&_("FIELD_VALUE",t,"a proxy of a part with textures"),(r??[]).forEach(({geometry:c,height:u},h)=>{ti(e,c,t),h&&u>=r[h-1].height&&_("FIELD_VALUE",t,"heights must descend")})})}};var Hs=[1,1],Ll=/^[1-9][0-9]{0,3}\.(0|[1-9][0-9]{0,3})$/;function $s(n){let e=xt(n,"manifest.json","MANIFEST_NOT_JSON");Pl(e),kt(Dl(Ls,e),e);let t=Ul(e);Bl(t),Hl(t),$l(t);let r=qs(Gs(t.minReaderVersion),Hs)<0;e.parts&&r&&_("VERSION_TOO_OLD","/minReaderVersion","1.0, with `parts`"),Gl(t),Bs(t),ql(t),Zl(t),Wl(t);let i=(t.extensionsUsed??[]).filter(s=>!Gn.includes(s));return{...t,old:r,warnings:i.map(s=>`unknown extension ${s}`)}}var Gs=n=>n.split(".").map(Number),qs=(n,e)=>n[0]-e[0]||n[1]-e[1];function Pl(n){"format"in n||_("FIELD_MISSING","/format","missing"),n.format!=="rna"&&_("FORMAT_UNKNOWN","/format","this is no RNA package");let e=n.minReaderVersion;typeof e=="string"&&Ll.test(e)&&!e.endsWith(`
+`)&&qs(Gs(e),Hs)>0&&_("VERSION_TOO_NEW","/minReaderVersion",`the package needs a reader of version ${e}`);let t=Array.isArray(n.parts)?n.parts:[n];for(let r of t)r?.kind!==void 0&&!["surface","fiber"].includes(r.kind)&&_("KIND_UNSUPPORTED","/kind",`found ${JSON.stringify(r.kind)}, expected surface or fiber`);for(let r of Array.isArray(n.extensionsRequired)?n.extensionsRequired:[])typeof r=="string"&&!Gn.includes(r)&&_("EXTENSION_REQUIRED","/extensionsRequired",`this viewer does not know ${r}`)}function Dl(n,e){let t="parts"in e?"Manifest":"ShortManifest";return{...n.$defs[t],$defs:n.$defs}}function Ul(n){if(n.parts)return n;let{kind:e,bounds:t,geometry:r,...i}=n,s=n.tiers.map(({name:a,validation:c,cost:u,...h})=>({name:a,validation:c,cost:u,parts:[h]}));return{...i,parts:[{name:"asset",kind:e,bounds:t,geometry:r}],tiers:s}}function Bl(n){n.parts.forEach(({bounds:{min:e,max:t}},r)=>{e.forEach((i,s)=>{Math.fround(t[s])-Math.fround(i)>=1e-18||_("BOUNDS_EMPTY",`/parts/${r}/bounds`,`no extent along axis ${s}`)})});for(let e of["wo","wi"]){let t=n.domain[e];for(let{axis:r}of Array.isArray(t)?t:[])Math.abs(Math.hypot(...r)-1)>.001&&_("FIELD_VALUE",`/domain/${e}`,"an axis is no unit vector")}}function Hl(n){for(let[e,t]of[["tiers","TIER_DUPLICATE"],["parts","PART_DUPLICATE"]]){let r=n[e].map(({name:i})=>i);new Set(r).size!==r.length&&_(t,`/${e}`,"a name is there twice")}n.tiers.forEach(({validation:e},t)=>{(e?.flipAtHeight??[]).forEach(({height:r},i,s)=>{i&&r>=s[i-1].height&&_("FIELD_VALUE",`/tiers/${t}/validation/flipAtHeight/${i}`,"heights must descend")})})}function $l(n){n.tiers.forEach((e,t)=>{e.parts.length!==n.parts.length&&_("PARTS_DIFFER",`/tiers/${t}/parts`,`found ${e.parts.length}, expected ${n.parts.length}`),e.parts.forEach((r,i)=>{!r.emission!=!n.tiers[0].parts[i].emission&&_("PARTS_DIFFER",`/tiers/${t}/parts/${i}`,"emission in some tiers alone")})})}function Gl(n){let e=n.extensionsUsed??[];for(let t of[...Object.keys(n.extensions??{}),...n.extensionsRequired??[]])e.includes(t)||_("EXTENSION_UNDECLARED","/extensionsUsed",`${t} is not there`)}function ql(n){n.tiers.forEach((e,t)=>e.parts.forEach((r,i)=>{let{kind:s}=n.parts[i],a=(c,u)=>{for(let h of c)u(Wt(h))||_("INPUT_KIND",`/tiers/${t}/parts/${i}/inputs`,`${h} is not for this part`)};a(r.inputs,({kinds:c})=>c.includes(s)),a(r.emission?.inputs??[],({kinds:c,light:u})=>c.includes(s)&&!u)}))}function Zl(n){n.parts.forEach((e,t)=>{for(let[r,i]of[["transmittance","TRANSMITTANCE_RANGE"],["normalMaps","NORMAL_MAP_RANGE"]]){let s=`/parts/${t}/${r}`;e[r]&&e.kind!=="surface"&&_("FIELD_VALUE",s,`of a ${e.kind}`);let a=0;(e[r]??[]).forEach(({triangles:[c,u]},h)=>{c<a&&_(i,`${s}/${h}`,"ranges must ascend and not overlap"),a=c+u})}})}function*jl(n){for(let[e,t]of n.parts.entries()){yield[`/parts/${e}/geometry`,t.geometry];for(let r of["transmittance","normalMaps"])for(let[i,s]of(t[r]??[]).entries())yield[`/parts/${e}/${r}/${i}`,s.texture]}for(let[e,t]of n.tiers.entries())for(let[r,i]of t.parts.entries()){let s=`/tiers/${e}/parts/${r}`;yield[`${s}/planes`,i.planes],yield[`${s}/decoder`,i.decoder],i.emission&&(yield[`${s}/emission/decoder`,i.emission.decoder])}}function Wl(n){let e=new Set;for(let[r,i]of jl(n))Object.hasOwn(n.entries,i)||_("REFERENCE_MISSING",r,`no entry ${i}`),e.add(i);let t=(n.extensionsUsed??[]).map(r=>`extensions/${r}/`);for(let r of Object.keys(n.entries))!e.has(r)&&!t.some(i=>r.startsWith(i))&&_("ENTRY_UNREFERENCED","/entries",`nothing refers to ${r}`)}function Zs(n,e){for(let t of e.keys())t!=="manifest.json"&&!Object.hasOwn(n.entries,t)&&_("ENTRY_UNDECLARED","/entries",`the archive holds ${t}`);for(let[t,{size:r}]of Object.entries(n.entries)){let i=e.get(t);(!i||t==="manifest.json")&&_("ENTRY_MISSING","/entries",`the archive lacks ${t}`),i.size!==r&&_("ENTRY_SIZE",`/entries/${t}`,`found ${i.size}, expected ${r}`)}}var je={type:"string"},js={type:"array",items:{type:"number"}},Se=n=>({type:"integer",minimum:n,maximum:2**32-1}),We=n=>({type:"array",minItems:1,maxItems:1,items:n}),Te=(n,e={})=>({type:"object",properties:{...n,...e},required:Object.keys(n),additionalProperties:!1}),Ws={type:"array",minItems:3,maxItems:3,items:{type:"number"}},Ys={const:"KHR_mesh_quantization"};function Vs(n){let e=n?[5122,5123,5125,5126]:[5125,5126],t=Te({bufferView:Se(0),componentType:{enum:e},count:Se(1),type:{enum:["SCALAR","VEC2","VEC3"]}},{byteOffset:Se(0),normalized:n?{type:"boolean"}:{const:!1},min:js,max:js,name:je}),r=Te({buffer:{const:0},byteLength:Se(1)},{byteOffset:Se(0),target:{enum:[34962,34963]},name:je,...n&&{byteStride:{enum:[4,8]}}}),i=Te({POSITION:Se(0),NORMAL:Se(0)},{TEXCOORD_0:Se(0)}),s=Te({attributes:i,indices:Se(0)},{mode:{const:4}});return Te({asset:Te({version:{const:"2.0"}},{generator:je,copyright:je}),scenes:We(Te({nodes:We({const:0})},{name:je})),nodes:We(Te({mesh:{const:0},...n&&{translation:Ws,scale:Ws}},{name:je})),meshes:We(Te({primitives:We(s)},{name:je})),buffers:We(Te({byteLength:Se(1)},{name:je})),accessors:{type:"array",minItems:3,maxItems:4,items:t},bufferViews:{type:"array",minItems:1,maxItems:4,items:r},...n&&{extensionsUsed:We(Ys),extensionsRequired:We(Ys)}},{scene:{const:0},extras:{}})}var Yl=Vs(!1),Vl=Vs(!0);function Xs(n,e){let t="extensionsUsed"in n||"extensionsRequired"in n;try{kt(t?Vl:Yl,n)}catch(r){_("GEOMETRY_PROFILE",e,`${r.where}: not as meshes of packages are`)}return t&&Xl(n.nodes[0],e),Kl(n,t,e),t}function Xl({scale:[n,e,t]},r){n>0&&n===e&&n===t||_("GEOMETRY_PROFILE",r,`the scale ${[n,e,t]}`)}function Kl(n,e,t){let{attributes:r,indices:i}=n.meshes[0].primitives[0],s=e?{POSITION:[["VEC3"],[[5123,!1,8]]],NORMAL:[["VEC3"],[[5122,!0,8]]],TEXCOORD_0:[["VEC2"],[[5126,!1,void 0],[5123,!0,4]]],indices:[["SCALAR"],[[5123,!1,void 0],[5125,!1,void 0]]]}:{POSITION:[["VEC3"],[[5126,!1]]],NORMAL:[["VEC3"],[[5126,!1]]],TEXCOORD_0:[["VEC2"],[[5126,!1]]],indices:[["SCALAR"],[[5125,!1]]]};for(let[c,u]of[...Object.entries(r),["indices",i]]){let h=n.accessors[u],p=h&&n.bufferViews[h.bufferView];if(!p)continue;let[d,v]=s[c];d.includes(h.type)&&v.some(([S,T,L])=>h.componentType===S&&(h.normalized??!1)===T&&p.byteStride===L)||_("GEOMETRY_PROFILE",t,`the accessor of ${c}`)}n.accessors[i]?.componentType===5123&&n.accessors[r.POSITION]?.count>=65535&&_("GEOMETRY_PROFILE",t,"indices of 16 bits for too many vertices")}var Jl={5122:Int16Array,5123:Uint16Array,5125:Uint32Array,5126:Float32Array},Ql={SCALAR:1,VEC2:2,VEC3:3};function Ks(n,e,t){let{json:r,bin:i}=eu(n,e),s=Xs(r,e);s&&t&&_("VERSION_TOO_OLD",e,"a quantised mesh in a package for readers of 1.0");let a=r.buffers[0].byteLength;(a>i.length||i.length-a>3)&&_("GEOMETRY_RANGE",e,`a buffer of ${a} bytes in a chunk of ${i.length}`);let c=r.meshes[0].primitives[0],u=d=>tu(r,i.subarray(0,a),d,e),h={positions:u(c.attributes.POSITION),normals:u(c.attributes.NORMAL),uvs:"TEXCOORD_0"in c.attributes?u(c.attributes.TEXCOORD_0):null,indices:u(c.indices)};nu(h,e),ru(r.accessors[c.attributes.POSITION],h.positions,s,e);let p=s?iu(h,r.nodes[0]):h;return p.indices=Uint32Array.from(h.indices),su(p,e),p}function eu(n,e){let t="GEOMETRY_CONTAINER",r=new DataView(n.buffer,n.byteOffset,n.length);(n.length<20||r.getUint32(0,!0)!==1179937895||r.getUint32(4,!0)!==2)&&_(t,e,"no binary glTF 2.0"),r.getUint32(8,!0)!==n.length&&_(t,e,"the length in the header is not that of the entry");let i=[];for(let s=12;s<n.length;){s+8>n.length&&_(t,e,"a chunk is cut short");let a=r.getUint32(s,!0),c=r.getUint32(s+4,!0);(a%4||s+8+a>n.length)&&_(t,e,`a chunk of ${a} bytes`),i.push([c,n.subarray(s+8,s+8+a)]),s+=8+a}return i.map(([s])=>s).join()!==[1313821514,5130562].join()&&_(t,e,"not the chunks JSON and BIN"),i[0][1].length>65536&&_(t,e,"JSON of more than 64 KiB"),{json:xt(i[0][1],e,t),bin:i[1][1]}}function tu(n,e,t,r){let i=n.accessors[t];i||_("GEOMETRY_RANGE",r,`no accessor ${t}`);let s=n.bufferViews[i.bufferView];s||_("GEOMETRY_RANGE",r,`no buffer view ${i.bufferView}`);let a=Jl[i.componentType],c=Ql[i.type],u=a.BYTES_PER_ELEMENT*c,h=s.byteStride??u,p=(s.byteOffset??0)+(i.byteOffset??0),d=(i.byteOffset??0)+h*(i.count-1)+u;(d>s.byteLength||(s.byteOffset??0)+s.byteLength>e.length)&&_("GEOMETRY_RANGE",r,`accessor ${t} reaches past its bytes`),p%4&&_("GEOMETRY_PROFILE",r,`accessor ${t} is not aligned`);let v=h===u?wt(a,e,p,c*i.count):new a(c*i.count);if(h!==u){let x=wt(a,e,p,Math.floor(d-(i.byteOffset??0))/a.BYTES_PER_ELEMENT),S=h/a.BYTES_PER_ELEMENT;for(let T=0;T<i.count;T++)for(let L=0;L<c;L++)v[c*T+L]=x[S*T+L]}return Object.assign(v,{items:c})}function nu({positions:n,normals:e,uvs:t,indices:r},i){let s=n.length/3;(e.length!==n.length||t&&t.length!==2*s||!s)&&_("GEOMETRY_ARRAY",i,"attributes of different counts"),(r.length%3||!r.length)&&_("GEOMETRY_ARRAY",i,"part of a triangle")}function ru(n,e,t,r){["min","max"].every(s=>{if(n[s]?.length!==3)return!1;for(let a=0;a<3;a++){let c=e[a];for(let h=a;h<e.length;h+=3)(s==="min"?e[h]<c:e[h]>c)&&(c=e[h]);if((t?n[s][a]:Math.fround(n[s][a]))!==c&&Number.isFinite(c))return!1}return!0})||_("GEOMETRY_BOUNDS",r,"min and max of POSITION are not those of its values")}function iu({positions:n,normals:e,uvs:t},{translation:r,scale:i}){return{positions:Float32Array.from(n,(s,a)=>r[a%3]+i[0]*s),normals:Float32Array.from(e,s=>Math.max(s/32767,-1)),uvs:t&&(t instanceof Uint16Array?Float32Array.from(t,s=>s/65535):t)}}function su({positions:n,normals:e,uvs:t,indices:r},i){for(let a of[n,e,t??[]])for(let c=0;c<a.length;c++)Number.isFinite(a[c])||_("GEOMETRY_NOT_FINITE",i,"an attribute is not finite");let s=n.length/3;for(let a=0;a<r.length;a++)r[a]>=s&&_("GEOMETRY_INDEX",i,`vertex ${r[a]} of ${s}`);for(let a=0;a<e.length;a+=3){let c=Math.hypot(e[a],e[a+1],e[a+2]);Math.abs(c-1)>.001&&_("GEOMETRY_NORMAL",i,`a normal of length ${c}`)}}var ou={float16:"F16",float32:"F32",int8:"I8"},ni=1e18;function Js(n,{planePrecision:e,resolution:t,channels:r},i){let s=bt(n,i,"PLANES_HEADER"),{tensors:a}=s,c=e==="int8",u=c?{scales:["F32",[3,r]],planes:["I8",[3,t,t,r]]}:{planes:[ou[e],[3,t,t,r]]},h=Object.keys(u),p=Object.keys(a);Et(s.metadata)||_("PLANES_TENSOR",i,"__metadata__ is no object"),(p.length!==h.length||h.some(S=>!p.includes(S)))&&_("PLANES_TENSOR",i,`found ${p.join(", ")||"no tensors"}, expected ${h.join(", ")}`);for(let S of h)At(a[S])||_("PLANES_HEADER",i,`${S} is no tensor`);for(let S of h){let[T,L]=u[S],Y=a[S];Y.dtype!==T&&_("PLANES_DTYPE",i,`${S}: found ${Y.dtype}, expected ${T}`),Y.shape.join()!==L.join()&&_("PLANES_SHAPE",i,`${S}: found [${Y.shape}], expected [${L}]`)}let d=Rt(n,s,h,i,"PLANES_HEADER");s.data%64&&_("PLANES_ALIGNMENT",i,"data does not start at a multiple of 64");let v=d.at(-1),x=c?d[0]:null;return au(e,v,x,i),{values:v,scales:x,resolution:t,channels:r,precision:e}}function au(n,e,t,r){let i=()=>_("PLANES_NOT_FINITE",r,`NaN, or a value beyond ${ni}`);if(n==="int8")t.some(s=>!(Math.abs(s)*128<=ni))&&i();else if(n==="float16")for(let s=0;s<e.length;s++)(e[s]&31744)===31744&&i();else for(let s=0;s<e.length;s++)Math.abs(e[s])<=ni||i()}var cu=8192;function Qs(n,e,t,r,i){let s=bt(n,r,i),a=s.tensors[e];Et(s.metadata)||_(i,r,"__metadata__ is no object"),(Object.keys(s.tensors).join()!==e||!At(a))&&_(i,r,`not one tensor ${e}`);let[c,u,h]=a.shape,p=a.shape.length===3&&[c,u].every(v=>v>=1&&v<=cu);(a.dtype!=="U8"||!p||!t.includes(h))&&_(i,r,`found ${a.dtype} [${a.shape}], expected U8 [H, W, ${t.join(" or ")}]`),s.data%64&&_(i,r,"data does not start at a multiple of 64");let[d]=Rt(n,s,[e],r,i);return{values:d,height:c,width:u,channels:h}}function eo(n,e,t){let r="TRANSMITTANCE_TEXTURE",i=Qs(n,"transmittance",[1,3],t,r);return e.cutoff!==void 0&&i.channels!==1&&_(r,t,"a cutoff of a coloured texture"),i}function to(n,e){return Qs(n,"normals",[2],e,"NORMAL_MAP_TEXTURE")}function ri({triangles:[n,e]},t,r,i,s){n+e>r.indices.length/3&&_(`${s}_RANGE`,i,`triangles ${n} to ${n+e} of ${r.indices.length/3}`),(s==="NORMAL_MAP"||t.width*t.height>1)&&!r.uvs&&_(`${s}_UV`,i,"the mesh has no texture coordinates")}var lu=65536,St=class n{static async open(e){let t=new n;return t.source=e,t.directory=await xs(e),t.cache=new Map,t.manifest=$s(await t._stored(yt)),Zs(t.manifest,t.directory),t}get poster(){return this.manifest.extensions?.RNA_poster}tier(e){let t=e?this.manifest.tiers.find(r=>r.name===e):this.manifest.tiers[0];if(!t){let r=this.manifest.tiers.map(i=>i.name).join(", ");_("TIER_UNKNOWN",this.source.name,`no tier ${e}; there are ${r}`)}return t}bytesOf(e){return this._ranges(this._entriesOf(this.tier(e))).reduce((t,[r,i])=>t+i-r,0)}async load(e){let t=this.tier(e),r=this._entriesOf(t);await this._fetch(r);let i=new Map;for(let a of r)i.set(a,await this._data(a));let s=this.manifest.parts.map((a,c)=>this._part(a,t.parts[c],c,i));return{name:t.name,tier:t,parts:s}}async posterImage(){return this.poster?(await this._fetch([this.poster.image]),new Blob([await this._data(this.poster.image)],{type:"image/png"})):null}forget(){this.cache.clear()}_part(e,t,r,i){let{kind:s,bounds:a,geometry:c}=e,u=this.manifest.old,h=`/parts/${r}`,p=i.get(c),d={name:e.name,kind:s,bounds:uu(a),inputs:t.inputs};return s==="surface"?d.mesh=Ks(p,c,u):d.curves=Ss(p,c,u),d.transmittance=(e.transmittance??[]).map(v=>{let x=eo(i.get(v.texture),v,v.texture);return ri(v,x,d.mesh,h,"TRANSMITTANCE"),{...v,texture:x}}),d.normalMaps=(e.normalMaps??[]).map(v=>{let x=to(i.get(v.texture),v.texture);return ri(v,x,d.mesh,h,"NORMAL_MAP"),{...v,texture:x}}),d.planes=Js(i.get(t.planes),t,t.planes),d.transport=no(i,t,t,"transport",6),d.emission=t.emission?{inputs:t.emission.inputs,...no(i,t,t.emission,"emission",3)}:null,d}_entriesOf(e){let t=[];for(let r of this.manifest.parts){t.push(r.geometry);for(let i of[...r.transmittance??[],...r.normalMaps??[]])t.push(i.texture)}for(let r of e.parts)t.push(r.planes,r.decoder),r.emission&&t.push(r.emission.decoder);return[...new Set(t)]}_ranges(e){let t=e.map(i=>this.directory.get(i)).sort((i,s)=>i.header-s.header),r=[];for(let{header:i,end:s}of t){let a=r.at(-1);a&&i-a[1]<=lu?a[1]=s:r.push([i,s])}return r}async _fetch(e){let t=e.filter(r=>!this.cache.has(r));this.source.expected=this.source.ranged?this.source.fetched+this._ranges(t).reduce((r,[i,s])=>r+s-i,0):this.source.size;for(let[r,i]of this._ranges(t)){let s=await this.source.read(r,i);for(let a of t){let c=this.directory.get(a);c.header>=r&&c.end<=i&&this.cache.set(a,s.subarray(c.header-r,c.end-r))}}}async _stored(e){let t=this.directory.get(e),r=this.cache.get(e)??await this.source.read(t.header,t.end);return ws(t,r)}async _data(e){let t=await this._stored(e);await ro(t,this.manifest.entries[e].sha256,e);let r=this.manifest.extensions?.RNA_deflate?.entries[e];if(!r)return t;let i=await Cs(t,r,e);return await ro(i,r.sha256,e),i}};function no(n,e,t,r,i){let a={columns:t.inputs.reduce((c,u)=>c+$n(u,e.channels),0),outputs:i,output:r,precision:t.decoderPrecision};return Fs(n.get(t.decoder),a,t.decoder)}function uu({min:n,max:e}){return{min:n.map(Math.fround),max:e.map(Math.fround)}}async function ro(n,e,t){if(!globalThis.crypto?.subtle)return;[...new Uint8Array(await crypto.subtle.digest("SHA-256",n))].map(s=>s.toString(16).padStart(2,"0")).join("")!==e&&_("ENTRY_HASH",t,"the bytes do not have the declared SHA-256")}var fu=[64,67,71];function io(n){let{backgroundColor:e}=getComputedStyle(n);return(/^rgb\((\d+), (\d+), (\d+)\)$/.exec(e)?.slice(1).map(Number)??fu).map(r=>r/255).map(r=>r<=.04045?r/12.92:((r+.055)/1.055)**2.4)}var ii={};Ti(ii,{evaluate:()=>du,mappedNormals:()=>gu,visibility:()=>mu});function qn(n,e,t,r,i,s){let a=Math.ceil(i/256),c=new Float32Array(4*256*a);for(let u=0;u<i;u++)c.set(t.subarray(s*u+r,s*u+r+4),4*u);n.bindTexture(n.TEXTURE_2D,e.texture),n.texSubImage2D(n.TEXTURE_2D,0,0,0,256,a,n.RGBA,n.FLOAT,c)}function hu(n){let e=[4,8,12].map(r=>pu(n.subarray(r,r+3))),t=n.every(Number.isFinite)&&e.every(Boolean);e.forEach((r,i)=>n.set(t?r:[0,0,0],4+4*i)),t||n.set([0,0,0,0],0)}function pu(n){let e=Math.hypot(...n);return e>0&&Number.isFinite(e)?Array.from(n,t=>t/e):null}function so(n,e){let t=Math.ceil(e/256);n.resize(256,t),n.span={rows:t,firstRow:0},n.frame={cameraAt:["3fv",[0,0,0]],height:["1i",t],firstRow:["1i",0],sampleNumber:["1ui",0]}}async function du(n,e,t,r,i=!0){let s=t==="transport"?2:1,a=r.length/16,c=new Float32Array(3*s*a),u=n.bandPixels;for(let h=0;h<a;h+=u){let p=Math.min(u,a-h),{gl:d}=n;so(n,p);let v=r.slice(16*h,16*(h+p));for(let x=0;x<p;x++)hu(v.subarray(16*x,16*x+16)),v[16*x+7]=v[16*x+3],v[16*x+3]=e+1,v[16*x+15]=1;if([0,4,8].forEach((x,S)=>qn(d,n.rows.images[S],v,x,p,16)),qn(d,n.lit.images[0],v,12,p,16),n._decode(t),await n.done(),!!i)for(let x=0;x<s;x++){let S=n.answers.read(x);for(let T=0;T<p;T++)c.set(S.subarray(4*T,4*T+3),3*(s*(h+T)+x))}}return c}function oo(n,e){let t=new Float32Array(16*e.length);e.forEach(({place:r,b1:i,b2:s,x:a,wi:c,part:u},h)=>{t.set([...a,u+1,0,0,0,i,0,0,0,r,1,1,1,s],16*h),e[h].own=c}),so(n,e.length),[0,4,8,12].forEach((r,i)=>qn(n.gl,n.rows.images[i],t,r,e.length,16))}async function mu(n,e){oo(n,e);let{gl:t}=n,r=n.answers.images[0],i=new Float32Array(4*e.length);return e.forEach((s,a)=>i.set(s.wi,4*a)),qn(t,r,i,0,e.length,4),n._light({kind:"given",colour:[1,1,1]},r),ao(n.lit.read(1),e.length)}async function gu(n,e){oo(n,e);let[,t,r,i]=n.rows.images;return n._pass("normals",n.answers,{...n.asset,rows1:t,rows2:r,rows3:i},n.geometry),ao(n.answers.read(0),e.length)}function ao(n,e){return Float32Array.from({length:3*e},(t,r)=>n[4*Math.floor(r/3)+r%3])}var si={};Ti(si,{evaluate:()=>yu,mappedNormals:()=>wu,visibility:()=>xu});var vu=["maxStorageBufferBindingSize","maxBufferSize"];async function co(){if(!navigator.gpu)throw new B(isSecureContext?"this browser has no WebGPU":"WebGPU needs HTTPS, or a page from this machine");let n=await navigator.gpu.requestAdapter({powerPreference:"high-performance"});if(!n)throw new B("WebGPU has no adapter here");let e=Object.fromEntries(vu.map(t=>[t,n.limits[t]]));return n.requestDevice({requiredLimits:e})}function oe(n,e,t=GPUBufferUsage.STORAGE,r="a buffer"){let i=typeof e=="number"?e:e.byteLength,s=Math.max(16,Math.ceil(i/16)*16),a=n.limits.maxStorageBufferBindingSize;if(s>a)throw new B(`${r} takes ${Je(s)}; this GPU allows ${Je(a)}`);let c=n.createBuffer({size:s,usage:t|GPUBufferUsage.COPY_DST|GPUBufferUsage.COPY_SRC,mappedAtCreation:typeof e!="number"});if(typeof e!="number"){let u=new Uint8Array(e.buffer,e.byteOffset,e.byteLength);new Uint8Array(c.getMappedRange()).set(u),c.unmap()}return c}async function Zn(n,e){let t=n.createShaderModule({code:e}),{messages:r}=await t.getCompilationInfo(),i=r.find(({type:s})=>s==="error");if(i)throw new Error(`a shader does not compile, line ${i.lineNum}: ${i.message}`);return t}var Jt=(n,e,t,r)=>nt(n,e.getBindGroupLayout(t),r);function Tt(n,e){let t=Object.entries(e).map(([r,i])=>({binding:Number(r),visibility:GPUShaderStage.COMPUTE,buffer:{type:i}}));return n.createBindGroupLayout({entries:t})}function nt(n,e,t){let r=Object.entries(t).map(([i,s])=>({binding:Number(i),resource:{buffer:s}}));return n.createBindGroup({layout:e,entries:r})}function Ne(n,e,t,r){let i=Math.max(1,Math.ceil(r/64)),s=Math.min(i,32768);n.setPipeline(e),t.forEach((a,c)=>n.setBindGroup(c,a)),n.dispatchWorkgroups(s,Math.ceil(i/s))}async function Qt(n,e,t){let r=n.createBuffer({size:Math.ceil(t/4)*4,usage:GPUBufferUsage.MAP_READ|GPUBufferUsage.COPY_DST}),i=n.createCommandEncoder();i.copyBufferToBuffer(e,0,r,0,r.size),n.queue.submit([i.finish()]),await r.mapAsync(GPUMapMode.READ);let s=r.getMappedRange().slice(0);return r.destroy(),s}var _u={position:[0,0,0],corner:[0,0,0],stepX:[0,0,0],stepY:[0,0,0]};async function yu(n,e,t,r,i=!0){let s=n.parts[e][t],{device:a,queue:c,bandPixels:u}=n,h=t==="transport"?2:1,p=r.length/16,d=new Float32Array(3*h*p);for(let v=0;v<p;v+=u){let x=Math.min(u,p-v);if(a.queue.writeBuffer(c.rows,0,r,16*v,16*x),a.queue.writeBuffer(c.count,0,Uint32Array.of(x)),n._run(T=>s.run(T,c,x)),await n.done(),!i)continue;let S=new Float32Array(await Qt(a,c.answers,16*h*x));for(let T=0;T<h*x;T++)d.set(S.subarray(4*T,4*T+3),3*(h*v+T))}return d}async function lo(n,e,t,r){let{device:i,band:s}=n,{words:a,members:c}=we.Pixel,u=new Uint32Array(a*e.length);e.forEach(({place:p,b1:d,b2:v,x,wi:S,part:T},L)=>{let Y=(Q,J)=>[...new Uint32Array(Float32Array.from(Q).buffer),J];u.set(le("Pixel",{position:Y(x,0),axis:[0,0,0,T+1],wo:[0,0,0,p],wi:Y(S,0),b1:d,b2:v}),a*L)}),n.resize(e.length,1),n.span={first:0,pixels:e.length,jitter:0},i.queue.writeBuffer(s,0,u),n._writeFrame(_u,0),n._writeView({kind:"given",colour:[1,1,1]}),n._run(p=>Ne(p,t,n.groups.rays,e.length));let h=new Float32Array(await Qt(i,s,u.byteLength));return Float32Array.from({length:3*e.length},(p,d)=>h[a*Math.floor(d/3)+c[r].at+d%3])}var xu=(n,e)=>lo(n,e,n.kernels.light,"visibility");async function wu(n,e){let t=await n.pipelines.get(n.raySources.hit,"find_normals",n.rayLayout);return lo(n,e,t,"axis")}var oi=n=>Uint8Array.from(atob(n),e=>e.charCodeAt(0));function ai(n){let e=new Uint8Array(n.buffer,n.byteOffset,n.byteLength),t="";for(let r=0;r<e.length;r+=8192)t+=String.fromCharCode(...e.subarray(r,r+8192));return btoa(t)}var jn=class{constructor(e){this.engine=e,this.answers=e.constructor.label==="WebGPU"?si:ii}async load(e,t){let r=await St.open(new lt(new Blob([oi(e)]),"package"));this.shown=await r.load(t),this.arrays=Fn(this.shown.parts),await this.engine.setAsset(this.arrays,this.shown.parts),this.engine.resize(1,1)}async evaluate(e,t,r){let i=t==="transport"?13:10,s=new Float32Array(oi(r).buffer),a=new Float32Array(16*s.length/i);for(let c=0;16*c<a.length;c++){let u=s.subarray(i*c,i*(c+1)),h=u.subarray(7,10);a.set([...u.subarray(0,3),u[6],...u.subarray(3,6),0,...h,0,...i===13?u.subarray(10):h],16*c)}return ai(await this.answers.evaluate(this.engine,e,t,a))}async visibility(e){return ai(await this.answers.visibility(this.engine,this._hits(e)))}async normals(e){return ai(await this.answers.mappedNormals(this.engine,this._hits(e)))}_hits(e){let{buffer:t}=oi(e),r=new Uint32Array(t),i=new Float32Array(t),s=[];for(let a=0;a<r.length;a+=8){let c=r[a+7],{first:u,fiber:h}=this.arrays.parts[c],p=i.subarray(a,a+7),d=this.arrays.where[u+r[a]];s.push(h?{place:d,part:c,b1:0,b2:0,x:p.slice(1,4),wi:p.slice(4,7)}:{place:d,part:c,b1:p[1],b2:p[2],x:[0,0,0],wi:p.slice(3,6)})}return s}};var bu=`#version 300 es
+void main() {
+  gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0);
+}`;function uo(n){let e=n.getContext("webgl2",{alpha:!1,antialias:!1,preserveDrawingBuffer:!0});if(!e)throw new B("this browser has no WebGL2");if(!e.getExtension("EXT_color_buffer_float"))throw new B("this device's WebGL2 cannot draw into float textures");return e}var Nt=class{constructor(e,t){this.gl=e,this.program=e.createProgram();for(let[r,i]of[[e.VERTEX_SHADER,bu],[e.FRAGMENT_SHADER,`#version 300 es
+${t}`]]){let s=e.createShader(r);e.shaderSource(s,i),e.compileShader(s),e.attachShader(this.program,s),e.deleteShader(s)}e.linkProgram(this.program),this.places=new Map}check(){let{gl:e,program:t}=this;if(e.getProgramParameter(t,e.LINK_STATUS)||e.isContextLost())return;let r=e.getAttachedShaders(t).map(i=>e.getShaderInfoLog(i));throw new Error(`a shader does not compile: ${[e.getProgramInfoLog(t),...r].join(" ")}`)}_place(e){return this.places.has(e)||this.places.set(e,this.gl.getUniformLocation(this.program,e)),this.places.get(e)}set(e){for(let[t,[r,...i]]of Object.entries(e))this.gl[`uniform${r}`](this._place(t),...i)}textures(e){Object.entries(e).forEach(([t,r],i)=>{this.gl.activeTexture(this.gl.TEXTURE0+i),this.gl.bindTexture(r.target,r.texture),this.gl.uniform1i(this._place(t),i)})}delete(){this.gl.deleteProgram(this.program)}},Au=2048;function Oe(n,e,t=Au){let r=new Map([[Float32Array,[n.RGBA32F,n.RGBA,n.FLOAT]],[Uint32Array,[n.RGBA32UI,n.RGBA_INTEGER,n.UNSIGNED_INT]],[Uint8Array,[n.RGBA8UI,n.RGBA_INTEGER,n.UNSIGNED_BYTE]]]),i=Math.ceil(Math.max(1,e.length/4)/t);Eu(n,i);let s=new e.constructor(4*t*i);return s.set(e),fo(n,t,i,...r.get(e.constructor),s)}function Eu(n,e){let t=n.getParameter(n.MAX_TEXTURE_SIZE);if(e>t)throw new B(`the asset needs textures of side ${e}; this device has ${t}`)}function fo(n,e,t,r,i,s,a=null){let c=n.createTexture();return n.bindTexture(n.TEXTURE_2D,c),n.pixelStorei(n.UNPACK_ALIGNMENT,1),n.texImage2D(n.TEXTURE_2D,0,r,e,t,0,i,s,a),ci(n,n.TEXTURE_2D),{target:n.TEXTURE_2D,texture:c,width:e,height:t}}function ci(n,e){n.texParameteri(e,n.TEXTURE_MIN_FILTER,n.NEAREST),n.texParameteri(e,n.TEXTURE_MAG_FILTER,n.NEAREST),n.texParameteri(e,n.TEXTURE_WRAP_S,n.CLAMP_TO_EDGE),n.texParameteri(e,n.TEXTURE_WRAP_T,n.CLAMP_TO_EDGE)}var Ye=class{constructor(e,t,r,i){if(Object.assign(this,{gl:e,width:t,height:r}),this.images=Array.from({length:i},()=>fo(e,t,r,e.RGBA32F,e.RGBA,e.FLOAT)),this.frame=e.createFramebuffer(),e.bindFramebuffer(e.FRAMEBUFFER,this.frame),this.images.forEach(({texture:s},a)=>e.framebufferTexture2D(e.FRAMEBUFFER,e.COLOR_ATTACHMENT0+a,e.TEXTURE_2D,s,0)),e.drawBuffers(this.images.map((s,a)=>e.COLOR_ATTACHMENT0+a)),e.checkFramebufferStatus(e.FRAMEBUFFER)!==e.FRAMEBUFFER_COMPLETE&&!e.isContextLost())throw new B("this device cannot draw into float textures")}read(e){let{gl:t,width:r,height:i}=this,s=new Float32Array(4*r*i);return t.bindFramebuffer(t.FRAMEBUFFER,this.frame),t.readBuffer(t.COLOR_ATTACHMENT0+e),t.readPixels(0,0,r,i,t.RGBA,t.FLOAT,s),s}delete(){this.gl.deleteFramebuffer(this.frame);for(let{texture:e}of this.images)this.gl.deleteTexture(e)}};function Wn(n,e,t,{textures:r={},uniforms:i={},to:s}={}){let{width:a,height:c}=t??n.canvas;n.bindFramebuffer(n.FRAMEBUFFER,t?.frame??null),n.viewport(0,0,a,c),n.enable(n.SCISSOR_TEST),n.scissor(0,0,a,s??c),n.useProgram(e.program),e.set(i),e.textures(r),n.drawArrays(n.TRIANGLES,0,3)}async function ho(n){let e=n.fenceSync(n.SYNC_GPU_COMMANDS_COMPLETE,0);for(n.flush();;){if(n.isContextLost())return;let t=n.clientWaitSync(e,0,0);if(t===n.ALREADY_SIGNALED||t===n.CONDITION_SATISFIED)break;await new Promise(r=>setTimeout(r,1))}n.deleteSync(e)}var{RNA_NONE:_o,MAX_LAYERS:po,MAX_EXACT_INPUTS:mo,RNA_CHANNEL_GROUPS:go}=re,en=n=>Math.ceil(n/4);function Vn(n,e,t){Ru(e);let{places:r,slots:i,queryGroups:s}=ku(t,n.planes.channels),a=new li,c=_o;e.int8&&(c=a.add(Yn(e.gain,r,s)),a.add(Yn(e.offset,r,s)));let u=e.layers.map((x,S)=>{let T=+(!e.int8&&S+1<e.layers.length);return vo(a,{...x,relu:T},S?null:r,S?0:s)}),h=null;if(e.matrix){let x=e.matrix.length/e.outputs,S=new Float32Array(e.outputs);h=vo(a,{weight:e.matrix,bias:S,rows:x,columns:e.outputs,relu:0},null,0)}let p=[...u,...h?[h]:[]],d=Math.max(...p.flatMap(({inputs:x,outputs:S})=>[x,S])),v=Su(n,e,{queryGroups:s,gain:c,slots:i,layers:u,matrix:h});return{weights:a.all(),record:v,groups:Math.max(4,2**Math.ceil(Math.log2(d)))}}function Ru({layers:n,int8:e}){if(n.length>po)throw new B(`a decoder of ${n.length} layers; at most ${po}`);let t=e?Math.max(...n.map(({rows:r})=>r)):0;if(t>mo)throw new B(`an int8 layer of ${t} inputs; at most ${mo}`)}function ku(n,e){let t=[],r=Hn.map(()=>_o),i=0;for(let s of n){let a=$n(s,e);r[Hn.indexOf(Wt(s))]=i;for(let c=0;c<a;c++)t.push(4*i+c);i+=en(a)}return{places:t,slots:r,queryGroups:i}}var li=class{constructor(){this.list=[],this.length=0}add(e){let t=this.length;return this.list.push(e),this.length+=e.length/4,t}all(){let e=new Float32Array(4*this.length),t=0;for(let r of this.list)e.set(r,t),t+=r.length;return e}};function Yn(n,e,t){let r=new Float32Array(4*t);return n.forEach((i,s)=>{r[e?e[s]:s]=i}),r}function vo(n,{weight:e,bias:t,rows:r,columns:i,step:s=0,scales:a,relu:c},u,h){let p=h||en(r),d=en(i),v=new Float32Array(16*p*d);for(let L=0;L<r;L++){let Y=u?u[L]:L,Q=Y>>2;for(let J=0;J<i;J++)v[16*((J>>2)*p+Q)+4*(Y&3)+(J&3)]=e[L*i+J]}let x=n.add(v),S=n.add(Yn(t,null,d)),T=a?n.add(Yn(Float32Array.from(a,L=>L*s),null,d)):0;return{inputs:p,outputs:d,weights:x,bias:S,units:T,relu:c,int8_step:s}}function Su(n,e,{queryGroups:t,gain:r,slots:i,layers:s,matrix:a}){let{resolution:c,channels:u,precision:h,scales:p}=n.planes,{low:d,high:v,top:x,unit:S}=e,T=new Float32Array(12*go);for(let L=0;p&&L<3;L++)T.set(p.subarray(L*u,(L+1)*u),4*go*L);return le("RnaPart",{low:n.bounds.min,high:n.bounds.max,resolution:c,channel_groups:en(u),query_groups:t,layer_count:s.length,plane_precision:re[`RNA_${h.toUpperCase()}`],gain:r,query_low:d,query_high:v,top:x,unit:S,matrix:a??{},scales:T,layers:s,slots:i})}function Xn({values:n,resolution:e,channels:t},r){let i=e*e,s=n.subarray(r*i*t,(r+1)*i*t),a=4*en(t);if(a===t)return s;let c=new n.constructor(i*a);for(let u=0;u<i;u++)c.set(s.subarray(u*t,(u+1)*t),u*a);return c}var yo=`// Input blocks of a decoder (spec, 6.3), in the forms for float32. Each starts at a group of four columns.
+
+uniform bool isFiber;
+uniform sampler2DArray planes;  // three planes of \`channel_groups\` layers of four channels
+
+// Features are summed over the planes (spec, 5).
+vec4 featuresOf(uint group, vec3 p) {
+  float size = float(part.resolution);
+  vec4 sum = vec4(0.0);
+  for (uint k = 0u; k < 3u; k++) {
+    vec2 at = clamp(vec2(p[k], p[(k + 1u) % 3u]) * size - 0.5, 0.0, size - 1.0);
+    ivec2 low = ivec2(floor(at)), high = min(low + 1, int(size) - 1);
+    vec2 f = at - floor(at);
+    int layer = int(k * part.channel_groups + group);
+    vec4 lower = mix(texelFetch(planes, ivec3(low, layer), 0), texelFetch(planes, ivec3(high.x, low.y, layer), 0), f.x);
+    vec4 upper = mix(texelFetch(planes, ivec3(low.x, high.y, layer), 0), texelFetch(planes, ivec3(high, layer), 0), f.x);
+    vec4 scale = part.plane_precision == RNA_INT8 ? part.scales[k * RNA_CHANNEL_GROUPS + group] : vec4(1.0);
+    sum += mix(lower, upper, f.y) * scale;
+  }
+  return sum;
+}
+
+vec3 halfway(vec3 wo, vec3 wi, vec3 instead) {
+  vec3 s = wi + wo, e = wi - wo;
+  float apart = dot(e, e), together = dot(s, s);
+  if (together < 1e-12) return instead;
+  if (together < apart) s -= e * (dot(s, e) / apart);
+  return unit(s);
+}
+
+float gap(vec3 n, vec3 m) {
+  vec3 d = n - m;
+  return log2(0.5 * dot(d, d) + 1e-4) / 6.0;
+}
+
+uint slotOf(uint block) {
+  return part.slots[block >> 2][block & 3u];
+}
+
+bool has(uint block) {
+  return slotOf(block) != RNA_NONE;
+}
+
+void put(uint block, vec4 value) {
+  if (has(block)) values[slotOf(block)] = value;
+}
+
+// With the second group of blocks of more than four columns.
+void put(uint block, vec4 value, vec4 more) {
+  put(block, value);
+  if (has(block)) values[slotOf(block) + 1u] = more;
+}
+
+void putSurface(vec3 n, vec3 wo, vec3 wi, vec3 features) {
+  vec3 m = halfway(wo, wi, n), aside = cross(n, m);
+  put(RNA_BLOCK_NORMAL, vec4(n, 0.0));
+  put(RNA_BLOCK_HALF_VECTOR, vec4(dot(n, m), gap(n, m), dot(n, wi), dot(n, wo)), vec4(dot(wi, m), 0.0, 0.0, 0.0));
+  put(RNA_BLOCK_HIGHLIGHT, vec4(log2(dot(aside, aside) + 1e-8) / 12.0, 0.0, 0.0, 0.0));
+  vec3 bent = n + 0.1 * features, q = length(bent) < 1e-6 ? n : unit(bent), learned = halfway(wo, wi, q);
+  put(RNA_BLOCK_LEARNED_NORMAL, vec4(dot(q, learned), gap(q, learned), 0.0, 0.0));
+}
+
+void putFiber(vec3 t, float h, vec3 wo, vec3 wi) {
+  put(RNA_BLOCK_TANGENT, vec4(t, 0.0));
+  put(RNA_BLOCK_H, vec4(h, 0.0, 0.0, 0.0));
+  vec3 o = cross(t, wo), i = cross(t, wi);
+  float so = dot(t, wo), si = dot(t, wi), co = length(o), d = co * length(i), sum = so + si;
+  float cosPhi = 1.0, sinPhi = 0.0;
+  if (d >= 1e-6) {
+    cosPhi = clamp(dot(o, i) / d, -1.0, 1.0);
+    sinPhi = clamp(dot(t, cross(o, i)) / d, -1.0, 1.0);
+  }
+  put(RNA_BLOCK_FIBER_ANGLES, vec4(si, so, sum, log2(sum * sum + 1e-3) / 6.0), vec4(cosPhi, sinPhi, 0.0, 0.0));
+  // Phi_0 = 2 g_o; each inner segment turns by -2 g_t - pi. As cosine and sine.
+  float sinT = h * co / sqrt(1.55 * 1.55 - so * so);
+  vec2 lobe = vec2(1.0 - 2.0 * h * h, 2.0 * h * sqrt(max(0.0, 1.0 - h * h)));
+  vec2 turn = vec2(2.0 * sinT * sinT - 1.0, 2.0 * sinT * sqrt(max(0.0, 1.0 - sinT * sinT)));
+  vec4 lobes = vec4(0.0);
+  for (int p = 0; p < 3; p++) {
+    lobes[p] = cosPhi * lobe.x + sinPhi * lobe.y;
+    lobe = vec2(lobe.x * turn.x - lobe.y * turn.y, lobe.x * turn.y + lobe.y * turn.x);
+  }
+  put(RNA_BLOCK_FIBER_LOBES, lobes);
+}
+
+// Fills \`values\`. x: a position, axis: n or t; all directions unit.
+void fillValues(vec3 x, vec3 axis, float h, vec3 wo, vec3 wi) {
+  vec3 p = clamp((x - part.low) / (part.high - part.low), 0.0, 1.0);
+  vec4 features = featuresOf(0u, p);
+  put(RNA_BLOCK_FEATURES, features);
+  for (uint group = 1u; has(RNA_BLOCK_FEATURES) && group < part.channel_groups; group++) {
+    values[slotOf(RNA_BLOCK_FEATURES) + group] = featuresOf(group, p);
+  }
+  put(RNA_BLOCK_POSITION, vec4(2.0 * p - 1.0, 0.0));
+  put(RNA_BLOCK_WO, vec4(wo, 0.0));
+  put(RNA_BLOCK_WI, vec4(wi, 0.0));
+  if (isFiber) putFiber(axis, h, wo, wi);
+  else putSurface(axis, wo, wi, features.xyz);
+}
+`;var xo=`// Adds what one light brings, or what the asset emits, to the picture.
+precision highp float;
+precision highp sampler2D;
+uniform sampler2D before;
+uniform sampler2D rows0;
+uniform sampler2D rows3;
+uniform sampler2D lit0;
+uniform sampler2D lit1;
+uniform sampler2D lit2;
+uniform sampler2D first;
+uniform sampler2D second;
+uniform bool isEmission;
+uniform bool countsCoverage;  // once a round
+uniform bool isFirst;
+uniform int firstRow;
+out vec4 sum;
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  sum = isFirst ? vec4(0.0) : texelFetch(before, pixel + ivec2(0, firstRow), 0);
+  float part = texelFetch(rows0, pixel, 0).w;
+  vec3 a = texelFetch(first, pixel, 0).xyz;
+  if (isEmission) {
+    if (part > 0.0) sum.xyz += texelFetch(rows3, pixel, 0).xyz * a;
+    return;
+  }
+  vec4 light = texelFetch(lit0, pixel, 0), v = texelFetch(lit1, pixel, 0);
+  vec3 radiance = texelFetch(lit2, pixel, 0).xyz;
+  if (light.w == 1.0) sum.xyz += radiance * mix(texelFetch(second, pixel, 0).xyz, a, v.xyz);
+  if (light.w == 2.0) sum.xyz += radiance;
+  if (countsCoverage) sum.w += v.w;
+}
+`;var wo=`// What the decoder of one part answers for the queries on it.
+uniform sampler2D rows0;
+uniform sampler2D rows1;
+uniform sampler2D rows2;
+uniform sampler2D lit0;
+uniform int number;          // of the part
+uniform bool hasLight;
+
+layout(location = 0) out vec4 first;   // visible, or emitted
+layout(location = 1) out vec4 second;  // shadowed
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec4 row0 = texelFetch(rows0, pixel, 0);
+  vec4 light = texelFetch(lit0, pixel, 0);
+  if (int(row0.w) != number + 1 || (hasLight && light.w != 1.0)) discard;
+  vec4 row1 = texelFetch(rows1, pixel, 0);
+  vec3 wo = texelFetch(rows2, pixel, 0).xyz, wi = hasLight ? light.xyz : wo;
+  first = vec4(0.0, 0.0, 0.0, 1.0);
+  second = vec4(0.0, 0.0, 0.0, 1.0);
+  if (row1.xyz == vec3(0.0)) return;  // an argument was no direction (spec, 8.1)
+  float h = isFiber ? clamp(row1.w, -1.0, 1.0) : 0.0;
+  fillValues(row0.xyz, row1.xyz, h, wo, wi);
+  decode(first.xyz, second.xyz);
+}
+`;var bo=`// The layers of a decoder (spec, 6.4). Values are in groups of four, weights in blocks of 4 x 4: four texels, one of
+// outputs for each of four inputs.
+
+uniform sampler2D weights;
+
+vec4 values[GROUPS];
+vec4 next[GROUPS];
+
+vec4 weightAt(uint k) {
+  return texelFetch(weights, ivec2(k & 1023u, k >> 10), 0);
+}
+
+void runLayer(RnaLayer layer) {
+  bool isInt8 = layer.int8_step > 0.0;
+  if (isInt8) {
+    // Products and their sums are whole numbers below 2^24 as long as layers are narrower than 512.
+    for (uint i = 0u; i < layer.inputs; i++) values[i] = clamp(roundEven(values[i] / layer.int8_step), 0.0, 255.0);
+  }
+  uint at = layer.weights;
+  for (uint o = 0u; o < layer.outputs; o++) {
+    vec4 bias = weightAt(layer.bias + o), sum = isInt8 ? vec4(0.0) : bias;
+    for (uint i = 0u; i < layer.inputs; i++, at += 4u) {
+      vec4 x = values[i];
+      sum += weightAt(at) * x.x + weightAt(at + 1u) * x.y + weightAt(at + 2u) * x.z + weightAt(at + 3u) * x.w;
+    }
+    if (isInt8) sum = (sum + bias) * weightAt(layer.units + o);
+    next[o] = layer.relu == 1u ? max(sum, 0.0) : sum;
+  }
+  for (uint o = 0u; o < layer.outputs; o++) values[o] = next[o];
+}
+
+// The colours, of \`values\` filled with the query.
+void decode(out vec3 first, out vec3 second) {
+  for (uint i = 0u; i < part.query_groups; i++) {
+    vec4 value = clamp(values[i], part.query_low, part.query_high);
+    values[i] = part.gain == RNA_NONE ? value : value * weightAt(part.gain + i) + weightAt(part.gain + part.query_groups + i);
+  }
+  for (uint k = 0u; k < part.layer_count; k++) runLayer(part.layers[k]);
+  uint last = part.layers[part.layer_count - 1u].outputs;
+  for (uint i = 0u; i < last; i++) values[i] = (exp(clamp(values[i], 0.0, part.top)) - 1.0) * part.unit;
+  if (part.matrix.inputs != 0u) runLayer(part.matrix);
+  first = max(values[0].xyz, 0.0);
+  second = max(vec3(values[0].w, values[1].xy), 0.0);
+}
+`;var Ao=`// A ray from the camera through each pixel, to the query of its first hit.
+#include random
+
+uniform vec3 cameraAt;
+uniform vec3 corner;       // direction through the image's top left corner
+uniform vec3 stepX;        // of a pixel
+uniform vec3 stepY;
+uniform int height;        // of the picture
+uniform int firstRow;      // of the band
+uniform float jitter;      // 0: rays through the middles of pixels, 1: anywhere in them
+
+layout(location = 0) out vec4 row0;  // x; part + 1, or 0
+layout(location = 1) out vec4 row1;  // n or t; of a fiber h, of a surface b1
+layout(location = 2) out vec4 row2;  // wo; place of the primitive
+layout(location = 3) out vec4 row3;  // throughput; b2
+
+const int LAYERS_SEEN_THROUGH = 32;
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy) + ivec2(0, firstRow);
+  pixel.y = height - 1 - pixel.y;  // rows from the top, as the random numbers of WebGPU have them
+  vec2 at = vec2(pixel) + mix(vec2(0.5), random(pixel, PLACE), jitter);
+  vec3 d = normalize(corner + at.x * stepX + at.y * stepY), origin = cameraAt, through = vec3(1.0);
+  row0 = vec4(0.0);
+  row1 = vec4(0.0);
+  row2 = vec4(-d, 0.0);
+  row3 = vec4(0.0);
+  for (int k = 0; k < LAYERS_SEEN_THROUGH; k++) {
+    Hit hit = nearest(origin, d);
+    if (hit.t == FAR) break;
+    uvec4 primitive = wordsAt(primitives, hit.place);
+    bool fiber = isSegment(primitive);
+    vec3 tau = fiber ? vec3(0.0) : transmittance(primitive, hit, d);
+    float chance = max(tau.x, max(tau.y, tau.z));
+    // Straight on, or stopped here: chosen at random (spec, 4.4).
+    if (chance > 0.0 && random(pixel, STOPPED + uint(k)).x < chance) {
+      through *= tau / chance;
+      origin += d * (hit.t + 4.0 * epsilon);
+      continue;
+    }
+    if (chance > 0.0) through *= (1.0 - tau) / (1.0 - chance);
+    vec3 x = origin + hit.t * d;
+    float part = float(surfaceRow(primitive, 0).y + 1u);
+    if (fiber) {
+      vec3 t = tangentOf(primitive);
+      row1 = vec4(t, offsetAcross(hit.n, t, -d));
+    } else {
+      x = mixed(cornersOf(primitive).p, weightsOf(hit));
+      row1 = vec4(shadingNormal(primitive, hit), hit.b1);
+    }
+    row0 = vec4(x, part);
+    row2.w = float(hit.place);
+    row3.w = hit.b2;
+    break;
+  }
+  row3.xyz = through;
+}
+`;var Eo=`// Where a ray meets a triangle or a round segment (spec, 4.1 and 4.2).
+
+// Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection" (JCGT 2013): both sides.
+struct Shear {
+  ivec3 axes;
+  vec3 s;
+};
+
+Shear shearOf(vec3 d) {
+  vec3 a = abs(d);
+  int z = a.x > a.y ? 0 : 1;
+  if (a.z > a[z]) z = 2;
+  int x = (z + 1) % 3, y = (z + 2) % 3;
+  return Shear(ivec3(x, y, z), vec3(d[x], d[y], 1.0) / d[z]);
+}
+
+bool meetsTriangle(uvec4 primitive, vec3 origin, Shear shear, float far, inout Hit hit) {
+  vec3 v[3];
+  for (int k = 0; k < 3; k++) {
+    vec3 p = valuesAt(points, int(primitive[k])).xyz - origin;
+    vec3 q = vec3(p[shear.axes.x], p[shear.axes.y], p[shear.axes.z]);
+    v[k] = vec3(q.xy - shear.s.xy * q.z, q.z);
+  }
+  float u0 = v[2].x * v[1].y - v[2].y * v[1].x;
+  float u1 = v[0].x * v[2].y - v[0].y * v[2].x;
+  float u2 = v[1].x * v[0].y - v[1].y * v[0].x;
+  if (min(u0, min(u1, u2)) < 0.0 && max(u0, max(u1, u2)) > 0.0) return false;
+  float sum = u0 + u1 + u2;
+  if (sum == 0.0) return false;
+  float t = (u0 * v[0].z + u1 * v[1].z + u2 * v[2].z) * shear.s.z / sum;
+  if (!(t >= 0.0 && t < far)) return false;
+  hit.t = t;
+  hit.b1 = u1 / sum;
+  hit.b2 = u2 / sum;
+  return true;
+}
+
+struct Cone {
+  vec3 a, b;
+  float ra, rb;
+};
+
+Cone coneAt(int point) {
+  vec4 a = valuesAt(points, point), b = valuesAt(points, point + 1);
+  return Cone(a.xyz, b.xyz, a.w, b.w);
+}
+
+// The entry into a sphere, from a point near it.
+float entersSphere(vec3 origin, vec3 d, vec3 centre, float radius) {
+  vec3 between = origin - centre;
+  float along = dot(between, d);
+  vec3 across = between - along * d;
+  float h = radius * radius - dot(across, across);
+  return h > 0.0 ? -along - sqrt(h) : 1e30;
+}
+
+// The first of all points where the line enters one of the two spheres or the side between them.
+bool entersCone(Cone cone, vec3 origin, vec3 d, out float t, out vec3 n) {
+  vec3 axis = cone.b - cone.a;
+  // From the point of the line nearest to the segment, so that distances do not cancel.
+  float shift = dot(0.5 * (cone.a + cone.b) - origin, d);
+  vec3 near = (origin - cone.a) + shift * d;
+  float dr = cone.ra - cone.rb, length2 = dot(axis, axis), d2 = length2 - dr * dr;
+  float ta = entersSphere(near, d, vec3(0.0), cone.ra), tb = entersSphere(near, d, axis, cone.rb);
+  t = min(ta, tb);
+  n = near + t * d - (ta < tb ? vec3(0.0) : axis);
+  if (d2 > 0.0) {
+    float m1 = dot(axis, near), m2 = dot(axis, d), m3 = dot(d, near);
+    float k2 = d2 - m2 * m2, k1 = d2 * m3 - m1 * m2 + m2 * dr * cone.ra;
+    float k0 = d2 * dot(near, near) - m1 * m1 + 2.0 * m1 * dr * cone.ra - length2 * cone.ra * cone.ra;
+    float h = k1 * k1 - k0 * k2;
+    if (h >= 0.0 && k2 != 0.0) {
+      for (float way = -1.0; way < 2.0; way += 2.0) {
+        float side = (-k1 + way * sqrt(h)) / k2, y = m1 - cone.ra * dr + side * m2;
+        vec3 normal = d2 * (near + side * d) - axis * y;
+        if (y > 0.0 && y < d2 && side < t && dot(normal, d) < 0.0) {
+          t = side;
+          n = normal;
+        }
+      }
+    }
+  }
+  if (t > 1e29) return false;
+  t += shift;
+  n = unit(n);
+  return true;
+}
+
+// How far p is outside of the cone; negative inside.
+float distanceTo(Cone cone, vec3 p) {
+  vec3 axis = cone.b - cone.a, near = p - cone.a;
+  float dr = cone.ra - cone.rb, size = length(axis), y = dot(near, axis) / size, z = y - size;
+  float x = length(near - axis * (y / size));
+  float toA = length(vec2(x, y)) - cone.ra, toB = length(vec2(x, z)) - cone.rb;
+  if (size * size <= dr * dr) return dr > 0.0 ? toA : toB;
+  float slope = dr / size, lean = sqrt(1.0 - slope * slope), along = y * lean - x * slope;
+  if (along <= 0.0) return toA;
+  if (along >= size * lean) return toB;
+  return x * lean + y * slope - cone.ra;
+}
+
+// An entry inside the segment before or after is no surface.
+bool insideNeighbour(int point, uint neighbours, vec3 p) {
+  for (int k = 0; k < 2; k++) {
+    if ((neighbours & uint(1 + k)) == 0u) continue;
+    Cone cone = coneAt(point + (k == 0 ? -1 : 1));
+    if (distanceTo(cone, p) < -1e-4 * min(cone.ra, cone.rb)) return true;
+  }
+  return false;
+}
+
+bool meetsSegment(uvec4 primitive, vec3 origin, vec3 d, float far, inout Hit hit) {
+  int point = int(primitive.x);
+  float t;
+  vec3 n;
+  if (!entersCone(coneAt(point), origin, d, t, n)) return false;
+  if (!(t >= 0.0 && t < far)) return false;
+  if (insideNeighbour(point, primitive.y, origin + t * d)) return false;
+  hit.t = t;
+  hit.n = n;
+  return true;
+}
+`;var Ro=`// For each query a direction of one light, what arrives from there, and how much of it the asset lets through.
+#include random
+
+uniform sampler2D rows0;
+uniform sampler2D rows1;
+uniform sampler2D rows2;
+uniform sampler2D rows3;
+uniform sampler2D given;        // directions, of the conformance kit
+uniform int lightKind;          // 0: sun; environment: 1 where it is bright, 3 about the point; 2: given directions
+uniform vec3 lightDirection;    // of a sun
+uniform vec3 lightColour;       // its irradiance, or a factor of the environment
+uniform sampler2D sky;          // the environment's numbers: see light/environment.js
+uniform ivec4 skyPlaces;        // of texels, heights, sums of rows, sums of columns
+uniform ivec2 skySize;          // width, height
+uniform float skyTotal;
+uniform vec2 turn;              // cosine and sine of the environment's rotation
+uniform vec4 ground;            // height, 1 if there is one, middle x and z
+uniform vec3 groundColour;      // radiance of it in full light, over the light's irradiance
+uniform float groundSize;
+uniform vec3 cameraAt;
+uniform int height;
+uniform int firstRow;
+
+layout(location = 0) out vec4 lit0;  // wi; 0 nothing, 1 a query, 2 radiance in lit2
+layout(location = 1) out vec4 lit1;  // visibility; coverage
+layout(location = 2) out vec4 lit2;  // radiance over density, times the throughput
+
+const float PI = 3.14159265358979;
+
+float skyNumber(int at) {
+  return valuesAt(sky, at >> 2)[at & 3];
+}
+
+// A cell between the middles of four texels, and how bright each is.
+struct Cell {
+  vec3 a, b, c, d;
+  vec4 luminance;
+};
+
+vec3 skyTexel(int row, int column) {
+  int at = skyPlaces.x + 3 * (clamp(row, 0, skySize.y - 1) * skySize.x + column % skySize.x);
+  return vec3(skyNumber(at), skyNumber(at + 1), skyNumber(at + 2));
+}
+
+Cell skyCell(int row, int column) {
+  vec3 a = skyTexel(row - 1, column), b = skyTexel(row - 1, column + 1);
+  vec3 c = skyTexel(row, column), d = skyTexel(row, column + 1), weights = vec3(0.2126, 0.7152, 0.0722);
+  return Cell(a, b, c, d, vec4(dot(a, weights), dot(b, weights), dot(c, weights), dot(d, weights)));
+}
+
+// Radiance in a cell, bilinear; and the density of brightDirection there, in proportion to its luminance.
+vec3 inCell(Cell cell, int row, vec2 f, float sine, out float density) {
+  vec3 radiance = mix(mix(cell.a, cell.b, f.x), mix(cell.c, cell.d, f.x), f.y);
+  density = dot(radiance, vec3(0.2126, 0.7152, 0.0722)) * float(skySize.x) / (2.0 * PI * max(skyTotal, 1e-30));
+  if (row > 0 && row < skySize.y) {
+    density *= skyNumber(skyPlaces.y + row) * float(skySize.y) / (PI * max(sine, 1e-30));
+  }
+  return radiance;
+}
+
+vec3 skyAt(vec3 d, out float density) {
+  float sine = length(d.xz), azimuth = sine > 0.0 ? atan(d.x, -d.z) : 0.0;
+  vec2 at = vec2(0.5 + azimuth / (2.0 * PI), atan(sine, d.y) / PI) * vec2(skySize) + vec2(-0.5, 0.5), low = floor(at);
+  int row = clamp(int(low.y), 0, skySize.y), column = (int(low.x) + skySize.x) % skySize.x;
+  return inCell(skyCell(row, column), row, at - vec2(low.x, row), sine, density);
+}
+
+// The interval of \`count\` running sums from \`first\` on that a value is in; the place in it, from 0 to 1.
+int interval(int first, int count, float value, out float place) {
+  int low = 0, high = count;
+  while (high - low > 1) {
+    int middle = (low + high) / 2;
+    if (skyNumber(first + middle) <= value) low = middle;
+    else high = middle;
+  }
+  float before = skyNumber(first + low), size = skyNumber(first + low + 1) - before;
+  place = size > 0.0 ? clamp((value - before) / size, 0.0, 0.99999994) : 0.0;
+  return low;
+}
+
+// A place in [0, 1] with density in proportion to a line from a to b.
+float linearPlace(float a, float b, float u) {
+  float root = sqrt(max(mix(a * a, b * b, u), 0.0));
+  return a + root > 0.0 ? u * (a + b) / (a + root) : u;
+}
+
+// A row of cells, a cell of it, and a place in that, in proportion to the luminance; at the poles uniform in the cosine.
+vec3 brightDirection(vec2 u) {
+  vec2 at;
+  int rows = skySize.y, row = interval(skyPlaces.z, rows + 1, u.y * skyNumber(skyPlaces.z + rows + 1), at.y);
+  int sums = skyPlaces.w + row * (skySize.x + 1), column = interval(sums, skySize.x, u.x * skyNumber(sums + skySize.x), at.x);
+  vec4 l = skyCell(row, column).luminance;
+  float cap = 2.0 * asin(sqrt(0.5 * at.y * skyNumber(skyPlaces.y + row))) / PI * float(rows);
+  float y = row == 0 ? cap + 0.5 : row == rows ? 0.5 - cap : linearPlace(l.x + l.y, l.z + l.w, at.y);
+  float x = linearPlace(mix(l.x, l.z, y), mix(l.y, l.w, y), at.x);
+  float theta = PI * (float(row) - 0.5 + y) / float(rows), sine = sin(theta);
+  float phi = 2.0 * PI * ((float(column) + 0.5 + x) / float(skySize.x) - 0.5);
+  vec3 d = vec3(sine * sin(phi), cos(theta), -sine * cos(phi));
+  return vec3(turn.x * d.x + turn.y * d.z, d.y, turn.x * d.z - turn.y * d.x);
+}
+
+// Directions about a point: some about the mirror direction, where highlights lie; of the others some from all sides,
+// since light comes through, and the rest by the cosine about the normal. A vector of zero stands for none: the ground
+// has no highlights, and about a strand all come from all sides.
+struct Surroundings {
+  vec3 n;  // turned to the viewer
+  vec3 mirror;
+};
+
+const float MIRRORED = 1.0 / 3.0, MIRROR_KAPPA = 20.0;  // of a von Mises-Fisher distribution
+const float FROM_ALL_SIDES = 0.25, EVEN = 0.25 / PI;
+
+float mirroredShare(Surroundings at) {
+  return at.mirror == vec3(0.0) ? 0.0 : MIRRORED;
+}
+
+// Duff et al., Building an Orthonormal Basis, Revisited (JCGT 6(1), 2017).
+vec3 along(vec3 axis, float cosine, float phi) {
+  float side = axis.z < 0.0 ? -1.0 : 1.0, c = -1.0 / (side + axis.z), d = axis.x * axis.y * c;
+  vec3 s = vec3(1.0 + side * axis.x * axis.x * c, side * d, -side * axis.x);
+  vec3 t = vec3(d, side + axis.y * axis.y * c, -axis.y);
+  return normalize(sqrt(max(0.0, 1.0 - cosine * cosine)) * (cos(phi) * s + sin(phi) * t) + cosine * axis);
+}
+
+vec3 directionAbout(Surroundings at, vec2 u) {
+  float share = mirroredShare(at), phi = 2.0 * PI * u.x;
+  if (u.y < share) {
+    float v = u.y / share;
+    return along(at.mirror, 1.0 + log(v + (1.0 - v) * exp(-2.0 * MIRROR_KAPPA)) / MIRROR_KAPPA, phi);
+  }
+  float rest = (u.y - share) / (1.0 - share);
+  bool allSides = rest < FROM_ALL_SIDES;
+  float v = allSides ? rest / FROM_ALL_SIDES : (rest - FROM_ALL_SIDES) / (1.0 - FROM_ALL_SIDES);
+  vec3 ball = along(vec3(0.0, 0.0, 1.0), 1.0 - 2.0 * v, phi);
+  return normalize(ball + (allSides ? vec3(0.0) : at.n * 1.0001));
+}
+
+float densityAbout(Surroundings at, vec3 wi) {
+  if (at.n == vec3(0.0)) return EVEN;
+  float rest = mix(max(0.0, dot(at.n, wi)) / PI, EVEN, FROM_ALL_SIDES);
+  float fisher = MIRROR_KAPPA / (2.0 * PI) * exp(MIRROR_KAPPA * (dot(at.mirror, wi) - 1.0));
+  return mix(rest, fisher, mirroredShare(at));
+}
+
+Surroundings surroundingsOf(vec4 row0, vec4 row1, vec4 row2) {
+  if (row0.w == 0.0) return Surroundings(vec3(0.0, 1.0, 0.0), vec3(0.0));  // of the ground
+  if (isSegment(wordsAt(primitives, int(row2.w)))) return Surroundings(vec3(0.0), vec3(0.0));
+  vec3 n = row1.xyz, wo = row2.xyz;
+  return Surroundings(dot(n, wo) < 0.0 ? -n : n, reflect(-wo, n));
+}
+
+// One sample of both techniques each, as two lights: the balance heuristic (Veach and Guibas 1995).
+vec3 sampleLight(ivec2 pixel, Surroundings at, out vec3 wi) {
+  if (lightKind == 0 || lightKind == 2) {
+    wi = lightKind == 0 ? lightDirection : texelFetch(given, pixel, 0).xyz;
+    return lightColour;
+  }
+  vec2 u = random(ivec2(pixel.x, height - 1 - pixel.y - firstRow), DIRECTION);
+  wi = lightKind == 1 ? brightDirection(u) : directionAbout(at, u);
+  vec3 d = vec3(turn.x * wi.x - turn.y * wi.z, wi.y, turn.x * wi.z + turn.y * wi.x);
+  float density;
+  vec3 radiance = skyAt(d, density);
+  return lightColour * radiance / (density + densityAbout(at, wi));
+}
+
+// Where a ray to the light starts, and what it may bring.
+struct Start {
+  vec3 origin;
+  uint strand;  // that is no obstacle
+  vec3 weight;
+  float coverage;
+};
+
+Start startOf(vec4 row0, vec4 row1, vec4 row2, float b2, vec3 wi) {
+  int place = int(row2.w);
+  uvec4 primitive = wordsAt(primitives, place);
+  if (isSegment(primitive)) return Start(row0.xyz, primitive.z, vec3(1.0), 1.0);
+  Hit hit = Hit(0.0, place, row1.w, b2, vec3(0.0));
+  return Start(liftedOrigin(primitive, hit, wi), NONE, vec3(1.0), 1.0);
+}
+
+// The ground shows the shadow, and fades with the distance.
+Start startOnGround(vec3 d, vec3 wi) {
+  if (ground.y == 0.0 || d.y * (cameraAt.y - ground.x) >= 0.0) return Start(vec3(0.0), NONE, vec3(0.0), 0.0);
+  vec3 x = cameraAt + d * ((ground.x - cameraAt.y) / d.y);
+  float fade = 1.0 - smoothstep(0.5, 1.0, length(x.xz - ground.zw) / groundSize);
+  return Start(x + vec3(0.0, epsilon, 0.0), NONE, fade * max(0.0, wi.y) * groundColour, fade);
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec4 row0 = texelFetch(rows0, pixel, 0), row1 = texelFetch(rows1, pixel, 0);
+  vec4 row2 = texelFetch(rows2, pixel, 0), row3 = texelFetch(rows3, pixel, 0);
+  bool isQuery = row0.w != 0.0;
+  vec3 wi, radiance = row3.xyz * sampleLight(pixel, surroundingsOf(row0, row1, row2), wi);
+  Start start;
+  if (isQuery) start = startOf(row0, row1, row2, row3.w, wi);
+  else start = startOnGround(-row2.xyz, wi);
+  bool needed = any(greaterThan(start.weight, vec3(0.0)));
+  vec3 passed = needed ? passes(start.origin, wi, start.strand) : vec3(0.0);
+  lit0 = vec4(wi, isQuery ? 1.0 : 2.0);
+  lit1 = vec4(passed, start.coverage);
+  lit2 = vec4(isQuery ? radiance : start.weight * passed * radiance, 0.0);
+}
+`;var ko=`// The normals of hits whose place and barycentric coordinates are in the rows.
+uniform sampler2D rows1;
+uniform sampler2D rows2;
+uniform sampler2D rows3;
+layout(location = 0) out vec4 first;
+layout(location = 1) out vec4 second;
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  int place = int(texelFetch(rows2, pixel, 0).w);
+  Hit hit = Hit(0.0, place, texelFetch(rows1, pixel, 0).w, texelFetch(rows3, pixel, 0).w, vec3(0.0));
+  first = vec4(shadingNormal(wordsAt(primitives, place), hit), 1.0);
+  second = vec4(0.0);
+}
+`;var So=`// What a hit is on: normals, relief, transmittance (spec, 4.1, 4.4, 4.5), and its own ray to the light (7.1).
+
+struct Corners {
+  vec3 p[3], n[3];
+  vec2 uv[3];
+};
+
+Corners cornersOf(uvec4 primitive) {
+  Corners corners;
+  for (int k = 0; k < 3; k++) {
+    vec4 place = valuesAt(points, int(primitive[k])), normal = valuesAt(normals, int(primitive[k]));
+    corners.p[k] = place.xyz;
+    corners.n[k] = normal.xyz;
+    corners.uv[k] = vec2(place.w, normal.w);
+  }
+  return corners;
+}
+
+vec3 weightsOf(Hit hit) {
+  return vec3(1.0 - hit.b1 - hit.b2, hit.b1, hit.b2);
+}
+
+vec3 mixed(vec3 v[3], vec3 b) {
+  return b.x * v[0] + b.y * v[1] + b.z * v[2];
+}
+
+vec2 uvOf(Corners corners, vec3 b) {
+  return b.x * corners.uv[0] + b.y * corners.uv[1] + b.z * corners.uv[2];
+}
+
+// The bilinear lookup of 4.4, in values from 0 to 255; the texture repeats.
+vec3 lookUp(uint image, vec2 uv) {
+  uvec4 record = wordsAt(surfaces, texturesAt + TEXTURE_ROWS * int(image));
+  ivec2 size = ivec2(record.y & 0xffffu, record.y >> 16u);
+  vec2 place = uv * vec2(size) - 0.5, low = floor(place), f = place - low;
+  // Repeat before integers: coordinates may be large.
+  ivec2 at = clamp(ivec2(low - vec2(size) * floor(low / vec2(size))), ivec2(0), size - 1), next = (at + 1) % size;
+  ivec4 places = int(record.x) + ivec4(at.y, at.y, next.y, next.y) * size.x + ivec4(at.x, next.x, at.x, next.x);
+  vec3 lower = mix(vec3(wordsAt(texels, places.x).xyz), vec3(wordsAt(texels, places.y).xyz), f.x);
+  vec3 upper = mix(vec3(wordsAt(texels, places.z).xyz), vec3(wordsAt(texels, places.w).xyz), f.x);
+  return mix(lower, upper, f.y);
+}
+
+float fresnel(float index, float c) {
+  float g2 = index * index - 1.0 + c * c;
+  if (g2 <= 0.0) return 1.0;
+  float g = sqrt(g2), r = (g - c) / (g + c), s = (c * (g + c) - 1.0) / (c * (g - c) + 1.0);
+  return clamp(0.5 * r * r * (1.0 + s * s), 0.0, 1.0);
+}
+
+vec3 transmittance(uvec4 primitive, Hit hit, vec3 d) {
+  uint flags = surfaceRow(primitive, 0).z;
+  if ((flags & LETS_THROUGH) == 0u) return vec3(0.0);
+  uvec4 rule = surfaceRow(primitive, THROUGH_ROW);  // texture, cutoff, indices of refraction
+  Corners corners = cornersOf(primitive);
+  vec3 b = weightsOf(hit), tau = lookUp(rule.x, uvOf(corners, b)) / 255.0, index = uintBitsToFloat(rule.yzw);
+  if ((flags & HAS_CUTOFF) != 0u) tau = vec3(tau.x > index.x ? 1.0 : 0.0);
+  if (index.y > 0.0) {
+    vec3 n = unit(mixed(corners.n, b)), ng = cross(corners.p[1] - corners.p[0], corners.p[2] - corners.p[0]);
+    tau *= 1.0 - fresnel(dot(d, ng) < 0.0 ? index.y : index.z, abs(dot(n, d)));
+  }
+  return tau;
+}
+
+// The normal with relief, 4.5.
+vec3 mappedNormal(uint map, Corners corners, vec3 b, vec3 n) {
+  if (map == NONE) return n;
+  vec3 e1 = corners.p[1] - corners.p[0], e2 = corners.p[2] - corners.p[0];
+  vec2 a = corners.uv[1] - corners.uv[0], c = corners.uv[2] - corners.uv[0];
+  float area = a.x * c.y - c.x * a.y;
+  if (area == 0.0) return n;
+  vec3 u = (c.y * e1 - a.y * e2) * sign(area), v = (a.x * e2 - c.x * e1) * sign(area);
+  vec3 along = u - dot(u, n) * n;
+  if (length(along) <= 1e-6 * length(u)) return n;
+  vec3 t = unit(along), up = cross(n, t);
+  if (dot(up, v) > 0.0) up = -up;
+  vec2 q = (lookUp(map, uvOf(corners, b)).xy - 127.0) / 127.0;
+  vec3 m = q.x * t + q.y * up + sqrt(max(0.0, 1.0 - dot(q, q))) * n;
+  return length(m) <= 1e-6 ? n : normalize(m);
+}
+
+vec3 shadingNormal(uvec4 primitive, Hit hit) {
+  Corners corners = cornersOf(primitive);
+  vec3 b = weightsOf(hit);
+  return mappedNormal(surfaceRow(primitive, 0).w, corners, b, unit(mixed(corners.n, b)));
+}
+
+vec3 tangentOf(uvec4 primitive) {
+  return unit(valuesAt(points, int(primitive.x) + 1).xyz - valuesAt(points, int(primitive.x)).xyz);
+}
+
+// h of 4.2.
+float offsetAcross(vec3 n, vec3 t, vec3 wo) {
+  vec3 across = cross(t, wo);
+  float size = length(across);
+  return size > 1e-6 ? clamp(dot(n, across) / size, -1.0, 1.0) : 0.0;
+}
+
+// Where the visibility ray of a mesh starts.
+vec3 liftedOrigin(uvec4 primitive, Hit hit, vec3 wi) {
+  Corners corners = cornersOf(primitive);
+  vec3 b = weightsOf(hit), x = mixed(corners.p, b), n = unit(mixed(corners.n, b));
+  vec3 ng = unit(cross(corners.p[1] - corners.p[0], corners.p[2] - corners.p[0]));
+  float side = dot(ng, wi) < 0.0 ? -1.0 : 1.0;
+  if (dot(n, wi) > 0.0 && dot(n, ng) > 0.0 && dot(ng, wi) < 0.1) {
+    vec3 lift = vec3(0.0);
+    for (int k = 0; k < 3; k++) lift += b[k] * max(0.0, dot(corners.p[k] - x, corners.n[k])) * corners.n[k];
+    x += (1.0 - max(0.0, dot(ng, wi)) / 0.1) * lift;
+    side = 1.0;
+  }
+  return x + side * epsilon * ng;
+}
+`;var To=`// Numbers in [0, 1). Of a pixel's place and of the light: of each pixel a start of its own, and from there the additive
+// recurrence in four dimensions (Roberts 2018), so that the samples of a pixel are spread evenly. All others: hashed.
+
+uniform uint sampleNumber;
+
+uint hashed(uint x) {  // PCG; Jarzynski and Olano, "Hash Functions for GPU Rendering" (JCGT 2020)
+  uint state = x * 747796405u + 2891336453u;
+  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+const uint PLACE = 0u, DIRECTION = 1u, STOPPED = 2u;  // and those behind it
+
+vec2 random(ivec2 pixel, uint dimension) {
+  uint own = dimension >= STOPPED ? sampleNumber : 0u;
+  uint seed = hashed(uint(pixel.x) + hashed(uint(pixel.y) + hashed(dimension + hashed(own))));
+  vec2 start = vec2(seed >> 8u, hashed(seed) >> 8u) / 16777216.0;
+  if (dimension >= STOPPED) return start;
+  // In whole numbers: floats of later samples would lose digits.
+  uvec2 turn = dimension == DIRECTION ? uvec2(2700274805u, 2313257605u) : uvec2(3679390609u, 3152041523u);
+  return fract(start + vec2((turn * sampleNumber) >> 8u) / 16777216.0);
+}
+`;var ui=`// The asset's geometry in textures: see geometry/scene_arrays.js.
+precision highp float;
+precision highp int;
+precision highp sampler2D;
+precision highp sampler2DArray;
+precision highp usampler2D;
+
+uniform usampler2D nodes;       // two texels a node: min, right child or first primitive; max, number of primitives
+uniform usampler2D primitives;  // one a primitive, in the order of the leaves; last twice the surface, + 1 of a segment
+uniform sampler2D points;       // position, and u or the radius
+uniform sampler2D normals;      // normal and v
+uniform usampler2D surfaces;    // rows of surfaces, then of textures: see geometry/surface_table.js
+uniform usampler2D texels;      // of textures
+uniform int texturesAt;
+uniform float epsilon;          // the spec's e, 7.1
+
+const uint NONE = 0xffffffffu;
+
+uvec4 wordsAt(usampler2D table, int k) {
+  int width = textureSize(table, 0).x;
+  return texelFetch(table, ivec2(k % width, k / width), 0);
+}
+
+vec4 valuesAt(sampler2D table, int k) {
+  int width = textureSize(table, 0).x;
+  return texelFetch(table, ivec2(k % width, k / width), 0);
+}
+
+bool isSegment(uvec4 primitive) {
+  return (primitive.w & 1u) != 0u;
+}
+
+uvec4 surfaceRow(uvec4 primitive, int k) {
+  return wordsAt(surfaces, SURFACE_ROWS * int(primitive.w >> 1u) + k);
+}
+
+struct Hit {
+  float t;
+  int place;       // of the primitive in the table
+  float b1, b2;    // barycentric coordinates
+  vec3 n;          // of a segment, outward
+};
+
+vec3 unit(vec3 v) {
+  vec3 size = abs(v);
+  float largest = max(size.x, max(size.y, size.z));
+  return largest > 0.0 ? normalize(v / largest) : vec3(0.0);
+}
+`;var No=`// The picture on the page: mean of the samples, less noise while they are few, exposure, view transform, sRGB.
+precision highp float;
+precision highp sampler2D;
+uniform sampler2D picture;
+uniform float rounds;
+uniform float exposure;  // a factor
+uniform float filmicView;  // 1 for the filmic view transform, 0 for none
+uniform float spread;    // of noise, in values of the screen; 0 to leave it
+uniform vec3 backdrop;   // linear light of the screen
+uniform vec2 size;       // of the canvas, pixels
+out vec4 colour;
+
+vec4 at(ivec2 place) {
+  return texelFetch(picture, clamp(place, ivec2(0), textureSize(picture, 0) - 1), 0);
+}
+
+// As rna_render/image/view_transform.py, which names the source.
+vec3 filmic(vec3 radiance) {
+  vec3 c = 1.461926 * min(radiance, vec3(1e9));
+  vec3 x = vec3(dot(c, vec3(0.59719, 0.35458, 0.04823)), dot(c, vec3(0.07600, 0.90834, 0.01566)),
+                dot(c, vec3(0.02840, 0.13383, 0.83777)));
+  // Both parts divided by x, so that none overflows.
+  vec3 inv = 1.0 / max(x, vec3(1e-9));
+  vec3 y = (x + 0.0245786 - 0.000090537 * inv) / (0.983729 * x + 0.4329510 + 0.238081 * inv);
+  return vec3(dot(y, vec3(1.60475, -0.53108, -0.07367)), dot(y, vec3(-0.10208, 1.10813, -0.00605)),
+              dot(y, vec3(-0.00327, -0.07276, 1.07602)));
+}
+
+// Values of the screen, sRGB, of a mean.
+vec3 displayed(vec4 mean) {
+  vec3 exposed = max(mean.xyz * exposure, vec3(0.0));
+  vec3 light = filmicView > 0.5 ? filmic(exposed) : exposed;
+  vec3 linear = clamp(light, 0.0, 1.0) + max(0.0, 1.0 - mean.w) * backdrop;
+  vec3 encoded = mix(12.92 * linear, 1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, linear));
+  return clamp(encoded, 0.0, 1.0);
+}
+
+void main() {
+  vec2 scale = vec2(textureSize(picture, 0)) / size;
+  vec2 place = gl_FragCoord.xy * scale - 0.5, low = floor(place), f = place - low;
+  ivec2 a = ivec2(low);
+  vec4 mean = mix(mix(at(a), at(a + ivec2(1, 0)), f.x), mix(at(a + ivec2(0, 1)), at(a + ivec2(1, 1)), f.x), f.y) / rounds;
+  vec3 here = displayed(mean);
+  colour = vec4(here, 1.0);
+  if (spread == 0.0) return;
+  // Bilateral: neighbours count by how near and how like they are.
+  vec4 sum = vec4(here, 1.0);
+  vec2 middle = floor(place + 0.5);
+  for (float dy = -2.0; dy <= 2.0; dy += 1.0) {
+    for (float dx = -2.0; dx <= 2.0; dx += 1.0) {
+      vec2 there = middle + vec2(dx, dy), away = there - place;
+      vec4 other = at(ivec2(there)) / rounds;
+      vec3 value = displayed(other), unlike = (value - here) / spread;
+      float edge = 4.0 * (other.w - mean.w);
+      sum += vec4(value, 1.0) * exp(-0.3 * dot(away, away) - 0.5 * dot(unlike, unlike) - edge * edge);
+    }
+  }
+  colour = vec4(sum.xyz / sum.w, 1.0);
+}
+`;var Oo=`// Rays against the hierarchy: the nearest hit, and how much light passes (spec, 7.1).
+
+const int STACK = 48, ROOT = 1;  // node 0 is rna_gpu's, of the only instance
+const float FAR = 1e30;
+
+// No axis is exactly parallel: 0 times infinity would be no number.
+vec3 inverseOf(vec3 d) {
+  vec3 tiny = vec3(1e-20);
+  return 1.0 / mix(d, tiny, lessThan(abs(d), tiny));
+}
+
+// Where a ray enters the box of a node, FAR if not.
+float boxAt(int node, vec3 origin, vec3 inverse, float far) {
+  vec3 a = (uintBitsToFloat(wordsAt(nodes, 2 * node).xyz) - origin) * inverse;
+  vec3 b = (uintBitsToFloat(wordsAt(nodes, 2 * node + 1).xyz) - origin) * inverse, low = min(a, b), high = max(a, b);
+  float near = max(max(low.x, low.y), max(low.z, 0.0)), last = min(min(high.x, high.y), min(high.z, far)) * 1.0000004;
+  return near <= last ? near : FAR;
+}
+
+// The nearest hit of a ray, in \`hit\`, of which t is FAR for none; or, if it weakens, the light that passes to infinity.
+// Strand \`own\` is no obstacle.
+vec3 traced(vec3 origin, vec3 d, uint own, bool weakens, out Hit hit) {
+  hit = Hit(FAR, 0, 0.0, 0.0, vec3(0.0));
+  vec3 light = vec3(1.0), inverse = inverseOf(d);
+  Shear shear = shearOf(d);
+  int stack[STACK];
+  int top = 0, node = ROOT;
+  if (boxAt(ROOT, origin, inverse, FAR) == FAR) return light;
+  for (;;) {
+    int first = int(wordsAt(nodes, 2 * node).w), count = int(wordsAt(nodes, 2 * node + 1).w);
+    for (int k = first; k < first + count; k++) {
+      uvec4 primitive = wordsAt(primitives, k);
+      bool segment = isSegment(primitive);
+      if (segment && primitive.z == own) continue;
+      bool met = segment ? meetsSegment(primitive, origin, d, hit.t, hit) : meetsTriangle(primitive, origin, shear, hit.t, hit);
+      if (!met) continue;
+      hit.place = k;
+      if (!weakens) continue;
+      light *= segment ? vec3(0.0) : transmittance(primitive, hit, d);
+      if (light == vec3(0.0)) return light;
+      hit.t = FAR;
+    }
+    if (count == 0) {
+      int left = node + 1, right = first;
+      float a = boxAt(left, origin, inverse, hit.t), b = boxAt(right, origin, inverse, hit.t);
+      if (max(a, b) < FAR) stack[top++] = a <= b ? right : left;
+      if (min(a, b) < FAR) {
+        node = a <= b ? left : right;
+        continue;
+      }
+    }
+    if (top == 0) return light;
+    node = stack[--top];
+  }
+}
+
+Hit nearest(vec3 origin, vec3 d) {
+  Hit hit;
+  traced(origin, d, NONE, false, hit);
+  return hit;
+}
+
+vec3 passes(vec3 origin, vec3 d, uint own) {
+  Hit hit;
+  return traced(origin, d, own, true, hit);
+}
+`;var{LETS_THROUGH:Hu,HAS_CUTOFF:$u}=re,{Surface:Io,Texture:Gu}=we,zo=`precision highp int;
+const int SURFACE_ROWS = ${Io.words/4}, THROUGH_ROW = ${Io.members.through.at/4}, TEXTURE_ROWS = ${Gu.words/4};
+const uint LETS_THROUGH = ${Hu}u, HAS_CUTOFF = ${$u}u;
+`,fi=[zo,ui,Eo,So,Oo].join(`
+`),Mo=n=>n.replace("#include random",To),Kn={hit:fi+Mo(Ao),light:fi+Mo(Ro),normals:fi+ko,decode:(n,e)=>[zo,ui,n,`const int GROUPS = ${e};`,bo,yo,wo].join(`
+`),clear:"precision highp float; layout(location = 0) out vec4 a; layout(location = 1) out vec4 b; void main() { a = b = vec4(0.0); }",combine:xo,show:No};function Co(n,e){let{resolution:t,channels:r,precision:i}=e,s=Math.ceil(r/4),a=n.getParameter(n.MAX_TEXTURE_SIZE);if(t>a)throw new B(`planes of ${t} texels a side; this device has ${a}`);let c=n.createTexture();n.bindTexture(n.TEXTURE_2D_ARRAY,c),n.pixelStorei(n.UNPACK_ALIGNMENT,1);let u=i==="float32"?n.RGBA32F:n.RGBA16F,h=i==="float16"?n.HALF_FLOAT:n.FLOAT;n.texStorage3D(n.TEXTURE_2D_ARRAY,1,u,t,t,3*s),ci(n,n.TEXTURE_2D_ARRAY);let p=new(i==="float16"?Uint16Array:Float32Array)(4*t*t);for(let d=0;d<3;d++){let v=Xn(e,d);for(let x=0;x<s;x++){for(let S=0;S<p.length;S++)p[S]=v[4*((S>>2)*s+x)+(S&3)];n.texSubImage3D(n.TEXTURE_2D_ARRAY,0,0,0,d*s+x,t,t,1,n.RGBA,h,p)}}return{target:n.TEXTURE_2D_ARRAY,texture:c}}function Fo(n){return Object.entries(we[n].members).map(([e,{type:t,record:r,count:i}])=>{let[s,a]=t==="f32"?["float","vec"]:["uint","uvec"];return r?`${r} ${e}${i>1?`[${i}]`:""};`:i>4?`${a}4 ${e}[${Math.ceil(i/4)}];`:`${i>1?a+i:s} ${e};`}).join(" ")}var qu=`struct RnaLayer { ${Fo("RnaLayer")} };
+layout(std140) uniform Part { ${Fo("RnaPart")} } part;
+${Object.entries(re).filter(([n])=>n.startsWith("RNA_")).map(([n,e])=>`const uint ${n} = ${e}u;`).join(`
+`)}
+`,tn=class{constructor(e,t,r,i,s,a){let{weights:c,record:u,groups:h}=Vn(r,i,s);this.weights=Oe(e,c,1024),this.planes=a,this.record=e.createBuffer(),e.bindBuffer(e.UNIFORM_BUFFER,this.record),e.bufferData(e.UNIFORM_BUFFER,u,e.STATIC_DRAW),this.program=new Nt(e,Kn.decode(qu,h)),this.uniforms={number:["1i",t],isFiber:["1i",+(r.kind==="fiber")],hasLight:["1i",+(i.outputs===6)]}}get textures(){return{planes:this.planes,weights:this.weights}}delete(e){this.program.delete(),e.deleteBuffer(this.record),e.deleteTexture(this.weights.texture)}};var Zu=1<<17,Jn=class n{static label="WebGL2";static async open(e){let t=uo(e),r=new n;Object.assign(r,{gl:t,canvas:e,parts:[],target:null,lost:!1,bandPixels:Zu}),r.programs=Object.fromEntries(["hit","light","normals","clear","combine","show"].map(i=>[i,new Nt(t,Kn[i])]));for(let i of Object.values(r.programs))i.check();return e.addEventListener("webglcontextlost",i=>{i.preventDefault(),r.lost=!0,r.closed||r.onlost?.("the WebGL context was lost")}),r}setAsset(e,t){let{gl:r}=this;this._deleteAsset(),this.asset={nodes:Oe(r,e.nodes),primitives:Oe(r,e.primitives),points:Oe(r,e.points),normals:Oe(r,e.normals),surfaces:Oe(r,e.table),texels:Oe(r,new Uint8Array(e.images.buffer))},this.geometry={texturesAt:["1i",e.texturesAt],epsilon:["1f",e.extent*2**-18]},this.parts=t.map((i,s)=>{let a=Co(r,i.planes),c=new tn(r,s,i,i.transport,i.inputs,a),u=i.emission&&new tn(r,s,i,i.emission,i.emission.inputs,a);return{planes:a,transport:c,emission:u}});for(let{transport:i,emission:s}of this.parts)i.program.check(),s?.program.check()}get emits(){return this.parts.some(({emission:e})=>e)}setEnvironment({floats:e,places:t,total:r,width:i,height:s}){this.sky&&this.gl.deleteTexture(this.sky.texture),this.sky=Oe(this.gl,e),this.skyNumbers={skyPlaces:["4i",...t],skySize:["2i",i,s],skyTotal:["1f",r]}}resize(e,t){if(this.target?.width===e&&this.target.height===t)return;let{gl:r}=this,i=Math.max(1,Math.min(t,Math.floor(this.bandPixels/e)));this._deleteImages(),this.target={width:e,height:t},this.rows=new Ye(r,e,i,4),this.lit=new Ye(r,e,i,3),this.answers=new Ye(r,e,i,2),this.added=new Ye(r,e,i,1),this.sum=new Ye(r,e,t,1)}trace(e,t,r,i){let{height:s}=this.target;this.span={rows:i-r,firstRow:s-i};let{position:a,corner:c,stepX:u,stepY:h,jitter:p=1}=e;this.frame={cameraAt:["3fv",a],height:["1i",s],firstRow:["1i",this.span.firstRow],sampleNumber:["1ui",t]},this._pass("hit",this.rows,this.asset,{...this.geometry,...this.frame,jitter:["1f",p],corner:["3fv",c],stepX:["3fv",u],stepY:["3fv",h]})}light(e,{isFirst:t,countsCoverage:r}){this._light(e),this._decode("transport"),this._combine({isFirst:t,countsCoverage:r,isEmission:!1})}_light(e,t=null){let[r,i,s,a]=this.rows.images;this._pass("light",this.lit,{...this.asset,rows0:r,rows1:i,rows2:s,rows3:a,given:t??r,sky:this.sky??r},{...this.geometry,...this.frame,...this.skyNumbers,...Wu(e)})}emission(){this._pass("clear",this.answers,{},{}),this._decode("emission"),this._combine({isFirst:!1,countsCoverage:!1,isEmission:!0})}_combine({isEmission:e,countsCoverage:t,isFirst:r}){let{gl:i}=this,{width:s}=this.target,{rows:a,firstRow:c}=this.span,[u,,,h]=this.rows.images,[p,d,v]=this.lit.images,[x,S]=this.answers.images,T=L=>["1i",Number(L)];this._pass("combine",this.added,{before:this.sum.images[0],rows0:u,rows3:h,lit0:p,lit1:d,lit2:v,first:x,second:S},{isEmission:T(e),countsCoverage:T(t),isFirst:T(r),firstRow:["1i",c]}),i.bindFramebuffer(i.READ_FRAMEBUFFER,this.added.frame),i.bindFramebuffer(i.DRAW_FRAMEBUFFER,this.sum.frame),i.disable(i.SCISSOR_TEST),i.blitFramebuffer(0,0,s,a,0,c,s,c+a,i.COLOR_BUFFER_BIT,i.NEAREST)}_pass(e,t,r,i){Wn(this.gl,this.programs[e],t,{to:this.span.rows,textures:r,uniforms:i})}show({rounds:e,exposure:t,backdrop:r,filmic:i,spread:s}){let{width:a,height:c}=this.canvas;Wn(this.gl,this.programs.show,null,{textures:{picture:this.sum.images[0]},uniforms:{rounds:["1f",e],exposure:["1f",t],backdrop:["3fv",r],size:["2f",a,c],filmicView:["1f",Number(i)],spread:["1f",s]}})}done(){return ho(this.gl)}async picture(){let{width:e,height:t}=this.target,r=this.sum.read(0),i=new Float32Array(r.length);for(let s=0;s<t;s++)i.set(r.subarray(4*e*s,4*e*(s+1)),4*e*(t-1-s));return i}_decode(e){let[t,r,i]=this.rows.images,s=this.lit.images[0];for(let a of this.parts){let c=a[e];c&&(this.gl.bindBufferBase(this.gl.UNIFORM_BUFFER,0,c.record),Wn(this.gl,c.program,this.answers,{to:this.span.rows,textures:{...c.textures,rows0:t,rows1:r,rows2:i,lit0:s},uniforms:c.uniforms}))}}_deleteAsset(){for(let{texture:e}of Object.values(this.asset??{}))this.gl.deleteTexture(e);for(let{planes:e,transport:t,emission:r}of this.parts)this.gl.deleteTexture(e.texture),t.delete(this.gl),r?.delete(this.gl);this.parts=[]}_deleteImages(){for(let e of[this.rows,this.lit,this.answers,this.added,this.sum])e?.delete();this.target=null}close(){this.closed=!0,this._deleteAsset(),this._deleteImages();for(let e of Object.values(this.programs))e.delete();this.gl.getExtension("WEBGL_lose_context")?.loseContext()}},ju={sun:0,environment:1,given:2,aroundPoint:3};function Wu({kind:n,direction:e=[0,1,0],colour:t,angle:r=0,ground:i}){return{lightKind:["1i",ju[n]],lightDirection:["3fv",e],lightColour:["3fv",t],turn:["2f",Math.cos(r),Math.sin(r)],ground:["4f",i?.height??0,i?1:0,i?.x??0,i?.z??0],groundColour:["3fv",i?.colour??[0,0,0]],groundSize:["1f",i?.size??1]}}var nn={surface:["part_records.wgsl","part.wgsl","planes.wgsl","blocks.wgsl","surface_blocks.wgsl","decoder.wgsl","surface.wgsl"],fiber:["part_records.wgsl","part.wgsl","planes.wgsl","blocks.wgsl","fiber_blocks.wgsl","decoder.wgsl","fiber.wgsl"],evaluate:["arguments.wgsl","evaluate.wgsl"],"render/step":["render/scene_records.wgsl","render/table_records.wgsl","render/frame.wgsl","render/sampler.wgsl"],"render/scene":["render/step","geometry_records.wgsl","geometry.wgsl","segment.wgsl","normal_maps.wgsl","visibility.wgsl","render/surfaces.wgsl","render/textures.wgsl","render/transmittance.wgsl","render/bumps.wgsl","render/vertex.wgsl"],"render/lit":["render/directions.wgsl","render/lights.wgsl","render/environment.wgsl","render/triangle_lights.wgsl"],"render/traced":["triangle.wgsl","bvh.wgsl","render/light_shapes.wgsl","render/passing.wgsl","render/tracing.wgsl"],rays:["render/scene","triangle.wgsl","bvh.wgsl","render/passing.wgsl","render/tracing.wgsl"],hit:["rays"],light:["rays","render/lit","render/light_shapes.wgsl","render/lobe_constants.wgsl"],queue:["render/scene_records.wgsl","render/table_records.wgsl","render/frame.wgsl"]},Ot={"arguments.wgsl":`// Arguments of a row that may be anything: spec/RNA.md, 8.1 Arguments and results. They are judged
+// by their bits, since WGSL may assume that there is no NaN, and may take subnormal numbers for 0.
+
+const RNA_EXPONENT: u32 = 0x7f800000u;
+
+fn rna_is_finite(bits: vec4<u32>) -> bool {
+    return all((bits & vec4<u32>(RNA_EXPONENT)) != vec4<u32>(RNA_EXPONENT));
+}
+
+// A component, divided by 2^(largest - 127); of a subnormal largest 0, by 2^-149.
+fn rna_scaled(bits: u32, largest: u32) -> f32 {
+    let exponent = (bits & RNA_EXPONENT) >> 23u;
+    let mantissa = f32(bits & 0x7fffffu);
+    var size = 0.0;
+    if largest == 0u {
+        size = mantissa;
+    } else if exponent != 0u {
+        let down = largest - exponent;
+        if down < 64u {
+            size = bitcast<f32>(((127u - down) << 23u) | (bits & 0x7fffffu));
+        }
+    } else if largest < 64u {
+        size = mantissa * bitcast<f32>((105u - largest) << 23u);
+    }
+    return select(size, -size, (bits >> 31u) == 1u);
+}
+
+// The unit vector along one of any length; 0 of length 0.
+fn rna_unit(bits: vec3<u32>) -> vec3f {
+    let exponents = (bits & vec3<u32>(RNA_EXPONENT)) >> vec3<u32>(23u);
+    let largest = max(exponents.x, max(exponents.y, exponents.z));
+    let v = vec3f(
+        rna_scaled(bits.x, largest), rna_scaled(bits.y, largest), rna_scaled(bits.z, largest),
+    );
+    let square = dot(v, v);
+    if square == 0.0 {
+        return vec3f(0.0);
+    }
+    return v / sqrt(square);
+}
+`,"blocks.wgsl":`// Input blocks that surfaces and fibers share: spec/RNA.md, 6.3 Input blocks. Each block starts at
+// a group of 4 columns of its own; the packer has spread the rows of the first matrix likewise.
+
+// First group of an input block, RNA_NONE where the decoder does not have it.
+fn rna_slot(block: u32) -> u32 {
+    return rna_part.slots[block / 4u][block % 4u];
+}
+
+fn rna_put(slot: u32, values: vec4f) {
+    if slot != RNA_NONE {
+        rna_values[slot] = values;
+    }
+}
+
+// Writes \`features\`, \`position\`, \`wo\` and \`wi\`; returns the first three features.
+fn rna_common_blocks(x: vec3f, wo: vec3f, wi: vec3f) -> vec3f {
+    let p = rna_relative(x);
+    let texels = rna_texels(p);
+    let first = rna_features(texels, 0u);
+    let slot = rna_slot(RNA_BLOCK_FEATURES);
+    if slot != RNA_NONE {
+        rna_values[slot] = first;
+        for (var group = 1u; group < rna_part.channel_groups; group++) {
+            rna_values[slot + group] = rna_features(texels, group);
+        }
+    }
+    rna_put(rna_slot(RNA_BLOCK_POSITION), vec4f(2.0 * p - 1.0, 0.0));
+    rna_put(rna_slot(RNA_BLOCK_WO), vec4f(wo, 0.0));
+    rna_put(rna_slot(RNA_BLOCK_WI), vec4f(wi, 0.0));
+    return first.xyz;
+}
+
+// Halfway between wo and wi, \`instead\` where they are opposite ("In float32": the difference of
+// their lengths goes).
+fn rna_halfway(wo: vec3f, wi: vec3f, instead: vec3f) -> vec3f {
+    var s = wi + wo;
+    let e = wi - wo;
+    let square = dot(e, e);
+    if dot(s, s) < square {
+        s -= e * (dot(s, e) / square);
+    }
+    let size = length(s);
+    if size < 1e-6 {
+        return instead;
+    }
+    return s / size;
+}
+`,"bvh.wgsl":`// Closest and any hits: a tree over instances, and one in each body's object space. Loops take
+// their lengths from the data. Of every hit of a triangle they ask
+//     fn rna_stops(primitive: u32, ray: RnaRay, found: vec3f, instance: u32) -> bool
+// which opaque.wgsl answers, or a host that knows what lets light through; found: (t, b1, b2).
+
+// Nodes to come back to: of the tree over instances, then of a body's. Private, since a function's own
+// array would be set to 0 at every call.
+var<private> rna_stack: array<u32, 2u * RNA_STACK>;
+
+fn rna_inverse(d: vec3f) -> vec3f {
+    let tiny = select(vec3f(1e-20), vec3f(-1e-20), d < vec3f(0.0));
+    return vec3f(1.0) / select(d, tiny, abs(d) < vec3f(1e-20));
+}
+
+// Where the ray enters a node's box; RNA_FAR where it does not.
+fn rna_enter_node(node: u32, origin: vec3f, inverse: vec3f, near: f32, far: f32) -> f32 {
+    let a = (rna_nodes[node].low - origin) * inverse;
+    let b = (rna_nodes[node].high - origin) * inverse;
+    let lower = min(a, b);
+    let upper = max(a, b);
+    let enter = max(max(lower.x, lower.y), max(lower.z, near));
+    let leave = min(min(upper.x, upper.y), min(upper.z, far));
+    return select(RNA_FAR, enter, enter <= leave * 1.0000005);
+}
+
+// The next node down, nearer child first; RNA_NOTHING where none is met.
+fn rna_descend(
+    node: u32, ray: RnaRay, inverse: vec3f, far: f32, top: ptr<function, u32>,
+) -> u32 {
+    let left = node + 1u;
+    let right = rna_nodes[node].child;
+    let to_left = rna_enter_node(left, ray.origin, inverse, ray.near, far);
+    let to_right = rna_enter_node(right, ray.origin, inverse, ray.near, far);
+    if to_left >= RNA_FAR && to_right >= RNA_FAR {
+        return RNA_NOTHING;
+    }
+    if to_left >= RNA_FAR {
+        return right;
+    }
+    if to_right >= RNA_FAR {
+        return left;
+    }
+    let left_first = to_left <= to_right;
+    rna_stack[*top] = select(left, right, left_first);
+    *top += 1u;
+    return select(right, left, left_first);
+}
+
+// Tests a primitive; whether it is met, nearer than \`hit\`, which then becomes it.
+fn rna_meet(primitive: u32, ray: RnaRay, own_strand: u32, hit: ptr<function, RnaHit>) -> bool {
+    let record = rna_primitives[primitive];
+    let line = RnaRay(ray.origin, ray.near, ray.direction, (*hit).t);
+    if (record.w & 1u) == 0u {
+        let found = rna_meet_triangle(
+            line, rna_points[record.x].xyz, rna_points[record.y].xyz, rna_points[record.z].xyz,
+        );
+        if found.x >= RNA_FAR || !rna_stops(primitive, ray, found, (*hit).instance) {
+            return false;
+        }
+        *hit = RnaHit(found.x, (*hit).instance, primitive, found.y, found.z, vec3f(0.0));
+        return true;
+    }
+    if record.z == own_strand {
+        return false;
+    }
+    let entry = rna_meet_segment(line, record);
+    if entry.t >= RNA_FAR {
+        return false;
+    }
+    *hit = RnaHit(entry.t, (*hit).instance, primitive, 0.0, 0.0, entry.normal);
+    return true;
+}
+
+// The closest hit of a body below \`root\`, ray in its object space, nearer than \`hit\`; with \`any\`
+// the first that is found.
+fn rna_trace_body(
+    root: u32, ray: RnaRay, own_strand: u32, any: bool, hit: ptr<function, RnaHit>,
+) -> bool {
+    var top = RNA_STACK;
+    var node = root;
+    var found = false;
+    let inverse = rna_inverse(ray.direction);
+    loop {
+        let count = rna_nodes[node].count;
+        var next = RNA_NOTHING;
+        if count == 0u {
+            next = rna_descend(node, ray, inverse, (*hit).t, &top);
+        }
+        let first = rna_nodes[node].child;
+        for (var k = 0u; k < count; k++) {
+            if rna_meet(first + k, ray, own_strand, hit) {
+                found = true;
+                if any {
+                    return true;
+                }
+            }
+        }
+        if next == RNA_NOTHING {
+            if top == RNA_STACK {
+                break;
+            }
+            top -= 1u;
+            next = rna_stack[top];
+        }
+        node = next;
+    }
+    return found;
+}
+
+// Tests an instance, world ray; \`own\` is passed through, and so is what \`rays\` has no bit of.
+fn rna_trace_instance(
+    instance: u32, ray: RnaRay, own: u32, rays: u32, any: bool, hit: ptr<function, RnaHit>,
+) -> bool {
+    if instance == own || (rna_instances[instance].rays & rays) == 0u {
+        return false;
+    }
+    let scale = rna_instances[instance].scale;
+    let local = rna_to_object(ray, instance);
+    var nearest = *hit;
+    nearest.instance = instance;
+    nearest.t = min((*hit).t / scale, RNA_FAR);
+    if !rna_trace_body(rna_instances[instance].root, local, RNA_NOTHING, any, &nearest) {
+        return false;
+    }
+    nearest.t *= scale;
+    *hit = nearest;
+    return true;
+}
+
+// The closest hit in the world, or with \`any\` some hit.
+fn rna_trace(ray: RnaRay, own: u32, rays: u32, any: bool) -> RnaHit {
+    var hit = rna_miss(ray.far);
+    var top = 0u;
+    var node = 0u;
+    let inverse = rna_inverse(ray.direction);
+    loop {
+        let count = rna_nodes[node].count;
+        var next = RNA_NOTHING;
+        if count == 0u {
+            next = rna_descend(node, ray, inverse, hit.t, &top);
+        }
+        let first = rna_nodes[node].child;
+        for (var k = 0u; k < count; k++) {
+            if rna_trace_instance(first + k, ray, own, rays, any, &hit) && any {
+                return hit;
+            }
+        }
+        if next == RNA_NOTHING {
+            if top == 0u {
+                break;
+            }
+            top -= 1u;
+            next = rna_stack[top];
+        }
+        node = next;
+    }
+    return hit;
+}
+`,"decoder.wgsl":`// The decoder: spec/RNA.md, 6.4 Decoder profile. All loops take their lengths from RnaPart: shaders
+// that are unrolled take minutes to compile.
+
+struct RnaTransport {
+    visible: vec3f, // of emission: what is emitted
+    shadowed: vec3f,
+}
+
+// Clip, and gain and offset of an int8 decoder.
+fn rna_prepare_queries() {
+    for (var k = 0u; k < rna_part.query_groups; k++) {
+        var x = clamp(rna_values[k], vec4f(rna_part.query_low), vec4f(rna_part.query_high));
+        if rna_part.gain != RNA_NONE {
+            x = x * rna_weight(rna_part.gain + k)
+                + rna_weight(rna_part.gain + rna_part.query_groups + k);
+        }
+        rna_values[k] = x;
+    }
+}
+
+// QuantizeLinear: whole numbers from 0 to 255, halves to even.
+fn rna_quantize(layer: RnaLayer, source: u32) {
+    for (var k = 0u; k < layer.inputs; k++) {
+        let x = rna_values[source + k] / layer.int8_step;
+        rna_values[source + k] = clamp(round(x), vec4f(0.0), vec4f(255.0));
+    }
+}
+
+// What a group of columns adds to the sums of an output group, with its block at \`at\`.
+fn rna_block(x: vec4f, at: u32) -> vec4f {
+    return x.x * rna_weight(at) + x.y * rna_weight(at + 1u)
+        + x.z * rna_weight(at + 2u) + x.w * rna_weight(at + 3u);
+}
+
+fn rna_finish(layer: RnaLayer, o: u32, sums: vec4f, place: u32) {
+    var y = sums + rna_weight(layer.bias + o);
+    if layer.int8_step != 0.0 {
+        y *= rna_weight(layer.units + o);
+    }
+    if layer.relu == 1u {
+        y = max(y, vec4f(0.0));
+    }
+    rna_values[place + o] = y;
+}
+
+// Four output groups at a time: a value is read once for 16 sums. Sums of int8 layers are whole
+// and below 2^24: exact.
+fn rna_run_layer(layer: RnaLayer, source: u32, place: u32) {
+    if layer.int8_step != 0.0 {
+        rna_quantize(layer, source);
+    }
+    let stride = 4u * layer.inputs;
+    var o = 0u;
+    for (; o + 4u <= layer.outputs; o += 4u) {
+        var a = vec4f(0.0);
+        var b = vec4f(0.0);
+        var c = vec4f(0.0);
+        var d = vec4f(0.0);
+        var at = layer.weights + o * stride;
+        for (var k = 0u; k < layer.inputs; k++) {
+            let x = rna_values[source + k];
+            a += rna_block(x, at);
+            b += rna_block(x, at + stride);
+            c += rna_block(x, at + 2u * stride);
+            d += rna_block(x, at + 3u * stride);
+            at += 4u;
+        }
+        rna_finish(layer, o, a, place);
+        rna_finish(layer, o + 1u, b, place);
+        rna_finish(layer, o + 2u, c, place);
+        rna_finish(layer, o + 3u, d, place);
+    }
+    for (; o < layer.outputs; o++) {
+        var sums = vec4f(0.0);
+        for (var k = 0u; k < layer.inputs; k++) {
+            sums += rna_block(rna_values[source + k], layer.weights + o * stride + 4u * k);
+        }
+        rna_finish(layer, o, sums, place);
+    }
+}
+
+// The colours for the queries in rna_values.
+fn rna_decode() -> RnaTransport {
+    rna_prepare_queries();
+    var source = 0u;
+    for (var k = 0u; k < rna_part.layer_count; k++) {
+        rna_run_layer(rna_part.layers[k], source, RNA_GROUPS - source);
+        source = RNA_GROUPS - source;
+    }
+    let last = rna_part.layers[rna_part.layer_count - 1u].outputs;
+    for (var k = 0u; k < last; k++) {
+        let x = clamp(rna_values[source + k], vec4f(0.0), vec4f(rna_part.top));
+        rna_values[source + k] = (exp(x) - 1.0) * rna_part.unit;
+    }
+    if rna_part.matrix.inputs != 0u {
+        rna_run_layer(rna_part.matrix, source, RNA_GROUPS - source);
+        source = RNA_GROUPS - source;
+    }
+    let first = rna_values[source];
+    let second = rna_values[source + 1u];
+    let visible = max(first.xyz, vec3f(0.0));
+    return RnaTransport(visible, max(vec3f(first.w, second.xy), vec3f(0.0)));
+}
+`,"evaluate.wgsl":`// Evaluation of rows: spec/RNA.md, 8 Evaluation. Transport and emission, surfaces and fibers.
+
+@group(1) @binding(0) var<storage, read> rna_rows: array<vec4<u32>>; // 4 a row, see README.md
+@group(1) @binding(1) var<storage, read_write> rna_results: array<vec4f>;
+@group(1) @binding(2) var<storage, read> rna_row_count: array<u32>; // [0]
+
+// RNA_COLOURS, 2 of transport and 1 of emission, is declared by whoever composes the files.
+fn rna_write(row: u32, result: RnaTransport) {
+    rna_results[RNA_COLOURS * row] = vec4f(result.visible, 0.0);
+    if RNA_COLOURS == 2u {
+        rna_results[2u * row + 1u] = vec4f(result.shadowed, 0.0);
+    }
+}
+
+@compute @workgroup_size(64)
+fn rna_evaluate(
+    @builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    let row = id.y * groups.x * 64u + id.x;
+    if row >= rna_row_count[0] {
+        return;
+    }
+    let position = rna_rows[4u * row];
+    let axis = rna_rows[4u * row + 1u].xyz;
+    let wo = rna_rows[4u * row + 2u].xyz;
+    let wi = rna_rows[4u * row + 3u].xyz;
+    let finite = rna_is_finite(position) && rna_is_finite(vec4<u32>(axis, 0u))
+        && rna_is_finite(vec4<u32>(wo, 0u)) && rna_is_finite(vec4<u32>(wi, 0u));
+    let a = rna_unit(axis);
+    let o = rna_unit(wo);
+    let i = rna_unit(wi);
+    let nothing = vec3f(0.0);
+    var result = RnaTransport(nothing, nothing);
+    if finite && any(a != nothing) && any(o != nothing) && any(i != nothing) {
+        result = rna_query(bitcast<vec3f>(position.xyz), a, bitcast<f32>(position.w), o, i);
+    }
+    rna_write(row, result);
+}
+`,"fiber.wgsl":`// Transport, or emission, at a point of a fiber: spec/RNA.md, 7 Light.
+
+// x: object space, metres. t (root to tip), wo, wi: unit; h: offset across the width; all finite.
+// An emission decoder reads no wi.
+fn rna_fiber(x: vec3f, t: vec3f, h: f32, wo: vec3f, wi: vec3f) -> RnaTransport {
+    rna_common_blocks(x, wo, wi);
+    rna_fiber_blocks(t, clamp(h, -1.0, 1.0), wo, wi);
+    return rna_decode();
+}
+
+fn rna_query(x: vec3f, axis: vec3f, h: f32, wo: vec3f, wi: vec3f) -> RnaTransport {
+    return rna_fiber(x, axis, h, wo, wi);
+}
+`,"fiber_blocks.wgsl":`// Input blocks of fibers alone: spec/RNA.md, 6.3 Input blocks and "In float32".
+
+const RNA_ETA: f32 = 1.55;
+
+// c_o, cos phi and sin phi. Products with t have lost the component along it: t x wo and t x wi
+// have the lengths c_o and c_i, and phi is between them.
+fn rna_azimuth(t: vec3f, wo: vec3f, wi: vec3f) -> vec3f {
+    let o = cross(t, wo);
+    let i = cross(t, wi);
+    let c_o = length(o);
+    let d = c_o * length(i);
+    if d < 1e-6 {
+        return vec3f(c_o, 1.0, 0.0);
+    }
+    return vec3f(c_o, clamp(dot(o, i) / d, -1.0, 1.0), clamp(dot(t, cross(o, i)) / d, -1.0, 1.0));
+}
+
+// Cosine and sine of twice the angle within 90 degrees that has this sine.
+fn rna_doubled(sine: f32) -> vec2f {
+    let cosine = sqrt(max(0.0, (1.0 - sine) * (1.0 + sine)));
+    return vec2f(1.0 - 2.0 * sine * sine, 2.0 * sine * cosine);
+}
+
+// cos(phi - Phi_p) for p = 0, 1, 2, by the addition theorems; each segment turns by -2 g_t - pi.
+fn rna_lobes(h: f32, s_o: f32, azimuth: vec3f) -> vec3f {
+    let segment = rna_doubled(h * azimuth.x / sqrt(RNA_ETA * RNA_ETA - s_o * s_o));
+    let r = rna_doubled(h);
+    let tt = vec2f(-r.x * segment.x - r.y * segment.y, r.x * segment.y - r.y * segment.x);
+    let trt = vec2f(-tt.x * segment.x - tt.y * segment.y, tt.x * segment.y - tt.y * segment.x);
+    let phi = azimuth.yz;
+    return vec3f(dot(phi, r), dot(phi, tt), dot(phi, trt));
+}
+
+fn rna_fiber_blocks(t: vec3f, h: f32, wo: vec3f, wi: vec3f) {
+    rna_put(rna_slot(RNA_BLOCK_TANGENT), vec4f(t, 0.0));
+    rna_put(rna_slot(RNA_BLOCK_H), vec4f(h, 0.0, 0.0, 0.0));
+    let angles = rna_slot(RNA_BLOCK_FIBER_ANGLES);
+    let lobes = rna_slot(RNA_BLOCK_FIBER_LOBES);
+    if angles == RNA_NONE && lobes == RNA_NONE {
+        return;
+    }
+    let s_o = dot(t, wo);
+    let s_i = dot(t, wi);
+    let cone = s_i + s_o;
+    let azimuth = rna_azimuth(t, wo, wi);
+    if angles != RNA_NONE {
+        rna_values[angles] = vec4f(s_i, s_o, cone, log2(cone * cone + 1e-3) / 6.0);
+        rna_values[angles + 1u] = vec4f(azimuth.yz, 0.0, 0.0);
+    }
+    rna_put(lobes, vec4f(rna_lobes(h, s_o, azimuth), 0.0));
+}
+`,"geometry.wgsl":`// Geometry and rays: spec/RNA.md, 4 Geometry. Trees, triangles and segments of all bodies lie in
+// three buffers; instances place the bodies in the world. \`geometry.py\` fills them.
+
+// The tree over instances comes first.
+@group(2) @binding(0) var<storage, read> rna_nodes: array<RnaNode>;
+
+// A triangle: three points and 2 surface. A segment: its first point, neighbours on its strand
+// (1: before, 2: after), strand and 2 surface + 1.
+@group(2) @binding(1) var<storage, read> rna_primitives: array<vec4<u32>>;
+
+// Position and, of curves, radius; the fourth number of a mesh's points is the host's.
+@group(2) @binding(2) var<storage, read> rna_points: array<vec4f>;
+
+@group(2) @binding(3) var<storage, read> rna_instances: array<RnaInstance>;
+
+const RNA_FAR: f32 = 1e30;
+const RNA_STACK: u32 = 48u;
+
+struct RnaRay {
+    origin: vec3f,
+    near: f32,
+    direction: vec3f, // unit
+    far: f32,
+}
+
+struct RnaHit {
+    t: f32,
+    instance: u32, // RNA_NOTHING for a miss
+    primitive: u32,
+    b1: f32, // barycentric coordinates of a triangle's second and third corner
+    b2: f32,
+    normal: vec3f, // outward, of a segment
+}
+
+const RNA_NOTHING: u32 = 0xffffffffu;
+
+fn rna_miss(far: f32) -> RnaHit {
+    return RnaHit(far, RNA_NOTHING, 0u, 0.0, 0.0, vec3f(0.0));
+}
+
+// The ray in an instance's object space, where its direction is unit as well.
+fn rna_to_object(ray: RnaRay, instance: u32) -> RnaRay {
+    let scale = rna_instances[instance].scale;
+    return RnaRay(
+        rna_object_point(ray.origin, instance),
+        ray.near / scale,
+        rna_object_direction(ray.direction, instance),
+        min(ray.far / scale, RNA_FAR),
+    );
+}
+
+fn rna_object_point(x: vec3f, instance: u32) -> vec3f {
+    let p = vec4f(x, 1.0);
+    return vec3f(
+        dot(rna_instances[instance].to_object[0], p),
+        dot(rna_instances[instance].to_object[1], p),
+        dot(rna_instances[instance].to_object[2], p),
+    );
+}
+
+fn rna_object_direction(d: vec3f, instance: u32) -> vec3f {
+    return d.x * rna_instances[instance].rotation[0].xyz
+        + d.y * rna_instances[instance].rotation[1].xyz
+        + d.z * rna_instances[instance].rotation[2].xyz;
+}
+
+fn rna_world_direction(d: vec3f, instance: u32) -> vec3f {
+    return vec3f(
+        dot(rna_instances[instance].rotation[0].xyz, d),
+        dot(rna_instances[instance].rotation[1].xyz, d),
+        dot(rna_instances[instance].rotation[2].xyz, d),
+    );
+}
+
+fn rna_world_point(x: vec3f, instance: u32) -> vec3f {
+    return rna_instances[instance].scale * rna_world_direction(x, instance)
+        + rna_instances[instance].place;
+}
+`,"geometry_records.wgsl":`// Generated by \`python -m rna_gpu.records.write_records\`; do not edit.
+
+struct RnaNode { // 32 bytes
+    low: vec3f, // 0
+    child: u32, // 12; the right one, the left one is the next node; a leaf's first primitive
+    high: vec3f, // 16
+    count: u32, // 28; a leaf's primitives; 0 of inner nodes
+}
+
+struct RnaInstance { // 128 bytes
+    to_object: array<vec4f, 3>, // 0; rows of the matrix
+    rotation: array<vec4f, 3>, // 48; to the world: rows, the fourth column free
+    place: vec3f, // 96; in the world
+    scale: f32, // 108; to the world
+    root: u32, // 112; node
+    rays: u32, // 116; bits of those that meet it
+    extent: f32, // 120; largest coordinate of its body
+    own: u32, // 124; a number of the host's
+}
+`,"normal_maps.wgsl":`// The mapped normal of a hit: spec/RNA.md, 4.5 Normal maps. The host declares
+//     fn rna_map_texel(map: u32, row: u32, column: u32) -> vec2f
+// which gives the two numbers from 0 to 255 of a texel.
+
+// x and y of a map of \`size\` (columns, rows) at uv; it repeats.
+fn rna_map_value(map: u32, size: vec2<u32>, uv: vec2f) -> vec2f {
+    let at = uv * vec2f(size) - 0.5;
+    let low = floor(at);
+    let part = at - low;
+    let sides = vec2<i32>(size);
+    let first = ((vec2<i32>(low) % sides) + sides) % sides;
+    let i = vec2<u32>(first);
+    let j = vec2<u32>((first + 1) % sides);
+    let upper = mix(rna_map_texel(map, i.y, i.x), rna_map_texel(map, i.y, j.x), part.x);
+    let lower = mix(rna_map_texel(map, j.y, i.x), rna_map_texel(map, j.y, j.x), part.x);
+    return (mix(upper, lower, part.y) - 127.0) / 127.0;
+}
+
+// n: interpolated normal; p: corners; uv: their texture coordinates; b: barycentric coordinates.
+fn rna_mapped_normal(
+    map: u32, size: vec2<u32>, n: vec3f, p: mat3x3f, uv: mat3x2f, b: vec3f,
+) -> vec3f {
+    let e1 = p[1] - p[0];
+    let e2 = p[2] - p[0];
+    let d1 = uv[1] - uv[0];
+    let d2 = uv[2] - uv[0];
+    let area = d1.x * d2.y - d2.x * d1.y;
+    let side = sign(area);
+    let along_u = (d2.y * e1 - d1.y * e2) * side;
+    let along_v = (d1.x * e2 - d2.x * e1) * side;
+    let t = along_u - dot(along_u, n) * n;
+    if area == 0.0 || length(t) <= 1e-6 * length(along_u) {
+        return n;
+    }
+    let tangent = normalize(t);
+    var bitangent = cross(n, tangent);
+    if dot(bitangent, along_v) > 0.0 {
+        bitangent = -bitangent;
+    }
+    let xy = rna_map_value(map, size, uv * b);
+    let z = sqrt(max(0.0, 1.0 - dot(xy, xy)));
+    let m = xy.x * tangent + xy.y * bitangent + z * n;
+    if length(m) <= 1e-6 {
+        return n;
+    }
+    return normalize(m);
+}
+`,"part.wgsl":`// The bindings of one part of a tier: spec/RNA.md, 3 Manifest and 6.4 Decoder profile.
+
+@group(0) @binding(0) var<uniform> rna_part: RnaPart;
+@group(0) @binding(2) var<storage, read> rna_plane_xy: array<u32>;
+@group(0) @binding(3) var<storage, read> rna_plane_yz: array<u32>;
+@group(0) @binding(4) var<storage, read> rna_plane_zx: array<u32>;
+
+// The queries' columns, and the values between layers: two halves of RNA_GROUPS groups, read and
+// written by turns. RNA_GROUPS is declared by whoever composes the files.
+var<private> rna_values: array<vec4f, 2u * RNA_GROUPS>;
+`,"part_records.wgsl":`// Generated by \`python -m rna_gpu.records.write_records\`; do not edit.
+
+const RNA_NONE: u32 = 0xffffffffu;
+const RNA_FLOAT32: u32 = 0u;
+const RNA_FLOAT16: u32 = 1u;
+const RNA_INT8: u32 = 2u;
+const RNA_BLOCK_FEATURES: u32 = 0u;
+const RNA_BLOCK_POSITION: u32 = 1u;
+const RNA_BLOCK_NORMAL: u32 = 2u;
+const RNA_BLOCK_TANGENT: u32 = 3u;
+const RNA_BLOCK_H: u32 = 4u;
+const RNA_BLOCK_WO: u32 = 5u;
+const RNA_BLOCK_WI: u32 = 6u;
+const RNA_BLOCK_HALF_VECTOR: u32 = 7u;
+const RNA_BLOCK_HIGHLIGHT: u32 = 8u;
+const RNA_BLOCK_LEARNED_NORMAL: u32 = 9u;
+const RNA_BLOCK_FIBER_ANGLES: u32 = 10u;
+const RNA_BLOCK_FIBER_LOBES: u32 = 11u;
+const RNA_CHANNEL_GROUPS: u32 = 16u;
+
+struct RnaLayer { // 32 bytes
+    inputs: u32, // 0; groups of 4 columns
+    outputs: u32, // 4
+    weights: u32, // 8; place of [outputs][inputs][4] vec4f
+    bias: u32, // 12; place of [outputs] vec4f
+    units: u32, // 16; place of [outputs] vec4f of an int8 layer: what a sum of 1 means
+    relu: u32, // 20; 1: negative results are 0
+    int8_step: f32, // 24; of an int8 layer: what 1 means in its inputs; else 0
+    reserved: u32, // 28
+}
+
+struct RnaPart { // 1936 bytes
+    low: vec3f, // 0; smallest corner of the bounds
+    resolution: u32, // 12
+    high: vec3f, // 16
+    channel_groups: u32, // 28; channels / 4, rounded up
+    query_groups: u32, // 32; of the decoder's input
+    layer_count: u32, // 36
+    plane_precision: u32, // 40; RNA_FLOAT32, RNA_FLOAT16 or RNA_INT8
+    gain: u32, // 44; place of [query_groups] gains, then the offsets; RNA_NONE without
+    query_low: f32, // 48; the decoder's first Clip
+    query_high: f32, // 52
+    top: f32, // 56; of the Clip before Exp
+    unit: f32, // 60; result = (exp(x) - 1) unit, or times the matrix; then 1
+    matrix: RnaLayer, // 64; [n, 6], with a bias of 0; all 0 without
+    scales: array<vec4f, 48>, // 96; of int8 planes, [plane][group]
+    layers: array<RnaLayer, 32>, // 864
+    slots: array<vec4<u32>, 3>, // 1888; first group of each block, RNA_NONE for none: see rna_slot
+}
+`,"planes.wgsl":`// Features of a position: spec/RNA.md, 5 Planes.
+
+fn rna_plane_word(plane: u32, at: u32) -> u32 {
+    switch plane {
+        case 0u: { return rna_plane_xy[at]; }
+        case 1u: { return rna_plane_yz[at]; }
+        default: { return rna_plane_zx[at]; }
+    }
+}
+
+// The value of a float16; drivers may take subnormal ones for 0, the format does not.
+fn rna_from_float16(bits: u32) -> f32 {
+    let exponent = (bits >> 10u) & 31u;
+    let mantissa = bits & 1023u;
+    let size = select(
+        bitcast<f32>(((exponent + 112u) << 23u) | (mantissa << 13u)),
+        f32(mantissa) * 0x1p-24f,
+        exponent == 0u,
+    );
+    return select(size, -size, (bits & 0x8000u) != 0u);
+}
+
+// Channels 4 group to 4 group + 3 of a texel; texel = row * resolution + column.
+fn rna_texel(plane: u32, texel: u32, group: u32) -> vec4f {
+    let at = texel * rna_part.channel_groups + group;
+    switch rna_part.plane_precision {
+        case RNA_FLOAT32: {
+            return vec4f(
+                bitcast<f32>(rna_plane_word(plane, 4u * at)),
+                bitcast<f32>(rna_plane_word(plane, 4u * at + 1u)),
+                bitcast<f32>(rna_plane_word(plane, 4u * at + 2u)),
+                bitcast<f32>(rna_plane_word(plane, 4u * at + 3u)),
+            );
+        }
+        case RNA_FLOAT16: {
+            let a = rna_plane_word(plane, 2u * at);
+            let b = rna_plane_word(plane, 2u * at + 1u);
+            return vec4f(
+                rna_from_float16(a & 0xffffu),
+                rna_from_float16(a >> 16u),
+                rna_from_float16(b & 0xffffu),
+                rna_from_float16(b >> 16u),
+            );
+        }
+        default: {
+            let word = bitcast<i32>(rna_plane_word(plane, at));
+            let integers = vec4<i32>(word << 24u, word << 16u, word << 8u, word) >> vec4<u32>(24u);
+            return vec4f(integers) * rna_part.scales[plane * RNA_CHANNEL_GROUPS + group];
+        }
+    }
+}
+
+// Where a position is on one axis: texel, the next one, and the fraction between them.
+struct RnaTexel {
+    low: vec3<u32>,
+    high: vec3<u32>,
+    fraction: vec3f,
+}
+
+fn rna_texels(p: vec3f) -> RnaTexel {
+    let last = f32(rna_part.resolution - 1u);
+    let s = clamp(p * f32(rna_part.resolution) - 0.5, vec3f(0.0), vec3f(last));
+    let below = floor(s);
+    let low = vec3<u32>(below);
+    let high = min(low + vec3<u32>(1u), vec3<u32>(rna_part.resolution - 1u));
+    return RnaTexel(low, high, s - below);
+}
+
+// x: (texel, next) along the columns, y: along the rows.
+fn rna_bilinear(
+    plane: u32, group: u32, columns: vec2<u32>, rows: vec2<u32>, a: f32, b: f32,
+) -> vec4f {
+    let lower = rows.x * rna_part.resolution;
+    let upper = rows.y * rna_part.resolution;
+    let at_lower = (1.0 - a) * rna_texel(plane, lower + columns.x, group)
+        + a * rna_texel(plane, lower + columns.y, group);
+    let at_upper = (1.0 - a) * rna_texel(plane, upper + columns.x, group)
+        + a * rna_texel(plane, upper + columns.y, group);
+    return (1.0 - b) * at_lower + b * at_upper;
+}
+
+// Position as a fraction of the bounds, clamped to them.
+fn rna_relative(x: vec3f) -> vec3f {
+    let inside = clamp(x, rna_part.low, rna_part.high);
+    return clamp((inside - rna_part.low) / (rna_part.high - rna_part.low), vec3f(0.0), vec3f(1.0));
+}
+
+// Channels 4 group to 4 group + 3 of the features at p, in [0, 1].
+fn rna_features(t: RnaTexel, group: u32) -> vec4f {
+    let x = vec2<u32>(t.low.x, t.high.x);
+    let y = vec2<u32>(t.low.y, t.high.y);
+    let z = vec2<u32>(t.low.z, t.high.z);
+    return rna_bilinear(0u, group, x, y, t.fraction.x, t.fraction.y)
+        + rna_bilinear(1u, group, y, z, t.fraction.y, t.fraction.z)
+        + rna_bilinear(2u, group, z, x, t.fraction.z, t.fraction.x);
+}
+`,"render/bumps.wgsl":`// Normals of materials with the relief of a normal texture: rna_render/materials/bumps.py.
+
+const MIN_MIRROR_COSINE: f32 = 0.01;
+
+fn unit_or_zero(v: vec3f) -> vec3f {
+    let size = length(v);
+    return select(vec3f(0.0), v / max(size, 1e-30), size > 0.0);
+}
+
+fn point_tangent(base: u32, point: u32) -> vec4f {
+    let at = base + 4u * point;
+    return bitcast<vec4f>(vec4<u32>(images[at], images[at + 1u], images[at + 2u], images[at + 3u]));
+}
+
+// The file's tangent, interpolated, and the bitangent's sign; a sign of 0 where a corner has none.
+fn given_tangent(record: vec4<u32>, b: vec3f) -> vec4f {
+    let base = surface_tangents(record.w >> 1u);
+    if base == NONE {
+        return vec4f(0.0);
+    }
+    let first = point_tangent(base, record.x);
+    let second = point_tangent(base, record.y);
+    let third = point_tangent(base, record.z);
+    let all_there = first.w != 0.0 && second.w != 0.0 && third.w != 0.0;
+    let t = b.x * first.xyz + b.y * second.xyz + b.z * third.xyz;
+    return vec4f(t, select(0.0, first.w, all_there));
+}
+
+// The direction of u on the triangle, and the sign that makes the bitangent go against v.
+fn derived_tangent(record: vec4<u32>, uv: mat3x2f, n: vec3f) -> vec4f {
+    let p = rna_points[record.x].xyz;
+    let e1 = rna_points[record.y].xyz - p;
+    let e2 = rna_points[record.z].xyz - p;
+    let d1 = uv[1] - uv[0];
+    let d2 = uv[2] - uv[0];
+    let area = d1.x * d2.y - d2.x * d1.y;
+    let side = select(1.0, -1.0, area < 0.0);
+    let along_u = side * (d2.y * e1 - d1.y * e2);
+    let along_v = side * (d1.x * e2 - d2.x * e1);
+    let sign = select(1.0, -1.0, dot(cross(n, along_u), along_v) > 0.0);
+    return vec4f(along_u, select(0.0, sign, area != 0.0));
+}
+
+// m, or the nearest normal that mirrors o above the surface; g is on o's side.
+fn kept_above(m: vec3f, g: vec3f, o: vec3f) -> vec3f {
+    let mirror = 2.0 * dot(m, o) * m - o;
+    let missing = min(0.9 * dot(g, o), MIN_MIRROR_COSINE) - dot(g, mirror);
+    if missing <= 0.0 {
+        return m;
+    }
+    return unit_or_zero(o + unit_or_zero(mirror + missing * g));
+}
+
+// The normal m with the relief of its material's normal texture; g, o: geometric normal and unit
+// direction to the viewer.
+fn bumped_normal(record: vec4<u32>, b1: f32, b2: f32, m: vec3f, g: vec3f, o: vec3f) -> vec3f {
+    let texture = surface_textures(record.w >> 1u, RELIEF);
+    if texture == NONE {
+        return m;
+    }
+    let uvs = corner_uvs(record, (image_of(texture).form >> 5u) & 1u);
+    let b = weights_of(b1, b2);
+    var tangent = given_tangent(record, b);
+    if tangent.w == 0.0 {
+        tangent = derived_tangent(record, uvs, m);
+    }
+    let t = unit_or_zero(tangent.xyz - dot(tangent.xyz, m) * m);
+    if tangent.w == 0.0 || dot(t, t) == 0.0 {
+        return m;
+    }
+    let scale = surface_normal_scale(record.w >> 1u);
+    let relief = 2.0 * texture_value(texture, uvs * b) - 1.0;
+    let bitangent = tangent.w * cross(m, t);
+    let bent = unit_or_zero(relief.z * m + scale * (relief.x * t + relief.y * bitangent));
+    // All on the side of the surface that o is on, and back.
+    let side = select(1.0, -1.0, dot(g, o) < 0.0);
+    let own = select(-side, side, dot(m, g) >= 0.0);
+    return own * kept_above(own * bent, side * g, o);
+}
+`,"render/directions.wgsl":`// Directions about an axis.
+
+const SPHERE_PDF: f32 = 1.0 / (4.0 * PI);
+
+struct Tangents {
+    s: vec3f,
+    t: vec3f,
+}
+
+// Duff et al., Building an Orthonormal Basis, Revisited (JCGT 6(1), 2017).
+fn tangents_of(n: vec3f) -> Tangents {
+    let sign = select(1.0, -1.0, n.z < 0.0);
+    let c = -1.0 / (sign + n.z);
+    let d = n.x * n.y * c;
+    return Tangents(
+        vec3f(1.0 + sign * n.x * n.x * c, sign * d, -sign * n.x),
+        vec3f(d, sign + n.y * n.y * c, -n.y),
+    );
+}
+
+fn about(axis: vec3f, sine: f32, cosine: f32, turns: f32) -> vec3f {
+    let frame_of = tangents_of(axis);
+    let phi = 2.0 * PI * turns;
+    return sine * cos(phi) * frame_of.s + sine * sin(phi) * frame_of.t + cosine * axis;
+}
+
+fn along_axis(axis: vec3f, cosine: f32, turns: f32) -> vec3f {
+    return about(axis, sqrt(max(0.0, 1.0 - cosine * cosine)), cosine, turns);
+}
+
+// Cosine to the axis of a von Mises-Fisher direction.
+fn fisher_cosine(u: f32, kappa: f32) -> f32 {
+    return max(-1.0, 1.0 + log(u + (1.0 - u) * exp(-2.0 * kappa)) / kappa);
+}
+
+fn fisher_pdf(cosine: f32, kappa: f32) -> f32 {
+    return kappa * exp(kappa * (cosine - 1.0)) / (2.0 * PI * (1.0 - exp(-2.0 * kappa)));
+}
+
+// Uniform within a cone about a unit axis, by 1 - cos of the angle to its rim.
+fn cone_direction(axis: vec3f, one_minus_cosine: f32, u: vec2f) -> vec3f {
+    let height = u.x * one_minus_cosine;
+    return about(axis, sqrt(max(0.0, height * (2.0 - height))), 1.0 - height, u.y);
+}
+`,"render/environment.wgsl":`// An equirectangular image: see rna_render/lights/equirectangular.py and image_kernels.py, which this follows. In \`images\`
+// a light has texels (h, w, 3), heights (h + 1), running sums of rows (h + 2) and of each row's cells
+// (h + 1, w + 1).
+
+struct Cell {
+    corners: mat4x3f,
+    luminances: vec4f,
+}
+
+fn image_float(at: u32) -> f32 {
+    return bitcast<f32>(images[at]);
+}
+
+fn luminance(c: vec3f) -> f32 {
+    return dot(c, vec3f(0.2126, 0.7152, 0.0722));
+}
+
+fn image_size(light: u32) -> vec2<u32> {
+    return vec2<u32>(u32(image_rows(light)), u32(image_columns(light)));
+}
+
+fn image_texel(light: u32, row: u32, column: u32) -> vec3f {
+    let at = image_texels(light) + 3u * (row * image_size(light).y + column);
+    return vec3f(image_float(at), image_float(at + 1u), image_float(at + 2u));
+}
+
+fn image_cell(light: u32, row: u32, column: u32) -> Cell {
+    let size = image_size(light);
+    let upper = max(row, 1u) - 1u;
+    let lower = min(row, size.x - 1u);
+    let right = select(0u, column + 1u, column + 1u < size.y);
+    let a = image_texel(light, upper, column);
+    let b = image_texel(light, upper, right);
+    let c = image_texel(light, lower, column);
+    let d = image_texel(light, lower, right);
+    return Cell(
+        mat4x3f(a, b, c, d), vec4f(luminance(a), luminance(b), luminance(c), luminance(d)),
+    );
+}
+
+fn in_cell(cell: Cell, x: f32, y: f32) -> vec3f {
+    return cell.corners * vec4f((1.0 - x) * (1.0 - y), x * (1.0 - y), (1.0 - x) * y, x * y);
+}
+
+// The interval of running sums from \`at\` on, \`count\` of them, that a value is in, by bisection.
+fn interval(at: u32, count: u32, value: f32) -> u32 {
+    var low = 0u;
+    var high = count;
+    while high - low > 1u {
+        let middle = (low + high) / 2u;
+        if image_float(at + middle) <= value {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    return low;
+}
+
+fn place_within(at: u32, k: u32, value: f32) -> f32 {
+    let size = image_float(at + k + 1u) - image_float(at + k);
+    if size <= 0.0 {
+        return 0.0;
+    }
+    return clamp((value - image_float(at + k)) / size, 0.0, 0.99999994);
+}
+
+// A place in [0, 1] with density in proportion to a line from a to b.
+fn sample_linear(a: f32, b: f32, u: f32) -> f32 {
+    let root = sqrt(max(a * a + u * (b * b - a * a), 0.0));
+    if a + root <= 0.0 {
+        return u;
+    }
+    return u * (a + b) / (a + root);
+}
+
+fn image_density(light: u32, row: u32, sine: f32, here: f32, mean_here: f32) -> f32 {
+    let total = image_total(light);
+    let mean = image_mean(light);
+    if total <= 0.0 {
+        return 0.0;
+    }
+    let size = image_size(light);
+    var pdf = here * f32(size.y) / (2.0 * PI * total);
+    if mean > 0.0 {
+        pdf *= max(mean_here - mean, 0.0) / max(mean_here, 1e-30);
+    }
+    if row > 0u && row < size.x {
+        let height = image_float(image_heights(light) + row);
+        pdf *= height * f32(size.x) / (PI * max(sine, 1e-30));
+    }
+    return pdf;
+}
+
+// Where in a cell of that row, down from the middles above.
+fn sample_down(light: u32, row: u32, l: vec4f, u: f32) -> f32 {
+    let h = image_size(light).x;
+    let height = image_float(image_heights(light) + row);
+    let cap = 2.0 * asin(sqrt(u * height / 2.0)) / PI * f32(h);
+    if row == 0u {
+        return cap + 0.5;
+    }
+    if row == h {
+        return 0.5 - cap;
+    }
+    return sample_linear(l.x + l.y, l.z + l.w, u);
+}
+
+fn sample_image(light: u32, u: vec2f) -> LightSample {
+    let size = image_size(light);
+    let rows = image_row_sums(light);
+    let down = u.y * image_float(rows + size.x + 1u);
+    let row = interval(rows, size.x + 1u, down);
+    let columns = image_column_sums(light) + row * (size.y + 1u);
+    let across = u.x * image_float(columns + size.y);
+    let column = interval(columns, size.y, across);
+    let cell = image_cell(light, row, column);
+    let l = cell.luminances;
+    let y = sample_down(light, row, l, place_within(rows, row, down));
+    let left = mix(l.x, l.z, y);
+    let x = sample_linear(left, mix(l.y, l.w, y), place_within(columns, column, across));
+    let theta = PI * (f32(row) - 0.5 + y) / f32(size.x);
+    let phi = 2.0 * PI * ((f32(column) + 0.5 + x) / f32(size.y) - 0.5);
+    let sine = sin(theta);
+    let away = sine * sin(phi);
+    let along = -sine * cos(phi);
+    let turn = vec2f(image_turn_cosine(light), image_turn_sine(light));
+    let wi = vec3f(turn.x * away + turn.y * along, cos(theta), turn.x * along - turn.y * away);
+    let radiance = in_cell(cell, x, y);
+    let pdf = image_density(light, row, sine, luminance(radiance), dot(l, vec4f(0.25)));
+    return light_sample(wi, RNA_FAR, light_colour(light) * radiance, pdf);
+}
+
+fn look_up_image(light: u32, d: vec3f) -> Met {
+    let size = image_size(light);
+    let turn = vec2f(image_turn_cosine(light), image_turn_sine(light));
+    let x = turn.x * d.x - turn.y * d.z;
+    let z = turn.y * d.x + turn.x * d.z;
+    let sine = sqrt(x * x + z * z);
+    var azimuth = 0.0;
+    if sine > 0.0 {
+        azimuth = atan2(x, -z);
+    }
+    let s = (0.5 + azimuth / (2.0 * PI)) * f32(size.y) - 0.5;
+    let t = atan2(sine, d.y) / PI * f32(size.x) + 0.5;
+    let row = u32(clamp(floor(t), 0.0, f32(size.x)));
+    let left = floor(s);
+    let column = select(size.y - 1u, u32(max(left, 0.0)), left >= 0.0 && left < f32(size.y));
+    let cell = image_cell(light, row, column);
+    let radiance = in_cell(cell, s - left, t - f32(row));
+    let mean = dot(cell.luminances, vec4f(0.25));
+    let pdf = image_density(light, row, sine, luminance(radiance), mean);
+    return Met(light_colour(light) * radiance, pdf);
+}
+`,"render/frame.wgsl":`// What all steps of the renderer share: the step's numbers, paths, sums, and tables.
+
+const IS_LIGHT: u32 = 0x80000000u; // with a light's number, in place of an instance
+const PI: f32 = 3.14159265358979;
+const SHORTER: f32 = 1.0 - 0x1p-13f; // shadow rays end before the light
+
+const DEAD: u32 = 0u;
+const ALIVE: u32 = 1u;
+
+// A path has two queries: what its point sends on, and what an asset emits that its point samples as
+// a light.
+const ADDS: u32 = 0xfffffffeu; // parts, beside NONE: no decoder is asked what is sent on
+const CATCHES_IT: u32 = 0xfffffffdu; // a shadow catcher
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+@group(0) @binding(1) var<storage, read_write> paths: array<Path>;
+@group(0) @binding(2) var<storage, read_write> sums: array<vec4f>;
+@group(0) @binding(3) var<storage, read_write> pendings: array<Pending>;
+@group(0) @binding(4) var<storage, read> table: array<vec4f>;
+@group(0) @binding(5) var<storage, read> images: array<u32>; // floats of skies, bytes of textures
+
+fn path_number(id: vec3<u32>, groups: vec3<u32>) -> u32 {
+    return id.y * groups.x * 64u + id.x;
+}
+
+fn add_light(k: u32, light: u32, radiance: vec3f) {
+    let at = frame.sums * k;
+    sums[at + SUM_BEAUTY] += vec4f(radiance, 0.0);
+    let group = light_group(light);
+    if group != NONE {
+        sums[at + SUM_GROUPS + 2u * group] += vec4f(radiance, 0.0);
+    }
+}
+
+// Not above the clamp where light left more than one thing.
+fn clamped(radiance: vec3f) -> vec3f {
+    if frame.clamp <= 0.0 || frame.depth < 2u {
+        return radiance;
+    }
+    let largest = max(max(radiance.x, max(radiance.y, radiance.z)), 1e-30);
+    return radiance * (min(frame.clamp, largest) / largest);
+}
+
+// Power heuristic: the part of the estimate that belongs to the first way.
+fn share(pdf: f32, other: f32) -> f32 {
+    if pdf <= 0.0 {
+        return 0.0;
+    }
+    let ratio = other / pdf;
+    return 1.0 / (1.0 + ratio * ratio);
+}
+`,"render/light_shapes.wgsl":`// Lights with a shape, which rays meet.
+
+// The hit, or a nearer one of a light with a shape.
+fn with_lights(ray: RnaRay, met: RnaHit) -> RnaHit {
+    var hit = met;
+    for (var light = 0u; light < frame.light_count; light++) {
+        let hidden = frame.rays == CAMERA_RAY && !light_is(light, LIGHT_SEEN);
+        let t = meet_light(light, RnaRay(ray.origin, ray.near, ray.direction, hit.t));
+        if !hidden && t < RNA_FAR && (hit.instance == RNA_NOTHING || t < hit.t) {
+            hit = rna_miss(t);
+            hit.instance = IS_LIGHT | light;
+        }
+    }
+    return hit;
+}
+`,"render/lights.wgsl":`// Lights: samples of them, and what rays that meet them find. They are those of rna_render.lights.
+
+const MAX_PDF: f32 = 1e18;
+const MIN_SOLID_ANGLE: f32 = 1e-3; // float32 knows no smaller one to 1e-3 of itself
+
+struct LightSample {
+    wi: vec3f,
+    distance: f32,
+    radiance: vec3f, // of an asset's triangles a factor on what they emit
+    pdf: f32,
+    primitive: u32, // of triangles
+    b1: f32,
+    b2: f32,
+}
+
+fn light_sample(wi: vec3f, distance: f32, radiance: vec3f, pdf: f32) -> LightSample {
+    return LightSample(wi, distance, radiance, pdf, NONE, 0.0, 0.0);
+}
+
+struct Met {
+    radiance: vec3f,
+    pdf: f32,
+}
+
+// Samples that a light gets at a point, on average.
+fn samples_of(light: u32, depth: u32) -> f32 {
+    return light_probability(light)[min(depth, 3u) - 1u];
+}
+
+fn light_is(light: u32, flag: u32) -> bool {
+    return (light_flags(light) & flag) != 0u;
+}
+
+// Of points of a plane: per_area, seen along d; 0 from behind.
+fn flat_pdf(point: vec3f, normal: vec3f, per_area: f32, x: vec3f, d: vec3f) -> f32 {
+    let cosine = -dot(d, normal);
+    let height = dot(x - point, normal);
+    if cosine <= 0.0 || height <= 0.0 {
+        return 0.0;
+    }
+    let t = height / cosine;
+    let pdf = per_area * t * t / cosine;
+    return select(0.0, pdf, pdf < MAX_PDF);
+}
+
+fn edge_angle(x: f32, y: f32, sign: f32, height: f32) -> f32 {
+    return atan2(height * sqrt(x * x + y * y + height * height), sign * x * y);
+}
+
+// Solid angle of a rectangle from (x0, y0) to (x1, y1), and the sum k of Ure\xF1a, Fajardo and King,
+// An Area-Preserving Parametrization for Spherical Rectangles (EGSR 2013), section 5.
+fn solid_angle(e: vec4f, height: f32) -> vec2f {
+    let k = 2.0 * PI - edge_angle(e.x, e.w, 1.0, height) - edge_angle(e.x, e.z, -1.0, height);
+    let right = edge_angle(e.y, e.z, 1.0, height) + edge_angle(e.y, e.w, -1.0, height);
+    return vec2f(right - k, k);
+}
+
+// Edges x0, x1, y0, y1 of a rectangle as seen from x.
+fn rectangle_edges(light: u32, from_place: vec3f) -> vec4f {
+    let a = dot(from_place, rectangle_frame(light)[0]);
+    let b = dot(from_place, rectangle_frame(light)[1]);
+    let half = rectangle_half(light);
+    return vec4f(-half.x - a, half.x - a, -half.y - b, half.y - b);
+}
+
+fn rectangle_pdf(light: u32, x: vec3f, d: vec3f) -> f32 {
+    let half = rectangle_half(light);
+    let f = rectangle_frame(light);
+    let flat = flat_pdf(f[3], f[2], 0.25 / (half.x * half.y), x, d);
+    let height = dot(x - f[3], f[2]);
+    let angle = solid_angle(rectangle_edges(light, x - f[3]), max(height, 1e-30)).x;
+    if flat == 0.0 || angle < MIN_SOLID_ANGLE {
+        return flat;
+    }
+    return 1.0 / angle;
+}
+
+fn rectangle_point(e: vec4f, height: f32, u: vec2f) -> vec2f {
+    let angle = solid_angle(e, height);
+    if angle.x < MIN_SOLID_ANGLE {
+        return mix(e.xz, e.yw, u);
+    }
+    let b0 = -e.z / sqrt(height * height + e.z * e.z);
+    let b1 = e.w / sqrt(height * height + e.w * e.w);
+    let turn = u.x * angle.x + angle.y;
+    let sine = sin(turn);
+    let f = (cos(turn) * b0 - b1) / select(sine, 1e-20, abs(sine) < 1e-20);
+    let c = clamp(select(-1.0, 1.0, f >= 0.0) / sqrt(f * f + b0 * b0), -1.0, 1.0);
+    let x = clamp(c * height / sqrt(max(1.0 - c * c, 1e-20)), e.x, e.y);
+    let squared = x * x + height * height;
+    let h0 = e.z / sqrt(squared + e.z * e.z);
+    let h1 = e.w / sqrt(squared + e.w * e.w);
+    let h = h0 + u.y * (h1 - h0);
+    let y = h * sqrt(squared / max(1.0 - h * h, 1e-20));
+    return vec2f(x, clamp(y, e.z, e.w));
+}
+
+// Shirley and Chiu, A Low Distortion Map Between Disk and Square (JGT 2(3), 1997).
+fn concentric(u: vec2f) -> vec2f {
+    let a = 2.0 * u - 1.0;
+    if a.x == 0.0 && a.y == 0.0 {
+        return vec2f(0.0);
+    }
+    if abs(a.x) > abs(a.y) {
+        let phi = PI / 4.0 * (a.y / a.x);
+        return a.x * vec2f(cos(phi), sin(phi));
+    }
+    let phi = PI / 2.0 - PI / 4.0 * (a.x / a.y);
+    return a.y * vec2f(cos(phi), sin(phi));
+}
+
+// 1 - cos of the angular radius of a sphere light; 0 from within.
+fn sphere_cone(light: u32, x: vec3f) -> f32 {
+    let to_centre = sphere_centre(light) - x;
+    let radius = sphere_radius(light);
+    let squared = dot(to_centre, to_centre);
+    if squared <= radius * radius {
+        return 0.0;
+    }
+    let sin2 = radius * radius / squared;
+    return sin2 / (1.0 + sqrt(1.0 - sin2));
+}
+
+fn shape_pdf(light: u32, x: vec3f, d: vec3f) -> f32 {
+    let kind = light_kind(light);
+    if kind == RECTANGLE {
+        return rectangle_pdf(light, x, d);
+    }
+    if kind == DISK {
+        let radius = disk_radius(light);
+        let per_area = 1.0 / (PI * radius * radius);
+        return flat_pdf(disk_frame(light)[3], disk_frame(light)[2], per_area, x, d);
+    }
+    let cone = sphere_cone(light, x);
+    return select(0.0, 1.0 / (2.0 * PI * max(cone, 1e-18)), cone > 0.0);
+}
+
+// A point of a shape, relative to x.
+fn shape_point(light: u32, x: vec3f, u: vec2f) -> vec3f {
+    let kind = light_kind(light);
+    if kind == RECTANGLE {
+        let f = rectangle_frame(light);
+        let height = dot(x - f[3], f[2]);
+        if height <= 0.0 {
+            return f[3] - x;
+        }
+        let p = rectangle_point(rectangle_edges(light, x - f[3]), height, u);
+        return p.x * f[0] + p.y * f[1] - height * f[2];
+    }
+    if kind == DISK {
+        let f = disk_frame(light);
+        let p = disk_radius(light) * concentric(u);
+        return f[3] + p.x * f[0] + p.y * f[1] - x;
+    }
+    let to_centre = sphere_centre(light) - x;
+    let wi = cone_direction(normalize(to_centre), sphere_cone(light, x), u);
+    let along = dot(to_centre, wi);
+    let rest = to_centre - along * wi;
+    let radius = sphere_radius(light);
+    return (along - sqrt(max(0.0, radius * radius - dot(rest, rest)))) * wi;
+}
+
+fn point_light(light: u32, x: vec3f) -> LightSample {
+    let way = point_place(light) - x;
+    let r = length(way);
+    if r <= 0.0 {
+        return light_sample(vec3f(0.0, 0.0, 1.0), 0.0, vec3f(0.0), 0.0);
+    }
+    let wi = way / r;
+    let cosine = -dot(wi, point_axis(light));
+    let inner = point_cos_inner(light);
+    let outer = point_cos_outer(light);
+    var factor = 1.0;
+    if cosine < inner {
+        let t = clamp((cosine - outer) / max(inner - outer, 1e-20), 0.0, 1.0);
+        factor = t * t * (3.0 - 2.0 * t);
+    }
+    let pdf = select(0.0, 1.0, factor > 0.0);
+    return light_sample(wi, r, factor / (r * r) * light_colour(light), pdf);
+}
+
+fn sample_light(light: u32, x: vec3f, u: vec2f) -> LightSample {
+    let kind = light_kind(light);
+    let colour = light_colour(light);
+    if kind == IMAGE {
+        return sample_image(light, u);
+    }
+    if kind == UNIFORM {
+        return light_sample(
+            cone_direction(vec3f(0.0, 0.0, 1.0), 2.0, u), RNA_FAR, colour, SPHERE_PDF,
+        );
+    }
+    if kind == SUN {
+        let cone = sun_one_minus_cosine(light);
+        let wi = cone_direction(sun_axis(light), cone, u);
+        return light_sample(wi, RNA_FAR, colour, 1.0 / (2.0 * PI * cone));
+    }
+    if kind == DIRECTIONAL {
+        return light_sample(directional_axis(light), RNA_FAR, colour, 1.0);
+    }
+    if kind == TRIANGLES {
+        return sample_triangles(light, x, u);
+    }
+    if kind == POINT {
+        return point_light(light, x);
+    }
+    let way = shape_point(light, x, u);
+    let r = length(way);
+    if r <= 0.0 {
+        return light_sample(vec3f(0.0, 0.0, 1.0), 0.0, vec3f(0.0), 0.0);
+    }
+    return light_sample(way / r, r, colour, shape_pdf(light, x, way / r));
+}
+
+// What a ray along d that leaves the scene finds.
+fn escaped(light: u32, d: vec3f) -> Met {
+    let kind = light_kind(light);
+    let colour = light_colour(light);
+    if kind == IMAGE {
+        return look_up_image(light, d);
+    }
+    if kind == UNIFORM {
+        return Met(colour, SPHERE_PDF);
+    }
+    if kind == SUN {
+        let off = d - sun_axis(light);
+        let cone = sun_one_minus_cosine(light);
+        if dot(off, off) <= 2.0 * cone {
+            return Met(colour, 1.0 / (2.0 * PI * cone));
+        }
+    }
+    return Met(vec3f(0.0), 0.0);
+}
+
+// Where a ray meets the plane of a flat light; RNA_FAR where it is along it.
+fn meet_plane(f: mat4x3f, ray: RnaRay) -> f32 {
+    let down = dot(ray.direction, f[2]);
+    if abs(down) < 1e-20 {
+        return RNA_FAR;
+    }
+    return dot(f[3] - ray.origin, f[2]) / down;
+}
+
+// The ray's place there, along the light's axes.
+fn on_plane(f: mat4x3f, ray: RnaRay, t: f32) -> vec2f {
+    let p = ray.origin + t * ray.direction - f[3];
+    return vec2f(dot(p, f[0]), dot(p, f[1]));
+}
+
+// Where a ray meets the shape of a light; RNA_FAR where it does not.
+fn meet_light(light: u32, ray: RnaRay) -> f32 {
+    let kind = light_kind(light);
+    var t = RNA_FAR;
+    if kind == SPHERE {
+        let centre = sphere_centre(light);
+        let radius = sphere_radius(light);
+        t = rna_enter_sphere(ray.origin, ray.direction, centre, radius);
+        let from_centre = ray.origin - centre;
+        if dot(from_centre, from_centre) < radius * radius && t < RNA_FAR {
+            t = -t - 2.0 * dot(from_centre, ray.direction);
+        }
+    } else if kind == RECTANGLE {
+        let f = rectangle_frame(light);
+        t = meet_plane(f, ray);
+        let p = abs(on_plane(f, ray, t));
+        t = select(RNA_FAR, t, all(p <= rectangle_half(light)));
+    } else if kind == DISK {
+        let f = disk_frame(light);
+        t = meet_plane(f, ray);
+        t = select(RNA_FAR, t, length(on_plane(f, ray, t)) <= disk_radius(light));
+    }
+    return select(RNA_FAR, t, t >= ray.near && t < ray.far);
+}
+`,"render/lobe_constants.wgsl":`// Generated by \`python -m rna_gpu.records.write_records\`; do not edit.
+
+const SURFACE_SHARES = vec3f(0.2, 0.35, 0.45);
+const FIBER_SHARES = vec3f(0.3, 0.45, 0.25);
+const MIRROR_KAPPA: f32 = 20.0;
+const CONE_SCALE: f32 = 0.06;
+const FORWARD_KAPPA: f32 = 5.0;
+`,"render/passing.wgsl":`// What rays pass through: rna_trace/embree/filters.py. Rays pass hits at random, as often as these
+// let light through; shadow rays pass all and are weakened.
+
+const ALL_STOP: u32 = 0u;
+const AT_RANDOM: u32 = 1u; // the mean of the colours
+const WEAKEN: u32 = 2u;
+const WEIGH: u32 = 3u; // stops at nothing; colour over mean of what AT_RANDOM has passed
+
+var<private> passing: u32;
+var<private> passed_weight: vec3f;
+var<private> is_coloured: bool;
+var<private> stopped_share: vec3f; // of the last hit that stopped: what colours it leaves
+var<private> chance_key: u32;
+
+fn start_passing(how: u32) {
+    passing = select(ALL_STOP, how, (frame.flags & TRANSMITS) != 0u);
+    passed_weight = vec3f(1.0);
+    is_coloured = false;
+}
+
+// In [0, 1), the same for a primitive whenever this ray asks.
+fn chance(primitive: u32, instance: u32) -> f32 {
+    let state = hash_bits(hash_bits(chance_key ^ primitive) + instance);
+    return f32(state >> 8u) * 0x1p-24f;
+}
+
+fn pass_at_random(tau: vec3f, mean: f32, passes: bool) -> bool {
+    let coloured = any(tau != vec3f(tau.x));
+    if passes {
+        is_coloured = is_coloured || coloured;
+        return false;
+    }
+    stopped_share = select(vec3f(1.0), (1.0 - tau) / max(1.0 - mean, 1e-6), coloured);
+    return true;
+}
+
+fn rna_stops(primitive: u32, ray: RnaRay, found: vec3f, instance: u32) -> bool {
+    stopped_share = vec3f(1.0);
+    if passing == ALL_STOP {
+        return true;
+    }
+    let record = rna_primitives[primitive];
+    if !surface_has(record.w >> 1u, LETS_THROUGH) {
+        return passing != WEIGH;
+    }
+    let p = rna_points[record.x].xyz;
+    let ng = cross(rna_points[record.y].xyz - p, rna_points[record.z].xyz - p);
+    let facing = dot(ng, ray.direction) < 0.0;
+    let tau = transmittance(record, found.y, found.z, ray.direction, facing);
+    if passing == WEAKEN {
+        passed_weight *= tau;
+        return all(passed_weight <= vec3f(0.0));
+    }
+    let mean = (tau.x + tau.y + tau.z) / 3.0;
+    let passes = mean > 0.0 && chance(primitive, instance) < mean;
+    if passing == AT_RANDOM {
+        return pass_at_random(tau, mean, passes);
+    }
+    if passes {
+        passed_weight *= tau / mean;
+    }
+    return false;
+}
+`,"render/sampler.wgsl":`// Owen-scrambled Sobol' points, the very ones of rna_render.paths.sampling: a pure function of seed, pixel,
+// sample and dimension.
+
+fn hash_bits(value: u32) -> u32 {
+    var x = (value ^ (value >> 16u)) * 0x7feb352du;
+    x = (x ^ (x >> 15u)) * 0x846ca68bu;
+    return x ^ (x >> 16u);
+}
+
+// Burley, Practical Hash-based Owen Scrambling (JCGT 9(4), 2020).
+fn owen(value: u32, seed: u32) -> u32 {
+    var x = reverseBits(value) + seed;
+    x ^= x * 0x6c50b47cu;
+    x ^= x * 0xb82f1e52u;
+    x ^= x * 0xc7afe638u;
+    x ^= x * 0x8d22f6e6u;
+    return reverseBits(x);
+}
+
+fn second_sobol(index: u32) -> u32 {
+    var x = reverseBits(index);
+    x ^= x << 16u;
+    x ^= (x & 0x00ff00ffu) << 8u;
+    x ^= (x & 0x0f0f0f0fu) << 4u;
+    x ^= (x & 0x33333333u) << 2u;
+    return x ^ ((x & 0x55555555u) << 1u);
+}
+
+// A point of the unit square for a dimension of the path at its present point.
+fn square(pixel: u32, dimension: u32, number: u32) -> vec2f {
+    let image_key = hash_bits(hash_bits(frame.seed) + dimension);
+    let key = hash_bits(image_key ^ hash_bits(pixel + 1u));
+    let index = owen(number, key);
+    let first = owen(reverseBits(index), hash_bits(key + 1u));
+    let second = owen(second_sobol(index), hash_bits(key + 2u));
+    return vec2f(f32(first >> 8u), f32(second >> 8u)) * 0x1p-24f;
+}
+
+// Number of the path among all of its pixel that have come to this point.
+fn path_of_pixel() -> u32 {
+    return frame.sample * frame.branches + frame.branch;
+}
+
+fn at_point(pixel: u32, dimension: u32) -> vec2f {
+    return square(pixel, (frame.depth - 1u) * DIMENSIONS + dimension, path_of_pixel());
+}
+
+// What a path's next ray passes at random through.
+fn chance_of(pixel: u32) -> u32 {
+    let path = hash_bits(hash_bits(frame.seed + 1u) ^ hash_bits(pixel + 1u));
+    return hash_bits(hash_bits(path ^ path_of_pixel()) + frame.depth);
+}
+`,"render/scene_records.wgsl":`// Generated by \`python -m rna_gpu.records.write_records\`; do not edit.
+
+const NONE: u32 = 0xffffffffu;
+const SUM_BEAUTY: u32 = 0u;
+const SUM_NORMAL: u32 = 1u;
+const SUM_POSITION: u32 = 2u;
+const SUM_LIGHT_SAMPLES: u32 = 3u;
+const SUM_BEHIND: u32 = 4u;
+const SUM_GROUPS: u32 = 5u;
+const CAMERA_RAY: u32 = 1u;
+const SHADOW_RAY: u32 = 4u;
+const ALL_DIRECTIONS: u32 = 0xffffffffu;
+const HEMISPHERE: u32 = 0xfffffffeu;
+const CHOICES: u32 = 1u;
+const DIRECTION: u32 = 2u;
+const ROULETTE: u32 = 3u;
+const LIGHT: u32 = 4u;
+const DIMENSIONS: u32 = 7u;
+const HAS_SKY: u32 = 1u;
+const FOR_BETA: u32 = 2u;
+const RAYS_MEET_LIGHTS: u32 = 4u;
+const FOR_EMISSION: u32 = 8u;
+const FOR_LIGHT: u32 = 16u;
+const TRANSMITS: u32 = 32u;
+
+struct Frame { // 144 bytes
+    camera: vec3f, // 0
+    width: u32, // 12
+    corner: vec3f, // 16; direction through the image's top left corner
+    paths: u32, // 28
+    step_x: vec3f, // 32; of a pixel
+    sample: u32, // 44
+    step_y: vec3f, // 48
+    seed: u32, // 60
+    depth: u32, // 64; points of the path so far
+    light: u32, // 68; that is sampled; NONE: one that is chosen
+    part: u32, // 72; number of the sample of this light at this point
+    parts: u32, // 76; samples of this light at this point
+    rays: u32, // 80; bit of the sort of rays
+    clamp: f32, // 84
+    light_count: u32, // 88
+    sums: u32, // 92; vec4f of a path in \`sums\`: SUM_GROUPS, and two a group of lights
+    flags: u32, // 96; of those below
+    branch: u32, // 100; number of the ray that went on from the first point
+    branches: u32, // 104; of those rays; 1 before them
+    neural_part: u32, // 108
+    table_size: u32, // 112; of albedo
+    things: u32, // 116; this and the rest: places of the sections of \`table\`
+    surfaces: u32, // 120
+    lights: u32, // 124
+    albedo: u32, // 128
+    domains: u32, // 132
+    textures: u32, // 136
+}
+
+struct Path { // 96 bytes
+    origin: vec3f, // 0
+    pixel: u32, // 12
+    direction: vec3f, // 16
+    pdf: f32, // 28; of the direction; 0 of camera rays
+    beta: vec3f, // 32
+    state: u32, // 44
+    normal: vec3f, // 48; of a segment
+    t: f32, // 60
+    instance: u32, // 64
+    primitive: u32, // 68
+    own: u32, // 72; instance that the ray passes through
+    b1: f32, // 76
+    leaving: vec3f, // 80; of a ray that leaves an asset: its start in object space
+    b2: f32, // 92
+}
+
+struct Pending { // 96 bytes
+    x: vec3f, // 0
+    h: f32, // 12
+    axis: vec3f, // 16
+    part: u32, // 28; or NONE, ADDS, CATCHES_IT
+    wo: vec3f, // 32
+    light: u32, // 44
+    wi: vec3f, // 48
+    strand: u32, // 60; that a ray from here passes through
+    weight: vec3f, // 64
+    seen: f32, // 76; mean of what all that is in the way leaves of the light
+    visible: vec3f, // 80; what the asset itself leaves of it
+    reserved: u32, // 92
+}
+`,"render/surfaces.wgsl":`// Surfaces of the scene, by the number that primitives have; scene_surfaces.py fills them.
+
+@group(2) @binding(4) var<storage, read> normals: array<vec4f>; // and v of meshes
+
+fn surface_has(surface: u32, flag: u32) -> bool {
+    return (surface_flags(surface) & flag) != 0u;
+}
+
+// Texture coordinates of a point, of the first or the second set.
+fn corner_uv(surface: u32, point: u32, uv_set: u32) -> vec2f {
+    if uv_set == 0u {
+        return vec2f(rna_points[point].w, normals[point].w);
+    }
+    let at = surface_second_uvs(surface) + 2u * point;
+    return vec2f(bitcast<f32>(images[at]), bitcast<f32>(images[at + 1u]));
+}
+
+fn corner_uvs(record: vec4<u32>, uv_set: u32) -> mat3x2f {
+    let surface = record.w >> 1u;
+    return mat3x2f(
+        corner_uv(surface, record.x, uv_set),
+        corner_uv(surface, record.y, uv_set),
+        corner_uv(surface, record.z, uv_set),
+    );
+}
+
+fn weights_of(b1: f32, b2: f32) -> vec3f {
+    return vec3f(1.0 - b1 - b2, b1, b2);
+}
+`,"render/table_records.wgsl":`// Generated by \`python -m rna_gpu.records.write_records\`; do not edit.
+
+const OF_MATERIAL: u32 = 0u;
+const OF_NEURAL: u32 = 1u;
+const OF_FIBERS: u32 = 2u;
+const EMITS: u32 = 1u;
+const LETS_THROUGH: u32 = 2u;
+const IS_GLASS: u32 = 4u;
+const HAS_CUTOFF: u32 = 8u;
+const HAS_SCHLICK: u32 = 16u;
+const BASE: u32 = 0u;
+const METAL: u32 = 1u;
+const COAT: u32 = 2u;
+const GLOW: u32 = 3u;
+const CLEAR: u32 = 4u;
+const CLEAR_ROUGH: u32 = 5u;
+const THROUGH: u32 = 6u;
+const RELIEF: u32 = 7u;
+const LIGHT_SEEN: u32 = 1u;
+const LIGHT_DELTA: u32 = 2u;
+const LIGHT_INFINITE: u32 = 4u;
+const DIRECTIONAL: u32 = 0u;
+const SUN: u32 = 1u;
+const POINT: u32 = 2u;
+const RECTANGLE: u32 = 3u;
+const DISK: u32 = 4u;
+const SPHERE: u32 = 5u;
+const UNIFORM: u32 = 6u;
+const IMAGE: u32 = 7u;
+const TRIANGLES: u32 = 8u;
+
+fn thing_number(k: u32) -> f32 {
+    return table[frame.things + 1u * k + 0u].x;
+}
+fn thing_catches(k: u32) -> u32 {
+    return bitcast<u32>(table[frame.things + 1u * k + 0u].y);
+}
+fn thing_step(k: u32) -> f32 {
+    return table[frame.things + 1u * k + 0u].z;
+}
+fn thing_passes(k: u32) -> u32 {
+    return bitcast<u32>(table[frame.things + 1u * k + 0u].w);
+}
+
+fn surface_kind(k: u32) -> u32 {
+    return bitcast<u32>(table[frame.surfaces + 9u * k + 0u].x);
+}
+fn surface_part(k: u32) -> u32 {
+    return bitcast<u32>(table[frame.surfaces + 9u * k + 0u].y);
+}
+fn surface_flags(k: u32) -> u32 {
+    return bitcast<u32>(table[frame.surfaces + 9u * k + 0u].z);
+}
+fn surface_normal_map(k: u32) -> u32 {
+    return bitcast<u32>(table[frame.surfaces + 9u * k + 0u].w);
+}
+fn surface_base_color(k: u32) -> vec3f {
+    return table[frame.surfaces + 9u * k + 1u].xyz;
+}
+fn surface_roughness(k: u32) -> f32 {
+    return table[frame.surfaces + 9u * k + 1u].w;
+}
+fn surface_metallic(k: u32) -> f32 {
+    return table[frame.surfaces + 9u * k + 2u].x;
+}
+fn surface_coat_f0(k: u32) -> f32 {
+    return table[frame.surfaces + 9u * k + 2u].y;
+}
+fn surface_coat_weight(k: u32) -> f32 {
+    return table[frame.surfaces + 9u * k + 2u].z;
+}
+fn surface_transmission(k: u32) -> f32 {
+    return table[frame.surfaces + 9u * k + 2u].w;
+}
+fn surface_emission(k: u32) -> vec3f {
+    return table[frame.surfaces + 9u * k + 3u].xyz;
+}
+fn surface_normal_scale(k: u32) -> f32 {
+    return table[frame.surfaces + 9u * k + 3u].w;
+}
+fn surface_clear_coat(k: u32) -> f32 {
+    return table[frame.surfaces + 9u * k + 4u].x;
+}
+fn surface_clear_coat_roughness(k: u32) -> f32 {
+    return table[frame.surfaces + 9u * k + 4u].y;
+}
+fn surface_second_uvs(k: u32) -> u32 {
+    return bitcast<u32>(table[frame.surfaces + 9u * k + 4u].z);
+}
+fn surface_tangents(k: u32) -> u32 {
+    return bitcast<u32>(table[frame.surfaces + 9u * k + 4u].w);
+}
+fn surface_textures(k: u32, i: u32) -> u32 {
+    return bitcast<u32>(table[frame.surfaces + 9u * k + 5u + i / 4u][i % 4u]);
+}
+fn surface_through(k: u32) -> u32 {
+    return bitcast<u32>(table[frame.surfaces + 9u * k + 7u].x);
+}
+fn surface_cutoff(k: u32) -> f32 {
+    return table[frame.surfaces + 9u * k + 7u].y;
+}
+fn surface_ior(k: u32) -> vec2f {
+    return table[frame.surfaces + 9u * k + 7u].zw;
+}
+fn surface_f0(k: u32) -> f32 {
+    return table[frame.surfaces + 9u * k + 8u].x;
+}
+
+fn texture_place(k: u32) -> u32 {
+    return bitcast<u32>(table[frame.textures + 3u * k + 0u].x);
+}
+fn texture_size(k: u32) -> u32 {
+    return bitcast<u32>(table[frame.textures + 3u * k + 0u].y);
+}
+fn texture_form(k: u32) -> u32 {
+    return bitcast<u32>(table[frame.textures + 3u * k + 0u].z);
+}
+fn texture_row_u(k: u32) -> vec3f {
+    return table[frame.textures + 3u * k + 1u].xyz;
+}
+fn texture_row_v(k: u32) -> vec3f {
+    return table[frame.textures + 3u * k + 2u].xyz;
+}
+
+fn light_kind(k: u32) -> u32 {
+    return bitcast<u32>(table[frame.lights + 8u * k + 0u].x);
+}
+fn light_group(k: u32) -> u32 {
+    return bitcast<u32>(table[frame.lights + 8u * k + 0u].y);
+}
+fn light_flags(k: u32) -> u32 {
+    return bitcast<u32>(table[frame.lights + 8u * k + 0u].z);
+}
+fn light_instance(k: u32) -> u32 {
+    return bitcast<u32>(table[frame.lights + 8u * k + 0u].w);
+}
+fn light_numbers(k: u32, i: u32) -> f32 {
+    return table[frame.lights + 8u * k + 1u + i / 4u][i % 4u];
+}
+fn light_probability(k: u32) -> vec3f {
+    return table[frame.lights + 8u * k + 6u].xyz;
+}
+fn light_places(k: u32) -> vec4<u32> {
+    return bitcast<vec4<u32>>(table[frame.lights + 8u * k + 7u].xyzw);
+}
+
+fn light_colour(k: u32) -> vec3f {
+    return vec3f(light_numbers(k, 0u), light_numbers(k, 1u), light_numbers(k, 2u));
+}
+fn directional_axis(k: u32) -> vec3f {
+    return vec3f(light_numbers(k, 3u), light_numbers(k, 4u), light_numbers(k, 5u));
+}
+fn sun_axis(k: u32) -> vec3f {
+    return vec3f(light_numbers(k, 3u), light_numbers(k, 4u), light_numbers(k, 5u));
+}
+fn sun_one_minus_cosine(k: u32) -> f32 {
+    return light_numbers(k, 6u);
+}
+fn point_place(k: u32) -> vec3f {
+    return vec3f(light_numbers(k, 3u), light_numbers(k, 4u), light_numbers(k, 5u));
+}
+fn point_axis(k: u32) -> vec3f {
+    return vec3f(light_numbers(k, 6u), light_numbers(k, 7u), light_numbers(k, 8u));
+}
+fn point_cos_inner(k: u32) -> f32 {
+    return light_numbers(k, 9u);
+}
+fn point_cos_outer(k: u32) -> f32 {
+    return light_numbers(k, 10u);
+}
+fn rectangle_frame(k: u32) -> mat4x3f {
+    return mat4x3f(light_numbers(k, 3u), light_numbers(k, 7u), light_numbers(k, 11u), light_numbers(k, 4u), light_numbers(k, 8u), light_numbers(k, 12u), light_numbers(k, 5u), light_numbers(k, 9u), light_numbers(k, 13u), light_numbers(k, 6u), light_numbers(k, 10u), light_numbers(k, 14u));
+}
+fn rectangle_half(k: u32) -> vec2f {
+    return vec2f(light_numbers(k, 15u), light_numbers(k, 16u));
+}
+fn disk_frame(k: u32) -> mat4x3f {
+    return mat4x3f(light_numbers(k, 3u), light_numbers(k, 7u), light_numbers(k, 11u), light_numbers(k, 4u), light_numbers(k, 8u), light_numbers(k, 12u), light_numbers(k, 5u), light_numbers(k, 9u), light_numbers(k, 13u), light_numbers(k, 6u), light_numbers(k, 10u), light_numbers(k, 14u));
+}
+fn disk_radius(k: u32) -> f32 {
+    return light_numbers(k, 15u);
+}
+fn sphere_centre(k: u32) -> vec3f {
+    return vec3f(light_numbers(k, 3u), light_numbers(k, 4u), light_numbers(k, 5u));
+}
+fn sphere_radius(k: u32) -> f32 {
+    return light_numbers(k, 6u);
+}
+fn image_turn_cosine(k: u32) -> f32 {
+    return light_numbers(k, 3u);
+}
+fn image_turn_sine(k: u32) -> f32 {
+    return light_numbers(k, 4u);
+}
+fn image_total(k: u32) -> f32 {
+    return light_numbers(k, 5u);
+}
+fn image_mean(k: u32) -> f32 {
+    return light_numbers(k, 6u);
+}
+fn image_rows(k: u32) -> f32 {
+    return light_numbers(k, 7u);
+}
+fn image_columns(k: u32) -> f32 {
+    return light_numbers(k, 8u);
+}
+fn triangles_rotation(k: u32) -> mat3x3f {
+    return mat3x3f(light_numbers(k, 3u), light_numbers(k, 6u), light_numbers(k, 9u), light_numbers(k, 4u), light_numbers(k, 7u), light_numbers(k, 10u), light_numbers(k, 5u), light_numbers(k, 8u), light_numbers(k, 11u));
+}
+fn triangles_place(k: u32) -> vec3f {
+    return vec3f(light_numbers(k, 12u), light_numbers(k, 13u), light_numbers(k, 14u));
+}
+fn triangles_scale(k: u32) -> f32 {
+    return light_numbers(k, 15u);
+}
+fn image_texels(k: u32) -> u32 {
+    return light_places(k).x;
+}
+fn image_heights(k: u32) -> u32 {
+    return light_places(k).y;
+}
+fn image_row_sums(k: u32) -> u32 {
+    return light_places(k).z;
+}
+fn image_column_sums(k: u32) -> u32 {
+    return light_places(k).w;
+}
+fn triangles_sums(k: u32) -> u32 {
+    return light_places(k).x;
+}
+fn triangles_primitives(k: u32) -> u32 {
+    return light_places(k).y;
+}
+fn triangles_densities(k: u32) -> u32 {
+    return light_places(k).z;
+}
+fn triangles_count(k: u32) -> u32 {
+    return light_places(k).w;
+}
+`,"render/textures.wgsl":`// Textures on triangles: rna_render/materials/textures.py. A texel is a u32 of three bytes.
+
+const REPEAT: u32 = 0u;
+const MIRROR: u32 = 2u;
+
+struct Image {
+    place: u32,
+    size: vec2<u32>, // columns, rows
+    form: u32,
+}
+
+fn image_of(texture: u32) -> Image {
+    let size = texture_size(texture);
+    return Image(
+        texture_place(texture), vec2<u32>(size & 0xffffu, size >> 16u), texture_form(texture),
+    );
+}
+
+fn texel(at: Image, column: u32, row: u32) -> vec3f {
+    let word = images[at.place + row * at.size.x + column];
+    let c = vec3f((vec3<u32>(word) >> vec3<u32>(0u, 8u, 16u)) & vec3<u32>(255u)) / 255.0;
+    if (at.form & 16u) == 0u {
+        return c;
+    }
+    return select(pow((c + 0.055) / 1.055, vec3f(2.4)), c / 12.92, c <= vec3f(0.04045));
+}
+
+struct Around {
+    first: u32,
+    second: u32,
+    part: f32,
+}
+
+// The two texels whose centres x is between.
+fn texels_around(x: f32, size: u32, wrap: u32) -> Around {
+    var inside = clamp(x, 0.0, 1.0);
+    if wrap == REPEAT {
+        inside = x - floor(x);
+    } else if wrap == MIRROR {
+        let twice = x - 2.0 * floor(0.5 * x);
+        inside = select(twice, 2.0 - twice, twice > 1.0);
+    }
+    let place = inside * f32(size) - 0.5;
+    let low = floor(place);
+    let first = i32(low);
+    let last = i32(size) - 1;
+    if wrap == REPEAT {
+        let wrapped = select(first, last, first < 0);
+        return Around(u32(wrapped), u32(select(first + 1, 0, first + 1 > last)), place - low);
+    }
+    return Around(u32(max(first, 0)), u32(min(first + 1, last)), place - low);
+}
+
+// Bilinear, mixed after decoding, at the mesh's coordinates.
+fn texture_value(texture: u32, uv: vec2f) -> vec3f {
+    let at = image_of(texture);
+    let u = dot(texture_row_u(texture), vec3f(uv, 1.0));
+    let v = dot(texture_row_v(texture), vec3f(uv, 1.0));
+    let x = texels_around(u, at.size.x, at.form & 3u);
+    let y = texels_around(v, at.size.y, (at.form >> 2u) & 3u);
+    let upper = mix(texel(at, x.first, y.first), texel(at, x.second, y.first), x.part);
+    let lower = mix(texel(at, x.first, y.second), texel(at, x.second, y.second), x.part);
+    return mix(upper, lower, y.part);
+}
+
+// On a triangle at barycentrics.
+fn texture_on(texture: u32, record: vec4<u32>, b1: f32, b2: f32) -> vec3f {
+    let uv_set = (image_of(texture).form >> 5u) & 1u;
+    return texture_value(texture, corner_uvs(record, uv_set) * weights_of(b1, b2));
+}
+
+// A texture of the triangle's material; 1 where it has none.
+fn factor_on(k: u32, record: vec4<u32>, b1: f32, b2: f32) -> vec3f {
+    let texture = surface_textures(record.w >> 1u, k);
+    if texture == NONE {
+        return vec3f(1.0);
+    }
+    return texture_on(texture, record, b1, b2);
+}
+
+// Radiance that a material emits, to both sides.
+fn emission_on(record: vec4<u32>, b1: f32, b2: f32) -> vec3f {
+    return surface_emission(record.w >> 1u) * factor_on(GLOW, record, b1, b2);
+}
+`,"render/tracing.wgsl":`// Rays of the three sorts through the whole scene. light_shapes.wgsl adds lights with a shape, or a host says
+//     fn with_lights(ray: RnaRay, met: RnaHit) -> RnaHit
+// where there are none.
+
+struct Through {
+    hit: RnaHit,
+    weight: vec3f, // for what the ray passed or met at random, if that has a colour
+}
+
+// The closest hit of a camera or indirect ray; \`key\` decides what it passes.
+fn closest_through(ray: RnaRay, own: u32, key: u32) -> Through {
+    var hit = rna_miss(ray.far);
+    var line = ray;
+    var share = vec3f(1.0);
+    chance_key = key;
+    stopped_share = vec3f(1.0);
+    start_passing(AT_RANDOM);
+    loop {
+        let found = rna_trace(line, own, frame.rays, false);
+        if passing == WEIGH {
+            break;
+        }
+        hit = with_lights(ray, found);
+        let is_triangle = (hit.instance & IS_LIGHT) == 0u
+            && (rna_primitives[hit.primitive].w & 1u) == 0u;
+        share = select(share, stopped_share, is_triangle);
+        if !is_coloured {
+            break;
+        }
+        passing = WEIGH;
+        line.far = hit.t;
+    }
+    return Through(hit, share * passed_weight);
+}
+
+// What a shadow ray keeps of its light.
+fn kept_on(ray: RnaRay, own: u32) -> vec3f {
+    start_passing(WEAKEN);
+    var hit = rna_trace(ray, own, frame.rays, true);
+    if hit.instance == RNA_NOTHING {
+        hit = with_lights(ray, hit);
+    }
+    return select(vec3f(0.0), passed_weight, hit.instance == RNA_NOTHING);
+}
+
+// What an asset leaves of light along a ray from itself, in its object space.
+fn own_kept(instance: u32, ray: RnaRay, strand: u32) -> vec3f {
+    var hit = rna_miss(ray.far);
+    let root = rna_instances[instance].root;
+    start_passing(WEAKEN);
+    let stopped = rna_trace_body(root, ray, strand, true, &hit);
+    return select(passed_weight, vec3f(0.0), stopped);
+}
+`,"render/transmittance.wgsl":`// What triangles let through, of materials and of assets: spec/RNA.md, 4.4 Transmittance, and
+// rna_trace/transmittance.py.
+
+// Unpolarised, of an interface of relative index eta.
+fn dielectric_reflectance(eta: f32, cosine: f32) -> f32 {
+    let squared = 1.0 - (1.0 - cosine * cosine) / (eta * eta);
+    if squared <= 0.0 {
+        return 1.0;
+    }
+    let root = sqrt(squared);
+    let s = (cosine - eta * root) / (cosine + eta * root);
+    let p = (eta * cosine - root) / (eta * cosine + root);
+    return 0.5 * (s * s + p * p);
+}
+
+// The part that a smooth interface does not reflect of a ray along d, in object space.
+fn passed_interface(
+    record: vec4<u32>, b: vec3f, d: vec3f, facing: bool,
+) -> f32 {
+    let surface = record.w >> 1u;
+    let ior = surface_ior(surface);
+    let eta = select(ior.y, ior.x, facing);
+    let schlick = surface_has(surface, HAS_SCHLICK);
+    if eta == 0.0 && !schlick {
+        return 1.0;
+    }
+    let n = mat3x3f(normals[record.x].xyz, normals[record.y].xyz, normals[record.z].xyz) * b;
+    let cosine = min(abs(dot(n, d)) / max(sqrt(dot(n, n) * dot(d, d)), 1e-30), 1.0);
+    if eta != 0.0 {
+        return 1.0 - dielectric_reflectance(eta, cosine);
+    }
+    let f0 = surface_f0(surface);
+    let away = 1.0 - cosine;
+    return (1.0 - f0) * (1.0 - away * away * away * away * away);
+}
+
+// Of a triangle, for a ray along d in object space. facing: it meets the normal's side.
+fn transmittance(record: vec4<u32>, b1: f32, b2: f32, d: vec3f, facing: bool) -> vec3f {
+    let surface = record.w >> 1u;
+    if !surface_has(surface, LETS_THROUGH) {
+        return vec3f(0.0);
+    }
+    var tau = texture_on(surface_through(surface), record, b1, b2);
+    if surface_has(surface, HAS_CUTOFF) {
+        tau = select(vec3f(0.0), vec3f(1.0), tau > vec3f(surface_cutoff(surface)));
+    }
+    let passed = passed_interface(record, weights_of(b1, b2), d, facing);
+    return min(tau * passed, vec3f(1.0));
+}
+`,"render/triangle_lights.wgsl":`// Triangles that shine, of an object or an asset: rna_render/lights/mesh.py. In \`images\` a light has
+// running sums of its triangles' shares (count + 1), their primitives (count), and densities per area
+// by primitive of the body.
+
+// Of points on either side of a triangle, seen from x along d, in object space.
+fn triangle_pdf(light: u32, primitive: u32, x: vec3f, d: vec3f) -> f32 {
+    let per_area = bitcast<f32>(images[triangles_densities(light) + primitive]);
+    let record = rna_primitives[primitive];
+    let p = rna_points[record.x].xyz;
+    let area = cross(rna_points[record.y].xyz - p, rna_points[record.z].xyz - p);
+    let normal = area / max(length(area), 1e-30);
+    let side = select(1.0, -1.0, dot(x - p, normal) < 0.0);
+    return flat_pdf(p, side * normal, per_area, x, d);
+}
+
+// Uniform over a triangle: Shirley, Wang and Zimmerman, Monte Carlo Techniques for Direct Lighting
+// Calculations (TOG 15(1), 1996), section 3.2.
+fn sample_triangles(light: u32, x_world: vec3f, u: vec2f) -> LightSample {
+    let sums_at = triangles_sums(light);
+    let count = triangles_count(light);
+    if count == 0u {
+        return light_sample(vec3f(0.0, 0.0, 1.0), 0.0, vec3f(0.0), 0.0);
+    }
+    let instance = light_instance(light);
+    let x = rna_object_point(x_world, instance);
+    let value = u.x * image_float(sums_at + count);
+    let chosen = interval(sums_at, count, value);
+    let root = sqrt(place_within(sums_at, chosen, value));
+    let b = vec2f(root * (1.0 - u.y), root * u.y);
+    let primitive = images[triangles_primitives(light) + chosen];
+    let record = rna_primitives[primitive];
+    let p = rna_points[record.x].xyz;
+    let way = p - x + b.x * (rna_points[record.y].xyz - p) + b.y * (rna_points[record.z].xyz - p);
+    let r = length(way);
+    let wi = way / max(r, 1e-30);
+    let pdf = select(0.0, triangle_pdf(light, primitive, x, wi), r > 0.0);
+    let scale = rna_instances[instance].scale;
+    let wi_world = rna_world_direction(wi, instance);
+    let colour = light_colour(light);
+    return LightSample(wi_world, r * scale, colour, pdf, primitive, b.x, b.y);
+}
+`,"render/vertex.wgsl":`// The point that a path has come to, from its hit.
+
+struct Vertex {
+    x: vec3f, // object space, as all that is not said otherwise
+    kind: u32,
+    n: vec3f, // interpolated normal, or that of a segment
+    surface: u32,
+    ng: vec3f,
+    part: u32,
+    lift: vec3f,
+    h: f32,
+    axis: vec3f, // what a decoder is asked with: mapped normal or tangent
+    strand: u32,
+    wo: vec3f,
+    instance: u32,
+    x_world: vec3f,
+    shading: vec3f, // mapped normal of meshes, n of strands
+    n_world: vec3f, // the same
+    b1: f32,
+    ng_world: vec3f,
+    b2: f32,
+    record: vec4<u32>, // of its primitive
+}
+
+// Of a normal map: a u32 a texel, whose first two bytes are its numbers.
+fn rna_map_texel(map: u32, row: u32, column: u32) -> vec2f {
+    let at = image_of(map);
+    let word = images[at.place + row * at.size.x + column];
+    return vec2f(f32(word & 255u), f32((word >> 8u) & 255u));
+}
+
+fn triangle_vertex(record: vec4<u32>, b1: f32, b2: f32) -> Vertex {
+    var v: Vertex;
+    let b = weights_of(b1, b2);
+    let p = mat3x3f(
+        rna_points[record.x].xyz, rna_points[record.y].xyz, rna_points[record.z].xyz,
+    );
+    let n = mat3x3f(normals[record.x].xyz, normals[record.y].xyz, normals[record.z].xyz);
+    v.x = p[0] + b1 * (p[1] - p[0]) + b2 * (p[2] - p[0]);
+    let mixed = n * b;
+    v.n = select(vec3f(0.0), mixed / max(length(mixed), 1e-30), dot(mixed, mixed) > 0.0);
+    let area = cross(p[1] - p[0], p[2] - p[0]);
+    let largest = max(abs(area.x), max(abs(area.y), abs(area.z)));
+    if largest > 0.0 {
+        v.ng = normalize(area / largest);
+    }
+    v.lift = rna_lift(v.x, b, p, n);
+    v.shading = v.n;
+    v.b1 = b1;
+    v.b2 = b2;
+    let map = surface_normal_map(record.w >> 1u);
+    if map != NONE {
+        v.shading = rna_mapped_normal(map, image_of(map).size, v.n, p, corner_uvs(record, 0u), b);
+    }
+    v.axis = v.shading;
+    v.strand = RNA_NOTHING;
+    return v;
+}
+
+fn segment_vertex(path: Path, record: vec4<u32>, wo: vec3f) -> Vertex {
+    var v: Vertex;
+    let cone = rna_cone(record.x);
+    let way = cone.b - cone.a;
+    let size = max(abs(way.x), max(abs(way.y), abs(way.z)));
+    v.axis = normalize(way / size);
+    v.n = path.normal;
+    v.ng = path.normal;
+    v.x = path.t * rna_object_direction(path.direction, path.instance)
+        / rna_instances[path.instance].scale
+        + rna_object_point(path.origin, path.instance);
+    v.x = on_cone(cone, v.x, v.n);
+    let across = cross(v.axis, wo);
+    let width = length(across);
+    if width > 1e-6 {
+        v.h = clamp(dot(v.n, across) / width, -1.0, 1.0);
+    }
+    v.shading = v.n;
+    v.strand = record.z;
+    return v;
+}
+
+// The point of the surface of normal n near x: that of the sphere which touches it there. The error
+// of x is that of its ray's length.
+fn on_cone(cone: RnaCone, x: vec3f, n: vec3f) -> vec3f {
+    let way = cone.b - cone.a;
+    let radius = dot(x - cone.a, n);
+    let along = dot(x - cone.a - clamp(radius, 0.0, max(cone.ra, cone.rb)) * n, way);
+    let u = clamp(along / dot(way, way), 0.0, 1.0);
+    return mix(cone.a, cone.b, u) + mix(cone.ra, cone.rb, u) * n;
+}
+
+fn vertex_of(path: Path) -> Vertex {
+    let record = rna_primitives[path.primitive];
+    let wo = rna_object_direction(-path.direction, path.instance);
+    var v: Vertex;
+    if (record.w & 1u) == 0u {
+        v = triangle_vertex(record, path.b1, path.b2);
+    } else {
+        v = segment_vertex(path, record, wo);
+    }
+    v.record = record;
+    v.surface = record.w >> 1u;
+    v.kind = surface_kind(v.surface);
+    v.part = surface_part(v.surface);
+    if v.kind == OF_MATERIAL {
+        v.shading = bumped_normal(record, v.b1, v.b2, v.n, v.ng, wo);
+    }
+    v.wo = wo;
+    v.instance = path.instance;
+    v.x_world = rna_world_point(v.x, path.instance);
+    v.n_world = rna_world_direction(v.shading, path.instance);
+    v.ng_world = rna_world_direction(v.ng, path.instance);
+    return v;
+}
+
+// Where rays along wi start in the world: on materials a step off the surface.
+fn origin_of(v: Vertex, wi_world: vec3f) -> vec3f {
+    let step = thing_step(v.instance);
+    return v.x_world + select(step, -step, dot(v.ng_world, wi_world) < 0.0) * v.ng_world;
+}
+
+// Where the ray along wi starts that asks whether the asset itself is in the way; object space.
+fn leaving_point(v: Vertex, wi: vec3f) -> vec3f {
+    if v.kind == OF_FIBERS {
+        return v.x;
+    }
+    let extent = rna_instances[v.instance].extent;
+    return rna_leaving_origin(v.x, v.n, v.ng, v.lift, wi, extent);
+}
+
+fn instance_scale(instance: u32) -> f32 {
+    return rna_instances[instance].scale;
+}
+`,"segment.wgsl":`// Where a ray enters a round cone from outside: spec/RNA.md, 4.2 Curves and 7.1 Transport.
+
+struct RnaCone {
+    a: vec3f,
+    ra: f32,
+    b: vec3f,
+    rb: f32,
+}
+
+fn rna_cone(point: u32) -> RnaCone {
+    let a = rna_points[point];
+    let b = rna_points[point + 1u];
+    return RnaCone(a.xyz, a.w, b.xyz, b.w);
+}
+
+// Along d from p to where it enters the sphere; RNA_FAR where it does not.
+fn rna_enter_sphere(p: vec3f, d: vec3f, centre: vec3f, radius: f32) -> f32 {
+    let v = p - centre;
+    let along = dot(v, d);
+    let rest = v - along * d;
+    let h = radius * radius - dot(rest, rest);
+    if h <= 0.0 {
+        return RNA_FAR;
+    }
+    return -along - sqrt(h);
+}
+
+// How far p is outside of the cone; negative inside.
+fn rna_cone_distance(cone: RnaCone, p: vec3f) -> f32 {
+    let axis = cone.b - cone.a;
+    let size = length(axis);
+    let dr = cone.ra - cone.rb;
+    let v = p - cone.a;
+    let y = dot(v, axis) / size;
+    let x = length(v - axis * (y / size));
+    let to_a = length(vec2f(x, y)) - cone.ra;
+    let to_b = length(vec2f(x, y - size)) - cone.rb;
+    if size <= abs(dr) {
+        return select(to_b, to_a, dr > 0.0);
+    }
+    let slope = dr / size;
+    let lean = sqrt(1.0 - slope * slope);
+    let along = y * lean - x * slope;
+    if along <= 0.0 {
+        return to_a;
+    }
+    if along >= size * lean {
+        return to_b;
+    }
+    return x * lean + y * slope - cone.ra;
+}
+
+struct RnaEntry {
+    t: f32,
+    normal: vec3f,
+}
+
+// The entry of the line into the cone: of the points where it enters a sphere at an end, or the side
+// between them, the first. \`from\` is near the cone, to keep digits.
+fn rna_enter_cone(cone: RnaCone, p: vec3f, d: vec3f) -> RnaEntry {
+    let ta = rna_enter_sphere(p, d, cone.a, cone.ra);
+    let tb = rna_enter_sphere(p, d, cone.b, cone.rb);
+    var entry = RnaEntry(min(ta, tb), vec3f(0.0));
+    entry.normal = p + entry.t * d - select(cone.b, cone.a, ta < tb);
+    let axis = cone.b - cone.a;
+    let v = p - cone.a;
+    let dr = cone.ra - cone.rb;
+    let squared = dot(axis, axis);
+    let d2 = squared - dr * dr;
+    let m1 = dot(axis, v);
+    let m2 = dot(axis, d);
+    let k2 = d2 - m2 * m2;
+    let k1 = d2 * dot(d, v) - m1 * m2 + m2 * dr * cone.ra;
+    let k0 = d2 * dot(v, v) - m1 * m1 + 2.0 * m1 * dr * cone.ra - squared * cone.ra * cone.ra;
+    let h = k1 * k1 - k0 * k2;
+    if d2 <= 0.0 || h < 0.0 || k2 == 0.0 {
+        return entry;
+    }
+    for (var sign = -1.0; sign <= 1.0; sign += 2.0) {
+        let side = (sign * sqrt(h) - k1) / k2;
+        let y = m1 - cone.ra * dr + side * m2;
+        let normal = d2 * (v + side * d) - axis * y;
+        if y > 0.0 && y < d2 && side < entry.t && dot(normal, d) < 0.0 {
+            entry = RnaEntry(side, normal);
+        }
+    }
+    return entry;
+}
+
+// Whether p, on a segment, is inside the one before or after it: there is no surface there.
+fn rna_in_neighbour(segment: vec4<u32>, p: vec3f) -> bool {
+    if (segment.y & 1u) != 0u {
+        let before = rna_cone(segment.x - 1u);
+        if rna_cone_distance(before, p) < -1e-4 * min(before.ra, before.rb) {
+            return true;
+        }
+    }
+    if (segment.y & 2u) != 0u {
+        let after = rna_cone(segment.x + 1u);
+        return rna_cone_distance(after, p) < -1e-4 * min(after.ra, after.rb);
+    }
+    return false;
+}
+
+// t of RNA_FAR for a miss.
+fn rna_meet_segment(ray: RnaRay, segment: vec4<u32>) -> RnaEntry {
+    let miss = RnaEntry(RNA_FAR, vec3f(0.0));
+    let cone = rna_cone(segment.x);
+    let shift = dot(0.5 * (cone.a + cone.b) - ray.origin, ray.direction);
+    let p = ray.origin + shift * ray.direction;
+    let entry = rna_enter_cone(cone, p, ray.direction);
+    let t = entry.t + shift;
+    if entry.t >= RNA_FAR || !(t >= ray.near && t <= ray.far) {
+        return miss;
+    }
+    if rna_in_neighbour(segment, p + entry.t * ray.direction) {
+        return miss;
+    }
+    return RnaEntry(t, normalize(entry.normal));
+}
+`,"surface.wgsl":`// Transport, or emission, at a point of a surface: spec/RNA.md, 7 Light.
+
+// x: object space, metres. n, wo, wi: unit, away from the surface; all finite. An emission decoder
+// reads no wi.
+fn rna_surface(x: vec3f, n: vec3f, wo: vec3f, wi: vec3f) -> RnaTransport {
+    let features = rna_common_blocks(x, wo, wi);
+    rna_surface_blocks(n, features, wo, wi);
+    return rna_decode();
+}
+
+fn rna_query(x: vec3f, axis: vec3f, h: f32, wo: vec3f, wi: vec3f) -> RnaTransport {
+    return rna_surface(x, axis, wo, wi);
+}
+`,"surface_blocks.wgsl":`// Input blocks of surfaces alone: spec/RNA.md, 6.3 Input blocks and "In float32".
+
+// log2(1 - min(n.m, 1) + 1e-4) / 6
+fn rna_log_gap(n: vec3f, m: vec3f) -> f32 {
+    let gap = n - m;
+    return log2(0.5 * dot(gap, gap) + 1e-4) / 6.0;
+}
+
+fn rna_half_vector(slot: u32, n: vec3f, m: vec3f, wo: vec3f, wi: vec3f) {
+    if slot != RNA_NONE {
+        rna_values[slot] = vec4f(dot(n, m), rna_log_gap(n, m), dot(n, wi), dot(n, wo));
+        rna_values[slot + 1u] = vec4f(dot(wi, m), 0.0, 0.0, 0.0);
+    }
+}
+
+fn rna_highlight(slot: u32, n: vec3f, m: vec3f) {
+    let aside = cross(n, m);
+    rna_put(slot, vec4f(log2(dot(aside, aside) + 1e-8) / 12.0, 0.0, 0.0, 0.0));
+}
+
+fn rna_learned_normal(slot: u32, n: vec3f, features: vec3f, wo: vec3f, wi: vec3f) {
+    if slot == RNA_NONE {
+        return;
+    }
+    var q = n + 0.1 * features;
+    let size = length(q);
+    if size < 1e-6 {
+        q = n;
+    } else {
+        q = q / size;
+    }
+    let m = rna_halfway(wo, wi, q);
+    rna_values[slot] = vec4f(dot(q, m), rna_log_gap(q, m), 0.0, 0.0);
+}
+
+fn rna_surface_blocks(n: vec3f, features: vec3f, wo: vec3f, wi: vec3f) {
+    rna_put(rna_slot(RNA_BLOCK_NORMAL), vec4f(n, 0.0));
+    let m = rna_halfway(wo, wi, n);
+    rna_half_vector(rna_slot(RNA_BLOCK_HALF_VECTOR), n, m, wo, wi);
+    rna_highlight(rna_slot(RNA_BLOCK_HIGHLIGHT), n, m);
+    rna_learned_normal(rna_slot(RNA_BLOCK_LEARNED_NORMAL), n, features, wo, wi);
+}
+`,"triangle.wgsl":`// Where a ray meets a triangle, from either side, watertight: Woop, Benthin and Wald, Watertight
+// Ray/Triangle Intersection (JCGT 2(1), 2013).
+
+// Coordinates with the ray's largest one last.
+fn rna_turned(v: vec3f, axis: u32) -> vec3f {
+    if axis == 0u {
+        return v.yzx;
+    }
+    if axis == 1u {
+        return v.zxy;
+    }
+    return v;
+}
+
+fn rna_largest_axis(d: vec3f) -> u32 {
+    let size = abs(d);
+    if size.x > size.y && size.x > size.z {
+        return 0u;
+    }
+    return select(2u, 1u, size.y > size.z);
+}
+
+// (t, b1, b2), t of RNA_FAR for a miss.
+fn rna_meet_triangle(ray: RnaRay, p0: vec3f, p1: vec3f, p2: vec3f) -> vec3f {
+    let miss = vec3f(RNA_FAR, 0.0, 0.0);
+    let axis = rna_largest_axis(ray.direction);
+    let d = rna_turned(ray.direction, axis);
+    let shear = vec3f(d.x / d.z, d.y / d.z, 1.0 / d.z);
+    let a = rna_turned(p0 - ray.origin, axis);
+    let b = rna_turned(p1 - ray.origin, axis);
+    let c = rna_turned(p2 - ray.origin, axis);
+    let a2 = a.xy - shear.xy * a.z;
+    let b2 = b.xy - shear.xy * b.z;
+    let c2 = c.xy - shear.xy * c.z;
+    let u = c2.x * b2.y - c2.y * b2.x;
+    let v = a2.x * c2.y - a2.y * c2.x;
+    let w = b2.x * a2.y - b2.y * a2.x;
+    if (u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0) {
+        return miss;
+    }
+    let sum = u + v + w;
+    if sum == 0.0 {
+        return miss;
+    }
+    let t = (u * a.z + v * b.z + w * c.z) * shear.z / sum;
+    if !(t >= ray.near && t <= ray.far) {
+        return miss;
+    }
+    return vec3f(t, v / sum, w / sum);
+}
+`,"visibility.wgsl":`// Where visibility rays of meshes start: spec/RNA.md, 7.1 Transport. Those of strands start at x.
+
+// From x, at barycentric coordinates b of a triangle, onto the smooth surface it stands for.
+fn rna_lift(x: vec3f, b: vec3f, p: mat3x3f, n: mat3x3f) -> vec3f {
+    return b.x * max(0.0, dot(p[0] - x, n[0])) * n[0]
+        + b.y * max(0.0, dot(p[1] - x, n[1])) * n[1]
+        + b.z * max(0.0, dot(p[2] - x, n[2])) * n[2];
+}
+
+// n: interpolated, ng: of the triangle; extent: largest absolute coordinate of the asset.
+fn rna_leaving_origin(
+    x: vec3f, n: vec3f, ng: vec3f, lift: vec3f, wi: vec3f, extent: f32,
+) -> vec3f {
+    let step = extent * 0x1p-18f;
+    let above = dot(ng, wi);
+    if dot(n, wi) > 0.0 && dot(n, ng) > 0.0 && above < 0.1 {
+        return x + (1.0 - max(0.0, above) / 0.1) * lift + step * ng;
+    }
+    return x + select(step, -step, above < 0.0) * ng;
+}
+`,"weights_storage.wgsl":`// Weights of more than 64 KiB.
+
+@group(0) @binding(1) var<storage, read> rna_weights: array<vec4f>;
+
+fn rna_weight(at: u32) -> vec4f {
+    return rna_weights[at];
+}
+`,"weights_uniform.wgsl":`// Weights of up to 64 KiB. On software drivers they are read ten times faster from a uniform
+// buffer than from storage.
+
+@group(0) @binding(1) var<uniform> rna_weights: array<vec4f, 4096>;
+
+fn rna_weight(at: u32) -> vec4f {
+    return rna_weights[at];
+}
+`};var rn=`// What a band of the picture holds between the kernels, and what the viewer's kernels know beside rna_gpu's Frame.
+
+struct View {
+    first: u32,  // pixel of the band
+    jitter: f32, // 0: rays through the middles of pixels, 1: anywhere in them
+    kind: u32,   // of the light, see light.wgsl
+    is_first: u32, // 1: the sum starts with this
+    direction: vec3f, // of a sun
+    counts_coverage: u32,
+    colour: vec3f, // irradiance of a sun
+    ground: f32,   // its height
+    ground_colour: vec3f, // radiance of it in full light, over the light's irradiance
+    ground_size: f32,     // 0: there is no ground
+    middle: vec2f,        // of the ground, x and z
+    part: u32,     // that is asked, + 1
+    emission: u32, // 1: answers are of emission, one vec4f each
+}
+
+// A pixel: a row as rna_evaluate reads it, with two numbers in its free places; and what it weighs.
+struct Pixel {
+    position: vec4<u32>, // and h of a fiber
+    axis: vec4<u32>,     // and part + 1, or 0 where nothing is hit
+    wo: vec4<u32>,       // and the primitive
+    wi: vec4<u32>,
+    through: vec3f, // throughput
+    b1: f32,        // barycentric coordinates
+    radiance: vec3f, // over the density, times the throughput; of the ground what it sends on
+    b2: f32,
+    visibility: vec3f,
+    coverage: f32, // of the ground
+}
+
+@group(1) @binding(0) var<storage, read_write> band: array<Pixel>;
+@group(1) @binding(1) var<uniform> view: View;
+`;var Lo=`// A ray from the camera through each pixel of the band, to the query of its first hit.
+
+fn words(v: vec3f, last: u32) -> vec4<u32> {
+    return vec4<u32>(bitcast<vec3<u32>>(v), last);
+}
+
+// There are no lights with a shape.
+fn with_lights(ray: RnaRay, met: RnaHit) -> RnaHit {
+    return met;
+}
+
+fn pixel_of(hit: RnaHit, wo: vec3f) -> Pixel {
+    var pixel: Pixel;
+    pixel.wo = words(wo, hit.primitive);
+    if hit.instance == RNA_NOTHING {
+        return pixel;
+    }
+    let record = rna_primitives[hit.primitive];
+    var v: Vertex;
+    if (record.w & 1u) == 0u {
+        v = triangle_vertex(record, hit.b1, hit.b2);
+    } else {
+        var path: Path;
+        path.origin = frame.camera;
+        path.direction = -wo;
+        path.t = hit.t;
+        path.normal = hit.normal;
+        v = segment_vertex(path, record, wo);
+    }
+    pixel.position = words(v.x, bitcast<u32>(v.h));
+    pixel.axis = words(v.axis, surface_part(record.w >> 1u) + 1u);
+    pixel.b1 = hit.b1;
+    pixel.b2 = hit.b2;
+    return pixel;
+}
+
+@compute @workgroup_size(64)
+fn trace_pixels(
+    @builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    let k = path_number(id, groups);
+    if k >= frame.paths {
+        return;
+    }
+    let number = view.first + k;
+    let place = vec2f(vec2<u32>(number % frame.width, number / frame.width));
+    let at = place + mix(vec2f(0.5), square(number, 0u, frame.sample), view.jitter);
+    let d = normalize(frame.corner + at.x * frame.step_x + at.y * frame.step_y);
+    let ray = RnaRay(frame.camera, 0.0, d, RNA_FAR);
+    let found = closest_through(ray, RNA_NOTHING, chance_of(number));
+    var pixel = pixel_of(found.hit, -d);
+    pixel.through = found.weight;
+    band[k] = pixel;
+}
+
+// The normals of hits whose primitives and barycentric coordinates are in the band.
+@compute @workgroup_size(64)
+fn find_normals(
+    @builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    let k = path_number(id, groups);
+    if k < frame.paths {
+        let hit = RnaHit(0.0, 0u, band[k].wo.w, band[k].b1, band[k].b2, vec3f(0.0));
+        band[k].axis = pixel_of(hit, bitcast<vec3f>(band[k].wo.xyz)).axis;
+    }
+}
+`;var Po=`// For each query a direction of one light, what arrives from there, and how much of it the asset lets through; and
+// the light on the ground.
+
+const OF_SUN = 0u; // kinds of view.kind
+const BRIGHT = 1u; // the environment, where it is bright
+const GIVEN = 2u;  // directions of the rows
+const ABOUT = 3u;  // the environment, about the point
+
+struct Arrival {
+    wi: vec3f,
+    radiance: vec3f, // over the density
+}
+
+// Directions about a point: some about the mirror direction, where highlights lie; of the others some from all sides,
+// since light comes through, and the rest by the cosine about the normal. A vector of zero stands for none: the ground
+// has no highlights, and about a strand all come from all sides.
+struct Surroundings {
+    n: vec3f, // turned to the viewer
+    mirror: vec3f,
+}
+
+const MIRRORED = 1.0 / 3.0;
+const FROM_ALL_SIDES = 0.25;
+
+fn mirrored_share(at: Surroundings) -> f32 {
+    return select(MIRRORED, 0.0, all(at.mirror == vec3f(0.0)));
+}
+
+fn direction_about(at: Surroundings, u: vec2f) -> vec3f {
+    let share = mirrored_share(at);
+    if u.y < share {
+        return normalize(along_axis(at.mirror, fisher_cosine(u.y / share, MIRROR_KAPPA), u.x));
+    }
+    let rest = (u.y - share) / (1.0 - share);
+    let all_sides = rest < FROM_ALL_SIDES;
+    let v = select((rest - FROM_ALL_SIDES) / (1.0 - FROM_ALL_SIDES), rest / FROM_ALL_SIDES, all_sides);
+    let ball = along_axis(vec3f(0.0, 0.0, 1.0), 1.0 - 2.0 * v, u.x);
+    return normalize(ball + select(at.n * 1.0001, vec3f(0.0), all_sides));
+}
+
+fn density_about(at: Surroundings, wi: vec3f) -> f32 {
+    if all(at.n == vec3f(0.0)) {
+        return SPHERE_PDF;
+    }
+    let rest = mix(max(0.0, dot(at.n, wi)) / PI, SPHERE_PDF, FROM_ALL_SIDES);
+    return mix(rest, fisher_pdf(dot(at.mirror, wi), MIRROR_KAPPA), mirrored_share(at));
+}
+
+fn surroundings_of(pixel: Pixel) -> Surroundings {
+    if pixel.axis.w == 0u {
+        return Surroundings(vec3f(0.0, 1.0, 0.0), vec3f(0.0)); // of the ground
+    }
+    if (rna_primitives[pixel.wo.w].w & 1u) != 0u {
+        return Surroundings(vec3f(0.0), vec3f(0.0));
+    }
+    let n = bitcast<vec3f>(pixel.axis.xyz);
+    let wo = bitcast<vec3f>(pixel.wo.xyz);
+    return Surroundings(select(n, -n, dot(n, wo) < 0.0), reflect(-wo, n));
+}
+
+// One sample of both techniques each, as two lights: the balance heuristic (Veach and Guibas 1995).
+fn arrival_at(number: u32, pixel: Pixel) -> Arrival {
+    if view.kind == OF_SUN {
+        return Arrival(view.direction, view.colour);
+    }
+    if view.kind == GIVEN {
+        return Arrival(bitcast<vec3f>(pixel.wi.xyz), view.colour);
+    }
+    let at = surroundings_of(pixel);
+    if view.kind == BRIGHT {
+        let bright = sample_image(0u, at_point(number, LIGHT));
+        return Arrival(bright.wi, bright.radiance / (bright.pdf + density_about(at, bright.wi)));
+    }
+    let wi = direction_about(at, at_point(number, DIRECTION));
+    let sky = look_up_image(0u, wi);
+    return Arrival(wi, sky.radiance / (sky.pdf + density_about(at, wi)));
+}
+
+// How much of the light along wi the asset itself lets through to a point of it.
+fn visibility_of(pixel: Pixel, wi: vec3f) -> vec3f {
+    let record = rna_primitives[pixel.wo.w];
+    var v: Vertex;
+    if (record.w & 1u) == 0u {
+        v = triangle_vertex(record, pixel.b1, pixel.b2);
+        v.kind = OF_NEURAL;
+    } else {
+        v.x = bitcast<vec3f>(pixel.position.xyz);
+        v.kind = OF_FIBERS;
+        v.strand = record.z;
+    }
+    return own_kept(0u, RnaRay(leaving_point(v, wi), 0.0, wi, RNA_FAR), v.strand);
+}
+
+// The ground, seen along d, shows the shadow and fades with the distance: what it sends on of light along wi; and how
+// much it covers.
+fn ground_seen(d: vec3f, wi: vec3f) -> vec4f {
+    if view.ground_size == 0.0 || d.y * (frame.camera.y - view.ground) >= 0.0 {
+        return vec4f(0.0);
+    }
+    let x = frame.camera + d * ((view.ground - frame.camera.y) / d.y);
+    let fade = 1.0 - smoothstep(0.5, 1.0, length(x.xz - view.middle) / view.ground_size);
+    let weight = fade * max(0.0, wi.y) * view.ground_colour;
+    if all(weight <= vec3f(0.0)) {
+        return vec4f(0.0, 0.0, 0.0, fade);
+    }
+    let step = 0x1p-18f * rna_instances[0].extent;
+    let way = RnaRay(x + vec3f(0.0, step, 0.0), 0.0, wi, RNA_FAR);
+    return vec4f(weight * own_kept(0u, way, RNA_NOTHING), fade);
+}
+
+@compute @workgroup_size(64)
+fn light_pixels(
+    @builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    let k = path_number(id, groups);
+    if k >= frame.paths {
+        return;
+    }
+    var pixel = band[k];
+    let arrival = arrival_at(view.first + k, pixel);
+    pixel.wi = vec4<u32>(bitcast<vec3<u32>>(arrival.wi), 0u);
+    pixel.radiance = pixel.through * arrival.radiance;
+    if pixel.axis.w != 0u {
+        pixel.visibility = visibility_of(pixel, arrival.wi);
+    } else {
+        let ground = ground_seen(-bitcast<vec3f>(pixel.wo.xyz), arrival.wi);
+        pixel.radiance *= ground.xyz;
+        pixel.coverage = ground.w;
+    }
+    band[k] = pixel;
+}
+`;var hi=`// The queries of one part, one behind the other as rna_evaluate reads them; and back, its answers to the picture.
+
+struct Row {
+    position: vec4<u32>,
+    axis: vec4<u32>,
+    wo: vec4<u32>,
+    wi: vec4<u32>,
+}
+
+@group(2) @binding(0) var<storage, read_write> asked: array<Row>;
+@group(2) @binding(1) var<storage, read_write> answers: array<vec4f>;
+@group(2) @binding(2) var<storage, read_write> count: array<atomic<u32>>; // [0]; then the pixel of each row
+
+// What a light brings to the ground, and the coverage. \`sums\` are of the whole picture.
+@compute @workgroup_size(64)
+fn begin(
+    @builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    let k = path_number(id, groups);
+    if k >= frame.paths {
+        return;
+    }
+    let is_query = band[k].axis.w != 0u;
+    let covered = select(band[k].coverage, 1.0, is_query) * f32(view.counts_coverage);
+    let before = select(sums[view.first + k], vec4f(0.0), view.is_first == 1u);
+    sums[view.first + k] = before + vec4f(select(band[k].radiance, vec3f(0.0), is_query), covered);
+}
+
+@compute @workgroup_size(64)
+fn gather(
+    @builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    let k = path_number(id, groups);
+    if k >= frame.paths || band[k].axis.w != view.part {
+        return;
+    }
+    let pixel = band[k];
+    let at = atomicAdd(&count[0], 1u);
+    atomicStore(&count[at + 1u], k);
+    // No block of emission reads wi.
+    let wi = select(pixel.wi, pixel.wo, view.emission == 1u);
+    asked[at] = Row(pixel.position, pixel.axis, pixel.wo, wi);
+}
+
+@compute @workgroup_size(64)
+fn scatter(
+    @builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    let at = path_number(id, groups);
+    if at >= atomicLoad(&count[0]) {
+        return;
+    }
+    let k = atomicLoad(&count[at + 1u]);
+    let pixel = band[k];
+    var radiance = pixel.through * answers[at].xyz;
+    if view.emission == 0u {
+        radiance = pixel.radiance * mix(answers[2u * at + 1u].xyz, answers[2u * at].xyz, pixel.visibility);
+    }
+    sums[view.first + k] += vec4f(radiance, 0.0);
+}
+`;var pi=`// The picture on the page: mean of the samples, less noise while they are few, exposure, view transform, sRGB.
+
+struct Show {
+    size: vec2f,    // of the canvas, pixels
+    picture: vec2f, // of the picture
+    backdrop: vec3f, // linear light of the screen
+    rounds: f32,
+    exposure: f32,  // a factor
+    filmic: f32,    // 1 for the filmic view transform, 0 for none
+    spread: f32,    // of noise, in values of the screen; 0 to leave it
+    unused: f32,
+}
+
+@group(0) @binding(0) var<uniform> shown: Show;
+@group(0) @binding(1) var<storage, read> sums: array<vec4f>;
+
+@vertex
+fn corner(@builtin(vertex_index) k: u32) -> @builtin(position) vec4f {
+    return vec4f(vec2f(f32(k & 1u), f32(k >> 1u)) * 4.0 - 1.0, 0.0, 1.0);
+}
+
+fn picture_at(x: f32, y: f32) -> vec4f {
+    let place = vec2<u32>(clamp(vec2f(x, y), vec2f(0.0), shown.picture - 1.0));
+    return sums[place.y * u32(shown.picture.x) + place.x];
+}
+
+// As rna_render/image/view_transform.py, which names the source.
+fn filmic(radiance: vec3f) -> vec3f {
+    let c = 1.461926 * min(radiance, vec3f(1e9));
+    let x = vec3f(dot(c, vec3f(0.59719, 0.35458, 0.04823)), dot(c, vec3f(0.07600, 0.90834, 0.01566)),
+                  dot(c, vec3f(0.02840, 0.13383, 0.83777)));
+    // Both parts divided by x, so that none overflows.
+    let inverse = 1.0 / max(x, vec3f(1e-9));
+    let y = (x + 0.0245786 - 0.000090537 * inverse) / (0.983729 * x + 0.4329510 + 0.238081 * inverse);
+    return vec3f(dot(y, vec3f(1.60475, -0.53108, -0.07367)), dot(y, vec3f(-0.10208, 1.10813, -0.00605)),
+                 dot(y, vec3f(-0.00327, -0.07276, 1.07602)));
+}
+
+// Values of the screen, sRGB, of a mean.
+fn displayed(mean: vec4f) -> vec3f {
+    let exposed = max(mean.xyz * shown.exposure, vec3f(0.0));
+    let light = select(exposed, filmic(exposed), shown.filmic > 0.5);
+    let linear = clamp(light, vec3f(0.0), vec3f(1.0)) + max(0.0, 1.0 - mean.w) * shown.backdrop;
+    let encoded = mix(12.92 * linear, 1.055 * pow(linear, vec3f(1.0 / 2.4)) - 0.055, step(vec3f(0.0031308), linear));
+    return clamp(encoded, vec3f(0.0), vec3f(1.0));
+}
+
+@fragment
+fn colour(@builtin(position) at: vec4f) -> @location(0) vec4f {
+    let place = at.xy * shown.picture / shown.size - 0.5;
+    let low = floor(place);
+    let f = place - low;
+    let above = mix(picture_at(low.x, low.y), picture_at(low.x + 1.0, low.y), f.x);
+    let below = mix(picture_at(low.x, low.y + 1.0), picture_at(low.x + 1.0, low.y + 1.0), f.x);
+    let mean = mix(above, below, f.y) / shown.rounds;
+    let here = displayed(mean);
+    if (shown.spread == 0.0) {
+        return vec4f(here, 1.0);
+    }
+    // Bilateral: neighbours count by how near and how like they are.
+    var sum = vec4f(here, 1.0);
+    let middle = round(place);
+    for (var dy = -2.0; dy <= 2.0; dy += 1.0) {
+        for (var dx = -2.0; dx <= 2.0; dx += 1.0) {
+            let there = middle + vec2f(dx, dy);
+            let other = picture_at(there.x, there.y) / shown.rounds;
+            let value = displayed(other);
+            let away = there - place;
+            let unlike = (value - here) / shown.spread;
+            let edge = 4.0 * (other.w - mean.w);
+            sum += vec4f(value, 1.0) * exp(-0.3 * dot(away, away) - 0.5 * dot(unlike, unlike) - edge * edge);
+        }
+    }
+    return vec4f(sum.xyz / sum.w, 1.0);
+}
+`;var Do=`// What segment.wgsl has, for assets without strands: code that an asset has no use for is not compiled, which takes
+// most of the time to its first picture.
+
+struct RnaCone {
+    a: vec3f,
+    ra: f32,
+    b: vec3f,
+    rb: f32,
+}
+
+struct RnaEntry {
+    t: f32,
+    normal: vec3f,
+}
+
+fn rna_cone(point: u32) -> RnaCone {
+    return RnaCone(vec3f(0.0), 0.0, vec3f(0.0), 0.0);
+}
+
+fn rna_enter_sphere(p: vec3f, d: vec3f, centre: vec3f, radius: f32) -> f32 {
+    return RNA_FAR;
+}
+
+fn rna_meet_segment(ray: RnaRay, segment: vec4<u32>) -> RnaEntry {
+    return RnaEntry(RNA_FAR, vec3f(0.0));
+}
+`;var Uo=`// What normal_maps.wgsl and render/transmittance.wgsl have, for assets without textures.
+
+fn rna_mapped_normal(
+    map: u32, size: vec2<u32>, n: vec3f, p: mat3x3f, uv: mat3x2f, b: vec3f,
+) -> vec3f {
+    return n;
+}
+
+fn transmittance(record: vec4<u32>, b1: f32, b2: f32, d: vec3f, facing: bool) -> vec3f {
+    return vec3f(0.0);
+}
+`;for(let n of[rn,hi,pi])Gi(n);var Bo=n=>n in Ot?[n]:nn[n].flatMap(Bo),Qn=(n,e=Ot)=>[...new Set(n.flatMap(Bo))].map(t=>e[t]).join(`
+`);function er(n,...e){return Object.entries(n).map(([r,i])=>`const ${r}: u32 = ${i}u;
+`).join("")+Qn(e)}function tr({hasSegments:n,hasTextures:e}){let t={...Ot};return n||(t["segment.wgsl"]=Do),e||Object.assign(t,{"normal_maps.wgsl":Uo,"render/transmittance.wgsl":""}),{hit:Qn(nn.hit,t)+rn+Lo,light:Qn(nn.light,t)+rn+Po}}var di={queue:Qn(nn.queue)+rn+hi,show:pi};var nr=class{constructor(e){this.device=e,this.made=new Map}get(e,t,r){let i=`${t}
+${e}`;return this.made.has(i)||this.made.set(i,this._make(e,t,r)),this.made.get(i)}async _make(e,t,r){let i=await Zn(this.device,e),s=r?this.device.createPipelineLayout({bindGroupLayouts:r}):"auto";return this.device.createComputePipelineAsync({layout:s,compute:{module:i,entryPoint:t}})}},rr=class n{static async make(e,t,r,i,s,a){let c=new n,{weights:u,record:h,groups:p}=Vn(r,i,s),{UNIFORM_WEIGHTS:d}=re,v=u.length/4<=d,x={RNA_GROUPS:p,RNA_COLOURS:i.outputs===6?2:1},S=v?"weights_uniform.wgsl":"weights_storage.wgsl";c.pipeline=await t.get(er(x,S,r.kind,"evaluate"),"rna_evaluate");let{UNIFORM:T,STORAGE:L}=GPUBufferUsage,Y=v?new Float32Array(4*d):u;return v&&Y.set(u),c.buffers=[oe(e,h,T,"a decoder"),oe(e,Y,v?T:L,"a decoder")],c.part=Jt(e,c.pipeline,0,[...c.buffers,...a]),c.device=e,c}run(e,{rows:t,answers:r,count:i},s){this.bound??=Jt(this.device,this.pipeline,1,[t,r,i]),Ne(e,this.pipeline,[this.part,this.bound],s)}delete(){for(let e of this.buffers)e.destroy()}};var sn=1<<17,tf={sun:0,environment:1,given:2,aroundPoint:3},ir=class n{static label="WebGPU";static async open(e){let t=new n,r=await co();Object.assign(t,{canvas:e,device:r,parts:[],lost:!1,bandPixels:sn}),r.lost.then(({reason:s,message:a})=>{t.lost=!0,t.closed||t.onlost?.(`the GPU was lost (${a||s})`)}),r.addEventListener("uncapturederror",({error:s})=>{t.error??=s}),t.context=e.getContext("webgpu");let i=navigator.gpu.getPreferredCanvasFormat();return t.context.configure({device:r,format:i,alphaMode:"opaque",usage:GPUTextureUsage.RENDER_ATTACHMENT|GPUTextureUsage.COPY_SRC}),t.pipelines=new nr(r),t.compiled=t._compile(i),t.compiled.catch(()=>{}),t}async _compile(e){let{device:t}=this,r=await Zn(t,di.show),[i,s,a]=["uniform","storage","read-only-storage"],c=Tt(t,{0:s,1:i});this.rayLayout=[Tt(t,{0:i,4:a,5:a}),c,Tt(t,{0:a,1:a,2:a,3:a,4:a})],this.queueLayout=[Tt(t,{0:i,2:s}),c,Tt(t,{0:s,1:s,2:s})];let[u,h,p,d]=await Promise.all([...["begin","gather","scatter"].map(v=>this.pipelines.get(di.queue,v,this.queueLayout)),t.createRenderPipelineAsync({layout:"auto",vertex:{module:r,entryPoint:"corner"},fragment:{module:r,entryPoint:"colour",targets:[{format:e}]}})]);Object.assign(this,{queueKernels:{begin:u,gather:h,scatter:p},shown:d}),this._makeBand()}_makeBand(){let{device:e}=this,{UNIFORM:t}=GPUBufferUsage;this.frameRecord=oe(e,le("Frame",{}),t),this.viewRecord=oe(e,pt("View"),t),this.showRecord=oe(e,pt("Show"),t),this.band=oe(e,pt("Pixel")*sn),this.queue={rows:oe(e,pt("Row")*sn),answers:oe(e,32*sn),count:oe(e,4*(sn+4))},this._bind()}async setAsset(e,t){let{device:r,pipelines:i}=this;this._deleteAsset();let s=(d,v)=>oe(r,d,void 0,`the asset's ${v}`);this.geometry=[s(e.nodes,"hierarchy"),s(e.primitives,"geometry"),s(e.points,"geometry"),s(nf(e.extent),"geometry"),s(e.normals,"geometry")],this.lightsAt=e.table.length/4,this.table=oe(r,4*e.table.length+pt("Light")),r.queue.writeBuffer(this.table,0,e.table),this.arrays=e,this._storeImages(),await this.compiled,this.raySources=tr({hasSegments:e.strands>0,hasTextures:e.hasTextures});let{hit:a,light:c}=this.raySources,[u,h,...p]=await Promise.all([i.get(a,"trace_pixels",this.rayLayout),i.get(c,"light_pixels",this.rayLayout),...t.map(d=>this._makePart(d))]);this.parts=p,this.kernels={hit:u,light:h,...this.queueKernels},this._bind()}async _makePart(e){let{device:t,pipelines:r}=this,i=[0,1,2].map(c=>oe(t,Xn(e.planes,c),void 0,"a plane of features")),s=(c,u)=>rr.make(t,r,e,c,u,i),a=await s(e.transport,e.inputs);return{planes:i,transport:a,emission:e.emission&&await s(e.emission,e.emission.inputs)}}get emits(){return this.parts.some(({emission:e})=>e)}setEnvironment(e){this.environment=e,this._storeImages(),this._bind()}_storeImages(){if(!this.geometry)return;let{images:e}=this.arrays,t=this.environment?.floats??new Float32Array(0);this.images?.destroy(),this.images=oe(this.device,4*(e.length+t.length),void 0,"the environment"),this.device.queue.writeBuffer(this.images,0,e),this.device.queue.writeBuffer(this.images,4*e.length,t)}resize(e,t){if(this.target?.width===e&&this.target.height===t)return;let r=e*t;(!this.sums||r>this.capacity||r*8<this.capacity)&&(this.sums?.destroy(),this.sums=oe(this.device,16*r,void 0,"the picture"),this.capacity=r,this._bind()),this.target={width:e,height:t}}_bind(){if(!this.geometry||!this.sums||!this.band||!this.kernels)return;let{device:e,rayLayout:t,queueLayout:r,queue:i}=this,s=nt(e,t[1],{0:this.band,1:this.viewRecord});this.groups={rays:[nt(e,t[0],{0:this.frameRecord,4:this.table,5:this.images}),s,nt(e,t[2],this.geometry)],queue:[nt(e,r[0],{0:this.frameRecord,2:this.sums}),s,nt(e,r[2],[i.rows,i.answers,i.count])],show:Jt(e,this.shown,0,[this.showRecord,this.sums])}}trace(e,t,r,i){let{width:s}=this.target;this.span={first:r*s,pixels:(i-r)*s,jitter:e.jitter??1},this._writeFrame(e,t),this._writeView({}),this._run(a=>Ne(a,this.kernels.hit,this.groups.rays,this.span.pixels))}light(e,{isFirst:t,countsCoverage:r}){this._writeLight(e),this.view={...e,isFirst:t,countsCoverage:r},this._writeView(this.view),this._run(i=>{Ne(i,this.kernels.light,this.groups.rays,this.span.pixels),Ne(i,this.kernels.begin,this.groups.queue,this.span.pixels)}),this._decode("transport")}emission(){this._decode("emission")}show({rounds:e,exposure:t,backdrop:r,filmic:i,spread:s}){let{width:a,height:c}=this.target,{canvas:u,device:h}=this;h.queue.writeBuffer(this.showRecord,0,le("Show",{size:[u.width,u.height],picture:[a,c],backdrop:r,rounds:e,exposure:t,filmic:Number(i),spread:s}));let p=h.createCommandEncoder(),d=this.context.getCurrentTexture().createView(),v=p.beginRenderPass({colorAttachments:[{view:d,loadOp:"clear",storeOp:"store"}]});v.setPipeline(this.shown),v.setBindGroup(0,this.groups.show),v.draw(3),v.end(),h.queue.submit([p.finish()])}async done(){if(await this.device.queue.onSubmittedWorkDone(),this.error)throw this.error}async picture(){let{width:e,height:t}=this.target;return new Float32Array(await Qt(this.device,this.sums,16*e*t))}_decode(e){for(let[t,r]of this.parts.entries()){let i=r[e];i&&(this._writeView({...this.view,part:t+1,isEmission:e==="emission"}),this.device.queue.writeBuffer(this.queue.count,0,Uint32Array.of(0)),this._run(s=>{Ne(s,this.kernels.gather,this.groups.queue,this.span.pixels),i.run(s,this.queue,this.span.pixels),Ne(s,this.kernels.scatter,this.groups.queue,this.span.pixels)}))}}_run(e){let t=this.device.createCommandEncoder(),r=t.beginComputePass();e(r),r.end(),this.device.queue.submit([t.finish()])}_writeFrame({position:e,corner:t,stepX:r,stepY:i},s){let{lightsAt:a,arrays:c,span:u,target:h}=this;this.device.queue.writeBuffer(this.frameRecord,0,le("Frame",{camera:e,corner:t,step_x:r,step_y:i,width:h.width,paths:u.pixels,sample:s,branches:1,depth:1,rays:re.CAMERA_RAY,flags:c.transmits?re.TRANSMITS:0,textures:c.texturesAt,lights:a}))}_writeView({kind:e="sun",direction:t=[0,0,0],colour:r=[0,0,0],ground:i,isFirst:s=!1,countsCoverage:a=!1,part:c=0,isEmission:u=!1}){let{first:h,jitter:p}=this.span,d=i&&{ground:i.height,ground_colour:i.colour,ground_size:i.size,middle:[i.x,i.z]};this.device.queue.writeBuffer(this.viewRecord,0,le("View",{first:h,jitter:p,kind:tf[e],is_first:Number(s),direction:t,counts_coverage:Number(a),colour:r,part:c,emission:Number(u),...d}))}_writeLight({angle:e,colour:t}){if(e===void 0)return;let{width:r,height:i,total:s,places:a}=this.environment,c={turn_cosine:Math.cos(e),turn_sine:Math.sin(e)},u=qi("image",{colour:t,...c,total:s,rows:i,columns:r});this.device.queue.writeBuffer(this.table,16*this.lightsAt,le("Light",{kind:re.IMAGE,group:re.NONE,numbers:u,places:a.map(h=>h+this.arrays.images.length)}))}_deleteAsset(){for(let e of[...this.geometry??[],this.table,this.images])e?.destroy();for(let{planes:e,transport:t,emission:r}of this.parts)e.forEach(i=>i.destroy()),t.delete(),r?.delete();this.parts=[],this.geometry=this.images=null}close(){this.closed=!0,this._deleteAsset(),this.device.destroy()}},nf=n=>le("RnaInstance",{to_object:[1,0,0,0,0,1,0,0,0,0,1,0],rotation:[1,0,0,0,0,1,0,0,0,0,1,0],scale:1,root:1,rays:re.CAMERA_RAY,extent:n});var rf={webgpu:ir,webgl2:Jn};async function Ho(n,e){let t=[];for(let[r,i]of Object.entries(rf))if(!(e&&e!==r))try{let s=n();return{engine:await i.open(s),canvas:s,reasons:t}}catch(s){t.push(s.message)}throw new B(`this browser shows the poster alone: ${t.join("; ")||`no engine ${e}`}`)}var Mt=.4*Math.PI/180,It=5*Math.PI/180;function $o(n,e,t=()=>!0){let r=new Map,i=null;n.addEventListener("pointerdown",a=>{t(a)&&(r.set(a.pointerId,{x:a.clientX,y:a.clientY}),sf(n,a.pointerId),n.classList.add("dragging"),r.size===2?i="two":r.size===1&&(i=a.button===2?"pan":a.button!==0?null:a.altKey||a.shiftKey?"light":"orbit"))}),n.addEventListener("pointermove",a=>{let c=r.get(a.pointerId);if(!c)return;let u={x:a.clientX,y:a.clientY},h=u.x-c.x,p=u.y-c.y;i==="two"&&of(r,a.pointerId,c,u,e),r.set(a.pointerId,u),!(!h&&!p)&&(i==="orbit"&&e.orbit(-h*Mt,p*Mt,!0),i==="light"&&e.light(h*Mt,-p*Mt,!0),i==="pan"&&e.pan(-h/n.clientHeight,p/n.clientHeight,!0))});for(let a of["pointerup","pointercancel"])n.addEventListener(a,c=>{r.delete(c.pointerId)&&(r.size||(i=null,n.classList.remove("dragging"),e.settle()))});n.addEventListener("contextmenu",a=>t(a)&&a.preventDefault()),n.addEventListener("dblclick",a=>t(a)&&e.reset());let s=0;n.addEventListener("wheel",a=>{if(!t(a))return;a.preventDefault();let c=a.deltaMode===0?a.deltaY:a.deltaY*32;e.zoom(Math.exp(Math.min(300,Math.max(-300,c))*.0012),!0),clearTimeout(s),s=setTimeout(()=>e.settle(),200)},{passive:!1}),n.addEventListener("keydown",a=>t(a)&&af(a,e))}function sf(n,e){try{n.setPointerCapture(e)}catch{}}function of(n,e,t,r,i){let s=[...n].find(([c])=>c!==e)?.[1];if(!s)return;let a=c=>Math.hypot(c.x-s.x,c.y-s.y)||1;i.zoom(a(t)/a(r),!0),i.light(.5*(r.x-t.x)*Mt,-.5*(r.y-t.y)*Mt,!0)}function af(n,e){if(n.ctrlKey||n.metaKey)return;let t=n.altKey||n.shiftKey?e.light:e.orbit,r={ArrowLeft:()=>t(-It,0),ArrowRight:()=>t(It,0),ArrowUp:()=>t(0,It),ArrowDown:()=>t(0,-It),"+":()=>e.zoom(1/1.1),"=":()=>e.zoom(1/1.1),"-":()=>e.zoom(1.1),"[":()=>e.light(-It,0),"]":()=>e.light(It,0),Home:()=>e.reset()};Object.hasOwn(r,n.key)&&(n.preventDefault(),r[n.key]())}function Go(n,e){let{cameraControls:t,disableZoom:r,wheelZoom:i}=n.settings;if(!t||e.type!=="wheel")return t;let s=n.place.getRootNode().activeElement===n.canvas;return!r&&(i==="always"||s||e.ctrlKey||e.metaKey)}function qo(n){let e=(t,r)=>(...i)=>{n.settings[r]||(t(...i),n.isTouched=!0,n.viewer.restart(i.at(-1)===!0),n.tell("camera",{byUser:!0}))};return{orbit:e((t,r)=>n.orbit.turn(t,r)),pan:e((t,r)=>n.orbit.pan(t,r),"disablePan"),zoom:e(t=>n.orbit.zoom(t),"disableZoom"),light:(t,r,i)=>{if(n.settings.disableLight)return;let s=Rn(n.lighting.rotation+t*180/Math.PI),a=Ni(n.lighting.sunHeight+r*180/Math.PI,-10,90);n.setLight({rotation:s,sunHeight:a},{moving:i===!0,byUser:!0})},settle:()=>n.viewer.moving&&n.viewer.restart(),reset:()=>n.reset()}}var cf={kind:"sun",direction:[0,1,0],colour:[0,0,0]},sr=class extends EventTarget{constructor(e,t,r){super(),Object.assign(this,{engine:e,canvas:t,orbit:r}),Object.assign(this,{lights:[],ground:null,exposure:0,view:"srgb",denoise:!0,rounds:256,jitter:1,generation:0,msPerPixel:.005,shown:null,finest:1,ready:!1,stopped:!1,moving:!1,resting:!1,backdrop:[0,0,0],stats:{ms:0,rounds:0}}),this.wake=null}restart(e=!1){this.moving=e,Object.assign(this.stats,{rounds:0,scale:0}),this.generation+=1,this.wake?.()}start(){this.ready=!0,this.running??=this._run(),this.restart()}pause(){this.ready=!1,this.generation+=1}rest(e){this.resting=e,e||this.rouse?.()}stop(){return this.stopped=!0,this.rest(!1),this.pause(),this.wake?.(),this.running}async converged(e=this.rounds){for(;!(this.stats.scale===1&&this.stats.rounds>=e);)await new Promise(t=>this.addEventListener("shown",t,{once:!0}))}show(){if(!this.shown)return;let{rounds:e}=this.shown,t=this.denoise&&e<12;this.engine.show({rounds:e,exposure:2**this.exposure,backdrop:this.backdrop,filmic:this.view==="filmic",spread:t?.4/Math.sqrt(e):0})}async _run(){for(;!this.stopped;){let e=this.generation;try{this.ready&&await this._picture(e)}catch(t){this.engine.lost||this.dispatchEvent(Object.assign(new Event("failed"),{error:t})),this.ready=!1}e===this.generation&&!this.stopped&&await new Promise(t=>{this.wake=t})}}async _picture(e){for(let t of this._scales()){let r=t===1&&!this.moving?this.rounds:1;if(!await this._stage(e,t,r)||this.moving)return}}_scales(){let e=this.canvas.width*this.canvas.height*Math.max(1,this.lights.length),t=1;for(;t<16&&e*this.msPerPixel/t**2>110;)t*=2;let r=[t];for(;t>1;)r.push(t=t>4?t/4:1);return r}async _stage(e,t,r){let{engine:i,canvas:s}=this,a=Math.ceil(s.width/t),c=Math.ceil(s.height/t);this.shown=null,i.resize(a,c);let u={...this.orbit.camera(a,c),jitter:this.jitter};if(!this.hasShown){if(!await this._round(e,u,0,this.lights.slice(0,1)))return!1;this._present(1,t)}for(let h=0;h<r;h++){let p=performance.now();if(!await this._round(e,u,h,this.lights))return!1;this._present(h+1,t),this._measure(performance.now()-p,a*c,t)}return!0}async _round(e,t,r,i){let{engine:s}=this,{width:a,height:c}=s.target,u=this.msPerPixel*a*Math.max(1,i.length),h=Math.max(1,Math.min(c,Math.floor(120/u),Math.floor(s.bandPixels/a)));for(let p=0;p<c;p+=h)if(this.resting&&await new Promise(d=>{this.rouse=d}),this._band(t,r,i,p,Math.min(c,p+h)),await s.done(),e!==this.generation||this.stopped||s.lost)return!1;return!0}_band(e,t,r,i,s){let{engine:a}=this;a.trace(e,t,i,s),(r.length?r:[cf]).forEach((u,h)=>a.light({...u,ground:this.ground},{isFirst:t===0&&h===0,countsCoverage:h===0})),a.emits&&a.emission()}_present(e,t){this.shown={rounds:e},this.show(),this.hasShown||performance.mark("picture"),this.hasShown=!0,Object.assign(this.stats,{rounds:e,scale:t}),this.dispatchEvent(new Event("shown"))}_measure(e,t,r){let i=e/(t*Math.max(1,this.lights.length));this.msPerPixel=t<4096?Math.min(this.msPerPixel*4,i):.5*(this.msPerPixel+i),r===1&&(this.stats.ms=this.stats.ms?.7*this.stats.ms+.3*e:e)}};var lf=22e5,uf=4,or=class extends EventTarget{constructor(e,t,r){super(),Object.assign(this,{place:e,notices:t,settings:r,losses:0,lives:0,isResting:!1}),this.look={exposure:0,view:"srgb",denoise:!0,rounds:256,jitter:1},new ResizeObserver(()=>this.resize()).observe(e)}begin(){let{samples:e,jitter:t}=this.settings;return Object.assign(this.look,e&&{rounds:e},t!==null&&{jitter:t}),this.replace(this.settings.api)}end(){this.lives+=1,this.begun=Promise.resolve(!1),this.viewer?.stop(),this.engine?.close(),Object.assign(this,{viewer:null,engine:null})}replace(e,t){this.end();let r=this._begin(e,t).then(()=>r===this.begun?!!this.engine:this.begun,i=>r!==this.begun?this.begun:this.canFallBack?this.replace("webgl2",on(i)):(this.end(),this.failed(i,"engine"),!1));return this.begun=r}async _begin(e,t){let r=this.lives,{engine:i,canvas:s,reasons:a}=await Ho(()=>document.createElement("canvas"),e);if(r!==this.lives)return i.close();Object.assign(this,{engine:i,canvas:s}),this.place.replaceChildren(s),i.onlost=c=>this._lost(i,c),this.viewer=Object.assign(new sr(i,s,this.orbit),this.look,{resting:this.isResting}),this.viewer.addEventListener("shown",()=>this.pictured()),this.viewer.addEventListener("failed",({error:c})=>this._pictureFailed(i,c)),performance.mark("engine"),$o(s,qo(this),c=>Go(this,c)),this.tell("engine",{label:i.constructor.label,reasons:[...t?[t]:[],...a]}),this.resize(),await this.restore(i)}rest(e){this.isResting=e,this.viewer?.rest(e)}resize(){if(!this.viewer)return;let{clientWidth:e,clientHeight:t}=this.place,r=this.settings.pixelRatio??Math.min(devicePixelRatio,2),i=Math.min(r,Math.sqrt(lf/Math.max(1,e*t))),s=Math.max(1,Math.round(e*i)),a=Math.max(1,Math.round(t*i));this.canvas.width===s&&this.canvas.height===a||(Object.assign(this.canvas,{width:s,height:a}),this.resized(),this.viewer.restart())}get wgsl(){return{compose:er,sharedFiles:Ot,rayKernels:tr}}reader(){return this.viewer.pause(),new jn(this.engine)}screenshot(e="image/png",t=void 0){return this.viewer.show(),new Promise(r=>this.canvas.toBlob(r,e,t))}async _lost(e,t){if(e!==this.engine)return;if(this.losses+=1,this.losses>=uf)return this.end(),this.failed(new B(`${t}, ${this.losses} times`),"engine");this.notices.say(`${t}; starting again`,!0,"engine");let r=this.losses>1?this.settings.api??"webgl2":this.settings.api;await this.replace(r,this.losses>1&&t)&&this.notices.say(null,!1,"engine")}async _pictureFailed(e,t){if(e===this.engine){if(!this.canFallBack)return this.failed(t,"asset");await this.replace("webgl2",on(t))}}get canFallBack(){return this.engine?.constructor.label==="WebGPU"&&!this.settings.api}tell(e,t){this.dispatchEvent(Object.assign(new Event(e),t))}failed(e,t){Zo(e)||console.error(e),this.notices.say(on(e),!1,t),this.failures=(this.failures??0)+1,this.tell("failed",{error:e,about:t})}},Zo=n=>n instanceof Dt||n instanceof B,on=n=>Zo(n)?n.message:`this did not work: ${n.message??n}`;var ff={studio:["Studio",Xi],white:["White from all sides",()=>Cn([1,1,1])]},hf=[1.06,1,.9],ar=Math.PI/180,cr=class{constructor(){this.images=new Map(Object.entries(ff).map(([e,[t,r]])=>[e,{label:t,make:r}])),this.choice="studio",this.turntable=0,this.reset()}reset(){Object.assign(this,{rotation:0,sunHeight:45,sunAzimuth:40,sun:2,strength:1,suns:[],imageTurn:0})}add(e,t){let r=`image-${this.images.size}`;return this.images.set(r,{label:e,make:()=>t}),r}tables(){let e=this.images.get(this.choice);return e.tables??=Vi(e.make()),e.tables}lights(){let e=[],t=[0,0,0],r=(this.rotation+this.turntable)*ar;for(let{direction:i,irradiance:s}of this.suns??[this._sun()]){if(!s.some(c=>c>0))continue;let a=pf(i,r);e.push({kind:"sun",direction:a,colour:s}),s.forEach((c,u)=>{t[u]+=c*Math.max(0,a[1])})}if(this.strength>0){let i=[this.strength,this.strength,this.strength],s=r+this.imageTurn*ar;e.push({kind:"environment",colour:i,angle:s},{kind:"aroundPoint",colour:i,angle:s}),this.tables().up.forEach((a,c)=>{t[c]+=a*this.strength})}return{lights:e,irradiance:t}}_sun(){let e=this.sunHeight*ar,t=this.sunAzimuth*ar;return{direction:[Math.cos(e)*Math.sin(t),Math.sin(e),Math.cos(e)*Math.cos(t)],irradiance:hf.map(r=>r*this.sun)}}};function pf([n,e,t],r){let i=Math.cos(r),s=Math.sin(r),a=Math.hypot(n,e,t);return[(i*n+s*t)/a,e/a,(i*t-s*n)/a]}var jo=(n,e)=>n.reduce((t,r,i)=>t+r*e[i],0),df=[[.59719,.35458,.04823],[.076,.90834,.01566],[.0284,.13383,.83777]],mf=[[1.60475,-.53108,-.07367],[-.10208,1.10813,-.00605],[-.00327,-.07276,1.07602]];function gf(n){let e=df.map(t=>{let r=1.461926*jo(t,n);return(r*(r+.0245786)-90537e-9)/(r*(.983729*r+.432951)+.238081)});return mf.map(t=>jo(t,e))}function Wo(n){let e=[...n];for(let t=0;t<60;t++){let r=gf(e);e=e.map((i,s)=>i*Math.min(2,Math.max(.5,n[s]/Math.max(r[s],1e-6))))}return e}var lr=class extends or{constructor(e,t,r){super(e,t,r),Object.assign(this,{orbit:new kn,lighting:new cr,labels:{},ground:!1,scene:null,isTouched:!1}),Object.assign(this,{opened:null,shown:null,loading:null,lit:Promise.resolve(),placing:Promise.resolve()})}close(){this.loading?.abort(),this.end()}async open(e){this.loading?.abort();let t=this.loading=new AbortController,{signal:r}=t;try{this.notices.say(null,!1,"asset"),this.tell("loading");let i=(c,u)=>r.aborted||this.tell("progress",{got:c,all:u}),s=e instanceof Blob?new lt(e,e.name):await An.open(e,i,r,this.labels[e]),a=await St.open(s);r.throwIfAborted(),await this._offerPoster(a),await this._show(a,this.settings.tier,!0,r)}catch(i){r.aborted||this.failed(i,"asset")}finally{this.loading===t&&(this.loading=null,this.tell("ended"))}}async switchTier(e){try{this.notices.say(null,!1,"asset"),await this._show(this.opened,e,!1)}catch(t){this.failed(t,"asset")}finally{this.tell("ended")}}async openScene(e){try{let t=JSON.parse(new TextDecoder().decode(await mi(e))),{radiance:r,image:i}=t.environment??{};if(r&&(t.environment.key=this.lighting.add("The scene's",Cn(r))),i){let s=this.labels[i]??i;t.environment.key=this.lighting.add(s,jr(await mi(bn(i)),i))}return this.scene=t,this.reset(),t}catch(t){return this.failed(t,"scene"),null}}openImage(e,t){return this.lit=this._openImage(e,t)}async _openImage(e,t){let r=this.askedImage={};try{this.notices.say(null,!1,"light");let i=e instanceof Blob?await e.arrayBuffer():await mi(e);if(r!==this.askedImage)return;this.setLight({choice:this.lighting.add(this.labels[t]??t,jr(i,t))})}catch(i){this.failed(i,"light")}}setLight(e,{moving:t=!1,byUser:r=!1}={}){Object.assign(this.lighting,e),this.tell("set"),this.tell("light",{byUser:r}),this.changed(t)}changed(e=!1){if(!this.viewer)return;let{lights:t,irradiance:r}=this.lighting.lights();t.some(({kind:i})=>i==="environment")&&this.uploaded!==this.lighting.tables()&&(this.uploaded=this.lighting.tables(),this.engine.setEnvironment(this.uploaded)),this.viewer.backdrop=io(this.place),this.viewer.lights=t,this.viewer.ground=this._ground(r),this.viewer.restart(e)}reset(){let{ground:e,exposure:t,view:r}=this.scene??{},{settings:i}=this;this.placeCamera(),this.placeLights(),this.ground=i.ground??e??this.ground,this.setExposure(i.exposure??t??this.look.exposure),this.setView(i.viewTransform??r??this.look.view)}placeCamera(){let{position:e,look_at:t,vertical_fov_deg:r}=this.scene?.camera??{},{settings:i}=this,s=[e?zi(e,t,r):{},i.cameraOrbit??{},{target:i.cameraTarget,fov:i.fieldOfView}];this.isTouched=!1;let{width:a,height:c}=this.canvas??{width:1,height:1};this.orbit.place(s,this.box,a/c,i.autoRotate),this.tell("camera",{byUser:!1}),this.viewer?.restart()}placeLights(){let{suns:e,environment:t}=this.scene??{},{sun:r,lightRotation:i,environmentIntensity:s}=this.settings,{lighting:a}=this;if(a.reset(),e&&(a.suns=e),t){let{key:c=a.choice,strength:u=1,rotation_deg:h=0}=t;Object.assign(a,{choice:c,strength:u,imageTurn:h})}r&&Object.assign(a,r,{suns:null}),this.setLight({rotation:Rn(i??0),strength:s??a.strength})}turnTable(e,t){this.orbit.turntable=-e,this.lighting.turntable=-e*180/Math.PI,this.changed(t)}setExposure(e,t=!0){this._setLook({exposure:e},t&&this.ground)}setView(e){this._setLook({view:e},this.ground)}setDenoise(e){this._setLook({denoise:e})}setGround(e){this.ground=e,this.changed()}_setLook(e,t=!1){Object.assign(this.look,e),Object.assign(this.viewer??{},e),this.tell("set"),t&&this.changed(),this.viewer?.show()}async _show(e,t,r,i){let s=await e.load(t);e.forget(),performance.mark("package"),await this.lit,await this.begun&&(this.placing=this.placing.catch(()=>{}).then(()=>this._place(e,s,r,i)),await this.placing)}async _place(e,t,r,i){if(i?.throwIfAborted(),!this.viewer||!r&&this.opened!==e)return;r&&(this.viewer.hasShown=!1),this.viewer.pause();let s=r?Fn(t.parts):this.arrays;if(performance.mark("hierarchy"),!await this._upload(s,t))return;performance.mark("asset"),Object.assign(this,{opened:e,shown:t,arrays:s,box:s.box,isNew:r}),r&&this.scene?this.reset():r&&this.placeCamera();let{warnings:a}=e.manifest;a.length&&this.notices.say(a.join("; "),!0,"asset"),this.tell("package",{opened:e,shown:t}),this.viewer.stats.ms=0,this.changed(),this.viewer.start()}async _upload(e,{parts:t}){for(;await this.begun&&this.engine;){let{engine:r}=this;try{if(await r.setAsset(e,t),r===this.engine)return!0}catch(i){if(r!==this.engine)continue;if(!this.canFallBack)throw i;this.shown=null,this.replace("webgl2",on(i))}}return!1}async restore(e){this.uploaded=null,this.shown&&(this.viewer.hasShown=!0,await e.setAsset(this.arrays,this.shown.parts),this.changed(),this.viewer?.start())}resized(){this.shown&&!this.isTouched&&this.placeCamera()}pictured(){this.tell("shown"),this.isNew&&(this.isNew=!1,this.tell("load"))}async _offerPoster(e){try{this.tell("poster",{blob:await e.posterImage()})}catch{}}_ground(e){if(!this.ground||!this.box)return null;let{view:t,exposure:r}=this.look,{backdrop:i}=this.viewer,s=t==="filmic"?Wo(i):i,{min:a,max:c}=this.box,u=Math.hypot(...c.map((h,p)=>h-a[p]));return{height:a[1]-1e-4*u,x:(a[0]+c[0])/2,z:(a[2]+c[2])/2,size:2*u,colour:s.map((h,p)=>e[p]>0?h/e[p]/2**r:0)}}};async function mi(n){let e=await fetch(n).catch(()=>null);if(!e?.ok)throw new B(`cannot load ${n}${e?`: HTTP ${e.status}`:""}`);return e.arrayBuffer()}var ur=class{constructor(e){Object.assign(this,{stage:e,angle:0,isOn:!1,isTurning:!1,delay:3e3,speed:30}),e.addEventListener("shown",()=>this._next());for(let t of["load","camera","light"])e.addEventListener(t,()=>this.wait())}wait(){clearTimeout(this.timer);let e=this.isTurning;this.isTurning=!1,this.isOn?this.timer=setTimeout(()=>this._start(),this.delay):e&&this.stage.viewer?.restart()}switch(e){this.isOn=e,this.wait()}set(e){this.angle=e,this.stage.turnTable(e,this.isTurning)}_start(){Object.assign(this,{isTurning:!0,last:performance.now()}),this._next()}_next(){!this.isTurning||this.isAsked||(this.isAsked=!0,requestAnimationFrame(e=>{if(this.isAsked=!1,!this.isTurning)return;let t=Math.min(.25,Math.max(0,e-this.last)/1e3);this.last=e,this.set(this.angle+t*this.speed*Math.PI/180)}))}};var vf=["studio","white"],_f="50% 0px",yf=500,fr=class extends HTMLElement{static observedAttributes=Object.keys($t);constructor(){super();let e=Li(this),t=r=>e.getElementById(r);this.parts={view:t("view"),poster:t("poster"),image:e.querySelector("img"),loading:t("loading"),bar:t("bar"),bytes:t("bytes"),status:t("status")},this.settings=Object.fromEntries(Object.keys($t).map(r=>[On(r),null])),this.notices=new En(t("notice")),this.stage=new lr(this.parts.view,this.notices,this.settings),this.turntable=new ur(this.stage),this.stillness=matchMedia("(prefers-reduced-motion: reduce)"),Object.assign(this,{loaded:!1,isNear:!1,isDismissed:!1,isBegun:!1,asked:null}),this._listen()}connectedCallback(){this.stage.labels=JSON.parse(this.dataset.labels??"{}"),this.observer=new IntersectionObserver(e=>this._seen(e.at(-1).isIntersecting),{rootMargin:_f}),this.observer.observe(this),this.stillness.addEventListener("change",this.onstillness=()=>this._turn()),this._turn(),this._begin()}disconnectedCallback(){this.observer.disconnect(),this.stillness.removeEventListener("change",this.onstillness),queueMicrotask(()=>{this.isConnected||!this.isBegun||(this.stage.loading&&(this.asked=null),this.isBegun=!1,this.turntable.switch(!1),this.stage.close())})}attributeChangedCallback(e,t,r){if(t===r)return;let i=On(e);try{this.settings[i]=r===null?null:$t[e](r),this.notices.say(null,!0,e)}catch(s){this.settings[i]=null,this.notices.say(`${e}: ${s.message}`,!0,e)}this._apply(e)}get availableTiers(){return this.stage.opened?.manifest.tiers.map(({name:e})=>e)??[]}get turntableRotation(){return this.turntable.angle}resetTurntableRotation(e=0){this.turntable.set(e)}resetView(){this.stage.reset()}showPoster(){this.isDismissed=!1,this.parts.poster.hidden=!1}dismissPoster(){this.isDismissed=!0,this._begin(),this.loaded&&this._hidePoster()}async toBlob({mimeType:e="image/png",qualityArgument:t,converged:r=!1}={}){let{stage:i}=this;return!i.viewer||!this.loaded?null:(r&&await i.viewer.converged(),i.screenshot(e,t))}_seen(e){this.isNear=e,this.stage.rest(!e),this._begin()}_apply(e){let{stage:t,settings:r}=this;e==="src"&&this._begin(),e==="poster"&&this._showImage(r.poster),e==="scene"&&this.isBegun&&this._openScene(),e==="environment"&&this.isBegun&&this._light(),e==="tier"&&t.opened&&r.tier&&t.switchTier(r.tier),["camera-orbit","camera-target","field-of-view"].includes(e)&&t.placeCamera(),["sun","light-rotation","environment-intensity"].includes(e)&&t.placeLights(),e==="ground"&&t.setGround(!!r.ground),e==="exposure"&&t.setExposure(r.exposure??0),e==="view-transform"&&t.setView(r.viewTransform??"srgb"),e==="pixel-ratio"&&t.resize(),["loading","reveal"].includes(e)&&this._begin(),(e.startsWith("auto-rotate")||e==="rotation-per-second")&&this._turn(),this._describe()}_begin(){let{stage:e,settings:t}=this,r=t.reveal!=="manual"||this.isDismissed;if(this.parts.image.loading=t.loading==="eager"?"eager":"lazy",!(!this.isConnected||!(t.loading==="eager"||this.isNear&&r))){if(!this.isBegun&&(this.isBegun=!0,e.begin(),this._turn(),t.environment&&!this.isLit&&this._light(),t.scene))return void this._openScene();t.src!==this.asked&&this._open()}}_open(){this.asked=this.settings.src,this.asked!==null&&(this.loaded=!1,this.stage.open(this.asked))}async _openScene(){let e=this.askedScene=this.settings.scene;if(e===null)return;let t=await this.stage.openScene(e);e===this.askedScene&&(this.settings.src?this._begin():t?.asset&&this.stage.open(bn(t.asset)))}_light(){let{environment:e}=this.settings;this.isLit=!0,e===null||vf.includes(e)?this.stage.setLight({choice:e??"studio"}):this.stage.openImage(e,yr(e))}_turn(){let{autoRotate:e,autoRotateDelay:t,rotationPerSecond:r}=this.settings;Object.assign(this.turntable,{delay:t??3e3,speed:r??30}),this.turntable.switch(!!e&&this.isBegun&&!this.stillness.matches)}_listen(){let{stage:e,parts:t}=this,r=(i,s)=>e.addEventListener(i,s);r("engine",()=>this._describe()),r("progress",({got:i,all:s})=>this._showProgress(i,s)),r("poster",({blob:i})=>this.settings.poster||this._showImage(i&&URL.createObjectURL(i))),r("package",()=>this._describe()),r("load",()=>{this.loaded=!0,(this.settings.reveal!=="manual"||this.isDismissed)&&this._hidePoster(),t.status.textContent=`${this._name()} is shown`,this._fire("progress",{totalProgress:1}),this._fire("load",{url:this.asked})}),r("ended",()=>{t.loading.hidden=!0}),r("failed",({error:i,about:s})=>{s==="engine"&&(t.poster.hidden=!1),this._fire("error",{type:s,message:i.message,code:i.code??null,sourceError:i})}),r("camera",({byUser:i})=>{this._fire("camera-change",{...Gt(e.orbit),source:i?"user-interaction":"none"}),i&&this._speak()}),r("light",({byUser:i})=>this._fire("light-change",{...In(e.lighting),source:i?"user-interaction":"none"}))}_speak(){clearTimeout(this.speaking),this.speaking=setTimeout(()=>{this.parts.status.textContent=Di(this.stage.orbit)},yf)}_showProgress(e,t){let{loading:r,bar:i,bytes:s}=this.parts;r.hidden=!1,t?Object.assign(i,{max:Math.max(t,e),value:e}):i.removeAttribute("value"),s.textContent=t?`${Je(e)} of ${Je(Math.max(t,e))}`:Je(e),this._fire("progress",{totalProgress:t?Math.min(.99,e/t):0})}_showImage(e){let{image:t,poster:r}=this.parts;t.src.startsWith("blob:")&&URL.revokeObjectURL(t.src),t.hidden=!e,e?t.src=e:t.removeAttribute("src"),e&&(r.hidden=!1)}_hidePoster(){let{poster:e}=this.parts;e.hidden||(e.hidden=!0,this._fire("poster-dismissed"))}_name(){return this.settings.alt??this.stage.opened?.manifest.name??"A relightable asset"}_describe(){let{canvas:e}=this.stage,{cameraControls:t,touchAction:r}=this.settings;if(this.parts.image.alt=this._name(),!!e)if(Object.assign(e,{role:t?"application":"img",ariaLabel:this._name()}),e.style.touchAction=t?r??"pan-y":"auto",t)Object.assign(e,{tabIndex:0}).setAttribute("aria-describedby","keys");else for(let i of["tabindex","aria-describedby"])e.removeAttribute(i)}_fire(e,t=null){this.dispatchEvent(new CustomEvent(e,{detail:t}))}},xf={cameraOrbit:({stage:n})=>Gt(n.orbit).cameraOrbit,cameraTarget:({stage:n})=>Gt(n.orbit).cameraTarget,fieldOfView:({stage:n})=>Gt(n.orbit).fieldOfView,sun:({stage:n})=>In(n.lighting).sun,lightRotation:({stage:n})=>In(n.lighting).lightRotation,environmentIntensity:({stage:n})=>n.lighting.strength,exposure:({stage:n})=>n.look.exposure,viewTransform:({stage:n})=>n.look.view,tier:({stage:n,settings:e})=>n.shown?.name??e.tier};for(let[n,e]of Object.entries($t)){let t=On(n),r=e===$e;Object.defineProperty(fr.prototype,t,{get(){return xf[t]?.(this)??(r?this.settings[t]===!0:this.settings[t])},set(i){r?this.toggleAttribute(n,!!i):i==null?this.removeAttribute(n):this.setAttribute(n,i)},enumerable:!0,configurable:!0})}customElements.get("rna-viewer")||customElements.define("rna-viewer",fr);})();
+/*! Bundled license information:
+
+three/examples/jsm/libs/fflate.module.js:
+  (*!
+  fflate - fast JavaScript compression/decompression
+  <https://101arrowz.github.io/fflate>
+  Licensed under MIT. https://github.com/101arrowz/fflate/blob/master/LICENSE
+  version 0.8.3
+  *)
+*/

@@ -1,0 +1,96 @@
+// Attributes of the element as values, in model-viewer's syntax, and values as attributes. What cannot be read throws a
+// line that says what is expected.
+import { steep } from "./orbit.js";
+
+const RADIANS = Math.PI / 180;
+const ANGLES = { deg: RADIANS, rad: 1 }, LENGTHS = { m: 1, cm: 0.01, mm: 0.001 }, SHARES = { "%": 0.01 };
+
+function expected(form, text) {
+  throw new Error(`expected ${form}, found ${JSON.stringify(text)}`);
+}
+
+/** A number with one of these units, in radians, metres or shares; null if it is none. */
+function quantity(word, units) {
+  const [, number, unit] = /^([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)([a-z%]+)$/i.exec(word) ?? [];
+  return Object.hasOwn(units, unit ?? "") ? Number(number) * units[unit] : null;
+}
+
+/** Words of a text, each read by its reader; "auto" is null. */
+function words(text, form, readers) {
+  const found = text.trim().split(/\s+/);
+  if (found.length !== readers.length) expected(form, text);
+  return found.map((word, k) => (word === "auto" ? null : readers[k](word) ?? expected(form, text)));
+}
+
+const angle = (word) => quantity(word, ANGLES), length = (word) => quantity(word, LENGTHS);
+const number = (low, high, whole = false) => (text) => {
+  const value = Number(text), fits = text.trim() !== "" && value >= low && value <= high && (!whole || Number.isInteger(value));
+  return fits ? value : expected(`a ${whole ? "whole " : ""}number from ${low} to ${high}`, text);
+};
+const choice = (...names) => (text) => (names.includes(text) ? text : expected(names.join(" or "), text));
+const text = (value) => value;
+export const flag = () => true;
+
+function cameraOrbit(value) {
+  const radius = (word) => length(word) ?? quantity(word, SHARES);
+  const [azimuth, polar, distance] = words(value, "THETA PHI RADIUS, as 45deg 75deg 2m", [angle, angle, radius]);
+  const isShare = value.trim().endsWith("%");
+  return {
+    azimuth, elevation: polar === null ? null : steep(Math.PI / 2 - polar),
+    distance: isShare ? null : distance, share: isShare ? distance : null,
+  };
+}
+
+const cameraTarget = (value) => words(value, "X Y Z, as 0m 0.5m 0m", [length, length, length]);
+
+function fieldOfView(value) {
+  const [found] = words(value, "an angle, as 30deg", [angle]);
+  return found === null ? null : Math.min(170, Math.max(1, found / RADIANS));
+}
+
+/** Degrees. */
+const turn = (value) => words(value, "an angle, as 90deg", [angle])[0] / RADIANS;
+
+function sun(value) {
+  if (value.trim() === "none") return { sun: 0 };
+  const plain = (word) => (word >= 0 ? Number(word) : null);
+  const [azimuth, height, brightness] = words(value, "none or AZIMUTH HEIGHT BRIGHTNESS, as 40deg 45deg 2", [angle, angle, plain]);
+  return { sunAzimuth: (azimuth ?? 40 * RADIANS) / RADIANS, sunHeight: (height ?? 45 * RADIANS) / RADIANS, sun: brightness ?? 2 };
+}
+
+/** By attribute: how its text is read. */
+export const READERS = {
+  src: text, alt: text, poster: text, scene: text, environment: text, tier: text, api: text,
+  loading: choice("auto", "lazy", "eager"), reveal: choice("auto", "manual"),
+  "camera-orbit": cameraOrbit, "camera-target": cameraTarget, "field-of-view": fieldOfView,
+  sun, "light-rotation": turn, "environment-intensity": number(0, 1e6), ground: flag,
+  exposure: number(-30, 30), "view-transform": choice("srgb", "filmic"),
+  "camera-controls": flag, "disable-zoom": flag, "disable-pan": flag, "disable-light": flag,
+  "touch-action": choice("pan-y", "pan-x", "none"), "wheel-zoom": choice("focus", "always"),
+  "auto-rotate": flag, "auto-rotate-delay": number(0, 1e9), "rotation-per-second": turn,
+  samples: number(1, 1e6, true), "pixel-ratio": number(0.1, 8), jitter: number(0, 1),
+};
+
+/** The name of an attribute's property, as cameraOrbit. */
+export const propertyOf = (attribute) => attribute.replace(/-(.)/g, (_, letter) => letter.toUpperCase());
+
+/** Without digits that nobody needs. */
+const plain = (value) => String(Number(value.toPrecision(6)));
+const degrees = (value) => `${plain(value)}deg`, metres = (value) => `${plain(value)}m`;
+
+/** Attributes that show a camera again. */
+export function cameraText({ azimuth, elevation, distance, target, fov }) {
+  const turned = azimuth / RADIANS, theta = turned - 360 * Math.round(turned / 360);
+  return {
+    cameraOrbit: `${degrees(theta)} ${degrees(90 - elevation / RADIANS)} ${metres(distance)}`,
+    cameraTarget: target.map(metres).join(" "), fieldOfView: degrees(fov),
+  };
+}
+
+/** Attributes that show a light again. */
+export function lightText({ rotation, strength, suns, sun, sunAzimuth, sunHeight }) {
+  return {
+    sun: suns || !(sun > 0) ? "none" : `${degrees(sunAzimuth)} ${degrees(sunHeight)} ${plain(sun)}`,
+    lightRotation: degrees(rotation), environmentIntensity: plain(strength),
+  };
+}

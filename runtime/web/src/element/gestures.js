@@ -1,0 +1,34 @@
+// Pointer, wheel and keys over the picture: what they change, and which of them the page keeps.
+import { clamp, wrappedDegrees } from "../ui/elements.js";
+
+/** Whether a pointer, a wheel or a key acts on the picture; else it is the page's, which scrolls by it. */
+export function isForPicture(stage, event) {
+  const { cameraControls, disableZoom, wheelZoom } = stage.settings;
+  if (!cameraControls || event.type !== "wheel") return cameraControls;
+  const isFocused = stage.place.getRootNode().activeElement === stage.canvas;
+  return !disableZoom && (wheelZoom === "always" || isFocused || event.ctrlKey || event.metaKey);
+}
+
+/** What gestures do to a stage: see ui/pointer.js. */
+export function actions(stage) {
+  const moved = (change, hindrance) => (...values) => {
+    if (stage.settings[hindrance]) return;
+    change(...values);
+    stage.isTouched = true;
+    stage.viewer.restart(values.at(-1) === true);
+    stage.tell("camera", { byUser: true });
+  };
+  return {
+    orbit: moved((x, y) => stage.orbit.turn(x, y)),
+    pan: moved((x, y) => stage.orbit.pan(x, y), "disablePan"),
+    zoom: moved((factor) => stage.orbit.zoom(factor), "disableZoom"),
+    light: (x, y, moving) => {
+      if (stage.settings.disableLight) return;
+      const rotation = wrappedDegrees(stage.lighting.rotation + (x * 180) / Math.PI);
+      const sunHeight = clamp(stage.lighting.sunHeight + (y * 180) / Math.PI, -10, 90);
+      stage.setLight({ rotation, sunHeight }, { moving: moving === true, byUser: true });
+    },
+    settle: () => stage.viewer.moving && stage.viewer.restart(),
+    reset: () => stage.reset(),
+  };
+}

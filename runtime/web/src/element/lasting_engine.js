@@ -1,0 +1,142 @@
+// A canvas with an engine that draws on it, and another engine where that one is lost, fails or has no memory.
+import { Reader } from "../conformance.js";
+import { openEngine } from "../engines.js";
+import { NotSupported, PackageError } from "../package/errors.js";
+import { listen } from "../ui/pointer.js";
+import { compose, sharedFiles, rayKernels } from "../webgpu/sources.js";
+import { actions, isForPicture } from "./gestures.js";
+import { Viewer } from "./viewer.js";
+
+const MOST_PIXELS = 2.2e6;  // of the picture, whatever the screen: memory of phones
+const MOST_LOSSES = 4;      // of engines, until the poster is shown instead
+
+/** What is drawn is a subclass's: restore(engine) shows it again; resized() and pictured() hear of the canvas. */
+export class LastingEngine extends EventTarget {
+  /** place: what the canvas fills. notices: lines for people. settings: by property, the attributes' values. */
+  constructor(place, notices, settings) {
+    super();
+    Object.assign(this, { place, notices, settings, losses: 0, lives: 0, isResting: false });
+    this.look = { exposure: 0, view: "srgb", denoise: true, rounds: 256, jitter: 1 };
+    new ResizeObserver(() => this.resize()).observe(place);
+  }
+
+  /** The engine and an empty picture; packages that load meanwhile wait for it. The result tells whether there is one. */
+  begin() {
+    const { samples, jitter } = this.settings;
+    Object.assign(this.look, samples && { rounds: samples }, jitter !== null && { jitter });
+    return this.replace(this.settings.api);
+  }
+
+  /** Lets the GPU go. */
+  end() {
+    this.lives += 1;
+    this.begun = Promise.resolve(false);
+    this.viewer?.stop();
+    this.engine?.close();
+    Object.assign(this, { viewer: null, engine: null });
+  }
+
+  /** Another engine in place of the one that is there, with what was shown. why: no better one is wanted. */
+  replace(api, why) {
+    this.end();
+    const own = this._begin(api, why).then(() => (own === this.begun ? !!this.engine : this.begun), (error) => {
+      if (own !== this.begun) return this.begun;
+      if (this.canFallBack) return this.replace("webgl2", lineOf(error));
+      this.end();
+      this.failed(error, "engine");
+      return false;
+    });
+    return (this.begun = own);
+  }
+
+  async _begin(api, why) {
+    const life = this.lives;
+    const { engine, canvas, reasons } = await openEngine(() => document.createElement("canvas"), api);
+    if (life !== this.lives) return engine.close();
+    Object.assign(this, { engine, canvas });
+    this.place.replaceChildren(canvas);
+    engine.onlost = (reason) => this._lost(engine, reason);
+    this.viewer = Object.assign(new Viewer(engine, canvas, this.orbit), this.look, { resting: this.isResting });
+    this.viewer.addEventListener("shown", () => this.pictured());
+    this.viewer.addEventListener("failed", ({ error }) => this._pictureFailed(engine, error));
+    performance.mark("engine");
+    listen(canvas, actions(this), (event) => isForPicture(this, event));
+    this.tell("engine", { label: engine.constructor.label, reasons: [...(why ? [why] : []), ...reasons] });
+    this.resize();
+    await this.restore(engine);
+  }
+
+  /** Holds samples back while nobody can see them. */
+  rest(on) {
+    this.isResting = on;
+    this.viewer?.rest(on);
+  }
+
+  resize() {
+    if (!this.viewer) return;
+    const { clientWidth: w, clientHeight: h } = this.place;
+    const ratio = this.settings.pixelRatio ?? Math.min(devicePixelRatio, 2);
+    const scale = Math.min(ratio, Math.sqrt(MOST_PIXELS / Math.max(1, w * h)));
+    const width = Math.max(1, Math.round(w * scale)), height = Math.max(1, Math.round(h * scale));
+    if (this.canvas.width === width && this.canvas.height === height) return;
+    Object.assign(this.canvas, { width, height });
+    this.resized();
+    this.viewer.restart();
+  }
+
+  /** The shaders, for the test that they are rna_gpu's. */
+  get wgsl() {
+    return { compose, sharedFiles, rayKernels };
+  }
+
+  /** Asks the engine without a picture: for the conformance kit, and to measure. */
+  reader() {
+    this.viewer.pause();
+    return new Reader(this.engine);
+  }
+
+  /** The picture as it is now: a Blob. */
+  screenshot(type = "image/png", quality = undefined) {
+    this.viewer.show();
+    return new Promise((resolve) => this.canvas.toBlob(resolve, type, quality));
+  }
+
+  /** Once more with the same kind of engine, then with WebGL2; an engine that is lost again and again is no good. */
+  async _lost(engine, why) {
+    if (engine !== this.engine) return;
+    this.losses += 1;
+    if (this.losses >= MOST_LOSSES) {
+      this.end();
+      return this.failed(new NotSupported(`${why}, ${this.losses} times`), "engine");
+    }
+    this.notices.say(`${why}; starting again`, true, "engine");
+    const api = this.losses > 1 ? this.settings.api ?? "webgl2" : this.settings.api;
+    if (await this.replace(api, this.losses > 1 && why)) this.notices.say(null, false, "engine");
+  }
+
+  /** The GPU has no memory for a picture, or an error in it. */
+  async _pictureFailed(engine, error) {
+    if (engine !== this.engine) return;
+    if (!this.canFallBack) return this.failed(error, "asset");
+    await this.replace("webgl2", lineOf(error));
+  }
+
+  get canFallBack() {
+    return this.engine?.constructor.label === "WebGPU" && !this.settings.api;
+  }
+
+  tell(name, more) {
+    this.dispatchEvent(Object.assign(new Event(name), more));
+  }
+
+  /** about: what the line stands for until that works; see Notices. */
+  failed(error, about) {
+    if (!isKnown(error)) console.error(error);
+    this.notices.say(lineOf(error), false, about);
+    this.failures = (this.failures ?? 0) + 1;
+    this.tell("failed", { error, about });
+  }
+}
+
+const isKnown = (error) => error instanceof PackageError || error instanceof NotSupported;
+export const lineOf = (error) => (isKnown(error) ? error.message : `this did not work: ${error.message ?? error}`);

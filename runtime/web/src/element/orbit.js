@@ -1,0 +1,98 @@
+// Where the camera is: on a sphere about the point that it looks at. Angles in radians.
+
+const HOME = { azimuth: 0.6, elevation: 0.35, fov: 30 };
+const STEEPEST = (89 * Math.PI) / 180;
+const FILLED = 0.95;  // of the image's height or width, by a box that is framed
+
+/** a + factor * b */
+const plus = (a, b, factor = 1) => a.map((value, k) => value + factor * b[k]);
+const times = (a, factor) => a.map((value) => value * factor);
+const dot = (a, b) => a.reduce((sum, value, k) => sum + value * b[k], 0);
+const unit = (a) => times(a, 1 / Math.hypot(...a));
+const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x];
+
+/** The nearest elevation that has an "up" in the image. */
+export const steep = (angle) => Math.min(STEEPEST, Math.max(-STEEPEST, angle));
+
+/** A view from a position; see place. */
+export function viewFrom(position, target, fov) {
+  const offset = plus(position, target, -1), distance = Math.hypot(...offset);
+  return { azimuth: Math.atan2(offset[0], offset[2]), elevation: Math.asin(offset[1] / distance), distance, target, fov };
+}
+
+export class Orbit {
+  /** turntable: by how much the asset is turned under camera and lights, which amounts to turning both the other way. */
+  constructor() {
+    Object.assign(this, { target: [0, 0, 0], distance: 1, size: 1, turntable: 0, ...HOME });
+  }
+
+  /**
+   * Goes where `views` say, later ones first: azimuth, elevation, fov (degrees), target, and distance or `share` of the
+   * framed one. What they leave out (null) is so that the box, if there is one, is in sight; at each angle of the
+   * turntable if that `turns`.
+   */
+  place(views, box, aspect, turns) {
+    const said = views.map((view) => Object.fromEntries(Object.entries(view).filter(([, value]) => value != null)));
+    const { azimuth, elevation, fov, target = [], distance, share = 1 } = Object.assign({}, HOME, ...said);
+    Object.assign(this, { azimuth, elevation, fov });
+    if (box) this.frame(box, aspect, turns);
+    this.distance = distance ?? share * this.distance;
+    this.target = this.target.map((value, axis) => target[axis] ?? value);
+  }
+
+  /** All corners of the box in sight, as near as that goes, from where the camera is. */
+  frame({ min, max }, aspect, turns = false) {
+    this.target = times(plus(min, max), 0.5);
+    this.size = Math.hypot(...plus(max, min, -1)) / 2 || 1;
+    const half = FILLED * Math.tan((this.fov * Math.PI) / 360);
+    const corners = Array.from({ length: 8 }, (_, k) =>
+      plus([0, 1, 2].map((axis) => ((k >> axis) & 1 ? max : min)[axis]), this.target, -1));
+    const angles = turns ? Array.from({ length: 16 }, (_, k) => (k * Math.PI) / 8) : [this.turntable];
+    const far = angles.flatMap((angle) => {
+      const { forward, side, above } = this._axes(angle);
+      return corners.map((corner) =>
+        Math.max(Math.abs(dot(corner, above)), Math.abs(dot(corner, side)) / aspect) / half - dot(corner, forward));
+    });
+    this.distance = Math.max(...far) || this.size;
+  }
+
+  get position() {
+    return plus(this.target, this._away(this.turntable), this.distance);
+  }
+
+  turn(azimuth, elevation) {
+    this.azimuth += azimuth;
+    this.elevation = steep(this.elevation + elevation);
+  }
+
+  zoom(factor) {
+    this.distance = Math.min(1e4 * this.size, Math.max(1e-3 * this.size, this.distance * factor));
+  }
+
+  /** Along the image, in heights of the image. */
+  pan(right, up) {
+    const { side, above } = this._axes(), height = 2 * this.distance * Math.tan((this.fov * Math.PI) / 360);
+    this.target = plus(plus(this.target, side, right * height), above, up * height);
+  }
+
+  /** What shaders make rays of, for an image of this size. */
+  camera(width, height) {
+    const { forward, side, above } = this._axes(), half = Math.tan((this.fov * Math.PI) / 360);
+    const wide = (half * width) / height;
+    return {
+      position: this.position, corner: plus(plus(forward, side, -wide), above, half),
+      stepX: times(side, (2 * wide) / width), stepY: times(above, (-2 * half) / height),
+    };
+  }
+
+  /** Towards the camera. */
+  _away(turntable) {
+    const level = Math.cos(this.elevation), azimuth = this.azimuth + turntable;
+    return [level * Math.sin(azimuth), Math.sin(this.elevation), level * Math.cos(azimuth)];
+  }
+
+  _axes(turntable = this.turntable) {
+    const forward = times(this._away(turntable), -1), side = unit(cross(forward, [0, 1, 0]));
+    return { forward, side, above: cross(side, forward) };
+  }
+}

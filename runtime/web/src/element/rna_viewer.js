@@ -1,0 +1,278 @@
+// <rna-viewer src="toy.rna" auto-rotate camera-controls>: an asset on any page. Its attributes, properties and events.
+import { fileAddress } from "../package/file_address.js";
+import { nameOf } from "../package/source.js";
+import { Notices, readableBytes } from "../ui/elements.js";
+import { cameraText, flag, lightText, propertyOf, READERS } from "./attributes.js";
+import { attach } from "./shadow.js";
+import { spokenView } from "./spoken.js";
+import { Stage } from "./stage.js";
+import { Turntable } from "./turntable.js";
+
+const BUILT_IN = ["studio", "white"];  // environments
+const NEAR = "50% 0px";  // of the window, around it: where an element is loaded and draws
+const SPEAK_MS = 500;    // after the last movement
+
+export class RnaViewer extends HTMLElement {
+  static observedAttributes = Object.keys(READERS);
+
+  constructor() {
+    super();
+    const root = attach(this), part = (id) => root.getElementById(id);
+    this.parts = { view: part("view"), poster: part("poster"), image: root.querySelector("img"), loading: part("loading"), bar: part("bar"), bytes: part("bytes"), status: part("status") };
+    this.settings = Object.fromEntries(Object.keys(READERS).map((name) => [propertyOf(name), null]));
+    this.notices = new Notices(part("notice"));
+    this.stage = new Stage(this.parts.view, this.notices, this.settings);
+    this.turntable = new Turntable(this.stage);
+    this.stillness = matchMedia("(prefers-reduced-motion: reduce)");
+    Object.assign(this, { loaded: false, isNear: false, isDismissed: false, isBegun: false, asked: null });
+    this._listen();
+  }
+
+  connectedCallback() {
+    this.stage.labels = JSON.parse(this.dataset.labels ?? "{}");
+    this.observer = new IntersectionObserver((entries) => this._seen(entries.at(-1).isIntersecting), { rootMargin: NEAR });
+    this.observer.observe(this);
+    this.stillness.addEventListener("change", this.onstillness = () => this._turn());
+    this._turn();
+    this._begin();
+  }
+
+  /** An element that only moves within its page keeps its GPU. */
+  disconnectedCallback() {
+    this.observer.disconnect();
+    this.stillness.removeEventListener("change", this.onstillness);
+    queueMicrotask(() => {
+      if (this.isConnected || !this.isBegun) return;
+      if (this.stage.loading) this.asked = null;
+      this.isBegun = false;
+      this.turntable.switch(false);
+      this.stage.close();
+    });
+  }
+
+  attributeChangedCallback(name, before, text) {
+    if (before === text) return;
+    const property = propertyOf(name);
+    try {
+      this.settings[property] = text === null ? null : READERS[name](text);
+      this.notices.say(null, true, name);
+    } catch (error) {
+      this.settings[property] = null;
+      this.notices.say(`${name}: ${error.message}`, true, name);
+    }
+    this._apply(name);
+  }
+
+  /** The file formats' names of the tiers that are there, once the package is open. */
+  get availableTiers() {
+    return this.stage.opened?.manifest.tiers.map(({ name }) => name) ?? [];
+  }
+
+  /** Angle of auto-rotate so far, radians. */
+  get turntableRotation() {
+    return this.turntable.angle;
+  }
+
+  resetTurntableRotation(angle = 0) {
+    this.turntable.set(angle);
+  }
+
+  /** Camera and lights as the attributes have them. */
+  resetView() {
+    this.stage.reset();
+  }
+
+  showPoster() {
+    this.isDismissed = false;
+    this.parts.poster.hidden = false;
+  }
+
+  /** Loads the asset if `reveal` waits for that, and shows it. */
+  dismissPoster() {
+    this.isDismissed = true;
+    this._begin();
+    if (this.loaded) this._hidePoster();
+  }
+
+  /** The picture as it is now: a Blob; null while there is none. */
+  async toBlob({ mimeType = "image/png", qualityArgument, converged = false } = {}) {
+    const { stage } = this;
+    if (!stage.viewer || !this.loaded) return null;
+    if (converged) await stage.viewer.converged();
+    return stage.screenshot(mimeType, qualityArgument);
+  }
+
+  _seen(isNear) {
+    this.isNear = isNear;
+    this.stage.rest(!isNear);
+    this._begin();
+  }
+
+  /** What an attribute changes of what is there. */
+  _apply(name) {
+    const { stage, settings } = this;
+    if (name === "src") this._begin();
+    if (name === "poster") this._showImage(settings.poster);
+    if (name === "scene" && this.isBegun) this._openScene();
+    if (name === "environment" && this.isBegun) this._light();
+    if (name === "tier" && stage.opened && settings.tier) stage.switchTier(settings.tier);
+    if (["camera-orbit", "camera-target", "field-of-view"].includes(name)) stage.placeCamera();
+    if (["sun", "light-rotation", "environment-intensity"].includes(name)) stage.placeLights();
+    if (name === "ground") stage.setGround(!!settings.ground);
+    if (name === "exposure") stage.setExposure(settings.exposure ?? 0);
+    if (name === "view-transform") stage.setView(settings.viewTransform ?? "srgb");
+    if (name === "pixel-ratio") stage.resize();
+    if (["loading", "reveal"].includes(name)) this._begin();
+    if (name.startsWith("auto-rotate") || name === "rotation-per-second") this._turn();
+    this._describe();
+  }
+
+  /** Loads what `src` names, once it is wanted. */
+  _begin() {
+    const { stage, settings } = this, isShown = settings.reveal !== "manual" || this.isDismissed;
+    this.parts.image.loading = settings.loading === "eager" ? "eager" : "lazy";
+    if (!this.isConnected || !(settings.loading === "eager" || (this.isNear && isShown))) return;
+    if (!this.isBegun) {
+      this.isBegun = true;
+      stage.begin();
+      this._turn();
+      if (settings.environment && !this.isLit) this._light();
+      if (settings.scene) return void this._openScene();
+    }
+    if (settings.src !== this.asked) this._open();
+  }
+
+  _open() {
+    this.asked = this.settings.src;
+    if (this.asked === null) return;
+    this.loaded = false;
+    this.stage.open(this.asked);
+  }
+
+  async _openScene() {
+    const asked = (this.askedScene = this.settings.scene);
+    if (asked === null) return;
+    const scene = await this.stage.openScene(asked);
+    if (asked !== this.askedScene) return;
+    if (this.settings.src) this._begin();
+    else if (scene?.asset) this.stage.open(fileAddress(scene.asset));
+  }
+
+  _light() {
+    const { environment } = this.settings;
+    this.isLit = true;
+    if (environment === null || BUILT_IN.includes(environment)) this.stage.setLight({ choice: environment ?? "studio" });
+    else this.stage.openImage(environment, nameOf(environment));
+  }
+
+  _turn() {
+    const { autoRotate, autoRotateDelay, rotationPerSecond } = this.settings;
+    Object.assign(this.turntable, { delay: autoRotateDelay ?? 3000, speed: rotationPerSecond ?? 30 });
+    this.turntable.switch(!!autoRotate && this.isBegun && !this.stillness.matches);
+  }
+
+  _listen() {
+    const { stage, parts } = this, on = (name, action) => stage.addEventListener(name, action);
+    on("engine", () => this._describe());
+    on("progress", ({ got, all }) => this._showProgress(got, all));
+    on("poster", ({ blob }) => this.settings.poster || this._showImage(blob && URL.createObjectURL(blob)));
+    on("package", () => this._describe());
+    on("load", () => {
+      this.loaded = true;
+      if (this.settings.reveal !== "manual" || this.isDismissed) this._hidePoster();
+      parts.status.textContent = `${this._name()} is shown`;
+      this._fire("progress", { totalProgress: 1 });
+      this._fire("load", { url: this.asked });
+    });
+    on("ended", () => { parts.loading.hidden = true; });
+    on("failed", ({ error, about }) => {
+      if (about === "engine") parts.poster.hidden = false;
+      this._fire("error", { type: about, message: error.message, code: error.code ?? null, sourceError: error });
+    });
+    on("camera", ({ byUser }) => {
+      this._fire("camera-change", { ...cameraText(stage.orbit), source: byUser ? "user-interaction" : "none" });
+      if (byUser) this._speak();
+    });
+    on("light", ({ byUser }) => this._fire("light-change", { ...lightText(stage.lighting), source: byUser ? "user-interaction" : "none" }));
+  }
+
+  _speak() {
+    clearTimeout(this.speaking);
+    this.speaking = setTimeout(() => { this.parts.status.textContent = spokenView(this.stage.orbit); }, SPEAK_MS);
+  }
+
+  _showProgress(got, all) {
+    const { loading, bar, bytes } = this.parts;
+    loading.hidden = false;
+    if (all) Object.assign(bar, { max: Math.max(all, got), value: got });
+    else bar.removeAttribute("value");
+    bytes.textContent = all ? `${readableBytes(got)} of ${readableBytes(Math.max(all, got))}` : readableBytes(got);
+    this._fire("progress", { totalProgress: all ? Math.min(0.99, got / all) : 0 });
+  }
+
+  /** The poster in its place; null takes it away. */
+  _showImage(address) {
+    const { image, poster } = this.parts;
+    if (image.src.startsWith("blob:")) URL.revokeObjectURL(image.src);
+    image.hidden = !address;
+    if (address) image.src = address;
+    else image.removeAttribute("src");
+    if (address) poster.hidden = false;
+  }
+
+  _hidePoster() {
+    const { poster } = this.parts;
+    if (poster.hidden) return;
+    poster.hidden = true;
+    this._fire("poster-dismissed");
+  }
+
+  _name() {
+    return this.settings.alt ?? this.stage.opened?.manifest.name ?? "A relightable asset";
+  }
+
+  /** Names and roles for those who do not see the picture. */
+  _describe() {
+    const { canvas } = this.stage, { cameraControls, touchAction } = this.settings;
+    this.parts.image.alt = this._name();
+    if (!canvas) return;
+    Object.assign(canvas, { role: cameraControls ? "application" : "img", ariaLabel: this._name() });
+    canvas.style.touchAction = cameraControls ? touchAction ?? "pan-y" : "auto";
+    if (cameraControls) Object.assign(canvas, { tabIndex: 0 }).setAttribute("aria-describedby", "keys");
+    else for (const name of ["tabindex", "aria-describedby"]) canvas.removeAttribute(name);
+  }
+
+  _fire(name, detail = null) {
+    this.dispatchEvent(new CustomEvent(name, { detail }));
+  }
+}
+
+/** What is shown now, in the words of the attributes, which stay as they were written. */
+const LIVE = {
+  cameraOrbit: ({ stage }) => cameraText(stage.orbit).cameraOrbit,
+  cameraTarget: ({ stage }) => cameraText(stage.orbit).cameraTarget,
+  fieldOfView: ({ stage }) => cameraText(stage.orbit).fieldOfView,
+  sun: ({ stage }) => lightText(stage.lighting).sun,
+  lightRotation: ({ stage }) => lightText(stage.lighting).lightRotation,
+  environmentIntensity: ({ stage }) => stage.lighting.strength,
+  exposure: ({ stage }) => stage.look.exposure,
+  viewTransform: ({ stage }) => stage.look.view,
+  tier: ({ stage, settings }) => stage.shown?.name ?? settings.tier,
+};
+
+for (const [name, read] of Object.entries(READERS)) {
+  const property = propertyOf(name), isFlag = read === flag;
+  Object.defineProperty(RnaViewer.prototype, property, {
+    get() {
+      return LIVE[property]?.(this) ?? (isFlag ? this.settings[property] === true : this.settings[property]);
+    },
+    set(value) {
+      if (isFlag) this.toggleAttribute(name, !!value);
+      else if (value === null || value === undefined) this.removeAttribute(name);
+      else this.setAttribute(name, value);
+    },
+    enumerable: true, configurable: true,
+  });
+}
+
+if (!customElements.get("rna-viewer")) customElements.define("rna-viewer", RnaViewer);

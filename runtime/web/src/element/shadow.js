@@ -1,0 +1,65 @@
+// What is inside the element: canvas, poster, progress, a line for what goes wrong; and how it looks.
+
+export const CONTENT = `
+<div id="view" part="view"></div>
+<slot></slot>
+<div id="poster"><slot name="poster"><img part="poster" alt="" hidden></slot></div>
+<div id="over">
+  <div id="loading" hidden>
+    <slot name="progress-bar"><progress id="bar" part="progress-bar" aria-label="Loading"></progress><span id="bytes"></span></slot>
+  </div>
+  <p id="notice" part="notice" role="alert" hidden></p>
+</div>
+<p id="keys" class="spoken">
+  Arrow keys or one finger orbit. Plus, minus or a pinch go nearer and farther. Square brackets, Shift and arrow keys, or
+  two fingers turn the light. Home resets.
+</p>
+<p id="status" class="spoken" role="status"></p>
+`;
+
+const STYLE = `
+:host {
+  display: block; position: relative; overflow: hidden; width: 100%; aspect-ratio: 16 / 10;
+  background-color: rgb(64, 67, 71); color: #fff; font: 13px/1.45 system-ui, "Segoe UI", Roboto, "Liberation Sans", sans-serif;
+}
+:host([hidden]), [hidden] { display: none !important; }
+#view, canvas, #poster, #poster img, ::slotted([slot="poster"]) { position: absolute; inset: 0; width: 100%; height: 100%; }
+#view { background-color: inherit; }
+canvas { display: block; }
+canvas:focus-visible { outline: 2px solid #fff; outline-offset: -2px; }
+:host([camera-controls]) canvas { cursor: grab; }
+:host([camera-controls]) canvas.dragging { cursor: grabbing; }
+#poster { pointer-events: none; }
+#poster img { object-fit: contain; }
+#over {
+  position: absolute; inset: 0; padding: 16px; pointer-events: none; overflow: hidden; box-sizing: border-box;
+  display: flex; flex-direction: column; justify-content: flex-end; align-items: center; gap: 10px;
+}
+#loading { text-align: center; font-variant-numeric: tabular-nums; }
+#bar {
+  display: block; width: min(60vw, 320px); max-width: 100%; height: 4px; margin-bottom: 6px; border: 0; border-radius: 2px;
+  appearance: none; background: #3a3a3a;
+}
+#bar::-webkit-progress-bar { background: #3a3a3a; border-radius: 2px; }
+#bar::-webkit-progress-value { background: #cfcfcf; border-radius: 2px; }
+#bar::-moz-progress-bar { background: #cfcfcf; border-radius: 2px; }
+#notice {
+  max-width: min(100%, 60ch); margin: 0; padding: 10px 16px; border-radius: 6px; pointer-events: auto; text-align: center;
+  background: #7a2525; border: 1px solid #a34a4a; overflow-wrap: anywhere;
+}
+#notice.calm { background: #000c; border-color: #555; }
+#notice span { display: block; }
+.spoken { position: absolute; width: 1px; height: 1px; margin: 0; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
+`;
+
+let sheet = null;
+
+/** The content in a new shadow tree. A policy against inline styles (CSP) allows the style: it is a constructed sheet. */
+export function attach(host) {
+  const root = host.attachShadow({ mode: "open", delegatesFocus: true });
+  sheet ??= new CSSStyleSheet();
+  if (!sheet.cssRules.length) sheet.replaceSync(STYLE);
+  root.adoptedStyleSheets = [sheet];
+  root.innerHTML = CONTENT;
+  return root;
+}

@@ -1,0 +1,292 @@
+// An asset on a canvas: engine, package, camera and lights, and what becomes of them where one fails. It tells what
+// happens by events; a page's panel and the element listen.
+import { sceneArrays } from "../geometry/scene_arrays.js";
+import { evenImage } from "../light/environment.js";
+import { readImage } from "../light/image_files.js";
+import { NotSupported } from "../package/errors.js";
+import { fileAddress } from "../package/file_address.js";
+import { Package } from "../package/package.js";
+import { BlobSource, UrlSource } from "../package/source.js";
+import { wrappedDegrees } from "../ui/elements.js";
+import { linearColour } from "./backdrop.js";
+import { LastingEngine, lineOf } from "./lasting_engine.js";
+import { Lighting } from "./lighting.js";
+import { Orbit, viewFrom } from "./orbit.js";
+import { beforeFilmic } from "./view_transform.js";
+
+/**
+ * Events: "engine"; "loading", "progress" (got, all), "package", "load", "ended", of an asset; "shown", of a picture;
+ * "camera" and "light" (byUser), "set" of any control; "failed" (error, about).
+ */
+export class Stage extends LastingEngine {
+  constructor(place, notices, settings) {
+    super(place, notices, settings);
+    Object.assign(this, { orbit: new Orbit(), lighting: new Lighting(), labels: {}, ground: false, scene: null, isTouched: false });
+    Object.assign(this, { opened: null, shown: null, loading: null, lit: Promise.resolve(), placing: Promise.resolve() });
+  }
+
+  /** Lets the GPU go; begin() takes up what was shown. */
+  close() {
+    this.loading?.abort();
+    this.end();
+  }
+
+  /** Shows the package at an address, or in a File. */
+  async open(from) {
+    this.loading?.abort();
+    const loading = (this.loading = new AbortController()), { signal } = loading;
+    try {
+      this.notices.say(null, false, "asset");
+      this.tell("loading");
+      const progress = (got, all) => signal.aborted || this.tell("progress", { got, all });
+      const source = from instanceof Blob
+        ? new BlobSource(from, from.name)
+        : await UrlSource.open(from, progress, signal, this.labels[from]);
+      const opened = await Package.open(source);
+      signal.throwIfAborted();
+      await this._offerPoster(opened);
+      await this._show(opened, this.settings.tier, true, signal);
+    } catch (error) {
+      if (!signal.aborted) this.failed(error, "asset");
+    } finally {
+      if (this.loading === loading) {
+        this.loading = null;
+        this.tell("ended");
+      }
+    }
+  }
+
+  /** Another tier of the package that is open. */
+  async switchTier(name) {
+    try {
+      this.notices.say(null, false, "asset");
+      await this._show(this.opened, name, false);
+    } catch (error) {
+      this.failed(error, "asset");
+    } finally {
+      this.tell("ended");
+    }
+  }
+
+  /** Camera, lights and asset of a scene, as rna-view hands them over; null if it cannot be read. */
+  async openScene(url) {
+    try {
+      const scene = JSON.parse(new TextDecoder().decode(await fetched(url)));
+      const { radiance, image } = scene.environment ?? {};
+      if (radiance) scene.environment.key = this.lighting.add("The scene's", evenImage(radiance));
+      if (image) {
+        const label = this.labels[image] ?? image;
+        scene.environment.key = this.lighting.add(label, readImage(await fetched(fileAddress(image)), image));
+      }
+      this.scene = scene;
+      this.reset();
+      return scene;
+    } catch (error) {
+      this.failed(error, "scene");
+      return null;
+    }
+  }
+
+  /** Lights the asset with an image; one that comes before the asset is waited for. */
+  openImage(from, name) {
+    return (this.lit = this._openImage(from, name));
+  }
+
+  async _openImage(from, name) {
+    const asked = (this.askedImage = {});
+    try {
+      this.notices.say(null, false, "light");
+      const buffer = from instanceof Blob ? await from.arrayBuffer() : await fetched(from);
+      if (asked !== this.askedImage) return;
+      this.setLight({ choice: this.lighting.add(this.labels[name] ?? name, readImage(buffer, name)) });
+    } catch (error) {
+      this.failed(error, "light");
+    }
+  }
+
+  /** values: of Lighting's fields. moving: more will follow at once. */
+  setLight(values, { moving = false, byUser = false } = {}) {
+    Object.assign(this.lighting, values);
+    this.tell("set");
+    this.tell("light", { byUser });
+    this.changed(moving);
+  }
+
+  /** Something about the light changed. */
+  changed(moving = false) {
+    if (!this.viewer) return;
+    const { lights, irradiance } = this.lighting.lights();
+    if (lights.some(({ kind }) => kind === "environment") && this.uploaded !== this.lighting.tables()) {
+      this.uploaded = this.lighting.tables();
+      this.engine.setEnvironment(this.uploaded);
+    }
+    this.viewer.backdrop = linearColour(this.place);
+    this.viewer.lights = lights;
+    this.viewer.ground = this._ground(irradiance);
+    this.viewer.restart(moving);
+  }
+
+  /** Camera and lights as the scene and the attributes have them, which go before it. */
+  reset() {
+    const { ground, exposure, view } = this.scene ?? {}, { settings } = this;
+    this.placeCamera();
+    this.placeLights();
+    this.ground = settings.ground ?? ground ?? this.ground;
+    this.setExposure(settings.exposure ?? exposure ?? this.look.exposure);
+    this.setView(settings.viewTransform ?? view ?? this.look.view);
+  }
+
+  placeCamera() {
+    const { position, look_at, vertical_fov_deg } = this.scene?.camera ?? {}, { settings } = this;
+    const views = [
+      position ? viewFrom(position, look_at, vertical_fov_deg) : {}, settings.cameraOrbit ?? {},
+      { target: settings.cameraTarget, fov: settings.fieldOfView },
+    ];
+    this.isTouched = false;
+    const { width, height } = this.canvas ?? { width: 1, height: 1 };
+    this.orbit.place(views, this.box, width / height, settings.autoRotate);
+    this.tell("camera", { byUser: false });
+    this.viewer?.restart();
+  }
+
+  placeLights() {
+    const { suns, environment } = this.scene ?? {}, { sun, lightRotation, environmentIntensity } = this.settings;
+    const { lighting } = this;
+    lighting.reset();
+    if (suns) lighting.suns = suns;
+    if (environment) {
+      const { key = lighting.choice, strength = 1, rotation_deg = 0 } = environment;
+      Object.assign(lighting, { choice: key, strength, imageTurn: rotation_deg });
+    }
+    if (sun) Object.assign(lighting, sun, { suns: null });
+    this.setLight({ rotation: wrappedDegrees(lightRotation ?? 0), strength: environmentIntensity ?? lighting.strength });
+  }
+
+  /** Turns the asset under the lights and the camera, which keep their places. Radians. */
+  turnTable(angle, moving) {
+    this.orbit.turntable = -angle;
+    this.lighting.turntable = (-angle * 180) / Math.PI;
+    this.changed(moving);
+  }
+
+  /** relights: the ground, which has the colour of the page. */
+  setExposure(stops, relights = true) {
+    this._setLook({ exposure: stops }, relights && this.ground);
+  }
+
+  /** view: srgb or filmic, as in a scene file. */
+  setView(view) {
+    this._setLook({ view }, this.ground);
+  }
+
+  setDenoise(on) {
+    this._setLook({ denoise: on });
+  }
+
+  setGround(on) {
+    this.ground = on;
+    this.changed();
+  }
+
+  _setLook(values, relights = false) {
+    Object.assign(this.look, values);
+    Object.assign(this.viewer ?? {}, values);
+    this.tell("set");
+    if (relights) this.changed();
+    this.viewer?.show();
+  }
+
+  async _show(opened, tier, isNew, signal) {
+    const shown = await opened.load(tier);
+    opened.forget();
+    performance.mark("package");
+    await this.lit;
+    if (!(await this.begun)) return;
+    this.placing = this.placing.catch(() => {}).then(() => this._place(opened, shown, isNew, signal));
+    await this.placing;
+  }
+
+  /** One at a time: an engine has one asset. */
+  async _place(opened, shown, isNew, signal) {
+    signal?.throwIfAborted();
+    if (!this.viewer || (!isNew && this.opened !== opened)) return;
+    if (isNew) this.viewer.hasShown = false;
+    this.viewer.pause();
+    const arrays = isNew ? sceneArrays(shown.parts) : this.arrays;
+    performance.mark("hierarchy");
+    if (!(await this._upload(arrays, shown))) return;
+    performance.mark("asset");
+    Object.assign(this, { opened, shown, arrays, box: arrays.box, isNew });
+    if (isNew && this.scene) this.reset();
+    else if (isNew) this.placeCamera();
+    const { warnings } = opened.manifest;
+    if (warnings.length) this.notices.say(warnings.join("; "), true, "asset");
+    this.tell("package", { opened, shown });
+    this.viewer.stats.ms = 0;
+    this.changed();
+    this.viewer.start();
+  }
+
+  /** Hands the asset to the engine, and to another one where it does not fit; false if there is none any more. */
+  async _upload(arrays, { parts }) {
+    while ((await this.begun) && this.engine) {
+      const { engine } = this;
+      try {
+        await engine.setAsset(arrays, parts);
+        if (engine === this.engine) return true;
+      } catch (error) {
+        if (engine !== this.engine) continue;
+        if (!this.canFallBack) throw error;
+        this.shown = null;
+        this.replace("webgl2", lineOf(error));
+      }
+    }
+    return false;
+  }
+
+  /** What was shown, on a new engine. */
+  async restore(engine) {
+    this.uploaded = null;
+    if (!this.shown) return;
+    this.viewer.hasShown = true;
+    await engine.setAsset(this.arrays, this.shown.parts);
+    this.changed();
+    this.viewer?.start();
+  }
+
+  resized() {
+    if (this.shown && !this.isTouched) this.placeCamera();
+  }
+
+  pictured() {
+    this.tell("shown");
+    if (!this.isNew) return;
+    this.isNew = false;
+    this.tell("load");
+  }
+
+  async _offerPoster(opened) {
+    try {
+      this.tell("poster", { blob: await opened.posterImage() });
+    } catch {
+      // A poster that is broken is a warning (spec, 10): the asset is shown without it.
+    }
+  }
+
+  _ground(irradiance) {
+    if (!this.ground || !this.box) return null;
+    const { view, exposure } = this.look, { backdrop } = this.viewer;
+    const colour = view === "filmic" ? beforeFilmic(backdrop) : backdrop;
+    const { min, max } = this.box, size = Math.hypot(...max.map((high, k) => high - min[k]));
+    return {
+      height: min[1] - 1e-4 * size, x: (min[0] + max[0]) / 2, z: (min[2] + max[2]) / 2, size: 2 * size,
+      colour: colour.map((value, c) => (irradiance[c] > 0 ? value / irradiance[c] / 2 ** exposure : 0)),
+    };
+  }
+}
+
+async function fetched(url) {
+  const answer = await fetch(url).catch(() => null);
+  if (!answer?.ok) throw new NotSupported(`cannot load ${url}${answer ? `: HTTP ${answer.status}` : ""}`);
+  return answer.arrayBuffer();
+}
