@@ -8,7 +8,8 @@ import { actions, isForPicture } from "./gestures.js";
 import { Viewer } from "./viewer.js";
 
 const MOST_PIXELS = 2.2e6;  // of the picture, whatever the screen: memory of phones
-const MOST_LOSSES = 4;      // of engines, until the poster is shown instead
+const MOST_LOSSES = 4;      // of engines, one soon after the other, until the poster is shown instead
+const LONG_MS = 60000;      // of an engine's life, after which a loss is the first
 
 /** What is drawn is a subclass's: restore(engine) shows it again; resized() and pictured() hear of the canvas. */
 export class LastingEngine extends EventTarget {
@@ -39,6 +40,7 @@ export class LastingEngine extends EventTarget {
   /** Another engine in place of the one that is there, with what was shown. why: no better one is wanted. */
   replace(api, why) {
     this.end();
+    Object.assign(this, { api, since: performance.now() });
     const own = this._begin(api, why).then(() => (own === this.begun ? !!this.engine : this.begun), (error) => {
       if (own !== this.begun) return this.begun;
       if (this.canFallBack) return this.replace("webgl2", lineOf(error));
@@ -104,13 +106,13 @@ export class LastingEngine extends EventTarget {
   /** Once more with the same kind of engine, then with WebGL2; an engine that is lost again and again is no good. */
   async _lost(engine, why) {
     if (engine !== this.engine) return;
-    this.losses += 1;
+    this.losses = performance.now() - this.since > LONG_MS ? 1 : this.losses + 1;
     if (this.losses >= MOST_LOSSES) {
       this.end();
       return this.failed(new NotSupported(`${why}, ${this.losses} times`), "engine");
     }
     this.notices.say(`${why}; starting again`, true, "engine");
-    const api = this.losses > 1 ? this.settings.api ?? "webgl2" : this.settings.api;
+    const api = this.losses > 1 ? this.settings.api ?? "webgl2" : this.api;
     if (await this.replace(api, this.losses > 1 && why)) this.notices.say(null, false, "engine");
   }
 

@@ -1,0 +1,301 @@
+"""`<rna-viewer>` on pages of others: what it loads and when, its events, what goes wrong."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+import threading
+from collections.abc import Iterator
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import Any, ClassVar
+
+import pytest
+
+from rna_view.site_files import ELEMENT, viewer_file
+from tests.conftest import REPOSITORY
+from tests.package.builders import make_tier, make_tiny_fiber_package, make_tiny_package
+from tests.render.chromium import INSTALL, SOFTWARE_GPU, Page, find_chromium, open_page
+
+TIMEOUT = 300.0
+ELEMENT_SOURCES = REPOSITORY / "runtime" / "web" / "src" / "element"
+PAGE = """<!doctype html>
+<script>
+  globalThis.heard = [];
+  const names = ["load", "error", "camera-change", "light-change", "poster-dismissed"];
+  for (const name of names) document.addEventListener(name, ({ target, detail }) => {
+    if (target.localName === "rna-viewer") heard.push({ name, id: target.id, ...detail });
+  }, true);
+  const count = (name, id) => heard.filter((one) => one.name === name && one.id === id).length;
+</script>
+<script defer src="rna-viewer.js"></script>
+<style>
+  body { margin: 0; }
+  rna-viewer { width: 64px; height: 40px; background-color: rgb(255, 255, 255); }
+</style>
+BODY
+<div style="height: 3000px"></div>
+"""
+SMALL = 'samples="1" pixel-ratio="1"'
+TWO = f"""
+<rna-viewer id="one" src="tiny.rna" alt="A tiny thing" camera-controls {SMALL}></rna-viewer>
+<rna-viewer id="two" src="fibers.rna" api="webgl2" sun="10deg 20deg 3" {SMALL}></rna-viewer>
+"""
+
+
+class _Static(SimpleHTTPRequestHandler):
+    """Any web server; `asked` has the paths."""
+
+    asked: ClassVar[list[str]] = []
+
+    def do_GET(self) -> None:
+        self.asked.append(self.path)
+        super().do_GET()
+
+    def log_message(self, *arguments: object) -> None:
+        """Nothing."""
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory) -> Path:
+    folder = tmp_path_factory.mktemp("theirs")
+    (folder / ELEMENT).write_bytes(viewer_file(ELEMENT))
+    make_tiny_package(folder / "tiny.rna", make_tier("small"), make_tier("hq", resolution=256))
+    make_tiny_fiber_package(folder / "fibers.rna")
+    (folder / "bad.rna").write_bytes(b"this is no package")
+    return folder
+
+
+@pytest.fixture(scope="module")
+def url(folder) -> Iterator[str]:
+    with ThreadingHTTPServer(("127.0.0.1", 0), partial(_Static, directory=str(folder))) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{server.server_port}/"
+        server.shutdown()
+
+
+@pytest.fixture(scope="module")
+def page() -> Iterator[Page]:
+    chromium = find_chromium()
+    if chromium is None:
+        pytest.skip(INSTALL)
+    with open_page(chromium, 200, 200, SOFTWARE_GPU) as page:
+        yield page
+
+
+def show(page: Page, folder: Path, url: str, body: str) -> None:
+    """A page with this body, its element defined."""
+    (folder / "page.html").write_text(PAGE.replace("BODY", body))
+    page.call("Page.navigate", url="about:blank")
+    page.call("Page.navigate", url=url + "page.html")
+    page.wait_for("globalThis.customElements?.get('rna-viewer') && globalThis.one", TIMEOUT)
+
+
+def loads(page: Page, element: str, times: int = 1) -> None:
+    page.wait_for(f"count('load', '{element}') >= {times}", TIMEOUT)
+
+
+def line(page: Page, element: str = "one") -> str | None:
+    return page.evaluate(
+        f"(({{ place }}) => place.hidden ? null : place.textContent)({element}.notices)"
+    )
+
+
+@pytest.mark.skipif(shutil.which("node") is None, reason="needs Node")
+def test_attributes_are_read_and_written_as_model_viewers():
+    given = {
+        "camera-orbit": [
+            "0deg 90deg 2m",
+            "1rad auto 150cm",
+            "auto auto 105%",
+            "1deg 2deg",
+            "x y z",
+        ],
+        "camera-target": ["1m auto -20cm"],
+        "field-of-view": ["30deg", "auto", "30"],
+        "sun": ["none", "10deg 20deg 1.5", "10deg 20deg -1"],
+        "samples": ["16", "1.5"],
+    }
+    program = f"""
+        import {{ READERS, cameraText }} from "{(ELEMENT_SOURCES / "attributes.js").as_uri()}";
+        import {{ Orbit }} from "{(ELEMENT_SOURCES / "orbit.js").as_uri()}";
+        const read = (name, text) => {{
+            try {{ return READERS[name](text); }} catch (error) {{ return error.message; }}
+        }};
+        const found = {{}}, given = Object.entries({json.dumps(given)});
+        for (const [name, texts] of given) found[name] = texts.map((text) => read(name, text));
+        const orbit = new Orbit(), box = {{ min: [-1, 0, -1], max: [1, 1, 1] }};
+        const said = {{ target: read("camera-target", "0m 1m 2m"), fov: 40 }};
+        orbit.place([read("camera-orbit", "-30deg 60deg 2.5m"), said], box, 1.5, false);
+        console.log(JSON.stringify({{ ...found, camera: cameraText(orbit) }}));
+    """
+    command = ["node", "--input-type=module", "-e", program]
+    done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=120)
+    found: dict[str, Any] = json.loads(done.stdout)
+    orbits = found["camera-orbit"]
+    assert orbits[0] == {"azimuth": 0, "elevation": 0, "distance": 2, "share": None}
+    assert orbits[1] == {"azimuth": 1, "elevation": None, "distance": 1.5, "share": None}
+    assert orbits[2]["share"] == 1.05 and orbits[2]["distance"] is None
+    assert all(text.startswith("expected THETA PHI RADIUS") for text in orbits[3:])
+    assert found["camera-target"] == [[1, None, -0.2]]
+    assert found["field-of-view"][:2] == [pytest.approx(30), None]
+    assert found["sun"][:2] == [{"sun": 0}, {"sunAzimuth": 10, "sunHeight": 20, "sun": 1.5}]
+    wrong = (found["field-of-view"][2], found["sun"][2], found["samples"][1])
+    assert [text.startswith("expected") for text in wrong] == [True] * 3
+    camera = {
+        "cameraOrbit": "-30deg 60deg 2.5m",
+        "cameraTarget": "0m 1m 2m",
+        "fieldOfView": "40deg",
+    }
+    assert found["camera"] == camera
+
+
+@pytest.mark.chromium
+def test_two_elements_on_a_page(page, folder, url):
+    show(page, folder, url, TWO)
+    loads(page, "one")
+    loads(page, "two")
+    assert page.evaluate("[one.loaded, one.tier, one.availableTiers]") == [
+        True,
+        "small",
+        ["small", "hq"],
+    ]
+    assert page.evaluate("[two.sun, one.sun]") == ["10deg 20deg 3", "none"]
+    # A white page around it; nothing of the asset in the corner.
+    pixel = """two.toBlob().then(createImageBitmap).then((image) => {
+        const context = new OffscreenCanvas(64, 40).getContext("2d");
+        context.drawImage(image, 0, 0);
+        return [...context.getImageData(0, 0, 1, 1).data];
+    })"""
+    assert page.evaluate(pixel) == [255] * 4
+    # What is shared shows the same again.
+    page.evaluate(
+        "Object.assign(one, { cameraOrbit: '-30deg 60deg 3m', lightRotation: '45deg' }), 0"
+    )
+    read = "[one.cameraOrbit, one.lightRotation]"
+    assert page.evaluate(read) == ["-30deg 60deg 3m", "45deg"]
+    assert page.evaluate("[heard.at(-1).name, heard.at(-1).source]") == ["light-change", "none"]
+    page.evaluate("one.setAttribute('camera-orbit', 'far away'), 0")
+    assert line(page).startswith("camera-orbit: expected THETA PHI RADIUS")
+    page.evaluate("one.removeAttribute('camera-orbit'), 0")
+    assert line(page) is None
+
+    # The page keeps its scrolling, until somebody works with the element.
+    def wheel() -> None:
+        page.mouse("mouseWheel", 30, 20, deltaX=0, deltaY=100)
+
+    distance = page.evaluate("one.stage.orbit.distance")
+    wheel()
+    page.wait_for("scrollY > 0", TIMEOUT)
+    assert page.evaluate("one.stage.orbit.distance") == distance
+    page.evaluate("scrollTo(0, 0), one.focus(), 0")
+    page.wait_for("scrollY === 0", TIMEOUT)
+    wheel()
+    page.wait_for(f"one.stage.orbit.distance > {distance}", TIMEOUT)
+    assert page.evaluate("[scrollY, getComputedStyle(one.stage.canvas).touchAction]") == [
+        0,
+        "pan-y",
+    ]
+    azimuth = page.evaluate("one.stage.orbit.azimuth")
+    for _ in range(9):
+        page.call("Input.dispatchKeyEvent", type="keyDown", key="ArrowLeft", code="ArrowLeft")
+    assert page.evaluate("one.stage.orbit.azimuth") != azimuth
+    page.wait_for("one.parts.status.textContent.startsWith('View from the')", TIMEOUT)
+    assert page.evaluate("[heard.at(-1).name, heard.at(-1).source]") == [
+        "camera-change",
+        "user-interaction",
+    ]
+    named = "({ stage: { canvas } }) => [canvas.role, canvas.ariaLabel, canvas.tabIndex]"
+    assert page.evaluate(f"[one, two].map({named})")[0] == ["application", "A tiny thing", 0]
+    assert page.evaluate(f"[one, two].map({named})")[1][::2] == ["img", -1]
+
+
+@pytest.mark.chromium
+def test_what_is_below_the_fold_waits(page, folder, url):
+    """Nothing is fetched for it; what leaves the page lets its GPU go, and comes back as it was."""
+    late = f'<rna-viewer id="one" src="tiny.rna" api="webgl2" {SMALL}></rna-viewer>'
+    closed = (
+        f'<rna-viewer id="two" src="fibers.rna" api="webgl2" reveal="manual" {SMALL}></rna-viewer>'
+    )
+    _Static.asked.clear()
+    show(page, folder, url, f'{closed}<div style="height: 2000px"></div>{late}')
+    page.evaluate("new Promise((resolve) => setTimeout(resolve, 200))")
+    assert not any(path.endswith(".rna") for path in _Static.asked)
+    page.evaluate("one.scrollIntoView(), 0")
+    loads(page, "one")
+    assert next(path for path in _Static.asked if path.endswith(".rna")) == "/tiny.rna"
+    gone = """globalThis.kept = one, globalThis.before = one.stage.engine;
+        kept.cameraOrbit = "50deg 60deg 3m";
+        document.body.prepend(kept);
+        const later = new Promise((resolve) => setTimeout(resolve, 0));
+        later.then(() => { kept.remove(); return kept.stage.engine === before; })"""
+    assert page.evaluate(gone), "an element that moves within its page keeps its GPU"
+    page.wait_for("before.closed && kept.stage.engine === null", TIMEOUT)
+    asked = len(_Static.asked)
+    page.evaluate("document.body.prepend(kept), scrollTo(0, 0)")
+    page.wait_for("kept.stage.viewer?.stats.rounds >= 1", TIMEOUT)
+    assert page.evaluate("kept.cameraOrbit") == "50deg 60deg 3m"
+    assert len(_Static.asked) == asked
+    page.evaluate("two.dismissPoster(), 0")
+    loads(page, "two")
+    assert page.evaluate("count('poster-dismissed', 'two')") == 1
+    assert len(_Static.asked) > asked
+
+
+@pytest.mark.chromium
+def test_sources_that_are_bad_or_change(page, folder, url):
+    show(
+        page, folder, url, f'<rna-viewer id="one" src="none.rna" api="webgl2" {SMALL}></rna-viewer>'
+    )
+    page.wait_for("count('error', 'one') === 1", TIMEOUT)
+    assert line(page).endswith("none.rna: HTTP 404")
+    page.evaluate("one.src = 'bad.rna', 0")
+    page.wait_for("count('error', 'one') === 2", TIMEOUT)
+    assert page.evaluate("[heard.at(-1).type, heard.at(-1).code]") == ["asset", "ZIP_NOT_ZIP"]
+    # The last of three is shown, and only that one loads.
+    page.evaluate("one.src = 'tiny.rna', one.src = 'fibers.rna', one.src = 'tiny.rna', 0")
+    loads(page, "one")
+    page.evaluate("new Promise((resolve) => setTimeout(resolve, 300))")
+    assert page.evaluate("count('load', 'one')") == 1 and line(page) is None
+    assert page.evaluate("one.stage.shown.parts[0].kind") == "surface"
+    page.evaluate("one.tier = 'hq', 0")
+    page.wait_for("one.stage.shown.name === 'hq'", TIMEOUT)
+
+
+@pytest.mark.chromium
+def test_auto_rotate_stops_for_those_who_want_stillness(page, folder, url):
+    turning = 'auto-rotate auto-rotate-delay="0" api="webgl2"'
+    show(page, folder, url, f'<rna-viewer id="one" src="tiny.rna" {turning} {SMALL}></rna-viewer>')
+    page.wait_for("one.turntableRotation > 0.1", TIMEOUT)
+    assert page.evaluate("one.cameraOrbit").startswith("34.3775deg")
+    stillness = [{"name": "prefers-reduced-motion", "value": "reduce"}]
+    page.call("Emulation.setEmulatedMedia", features=stillness)
+    page.wait_for("!one.turntable.isTurning", TIMEOUT)
+    page.call("Emulation.setEmulatedMedia", features=[])
+    page.wait_for("one.turntable.isTurning", TIMEOUT)
+
+
+@pytest.mark.chromium
+def test_no_webgpu_then_webgl2_then_the_poster(page, folder, url):
+    """A GPU that is too small, then contexts that are lost."""
+    show(page, folder, url, f'<rna-viewer id="one" loading="eager" {SMALL}></rna-viewer>')
+    page.wait_for("one.stage.engine", TIMEOUT)
+    if page.evaluate("one.stage.engine.constructor.label") == "WebGPU":
+        small = "{ limits: { value: { maxStorageBufferBindingSize: 1000 } } }"
+        page.evaluate(f"Object.defineProperties(one.stage.engine.device, {small}), 0")
+    page.evaluate("globalThis.told = [], one.stage.addEventListener('engine', (e) => told.push(e))")
+    page.evaluate("one.src = 'tiny.rna', 0")
+    loads(page, "one")
+    assert page.evaluate("one.stage.engine.constructor.label") == "WebGL2"
+    assert "this GPU allows 1 kB" in page.evaluate("told[0].reasons[0]") and line(page) is None
+    lose = "before.gl.getExtension('WEBGL_lose_context').loseContext()"
+    again = "one.stage.engine !== before && one.stage.viewer?.stats.rounds"
+    for loss in range(1, 5):
+        page.evaluate(f"globalThis.before = one.stage.engine, {lose}, 0")
+        if loss < 4:
+            page.wait_for(again, TIMEOUT)
+    page.wait_for("!one.stage.engine", TIMEOUT)
+    assert line(page) == "the WebGL context was lost, 4 times"
+    assert page.evaluate("[one.parts.poster.hidden, heard.at(-1).type]") == [False, "engine"]
