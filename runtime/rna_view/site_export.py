@@ -19,6 +19,11 @@ EMBED = (
     'style="width: 100%; aspect-ratio: 16/10; border: 0"></iframe>'
 )
 """A line for another page, at any width."""
+ELEMENT_LINE = (
+    '<script defer src="{address}rna-viewer.js"></script>'
+    "<rna-viewer{attributes} camera-controls></rna-viewer>"
+)
+"""The same without a frame: the page's own element."""
 MARKER = "rna-view.json"
 """Says that a folder is an export of this command, and which of its files are the site's own."""
 

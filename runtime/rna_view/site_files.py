@@ -67,10 +67,17 @@ class Site:
 
     def index(self) -> bytes:
         """index.html, which opens the site's scene or package."""
-        page = viewer_file("index.html").decode()
-        own = {**self.attributes, "data-labels": json.dumps(self.labels)}
-        written = "".join(f' {name}="{escape(value)}"' for name, value in own.items())
-        return page.replace("<rna-viewer", f"<rna-viewer{written}", 1).encode()
+        labels = escape(json.dumps(self.labels))
+        tag = f'<rna-viewer{self.written_attributes()} data-labels="{labels}"'
+        return viewer_file("index.html").replace(b"<rna-viewer", tag.encode(), 1)
+
+    def written_attributes(self, address: str = "") -> str:
+        """The element's attributes in HTML, each after a space. address: of the page's folder."""
+        addresses = {name: address for name in ("src", "environment", "scene")}
+        return "".join(
+            f' {name}="{escape(addresses.get(name, "") + value)}"'
+            for name, value in self.attributes.items()
+        )
 
     def _add(self, path: Path, suffix: str) -> str:
         with path.open("rb") as file:

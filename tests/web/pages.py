@@ -47,8 +47,8 @@ def viewer(site: Site, query: str = "", width: int = 320, height: int = 200) -> 
 
 def wait_for_picture(page: Page, rounds: int) -> None:
     """Until the picture has so many samples; an error on the page fails the test."""
-    stats = "rnaViewer.viewer.stats"
-    done = f"rnaViewer.failures || ({stats}.scale === 1 && {stats}.rounds >= {rounds})"
+    stats = "rnaViewer.viewer?.stats"
+    done = f"rnaViewer.failures || ({stats}?.scale === 1 && {stats}.rounds >= {rounds})"
     page.wait_for(done, TIMEOUT)
     assert not page.evaluate("rnaViewer.failures"), notice(page)
 

@@ -275,6 +275,9 @@ def test_auto_rotate_stops_for_those_who_want_stillness(page, folder, url):
     page.wait_for("!one.turntable.isTurning", TIMEOUT)
     page.call("Emulation.setEmulatedMedia", features=[])
     page.wait_for("one.turntable.isTurning", TIMEOUT)
+    page.evaluate("one.autoRotate = false, 0")
+    stats = "one.stage.viewer.stats"
+    page.wait_for(f"{stats}.scale === 1 && {stats}.rounds === 1", TIMEOUT)
 
 
 @pytest.mark.chromium

@@ -16,6 +16,7 @@ from tests.conftest import REPOSITORY
 from tests.package.builders import make_tiny_package
 
 VIEWER = (REPOSITORY / "docs" / "viewer.md").read_text()
+ELEMENT = (REPOSITORY / "docs" / "element.md").read_text()
 PREVIEW = (REPOSITORY / "docs" / "preview.md").read_text()
 PANEL = {
     name: (REPOSITORY / "runtime" / "web" / "src" / name / "index.html").read_text()
@@ -52,6 +53,19 @@ def test_parameters_are_those_of_the_page():
     known = set(re.findall(r"(\w+): (?:anything|oneOf|number)", block))
     table = VIEWER.split("| parameter | meaning |")[1].split("\n\n")[0]
     assert set(re.findall(r"`(\w+)=", table)) == known
+
+
+def test_attributes_and_events_are_those_of_the_element():
+    sources = REPOSITORY / "runtime" / "web" / "src" / "element"
+    readers = (sources / "attributes.js").read_text().split("READERS = {")[1].split("};")[0]
+    known = set(re.findall(r'"?([a-z-]+)"?: ', readers))
+    table = ELEMENT.split("| attribute | meaning | default |\n| --- | --- | --- |\n")[1]
+    rows = [row.split("|")[1] for row in table.split("\n\n")[0].splitlines()]
+    named = {name for row in rows for name in re.findall(r"`([a-z-]+)`", row)}
+    assert named == known
+    fired = set(re.findall(r'_fire\("([a-z-]+)"', (sources / "rna_viewer.js").read_text()))
+    table = ELEMENT.split("| event | `detail` |")[1].split("\n\n")[0]
+    assert set(re.findall(r"^\| `([a-z-]+)`", table, re.MULTILINE)) == fired
 
 
 def test_the_line_to_embed_is_that_of_the_command(tmp_path: Path, capsys):

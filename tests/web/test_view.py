@@ -130,7 +130,8 @@ def test_a_cheaper_tier_is_named_where_this_one_is_slow(page):
         """(() => {
             const tiers = [["hq", 900], ["small", 100], ["tiny", 20], ["unknown"]].map(
                 ([name, multiplyAdds]) => ({ name, cost: multiplyAdds && { multiplyAdds } }));
-            const panel = rnaPanel, { opened, shown } = rnaViewer, button = document.getElementById("faster");
+            const panel = rnaPanel, { opened, shown } = rnaViewer;
+            const button = document.getElementById("faster");
             const own = [opened.manifest.tiers, shown.tier];
             const told = [];
             opened.manifest.tiers = tiers;

@@ -51,7 +51,7 @@ function fieldOfView(value) {
 /** Degrees. */
 const turn = (value) => words(value, "an angle, as 90deg", [angle])[0] / RADIANS;
 
-function sun(value) {
+function sunLight(value) {
   if (value.trim() === "none") return { sun: 0 };
   const plain = (word) => (word >= 0 ? Number(word) : null);
   const [azimuth, height, brightness] = words(value, "none or AZIMUTH HEIGHT BRIGHTNESS, as 40deg 45deg 2", [angle, angle, plain]);
@@ -63,7 +63,7 @@ export const READERS = {
   src: text, alt: text, poster: text, scene: text, environment: text, tier: text, api: text,
   loading: choice("auto", "lazy", "eager"), reveal: choice("auto", "manual"),
   "camera-orbit": cameraOrbit, "camera-target": cameraTarget, "field-of-view": fieldOfView,
-  sun, "light-rotation": turn, "environment-intensity": number(0, 1e6), ground: flag,
+  sun: sunLight, "light-rotation": turn, "environment-intensity": number(0, 1e6), ground: flag,
   exposure: number(-30, 30), "view-transform": choice("srgb", "filmic"),
   "camera-controls": flag, "disable-zoom": flag, "disable-pan": flag, "disable-light": flag,
   "touch-action": choice("pan-y", "pan-x", "none"), "wheel-zoom": choice("focus", "always"),

@@ -1,5 +1,4 @@
 // <rna-viewer src="toy.rna" auto-rotate camera-controls>: an asset on any page. Its attributes, properties and events.
-import { fileAddress } from "../package/file_address.js";
 import { nameOf } from "../package/source.js";
 import { Notices, readableBytes } from "../ui/elements.js";
 import { cameraText, flag, lightText, propertyOf, READERS } from "./attributes.js";
@@ -24,7 +23,7 @@ export class RnaViewer extends HTMLElement {
     this.stage = new Stage(this.parts.view, this.notices, this.settings);
     this.turntable = new Turntable(this.stage);
     this.stillness = matchMedia("(prefers-reduced-motion: reduce)");
-    Object.assign(this, { loaded: false, isNear: false, isDismissed: false, isBegun: false, asked: null });
+    Object.assign(this, { loaded: false, observer: null, isNear: false, isDismissed: false, isBegun: false, asked: null });
     this._listen();
   }
 
@@ -63,7 +62,7 @@ export class RnaViewer extends HTMLElement {
     this._apply(name);
   }
 
-  /** The file formats' names of the tiers that are there, once the package is open. */
+  /** Names of the package's tiers, once it is open. */
   get availableTiers() {
     return this.stage.opened?.manifest.tiers.map(({ name }) => name) ?? [];
   }
@@ -127,11 +126,11 @@ export class RnaViewer extends HTMLElement {
     this._describe();
   }
 
-  /** Loads what `src` names, once it is wanted. */
+  /** Loads what `src` names, once it is wanted and all attributes of a new element are read. */
   _begin() {
     const { stage, settings } = this, isShown = settings.reveal !== "manual" || this.isDismissed;
     this.parts.image.loading = settings.loading === "eager" ? "eager" : "lazy";
-    if (!this.isConnected || !(settings.loading === "eager" || (this.isNear && isShown))) return;
+    if (!this.isConnected || !this.observer || !(settings.loading === "eager" || (this.isNear && isShown))) return;
     if (!this.isBegun) {
       this.isBegun = true;
       stage.begin();
@@ -155,7 +154,7 @@ export class RnaViewer extends HTMLElement {
     const scene = await this.stage.openScene(asked);
     if (asked !== this.askedScene) return;
     if (this.settings.src) this._begin();
-    else if (scene?.asset) this.stage.open(fileAddress(scene.asset));
+    else if (scene?.asset) this.stage.open(scene.asset);
   }
 
   _light() {
@@ -236,10 +235,13 @@ export class RnaViewer extends HTMLElement {
     const { canvas } = this.stage, { cameraControls, touchAction } = this.settings;
     this.parts.image.alt = this._name();
     if (!canvas) return;
-    Object.assign(canvas, { role: cameraControls ? "application" : "img", ariaLabel: this._name() });
     canvas.style.touchAction = cameraControls ? touchAction ?? "pan-y" : "auto";
-    if (cameraControls) Object.assign(canvas, { tabIndex: 0 }).setAttribute("aria-describedby", "keys");
-    else for (const name of ["tabindex", "aria-describedby"]) canvas.removeAttribute(name);
+    const own = cameraControls ? { role: "application", tabindex: 0, "aria-describedby": "keys" } : { role: "img" };
+    canvas.setAttribute("aria-label", this._name());
+    for (const name of ["role", "tabindex", "aria-describedby"]) {
+      if (name in own) canvas.setAttribute(name, own[name]);
+      else canvas.removeAttribute(name);
+    }
   }
 
   _fire(name, detail = null) {

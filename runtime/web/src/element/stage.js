@@ -6,7 +6,7 @@ import { readImage } from "../light/image_files.js";
 import { NotSupported } from "../package/errors.js";
 import { fileAddress } from "../package/file_address.js";
 import { Package } from "../package/package.js";
-import { BlobSource, UrlSource } from "../package/source.js";
+import { BlobSource, nameOf, UrlSource } from "../package/source.js";
 import { wrappedDegrees } from "../ui/elements.js";
 import { linearColour } from "./backdrop.js";
 import { LastingEngine, lineOf } from "./lasting_engine.js";
@@ -41,7 +41,7 @@ export class Stage extends LastingEngine {
       const progress = (got, all) => signal.aborted || this.tell("progress", { got, all });
       const source = from instanceof Blob
         ? new BlobSource(from, from.name)
-        : await UrlSource.open(from, progress, signal, this.labels[from]);
+        : await UrlSource.open(from, progress, signal, this.labels[nameOf(from)]);
       const opened = await Package.open(source);
       signal.throwIfAborted();
       await this._offerPoster(opened);
@@ -73,10 +73,12 @@ export class Stage extends LastingEngine {
     try {
       const scene = JSON.parse(new TextDecoder().decode(await fetched(url)));
       const { radiance, image } = scene.environment ?? {};
+      const beside = (name) => new URL(fileAddress(name), new URL(url, document.baseURI)).href;
+      if (scene.asset) scene.asset = beside(scene.asset);
       if (radiance) scene.environment.key = this.lighting.add("The scene's", evenImage(radiance));
       if (image) {
         const label = this.labels[image] ?? image;
-        scene.environment.key = this.lighting.add(label, readImage(await fetched(fileAddress(image)), image));
+        scene.environment.key = this.lighting.add(label, readImage(await fetched(beside(image)), image));
       }
       this.scene = scene;
       this.reset();
