@@ -14,6 +14,7 @@ from rna_sdk.errors import RnaError
 from rna_sdk.file_kinds import not_a
 from rna_sdk.outputs import check_outputs
 from rna_sdk.package.command.package_info import info_lines, package_info
+from rna_sdk.package.geometry.standin_glb import standin_glb
 from rna_sdk.package.package import Package
 
 
@@ -40,6 +41,13 @@ def parser() -> argparse.ArgumentParser:
         metavar="PNG",
         help="write the package's picture to this file (path, default: none)",
     )
+    p.add_argument(
+        "--glb",
+        type=Path,
+        metavar="GLB",
+        help="write the geometry with its stand-in materials to this file, for any glTF viewer;\n"
+        "strands as at most 300,000 triangles (path, default: none)",
+    )
     return p
 
 
@@ -51,6 +59,11 @@ def _run(options: argparse.Namespace) -> None:
     print(json.dumps(info, indent=2) if options.json else "\n".join(info_lines(info)))
     if options.poster is not None:
         _write_poster(path, options.poster)
+    if options.glb is not None:
+        check_outputs([options.glb], [path])
+        with Package.open(path) as package:
+            write_atomically(options.glb, standin_glb(package))
+        print(f"wrote {options.glb}", file=sys.stderr)
 
 
 def _write_poster(path: Path, png: Path) -> None:

@@ -1,0 +1,136 @@
+"""rna-info --glb: packages as ordinary glTF files."""
+
+from __future__ import annotations
+
+import json
+import struct
+import zlib
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from rna_render.materials.files.mesh_file import read_mesh_object
+from rna_sdk.package import Curves, Package
+from rna_sdk.package.command.rna_info import main
+from rna_sdk.package.geometry.strand_tubes import tubes
+from tests.conftest import REPOSITORY
+from tests.exporters.in_blender import answer_of
+
+TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
+CURLS = REPOSITORY / "examples" / "fibers" / "curly_ball.rna"
+KIT = REPOSITORY / "spec" / "conformance" / "packages"
+
+
+def _document(path: Path) -> tuple[dict[str, Any], bytes]:
+    data = path.read_bytes()
+    size = struct.unpack_from("<I", data, 12)[0]
+    return json.loads(data[20 : 20 + size]), data[28 + size :]
+
+
+def _glb(package: Path, folder: Path) -> Path:
+    path = folder / f"{package.stem}.glb"
+    assert main([str(package), "--glb", str(path)]) == 0
+    return path
+
+
+def test_a_mesh_has_its_triangles_and_its_material(tmp_path: Path) -> None:
+    path = _glb(TOY, tmp_path)
+    document, _ = _document(path)
+    with Package.open(TOY) as package:
+        mesh, manifest = package.mesh(), package.manifest
+    stated = manifest.extensions["RNA_standin"]["parts"][0]
+    material = document["materials"][0]["pbrMetallicRoughness"]
+    assert material["baseColorFactor"] == [*stated["baseColor"], 1.0]
+    assert material["roughnessFactor"] == stated["roughness"]
+    assert manifest.license in document["asset"]["copyright"]
+    loaded = read_mesh_object(path)
+    np.testing.assert_array_equal(loaded.positions, mesh.positions)
+    np.testing.assert_array_equal(loaded.triangles, mesh.triangles)
+
+
+def test_parts_are_nodes_and_holes_are_alpha(tmp_path: Path) -> None:
+    path = _glb(KIT / "parts-lantern.rna", tmp_path)
+    document, blob = _document(path)
+    with Package.open(KIT / "parts-lantern.rna") as package:
+        names = [part.name for part in package.manifest.parts]
+        holes = [package.transmittance(i) for i in range(len(names))]
+    assert [node["name"] for node in document["nodes"]] == names
+    records = [record for part in holes for record in part]
+    modes = {m["alphaMode"] for m in document["materials"] if "alphaMode" in m}
+    assert modes == {"BLEND" if record.cutoff is None else "MASK" for record in records}
+    assert document["images"]
+    view = document["bufferViews"][document["images"][0]["bufferView"]]
+    png = blob[view["byteOffset"] :][: view["byteLength"]]
+    wide, high = struct.unpack_from(">II", png, 16)
+    texture = next(r.texture for r in records if r.texture.shape[:2] == (high, wide))
+    start = png.index(b"IDAT") + 4
+    size = struct.unpack_from(">I", png, start - 8)[0]
+    rows = np.frombuffer(zlib.decompress(png[start : start + size]), np.uint8).reshape(high, -1)
+    alpha = rows[:, 1:].reshape(high, wide, 4)[..., 3]
+    np.testing.assert_allclose(alpha, 255.0 - texture.mean(axis=2), atol=0.5)
+
+
+def test_strands_become_tubes_of_their_width_and_stay_below_the_limit() -> None:
+    along = np.linspace(0.0, 1.0, 20, dtype=np.float32)
+    strand = np.stack([along, along**2, np.zeros(20, np.float32)], axis=1)
+    points = (strand + np.arange(50, dtype=np.float32)[:, None, None]).reshape(-1, 3)
+    radii = np.full(1000, 0.01, np.float32)
+    curves = Curves(points, radii, np.arange(0, 1001, 20, dtype=np.uint32))
+    full = tubes(curves)
+    assert len(full.triangles) == 50 * 19 * 6
+    away = np.linalg.norm(full.positions.reshape(-1, 3, 3) - points[:, None], axis=2)
+    np.testing.assert_allclose(away, 0.01 * 2 * np.pi / 27**0.5, rtol=1e-3)
+    corners = full.positions[full.triangles]
+    faces = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    assert (np.einsum("ij,ij->i", faces, full.normals[full.triangles].sum(axis=1)) > 0).all()
+    few = tubes(curves, max_triangles=600)
+    assert len(few.triangles) == 480
+    near = np.linalg.norm(few.positions[:3].astype(float) - points[0], axis=1)
+    np.testing.assert_allclose(near, 5 * away.max(), rtol=1e-3)
+
+
+def test_a_strand_that_turns_back_stays_finite() -> None:
+    points = np.float32([[0, 0, 0], [1, 0, 0], [0, 0, 0], [0, 1, 0]])
+    mesh = tubes(Curves(points, np.full(4, 0.1, np.float32), np.uint32([0, 4])))
+    np.testing.assert_allclose(np.linalg.norm(mesh.normals, axis=1), 1.0, atol=1e-5)
+    assert np.isfinite(mesh.positions).all()
+
+
+@pytest.mark.parametrize("name", sorted(path.name for path in KIT.glob("*.rna")))
+def test_every_package_of_the_kit_loads(name: str, tmp_path: Path) -> None:
+    assert len(read_mesh_object(_glb(KIT / name, tmp_path)).triangles)
+
+
+def test_bad_files_are_one_line_and_write_nothing(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    bad = tmp_path / "bad.rna"
+    bad.write_bytes(TOY.read_bytes()[:5000])
+    assert main([str(bad), "--glb", str(tmp_path / "bad.glb")]) == 1
+    assert main([str(TOY), "--glb", str(tmp_path / "none" / "toy.glb")]) == 1
+    assert len(capsys.readouterr().err.splitlines()) <= 4
+    assert [path.name for path in tmp_path.iterdir()] == ["bad.rna"]
+
+
+IMPORT = """
+bpy.ops.import_scene.gltf(filepath=sys.argv[1])
+objects = [o for o in bpy.data.objects if o.type == "MESH"]
+answer([
+    [o.name, len(o.data.polygons), [m.name for m in o.data.materials],
+     [round(max(v.co[k] for v in o.data.vertices), 4) for k in range(3)]] for o in objects
+])
+"""
+
+
+@pytest.mark.blender
+@pytest.mark.parametrize("package", [TOY, CURLS], ids=["toy", "curls"])
+def test_blender_opens_it(package: Path, tmp_path: Path, blender_python: Path) -> None:
+    path = _glb(package, tmp_path)
+    mesh = read_mesh_object(path)
+    ((_, polygons, materials, high),) = answer_of(blender_python, IMPORT, str(path))
+    assert polygons == pytest.approx(len(mesh.triangles), rel=0.01) and len(materials) == 1
+    x = mesh.positions[:, 0].max()
+    assert high[0] == pytest.approx(x, abs=1e-3)
+    assert high[1] == pytest.approx(-mesh.positions[:, 2].min(), abs=1e-3)
