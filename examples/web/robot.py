@@ -28,7 +28,9 @@ def robot() -> trimesh.Scene:
     """The parts, each with its material."""
     scene = trimesh.Scene()
     for size, centre, material in BOXES:
-        box = trimesh.creation.box(size, transform=trimesh.transformations.translation_matrix(centre))
+        box = trimesh.creation.box(
+            size, transform=trimesh.transformations.translation_matrix(centre)
+        )
         box.unmerge_vertices()  # flat faces
         box.visual = trimesh.visual.TextureVisuals(material=material)
         scene.add_geometry(box)

@@ -34,7 +34,7 @@ export class RnaMaterial extends NodeMaterial {
     this.stored = [];
     const [xy, yz, zx] = planes.map((plane) => this._store(plane, 1));
     const buffers = [
-      named(shared.nodes, "RnaNode", "rna_nodes"), named(shared.primitives, "uvec4", "rna_primitives"),
+      named(shared.nodes, "RnaNode", "rna_nodes"), named(shared.primitives, "RnaPrimitive", "rna_primitives"),
       named(shared.points, "vec4", "rna_points"),
       named(xy, "uint", "rna_plane_xy"), named(yz, "uint", "rna_plane_yz"), named(zx, "uint", "rna_plane_zx"),
       ...this._decoder(transport, "rna_"), ...(emission ? this._decoder(emission, "rnae_") : []),

@@ -13,7 +13,9 @@ const filesOf = (name) => (name in sharedFiles ? [name] : compositions[name].fla
 
 /** groups: RNA_GROUPS. normalsAt: place of the first normal among the points. hasSegments: some part is of strands. */
 export function partSource({ kind, groups, emits, normalsAt, extent, hasSegments }) {
-  const instead = hasSegments ? {} : { "segment.wgsl": withoutSegments };
+  // The name of a query is that of a triangle's surface in geometry.wgsl.
+  const instead = { "surface.wgsl": sharedFiles["surface.wgsl"].replace(/\brna_surface\(/g, "rna_surface_query(") };
+  if (!hasSegments) instead["segment.wgsl"] = withoutSegments;
   const names = [...new Set([...filesOf(kind), ...filesOf("trace"), "visibility.wgsl"])];
   const shared = names.map((name) => instead[name] ?? sharedFiles[name]).join("\n")
     .replace(/^@group.*;.*$/gm, "");

@@ -2,14 +2,14 @@
 
 fn begin(primitive: u32, x: vec3f, wo: vec3f) -> f32 {
     let record = rna_primitives[primitive];
-    let cone = rna_cone(record.x);
+    let cone = rna_cone(record.a);
     let origin = x + 4.0 * max(cone.ra, cone.rb) * wo;
     let entry = rna_meet_segment(RnaRay(origin, 0.0, -wo, RNA_FAR), record);
     vertex.x = origin - entry.t * wo;
     vertex.n = entry.normal;
     vertex.ng = entry.normal;
     vertex.wo = wo;
-    vertex.strand = record.z;
+    vertex.strand = rna_strand(record);
     let way = cone.b - cone.a;
     let size = max(abs(way.x), max(abs(way.y), abs(way.z)));
     vertex.axis = normalize(way / size);

@@ -17,10 +17,10 @@ fn barycentrics(x: vec3f, p: mat3x3f) -> vec3f {
     return b / max(b.x + b.y + b.z, 1e-30);
 }
 
-fn triangle_vertex(record: vec4<u32>, x: vec3f) -> Vertex {
+fn triangle_vertex(record: RnaPrimitive, x: vec3f) -> Vertex {
     var v: Vertex;
-    let p = mat3x3f(rna_points[record.x].xyz, rna_points[record.y].xyz, rna_points[record.z].xyz);
-    let n = mat3x3f(rna_normal(record.x), rna_normal(record.y), rna_normal(record.z));
+    let p = mat3x3f(rna_points[record.a].xyz, rna_points[record.b].xyz, rna_points[record.c].xyz);
+    let n = mat3x3f(rna_normal(record.a), rna_normal(record.b), rna_normal(record.c));
     let b = barycentrics(x, p);
     v.x = p * b;
     v.n = normalize(n * b);

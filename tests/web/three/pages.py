@@ -1,0 +1,58 @@
+"""Pages that import the packed rna-three, in headless Chromium."""
+
+from __future__ import annotations
+
+import functools
+import shutil
+import subprocess
+import tarfile
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.render.chromium import INSTALL, SOFTWARE_GPU, Page, find_chromium, open_page
+
+REPOSITORY = Path(__file__).parents[3]
+TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
+MODULES = REPOSITORY / "runtime" / "web" / "node_modules"
+
+
+class _Quiet(SimpleHTTPRequestHandler):
+    def log_message(self, *arguments: Any) -> None:
+        pass
+
+
+def installed(folder: Path) -> Path:
+    """The packed package and three.js below `folder`/node_modules; the tarball."""
+    if shutil.which("npm") is None:
+        pytest.skip("no Node; on Debian: apt-get install nodejs npm")
+    script = REPOSITORY / "scripts" / "three-package"
+    subprocess.run([script, folder], check=True, capture_output=True, timeout=300)
+    (tarball,) = folder.glob("rna-three-*.tgz")
+    modules = folder / "node_modules"
+    modules.mkdir()
+    with tarfile.open(tarball) as archive:
+        archive.extractall(modules, filter="data")
+    (modules / "package").rename(modules / "rna-three")
+    (modules / "three").symlink_to(MODULES / "three")
+    return tarball
+
+
+@contextmanager
+def opened(folder: Path, name: str, width: int = 96, height: int = 60) -> Iterator[Page]:
+    """A page of the folder, served and loaded."""
+    chromium = find_chromium()
+    if chromium is None:
+        pytest.skip(INSTALL)
+    handler = functools.partial(_Quiet, directory=str(folder))
+    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        with open_page(chromium, width, height, SOFTWARE_GPU) as page:
+            page.call("Page.navigate", url=f"http://127.0.0.1:{server.server_port}/{name}")
+            yield page
+        server.shutdown()

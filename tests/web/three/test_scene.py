@@ -1,0 +1,125 @@
+"""An asset in a scene of three.js: how it is loaded, its picture, what it leaves behind."""
+
+from __future__ import annotations
+
+import base64
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.render.chromium import Page
+from tests.web import test_picture
+from tests.web.pages import TIMEOUT
+from tests.web.test_picture import by_rna_run, middles_of_pixels, psnr, write_scene
+from tests.web.three.pages import REPOSITORY, TOY, installed, opened
+
+pytestmark = pytest.mark.chromium
+
+TINY = REPOSITORY / "spec" / "conformance" / "packages" / "surface-tiny.rna"
+SUN = "{type: directional, direction: [0.55, 0.75, 0.65], irradiance: [2.5, 2.5, 2.5]}"
+SIZE = [96, 60]
+__all__ = ["middles_of_pixels"]
+
+
+@pytest.fixture(scope="module")
+def page(tmp_path_factory) -> Iterator[Page]:
+    """A page with the module, a renderer and packages beside it."""
+    folder = tmp_path_factory.mktemp("scene")
+    installed(folder)
+    for path in (TOY, TINY, Path(__file__).parent / "page.html"):
+        shutil.copy(path, folder)
+    with opened(folder, "page.html", *SIZE) as page:
+        page.wait_for("!!globalThis.test", TIMEOUT)
+        yield page
+
+
+def run(page: Page, body: str):
+    """What an async function of this body returns."""
+    return page.evaluate(
+        f"(async () => {{ const {{ THREE, rna, renderer, picture }} = test; {body} }})()"
+    )
+
+
+def test_loader_has_the_manners_of_three(page):
+    heard = run(
+        page,
+        """
+        const heard = [], manager = new THREE.LoadingManager(() => heard.push("all"), null, () => heard.push("bad"));
+        const loader = new rna.RnaLoader(manager);
+        const asset = await loader.loadAsync("surface-tiny.rna", ({ loaded }) => heard.push(loaded > 0));
+        const parsed = await loader.parseAsync(await (await fetch("surface-tiny.rna")).arrayBuffer());
+        const wrong = await loader.loadAsync("page.html").catch((error) => error.message);
+        const missing = await loader.loadAsync("none.rna").catch((error) => error.message);
+        await new Promise((resolve) => setTimeout(resolve, 100));
+        return { heard, wrong, missing, tiers: [asset.tiers, parsed.tiers], group: asset instanceof THREE.Group };
+        """,
+    )
+    events = heard["heard"]
+    first = events.index("all")
+    assert first > 0 and all(
+        event is True for event in events[:first]
+    )  # progress, then all is there
+    assert "bad" in events[first:]
+    assert heard["group"] and heard["tiers"][0] == heard["tiers"][1]
+    assert "404" in heard["missing"] and heard["wrong"].endswith("]")  # with an issue code
+
+
+def test_abort_rejects(page):
+    aborted = run(
+        page,
+        """
+        const loader = new rna.RnaLoader(), pending = loader.loadAsync("toy.rna").catch((error) => error.name);
+        loader.abort();
+        return pending;
+        """,
+    )
+    assert aborted == "AbortError"
+
+
+def test_raycaster_meets_the_asset(page):
+    hits = run(
+        page,
+        """
+        const asset = await new rna.RnaLoader().loadAsync("surface-tiny.rna"), { sphere } = asset.content;
+        const from = sphere.center.clone().add(new THREE.Vector3(0, 0, 10)), ray = new THREE.Raycaster(from, new THREE.Vector3(0, 0, -1));
+        const found = ray.intersectObject(asset).length;
+        asset.position.x = 100;
+        asset.updateMatrixWorld();
+        return [found, ray.intersectObject(asset).length];
+        """,
+    )
+    assert hits[0] > 0 and hits[1] == 0
+
+
+def test_dispose_leaves_no_memory(page):
+    """After the first time, in which three.js makes what it keeps."""
+    totals = run(
+        page,
+        """
+        const totals = [], { memory } = renderer.info;
+        for (let k = 0; k < 4; k++) {
+          const asset = await new rna.RnaLoader().loadAsync("surface-tiny.rna"), copy = asset.clone();
+          await picture(asset, 8, 8);
+          asset.dispose();
+          copy.dispose();
+          const { total, storageAttributes, attributes, uniformBuffers, programs } = memory;
+          totals.push({ total, storageAttributes, attributes, uniformBuffers, programs });
+        }
+        return totals;
+        """,
+    )
+    assert totals[1:] == [totals[1]] * 3
+
+
+@pytest.mark.usefixtures("middles_of_pixels")
+def test_picture_is_that_of_rna_run(page, tmp_path):
+    found = run(
+        page,
+        f'return picture(await new rna.RnaLoader().loadAsync("toy.rna"), {SIZE[0]}, {SIZE[1]});',
+    )
+    values = np.frombuffer(base64.b64decode(found), "<f4").reshape(SIZE[1], SIZE[0], 4)
+    expected = by_rna_run(write_scene(tmp_path, test_picture.TOY, SUN, SIZE, 1))
+    assert psnr(values, expected) >= test_picture.LEAST_PSNR
