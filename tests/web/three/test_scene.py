@@ -47,14 +47,16 @@ def test_loader_has_the_manners_of_three(page):
     heard = run(
         page,
         """
-        const heard = [], manager = new THREE.LoadingManager(() => heard.push("all"), null, () => heard.push("bad"));
-        const loader = new rna.RnaLoader(manager);
-        const asset = await loader.loadAsync("surface-tiny.rna", ({ loaded }) => heard.push(loaded > 0));
-        const parsed = await loader.parseAsync(await (await fetch("surface-tiny.rna")).arrayBuffer());
+        const heard = [], hear = (what) => () => heard.push(what);
+        const loader = new rna.RnaLoader(new THREE.LoadingManager(hear("all"), null, hear("bad")));
+        const url = "surface-tiny.rna", progress = ({ loaded }) => heard.push(loaded > 0);
+        const asset = await loader.loadAsync(url, progress);
+        const parsed = await loader.parseAsync(await (await fetch(url)).arrayBuffer());
         const wrong = await loader.loadAsync("page.html").catch((error) => error.message);
         const missing = await loader.loadAsync("none.rna").catch((error) => error.message);
         await new Promise((resolve) => setTimeout(resolve, 100));
-        return { heard, wrong, missing, tiers: [asset.tiers, parsed.tiers], group: asset instanceof THREE.Group };
+        const group = asset instanceof THREE.Group;
+        return { heard, wrong, missing, tiers: [asset.tiers, parsed.tiers], group };
         """,
     )
     events = heard["heard"]
@@ -71,7 +73,8 @@ def test_abort_rejects(page):
     aborted = run(
         page,
         """
-        const loader = new rna.RnaLoader(), pending = loader.loadAsync("toy.rna").catch((error) => error.name);
+        const loader = new rna.RnaLoader();
+        const pending = loader.loadAsync("toy.rna").catch((error) => error.name);
         loader.abort();
         return pending;
         """,
@@ -83,8 +86,9 @@ def test_raycaster_meets_the_asset(page):
     hits = run(
         page,
         """
-        const asset = await new rna.RnaLoader().loadAsync("surface-tiny.rna"), { sphere } = asset.content;
-        const from = sphere.center.clone().add(new THREE.Vector3(0, 0, 10)), ray = new THREE.Raycaster(from, new THREE.Vector3(0, 0, -1));
+        const asset = await new rna.RnaLoader().loadAsync("surface-tiny.rna");
+        const from = asset.content.sphere.center.clone().add(new THREE.Vector3(0, 0, 10));
+        const ray = new THREE.Raycaster(from, new THREE.Vector3(0, 0, -1));
         const found = ray.intersectObject(asset).length;
         asset.position.x = 100;
         asset.updateMatrixWorld();
@@ -101,7 +105,8 @@ def test_dispose_leaves_no_memory(page):
         """
         const totals = [], { memory } = renderer.info;
         for (let k = 0; k < 4; k++) {
-          const asset = await new rna.RnaLoader().loadAsync("surface-tiny.rna"), copy = asset.clone();
+          const asset = await new rna.RnaLoader().loadAsync("surface-tiny.rna");
+          const copy = asset.clone();
           await picture(asset, 8, 8);
           asset.dispose();
           copy.dispose();
