@@ -12,12 +12,14 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any, ClassVar
 
+import numpy as np
 import pytest
 
 from rna_view.site_files import ELEMENT, viewer_file
 from tests.conftest import REPOSITORY
 from tests.package.builders import make_tier, make_tiny_fiber_package, make_tiny_package
 from tests.render.chromium import INSTALL, SOFTWARE_GPU, Page, find_chromium, open_page
+from tests.web.test_page import write_image
 
 TIMEOUT = 300.0
 ELEMENT_SOURCES = REPOSITORY / "runtime" / "web" / "src" / "element"
@@ -210,6 +212,25 @@ def test_two_elements_on_a_page(page, folder, url):
     named = "({ stage: { canvas } }) => [canvas.role, canvas.ariaLabel, canvas.tabIndex]"
     assert page.evaluate(f"[one, two].map({named})")[0] == ["application", "A tiny thing", 0]
     assert page.evaluate(f"[one, two].map({named})")[1][::2] == ["img", -1]
+
+    # The GPU has no memory for a picture: WebGL2 shows the asset.
+    page.evaluate("one.stage.engine.error = new Error('out of memory'), one.stage.viewer.restart()")
+    webgl = "one.stage.engine?.constructor.label === 'WebGL2'"
+    page.wait_for(f"{webgl} && one.stage.viewer?.stats.rounds >= 1", TIMEOUT)
+    assert line(page) is None
+
+
+@pytest.mark.chromium
+def test_the_page_of_the_documentation(page, folder, url):
+    text = (REPOSITORY / "docs" / "element.md").read_text()
+    (folder / "page.html").write_text(text.split("```html\n")[1].split("```")[0])
+    make_tiny_package(folder / "toy.rna")
+    write_image(folder / "studio.hdr", np.full((4, 8, 3), 0.25, np.float32))
+    page.call("Page.navigate", url=url + "page.html")
+    viewer = "document.querySelector('rna-viewer')"
+    page.wait_for(f"{viewer}?.loaded", TIMEOUT)
+    assert page.evaluate(f"{viewer}.stage.lighting.tables().floats[0]") == 0.25
+    assert page.evaluate(f"{viewer}.notices.place.hidden")
 
 
 @pytest.mark.chromium

@@ -117,9 +117,9 @@ export class RnaViewer extends HTMLElement {
     if (name === "tier" && stage.opened && settings.tier) stage.switchTier(settings.tier);
     if (["camera-orbit", "camera-target", "field-of-view"].includes(name)) stage.placeCamera();
     if (["sun", "light-rotation", "environment-intensity"].includes(name)) stage.placeLights();
-    if (name === "ground") stage.setGround(!!settings.ground);
-    if (name === "exposure") stage.setExposure(settings.exposure ?? 0);
-    if (name === "view-transform") stage.setView(settings.viewTransform ?? "srgb");
+    if (name === "ground") stage.setGround(settings.ground ?? stage.scene?.ground ?? false);
+    if (name === "exposure") stage.setExposure(settings.exposure ?? stage.scene?.exposure ?? 0);
+    if (name === "view-transform") stage.setView(settings.viewTransform ?? stage.scene?.view ?? "srgb");
     if (name === "pixel-ratio") stage.resize();
     if (["loading", "reveal"].includes(name)) this._begin();
     if (name.startsWith("auto-rotate") || name === "rotation-per-second") this._turn();
@@ -160,8 +160,8 @@ export class RnaViewer extends HTMLElement {
   _light() {
     const { environment } = this.settings;
     this.isLit = true;
-    if (environment === null || BUILT_IN.includes(environment)) this.stage.setLight({ choice: environment ?? "studio" });
-    else this.stage.openImage(environment, nameOf(environment));
+    if (environment !== null && !BUILT_IN.includes(environment)) this.stage.openImage(environment, nameOf(environment));
+    else this.stage.chooseImage(environment ?? "studio");
   }
 
   _turn() {

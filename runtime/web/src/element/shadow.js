@@ -30,6 +30,7 @@ canvas:focus-visible { outline: 2px solid #fff; outline-offset: -2px; }
 :host([camera-controls]) canvas { cursor: grab; }
 :host([camera-controls]) canvas.dragging { cursor: grabbing; }
 #poster { pointer-events: none; }
+::slotted([slot="poster"]) { pointer-events: auto; }
 #poster img { object-fit: contain; }
 #over {
   position: absolute; inset: 0; padding: 16px; pointer-events: none; overflow: hidden; box-sizing: border-box;

@@ -102,8 +102,14 @@ export class Stage extends LastingEngine {
       if (asked !== this.askedImage) return;
       this.setLight({ choice: this.lighting.add(this.labels[name] ?? name, readImage(buffer, name)) });
     } catch (error) {
-      this.failed(error, "light");
+      if (asked === this.askedImage) this.failed(error, "light");
     }
+  }
+
+  /** Lights the asset with an image that is there; one on its way is no longer wanted. */
+  chooseImage(key) {
+    this.askedImage = null;
+    this.setLight({ choice: key });
   }
 
   /** values: of Lighting's fields. moving: more will follow at once. */
@@ -157,8 +163,9 @@ export class Stage extends LastingEngine {
     lighting.reset();
     if (suns) lighting.suns = suns;
     if (environment) {
-      const { key = lighting.choice, strength = 1, rotation_deg = 0 } = environment;
-      Object.assign(lighting, { choice: key, strength, imageTurn: rotation_deg });
+      const { key, strength = 1, rotation_deg = 0 } = environment;
+      const choice = (!this.settings.environment && key) || lighting.choice;
+      Object.assign(lighting, { choice, strength, imageTurn: rotation_deg });
     }
     if (sun) Object.assign(lighting, sun, { suns: null });
     this.setLight({ rotation: wrappedDegrees(lightRotation ?? 0), strength: environmentIntensity ?? lighting.strength });
