@@ -4,9 +4,9 @@ import type { Camera, Group, InstancedMesh, Loader, LoadingManager, Mesh, NodeMa
 export interface RnaOptions {
   /** What hides light from the asset itself: rays through its own hierarchy, or the light's shadow map. Default "rays". */
   visibility?: "rays" | "shadow-map";
-  /** Directions a pixel for scene.environment, HemisphereLight and AmbientLight. Default 16. */
+  /** Directions a pixel for scene.environment, HemisphereLight and AmbientLight; each lengthens the shader. Default 4. */
   environmentSamples?: number;
-  /** Points of a RectAreaLight along each of its sides. Default 3. */
+  /** Points of a RectAreaLight along each of its sides. Default 2. */
   areaSamples?: number;
   /** Largest mean FLIP of the tier that is chosen by size. Default 0.05. */
   maxError?: number;

@@ -3,7 +3,7 @@ import { Box3, BufferAttribute, BufferGeometry, Group, InstancedMesh, Mesh, Sphe
 import { RnaMaterial, SharedBuffers } from "./material.js";
 import { chooseTier } from "./tiers.js";
 
-const DEFAULTS = { visibility: "rays", environmentSamples: 16, areaSamples: 3, maxError: 0.05 };
+const DEFAULTS = { visibility: "rays", environmentSamples: 4, areaSamples: 2, maxError: 0.05 };
 const centre = /*@__PURE__*/ new Vector3(), eye = /*@__PURE__*/ new Vector3(), size = /*@__PURE__*/ new Vector2();
 
 /** What copies of an asset share. */

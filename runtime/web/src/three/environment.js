@@ -1,24 +1,25 @@
 // Light from all sides: the scene's environment, and lights of three.js that have no place. One function; a decoder of
 // its own for whole environments would take the place of the sum in it.
-import { float, int, interleavedGradientNoise, Loop, materialEnvIntensity, mix, pmremTexture, screenCoordinate, vec3 } from "three/tsl";
-import { lengthOf, objectToWorld } from "./spaces.js";
+import { float, interleavedGradientNoise, materialEnvIntensity, mix, pmremTexture, screenCoordinate, vec3 } from "three/tsl";
+import { objectToWorld } from "./spaces.js";
 
 /** Adds what comes from all sides, as `environmentSamples` directions find it. */
 export function environmentLight({ functions, options }, builder) {
   const radiance = radianceOf(builder);
   if (!radiance.length) return;
-  const count = lengthOf(options.environmentSamples);
+  const count = options.environmentSamples;
   const turn = interleavedGradientNoise(screenCoordinate.xy).toVar(), sum = vec3(0).toVar();
-  Loop({ start: int(0), end: count, type: "int", condition: "<" }, ({ i }) => {
+  // Written out: around the loops of rays, SwiftShader does not come to an end with one more.
+  for (let i = 0; i < count; i++) {
     const drawn = functions.direction(float(i), float(count), turn).toVar(), wi = drawn.xyz.toVar();
     const world = objectToWorld(wi, builder).toVar();
     // What a sample stands for is as wide as the lobe of this roughness: a blurred image has no noise.
-    const roughness = float(1 / (4 * Math.PI)).div(drawn.w.mul(float(count))).pow(0.25).clamp();
+    const roughness = float(1 / (4 * Math.PI * count)).div(drawn.w).pow(0.25).clamp();
     const own = functions.own(wi, false).x;
     const arriving = radiance.map((of) => of(world, roughness)).reduce((a, b) => a.add(b));
     sum.addAssign(functions.sent(wi, own).mul(arriving).div(drawn.w));
-  });
-  builder.context.reflectedLight.indirectDiffuse.addAssign(sum.div(float(count)));
+  }
+  builder.context.reflectedLight.indirectDiffuse.addAssign(sum.div(count));
 }
 
 /** Radiance along a direction of the world, of each source: (direction, roughness) => vec3. */

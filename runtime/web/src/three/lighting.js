@@ -1,8 +1,8 @@
 // What the lights of a scene bring to a fragment: for each a query of the decoder, and what hides it.
 import { LightingModel } from "three/webgpu";
-import { cameraViewMatrix, float, int, Loop, positionViewDirection, positionWorld, property, vec2, vec3, vec4 } from "three/tsl";
+import { cameraViewMatrix, float, positionViewDirection, positionWorld, property, vec3, vec4 } from "three/tsl";
 import { environmentLight } from "./environment.js";
-import { lengthOf, viewToWorld, worldToObject } from "./spaces.js";
+import { viewToWorld, worldToObject } from "./spaces.js";
 
 /** Where shadow maps are asked. */
 export const shadowPosition = /*@__PURE__*/ property("vec3", "rnaShadowPosition");
@@ -52,13 +52,13 @@ export class RnaLighting extends LightingModel {
     const place = cameraViewMatrix.mul(vec4(positionWorld, 1)).xyz.toVar();
     const normal = corner.normalize().toVar(), area = corner.length().mul(4);
     const sum = vec3(0).toVar();
-    Loop({ start: int(0), end: lengthOf(side * side), type: "int", condition: "<" }, ({ i }) => {
-      const at = vec2(float(i.mod(side)), float(i.div(side))).add(0.5).mul(2 / side).sub(1);
-      const way = lightPosition.add(halfWidth.mul(at.x)).add(halfHeight.mul(at.y)).sub(place).toVar();
+    for (let k = 0; k < side * side; k++) {
+      const at = [k % side, Math.floor(k / side)].map((place) => (2 * place + 1) / side - 1);
+      const way = lightPosition.add(halfWidth.mul(at[0])).add(halfHeight.mul(at[1])).sub(place).toVar();
       const distance = way.length().toVar(), direction = way.div(distance).toVar();
       const cosine = direction.dot(normal).max(0);
       sum.addAssign(this.sentOf(direction, null, builder).mul(cosine.div(distance.mul(distance))));
-    });
+    }
     reflectedLight.directDiffuse.addAssign(lightColor.mul(sum).mul(area.div(side * side)));
   }
 

@@ -1,5 +1,5 @@
-// Directions between the spaces that three.js has and the asset's own; lengths of loops.
-import { cameraWorldMatrix, modelWorldMatrix, modelWorldMatrixInverse, uniform, varyingProperty, vec3, vec4 } from "three/tsl";
+// Directions between the spaces that three.js has and the asset's own.
+import { cameraWorldMatrix, modelWorldMatrix, modelWorldMatrixInverse, varyingProperty, vec3, vec4 } from "three/tsl";
 
 /** The linear part of the instance's matrix, of an InstancedMesh alone. */
 export const instanceColumns = [0, 1, 2].map((k) => /*@__PURE__*/ varyingProperty("vec3", `vRnaInstance${k}`));
@@ -19,6 +19,3 @@ export function objectToWorld(direction, { object }) {
   const own = object.isInstancedMesh ? a.mul(direction.x).add(b.mul(direction.y)).add(c.mul(direction.z)) : direction;
   return modelWorldMatrix.mul(vec4(own, 0)).xyz.normalize();
 }
-
-/** Of a loop: as data, since compilers unroll loops whose length they know, and a decoder many times over takes minutes. */
-export const lengthOf = (count) => uniform(count, "int");

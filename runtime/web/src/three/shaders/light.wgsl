@@ -48,7 +48,7 @@ fn direction_about(number: f32, count: f32, turn: f32) -> vec4f {
     let mirror = reflect(-wo, n);
     let share = select(MIRRORED, 0.0, v.strand != RNA_NOTHING);
     let all = select(FROM_ALL_SIDES, 1.0, v.strand != RNA_NOTHING);
-    let place = (number + 0.5) / count;
+    let place = (number + fract(12.9898 * turn + 0.7548777 * number)) / count;
     let angle = fract(turn + number * 0.61803399);
     var wi: vec3f;
     if place < share {

@@ -1,0 +1,71 @@
+"""The examples for web developers, installed from the packed tarball, show the toy."""
+
+from __future__ import annotations
+
+import io
+import json
+import shutil
+import subprocess
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from tests.web.pages import TIMEOUT
+from tests.web.three.pages import REPOSITORY, TOY, installed, opened
+
+pytestmark = pytest.mark.chromium
+
+EXAMPLES = REPOSITORY / "examples" / "web"
+
+
+def shows_toy(folder: Path) -> bool:
+    """Whether the folder's page comes to show the toy's red and yellow."""
+    end = time.monotonic() + TIMEOUT
+    with opened(folder, "index.html", 64, 40) as page:
+        while time.monotonic() < end:
+            pixels = np.asarray(Image.open(io.BytesIO(page.screenshot())).convert("RGB"), float)
+            red, green, blue = np.moveaxis(pixels, -1, 0)
+            if np.sum(red > 2 * green + 40) > 5 and np.sum((red > 80) & (green > 2 * blue)) > 5:
+                return True
+            time.sleep(0.5)
+    return False
+
+
+def test_plain_page(tmp_path):
+    installed(tmp_path)
+    shutil.copy(TOY, tmp_path)
+    shutil.copy(EXAMPLES / "plain" / "index.html", tmp_path)
+    assert shows_toy(tmp_path)
+
+
+def test_docs_have_the_page():
+    page = (EXAMPLES / "plain" / "index.html").read_text()
+    assert page in (REPOSITORY / "docs" / "three.md").read_text()
+    assert len(page.splitlines()) == 10
+
+
+def test_examples_ask_for_versions_that_fit():
+    """The three.js that rna-three is built for, and the version that is packed."""
+    packed = json.loads((REPOSITORY / "runtime" / "web" / "three" / "package.json").read_text())
+    built = json.loads((REPOSITORY / "runtime" / "web" / "package.json").read_text())
+    for example in ("vite", "react-three-fiber"):
+        wanted = json.loads((EXAMPLES / example / "package.json").read_text())["dependencies"]
+        assert wanted["rna-three"] == packed["version"]
+        assert wanted["three"] == built["devDependencies"]["three"]
+
+
+@pytest.mark.parametrize("example", ["vite", "react-three-fiber"])
+def test_bundled_example(example, tmp_path):
+    folder = tmp_path / example
+    shutil.copytree(EXAMPLES / example, folder)
+    tarball = installed(tmp_path)
+    shutil.rmtree(tmp_path / "node_modules")
+    (folder / "public").mkdir(exist_ok=True)
+    shutil.copy(TOY, folder / "public")
+    install = ["npm", "install", "--no-audit", "--no-fund", "--loglevel=error", tarball]
+    subprocess.run(install, cwd=folder, check=True, timeout=600)
+    subprocess.run(["npx", "vite", "build"], cwd=folder, check=True, timeout=600)
+    assert shows_toy(folder / "dist")
