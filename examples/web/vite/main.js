@@ -20,7 +20,9 @@ sun.castShadow = true;
 sun.shadow.mapSize.set(2048, 2048);
 sun.shadow.normalBias = 0.004;
 Object.assign(sun.shadow.camera, { left: -1, right: 1, top: 1, bottom: -1, near: 0.1, far: 5 });
-scene.add(sun, new THREE.HemisphereLight(0xbcd0ff, 0x302820, 0.6));
+const sky = new THREE.DirectionalLight(0xbcd0ff, 0.8);
+sky.position.set(-1, 0.7, 0.4);
+scene.add(sun, sky);
 
 const [toy, { scene: robot }] = await Promise.all([
   new RnaLoader().loadAsync("toy.rna"), new GLTFLoader().loadAsync("robot.glb"),
