@@ -52,6 +52,7 @@ GROUPS: dict[str, tuple[Command, ...]] = {
         Command("presets", "accuracy.preset_scores", resumes=True),
         Command("int8-tiers", "accuracy.int8_tiers"),
         Command("emission", "accuracy.emission_scenes"),
+        Command("lobes", "lobes.lobes_command"),
     ),
     "readers and files": (
         Command("readers", "readers.reader_agreement"),

@@ -1,0 +1,1 @@
+"""Lobes of the transport for light from whole environments: `rna-bench lobes`."""
