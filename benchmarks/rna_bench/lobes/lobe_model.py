@@ -20,7 +20,6 @@ LOBES = 8
 CONCENTRATIONS = (2.0, 10.0)
 """kappa of a lobe that the decoder leaves as it is: of the first half of them, and of the rest."""
 
-_WIDTH, _HIDDEN_LAYERS = 64, 4
 _UNIT = 0.1
 _SHIFT = 8.0  # of axes, since a decoder of the profile gives nothing negative
 _TOP = 8.0  # of logarithms
@@ -39,7 +38,7 @@ class LobeModel(nn.Module):
     transport where they have the same sizes.
     """
 
-    def __init__(self, package: Package, tier: str):
+    def __init__(self, package: Package, tier: str, width: int, hidden_layers: int):
         super().__init__()
         part = package.tier(tier).parts[0]
         decoder, planes = read_profile_decoder(package.decoder(tier), tier), package.planes(tier)
@@ -50,17 +49,18 @@ class LobeModel(nn.Module):
         self._triplane.planes.requires_grad_(False)
         columns = query_width(part.inputs, part.channels) + COUNT
         layers: list[nn.Module] = []
-        for _ in range(_HIDDEN_LAYERS):
-            layers += [nn.Linear(columns, _WIDTH), nn.ReLU()]
-            columns = _WIDTH
+        for _ in range(hidden_layers):
+            layers += [nn.Linear(columns, width), nn.ReLU()]
+            columns = width
         last = nn.Linear(columns, 9 * LOBES)
         last.weight.data *= 0.1
         of_lobe = torch.full((9,), math.log1p(_FURNACE / LOBES / _UNIT))
         of_lobe[6:] = math.log1p(_SHIFT / _UNIT)
         last.bias.data = of_lobe.repeat(LOBES)
         self.decoder = nn.Sequential(*layers, last)
-        if not decoder.is_int8 and [len(x.bias) for x in decoder.layers[:-1]] == [_WIDTH] * 4:
-            self._begin_as([(x.weight, x.bias) for x in decoder.layers[:-1]])
+        of_transport = [] if decoder.is_int8 else decoder.layers[:-1]
+        if [len(layer.bias) for layer in of_transport] == [width] * hidden_layers:
+            self._begin_as([(layer.weight, layer.bias) for layer in of_transport])
 
     def _begin_as(self, layers: list[tuple[Any, Any]]) -> None:
         for own, (weight, bias) in zip(self.decoder[::2], layers, strict=False):

@@ -39,12 +39,14 @@ def run(args: argparse.Namespace) -> None:
     views = AssetViews(part)
     baked = perf_counter() - begun
     with Package.open(args.package) as package:
-        model = LobeModel(package, part.tier.name)
+        model = LobeModel(package, part.tier.name, args.width, args.hidden_layers)
     begun, cpu = perf_counter(), process_time()
     fit_lobes(model, views, args.steps, args.seed)
     report: dict[str, Any] = {
         "asset": part.name,
         "tier": part.tier.name,
+        "width": args.width,
+        "hidden_layers": args.hidden_layers,
         "steps": args.steps,
         "seed": args.seed,
         "visibility_seconds": round(baked, 2),
@@ -76,6 +78,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--environments", type=Path, nargs="+", required=True, help=".hdr or .exr files (paths)"
     )
+    parser.add_argument("--width", type=int, default=64, help="neurons of a hidden layer")
+    parser.add_argument("--hidden-layers", type=int, default=4, help="of the decoder")
     parser.add_argument("--steps", type=int, default=6000, help="of training")
     parser.add_argument("--lights", type=int, default=8, help="brightest cells taken exactly")
     parser.add_argument("--seed", type=int, default=0, help="of training")
