@@ -78,8 +78,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--environments", type=Path, nargs="+", required=True, help=".hdr or .exr files (paths)"
     )
-    parser.add_argument("--width", type=int, default=64, help="neurons of a hidden layer")
-    parser.add_argument("--hidden-layers", type=int, default=4, help="of the decoder")
+    parser.add_argument("--width", type=int, default=96, help="neurons of a hidden layer")
+    parser.add_argument("--hidden-layers", type=int, default=2, help="of the decoder")
     parser.add_argument("--steps", type=int, default=6000, help="of training")
     parser.add_argument("--lights", type=int, default=8, help="brightest cells taken exactly")
     parser.add_argument("--seed", type=int, default=0, help="of training")
