@@ -31,7 +31,7 @@ def make_rows(views: AssetViews, count: int, rng: np.random.Generator) -> Rows:
     others, too, by the balance heuristic.
     """
     points = views.points(count, rng)
-    kappa = np.exp(rng.uniform(*np.log(_KAPPA), (count, _LIGHTS)))
+    kappa = _KAPPA[0] * (_KAPPA[1] / _KAPPA[0]) ** rng.random((count, _LIGHTS))
     about = random_directions(count * _LIGHTS, rng).reshape(count, _LIGHTS, 3)
     d = directions_of_lights(about, kappa, _EACH, rng).reshape(count, -1, 3)
     row = np.repeat(np.arange(count), d.shape[1])

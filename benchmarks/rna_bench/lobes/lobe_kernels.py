@@ -7,6 +7,7 @@ sinh k). The integral of the product of two such densities is c(|a|) c(|b|) / c(
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 from numba import prange
@@ -23,21 +24,21 @@ _SERIES = np.float32(0.05)  # below it the slope of log c is its first term
 
 
 @compiled()
-def _log_c(kappa: float) -> float:
-    return np.log(kappa) - _LOG_TWO_PI - np.log1p(-np.exp(-_TWO * kappa)) - kappa  # type: ignore[no-any-return]
+def _log_c(kappa: Any) -> Any:
+    return np.log(kappa) - _LOG_TWO_PI - np.log1p(-np.exp(-_TWO * kappa)) - kappa
 
 
 @compiled()
-def _slope(kappa: float) -> float:
+def _slope(kappa: Any) -> Any:
     """Derivative of log c, over kappa."""
     if kappa < _SERIES:
         return -_THIRD
     e = np.exp(-_TWO * kappa)
-    return (_ONE / kappa - (_ONE + e) / (_ONE - e)) / kappa  # type: ignore[no-any-return]
+    return (_ONE / kappa - (_ONE + e) / (_ONE - e)) / kappa
 
 
 @compiled()
-def _length(x: float, y: float, z: float) -> float:
+def _length(x: Any, y: Any, z: Any) -> Any:
     return max(np.sqrt(x * x + y * y + z * z), SMALLEST_KAPPA)
 
 

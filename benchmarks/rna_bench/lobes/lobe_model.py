@@ -63,8 +63,8 @@ class LobeModel(nn.Module):
             self._begin_as([(layer.weight, layer.bias) for layer in of_transport])
 
     def _begin_as(self, layers: list[tuple[Any, Any]]) -> None:
-        for own, (weight, bias) in zip(self.decoder[::2], layers, strict=False):
-            assert isinstance(own, nn.Linear)
+        hidden = [layer for layer in self.decoder if isinstance(layer, nn.Linear)][:-1]
+        for own, (weight, bias) in zip(hidden, layers, strict=True):
             own.weight.data[:, : len(weight)] = torch.from_numpy(np.array(weight.T))
             own.bias.data = torch.from_numpy(np.array(bias))
 
@@ -98,11 +98,11 @@ class LightLoss(torch.autograd.Function):
     def forward(ctx: Any, amplitude: Tensor, axis: Tensor, rows: dict[str, Tensor]) -> Tensor:
         """rows: lights (n, K, 3), their axes; and what `difference` takes."""
         a, x = amplitude.detach().contiguous().numpy(), axis.detach().contiguous().numpy()
-        lights, *sample = (rows[name].numpy() for name in _TRAINED_ON)
+        lights, d, transport, weights = (rows[name].numpy() for name in _TRAINED_ON)
         answers, differences = np.empty_like(lights), np.empty_like(lights)
         shares = np.empty((*lights.shape[:2], x.shape[1], 4), np.float32)
         answer(a, x, lights, answers, shares)
-        difference(a, x, *sample, differences)
+        difference(a, x, d, transport, weights, differences)
         weight = 1 / (answers + np.float32(_EPSILON)) ** 2
         ctx.state = a, shares, np.float32(2 / answers.size) * weight * differences
         return torch.tensor(float((weight * differences**2).mean()))

@@ -107,12 +107,12 @@ class AssetViews:
         row: (k,) which points. wi: (k, 3) float32, unit.
         """
         free = self._free(points.at, row, wi)[:, None]
-        at = [points.position.take(row, axis=0), points.axis.take(row, axis=0)]
-        last = points.wo.take(row, axis=0), wi
+        x, axis = points.position.take(row, axis=0), points.axis.take(row, axis=0)
+        wo = points.wo.take(row, axis=0)
         if isinstance(self.part, FiberAsset):
-            visible, shadowed = self.part.evaluate(*at, points.h[row], *last)
+            visible, shadowed = self.part.evaluate(x, axis, points.h[row], wo, wi)
         else:
-            visible, shadowed = self.part.evaluate(*at, *last)
+            visible, shadowed = self.part.evaluate(x, axis, wo, wi)
         return free * visible + (np.float32(1.0) - free) * shadowed
 
     def _free(self, at: PartPoints, row: np.ndarray, wi: Rows) -> Rows:
@@ -165,10 +165,11 @@ class AssetViews:
         """The vertices' harmonics at hits."""
         if isinstance(self.part, FiberAsset):
             first = self.part.curves.segments()[primitive]
-            corners, weights = (first, first + 1), (1 - u, u)
+            weighted = [(first, 1 - u), (first + 1, u)]
         else:
-            corners, weights = self.part.mesh.triangles[primitive].T, (1 - u - v, u, v)
-        mixed = (self._visibility[c] * w[:, None] for c, w in zip(corners, weights, strict=True))
+            a, b, c = self.part.mesh.triangles[primitive].T
+            weighted = [(a, 1 - u - v), (b, u), (c, v)]
+        mixed = (self._visibility[corner] * weight[:, None] for corner, weight in weighted)
         return np.asarray(sum(mixed), np.float32)
 
 

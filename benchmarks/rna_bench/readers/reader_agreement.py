@@ -50,7 +50,8 @@ def run(args: argparse.Namespace) -> None:
 def asked(program: Program, case: EvaluateCase) -> NDArray[np.float64]:
     """The reader's results for the case's queries."""
     form = form_named(case.output)
-    return evaluate(program, form, case.package, case.tier, case.part, case.queries)
+    width = case.expected.shape[1]
+    return evaluate(program, form, width, case.package, case.tier, case.part, case.queries)
 
 
 def in_tolerances(kit: Kit, found: Answers) -> float:
