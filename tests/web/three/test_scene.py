@@ -48,7 +48,8 @@ def test_loader_has_the_manners_of_three(page):
         page,
         """
         const heard = [], hear = (what) => () => heard.push(what);
-        const loader = new rna.RnaLoader(new THREE.LoadingManager(hear("all"), null, hear("bad")));
+        const manager = new THREE.LoadingManager(hear("all"), undefined, hear("bad"));
+        const loader = new rna.RnaLoader(manager);
         const url = "surface-tiny.rna", progress = ({ loaded }) => heard.push(loaded > 0);
         const asset = await loader.loadAsync(url, progress);
         const parsed = await loader.parseAsync(await (await fetch(url)).arrayBuffer());
