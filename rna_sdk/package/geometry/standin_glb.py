@@ -8,6 +8,7 @@ from __future__ import annotations
 import json
 import struct
 import zlib
+from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -123,7 +124,7 @@ class _Looks:
 
     def borders(self) -> list[int]:
         """The triangles at which another material may begin or end."""
-        records = [*self._holes, *self._reliefs]
+        records: list[Transmittance | NormalMap] = [*self._holes, *self._reliefs]
         return [end for r in records for end in (r.first, r.first + r.count)]
 
     def material_at(self, triangle: int) -> int:
@@ -158,7 +159,7 @@ class _Looks:
         return material
 
 
-def _of(records: list[Transmittance] | list[NormalMap], triangle: int) -> int | None:
+def _of(records: Sequence[Transmittance | NormalMap], triangle: int) -> int | None:
     """Number of the record whose range has the triangle."""
     for i, record in enumerate(records):
         if record.first <= triangle < record.first + record.count:

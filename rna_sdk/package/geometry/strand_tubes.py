@@ -94,5 +94,5 @@ def _across(t: Array) -> Array:
 
 def _unit(vectors: Array) -> Array:
     lengths = np.linalg.norm(vectors, axis=-1, keepdims=True)
-    along_x = np.broadcast_to(np.float64([1.0, 0.0, 0.0]), vectors.shape)
+    along_x = np.broadcast_to(np.array([1.0, 0.0, 0.0]), vectors.shape)
     return np.where(lengths > 0.0, vectors / np.maximum(lengths, 1e-300), along_x)
