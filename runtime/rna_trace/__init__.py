@@ -7,7 +7,12 @@ from typing import TYPE_CHECKING
 from rna_sdk.lazy_face import lazy_face
 
 if TYPE_CHECKING:
-    from rna_trace.asset_parts import mesh_transmittance
+    from rna_trace.asset_parts import (
+        mesh_transmittance,
+        part_geometry,
+        part_normal_maps,
+        part_transmittance,
+    )
     from rna_trace.bilinear import REPEAT
     from rna_trace.embree.instances import CAMERA_RAY, INDIRECT_RAY, SHADOW_RAY
     from rna_trace.embree.scenes import TriangleScene
@@ -33,6 +38,9 @@ __all__ = [
     "TriangleScene",
     "geometric_normals",
     "mesh_transmittance",
+    "part_geometry",
+    "part_normal_maps",
+    "part_transmittance",
     "tangents",
     "texture_numbers",
 ]

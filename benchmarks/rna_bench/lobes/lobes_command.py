@@ -26,7 +26,7 @@ from rna_bench.lobes.lobe_model import LobeModel
 from rna_bench.lobes.view_points import AssetViews
 from rna_bench.one_part import load_one_part
 from rna_bench.results import publish
-from rna_render.lights.files.environment_file import read_environment
+from rna_render import read_environment
 from rna_sdk.package import Package
 
 _TURNS = (0.0, 2.1, 4.2)  # radians

@@ -11,8 +11,15 @@ from rna_bench.lobes.directions import even_directions, random_directions
 from rna_bench.lobes.spherical_harmonics import harmonics
 from rna_bench.one_part import OnePart
 from rna_sdk.runtime import FiberAsset, offset_across
-from rna_trace import FiberPoints, PartPoints, PartsScene, SurfacePoints
-from rna_trace.asset_parts import part_geometry, part_normal_maps, part_transmittance
+from rna_trace import (
+    FiberPoints,
+    PartPoints,
+    PartsScene,
+    SurfacePoints,
+    part_geometry,
+    part_normal_maps,
+    part_transmittance,
+)
 
 Rows = NDArray[np.float32]
 

@@ -16,6 +16,7 @@ from typing import Any
 import pytest
 
 from tests.render.chromium import INSTALL, SOFTWARE_GPU, Page, find_chromium, open_page
+from tests.web.pages import TIMEOUT
 
 REPOSITORY = Path(__file__).parents[3]
 TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
@@ -54,5 +55,6 @@ def opened(folder: Path, name: str, width: int = 96, height: int = 60) -> Iterat
         threading.Thread(target=server.serve_forever, daemon=True).start()
         with open_page(chromium, width, height, SOFTWARE_GPU) as page:
             page.call("Page.navigate", url=f"http://127.0.0.1:{server.server_port}/{name}")
+            page.wait_for("document.readyState === 'complete'", TIMEOUT)
             yield page
         server.shutdown()
