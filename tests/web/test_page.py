@@ -181,7 +181,7 @@ def test_lost_device_comes_back(page):
         "WebGL2": "rnaViewer.engine.gl.getExtension('WEBGL_lose_context').loseContext()",
     }
     page.evaluate(f"globalThis.before = rnaViewer.engine, {lose[label]}, 0")
-    page.wait_for("rnaViewer.engine !== before && rnaViewer.viewer.stats.rounds >= 3", TIMEOUT)
+    page.wait_for("rnaViewer.engine !== before && rnaViewer.viewer?.stats.rounds >= 3", TIMEOUT)
     wait_for_picture(page, 3)
     assert notice(page) is None
 
