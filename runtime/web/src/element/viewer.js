@@ -14,7 +14,7 @@ export class Viewer extends EventTarget {
     Object.assign(this, { engine, canvas, orbit });
     Object.assign(this, {
       lights: [], ground: null, exposure: 0, view: "srgb", denoise: true, rounds: 256, jitter: 1, generation: 0, msPerPixel: 0.005, shown: null,
-      finest: 1, ready: false, stopped: false, moving: false, resting: false, backdrop: [0, 0, 0], stats: { ms: 0, rounds: 0 },
+      ready: false, stopped: false, moving: false, resting: false, backdrop: [0, 0, 0], stats: { ms: 0, rounds: 0 },
     });
     this.wake = null;
   }
