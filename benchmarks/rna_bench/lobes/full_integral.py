@@ -11,6 +11,7 @@ from rna_bench.lobes.directions import log_c
 from rna_bench.lobes.lobe_kernels import SMALLEST_KAPPA
 from rna_bench.lobes.lobe_model import LobeModel
 from rna_bench.lobes.view_points import AssetViews
+from rna_export.metrics import IRRADIANCE, psnr
 
 _CELLS = (64, 128)  # rows of equal height, and cells around
 _AT_ONCE = 20  # points
@@ -93,10 +94,6 @@ class Integrals:
         exact = np.einsum("ndc,dc->nc", self._transport[:, brightest], flux[brightest])
         both = np.einsum("nlc,nlc->nc", amplitude, density @ rest) + exact
         r, g, b = (answer.mean(axis=0) / truth.mean(axis=0)).tolist()
-        return Score(_psnr(truth, answer), _psnr(truth, both), (r, g, b))
-
-
-def _psnr(truth: np.ndarray, answer: np.ndarray) -> float:
-    exposure = 1 / np.quantile(truth, _SHOWN)
-    a, b = (np.clip(x * exposure, 0, 1) for x in (truth, answer))
-    return float(-10 * np.log10(np.mean((a - b) ** 2)))
+        exposure = float(1 / np.quantile(truth, _SHOWN)) / IRRADIANCE  # white is 1
+        scores = psnr(answer, truth, exposure), psnr(both, truth, exposure)
+        return Score(*scores, (r, g, b))
