@@ -7,6 +7,8 @@ import json
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
 
@@ -28,6 +30,23 @@ def served(site: Site) -> Iterator[PageServer]:
     with PageServer(site) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()
         yield server
+        server.shutdown()
+
+
+class Plain(SimpleHTTPRequestHandler):
+    """Any other web server: no ranges, no headers of ours."""
+
+    def log_message(self, *arguments: object) -> None:
+        """Nothing."""
+
+
+@contextmanager
+def served_folder(folder: Path, handler: type[Plain] = Plain) -> Iterator[str]:
+    """The address of a folder on a plain server, answering."""
+    own = partial(handler, directory=str(folder))
+    with ThreadingHTTPServer(("127.0.0.1", 0), own) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{server.server_port}/"
         server.shutdown()
 
 

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Iterator
-from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 
 import pytest
 
@@ -13,20 +10,13 @@ from rna_view.site_export import export_site
 from rna_view.site_files import site_for
 from tests.package.builders import make_tiny_package
 from tests.render.chromium import INSTALL, SOFTWARE_GPU, Page, find_chromium, open_page
-from tests.web.pages import notice, wait_for_picture
+from tests.web.pages import notice, served_folder, wait_for_picture
 
 pytestmark = pytest.mark.chromium
 
 TIMEOUT = 60.0
 QUERY = "api=webgl2&rounds=1&dpr=1"
 ODD_NAMES = ("Chair #2.rna", "50% off.rna", "ü ❤.rna", "a&b=c+d.rna")
-
-
-class _Static(SimpleHTTPRequestHandler):
-    """Any other web server: no ranges, no headers of ours."""
-
-    def log_message(self, *arguments: object) -> None:
-        """Nothing."""
 
 
 @pytest.fixture(scope="module")
@@ -37,11 +27,8 @@ def site_url(tmp_path_factory) -> Iterator[str]:
     export_site(site_for(package), folder)
     for name in ODD_NAMES:
         (folder / name).write_bytes(package.read_bytes())
-    handler = partial(_Static, directory=str(folder))
-    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{server.server_port}/"
-        server.shutdown()
+    with served_folder(folder) as url:
+        yield url
 
 
 @pytest.fixture(scope="module")

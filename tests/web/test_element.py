@@ -5,10 +5,7 @@ from __future__ import annotations
 import json
 import shutil
 import subprocess
-import threading
 from collections.abc import Iterator
-from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -19,6 +16,7 @@ from rna_view.site_files import ELEMENT, viewer_file
 from tests.conftest import REPOSITORY
 from tests.package.builders import make_tier, make_tiny_fiber_package, make_tiny_package
 from tests.render.chromium import INSTALL, SOFTWARE_GPU, Page, find_chromium, open_page
+from tests.web.pages import Plain, served_folder
 from tests.web.test_page import write_image
 
 TIMEOUT = 300.0
@@ -47,7 +45,7 @@ TWO = f"""
 """
 
 
-class _Static(SimpleHTTPRequestHandler):
+class _Static(Plain):
     """Any web server; `asked` has the paths."""
 
     asked: ClassVar[list[str]] = []
@@ -55,9 +53,6 @@ class _Static(SimpleHTTPRequestHandler):
     def do_GET(self) -> None:
         self.asked.append(self.path)
         super().do_GET()
-
-    def log_message(self, *arguments: object) -> None:
-        """Nothing."""
 
 
 @pytest.fixture(scope="module")
@@ -72,10 +67,8 @@ def folder(tmp_path_factory) -> Path:
 
 @pytest.fixture(scope="module")
 def url(folder) -> Iterator[str]:
-    with ThreadingHTTPServer(("127.0.0.1", 0), partial(_Static, directory=str(folder))) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{server.server_port}/"
-        server.shutdown()
+    with served_folder(folder, _Static) as address:
+        yield address
 
 
 @pytest.fixture(scope="module")

@@ -2,30 +2,21 @@
 
 from __future__ import annotations
 
-import functools
 import shutil
 import subprocess
 import tarfile
-import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from tests.render.chromium import INSTALL, SOFTWARE_GPU, Page, find_chromium, open_page
-from tests.web.pages import TIMEOUT
+from tests.web.pages import TIMEOUT, served_folder
 
 REPOSITORY = Path(__file__).parents[3]
 TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
 MODULES = REPOSITORY / "runtime" / "web" / "node_modules"
-
-
-class _Quiet(SimpleHTTPRequestHandler):
-    def log_message(self, *arguments: Any) -> None:
-        pass
 
 
 def installed(folder: Path) -> Path:
@@ -50,11 +41,10 @@ def opened(folder: Path, name: str, width: int = 96, height: int = 60) -> Iterat
     chromium = find_chromium()
     if chromium is None:
         pytest.skip(INSTALL)
-    handler = functools.partial(_Quiet, directory=str(folder))
-    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        with open_page(chromium, width, height, SOFTWARE_GPU) as page:
-            page.call("Page.navigate", url=f"http://127.0.0.1:{server.server_port}/{name}")
-            page.wait_for("document.readyState === 'complete'", TIMEOUT)
-            yield page
-        server.shutdown()
+    with (
+        served_folder(folder) as url,
+        open_page(chromium, width, height, SOFTWARE_GPU) as page,
+    ):
+        page.call("Page.navigate", url=url + name)
+        page.wait_for("document.readyState === 'complete'", TIMEOUT)
+        yield page
