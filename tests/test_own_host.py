@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import re
+import subprocess
+import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from rna_trace.parts_scene import PartsScene
 from rna_trace.surface import SurfacePoints
@@ -49,3 +53,20 @@ def test_its_visibility_is_the_renderers(names: dict) -> None:
     blocked = names["blocked"](*(names[k] for k in ("x", "n", "corners", "b")), wi)
     assert 0.2 < free.mean() < 0.6
     assert (free == blocked).mean() < 0.002  # edges and outlines, by rounding
+
+
+def test_a_bent_asset_differs_a_little(names: dict) -> None:
+    at_rest, bent = names["again"][0], names["bent_visible"]
+    assert bent.shape == at_rest.shape
+    assert 0.01 < np.abs(bent - at_rest).mean() / at_rest.mean() < 0.5
+
+
+def test_the_example_of_motion_makes_a_picture(tmp_path: Path) -> None:
+    """The toy hangs down on both sides, as the bend has it."""
+    out = tmp_path / "bent.png"
+    command = [sys.executable, "examples/hosts/motion.py", str(out)]
+    subprocess.run(command, cwd=REPOSITORY, check=True)
+    seen = np.asarray(Image.open(out)).any(axis=2)
+    top = [int(np.argmax(column)) for column in seen.T if column.any()]
+    assert 0.1 < seen.mean() < 0.6
+    assert min(top) < top[0] - 10 and min(top) < top[-1] - 10

@@ -25,6 +25,7 @@ from rna_sdk.lazy_face import lazy_face
 if TYPE_CHECKING:
     from rna_sdk.errors import PackageError, QueryError
     from rna_sdk.runtime.asset import Asset, CompositeAsset
+    from rna_sdk.runtime.deformation import DeformedCurves, DeformedMesh, RestPoints
     from rna_sdk.runtime.domain import in_region
     from rna_sdk.runtime.fiber_asset import FiberAsset
     from rna_sdk.runtime.fiber_offset import offset_across
@@ -38,9 +39,12 @@ if TYPE_CHECKING:
 __all__ = [
     "Asset",
     "CompositeAsset",
+    "DeformedCurves",
+    "DeformedMesh",
     "FiberAsset",
     "PackageError",
     "QueryError",
+    "RestPoints",
     "SurfaceAsset",
     "Transform",
     "choose_tier",

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from functools import cached_property
 from typing import ClassVar, Literal
 
 from rna_sdk.package import Package, Tier
 from rna_sdk.package.decoder.query_arrays import Rows
 from rna_sdk.runtime.asset import AssetPart
+from rna_sdk.runtime.deformation import DeformedCurves, RestCurves
 
 
 class FiberAsset(AssetPart):
@@ -100,3 +102,17 @@ class FiberAsset(AssetPart):
         arrays = {"position": positions, "axis": tangents, "h": h, "wo": wo}
         (radiance,) = self.decode("emission", arrays)
         return radiance
+
+    def deformed(self, points: Rows) -> DeformedCurves:
+        """The part in motion: its strands with other points, and the rest points of hits on them.
+
+        points: (p, 3) float32, finite, one for each of `curves.points`, object space.
+
+        Raises:
+            QueryError: `points` is no such array.
+        """
+        return self._rest_curves.deformed(points)
+
+    @cached_property
+    def _rest_curves(self) -> RestCurves:
+        return RestCurves(self.curves)

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from functools import cached_property
 from typing import ClassVar, Literal
 
 from rna_sdk.package import Package, Tier
 from rna_sdk.package.decoder.query_arrays import Rows
 from rna_sdk.runtime.asset import AssetPart
+from rna_sdk.runtime.deformation import DeformedMesh, RestMesh
 
 
 class SurfaceAsset(AssetPart):
@@ -90,3 +92,27 @@ class SurfaceAsset(AssetPart):
         """
         (radiance,) = self.decode("emission", {"position": positions, "axis": normals, "wo": wo})
         return radiance
+
+    def deformed(self, positions: Rows) -> DeformedMesh:
+        """The part in motion: its mesh with other positions, and the rest points of hits on it.
+
+        positions: (v, 3) float32, finite, one for each of `mesh.positions`, object space.
+
+        Raises:
+            QueryError: `positions` is no such array.
+
+        Examples:
+            >>> asset = load("toy.rna")
+            >>> bent = asset.mesh.positions.copy()
+            >>> bent[:, 0] += bent[:, 1] ** 2
+            >>> shape = asset.deformed(bent)  # trace rays against shape.mesh
+            >>> first, middle = np.zeros(1, np.int32), np.full(1, 1 / 3, np.float32)
+            >>> rest = shape.rest_points(first, middle, middle)
+            >>> wo = rest.to_rest(np.float32([[0, 1, 0]]))
+            >>> visible, shadowed = asset.evaluate(rest.positions, rest.axes, wo, wo)
+        """
+        return self._rest_mesh.deformed(positions)
+
+    @cached_property
+    def _rest_mesh(self) -> RestMesh:
+        return RestMesh(self.mesh)
