@@ -1,14 +1,11 @@
 // What the lights of a scene bring to a fragment: for each a query of the decoder, and what hides it.
 import { LightingModel } from "three/webgpu";
-import { cameraViewMatrix, float, positionViewDirection, positionWorld, property, vec3, vec4 } from "three/tsl";
+import { cameraViewMatrix, float, positionWorld, property, vec3, vec4 } from "three/tsl";
 import { environmentLight } from "./environment.js";
 import { viewToWorld, worldToObject } from "./spaces.js";
 
 /** Where shadow maps are asked. */
 export const shadowPosition = /*@__PURE__*/ property("vec3", "rnaShadowPosition");
-
-/** From the fragment to the viewer, in the asset's space. */
-export const towardsViewer = (builder) => worldToObject(viewToWorld(positionViewDirection), builder).normalize();
 
 export class RnaLighting extends LightingModel {
   constructor(material) {
@@ -17,11 +14,9 @@ export class RnaLighting extends LightingModel {
   }
 
   start(builder) {
-    const { functions, kind } = this.material;
     // The shadow is asked for in `direct`, at a place of its own.
     builder.context.getShadow = (lightNode) => lightNode.baseColorNode;
-    const begun = functions.begin(towardsViewer(builder)).toVar("rnaBegun");
-    if (kind === "fiber") begun.equal(0).discard();
+    this.material.fragment.toVar();
     super.start(builder);
   }
 

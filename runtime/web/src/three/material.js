@@ -1,7 +1,8 @@
 // The node material of a part in one tier: rna_gpu's WGSL with the buffers that three.js binds.
 import { DoubleSide, FrontSide, LightingNode, NodeMaterial, StorageBufferAttribute } from "three/webgpu";
 import { attribute, bool, buffer, Fn, positionGeometry, referenceAttribute, storage, wgsl, wgslFn } from "three/tsl";
-import { RnaLighting, shadowPosition, towardsViewer } from "./lighting.js";
+import { fragmentOf, towardsViewer } from "./fragment.js";
+import { RnaLighting, shadowPosition } from "./lighting.js";
 import { partSource } from "./shader_source.js";
 import { instanceColumns } from "./spaces.js";
 
@@ -41,6 +42,7 @@ export class RnaMaterial extends NodeMaterial {
     ];
     const groups = Math.max(transport.groups, emission?.groups ?? 0);
     this.functions = functionsOf(partSource({ kind, groups, emits: emission !== null, ...shared.facts }), buffers);
+    this.fragment = fragmentOf(this);
     if (emission) this.emissiveNode = Fn((builder) => this.functions.emitted(towardsViewer(builder)))();
   }
 
@@ -108,7 +110,7 @@ function functionsOf(source, buffers) {
   const own = make("own(wi: vec3f, entry: bool) -> vec2f", "own_visibility(wi, entry)");
   const emitted = make("emitted(primitive: u32, x: vec3f, wo: vec3f) -> vec3f", "emitted(primitive, x, wo)");
   return {
-    begin: (wo) => begin(primitive, positionGeometry, wo),
+    begin: (x, wo) => begin(primitive, x, wo),
     own: (wi, entry) => own(wi, bool(entry)),
     sent: make("sent(wi: vec3f, visibility: f32) -> vec3f", "sent(wi, visibility)"),
     direction: make("direction(number: f32, count: f32, turn: f32) -> vec4f", "direction_about(number, count, turn)"),

@@ -41,7 +41,7 @@ function drawn(part, k, arrays, parts) {
   const { first, fiber } = arrays.parts[k], next = arrays.parts.map((own) => own.first).filter((own) => own > first);
   const count = Math.min(arrays.primitives.length / 4, ...next) - first;
   const numbers = arrays.where.subarray(first, first + count);
-  return fiber ? tubes(numbers, arrays) : triangles(numbers, arrays);
+  return fiber ? boxes(numbers, arrays) : triangles(numbers, arrays);
 }
 
 function triangles(numbers, { primitives, points, normals }) {
@@ -60,30 +60,32 @@ function triangles(numbers, { primitives, points, normals }) {
   return own;
 }
 
-/** A square tube about each segment, round ends included; `begin` in fiber.wgsl finds the segment in it. */
-function tubes(numbers, { primitives, points }) {
+// How much wider: corners are rasterised on a grid, and a box thinner than a pixel must not miss what the strand covers.
+const PAD = 1.1;
+// Corners of a box's triangles, seen from outside: the sides, then the two ends.
+const BOX = [0, 1, 2, 3].flatMap((p) => { const q = (p + 1) % 4; return [p, q, q + 4, p, q + 4, p + 4]; }).concat(0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7);
+
+/** A box about each segment, round ends included; `begin` in fiber.wgsl finds the segment in it. */
+function boxes(numbers, { primitives, points }) {
   const corners = 8 * numbers.length;
-  const own = { position: new Float32Array(3 * corners), normal: new Float32Array(3 * corners), primitive: new Uint32Array(corners), index: new Uint32Array(24 * numbers.length) };
+  const own = { position: new Float32Array(3 * corners), normal: new Float32Array(3 * corners), primitive: new Uint32Array(corners), index: new Uint32Array(BOX.length * numbers.length) };
   numbers.forEach((number, k) => {
     const first = 4 * primitives[4 * number], [a, b] = [points.subarray(first, first + 4), points.subarray(first + 4, first + 8)];
     const { along, sides } = frameOf(a, b);
     for (let c = 0; c < 8; c++) {
-      const end = c < 4 ? a : b, away = c < 4 ? -end[3] : end[3], to = 3 * (8 * k + c), side = sides[c % 4];
+      const end = c < 4 ? a : b, away = PAD * (c < 4 ? -end[3] : end[3]), to = 3 * (8 * k + c), side = sides[c % 4];
       for (let axis = 0; axis < 3; axis++) {
-        own.position[to + axis] = end[axis] + away * along[axis] + Math.SQRT2 * end[3] * side[axis];
+        own.position[to + axis] = end[axis] + away * along[axis] + Math.SQRT2 * PAD * end[3] * side[axis];
         own.normal[to + axis] = side[axis];
       }
       own.primitive[8 * k + c] = number;
     }
-    for (let c = 0; c < 4; c++) {
-      const [p, q] = [8 * k + c, 8 * k + ((c + 1) % 4)];
-      own.index.set([p, q, q + 4, p, q + 4, p + 4], 24 * k + 6 * c);
-    }
+    own.index.set(BOX.map((corner) => 8 * k + corner), BOX.length * k);
   });
   return own;
 }
 
-/** Unit vectors along a segment and to the corners of its tube. */
+/** Unit vectors along a segment and to the corners of its box. */
 function frameOf(a, b) {
   const unit = (v) => v.map((value) => value / (Math.hypot(...v) || 1));
   const cross = ([a, b, c], [d, e, f]) => [b * f - c * e, c * d - a * f, a * e - b * d];

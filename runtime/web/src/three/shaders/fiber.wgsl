@@ -1,4 +1,4 @@
-// What the fragment shows: a segment, where the ray through the fragment, which lies on a tube about it, meets it.
+// What the fragment shows: a segment, where the ray through the fragment, which lies on a box about it, meets it.
 
 fn begin(primitive: u32, x: vec3f, wo: vec3f) -> f32 {
     let record = rna_primitives[primitive];
