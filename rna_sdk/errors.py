@@ -5,6 +5,7 @@
     RnaError
     +-- PackageError     a `.rna` file breaks the format; carries the issues found
     +-- QueryError       wrong arguments to a runtime call: names, shapes, dtypes
+    +-- MotionError      a motion cannot be used with a package, or written
     +-- SceneError       a scene file cannot be rendered; names file, line and key
     +-- GpuError         no GPU, or one that cannot do what is asked
     |   +-- DeviceLostError  the device was lost during work
@@ -50,6 +51,10 @@ class PackageError(RnaError):
 
 class QueryError(RnaError):
     """A runtime call got an argument that it cannot use."""
+
+
+class MotionError(RnaError):
+    """A motion cannot be read or written, or does not fit its package."""
 
 
 class SceneError(RnaError):

@@ -31,6 +31,15 @@ class RestPoints:
     positions: (n, 3) float32, at rest, object space. axes: (n, 3) float32, unit: normals of a mesh,
     before normal maps, or tangents of strands, at rest. rotations: (n, 3, 3) float32, from the
     deformed shape to rest.
+
+    Examples:
+        >>> asset = load("toy.rna")
+        >>> x, y, z = asset.mesh.positions.T
+        >>> shape = asset.deformed(np.stack([-x, y, -z], axis=1))  # half a turn about y
+        >>> first, middle = np.zeros(1, np.int32), np.full(1, 1 / 3, np.float32)
+        >>> rest = shape.rest_points(first, middle, middle)
+        >>> bool(np.allclose(rest.to_rest(np.float32([[1, 0, 0]])), [[-1, 0, 0]], atol=1e-4))
+        True
     """
 
     positions: Float32
@@ -90,6 +99,12 @@ class DeformedMesh:
     Attributes:
         mesh: positions as given, normals turned with the triangles around each vertex; texture
             coordinates and triangles of the package.
+
+    Examples:
+        >>> asset = load("toy.rna")
+        >>> shape = asset.deformed(2 * asset.mesh.positions)
+        >>> bool(np.allclose(shape.mesh.normals, asset.mesh.normals, atol=1e-4))
+        True
     """
 
     def __init__(self, rest: RestMesh, positions: Float32) -> None:
@@ -148,6 +163,12 @@ class DeformedCurves:
 
     Attributes:
         curves: points as given, where those of a segment differ; radii and strands of the package.
+
+    Examples:
+        >>> hair = load("curls.rna")
+        >>> shape = hair.deformed(hair.curves.points + np.float32([0, 1, 0]))
+        >>> shape.curves.points.shape == hair.curves.points.shape
+        True
     """
 
     def __init__(self, rest: RestCurves, points: Float32) -> None:

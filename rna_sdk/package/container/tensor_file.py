@@ -85,20 +85,28 @@ class TensorCodes:
 
 def tensors_to_bytes(tensors: Mapping[str, NDArray[Any]]) -> bytes:
     """The file of these arrays of _DTYPES. The same arrays give the same bytes."""
+    forms = {name: (array.dtype.name, array.shape) for name, array in tensors.items()}
+    data = (
+        np.ascontiguousarray(array, array.dtype.newbyteorder("<")).tobytes()
+        for array in tensors.values()
+    )
+    return b"".join((tensors_header(forms), *data))
+
+
+def tensors_header(forms: Mapping[str, tuple[str, tuple[int, ...]]]) -> bytes:
+    """What stands before the data of tensors, by name: of these dtypes, of _DTYPES, and shapes."""
     header: dict[str, Any] = {}
-    parts: list[bytes] = []
     end = 0
-    for name, array in tensors.items():
-        parts.append(np.ascontiguousarray(array, array.dtype.newbyteorder("<")).tobytes())
-        start, end = end, end + len(parts[-1])
+    for name, (dtype, shape) in forms.items():
+        start, end = end, end + math.prod(shape) * np.dtype(dtype).itemsize
         header[name] = {
-            "dtype": _DTYPES[array.dtype.name],
-            "shape": list(array.shape),
+            "dtype": _DTYPES[dtype],
+            "shape": list(shape),
             "data_offsets": [start, end],
         }
     text = json.dumps(header, separators=(",", ":")).encode()
     text += b" " * (-(_LENGTH.size + len(text)) % ALIGNMENT)
-    return b"".join((_LENGTH.pack(len(text)), text, *parts))
+    return _LENGTH.pack(len(text)) + text
 
 
 def tensor_names(data: memoryview, name: str, codes: TensorCodes) -> set[str]:
