@@ -14,6 +14,7 @@ import pytest
 from rna_sdk.lazy_face import homes
 
 FACES = [
+    "rna_sdk.motion",
     "rna_sdk.package",
     "rna_sdk.runtime",
     "rna_render",

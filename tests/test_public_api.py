@@ -15,6 +15,7 @@ from tests.conftest import REPOSITORY
 PUBLIC = {
     "rna_sdk",
     "rna_sdk.errors",
+    "rna_sdk.motion",
     "rna_sdk.package",
     "rna_sdk.runtime",
     "rna_sdk.conformance.reader",

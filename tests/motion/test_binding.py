@@ -1,0 +1,81 @@
+"""A package's geometry follows a source mesh, whatever became of the order of its vertices."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from rna_sdk.errors import MotionError
+from rna_sdk.motion import bind
+from rna_sdk.package import Curves, Mesh
+from tests.runtime.test_deformation import grid, rotation
+
+SOURCE = grid(12)
+
+
+def package_of(source: Mesh, seed: int = 0) -> Mesh:
+    """The same surface, its triangles cut in four, every corner a vertex, in another order."""
+    p = source.positions[source.triangles].astype(float)
+    n = source.normals[source.triangles].astype(float)
+    order = np.random.default_rng(seed).permutation(4 * len(p))
+
+    def quartered(a: np.ndarray) -> np.ndarray:
+        ab, bc, ca = (a[:, i] + a[:, (i + 1) % 3] for i in range(3))
+        ab, bc, ca = ab / 2, bc / 2, ca / 2
+        rows = [(a[:, 0], ab, ca), (ab, a[:, 1], bc), (ca, bc, a[:, 2]), (ab, bc, ca)]
+        return np.concatenate([np.stack(row, axis=1) for row in rows])[order].reshape(-1, 3)
+
+    normals = quartered(n)
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    count = 12 * len(p)
+    triangles = np.arange(count, dtype=np.uint32).reshape(-1, 3)
+    return Mesh(*np.float32([quartered(p), normals]), None, triangles)
+
+
+def test_a_mesh_follows_a_motion_of_its_source() -> None:
+    mesh = package_of(SOURCE)
+    (binding,) = bind([mesh], SOURCE.positions, SOURCE.triangles)
+    np.testing.assert_allclose(binding.positions(SOURCE.positions), mesh.positions, atol=1e-7)
+    matrix = rotation(3) @ np.diag([2, 1, 0.5])
+    moved = binding.positions(SOURCE.positions @ matrix.T)
+    np.testing.assert_allclose(moved, mesh.positions @ matrix.T, atol=1e-6)
+
+
+def test_surfaces_that_touch_part_in_motion() -> None:
+    """Two sheets back to back: a vertex follows the one whose normal it has."""
+    back = Mesh(SOURCE.positions, -SOURCE.normals, None, SOURCE.triangles[:, ::-1].copy())
+    count = len(SOURCE.positions)
+    both = np.concatenate([SOURCE.positions, SOURCE.positions])
+    triangles = np.concatenate([SOURCE.triangles, back.triangles + np.uint32(count)])
+    upper, lower = bind([package_of(SOURCE), package_of(back)], both, triangles)
+    assert (upper.corners < count).all() and (lower.corners >= count).all()
+
+
+def test_strands_follow_the_motion_of_their_roots() -> None:
+    roots = SOURCE.positions[::7].astype(float)
+    points = np.stack([roots + h * SOURCE.normals[::7] for h in (0, 0.1, 0.2)], axis=1)
+    offsets = np.arange(0, 3 * len(roots) + 1, 3).astype(np.uint32)
+    hair = Curves(
+        np.float32(points.reshape(-1, 3)), np.full(3 * len(roots), 1e-3, np.float32), offsets
+    )
+    (binding,) = bind([hair], SOURCE.positions, SOURCE.triangles)
+    np.testing.assert_allclose(binding.positions(SOURCE.positions), hair.points, atol=1e-7)
+    turn = rotation(5)
+    moved = binding.positions(SOURCE.positions @ turn.T + 1)
+    np.testing.assert_allclose(moved, hair.points @ turn.T + 1, atol=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("source", "message"),
+    [
+        (
+            SOURCE.positions * 100,
+            "walk.glb has not the rest shape of toy.rna: .* 100 times as large",
+        ),
+        (SOURCE.positions + np.float32([0, 3, 0]), r"its middle is off by \[-?0.0, 3.0, -?0.0\] m"),
+        (SOURCE.positions @ rotation(1).T, "vertices are off its surface, up to"),
+    ],
+)
+def test_a_motion_of_another_shape_is_refused(source: np.ndarray, message: str) -> None:
+    with pytest.raises(MotionError, match=message):
+        bind([package_of(SOURCE)], source, SOURCE.triangles, ("walk.glb", "toy.rna"))
