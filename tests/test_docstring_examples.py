@@ -12,11 +12,12 @@ import numpy as np
 import pytest
 from pydantic import BaseModel
 
+import rna_sdk.motion
 import rna_sdk.package
 import rna_sdk.runtime
 from tests.conftest import REPOSITORY
 
-MODULES = (rna_sdk.package, rna_sdk.runtime)
+MODULES = (rna_sdk.motion, rna_sdk.package, rna_sdk.runtime)
 NAMES = {name: getattr(module, name) for module in MODULES for name in module.__all__} | {"np": np}
 PACKAGES = {"toy.rna": "quickstart/toy.rna", "curls.rna": "fibers/curly_ball.rna"}
 RECORDS = {"Asset", "Int8Planes", "Issue", "NormalMap", "ProfileDecoder", "ProfileLayer"}

@@ -53,6 +53,14 @@ class MotionFile:
     Attributes:
         frames: how many there are, numbered from 0.
         rate: frames a second.
+
+    Examples:
+        >>> mesh = load("toy.rna").mesh
+        >>> low, high = mesh.positions, mesh.positions + np.float32([0, 1, 0])
+        >>> write_motion("rise.rnam", [mesh], [[low], [high]], count=2, rate=24.0)
+        >>> (between,) = open_motion("rise.rnam", [mesh]).positions(0.5)
+        >>> bool(np.allclose(between - low, [0, 0.5, 0], atol=1e-6))
+        True
     """
 
     def __init__(self, path: Path, rate: float, parts: Sequence[Float32]) -> None:
@@ -93,6 +101,12 @@ def open_motion(
     Raises:
         MotionError: the file cannot be read, is no motion, or not one of this geometry: other
             parts, vertices or triangles, or positions of another scale.
+
+    Examples:
+        >>> mesh = load("toy.rna").mesh
+        >>> write_motion("still.rnam", [mesh], [[mesh.positions]], count=1, rate=24.0)
+        >>> open_motion("still.rnam", [mesh], "toy.rna").frames
+        1
     """
     file = Path(path)
     try:
@@ -141,6 +155,10 @@ def write_motion(
     Raises:
         MotionError: positions of another shape or not finite, or another number of frames.
         OSError: the file cannot be written.
+
+    Examples:
+        >>> mesh = load("toy.rna").mesh
+        >>> write_motion("still.rnam", [mesh], [[mesh.positions]], count=1, rate=24.0)
     """
     if not (1 <= count <= MAX_FRAMES and 0.0 < rate < np.inf):
         raise MotionError(f"{count} frames at {rate:g} a second; expected 1 and more of both")
@@ -185,8 +203,7 @@ def rest_positions(geometry: Mesh | Curves) -> Float32:
 
 def topology(geometry: Mesh | Curves) -> bytes:
     """SHA-256 of what connects a geometry's positions."""
-    is_curves = isinstance(geometry, Curves)
-    links = geometry.offsets if is_curves else geometry.triangles
+    links = geometry.offsets if isinstance(geometry, Curves) else geometry.triangles
     return hashlib.sha256(np.ascontiguousarray(links, "<u4").tobytes()).digest()
 
 
@@ -227,8 +244,8 @@ def _check_scale(
 
 def _mean_edge(geometry: Mesh | Curves, positions: Float32) -> float:
     if isinstance(geometry, Curves):
-        first = geometry.segments().astype(np.int64)
-        second = first + 1
+        first = geometry.segments()
+        second = first + np.uint32(1)
     else:
         first, second = geometry.triangles[:, 0], geometry.triangles[:, 1]
     edges = (positions[second] - positions[first]).astype(np.float64)

@@ -9,8 +9,8 @@ from numba import prange
 from numpy.typing import NDArray
 
 from rna_sdk.compiled import compiled
-from rna_sdk.runtime.kernels.rotations import Vector, combined, difference, direction
-from rna_sdk.runtime.kernels.vectors import cross, dot
+from rna_sdk.runtime.kernels.rotations import combined, difference, direction
+from rna_sdk.runtime.kernels.vectors import Vector, cross, dot
 
 Float64 = NDArray[np.float64]
 Int64 = NDArray[np.int64]
