@@ -64,14 +64,14 @@ def _primitives(
     """Primitives of triangles in the scene, each with its node's (4, 4) matrix to the world."""
     document = container.json
     nodes, seen = document.get("nodes", []), set()
-    stack = [(np.eye(4), root) for root in reversed(_roots(document, nodes))]
+    stack = [(np.eye(4), root) for root in reversed(roots(document, nodes))]
     while stack:
         world_from_parent, number = stack.pop()
         if number in seen:
             raise ValueError(f"node {number} is in its scene twice")
         seen.add(number)
         node = nodes[number]
-        matrix = world_from_parent @ _local_matrix(node)
+        matrix = world_from_parent @ local_matrix(node)
         stack += [(matrix, child) for child in reversed(node.get("children", ()))]
         if "EXT_mesh_gpu_instancing" in node.get("extensions", {}):
             left_out.add("EXT_mesh_gpu_instancing")
@@ -101,7 +101,7 @@ def _check_size(
     check_mesh_size(vertices, corners // 3)
 
 
-def _roots(document: dict[str, Any], nodes: list[dict[str, Any]]) -> list[int]:
+def roots(document: dict[str, Any], nodes: list[dict[str, Any]]) -> list[int]:
     """The root nodes of the default scene, or of the file if it has no scenes."""
     if "scenes" in document:
         return list(document["scenes"][document.get("scene", 0)].get("nodes", ()))
@@ -109,7 +109,7 @@ def _roots(document: dict[str, Any], nodes: list[dict[str, Any]]) -> list[int]:
     return [number for number in range(len(nodes)) if number not in children]
 
 
-def _local_matrix(node: dict[str, Any]) -> np.ndarray:
+def local_matrix(node: dict[str, Any]) -> np.ndarray:
     """Section 3.5.3: a column-major matrix, or translation * rotation * scale."""
     if "matrix" in node:
         return _finite(np.array(node["matrix"], np.float64).reshape(4, 4).T)
@@ -152,7 +152,7 @@ def _part(
         corners = numbers.astype(np.int64)
     else:
         corners = np.arange(len(positions))
-    triangles = _triangles(corners, data.get("mode", TRIANGLES))
+    triangles = triangles_of(corners, data.get("mode", TRIANGLES))
     linear = matrix[:3, :3]
     mirrored = np.linalg.det(linear) < 0
     if mirrored:  # section 3.7.4: the winding turns with it
@@ -174,7 +174,7 @@ def _cofactors(matrix: np.ndarray) -> np.ndarray:
     return np.array([np.cross(y, z), np.cross(z, x), np.cross(x, y)])
 
 
-def _triangles(corners: np.ndarray, mode: int) -> np.ndarray:
+def triangles_of(corners: np.ndarray, mode: int) -> np.ndarray:
     if mode == TRIANGLES:
         return corners.reshape(-1, 3)
     first, second, third = corners[:-2], corners[1:-1], corners[2:]

@@ -1,0 +1,98 @@
+"""Animated glTF: closed forms of nodes, interpolation, morph targets and skins."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rna_render.motion.gltf_motion import GltfMotion
+from rna_sdk.errors import MotionError
+from tests.motion.gltf_files import GltfFile, bending_arm, moving_node, quaternion
+from tests.runtime.test_deformation import grid
+
+MESH = grid(5)
+
+
+def test_a_node_in_motion(tmp_path: Path) -> None:
+    turn = [quaternion((0, 1, 0), angle) for angle in (0, 90)]
+    tracks = [("rotation", [0, 1], turn), ("translation", [0, 2], [[0, 0, 0], [2, 0, 0]])]
+    motion = GltfMotion(moving_node(tmp_path / "a.gltf", MESH, tracks), rate=10)
+    assert motion.frames == 21
+    for frame in (0, 5, 10, 20):
+        angle = np.radians(9.0 * min(frame, 10))
+        c, s = np.cos(angle), np.sin(angle)
+        expected = MESH.positions @ np.array([[c, 0, s], [0, 1, 0], [-s, 0, c]]).T
+        expected[:, 0] += frame / 10
+        np.testing.assert_allclose(motion.positions(frame), expected, atol=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("kind", "at"), [("LINEAR", 0.25), ("STEP", 0.0), ("CUBICSPLINE", 0.15625)]
+)
+def test_kinds_of_interpolation_of_a_motion(tmp_path: Path, kind: str, at: float) -> None:
+    """A quarter of the way from 0 to 1; of the spline with flat ends 3 t^2 - 2 t^3."""
+    keys = np.zeros((2, 3))
+    keys[1, 0] = 1
+    values = keys if kind != "CUBICSPLINE" else np.stack([0 * keys, keys, 0 * keys], axis=1)
+    track = ("translation", [0, 2], values.reshape(-1, 3))
+    motion = GltfMotion(moving_node(tmp_path / "a.gltf", MESH, [track], kind), rate=2)
+    found = motion.positions(1)[:, 0] - MESH.positions[:, 0]
+    np.testing.assert_allclose(found, at, atol=1e-6)
+
+
+def test_morph_targets_in_motion(tmp_path: Path) -> None:
+    file, up = GltfFile(), np.tile(np.float32([0, 1, 0]), (len(MESH.positions), 1))
+    mesh = file.mesh(MESH)
+    mesh["primitives"][0]["targets"] = [{"POSITION": file.add(up)}, {"POSITION": file.add(-2 * up)}]
+    node = {"mesh": 0, "scale": [2, 2, 2]}
+    file.data |= {"meshes": [mesh], "nodes": [node], "scenes": [{"nodes": [0]}]}
+    file.animate([(0, "weights", [0, 1], [0, 0, 1, 0.25])])
+    motion = GltfMotion(file.write(tmp_path / "a.gltf"), rate=1)
+    shift = motion.positions(1) - motion.positions(0)
+    np.testing.assert_allclose(shift, np.float32([0, 2 * (1 - 0.5), 0]) + 0 * shift, atol=1e-6)
+
+
+def test_a_skin_in_motion(tmp_path: Path) -> None:
+    """The far end turns about the middle; the near one stays; the mesh's node does not count."""
+    motion = GltfMotion(bending_arm(tmp_path / "a.gltf", MESH, 90), rate=1)
+    np.testing.assert_allclose(motion.positions(0), MESH.positions, atol=1e-6)
+    moved, p = motion.positions(1), MESH.positions
+    middle = p.mean(axis=0)
+    middle[0] = (p[:, 0].min() + p[:, 0].max()) / 2
+    far, near = p[:, 0] == p[:, 0].max(), p[:, 0] == p[:, 0].min()
+    np.testing.assert_allclose(moved[near], p[near], atol=1e-6)
+    turned = middle + (p[far] - middle) @ np.array([[0, -1, 0], [1, 0, 0], [0, 0, 1]]).T
+    np.testing.assert_allclose(moved[far], turned, atol=1e-6)
+
+
+def test_clips_of_a_motion_by_name(tmp_path: Path) -> None:
+    path = bending_arm(tmp_path / "a.gltf", MESH, 90)
+    document = json.loads(path.read_text())
+    document["animations"].append({**document["animations"][0], "name": "Run"})
+    path.write_text(json.dumps(document))
+    assert GltfMotion(path, "Run").frames == 25
+    with pytest.raises(MotionError, match=r"a\.gltf: has no clip 'Fly'; it has clip, Run"):
+        GltfMotion(path, "Fly")
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"animations": []}, "has no animation"),
+        ({"meshes": [], "nodes": [{}, {}, {}]}, "has no triangles"),
+        ({"accessors": []}, "is no valid glTF file"),
+        ({"nodes": [{"children": [1]}, {"children": [0]}, {}]}, "is no valid glTF file"),
+        ({"asset": {"version": "1.0"}}, "version 1.0, not 2"),
+    ],
+)
+def test_files_of_no_motion_are_refused(tmp_path: Path, change: dict, message: str) -> None:
+    path = bending_arm(tmp_path / "a.gltf", MESH, 90)
+    path.write_text(json.dumps({**json.loads(path.read_text()), **change}))
+    with pytest.raises(MotionError, match=message) as caught:
+        GltfMotion(path)
+    assert "\n" not in str(caught.value)
+    with pytest.raises(MotionError, match="No such file"):
+        GltfMotion(tmp_path / "none.glb")
