@@ -2,26 +2,20 @@
 
 from __future__ import annotations
 
-import base64
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 from tests.render.chromium import Page
-from tests.web import test_picture
 from tests.web.pages import TIMEOUT
-from tests.web.test_picture import by_rna_run, middles_of_pixels, psnr, write_scene
 from tests.web.three.pages import REPOSITORY, TOY, installed, opened
 
 pytestmark = pytest.mark.chromium
 
 TINY = REPOSITORY / "spec" / "conformance" / "packages" / "surface-tiny.rna"
-SUN = "{type: directional, direction: [0.55, 0.75, 0.65], irradiance: [2.5, 2.5, 2.5]}"
 SIZE = [96, 60]
-__all__ = ["middles_of_pixels"]
 
 
 @pytest.fixture(scope="module")
@@ -118,14 +112,3 @@ def test_dispose_leaves_no_memory(page):
         """,
     )
     assert totals[1:] == [totals[1]] * 3
-
-
-@pytest.mark.usefixtures("middles_of_pixels")
-def test_picture_is_that_of_rna_run(page, tmp_path):
-    found = run(
-        page,
-        f'return picture(await new rna.RnaLoader().loadAsync("toy.rna"), {SIZE[0]}, {SIZE[1]});',
-    )
-    values = np.frombuffer(base64.b64decode(found), "<f4").reshape(SIZE[1], SIZE[0], 4)
-    expected = by_rna_run(write_scene(tmp_path, test_picture.TOY, SUN, SIZE, 1))
-    assert psnr(values, expected) >= test_picture.LEAST_PSNR

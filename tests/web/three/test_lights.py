@@ -1,0 +1,106 @@
+"""Under each kind of light of three.js an asset's picture is that of rna-run."""
+
+from __future__ import annotations
+
+import base64
+import json
+import shutil
+from collections.abc import Iterator
+
+import numpy as np
+import OpenEXR
+import pytest
+
+from tests.render.chromium import Page
+from tests.web.pages import TIMEOUT
+from tests.web.test_picture import CURLS, TOY, by_rna_run, middles_of_pixels, psnr, write_scene
+from tests.web.three.pages import PAGE, installed, opened
+
+pytestmark = pytest.mark.chromium
+
+SIZE = [96, 60]
+SMALL = [48, 30]
+"""Of pictures that take SwiftShader long."""
+SUN = "{type: directional, direction: [0.55, 0.75, 0.65], irradiance: [2.5, 2.5, 2.5]}"
+POINT = "{type: point, position: [0.9, 1.0, 0.8], intensity: [3.0, 2.5, 2.0]}"
+POINT_OF_THREE = 'light("PointLight", [0.9, 1, 0.8], new THREE.Color(3, 2.5, 2), 1)'
+SPOT = """{type: spot, position: [0.9, 1.0, 0.8], look_at: [0.2, 0.15, 0.0],
+  intensity: [6.0, 5.0, 4.0], outer_angle_deg: 20, inner_angle_deg: 10}"""
+SPOT_OF_THREE = (
+    'light("SpotLight", [0.9, 1, 0.8], new THREE.Color(6, 5, 4), 1, 0, Math.PI / 9, 0.5)'
+)
+RECTANGLE = """{type: rectangle, position: [0.9, 1.0, 0.8], look_at: [0.2, 0.15, 0.0],
+  size: [0.4, 0.3], radiance: [18.0, 15.0, 12.0], visible_to_camera: false}"""
+RECTANGLE_OF_THREE = (
+    'light("RectAreaLight", [0.9, 1, 0.8], new THREE.Color(18, 15, 12), 1, 0.4, 0.3)'
+)
+SKY = "{type: environment, path: sky.exr, visible_to_camera: false}"
+SKY_OF_THREE = """light("HemisphereLight", [0, 1, 0],
+    new THREE.Color(1, 1.5, 3), new THREE.Color(1.2, 0.5, 0.4), 1)"""
+__all__ = ["middles_of_pixels"]
+
+
+@pytest.fixture(scope="module")
+def page(tmp_path_factory) -> Iterator[Page]:
+    folder = tmp_path_factory.mktemp("lights")
+    installed(folder)
+    for path in (TOY["path"], CURLS["path"], PAGE):
+        shutil.copy(path, folder)
+    with opened(folder, PAGE.name, *SIZE) as page:
+        page.wait_for("!!globalThis.test", TIMEOUT)
+        yield page
+
+
+def by_three(page: Page, asset: dict, light: str, size: list[int]) -> np.ndarray:
+    """(h, w, 4) float32. light: JavaScript."""
+    view = json.dumps({"position": asset["position"], "lookAt": asset["look_at"]})
+    found = page.evaluate(
+        f"""(async () => {{
+            const {{ THREE, rna, picture, sun }} = test, light = (kind, at, ...values) => {{
+                const one = new THREE[kind](...values), middle = new THREE.Vector3(0.2, 0.15, 0);
+                one.position.set(...at);
+                if (kind === "RectAreaLight") one.lookAt(middle);
+                one.target?.position.copy(middle);
+                one.target?.updateMatrixWorld();
+                return one;
+            }};
+            const asset = await new rna.RnaLoader().loadAsync("{asset["path"].name}");
+            const view = {{ ...{view}, lights: [{light}] }};
+            const found = await picture(asset, {size[0]}, {size[1]}, view);
+            asset.dispose();
+            return found;
+        }})()"""
+    )
+    return np.frombuffer(base64.b64decode(found), "<f4").reshape(size[1], size[0], 4)
+
+
+@pytest.mark.parametrize(
+    ("asset", "light", "of_three", "size", "samples", "least"),
+    [
+        (TOY, SUN, "sun()", SIZE, 1, 40.0),
+        (CURLS, SUN, "sun()", SMALL, 1, 38.0),
+        (TOY, POINT, POINT_OF_THREE, SIZE, 1, 40.0),
+        (TOY, SPOT, SPOT_OF_THREE, SIZE, 1, 40.0),
+        (TOY, RECTANGLE, RECTANGLE_OF_THREE, SMALL, 256, 35.0),  # of four points of the lamp
+    ],
+    ids=["toy-sun", "curls-sun", "toy-point", "toy-spot", "toy-rectangle"],
+)
+@pytest.mark.usefixtures("middles_of_pixels")
+def test_light(asset, light, of_three, size, samples, least, page, tmp_path):
+    found = by_three(page, asset, of_three, size)
+    expected = by_rna_run(write_scene(tmp_path, asset, light, size, samples))
+    assert psnr(found, expected) >= least
+
+
+@pytest.mark.usefixtures("middles_of_pixels")
+def test_hemisphere(page, tmp_path):
+    """Blue from above, red from below, with the noise of 4 directions a pixel."""
+    sky = np.zeros((32, 64, 3), np.float32)
+    sky[:16], sky[16:] = np.divide([1.0, 1.5, 3.0], np.pi), np.divide([1.2, 0.5, 0.4], np.pi)
+    OpenEXR.File({}, {"RGB": sky}).write(str(tmp_path / "sky.exr"))
+    found = by_three(page, TOY, SKY_OF_THREE, SMALL)
+    expected = by_rna_run(write_scene(tmp_path, TOY, SKY, SMALL, 256))
+    seen = expected[..., 3] > 0
+    brightness = found[seen][:, :3].mean() / expected[seen][:, :3].mean()
+    assert brightness == pytest.approx(1.0, abs=0.05)  # 0.99 of more pixels
+    assert psnr(found, expected) >= 20.0
