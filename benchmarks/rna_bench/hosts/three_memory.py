@@ -85,7 +85,8 @@ def run(args: argparse.Namespace) -> None:
 
 def readings(page: Page, names: list[str], minutes: float, every: float) -> list[dict[str, Any]]:
     """Rounds until the time is over, and a row for each reading."""
-    begun, rows, rounds = time.monotonic(), [], 0
+    rows: list[dict[str, Any]] = []
+    begun, rounds = time.monotonic(), 0
     while (seconds := time.monotonic() - begun) < 60 * minutes:
         page.evaluate(ROUND.format(name=names[rounds % len(names)], width=SIZE[0], height=SIZE[1]))
         rounds += 1
