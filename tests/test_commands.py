@@ -102,6 +102,7 @@ def arguments_that_need(command: str, folder: Path) -> list[object]:
         "rna-export": [folder / "best.ckpt", "--out", folder / "a.rna"],
         "rna-fit": [folder, "--max-error", "0.1", "--out", folder / "a.rna"],
         "rna-compare": [TOY, asset, "--out", out],
+        "rna-motion": [asset, TOY, "--out", folder / "a.rnam"],
         "rna-bench": ["frontier", folder, "--short", "--out", out],
     }[command]
 
@@ -114,6 +115,7 @@ EXTRAS = {
     "rna-export": "train",
     "rna-fit": "train",
     "rna-compare": "train",
+    "rna-motion": "capture",
     "rna-bench": "bench",
 }
 

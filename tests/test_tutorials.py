@@ -43,6 +43,7 @@ PARSERS = {
     "rna-export": "rna_export.export.rna_export:parser",
     "rna-fit": "rna_export.fit.rna_fit:parser",
     "rna-make": "rna_export.make.rna_make:parser",
+    "rna-motion": "rna_export.motion.rna_motion:parser",
     "rna-compare": "rna_export.compare.rna_compare:parser",
     "rna-view": "rna_view.rna_view_command:_parser",
     "rna-info": "rna_sdk.package.command.rna_info:parser",

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from rna_render.materials.files.mesh_file import read_mesh_object
     from rna_render.materials.ground_plane import ground
     from rna_render.materials.mesh_object import MeshObject
+    from rna_render.motion.asset_motion import open_asset_motion
     from rna_render.paths.integrator import Integrator
     from rna_render.paths.integrator_factory import make_integrator
     from rna_render.paths.render import render
@@ -44,6 +45,7 @@ __all__ = [
     "ground",
     "load_world",
     "make_integrator",
+    "open_asset_motion",
     "place_asset",
     "placed_box",
     "read_environment",

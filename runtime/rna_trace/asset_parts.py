@@ -8,8 +8,12 @@ from typing import Literal, Protocol
 import numpy as np
 
 from rna_sdk.package import Curves, Mesh
+from rna_sdk.runtime import DeformedCurves, DeformedMesh
 from rna_trace.normal_maps import NormalMaps, TextureRecord, texture_numbers
 from rna_trace.transmittance import Transmittance, TransmittanceTexture
+
+Shape = DeformedMesh | DeformedCurves
+"""The geometry of a part in motion: what its `deformed` gives."""
 
 
 class TransmittanceRecord(TextureRecord, Protocol):
@@ -48,6 +52,8 @@ class SurfacePart(Protocol):
         self, positions: np.ndarray, normals: np.ndarray, wo: np.ndarray
     ) -> np.ndarray: ...
 
+    def deformed(self, positions: np.ndarray) -> DeformedMesh: ...
+
 
 class FiberPart(Protocol):
     """A part of strands: rna_sdk.runtime.FiberAsset."""
@@ -74,6 +80,8 @@ class FiberPart(Protocol):
         self, positions: np.ndarray, tangents: np.ndarray, h: np.ndarray, wo: np.ndarray
     ) -> np.ndarray: ...
 
+    def deformed(self, points: np.ndarray) -> DeformedCurves: ...
+
 
 AssetPart = SurfacePart | FiberPart
 
@@ -85,23 +93,27 @@ class Asset(Protocol):
     def parts(self) -> Sequence[AssetPart]: ...
 
 
-def part_geometry(part: AssetPart) -> Mesh | Curves:
-    """Geometry of a part for ray tracing."""
+def part_geometry(part: AssetPart, shape: Shape | None = None) -> Mesh | Curves:
+    """Geometry of a part for ray tracing. shape: of the part in motion; None for rest."""
+    if shape is not None:
+        return shape.curves if isinstance(shape, DeformedCurves) else shape.mesh
     return part.curves if part.kind == "fiber" else part.mesh
 
 
-def part_transmittance(part: AssetPart) -> Transmittance | None:
-    """Transmittance of a part; None if it is opaque."""
+def part_transmittance(part: AssetPart, shape: Shape | None = None) -> Transmittance | None:
+    """Transmittance of a part; None if it is opaque. shape: as for `part_geometry`."""
     if part.kind == "fiber":
         return None
-    return mesh_transmittance(part.mesh, part.transmittance_records)
+    mesh = shape.mesh if isinstance(shape, DeformedMesh) else part.mesh
+    return mesh_transmittance(mesh, part.transmittance_records)
 
 
-def part_normal_maps(part: AssetPart) -> NormalMaps | None:
-    """The relief of a part; None where it has none."""
+def part_normal_maps(part: AssetPart, shape: Shape | None = None) -> NormalMaps | None:
+    """The relief of a part; None where it has none. shape: as for `part_geometry`."""
     if part.kind == "fiber" or not part.normal_maps:
         return None
-    return NormalMaps(part.mesh, part.normal_maps)
+    mesh = shape.mesh if isinstance(shape, DeformedMesh) else part.mesh
+    return NormalMaps(mesh, part.normal_maps)
 
 
 def mesh_transmittance(mesh: Mesh, records: Sequence[TransmittanceRecord]) -> Transmittance | None:

@@ -33,6 +33,7 @@ from rna_render.scene.scene_model import (
     AssetModel,
     CameraModel,
     GroundModel,
+    MotionModel,
     ObjectModel,
     QualityModel,
     Scene,
@@ -43,6 +44,7 @@ DOCS = Path(__file__).parents[2] / "docs" / "scene.md"
 MODELS = [
     Scene,
     AssetModel,
+    MotionModel,
     TransformModel,
     ObjectModel,
     GroundModel,

@@ -17,6 +17,7 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).parent))
 
+import bpy
 from rna_geometry import curves_export, mesh_export, scene_parts
 from rna_geometry.rendered_geometry import as_rendered
 from rna_materials import material_override, surface_textures
@@ -46,6 +47,16 @@ def open_scene(request: dict[str, Any]) -> dict[str, Any]:
     }
 
 
+def frame_span(request: dict[str, Any]) -> dict[str, Any]:
+    scene = bpy.context.scene
+    rate = scene.render.fps / scene.render.fps_base
+    return {"first": scene.frame_start, "last": scene.frame_end, "rate": rate}
+
+
+def show_frame(request: dict[str, Any]) -> None:
+    bpy.context.scene.frame_set(request["frame"])
+
+
 HANDLERS = {
     "open": open_scene,
     "exportCurves": lambda r: as_rendered(
@@ -55,10 +66,12 @@ HANDLERS = {
         lambda: mesh_export.export_mesh(r["out"], r["owner"], r["charts"])
     ),
     "exportTextures": lambda r: surface_textures.export_textures(r["out"], r["side"]),
+    "frameSpan": frame_span,
     "renderCard": white_card.render_card,
     "renderRays": ray_render.render_rays,
     "renderScene": scene_render.render_scene,
     "renderView": ray_render.render_view,
+    "showFrame": show_frame,
 }
 
 

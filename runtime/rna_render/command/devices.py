@@ -44,6 +44,10 @@ def open_renderer(
     """
     if device == CPU:
         return make_integrator(scene_file.resolved, world)
+    for index, asset in enumerate(scene_file.scene.assets):
+        if asset.motion is not None:
+            message = f"is rendered on the CPU, not with --device {device}"
+            raise scene_file.error(("assets", index, "motion"), message)
     return find_device(device)(scene_file, world)
 
 

@@ -15,6 +15,7 @@ from tqdm import tqdm
 from rna_render.command.devices import CPU, open_renderer
 from rna_render.image.film import Film
 from rna_render.paths.render import render
+from rna_render.paths.shutter import ShutterRenderer
 from rna_render.scene.scene_file import SceneFile
 from rna_render.world.domain_watch import warn_of_extrapolation
 from rna_render.world.world import World
@@ -88,11 +89,13 @@ def render_with_bar(
     first_band: Callable[[], str] | None = None,
     on_sample: Callable[[Film], None] = lambda film: None,
     device: str = CPU,
+    moments: Sequence[tuple[SceneFile, World]] = (),
 ) -> Film:
     """Render the scene, or fewer samples of it if `stop` says so.
 
     what: stands before the bar. first_band: what to print when the first band is finished.
     on_sample: given the film after every sample but the last. device: where; see `devices`.
+    moments: the scene and its world at several times, for motion blur; none for one.
     """
     scene = scene_file.scene
     total = scene.resolution[0] * scene.resolution[1] * scene.samples
@@ -104,7 +107,8 @@ def render_with_bar(
         bar.update(pixels)
 
     with bar:
-        renderer = open_renderer(device, scene_file, world)
+        renderers = [open_renderer(device, *at) for at in moments or [(scene_file, world)]]
+        renderer = renderers[0] if len(renderers) == 1 else ShutterRenderer(renderers)
         film = render(scene, renderer, stop, advance, on_sample)
     warn_of_extrapolation([*world.objects, *world.indirect])
     if film.samples < scene.samples and not stop():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
@@ -10,11 +11,14 @@ from rna_render.lights.base import ShapeLight
 from rna_render.lights.directions import luminance
 from rna_render.lights.mesh import TriangleLight
 from rna_render.materials.mesh_object import EMISSION_FLOOR, points_of_a_triangle
-from rna_sdk.runtime import Transform, offset_across
+from rna_sdk.package import Curves, Mesh
+from rna_sdk.runtime import DeformedCurves, DeformedMesh, Transform, offset_across
 from rna_trace.asset_parts import (
     Asset,
     FiberPart,
+    Shape,
     SurfacePart,
+    part_geometry,
     part_normal_maps,
     part_transmittance,
 )
@@ -38,16 +42,19 @@ class AssetEmission(TriangleLight):
     """The emission of an asset, in its object space; its instances share it.
 
     The triangles of its parts are sampled by what they send out on average, a share of the samples
-    by area alone. Strands are found by rays that meet them. Raises SceneError for emission that is
-    not finite.
+    by area alone. Strands are found by rays that meet them. shapes: of its parts in motion. Raises
+    SceneError for emission that is not finite.
     """
 
-    def __init__(self, asset: Asset) -> None:
+    def __init__(self, asset: Asset, shapes: Sequence[Shape] | None = None) -> None:
         self._parts = {k: part for k, part in enumerate(asset.parts) if part.emits}
+        self._shapes: Sequence[Shape | None] = shapes or [None] * len(asset.parts)
         self._meshes = {
-            k: _MeshEmitter(part) for k, part in self._parts.items() if part.kind == "surface"
+            k: _MeshEmitter(part, self._shapes[k])
+            for k, part in self._parts.items()
+            if part.kind == "surface"
         }
-        counts = [len(mesh.part.mesh.triangles) for mesh in self._meshes.values()]
+        counts = [len(mesh.mesh.triangles) for mesh in self._meshes.values()]
         self._cuts = np.cumsum([0, *counts])
         self._first = dict(zip(self._meshes, self._cuts[:-1].tolist(), strict=True))
         mean = [mesh.mean_luminance() for mesh in self._meshes.values()]
@@ -61,7 +68,7 @@ class AssetEmission(TriangleLight):
             row = np.flatnonzero(hits.geometry == k)
             at, wo = hits.take(row), -d_world[row]
             if part.kind == "fiber":
-                radiance[row] = _strand_emission(part, at, ng_world[row], wo)
+                radiance[row] = _strand_emission(part, self._shapes[k], at, ng_world[row], wo)
                 continue
             radiance[row] = self._meshes[k].emission(at.primitive, at.u, at.v, wo)
             triangle = at.primitive + np.int32(self._first[k])
@@ -128,18 +135,25 @@ class AssetLight(ShapeLight):
 class _MeshEmitter:
     """A part with a mesh. wo: (n, 3) float32, unit, object space; the rest as in ClosestHits."""
 
-    def __init__(self, part: SurfacePart) -> None:
-        self.part = part
-        self._transmittance: Transmittance | None = part_transmittance(part)
+    def __init__(self, part: SurfacePart, shape: Shape | None) -> None:
+        self.part, mesh = part, part_geometry(part, shape)
+        assert isinstance(mesh, Mesh)
+        self.mesh = mesh
+        self._shape = shape if isinstance(shape, DeformedMesh) else None
+        self._transmittance: Transmittance | None = part_transmittance(part, shape)
         self._normal_maps = part_normal_maps(part)
 
     def emission(
         self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray, wo: np.ndarray
     ) -> np.ndarray:
         """Radiance of the opaque share towards wo: (n, 3) float32."""
-        mesh = self.part.mesh
-        points = SurfacePoints.of(mesh, triangle, u, v, self._normal_maps)
-        return self.part.emission(points.x, points.mapped, wo)
+        maps = self._normal_maps
+        if self._shape is None:
+            points = SurfacePoints.of(self.mesh, triangle, u, v, maps)
+            return self.part.emission(points.x, points.mapped, wo)
+        rest = self._shape.rest_points(triangle, u, v)
+        n = rest.axes if maps is None else maps.at(rest.axes, triangle, u, v)
+        return self.part.emission(rest.positions, n, rest.to_rest(wo))
 
     def opacity(
         self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray, wo: np.ndarray
@@ -147,7 +161,7 @@ class _MeshEmitter:
         """The opaque share: (n, 3) float32, or (1, 1) if it is 1 everywhere."""
         if self._transmittance is None:
             return np.ones((1, 1), np.float32)
-        mesh = self.part.mesh
+        mesh = self.mesh
         ng = geometric_normals(mesh.positions, mesh.triangles, triangle)
         facing = np.sum(ng * wo, axis=1) > 0.0
         return np.float32(1.0) - self._transmittance.at(triangle, u, v, -wo, facing)
@@ -157,7 +171,7 @@ class _MeshEmitter:
 
         More than 0 on all triangles, unless it is 0 at every point that is asked.
         """
-        mesh = self.part.mesh
+        mesh = self.mesh
         count = len(mesh.triangles)
         triangle = np.arange(count, dtype=np.int32)
         divisions = int(np.clip(np.ceil(np.sqrt(_POINTS / max(count, 1))), 1, _DIVISIONS))
@@ -177,20 +191,25 @@ class _MeshEmitter:
 
 def _joined(meshes: list[_MeshEmitter]) -> tuple[np.ndarray, np.ndarray]:
     """The meshes as one: (v, 3) float32 and (t, 3) uint32."""
-    starts = np.cumsum([0, *(len(mesh.part.mesh.positions) for mesh in meshes)])
-    positions = [np.zeros((0, 3), np.float32), *(mesh.part.mesh.positions for mesh in meshes)]
-    triangles = [mesh.part.mesh.triangles for mesh in meshes]
+    starts = np.cumsum([0, *(len(mesh.mesh.positions) for mesh in meshes)])
+    positions = [np.zeros((0, 3), np.float32), *(mesh.mesh.positions for mesh in meshes)]
+    triangles = [mesh.mesh.triangles for mesh in meshes]
     shifted = [rows + np.uint32(s) for rows, s in zip(triangles, starts[:-1], strict=True)]
     return np.concatenate(positions), np.concatenate([np.zeros((0, 3), np.uint32), *shifted])
 
 
 def _strand_emission(
-    part: FiberPart, hits: ClosestHits, n: np.ndarray, wo: np.ndarray
+    part: FiberPart, shape: Shape | None, hits: ClosestHits, n: np.ndarray, wo: np.ndarray
 ) -> np.ndarray:
     """Radiance of strands towards wo: (n, 3) float32. n: outward normals; object space."""
-    curves = part.curves
+    curves = part_geometry(part, shape)
+    assert isinstance(curves, Curves)
     at = FiberPoints.of(curves, curves.segments(), hits.primitive, hits.u, n)
-    return part.emission(at.x, at.tangent, offset_across(n, at.tangent, wo), wo)
+    h = offset_across(n, at.tangent, wo)
+    if not isinstance(shape, DeformedCurves):
+        return part.emission(at.x, at.tangent, h, wo)
+    rest = shape.rest_points(hits.primitive, hits.u, n)
+    return part.emission(rest.positions, rest.axes, h, rest.to_rest(wo))
 
 
 def _about(axis: np.ndarray, cosine: float, azimuth: np.ndarray) -> np.ndarray:

@@ -46,7 +46,7 @@ class Track:
             return self._unit(mixed + (3 * s - 2 * c) * b + (c - s) * arriving)
         if self.path == "rotation":
             return _slerp(a, b, t)
-        return (1 - t) * a + t * b
+        return np.asarray((1 - t) * a + t * b)
 
     def _key(self, k: int) -> np.ndarray:
         value: np.ndarray = self.values[k, self.values.shape[1] // 2]

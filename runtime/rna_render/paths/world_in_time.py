@@ -15,7 +15,7 @@ from rna_render.scene.scene_model import Scene
 from rna_render.world.scene_sources import check_files
 from rna_render.world.tier_choice import Choice, TierChoice, Tiers
 from rna_render.world.world import World
-from rna_render.world.world_loading import placed_world
+from rna_render.world.world_loading import Loaded, placed_world
 
 
 class QualityWarning(UserWarning):
@@ -26,6 +26,7 @@ def load_world(
     scene_file: SceneFile,
     views: Sequence[Scene] = (),
     open_renderer: Callable[[SceneFile, World], BandRenderer] | None = None,
+    loaded: Loaded | None = None,
 ) -> World:
     """The scene's objects, loaded and placed: assets, objects, the ground, lights with a shape.
 
@@ -33,25 +34,26 @@ def load_world(
     proxies are those that `quality` asks for.
 
     views: the images to come, where their cameras differ from the scene's. open_renderer: of what
-    `quality.seconds` is measured with; None for the CPU. Raises SceneError where the file names
+    `quality.seconds` is measured with; None for the CPU. loaded: keeps what was loaded, and the
+    tiers, for `placed_world` of other frames. Raises SceneError where the file names
     something that is not there or cannot be used, PackageError for a broken package. Warns with
     QualityWarning where no tier is accurate enough.
     """
-    quality = scene_file.scene.quality
+    quality, loaded = scene_file.scene.quality, loaded or Loaded()
     check_files(scene_file)
     if quality is None:
-        return placed_world(
-            scene_file, tuple(Choice(asset.tier) for asset in scene_file.scene.assets)
-        )
+        tiers = tuple(Choice(asset.tier) for asset in scene_file.scene.assets)
+        return placed_world(scene_file, tiers, loaded)
     choice = TierChoice(scene_file, views or (scene_file.scene,))
     if quality.max_error is not None:
         for line in choice.unmet(quality.max_error):
             warnings.warn(line, QualityWarning, stacklevel=2)
     max_error = quality.max_error or 0.0
     if quality.seconds is None:
-        return placed_world(scene_file, choice.within(max_error))
+        return placed_world(scene_file, choice.within(max_error), loaded)
     make = open_renderer or _integrator_of
-    return _world_in_time(scene_file, choice.coarser(max_error), quality.seconds, make)
+    choices = choice.coarser(max_error)
+    return _world_in_time(scene_file, choices, quality.seconds, make, loaded)
 
 
 def _integrator_of(scene_file: SceneFile, world: World) -> Integrator:
@@ -63,12 +65,13 @@ def _world_in_time(
     choices: Iterable[Tiers],
     seconds: float,
     make: Callable[[SceneFile, World], BandRenderer],
+    loaded: Loaded,
 ) -> World:
     """The world with the first of the choices that leaves time for enough samples, or the last."""
     scene = scene_file.scene
     enough = min(ENOUGH_SAMPLES, scene.samples)
     for tiers in choices:
-        world = placed_world(scene_file, tiers)
+        world = placed_world(scene_file, tiers, loaded)
         if (
             enough * seconds_a_sample(make(scene_file, world), math.prod(scene.resolution))
             <= seconds

@@ -6,14 +6,15 @@ import numpy as np
 
 from rna_render.scene.light_models import DirectionalModel, EnvironmentModel, LightModel
 from rna_render.scene.model_base import Vector
-from rna_render.scene.scene_model import CameraModel, Scene
+from rna_render.scene.scene_model import AssetModel, CameraModel, Scene
 
 
-def frame_scene(scene: Scene, number: int) -> Scene:
+def frame_scene(scene: Scene, number: float) -> Scene:
     """The scene at frame `number` of its animation, which it then has no more.
 
-    A turn by d degrees has come to d * number / frames: after a whole turn the last frame is
-    one step before the first, and the sequence can be shown in a loop.
+    Motions of assets start there; the number may lie between two frames. A turn by d degrees has
+    come to d * number / frames: after a whole turn the last frame is one step before the first, and
+    the sequence can be shown in a loop.
     """
     animation = scene.animation
     if animation is None:
@@ -24,7 +25,16 @@ def frame_scene(scene: Scene, number: int) -> Scene:
     if animation.light_sweep is not None:
         angle = animation.light_sweep.degrees * number / animation.frames
         lights = tuple(_turned_light(light, angle) for light in lights)
-    return scene.model_copy(update={"camera": camera, "lights": lights, "animation": None})
+    assets = tuple(_moved(asset, number) for asset in scene.assets)
+    changes = {"assets": assets, "camera": camera, "lights": lights, "animation": None}
+    return scene.model_copy(update=changes)
+
+
+def _moved(asset: AssetModel, number: float) -> AssetModel:
+    if asset.motion is None:
+        return asset
+    motion = asset.motion.model_copy(update={"start": asset.motion.start + number})
+    return asset.model_copy(update={"motion": motion})
 
 
 def _turned_camera(camera: CameraModel, angle_deg: float) -> CameraModel:

@@ -5,10 +5,11 @@ World space is right-handed with +Y up, in metres. Colours are linear RGB.
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Annotated, Literal
 
 import numpy as np
-from pydantic import Field, model_validator
+from pydantic import BeforeValidator, Field, model_validator
 
 from rna_render.scene.light_models import LightModel
 from rna_render.scene.limits import MAX_DEPTH, MAX_FRAMES, MAX_PIXELS_A_SIDE, MAX_SAMPLES, MAX_SEED
@@ -20,12 +21,38 @@ from rna_render.scene.model_base import (
     Nonnegative,
     Number,
     Positive,
+    Share,
     TransformModel,
     Vector,
     is_short,
 )
 
 PixelCount = Annotated[int, Field(ge=1, le=MAX_PIXELS_A_SIDE)]
+
+
+class MotionModel(Model):
+    """What moves the limbs of an asset; a path alone is short for it."""
+
+    path: FilePath = Field(
+        description="A motion file of `rna-motion`, or an animated .glb or .gltf, relative to the "
+        "scene file."
+    )
+    clip: str | None = Field(
+        default=None, description="Animation of a glTF by its name; its first if omitted."
+    )
+    rate: Positive = Field(default=24.0, description="Frames per second, of a glTF.")
+    start: Annotated[float, Field(ge=0, le=MAX_FRAMES)] = Field(
+        default=0.0,
+        description="Frame of the motion in frame 0 of the scene, and in a still image.",
+    )
+    loop: bool = Field(
+        default=False,
+        description="Goes on with the first frame instead of the last one, which is the same.",
+    )
+
+
+def _path_of_motion(value: object) -> object:
+    return {"path": value} if isinstance(value, str | Path) else value
 
 
 class AssetModel(Model):
@@ -39,6 +66,10 @@ class AssetModel(Model):
         default=TransformModel(), description="Placement in the world; identity if omitted."
     )
     emission: Nonnegative = Field(default=1.0, description="Scale factor on the asset's emission.")
+    motion: Annotated[MotionModel | None, BeforeValidator(_path_of_motion)] = Field(
+        default=None,
+        description="Bends the asset, frame by frame: a path, or a mapping; see below.",
+    )
 
 
 class CameraModel(Model):
@@ -130,12 +161,18 @@ class AnimationModel(Model):
     light_sweep: TurnModel | None = Field(
         default=None, description="Rotates directional lights and environments."
     )
-
-    @model_validator(mode="after")
-    def _has_motion(self) -> AnimationModel:
-        if self.turntable is None and self.light_sweep is None:
-            raise ValueError("nothing moves: give turntable or light_sweep, or both")
-        return self
+    shutter: Share = Field(
+        default=0.0,
+        description="Motion blur: how long the shutter is open from each frame on, as a share of "
+        "the time to the next; 0 for none.",
+    )
+    subframes: int = Field(
+        default=8,
+        ge=1,
+        le=256,
+        description="Number of times at which the open shutter sees the scene; its samples are "
+        "shared among them.",
+    )
 
 
 class Scene(Model):
@@ -191,6 +228,16 @@ class Scene(Model):
     def _has_something(self) -> Scene:
         if not (self.assets or self.objects or self.ground):
             raise ValueError("the scene is empty: it has no assets, objects or ground")
+        return self
+
+    @model_validator(mode="after")
+    def _something_moves(self) -> Scene:
+        animation = self.animation
+        still = animation is not None and animation.turntable is animation.light_sweep is None
+        if still and all(asset.motion is None for asset in self.assets):
+            raise ValueError(
+                "animation: nothing moves: give turntable, light_sweep, or an asset's motion"
+            )
         return self
 
     @model_validator(mode="after")

@@ -7,6 +7,8 @@ the renderer does not ask which kind it has.
 from __future__ import annotations
 
 from abc import abstractmethod
+from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -14,11 +16,12 @@ from rna_render.lights.base import PlacedLight
 from rna_render.materials import MeshObject
 from rna_render.world.neural_sampling import LobeMixture
 from rna_render.world.placements import SceneObject
-from rna_sdk.runtime import offset_across
+from rna_sdk.runtime import DeformedCurves, RestPoints, offset_across
 from rna_trace import surface
 from rna_trace.asset_parts import (
     Asset,
     FiberPart,
+    Shape,
     SurfacePart,
     part_geometry,
     part_normal_maps,
@@ -42,20 +45,26 @@ class AssetBody:
     Normals of meshes are interpolated from the corners, and not turned to the viewer; those of
     strands are those of the round cones, outward.
 
-    indirect: the same asset with the tier for what the camera does not see directly.
+    indirect: the same asset with the tier for what the camera does not see directly. shapes: of its
+    parts in motion; None where it is at rest. Decoders are then asked at rest points.
     """
 
     role = Role.SCATTER
     passes_through = True
     one_sided = False
 
-    def __init__(self, asset: Asset, indirect: Asset | None) -> None:
+    def __init__(
+        self, asset: Asset, indirect: Asset | None, shapes: Sequence[Shape] | None = None
+    ) -> None:
         self._parts = asset.parts
         self._indirect = asset.parts if indirect is None else indirect.parts
         self.part_count = len(self._parts)
-        tables = [part_transmittance(part) for part in self._parts]
-        maps = [part_normal_maps(part) for part in self._parts]
-        self.scene = PartsScene([part_geometry(part) for part in self._parts], tables, maps)
+        self._shapes: Sequence[Shape | None] = shapes or [None] * self.part_count
+        pairs = list(zip(self._parts, self._shapes, strict=True))
+        tables = [part_transmittance(*pair) for pair in pairs]
+        maps = [part_normal_maps(*pair) for pair in pairs]
+        self.scene = PartsScene([part_geometry(*pair) for pair in pairs], tables, maps)
+        self._rest_maps = [part_normal_maps(part) for part in self._parts]
 
     def points(
         self, part: int, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray, seen: bool
@@ -63,22 +72,44 @@ class AssetBody:
         where = hits.primitive[ray], hits.u[ray], hits.v[ray], hits.ng[ray]
         points = self.scene.points(part, *where)
         asset = (self._parts if seen else self._indirect)[part]
+        rest = self._rest_points(part, hits, ray)
         if asset.kind == "fiber":
             assert isinstance(points, FiberPoints)
-            return _StrandPoints(asset, self.scene, part, points, wo)
+            return _StrandPoints(asset, self.scene, part, points, wo, rest)
         assert isinstance(points, SurfacePoints)
-        return _MeshPoints(asset, self.scene, part, points, wo)
+        return _MeshPoints(asset, self.scene, part, points, wo, rest)
+
+    def _rest_points(self, part: int, hits: ClosestHits, ray: np.ndarray) -> RestPoints | None:
+        shape, maps = self._shapes[part], self._rest_maps[part]
+        if shape is None:
+            return None
+        if isinstance(shape, DeformedCurves):
+            return shape.rest_points(hits.primitive[ray], hits.u[ray], hits.ng.take(ray, axis=0))
+        where = hits.primitive[ray], hits.u[ray], hits.v[ray]
+        rest = shape.rest_points(*where)
+        return rest if maps is None else replace(rest, axes=maps.at(rest.axes, *where))
 
 
 class _NeuralPoints(Points):
-    """Points of a part of an asset: its decoder knows what scatters, and asks if wi is free."""
+    """Points of a part of an asset: its decoder knows what scatters, and asks if wi is free.
+
+    rest: what the decoder is asked with instead of the points, where the part is in motion.
+    """
 
     _lobes: LobeMixture
     tangents: np.ndarray
 
-    def __init__(self, scene: PartsScene, part: int, at: PartPoints, wo: np.ndarray) -> None:
-        self._scene, self._part, self._at, self._wo = scene, part, at, wo
+    def __init__(
+        self,
+        scene: PartsScene,
+        part: int,
+        at: PartPoints,
+        wo: np.ndarray,
+        rest: RestPoints | None,
+    ) -> None:
+        self._scene, self._part, self._at, self._wo, self._rest = scene, part, at, wo, rest
         self.x, self.n = at.x, at.n
+        self._asked_wo = wo if rest is None else rest.to_rest(wo)
 
     def transport(
         self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
@@ -95,6 +126,16 @@ class _NeuralPoints(Points):
     def pdf(self, row: np.ndarray, wi: np.ndarray) -> np.ndarray:
         return self._lobes.pdf(self.n, self.tangents, self._wo, wi, row)
 
+    def _asked(
+        self, axes: np.ndarray, row: np.ndarray, wi: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+        """Positions, axes, wo and wi to ask the decoder with. axes: of all points, not at rest."""
+        x, wo = self.x, self._asked_wo.take(row, axis=0)
+        if self._rest is not None:
+            x, axes = self._rest.positions, self._rest.axes
+            wi = self._rest.to_rest(wi, row)
+        return x.take(row, axis=0), axes.take(row, axis=0), wo, wi
+
     @abstractmethod
     def _evaluate(self, row: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray, np.ndarray]: ...
 
@@ -103,32 +144,42 @@ class _MeshPoints(_NeuralPoints):
     _lobes = SURFACE_LOBES
 
     def __init__(
-        self, asset: SurfacePart, scene: PartsScene, part: int, at: SurfacePoints, wo: np.ndarray
+        self,
+        asset: SurfacePart,
+        scene: PartsScene,
+        part: int,
+        at: SurfacePoints,
+        wo: np.ndarray,
+        rest: RestPoints | None,
     ) -> None:
-        super().__init__(scene, part, at, wo)
+        super().__init__(scene, part, at, wo, rest)
         self._asset, self.n = asset, at.mapped
         self.tangents = np.zeros_like(self.n)
 
     def _evaluate(self, row: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        return self._asset.evaluate(
-            self.x.take(row, axis=0), self.n.take(row, axis=0), self._wo.take(row, axis=0), wi
-        )
+        return self._asset.evaluate(*self._asked(self.n, row, wi))
 
 
 class _StrandPoints(_NeuralPoints):
     _lobes = FIBER_LOBES
 
     def __init__(
-        self, asset: FiberPart, scene: PartsScene, part: int, at: FiberPoints, wo: np.ndarray
+        self,
+        asset: FiberPart,
+        scene: PartsScene,
+        part: int,
+        at: FiberPoints,
+        wo: np.ndarray,
+        rest: RestPoints | None,
     ) -> None:
-        super().__init__(scene, part, at, wo)
+        super().__init__(scene, part, at, wo, rest)
         self._asset = asset
         self.tangents = at.tangent
         self._h = offset_across(at.n, at.tangent, wo)
 
     def _evaluate(self, row: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        at = self.x.take(row, axis=0), self.tangents.take(row, axis=0), self._h[row]
-        return self._asset.evaluate(*at, self._wo.take(row, axis=0), wi)
+        x, tangents, wo, wi = self._asked(self.tangents, row, wi)
+        return self._asset.evaluate(x, tangents, self._h[row], wo, wi)
 
 
 class ObjectBody:
@@ -205,10 +256,14 @@ class LightBody:
         raise NotImplementedError("a light scatters nothing")
 
 
-def make_body(scene_object: SceneObject, indirect: Asset | None = None) -> Body:
-    """The body of an asset, of an object or of a light. indirect: see AssetBody."""
+def make_body(
+    scene_object: SceneObject,
+    indirect: Asset | None = None,
+    shapes: Sequence[Shape] | None = None,
+) -> Body:
+    """The body of an asset, of an object or of a light. indirect, shapes: see AssetBody."""
     if isinstance(scene_object, PlacedLight):
         return LightBody(scene_object)
     if isinstance(scene_object, MeshObject):
         return ObjectBody(scene_object)
-    return AssetBody(scene_object, indirect)
+    return AssetBody(scene_object, indirect, shapes)

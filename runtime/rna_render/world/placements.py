@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import cast
 
@@ -9,7 +10,7 @@ import numpy as np
 
 from rna_render.lights import AssetEmission, AssetLight, MeshLight, PlacedLight, ShapeLight
 from rna_render.materials import MeshObject
-from rna_trace.asset_parts import Asset
+from rna_trace.asset_parts import Asset, Shape, part_geometry
 
 SceneObject = Asset | MeshObject | PlacedLight
 
@@ -20,7 +21,8 @@ class Placement:
 
     light: what it shines with, if it does. boundless: whether it says nothing about the size of
     the scene, as a ground. indirect: the same asset with another tier, which answers what the
-    camera does not see directly; None for `object` itself.
+    camera does not see directly; None for `object` itself. shapes: of the parts of an asset in
+    motion.
     """
 
     object: SceneObject
@@ -28,10 +30,11 @@ class Placement:
     light: ShapeLight | None = None
     boundless: bool = False
     indirect: Asset | None = None
+    shapes: Sequence[Shape] | None = None
 
     def box(self) -> tuple[np.ndarray, np.ndarray]:
         """Lower and upper corner of the asset's or the object's box in the world, each (3,)."""
-        return placed_box(self.world_from_object, *_box(self.object))
+        return placed_box(self.world_from_object, *_box(self.object, self.shapes))
 
 
 def placed_box(
@@ -43,13 +46,16 @@ def placed_box(
     return placed.min(axis=1), placed.max(axis=1)
 
 
-def _box(scene_object: SceneObject) -> tuple[np.ndarray, np.ndarray]:
+def _box(
+    scene_object: SceneObject, shapes: Sequence[Shape] | None
+) -> tuple[np.ndarray, np.ndarray]:
     if isinstance(scene_object, MeshObject):
         return scene_object.positions.min(axis=0), scene_object.positions.max(axis=0)
-    boxes = [
-        (part.curves if part.kind == "fiber" else part.mesh).box()
-        for part in cast(Asset, scene_object).parts
-    ]
+    parts = cast(Asset, scene_object).parts
+    if shapes is None:
+        boxes = [part_geometry(part).box() for part in parts]
+    else:
+        boxes = [part_geometry(*pair).box() for pair in zip(parts, shapes, strict=True)]
     low, high = zip(*boxes, strict=True)
     return np.min(low, axis=0), np.max(high, axis=0)
 
@@ -60,22 +66,23 @@ def place_asset(
     emission: AssetEmission | None = None,
     factor: float = 1.0,
     indirect: Asset | None = None,
+    shapes: Sequence[Shape] | None = None,
 ) -> Placement:
     """An asset, and the light that it sends out.
 
     world_from_object: (4, 4), a similarity. emission: `emission_of` the asset, for callers that
-    place it several times. factor: on what it emits. indirect: see Placement.
+    place it several times. factor: on what it emits. indirect, shapes: see Placement.
     """
-    emission = emission or emission_of(asset)
+    emission = emission or emission_of(asset, shapes)
     light = None
     if emission is not None and factor > 0.0:
         light = AssetLight(emission, world_from_object, factor)
-    return Placement(asset, world_from_object, light, indirect=indirect)
+    return Placement(asset, world_from_object, light, indirect=indirect, shapes=shapes)
 
 
-def emission_of(asset: Asset) -> AssetEmission | None:
-    """Emission of an asset; None if it has none."""
-    return AssetEmission(asset) if any(part.emits for part in asset.parts) else None
+def emission_of(asset: Asset, shapes: Sequence[Shape] | None = None) -> AssetEmission | None:
+    """Emission of an asset; None if it has none. shapes: see Placement."""
+    return AssetEmission(asset, shapes) if any(part.emits for part in asset.parts) else None
 
 
 def mesh_light(scene_object: MeshObject, world_from_object: np.ndarray) -> MeshLight | None:

@@ -81,9 +81,9 @@ class World:
     """
 
     def __init__(self, placements: Sequence[Placement]) -> None:
-        groups: dict[tuple[int, int], list[int]] = {}
+        groups: dict[tuple[int, int, int], list[int]] = {}
         for index, placement in enumerate(placements):
-            key = id(placement.object), id(placement.indirect)
+            key = id(placement.object), id(placement.indirect), id(placement.shapes)
             groups.setdefault(key, []).append(index)
         order = [index for group in groups.values() for index in group]
         ordered = [placements[index] for index in order]
@@ -91,7 +91,7 @@ class World:
         self.indirect = [p.indirect for p in placements if p.indirect is not None]
         self.placements = ordered
         firsts = [placements[group[0]] for group in groups.values()]
-        self._bodies = [make_body(first.object, first.indirect) for first in firsts]
+        self._bodies = [make_body(p.object, p.indirect, p.shapes) for p in firsts]
         self._order = _HitOrder(self._bodies, [len(group) for group in groups.values()])
         self.number = np.asarray(order, np.int32) + 1
         transforms = [Transform(placement.world_from_object) for placement in ordered]

@@ -14,6 +14,7 @@ from rna_render.scene.light_models import AreaModel, LightModel
 from rna_render.scene.scene_file import SceneFile
 from rna_render.scene.transforms import world_from_object
 from rna_render.world.domain_watch import watched
+from rna_render.world.motion_loading import MotionLoader
 from rna_render.world.placements import Placement, emission_of, mesh_light, place_asset
 from rna_render.world.tier_choice import Tiers
 from rna_render.world.world import World
@@ -21,31 +22,52 @@ from rna_sdk.errors import QueryError, SceneError
 from rna_trace.asset_parts import Asset
 
 
-def placed_world(scene_file: SceneFile, tiers: Tiers) -> World:
+class Loaded:
+    """What a scene's files hold, each loaded once: for the worlds of several frames.
+
+    Attributes:
+        tiers: of the last world that was placed.
+    """
+
+    def __init__(self) -> None:
+        self.assets = _AssetLoader()
+        self.motions = MotionLoader()
+        self.objects: dict[tuple[Path, str], MeshObject] = {}
+        self.tiers: Tiers = ()
+
+
+def placed_world(scene_file: SceneFile, tiers: Tiers, loaded: Loaded | None = None) -> World:
     """The scene's objects: assets with these tiers, objects, the ground, lights with a shape.
 
-    Each package is loaded once a tier and proxy, and each object file once a material. Raises
-    SceneError where the file names something that cannot be used, PackageError for a broken
-    package.
+    Each package is loaded once a tier and proxy, and each object file once a material; none that
+    is among those `loaded`. Assets in motion are as at their `motion.start`. Raises SceneError
+    where the file names something that cannot be used, PackageError for a broken package.
     """
-    standing = [*_placed_assets(scene_file, tiers), *_placed_objects(scene_file)]
+    loaded = loaded or Loaded()
+    loaded.tiers = tiers
+    placed = _placed_assets(scene_file, tiers, loaded), _placed_objects(scene_file, loaded.objects)
+    standing = [*placed[0], *placed[1]]
     return World([*standing, *_placed_ground(scene_file, standing), *_placed_lights(scene_file)])
 
 
-def _placed_assets(scene_file: SceneFile, tiers: Tiers) -> list[Placement]:
-    load = _AssetLoader()
+def _placed_assets(scene_file: SceneFile, tiers: Tiers, loaded: Loaded) -> list[Placement]:
+    load, motions = loaded.assets, loaded.motions
     placements = []
     for index, (model, chosen) in enumerate(zip(scene_file.scene.assets, tiers, strict=True)):
-        path = scene_file.asset_path(index)
+        path, pixels = scene_file.asset_path(index), chosen.pixels
+        if model.motion is not None:
+            pixels = None  # a proxy has other vertices
         try:
-            asset = load(path, chosen.tier, chosen.pixels)
+            asset = load(path, chosen.tier, pixels)
         except QueryError as error:
             raise scene_file.error(("assets", index, "tier"), str(error)) from error
         other = None
         if chosen.indirect is not None:
-            other = load(path, chosen.indirect, chosen.pixels)
-        at = world_from_object(model.transform), load.emission(asset), model.emission
-        placements.append(place_asset(asset, *at, other))
+            other = load(path, chosen.indirect, pixels)
+        shapes = motions.shapes(scene_file, index, path, asset)
+        emission = load.emission(asset) if shapes is None else motions.emission(asset, shapes)
+        at = world_from_object(model.transform), emission, model.emission
+        placements.append(place_asset(asset, *at, other, shapes))
     return placements
 
 
@@ -71,8 +93,9 @@ class _AssetLoader:
         return self._emissions[id(asset)]
 
 
-def _placed_objects(scene_file: SceneFile) -> list[Placement]:
-    loaded: dict[tuple[Path, str], MeshObject] = {}
+def _placed_objects(
+    scene_file: SceneFile, loaded: dict[tuple[Path, str], MeshObject]
+) -> list[Placement]:
     placements = []
     for index, model in enumerate(scene_file.resolved.objects):
         key = model.path, repr(model.material)

@@ -220,6 +220,15 @@ class BlenderWorker:
         kinds = {part.kind for part in self.parts}
         return kinds.pop() if len(kinds) == 1 else "both"
 
+    def frame_span(self) -> tuple[int, int, float]:
+        """First and last frame of the source's scene, and frames a second."""
+        answer = self._ask(op="frameSpan")
+        return answer["first"], answer["last"], answer["rate"]
+
+    def show_frame(self, frame: int) -> None:
+        """Go to another frame of the source, for what is exported then."""
+        self._ask(op="showFrame", frame=frame)
+
     def export_curves(self, owner: str | None = None) -> Curves:
         """All strands of a top object, or of the scene, +Y up."""
         arrays, _ = self._exported("exportCurves", owner=owner)

@@ -1,0 +1,1 @@
+"""`rna-motion`: motions of packages, as files."""

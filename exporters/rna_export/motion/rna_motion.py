@@ -1,0 +1,136 @@
+"""`rna-motion`: writes the motion of a package, from an animated source, as a file."""
+
+from __future__ import annotations
+
+import argparse
+import re
+import sys
+import tempfile
+from collections.abc import Iterator, Sequence
+from contextlib import ExitStack
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from rna_export.capture.orientation import AXES, joined_axes
+from rna_sdk.console import command_parser, run_command, split_script_arguments
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from rna_sdk.package import Curves, Mesh
+
+GLTF = (".gltf", ".glb")
+
+
+def parser() -> argparse.ArgumentParser:
+    """The options of `rna-motion`."""
+    p = command_parser(
+        "rna-motion",
+        "Write the motion of a package, from an animated model, as a file for rna-run.",
+        "rna-motion walk.blend fox.rna --out walk.rnam",
+        epilog="The model has to have the package's shape as it is opened, as for rna-capture. "
+        "glTF is read\nas it is; all else is evaluated by Blender, with the arguments after -- as "
+        "for rna-capture.",
+    )
+    add = p.add_argument
+    add("source", type=Path, help="animated model (path): glTF, .blend, Alembic, USD or a script")
+    add("package", type=Path, help="package of the same model (path)")
+    add("--out", type=Path, required=True, metavar="FILE", help="motion file (path, required)")
+    add("--clip", metavar="NAME", help="animation of a glTF (default: its first)")
+    add(
+        "--rate",
+        type=float,
+        help="frames per second (float, default: 24 for glTF, else the source's)",
+    )
+    add(
+        "--frames",
+        type=_frames,
+        metavar="A-B",
+        help="frames to write, both included (default: all of the source)",
+    )
+    for name in ("front", "up"):
+        add(f"--{name}", choices=AXES, metavar="AXIS", help="as for rna-capture (default: none)")
+    return p
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Entry point; returns the exit status."""
+    given, script = split_script_arguments(list(sys.argv[1:] if argv is None else argv))
+    p = parser()
+    options = p.parse_args(joined_axes(given))
+    if options.rate is not None and not options.rate > 0:
+        p.error(f"--rate: expected more than 0, found {options.rate:g}")
+    if options.clip is not None and options.source.suffix.lower() not in GLTF:
+        p.error("--clip is for glTF")
+    run = lambda: _run(options, tuple(script))  # noqa: E731
+    return run_command(run, options.debug, "nothing was written", "capture")
+
+
+def _frames(text: str) -> tuple[int, int]:
+    found = re.fullmatch(r"(-?\d{1,6})(?:-(-?\d{1,6}))?", text)
+    span = (int(found[1]), int(found[2] or found[1])) if found else (1, 0)
+    if span[0] > span[1]:
+        raise argparse.ArgumentTypeError(f"expected frames such as 1-24, found {text!r}")
+    return span
+
+
+def _run(options: argparse.Namespace, script: tuple[str, ...]) -> None:
+    from tqdm import tqdm
+
+    from rna_sdk.motion import write_motion
+    from rna_sdk.outputs import check_outputs
+    from rna_sdk.package import Package
+
+    check_outputs([options.out], [options.source, options.package])
+    with Package.open(options.package) as package:
+        geometries = [package.geometry(k) for k in range(len(package.manifest.parts))]
+    with ExitStack() as stack:
+        is_gltf = options.source.suffix.lower() in GLTF
+        frames, count, rate = (
+            _of_gltf(options, geometries)
+            if is_gltf
+            else _of_blender(options, script, geometries, stack)
+        )
+        bar = tqdm(frames, total=count, unit="frame", leave=False)
+        write_motion(options.out, geometries, bar, count=count, rate=rate)
+    size = options.out.stat().st_size
+    print(
+        f"wrote {options.out}: {count} frames at {rate:g} a second, {size / 1e6:.1f} MB\n"
+        f"next: give the asset `motion: {options.out.name}` in a scene file (docs/scene.md)"
+    )
+
+
+_Frames = tuple["Iterator[list[np.ndarray]]", int, float]
+"""Positions by frame, how many frames, and their rate."""
+
+
+def _of_gltf(options: argparse.Namespace, geometries: Sequence[Mesh | Curves]) -> _Frames:
+    from rna_render import open_asset_motion
+
+    rate = options.rate or 24.0
+    at = options.package.name, options.clip, rate
+    motion = open_asset_motion(options.source, geometries, *at)
+    first, last = options.frames or (0, motion.frames - 1)
+    return map(motion.positions, range(first, last + 1)), last + 1 - first, rate
+
+
+def _of_blender(
+    options: argparse.Namespace,
+    script: tuple[str, ...],
+    geometries: Sequence[Mesh | Curves],
+    stack: ExitStack,
+) -> _Frames:
+    from rna_export.capture.blender_process.blender_env import find_or_set_up
+    from rna_export.capture.blender_process.blender_worker import Source
+    from rna_export.motion.blender_motion import BlenderMotion, frame_numbers
+
+    folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="rna-motion-"))
+    source = Source(options.source, script, front=options.front, up=options.up)
+    at = source, Path(folder), geometries, options.package.name
+    motion = stack.enter_context(BlenderMotion(find_or_set_up(), *at))
+    numbers = frame_numbers(options.frames, motion)
+    return motion.frames(numbers), len(numbers), options.rate or motion.rate
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,125 @@
+"""`rna-motion`: motion files of glTF, and of what Blender evaluates."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rna_export.capture.blender_process.blender_worker import BlenderWorker, Source
+from rna_export.capture.geometry.mesh_cleanup import clean_mesh
+from rna_export.motion.rna_motion import main
+from rna_render import open_asset_motion
+from rna_sdk.motion import open_motion
+from rna_sdk.package import Curves, Mesh, Tier, write_package
+from rna_sdk.runtime import load
+from tests.conftest import REPOSITORY
+from tests.motion.gltf_files import bending_arm, moving_node
+from tests.package.builders import (
+    FIBER_INPUTS,
+    make_manifest,
+    make_part,
+    make_part_data,
+    make_tier_part,
+)
+
+TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
+
+ARM = """
+import bpy
+bpy.ops.mesh.primitive_cylinder_add(radius=0.1, depth=1.0, vertices=12)
+item = bpy.context.object
+bpy.ops.object.mode_set(mode="EDIT")
+bpy.ops.mesh.subdivide(number_cuts=4)
+bpy.ops.object.mode_set(mode="OBJECT")
+key = item.location
+item.keyframe_insert("location", frame=1)
+item.rotation_euler = 0.0, 0.0, 0.0
+item.keyframe_insert("rotation_euler", frame=1)
+item.location.z += 0.4
+item.rotation_euler.x = 1.0
+item.keyframe_insert("location", frame=5)
+item.keyframe_insert("rotation_euler", frame=5)
+scene = bpy.context.scene
+scene.frame_start, scene.frame_end = 1, 5
+scene.render.fps = 12
+scene.frame_set(1)
+"""
+HAIR = """
+curves = bpy.data.hair_curves.new("hair")
+curves.add_curves([3, 3])
+points = [(0, 0, 0.5), (0, 0, 0.7), (0, 0.1, 0.8), (0.05, 0, 0.5), (0.05, 0, 0.7), (0.05, 0.1, 0.9)]
+curves.attributes["position"].data.foreach_set("vector", [v for p in points for v in p])
+hair = bpy.data.objects.new("hair", curves)
+hair.parent = item
+scene.collection.objects.link(hair)
+scene.frame_set(1)
+"""
+
+
+def package(path: Path, mesh: Mesh, hair: Curves) -> Path:
+    """A package of these two parts."""
+    tier = Tier(
+        name="small",
+        parts=(make_tier_part("skin"), make_tier_part("hair", inputs=FIBER_INPUTS)),
+    )
+    parts = make_part(name="skin"), make_part(name="hair", kind="fiber")
+    manifest = make_manifest(tier, parts=parts)
+    data = [make_part_data(part, seed=k) for k, part in enumerate(tier.parts)]
+    write_package(path, manifest, [mesh, hair], {tier.name: data})
+    return path
+
+
+def test_a_motion_file_of_a_gltf(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    mesh = load(TOY).mesh
+    bend, out = bending_arm(tmp_path / "bend.gltf", mesh, 30), tmp_path / "bend.rnam"
+    assert main([str(bend), str(TOY), "--out", str(out), "--rate", "4"]) == 0
+    told = capsys.readouterr().out
+    size = out.stat().st_size
+    assert f"wrote {out}: 5 frames at 4 a second, {size / 1e6:.1f} MB" in told
+    motion = open_motion(out, [mesh])
+    direct = open_asset_motion(bend, [mesh], "toy.rna", rate=4.0)
+    for frame in (0, 3):
+        np.testing.assert_array_equal(motion.positions(frame)[0], direct.positions(frame)[0])
+    some = tmp_path / "some.rnam"
+    arguments = [str(bend), str(TOY), "--out", str(some), "--rate", "4", "--frames", "2-3"]
+    assert main(arguments) == 0
+    assert open_motion(some, [mesh]).frames == 2
+
+
+def test_sources_of_no_motion_are_one_line(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    mesh, out = load(TOY).mesh, tmp_path / "a.rnam"
+    large = replace(mesh, positions=100 * mesh.positions)
+    track = ("translation", [0, 1], [[0, 0, 0], [1, 0, 0]])
+    source = moving_node(tmp_path / "large.gltf", large, [track])
+    assert main([str(source), str(TOY), "--out", str(out)]) == 1
+    error = capsys.readouterr().err
+    assert "large.gltf has not the rest shape of toy.rna" in error
+    assert "100 times as large" in error and error.count("\n") == 1
+    fits = moving_node(tmp_path / "fits.gltf", mesh, [track])
+    assert main([str(fits), str(TOY), "--out", str(out), "--frames", "0-99"]) == 1
+    assert "has frames 0 to 24, and no frame 25" in capsys.readouterr().err
+    assert not out.exists()
+
+
+@pytest.mark.blender
+def test_a_motion_file_of_what_blender_evaluates(tmp_path: Path, blender_python: Path) -> None:
+    """The whole moves as one, so each vertex has a closed form; strands are the source's own."""
+    source, out = tmp_path / "arm.py", tmp_path / "arm.rnam"
+    source.write_text(ARM + HAIR)
+    with BlenderWorker(blender_python, Source(source), tmp_path / "worker", 1) as worker:
+        mesh, hair = clean_mesh(worker.export_corners()), worker.export_curves()
+    asset = package(tmp_path / "arm.rna", mesh, hair)
+    assert main([str(source), str(asset), "--out", str(out)]) == 0
+    motion = open_motion(out, [mesh, hair])
+    assert (motion.frames, motion.rate) == (5, 12)
+    c, s = np.cos(1.0), np.sin(1.0)
+    turn = np.array([[1, 0, 0], [0, c, -s], [0, s, c]])
+    for rest, found in zip((mesh.positions, hair.points), motion.positions(4), strict=True):
+        np.testing.assert_allclose(found, rest @ turn.T + (0, 0.4, 0), atol=2e-5)
+    for rest, found in zip((mesh.positions, hair.points), motion.positions(0), strict=True):
+        np.testing.assert_allclose(found, rest, atol=1e-6)
