@@ -1,119 +1,106 @@
-"""Lobes of the transport: closed forms against sums over the sphere, gradients, training."""
+"""Lobes of the transport: densities, what is split off an environment, training, errors."""
 
 import numpy as np
 import pytest
 import torch
 
-from rna_bench.lobes.directions import directions_of_lights, even_directions, log_c
-from rna_bench.lobes.full_integral import Integrals, cell_directions, cell_flux
-from rna_bench.lobes.lobe_fit import fit_lobes, make_rows
-from rna_bench.lobes.lobe_kernels import answer, difference, gradients
-from rna_bench.lobes.lobe_model import LOBES, LobeModel
-from rna_bench.lobes.spherical_harmonics import harmonics
-from rna_bench.lobes.view_points import AssetViews
-from rna_bench.one_part import load_one_part
+from rna_bench.lobes.bright_directions import MOST, cell_directions, split_environment
+from rna_bench.lobes.directions import even_directions, random_rotations
+from rna_bench.lobes.lobe_error import generated_environments, lobe_errors
+from rna_bench.lobes.lobe_fit import fit_lobes, light_weights, lobe_loss, make_rows
+from rna_bench.lobes.lobe_model import LobeInputs, LobeModel, QueryRows, densities
+from rna_bench.lobes.spherical_harmonics import COUNT, harmonics
+from rna_bench.lobes.view_points import PartViews
 from rna_sdk.package import Package
+from rna_sdk.runtime import load
 
 TOY = "examples/quickstart/toy.rna"
 
 
 @pytest.fixture(scope="module")
-def views():
-    return AssetViews(load_one_part(TOY, threads=1))
+def asset():
+    return load(TOY, threads=1)
 
 
-def random_lobes(n=3, lobes=4, lights=2):
-    rng = np.random.default_rng(0)
-    amplitude = rng.random((n, lobes, 3)).astype(np.float32)
-    axis = rng.normal(scale=3, size=(n, lobes, 3)).astype(np.float32)
-    return amplitude, axis, rng.normal(scale=2, size=(n, lights, 3)).astype(np.float32)
+@pytest.fixture(scope="module")
+def views(asset):
+    return PartViews(asset, 0)
 
 
-def answered(amplitude, axis, lights):
-    answers = np.empty(lights.shape, np.float32)
-    shares = np.empty((*lights.shape[:2], axis.shape[1], 4), np.float32)
-    answer(amplitude, axis, lights, answers, shares)
-    return answers, shares
+@pytest.fixture(scope="module")
+def queries(asset):
+    with Package.open(TOY) as package:
+        return QueryRows(package, asset.tier.name, 0, COUNT)
 
 
-def densities(axes, d):
-    kappa = np.linalg.norm(axes, axis=-1)
-    return np.exp(log_c(kappa)[..., None] + axes @ d.T)
+@pytest.fixture
+def model(queries):
+    torch.manual_seed(0)
+    return LobeModel(queries.columns, 64, 2)
 
 
 def test_harmonics_are_orthonormal():
     d = even_directions(20_000)
     products = harmonics(d).T @ harmonics(d) * (4 * np.pi / len(d))
-    assert np.abs(products - np.eye(16)).max() < 2e-3
+    assert np.abs(products - np.eye(COUNT)).max() < 2e-3
 
 
-def test_answers_are_integrals_of_products():
-    amplitude, axis, lights = random_lobes()
+def test_densities_sum_up_to_one():
+    axis = torch.tensor([[[0.001, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 20.0, 30.0]]])
     d = even_directions(50_000)
-    both = np.einsum("njd,nkd->nkj", densities(axis, d), densities(lights, d)) * 4 * np.pi / len(d)
-    expected = np.einsum("nkj,njc->nkc", both, amplitude)
-    assert np.allclose(answered(amplitude, axis, lights)[0], expected, rtol=1e-3)
+    found = densities(axis, torch.from_numpy(d.T)[None]).numpy()
+    assert found.sum(axis=2) * 4 * np.pi / len(d) == pytest.approx(np.ones((1, 3)), rel=1e-3)
 
 
-def test_gradients_are_slopes():
-    amplitude, axis, lights = random_lobes()
-    towards = np.random.default_rng(1).normal(size=lights.shape).astype(np.float32)
-    _, shares = answered(amplitude, axis, lights)
-    of_amplitude, of_axis = np.empty_like(amplitude), np.empty_like(axis)
-    gradients(amplitude, towards, shares, of_amplitude, of_axis)
-    step = np.float32(1e-2)
-    for array, gradient in ((amplitude, of_amplitude), (axis, of_axis)):
-        place = 1, 2, 0
-        array[place] += step
-        above = (answered(amplitude, axis, lights)[0] * towards).sum()
-        array[place] -= 2 * step
-        below = (answered(amplitude, axis, lights)[0] * towards).sum()
-        array[place] += step
-        assert gradient[place] == pytest.approx((above - below) / (2 * step), rel=2e-2)
+def test_rotations_keep_lengths_and_handedness():
+    r = random_rotations(50, np.random.default_rng(0))
+    assert r @ r.transpose(0, 2, 1) == pytest.approx(np.tile(np.eye(3), (50, 1, 1)), abs=1e-6)
+    assert np.linalg.det(r) == pytest.approx(1.0, abs=1e-5)
 
 
-def test_difference_of_lobes_and_themselves_is_none():
-    amplitude, axis, lights = random_lobes()
-    d = np.ascontiguousarray(np.broadcast_to(even_directions(64), (len(axis), 64, 3)))
-    truth = np.einsum("njd,njc->ndc", densities(axis, d[0]), amplitude).astype(np.float32)
-    weights, found = np.ones((len(axis), 2, 64), np.float32), np.empty_like(lights)
-    difference(amplitude, axis, d, truth, weights, found)
-    assert np.abs(found).max() < 1e-4
-    difference(amplitude, axis, d, truth - np.float32(1.0), weights, found)
-    assert np.allclose(found, 64.0, rtol=1e-4)
+def test_each_light_has_all_of_its_weight():
+    assert light_weights().sum(dim=1).numpy() == pytest.approx(1.0, abs=1e-6)
 
 
-def test_directions_of_lights_are_about_them():
-    axis = np.broadcast_to((0.0, 0.6, 0.8), (2000, 1, 3))
-    d = directions_of_lights(axis, np.full((2000, 1), 5.0), 4, np.random.default_rng(0))
-    assert np.allclose(np.linalg.norm(d, axis=-1), 1.0)
-    mean = d.reshape(-1, 3).mean(axis=0)
-    assert mean == pytest.approx((1 / np.tanh(5.0) - 0.2) * axis[0, 0], abs=0.01)
+def test_split_light_is_all_of_the_light():
+    texels = np.full((64, 128, 3), 0.1, np.float32)
+    texels[10:12, 20:22], texels[40, 100] = (50.0, 40.0, 30.0), (0.0, 0.0, 90.0)
+    split = split_environment(texels)
+    whole = (split.rest / split.share[..., None]).sum(axis=(0, 1))
+    assert split.flux.sum(axis=0) + split.rest.sum(axis=(0, 1)) == pytest.approx(whole, rel=1e-4)
+    assert len(split.directions) <= MOST
+    assert np.linalg.norm(split.directions, axis=1) == pytest.approx(1.0)
 
 
-def test_cells_hold_the_light_of_an_image():
-    flux = cell_flux(np.ones((128, 256, 3)))
-    assert flux.sum(axis=0) == pytest.approx(4 * np.pi, rel=1e-3)
-    texels = np.zeros((128, 256, 3))
-    texels[32, 64] = 1.0  # 45 degrees above the horizon, a quarter of a turn about
-    (place,) = np.flatnonzero(cell_flux(texels).sum(axis=1))
-    assert cell_directions()[place] == pytest.approx((0.0, 0.7, 0.7), abs=0.05)
+def test_split_light_is_where_it_shines():
+    texels = np.zeros((64, 128, 3), np.float32)
+    texels[16, 96] = 1.0  # 45 degrees above the horizon, a quarter of a turn to the right
+    split = split_environment(texels)
+    brightest = split.directions[np.argmax(split.flux.sum(axis=1))]
+    assert brightest == pytest.approx((0.7, 0.7, 0.0), abs=0.06)
 
 
-def test_weights_sum_up_to_the_lights(views):
-    rows = make_rows(views, 400, np.random.default_rng(0))
-    assert rows["weights"].sum(axis=2).mean() == pytest.approx(1.0, abs=0.03)
+def test_an_even_environment_is_not_split():
+    split = split_environment(np.ones((32, 64, 3), np.float32))
+    assert len(split.directions) == 0
+    assert split.rest.sum(axis=(0, 1)) == pytest.approx(4 * np.pi, rel=1e-3)
+    assert np.abs(np.linalg.norm(cell_directions(), axis=1) - 1.0).max() < 1e-9
 
 
-def test_training_comes_nearer_to_the_whole_integral(views):
-    torch.manual_seed(0)
-    with Package.open(TOY) as package:
-        model = LobeModel(package, views.part.tier.name, 64, 4)
-    integrals, flux = Integrals(views, count=60), cell_flux(np.ones((64, 128, 3)))
-    amplitude, density = integrals.densities(model)
-    assert amplitude.shape[1] == LOBES
-    before = integrals.score((amplitude, density), flux, 8).psnr
-    fit_lobes(model, views, 60)
-    after = integrals.score(integrals.densities(model), flux, 8)
-    assert after.psnr > before + 3.0
+def test_lobes_that_are_the_truth_have_no_loss(views, queries, model):
+    *inputs, directions, transport = make_rows(views, queries, 32, np.random.default_rng(0))
+    with torch.no_grad():
+        amplitude, axis = model(LobeInputs(*inputs))
+        truth = amplitude.transpose(1, 2) @ densities(axis, torch.from_numpy(directions))
+    assert lobe_loss(model, [*inputs, directions, truth.numpy()], light_weights()) < 1e-10
+    assert lobe_loss(model, [*inputs, directions, transport], light_weights()) > 1e-3
+
+
+def test_training_comes_nearer_to_the_whole_integral(views, queries, model):
+    even = {"even": generated_environments()["sky"]}
+    (before,) = lobe_errors(views, queries, model, even, size=10)
+    fit_lobes(model, views, queries, 120)
+    (after,) = lobe_errors(views, queries, model, even, size=10)
+    assert after.psnr > before.psnr + 3.0
+    assert after.flip < before.flip
     assert after.brightness == pytest.approx((1.0, 1.0, 1.0), abs=0.3)

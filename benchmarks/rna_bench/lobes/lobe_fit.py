@@ -1,4 +1,4 @@
-"""Training of lobes from a package: its transport under random lights is the target."""
+"""Training of lobes from a package: its transport along random directions is the target."""
 
 from __future__ import annotations
 
@@ -10,77 +10,113 @@ import torch
 from torch import Tensor
 from tqdm import trange
 
-from rna_bench.lobes.directions import directions_of_lights, log_c, random_directions
-from rna_bench.lobes.lobe_model import LightLoss, LobeModel
-from rna_bench.lobes.view_points import AssetViews
+from rna_bench.lobes.directions import even_directions, random_rotations
+from rna_bench.lobes.lobe_model import LobeInputs, LobeModel, QueryRows, densities
+from rna_bench.lobes.view_points import PartViews, Rows
+from rna_export.training.optimization.training_threads import threads_in_use, use_threads
 
-_ROWS, _NEW = 2048, 512  # points of a step, and those of them that no step has had
-_KEPT = 200_000  # points
-_LIGHTS, _EACH = 2, 4  # of a point; directions of a light
-_KAPPA = (0.3, 10.0)  # of the lights: sharper ones are asked of the decoder of transport
+_ROWS, _NEW = 2048, 256  # points of a step, and those of them that no step has had
+_KEPT = 100_000  # points
+_DIRECTIONS, _LIGHTS = 64, 32  # of a point
+_KAPPA = (0.5, 30.0)  # of the lights
+_STRIDE = (
+    7  # between concentrations of neighbouring lights, so that none has its part of the sphere
+)
 _RATE = 5e-3
+_EPSILON = 0.1  # of the relative error; radiance under a light of radiance 1
 
-Rows = dict[str, np.ndarray]
 
+def light_weights() -> Tensor:
+    """(lights, directions): weights of even directions under lights, each light's sum 1.
 
-def make_rows(views: AssetViews, count: int, rng: np.random.Generator) -> Rows:
-    """`count` random points under random lights: the members of `ViewPoints.rows`, and
-
-    lights (n, K, 3), axes; directions and transport (n, D, 3); weights (n, K, D), of the directions
-    in an estimate of the integral under each light. A direction drawn for one light counts for the
-    others, too, by the balance heuristic.
+    Lights are von Mises-Fisher distributions about even directions of their own.
     """
-    points = views.points(count, rng)
-    kappa = _KAPPA[0] * (_KAPPA[1] / _KAPPA[0]) ** rng.random((count, _LIGHTS))
-    about = random_directions(count * _LIGHTS, rng).reshape(count, _LIGHTS, 3)
-    d = directions_of_lights(about, kappa, _EACH, rng).reshape(count, -1, 3)
-    row = np.repeat(np.arange(count), d.shape[1])
-    transport = views.transport(points, row, d.reshape(-1, 3).astype(np.float32))
-    cosine = about @ d.transpose(0, 2, 1)
-    density = np.exp(log_c(kappa)[:, :, None] + kappa[:, :, None] * cosine)
-    rows = points.rows() | {"lights": kappa[:, :, None] * about, "directions": d}
-    rows["transport"] = transport.reshape(d.shape)
-    rows["weights"] = density / density.sum(axis=1, keepdims=True) / _EACH
-    return {name: np.ascontiguousarray(array, np.float32) for name, array in rows.items()}
+    place = np.arange(_LIGHTS) * _STRIDE % _LIGHTS / (_LIGHTS - 1)
+    kappa = _KAPPA[0] * (_KAPPA[1] / _KAPPA[0]) ** place
+    cosine = even_directions(_LIGHTS) @ even_directions(_DIRECTIONS).T
+    weights = np.exp(kappa[:, None] * (cosine - 1))
+    return torch.from_numpy((weights / weights.sum(axis=1, keepdims=True)).astype(np.float32))
 
 
 class _Kept:
-    """The last points that were made."""
+    """The last points that were made: rows of `make_rows`."""
 
-    def __init__(self, rows: Rows) -> None:
-        self._rows = {k: np.empty((_KEPT, *v.shape[1:]), np.float32) for k, v in rows.items()}
+    def __init__(self, rows: tuple[Rows, ...]) -> None:
+        self._rows = [np.empty((_KEPT, *array.shape[1:]), np.float32) for array in rows]
         self._count = self._next = 0
         self.add(rows)
 
-    def add(self, rows: Rows) -> None:
+    def add(self, rows: tuple[Rows, ...]) -> None:
         """Keep these, in the place of the oldest."""
-        more = len(rows["position"])
+        more = len(rows[0])
         start = self._next if self._next + more <= _KEPT else 0
-        for name, array in rows.items():
-            self._rows[name][start : start + more] = array
+        for kept, array in zip(self._rows, rows, strict=True):
+            kept[start : start + more] = array
         self._next, self._count = start + more, max(self._count, start + more)
 
-    def some(self, count: int, rng: np.random.Generator) -> dict[str, Tensor]:
+    def some(self, count: int, rng: np.random.Generator) -> list[Rows]:
         """`count` random points."""
         row = rng.integers(self._count, size=count)
-        return {k: torch.from_numpy(v.take(row, axis=0)) for k, v in self._rows.items()}
+        return [array.take(row, axis=0) for array in self._rows]
 
 
-def fit_lobes(model: LobeModel, views: AssetViews, steps: int, seed: int = 0) -> None:
-    """Train for a number of steps. Points are made in a second thread, in a fixed order."""
+def make_rows(
+    views: PartViews, queries: QueryRows, count: int, rng: np.random.Generator
+) -> tuple[Rows, ...]:
+    """`count` random points: the four of LobeInputs, directions and transport, (n, 3, D) each."""
+    points = views.points(count, rng)
+    d = even_directions(_DIRECTIONS) @ random_rotations(count, rng).transpose(0, 2, 1)
+    d = np.ascontiguousarray(d, np.float32)
+    row = np.repeat(np.arange(count), _DIRECTIONS)
+    transport = views.transport(points, row, d.reshape(-1, 3)).reshape(d.shape)
+    return *queries.of(points), d.transpose(0, 2, 1), transport.transpose(0, 2, 1)
+
+
+def lobe_loss(model: LobeModel, rows: list[Rows], weights: Tensor) -> Tensor:
+    """Mean squared relative error under lights: rows of `make_rows`, `light_weights`.
+
+    Lobes and truth are taken along the same directions, so that only what the lobes do not
+    explain is noise.
+    """
+    *inputs, directions, transport = rows
+    amplitude, axis = model(LobeInputs(*inputs))
+    answer = amplitude.transpose(1, 2) @ densities(axis, torch.from_numpy(directions))
+
+    def under_lights(along: Tensor) -> Tensor:
+        return along.reshape(-1, along.shape[2]) @ weights.T
+
+    scale = under_lights(answer.detach()).clamp_min(0.0) + _EPSILON
+    return ((under_lights(answer - torch.from_numpy(transport)) / scale) ** 2).mean()
+
+
+def fit_lobes(
+    model: LobeModel,
+    views: PartViews,
+    queries: QueryRows,
+    steps: int,
+    seed: int = 0,
+) -> None:
+    """Train for a number of steps.
+
+    Steps take one thread. A second one makes points meanwhile, in a fixed order.
+    """
     rng, draw = np.random.default_rng(seed), np.random.default_rng(seed + 1)
-    optimizer = torch.optim.Adam(model.decoder.parameters(), lr=_RATE)
-    kept = _Kept(make_rows(views, _ROWS, rng))
-    with ThreadPoolExecutor(1) as maker:
-        coming = maker.submit(make_rows, views, _NEW, rng)
-        for step in trange(steps, desc="lobes", unit="step"):
-            kept.add(coming.result())
-            coming = maker.submit(make_rows, views, _NEW, rng)
-            share = 0.5 * (1.0 + math.cos(math.pi * step / steps)) + 1e-3
-            for group in optimizer.param_groups:
-                group["lr"] = _RATE * share * min(1.0, (step + 1) / 100)
-            rows = kept.some(_ROWS, draw)
-            optimizer.zero_grad()
-            loss = LightLoss.apply(*model(rows), rows)  # type: ignore[no-untyped-call]
-            loss.backward()
-            optimizer.step()
+    optimizer = torch.optim.Adam(model.parameters(), lr=_RATE)
+    weights, threads = light_weights(), threads_in_use()
+    kept = _Kept(make_rows(views, queries, 4 * _ROWS, rng))
+    use_threads(1)
+    try:
+        with ThreadPoolExecutor(1) as maker:
+            coming = maker.submit(make_rows, views, queries, _NEW, rng)
+            for step in trange(1, steps + 1, desc="lobes", unit="step"):
+                kept.add(coming.result())
+                coming = maker.submit(make_rows, views, queries, _NEW, rng)
+                rate = 0.5 * (1.0 + math.cos(math.pi * step / steps)) + 1e-3
+                for group in optimizer.param_groups:
+                    group["lr"] = _RATE * rate * min(1.0, step / 100)
+                optimizer.zero_grad()
+                loss = lobe_loss(model, kept.some(_ROWS, draw), weights)
+                loss.backward()
+                optimizer.step()
+    finally:
+        use_threads(threads)

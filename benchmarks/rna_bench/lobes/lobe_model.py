@@ -1,53 +1,78 @@
-"""The decoder of an asset's lobes in PyTorch, on the planes of a tier of its package."""
+"""The decoder of a part's lobes in PyTorch, and what its outputs mean."""
 
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import NamedTuple
 
 import numpy as np
 import torch
 from torch import Tensor, nn
 
-from rna_bench.lobes.lobe_kernels import answer, difference, gradients
-from rna_bench.lobes.spherical_harmonics import COUNT
-from rna_export.training.model.inputs import assemble
+from rna_bench.lobes.view_points import Rows, ViewPoints
 from rna_export.training.model.layers import through
-from rna_export.training.model.triplane import Triplane
-from rna_sdk.package import Package, float_planes, query_width, read_profile_decoder
+from rna_sdk.package import Package, query_width
+from rna_sdk.runtime.engine.batch import Batch
+from rna_sdk.runtime.engine.tiles import QueryFiller
 
 LOBES = 8
 CONCENTRATIONS = (2.0, 10.0)
 """kappa of a lobe that the decoder leaves as it is: of the first half of them, and of the rest."""
 
+SHIFT = 8.0
+"""Of axes: a decoder of the profile gives nothing negative."""
+
+SMALLEST_KAPPA = 0.01
+
 _UNIT = 0.1
-_SHIFT = 8.0  # of axes, since a decoder of the profile gives nothing negative
 _TOP = 8.0  # of logarithms
 _FURNACE = 0.5  # of all amplitudes together, at first
-_TRAINED_ON = ("lights", "directions", "transport", "weights")
-_EPSILON = 0.1  # of the relative error; radiance under a light of radiance 1
+
+
+class LobeInputs(NamedTuple):
+    """What lobes are made of: queries (n, K); wide, mirror (n, 3) and free (n,), of ViewPoints."""
+
+    queries: Rows
+    wide: Rows
+    mirror: Rows
+    free: Rows
+
+
+class QueryRows:
+    """Makes the decoder's queries for a part: blocks of inputs, then the visibility.
+
+    Attributes:
+        inputs: names of the blocks: those of transport, wi being the mirror direction.
+        columns: K, of blocks and visibility.
+    """
+
+    def __init__(self, package: Package, tier: str, part: int, visibility_columns: int) -> None:
+        """package: open. visibility_columns: of ViewPoints.visibility, or 0 to leave it out."""
+        own, record = package.tier(tier).parts[part], package.manifest.parts[part]
+        self._filler = QueryFiller(package.planes(tier, part), record.bounds, own, record.kind)
+        self._blocks, self._visibility = query_width(own.inputs, own.channels), visibility_columns
+        self.inputs, self.columns = own.inputs, self._blocks + visibility_columns
+
+    def of(self, points: ViewPoints) -> LobeInputs:
+        """The inputs of points."""
+        arrays = {"position": points.position, "axis": points.axis, "h": points.h}
+        batch = Batch.of(arrays | {"wo": points.wo, "wi": points.mirror}, ())
+        blocks = np.zeros((len(points), self._blocks), np.float32)
+        self._filler.fill(batch, slice(None), blocks, np.empty(len(points), np.bool_))
+        queries = np.hstack([blocks, points.visibility[:, : self._visibility]])
+        return LobeInputs(queries, points.wide, points.mirror, points.free)
 
 
 class LobeModel(nn.Module):
     """Lobes with the asset's own shadows in them.
 
     A decoder of the profile with 9 outputs a lobe, none of them negative: amplitudes where the
-    direction `about[1]` is free and where it is blocked, and an axis less a shift. It is asked with
-    the input blocks of transport, wi being that direction, and, behind them, the harmonics of the
-    visibility. Planes are those of transport and stay as they are; hidden layers begin as those of
-    transport where they have the same sizes.
+    mirror direction is free and where it is blocked, and an axis plus a shift.
     """
 
-    def __init__(self, package: Package, tier: str, width: int, hidden_layers: int):
+    def __init__(self, columns: int, width: int, hidden_layers: int) -> None:
+        """columns: K of the queries. width: of the hidden layers."""
         super().__init__()
-        part = package.tier(tier).parts[0]
-        decoder, planes = read_profile_decoder(package.decoder(tier), tier), package.planes(tier)
-        self._inputs, self.kind = part.inputs, package.manifest.parts[0].kind
-        bounds = torch.from_numpy(package.manifest.parts[0].bounds.corners())
-        self._triplane = Triplane(part.resolution, part.channels, *bounds)
-        self._triplane.planes.data = torch.from_numpy(np.array(float_planes(planes)))
-        self._triplane.planes.requires_grad_(False)
-        columns = query_width(part.inputs, part.channels) + COUNT
         layers: list[nn.Module] = []
         for _ in range(hidden_layers):
             layers += [nn.Linear(columns, width), nn.ReLU()]
@@ -55,61 +80,35 @@ class LobeModel(nn.Module):
         last = nn.Linear(columns, 9 * LOBES)
         last.weight.data *= 0.1
         of_lobe = torch.full((9,), math.log1p(_FURNACE / LOBES / _UNIT))
-        of_lobe[6:] = math.log1p(_SHIFT / _UNIT)
+        of_lobe[6:] = math.log1p(SHIFT / _UNIT)
         last.bias.data = of_lobe.repeat(LOBES)
         self.decoder = nn.Sequential(*layers, last)
-        of_transport = [] if decoder.is_int8 else decoder.layers[:-1]
-        if [len(layer.bias) for layer in of_transport] == [width] * hidden_layers:
-            self._begin_as([(layer.weight, layer.bias) for layer in of_transport])
-
-    def _begin_as(self, layers: list[tuple[Any, Any]]) -> None:
-        hidden = [layer for layer in self.decoder if isinstance(layer, nn.Linear)][:-1]
-        for own, (weight, bias) in zip(hidden, layers, strict=True):
-            own.weight.data[:, : len(weight)] = torch.from_numpy(np.array(weight.T))
-            own.bias.data = torch.from_numpy(np.array(bias))
 
     @property
     def multiply_adds(self) -> int:
         """Of a query."""
         return sum(m.weight.numel() for m in self.decoder if isinstance(m, nn.Linear))
 
-    def forward(self, rows: dict[str, Tensor]) -> tuple[Tensor, Tensor]:
-        """Amplitudes and axes, (n, L, 3) each. rows: of `ViewPoints.rows`."""
-        grid, position = self._triplane, rows["position"]
-        at = {"position": position, "wo": rows["wo"], "wi": rows["asked"], "h": rows["h"]}
-        at["normal" if self.kind == "surface" else "tangent"] = rows["axis"]
-        p = ((position - grid.low) / (grid.high - grid.low)).clamp(0.0, 1.0)
-        blocks = assemble(self._inputs, grid(position), p, at)
-        y = through(self.decoder, torch.cat([blocks, rows["visibility"]], dim=1))
-        values = _UNIT * torch.expm1(y.view(-1, LOBES, 3, 3).clamp(0.0, _TOP))
-        free = rows["free"][:, None, None]
+    def forward(self, inputs: LobeInputs) -> tuple[Tensor, Tensor]:
+        """Amplitudes and axes, (n, LOBES, 3) each."""
+        queries, wide, mirror, free = (torch.from_numpy(rows) for rows in inputs)
+        y = through(self.decoder, queries).view(-1, LOBES, 3, 3)
+        values = _UNIT * torch.expm1(y.clamp(0.0, _TOP))
+        free = free[:, None, None]
         amplitude = free * values[:, :, 0] + (1.0 - free) * values[:, :, 1]
-        about = [
-            k * rows[name][:, None].expand(-1, LOBES // 2, -1)
-            for k, name in zip(CONCENTRATIONS, ("untouched", "asked"), strict=True)
+        base = [
+            kappa * direction[:, None].expand(-1, LOBES // 2, -1)
+            for kappa, direction in zip(CONCENTRATIONS, (wide, mirror), strict=True)
         ]
-        return amplitude, values[:, :, 2] - _SHIFT + torch.cat(about, dim=1)
+        return amplitude, values[:, :, 2] - SHIFT + torch.cat(base, dim=1)
 
 
-class LightLoss(torch.autograd.Function):
-    """Mean squared relative error of lobes under lights."""
+def densities(axis: Tensor, directions: Tensor) -> Tensor:
+    """Of lobes (n, L, 3) along directions (n or 1, 3, D): (n, L, D), 1 / sr.
 
-    @staticmethod
-    def forward(ctx: Any, amplitude: Tensor, axis: Tensor, rows: dict[str, Tensor]) -> Tensor:
-        """rows: lights (n, K, 3), their axes; and what `difference` takes."""
-        a, x = amplitude.detach().contiguous().numpy(), axis.detach().contiguous().numpy()
-        lights, d, transport, weights = (rows[name].numpy() for name in _TRAINED_ON)
-        answers, differences = np.empty_like(lights), np.empty_like(lights)
-        shares = np.empty((*lights.shape[:2], x.shape[1], 4), np.float32)
-        answer(a, x, lights, answers, shares)
-        difference(a, x, d, transport, weights, differences)
-        weight = 1 / (answers + np.float32(_EPSILON)) ** 2
-        ctx.state = a, shares, np.float32(2 / answers.size) * weight * differences
-        return torch.tensor(float((weight * differences**2).mean()))
-
-    @staticmethod
-    def backward(ctx: Any, gradient: Tensor) -> tuple[Tensor | None, ...]:
-        a, shares, of_answers = ctx.state
-        of_amplitude, of_axis = np.empty_like(a), np.empty_like(a)
-        gradients(a, of_answers, shares, of_amplitude, of_axis)
-        return torch.from_numpy(of_amplitude) * gradient, torch.from_numpy(of_axis) * gradient, None
+    A lobe of axis a has the density c(|a|) exp(a.d), with c(k) = k / (4 pi sinh k).
+    """
+    kappa = axis.norm(dim=2).clamp_min(SMALLEST_KAPPA)
+    log_c = torch.log(kappa / (2 * math.pi)) - torch.log1p(-torch.exp(-2 * kappa)) - kappa
+    along = directions.expand(len(axis), -1, -1)
+    return torch.exp(torch.baddbmm(log_c[..., None], axis, along))

@@ -2,9 +2,9 @@
 
     rna-bench lobes toy.rna --environments forest.hdr studio.hdr --out lobes-toy.json
 
-A decoder of spherical lobes is trained on random points of random views, under random lights, and
-compared with the whole integral of transport and environment over 8,192 directions. Training
-never sees the environments; each is taken at three turns about the vertical. The decoder is
+A decoder of spherical lobes is trained on random points of random views, and compared with the
+whole integral of transport and environment over 8,192 directions. Training sees no environment:
+two generated ones are measured, and each file at three turns about the vertical. The decoder is
 asked with the visibility along one direction, a ray a query, and with the visibility about the
 mesh's vertices, which is traced once.
 """
@@ -18,33 +18,38 @@ from time import perf_counter, process_time
 from typing import Any
 
 import numpy as np
+import torch
 
 from rna_bench.bench_options import add_out
-from rna_bench.lobes.full_integral import Integrals, cell_flux
+from rna_bench.lobes.lobe_error import LobeError, generated_environments, lobe_errors
 from rna_bench.lobes.lobe_fit import fit_lobes
-from rna_bench.lobes.lobe_model import LobeModel
-from rna_bench.lobes.view_points import AssetViews
-from rna_bench.one_part import load_one_part
+from rna_bench.lobes.lobe_model import LobeModel, QueryRows
+from rna_bench.lobes.spherical_harmonics import COUNT
+from rna_bench.lobes.view_points import PartViews
 from rna_bench.results import publish
 from rna_render import read_environment
 from rna_sdk.package import Package
+from rna_sdk.runtime import load
 
-_TURNS = (0.0, 2.1, 4.2)  # radians
+_TURNS = 3
 
 
 def run(args: argparse.Namespace) -> None:
     """Train and measure."""
-    part = load_one_part(args.package, args.tier)
+    asset = load(args.package, args.tier, threads=1)
+    part, tier = asset.parts[args.part], asset.tier.name
     begun = perf_counter()
-    views = AssetViews(part)
+    views = PartViews(asset, args.part)
     baked = perf_counter() - begun
     with Package.open(args.package) as package:
-        model = LobeModel(package, part.tier.name, args.width, args.hidden_layers)
+        queries = QueryRows(package, tier, args.part, COUNT)
+    torch.manual_seed(args.seed)
+    model = LobeModel(queries.columns, args.width, args.hidden_layers)
     begun, cpu = perf_counter(), process_time()
-    fit_lobes(model, views, args.steps, args.seed)
+    fit_lobes(model, views, queries, args.steps, args.seed)
     report: dict[str, Any] = {
         "asset": part.name,
-        "tier": part.tier.name,
+        "tier": tier,
         "width": args.width,
         "hidden_layers": args.hidden_layers,
         "steps": args.steps,
@@ -53,34 +58,43 @@ def run(args: argparse.Namespace) -> None:
         "training_seconds": round(perf_counter() - begun, 1),
         "training_cpu_seconds": round(process_time() - cpu, 1),
         "multiply_adds": model.multiply_adds,
-        "lights": args.lights,
-        "environments": _scores(args, views, model),
+        "environments": _rounded(
+            lobe_errors(views, queries, model, _environments(args.environments))
+        ),
     }
     publish(report, args)
 
 
-def _scores(args: argparse.Namespace, views: AssetViews, model: LobeModel) -> list[dict[str, Any]]:
-    integrals = Integrals(views)
-    lobes, scores = integrals.densities(model), []
-    for path in args.environments:
+def _environments(files: list[Path]) -> dict[str, np.ndarray]:
+    """Texels by name: the generated ones, and the files, each at several turns."""
+    found = generated_environments()
+    for path in files:
         texels = read_environment(path)
-        for turn in _TURNS:
-            score = asdict(integrals.score(lobes, cell_flux(texels, turn), args.lights))
-            rounded = {name: np.round(value, 3).tolist() for name, value in score.items()}
-            scores.append({"environment": path.stem, "turn": turn, **rounded})
-    return scores
+        for turn in range(_TURNS):
+            columns = turn * texels.shape[1] // _TURNS
+            found[f"{path.stem}, turned by {360 * turn // _TURNS}"] = np.roll(
+                texels, columns, axis=1
+            )
+    return found
+
+
+def _rounded(errors: list[LobeError]) -> list[dict[str, Any]]:
+    return [
+        {k: v if isinstance(v, str) else np.round(v, 3).tolist() for k, v in asdict(one).items()}
+        for one in errors
+    ]
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """The options of this command."""
-    parser.add_argument("package", type=Path, help="an asset of one part (path)")
+    parser.add_argument("package", type=Path, help="an asset (path)")
     parser.add_argument("--tier", help="tier whose transport is learned (text, default: the first)")
+    parser.add_argument("--part", type=int, default=0, help="number of the part")
     parser.add_argument(
-        "--environments", type=Path, nargs="+", required=True, help=".hdr or .exr files (paths)"
+        "--environments", type=Path, nargs="+", default=[], help=".hdr or .exr files (paths)"
     )
     parser.add_argument("--width", type=int, default=96, help="neurons of a hidden layer")
     parser.add_argument("--hidden-layers", type=int, default=2, help="of the decoder")
     parser.add_argument("--steps", type=int, default=6000, help="of training")
-    parser.add_argument("--lights", type=int, default=8, help="brightest cells taken exactly")
     parser.add_argument("--seed", type=int, default=0, help="of training")
     add_out(parser)
