@@ -15,7 +15,7 @@ from rna_bench.lobes.lobe_model import LobeInputs, LobeModel, QueryRows, densiti
 from rna_bench.lobes.view_points import PartViews, Rows
 from rna_export.training.optimization.training_threads import threads_in_use, use_threads
 
-_ROWS, _NEW = 2048, 256  # points of a step, and those of them that no step has had
+_ROWS, _NEW = 2048, 64  # points of a step, and those of them that no step has had
 _KEPT = 100_000  # points
 _DIRECTIONS, _LIGHTS = 64, 32  # of a point
 _KAPPA = (0.5, 30.0)  # of the lights
