@@ -54,7 +54,8 @@ def by_three(page: Page, asset: dict, light: str, size: list[int]) -> np.ndarray
     view = json.dumps({"position": asset["position"], "lookAt": asset["look_at"]})
     found = page.evaluate(
         f"""(async () => {{
-            const {{ THREE, rna, picture, sun }} = test, light = (kind, at, ...values) => {{
+            const {{ THREE, rna, picture, sun, shadowingSun }} = test;
+            const light = (kind, at, ...values) => {{
                 const one = new THREE[kind](...values), middle = new THREE.Vector3(0.2, 0.15, 0);
                 one.position.set(...at);
                 if (kind === "RectAreaLight") one.lookAt(middle);
@@ -76,12 +77,13 @@ def by_three(page: Page, asset: dict, light: str, size: list[int]) -> np.ndarray
     ("asset", "light", "of_three", "size", "samples", "least"),
     [
         (TOY, SUN, "sun()", SIZE, 1, 40.0),
+        (TOY, SUN, "shadowingSun()", SIZE, 1, 40.0),  # the map's shadow of the asset is not seen
         (CURLS, SUN, "sun()", SIZE, 1, 40.0),
         (TOY, POINT, POINT_OF_THREE, SIZE, 1, 40.0),
         (TOY, SPOT, SPOT_OF_THREE, SIZE, 1, 40.0),
         (TOY, RECTANGLE, RECTANGLE_OF_THREE, SIZE, 256, 35.0),  # of four points of the lamp
     ],
-    ids=["toy-sun", "curls-sun", "toy-point", "toy-spot", "toy-rectangle"],
+    ids=["toy-sun", "toy-sun-with-map", "curls-sun", "toy-point", "toy-spot", "toy-rectangle"],
 )
 @pytest.mark.usefixtures("middles_of_pixels")
 def test_light(asset, light, of_three, size, samples, least, page, tmp_path):

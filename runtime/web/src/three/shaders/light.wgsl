@@ -1,7 +1,10 @@
 // What the asset sends to the viewer of light from one direction, and how much of that light it keeps from itself.
 
-// x: visibility of the light along wi, 0 or 1. y: how far along wi others may shadow the point: where the light enters
-// the asset, so that a shadow map in which the asset itself is tells of others alone.
+// How far before the asset shadow maps are asked, in EXTENT: nearer, a coarse map has the asset's own shadow.
+const MAP_MARGIN = 0.03;
+
+// x: visibility of the light along wi, 0 or 1. y: how far along wi others may shadow the point: shortly before the light
+// enters the asset, so that a shadow map in which the asset itself is tells of others alone.
 fn own_visibility(wi: vec3f, wants_entry: bool) -> vec2f {
     let v = vertex;
     var origin = v.x;
@@ -10,7 +13,7 @@ fn own_visibility(wi: vec3f, wants_entry: bool) -> vec2f {
     }
     var hit = rna_miss(RNA_FAR);
     if !rna_trace_body(1u, RnaRay(origin, 0.0, wi, RNA_FAR), v.strand, true, &hit) {
-        return vec2f(1.0, 0.0);
+        return vec2f(1.0, MAP_MARGIN * EXTENT);
     }
     if !wants_entry {
         return vec2f(0.0);
@@ -18,7 +21,7 @@ fn own_visibility(wi: vec3f, wants_entry: bool) -> vec2f {
     let far = 4.0 * EXTENT;
     var entry = rna_miss(far);
     rna_trace_body(1u, RnaRay(v.x + far * wi, 0.0, -wi, far), v.strand, false, &entry);
-    return vec2f(0.0, far - entry.t);
+    return vec2f(0.0, far - entry.t + MAP_MARGIN * EXTENT);
 }
 
 // Radiance for irradiance 1 from wi, at a visibility of its own.
