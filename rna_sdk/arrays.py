@@ -28,6 +28,12 @@ def scalars(name: str, value: object, count: int | None = None) -> NDArray[np.fl
     return _rows(name, value, count, ())
 
 
+def first_not_finite(rows: NDArray[np.floating]) -> int | None:
+    """The first row of (n, k) with NaN or infinity; None if there is none."""
+    finite = np.isfinite(rows).all(axis=1)
+    return None if finite.all() else int(np.argmin(finite))
+
+
 def _rows(name: str, value: object, count: int | None, row: tuple[int, ...]) -> NDArray[np.float32]:
     shape = ", ".join(map(str, ("n" if count is None else count, *row)))
     expected = f"({shape}{'' if row else ','}) float32 array"

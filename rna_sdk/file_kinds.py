@@ -9,11 +9,14 @@ from rna_sdk.console import command_line
 
 Kind = Literal["package", "scene", "model"]
 
+_GLTF = (".gltf", ".glb")
+
 _SUFFIXES: dict[Kind, tuple[str, ...]] = {
     "package": (".rna",),
     "scene": (".yaml", ".yml"),
     "model": (
-        *(".blend", ".gltf", ".glb", ".obj", ".ply", ".abc", ".usd", ".usda", ".usdc", ".usdz"),
+        *_GLTF,
+        *(".blend", ".obj", ".ply", ".abc", ".usd", ".usda", ".usdc", ".usdz"),
         *(".fbx", ".stl", ".dae", ".data", ".hair"),
     ),
 }
@@ -23,6 +26,11 @@ def kind_of(path: Path) -> Kind | None:
     """The kind of a file by its suffix; None for any other."""
     suffix = path.suffix.lower()
     return next((kind for kind, known in _SUFFIXES.items() if suffix in known), None)
+
+
+def is_gltf(path: Path) -> bool:
+    """Whether a file is glTF, by its suffix."""
+    return path.suffix.lower() in _GLTF
 
 
 def not_a(wanted: Kind, path: Path) -> str | None:

@@ -21,8 +21,8 @@ from rna_sdk.lazy_face import lazy_face
 if TYPE_CHECKING:
     from rna_sdk.errors import MotionError
     from rna_sdk.motion.binding import Binding, bind
-    from rna_sdk.motion.motion_file import MotionFile, open_motion, write_motion
+    from rna_sdk.motion.motion_file import Motion, MotionFile, open_motion, write_motion
 
-__all__ = ["Binding", "MotionError", "MotionFile", "bind", "open_motion", "write_motion"]
+__all__ = ["Binding", "Motion", "MotionError", "MotionFile", "bind", "open_motion", "write_motion"]
 
 __getattr__, __dir__ = lazy_face(__name__)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import hashlib
 import mmap
+from abc import ABC, abstractmethod
 from collections.abc import Iterable, Sequence
 from os import PathLike
 from pathlib import Path
@@ -17,6 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rna_sdk.arrays import first_not_finite
 from rna_sdk.atomic_file import atomic_file
 from rna_sdk.errors import MotionError, PackageError
 from rna_sdk.package import Code, Curves, Mesh
@@ -47,12 +49,41 @@ _MOST_SCALE = 8.0
 """How many times as long, or as short, the edges of a first frame may be on average."""
 
 
-class MotionFile:
-    """A motion file, mapped: frames are read when they are asked for. Made by `open_motion`.
+class Motion(ABC):
+    """Positions of a package's parts, frame by frame.
 
     Attributes:
+        path: the file that it is of.
         frames: how many there are, numbered from 0.
         rate: frames a second.
+
+    Examples:
+        >>> mesh = load("toy.rna").mesh
+        >>> write_motion("still.rnam", [mesh], [[mesh.positions]], count=1, rate=24.0)
+        >>> isinstance(open_motion("still.rnam", [mesh]), Motion)
+        True
+    """
+
+    def __init__(self, path: Path, frames: int, rate: float) -> None:
+        self.path, self.frames, self.rate = path, frames, rate
+
+    def check_frame(self, frame: float) -> None:
+        """Raises MotionError where there is no such frame."""
+        last = self.frames - 1
+        if not 0 <= frame <= last:
+            raise MotionError(f"{self.path}: has frames 0 to {last}, and no frame {frame:g}")
+
+    @abstractmethod
+    def positions(self, frame: float) -> list[Float32]:
+        """Positions of each part at a frame, which may be between two: (v, 3) float32.
+
+        Raises:
+            MotionError: there is no such frame, or it has numbers that are not finite.
+        """
+
+
+class MotionFile(Motion):
+    """A motion file, mapped: frames are read when they are asked for. Made by `open_motion`.
 
     Examples:
         >>> mesh = load("toy.rna").mesh
@@ -64,18 +95,12 @@ class MotionFile:
     """
 
     def __init__(self, path: Path, rate: float, parts: Sequence[Float32]) -> None:
-        self.path, self.rate, self._parts = path, rate, tuple(parts)
-        self.frames = len(parts[0])
+        super().__init__(path, len(parts[0]), rate)
+        self._parts = tuple(parts)
 
     def positions(self, frame: float) -> list[Float32]:
-        """Positions of each part at a frame, (v, 3) float32; between two frames, linear.
-
-        Raises:
-            MotionError: there is no such frame, or it has numbers that are not finite.
-        """
-        if not 0 <= frame <= self.frames - 1:
-            last = self.frames - 1
-            raise MotionError(f"{self.path}: has frames 0 to {last}, and no frame {frame:g}")
+        """See `Motion`; between two frames, linear."""
+        self.check_frame(frame)
         before = int(frame)
         share = np.float32(frame - before)
         result = self._frame(before)
@@ -190,9 +215,7 @@ def write_motion(
 
 def check_finite(where: str, positions: NDArray[np.floating]) -> None:
     """Raises MotionError, which starts with `where`, for positions that are not finite."""
-    finite = np.isfinite(positions).all(axis=1)
-    if not finite.all():
-        at = int(np.argmin(finite))
+    if (at := first_not_finite(positions)) is not None:
         raise MotionError(f"{where}: vertex {at} is at {positions[at].tolist()}")
 
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.arrays import scalars, vectors
+from rna_sdk.arrays import first_not_finite, scalars, vectors
 from rna_sdk.errors import QueryError
 from rna_sdk.package import Curves, Mesh
 
@@ -224,9 +224,7 @@ def _empty(count: int) -> RestPoints:
 def _checked(name: str, value: object, count: int) -> Float32:
     """The positions of a deformed shape: finite, one for each point of the package."""
     moved = vectors(name, value, count)
-    finite = np.isfinite(moved).all(axis=1)
-    if not finite.all():
-        at = int(np.argmin(finite))
+    if (at := first_not_finite(moved)) is not None:
         raise QueryError(f"{name}: row {at} is {moved[at].tolist()}, expected finite numbers")
     return moved
 

@@ -13,13 +13,12 @@ from typing import TYPE_CHECKING
 
 from rna_export.capture.orientation import AXES, joined_axes
 from rna_sdk.console import command_parser, run_command, split_script_arguments
+from rna_sdk.file_kinds import is_gltf
 
 if TYPE_CHECKING:
     import numpy as np
 
     from rna_sdk.package import Curves, Mesh
-
-GLTF = (".gltf", ".glb")
 
 
 def parser() -> argparse.ArgumentParser:
@@ -40,7 +39,7 @@ def parser() -> argparse.ArgumentParser:
     add(
         "--rate",
         type=float,
-        help="frames per second (float, default: 24 for glTF, else the source's)",
+        help="frames per second (float, default: 24 for glTF, else that of Blender's scene)",
     )
     add(
         "--frames",
@@ -60,7 +59,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     options = p.parse_args(joined_axes(given))
     if options.rate is not None and not options.rate > 0:
         p.error(f"--rate: expected more than 0, found {options.rate:g}")
-    if options.clip is not None and options.source.suffix.lower() not in GLTF:
+    if options.clip is not None and not is_gltf(options.source):
         p.error("--clip is for glTF")
     run = lambda: _run(options, tuple(script))  # noqa: E731
     return run_command(run, options.debug, "nothing was written", "capture")
@@ -85,10 +84,9 @@ def _run(options: argparse.Namespace, script: tuple[str, ...]) -> None:
     with Package.open(options.package) as package:
         geometries = [package.geometry(k) for k in range(len(package.manifest.parts))]
     with ExitStack() as stack:
-        is_gltf = options.source.suffix.lower() in GLTF
         frames, count, rate = (
             _of_gltf(options, geometries)
-            if is_gltf
+            if is_gltf(options.source)
             else _of_blender(options, script, geometries, stack)
         )
         bar = tqdm(frames, total=count, unit="frame", leave=False)

@@ -4,50 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Protocol
 
 import numpy as np
 
 from rna_render.motion.gltf_motion import GltfMotion
 from rna_sdk.console import command_line
 from rna_sdk.errors import MotionError
-from rna_sdk.file_kinds import kind_of
-from rna_sdk.motion import Binding, bind, open_motion
+from rna_sdk.file_kinds import is_gltf, kind_of
+from rna_sdk.motion import Binding, Motion, bind, open_motion
 from rna_sdk.package import Curves, Mesh
 
-GLTF = (".gltf", ".glb")
 
-
-class Motion(Protocol):
-    """Positions of an asset's parts by frame; rna_sdk.motion.MotionFile is one."""
-
-    @property
-    def frames(self) -> int: ...
-
-    @property
-    def rate(self) -> float: ...
-
-    def positions(self, frame: float) -> list[np.ndarray]: ...
-
-
-class BoundMotion:
-    """Parts that follow an animated glTF.
-
-    Attributes:
-        frames, rate: as of the glTF.
-    """
+class BoundMotion(Motion):
+    """Parts that follow an animated glTF."""
 
     def __init__(self, source: GltfMotion, bindings: Sequence[Binding]) -> None:
+        super().__init__(source.path, source.frames, source.rate)
         self._source, self._bindings = source, bindings
-        self.frames, self.rate = source.frames, source.rate
 
     def positions(self, frame: float) -> list[np.ndarray]:
-        """Positions of each part at a frame: (v, 3) float32. Raises MotionError if it has none."""
-        if not 0 <= frame <= self.frames - 1:
-            last = self.frames - 1
-            raise MotionError(
-                f"{self._source.path}: has frames 0 to {last}, and no frame {frame:g}"
-            )
+        """See `Motion`."""
+        self.check_frame(frame)
         source = self._source.positions(frame)
         return [binding.positions(source) for binding in self._bindings]
 
@@ -67,8 +44,7 @@ def open_asset_motion(
     Raises:
         MotionError: the file is no motion, or not one of this package.
     """
-    suffix = path.suffix.lower()
-    if suffix in GLTF:
+    if is_gltf(path):
         return bound_gltf(GltfMotion(path, clip, rate), geometries, package)
     if kind_of(path) == "model":
         out = path.with_suffix(".rnam").name

@@ -6,11 +6,12 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from rna_render.lights import AssetEmission
-from rna_render.motion.asset_motion import Motion, open_asset_motion
+from rna_render.motion.asset_motion import open_asset_motion
 from rna_render.scene.scene_file import SceneFile
 from rna_render.scene.scene_model import MotionModel
 from rna_render.world.placements import emission_of
 from rna_sdk.errors import MotionError, QueryError
+from rna_sdk.motion import Motion
 from rna_trace.asset_parts import Asset, Shape, part_geometry
 
 Shapes = Sequence[Shape]
@@ -23,7 +24,6 @@ class MotionLoader:
         self._motions: dict[tuple[object, ...], Motion] = {}
         self._shapes: dict[tuple[object, ...], Shapes] = {}
         self._emissions: dict[int, AssetEmission | None] = {}
-        self._lengths: dict[tuple[object, ...], int] = {}
         self._scene: object = None
 
     def shapes(
@@ -40,39 +40,47 @@ class MotionLoader:
         model = scene_file.scene.assets[index].motion
         if model is None:
             return None
-        path = scene_file.resolve(model.path)
-        key = id(asset), path, model.clip, model.rate
+        key = _key(scene_file, index)
         try:
             if key not in self._motions:
                 geometries = [part_geometry(part) for part in asset.parts]
                 at = model.clip, model.rate
+                path = scene_file.resolve(model.path)
                 self._motions[key] = open_asset_motion(path, geometries, package.name, *at)
-                self._lengths[key[1:]] = self._motions[key].frames
-            frame = _frame(model, self._motions[key].frames)
-            if (*key, frame) not in self._shapes:
-                positions = self._motions[key].positions(frame)
-                pairs = zip(asset.parts, positions, strict=True)
-                self._shapes[(*key, frame)] = [part.deformed(p) for part, p in pairs]
+            motion = self._motions[key]
+            frame = _frame(model, motion.frames)
+            shape = id(asset), *key, frame
+            if shape not in self._shapes:
+                pairs = zip(asset.parts, motion.positions(frame), strict=True)
+                self._shapes[shape] = [part.deformed(p) for part, p in pairs]
         except (MotionError, QueryError) as error:
             raise scene_file.error(("assets", index, "motion"), str(error)) from error
-        return self._shapes[(*key, frame)]
+        return self._shapes[shape]
 
     def check(self, scene_file: SceneFile) -> None:
         """Raises SceneError where a motion that is open has not the frame of the scene."""
         for index, asset in enumerate(scene_file.scene.assets):
-            if (model := asset.motion) is None:
+            if asset.motion is None or (key := _key(scene_file, index)) not in self._motions:
                 continue
-            path = scene_file.resolve(model.path)
-            frames = self._lengths.get((path, model.clip, model.rate))
-            if frames is not None and _frame(model, frames) > frames - 1:
-                has = f"has frames 0 to {frames - 1}, and no frame {model.start:g}"
-                raise scene_file.error(("assets", index, "motion"), f"{path}: {has}")
+            motion = self._motions[key]
+            try:
+                motion.check_frame(_frame(asset.motion, motion.frames))
+            except MotionError as error:
+                raise scene_file.error(("assets", index, "motion"), str(error)) from error
 
     def emission(self, asset: Asset, shapes: Shapes) -> AssetEmission | None:
         """The emission of an asset in motion, made once a frame."""
         if id(shapes) not in self._emissions:
             self._emissions[id(shapes)] = emission_of(asset, shapes)
         return self._emissions[id(shapes)]
+
+
+def _key(scene_file: SceneFile, index: int) -> tuple[object, ...]:
+    """What an asset of the scene has its motion by: all tiers of a package have its vertices."""
+    model = scene_file.scene.assets[index].motion
+    assert model is not None
+    path = scene_file.resolve(model.path)
+    return scene_file.asset_path(index), path, model.clip, model.rate
 
 
 def _frame(model: MotionModel, frames: int) -> float:
