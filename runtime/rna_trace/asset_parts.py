@@ -95,25 +95,36 @@ class Asset(Protocol):
 
 def part_geometry(part: AssetPart, shape: Shape | None = None) -> Mesh | Curves:
     """Geometry of a part for ray tracing. shape: of the part in motion; None for rest."""
-    if shape is not None:
-        return shape.curves if isinstance(shape, DeformedCurves) else shape.mesh
-    return part.curves if part.kind == "fiber" else part.mesh
+    if part.kind == "fiber":
+        return shape.curves if isinstance(shape, DeformedCurves) else part.curves
+    return part_mesh(part, shape)
+
+
+def part_mesh(part: SurfacePart, shape: Shape | None = None) -> Mesh:
+    """The mesh of a part that has one. shape: as for `part_geometry`."""
+    return shape.mesh if isinstance(shape, DeformedMesh) else part.mesh
+
+
+def shaped_parts(
+    asset: Asset, shapes: Sequence[Shape] | None
+) -> list[tuple[AssetPart, Shape | None]]:
+    """Each part, with its shape where the asset is in motion. shapes: None at rest."""
+    given: Sequence[Shape | None] = shapes or [None] * len(asset.parts)
+    return list(zip(asset.parts, given, strict=True))
 
 
 def part_transmittance(part: AssetPart, shape: Shape | None = None) -> Transmittance | None:
     """Transmittance of a part; None if it is opaque. shape: as for `part_geometry`."""
     if part.kind == "fiber":
         return None
-    mesh = shape.mesh if isinstance(shape, DeformedMesh) else part.mesh
-    return mesh_transmittance(mesh, part.transmittance_records)
+    return mesh_transmittance(part_mesh(part, shape), part.transmittance_records)
 
 
 def part_normal_maps(part: AssetPart, shape: Shape | None = None) -> NormalMaps | None:
     """The relief of a part; None where it has none. shape: as for `part_geometry`."""
     if part.kind == "fiber" or not part.normal_maps:
         return None
-    mesh = shape.mesh if isinstance(shape, DeformedMesh) else part.mesh
-    return NormalMaps(mesh, part.normal_maps)
+    return NormalMaps(part_mesh(part, shape), part.normal_maps)
 
 
 def mesh_transmittance(mesh: Mesh, records: Sequence[TransmittanceRecord]) -> Transmittance | None:

@@ -11,7 +11,7 @@ from rna_render.lights.base import ShapeLight
 from rna_render.lights.directions import luminance
 from rna_render.lights.mesh import TriangleLight
 from rna_render.materials.mesh_object import EMISSION_FLOOR, points_of_a_triangle
-from rna_sdk.package import Curves, Mesh
+from rna_sdk.package import Curves
 from rna_sdk.runtime import DeformedCurves, DeformedMesh, Transform, offset_across
 from rna_trace.asset_parts import (
     Asset,
@@ -19,8 +19,10 @@ from rna_trace.asset_parts import (
     Shape,
     SurfacePart,
     part_geometry,
+    part_mesh,
     part_normal_maps,
     part_transmittance,
+    shaped_parts,
 )
 from rna_trace.embree.tracing import ClosestHits
 from rna_trace.fiber import FiberPoints
@@ -47,11 +49,11 @@ class AssetEmission(TriangleLight):
     """
 
     def __init__(self, asset: Asset, shapes: Sequence[Shape] | None = None) -> None:
-        self._parts = {k: part for k, part in enumerate(asset.parts) if part.emits}
-        self._shapes: Sequence[Shape | None] = shapes or [None] * len(asset.parts)
+        pairs = enumerate(shaped_parts(asset, shapes))
+        self._parts = {k: (part, shape) for k, (part, shape) in pairs if part.emits}
         self._meshes = {
-            k: _MeshEmitter(part, self._shapes[k])
-            for k, part in self._parts.items()
+            k: _MeshEmitter(part, shape)
+            for k, (part, shape) in self._parts.items()
             if part.kind == "surface"
         }
         counts = [len(mesh.mesh.triangles) for mesh in self._meshes.values()]
@@ -64,11 +66,11 @@ class AssetEmission(TriangleLight):
         self, x_world: np.ndarray, d_world: np.ndarray, hits: ClosestHits, ng_world: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
         radiance, pdf = np.zeros_like(x_world), np.zeros(len(x_world), np.float32)
-        for k, part in self._parts.items():
+        for k, (part, shape) in self._parts.items():
             row = np.flatnonzero(hits.geometry == k)
             at, wo = hits.take(row), -d_world[row]
             if part.kind == "fiber":
-                radiance[row] = _strand_emission(part, self._shapes[k], at, ng_world[row], wo)
+                radiance[row] = _strand_emission(part, shape, at, ng_world[row], wo)
                 continue
             radiance[row] = self._meshes[k].emission(at.primitive, at.u, at.v, wo)
             triangle = at.primitive + np.int32(self._first[k])
@@ -136,9 +138,7 @@ class _MeshEmitter:
     """A part with a mesh. wo: (n, 3) float32, unit, object space; the rest as in ClosestHits."""
 
     def __init__(self, part: SurfacePart, shape: Shape | None) -> None:
-        self.part, mesh = part, part_geometry(part, shape)
-        assert isinstance(mesh, Mesh)
-        self.mesh = mesh
+        self.part, self.mesh = part, part_mesh(part, shape)
         self._shape = shape if isinstance(shape, DeformedMesh) else None
         self._transmittance: Transmittance | None = part_transmittance(part, shape)
         self._normal_maps = part_normal_maps(part)

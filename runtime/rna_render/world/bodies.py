@@ -26,6 +26,7 @@ from rna_trace.asset_parts import (
     part_geometry,
     part_normal_maps,
     part_transmittance,
+    shaped_parts,
 )
 from rna_trace.embree import TriangleScene
 from rna_trace.embree.tracing import ClosestHits
@@ -59,12 +60,14 @@ class AssetBody:
         self._parts = asset.parts
         self._indirect = asset.parts if indirect is None else indirect.parts
         self.part_count = len(self._parts)
-        self._shapes: Sequence[Shape | None] = shapes or [None] * self.part_count
-        pairs = list(zip(self._parts, self._shapes, strict=True))
+        pairs = shaped_parts(asset, shapes)
+        self._shapes = [shape for _, shape in pairs]
         tables = [part_transmittance(*pair) for pair in pairs]
         maps = [part_normal_maps(*pair) for pair in pairs]
         self.scene = PartsScene([part_geometry(*pair) for pair in pairs], tables, maps)
-        self._rest_maps = [part_normal_maps(part) for part in self._parts]
+        self._rest_maps = [
+            None if shape is None else part_normal_maps(part) for part, shape in pairs
+        ]
 
     def points(
         self, part: int, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray, seen: bool

@@ -10,7 +10,7 @@ import numpy as np
 
 from rna_render.lights import AssetEmission, AssetLight, MeshLight, PlacedLight, ShapeLight
 from rna_render.materials import MeshObject
-from rna_trace.asset_parts import Asset, Shape, part_geometry
+from rna_trace.asset_parts import Asset, Shape, part_geometry, shaped_parts
 
 SceneObject = Asset | MeshObject | PlacedLight
 
@@ -51,11 +51,8 @@ def _box(
 ) -> tuple[np.ndarray, np.ndarray]:
     if isinstance(scene_object, MeshObject):
         return scene_object.positions.min(axis=0), scene_object.positions.max(axis=0)
-    parts = cast(Asset, scene_object).parts
-    if shapes is None:
-        boxes = [part_geometry(part).box() for part in parts]
-    else:
-        boxes = [part_geometry(*pair).box() for pair in zip(parts, shapes, strict=True)]
+    pairs = shaped_parts(cast(Asset, scene_object), shapes)
+    boxes = [part_geometry(*pair).box() for pair in pairs]
     low, high = zip(*boxes, strict=True)
     return np.min(low, axis=0), np.max(high, axis=0)
 
