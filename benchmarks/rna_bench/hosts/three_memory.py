@@ -20,6 +20,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import resource
 import shutil
 import tempfile
 import time
@@ -100,9 +101,8 @@ def memory(page: Page) -> dict[str, Any]:
     sizes = {"page_mb": 0.0, "gpu_mb": 0.0}
     for process in descendants(os.getpid()):
         command = Path(f"/proc/{process}/cmdline").read_text()
-        resident = (
-            int(Path(f"/proc/{process}/statm").read_text().split()[1]) / 256
-        )  # pages of 4 KiB
+        pages = int(Path(f"/proc/{process}/statm").read_text().split()[1])
+        resident = pages * resource.getpagesize() / 2**20
         for option, name in (("--type=renderer", "page_mb"), ("--type=gpu-process", "gpu_mb")):
             if option in command:
                 sizes[name] += resident

@@ -1,4 +1,4 @@
-"""Sets of directions, and the densities of von Mises-Fisher distributions."""
+"""Sets of directions, and random rotations."""
 
 from __future__ import annotations
 
@@ -30,9 +30,3 @@ def random_rotations(count: int, rng: np.random.Generator) -> NDArray[np.float32
         [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
     ]
     return np.moveaxis(np.array(rows, np.float32), 2, 0)
-
-
-def log_c(kappa: np.ndarray) -> np.ndarray:
-    """log of kappa / (4 pi sinh kappa), what makes exp(kappa cos) a density."""
-    inner = np.log(kappa) - np.log(2 * np.pi) - np.log1p(-np.exp(-2 * kappa))
-    return np.asarray(inner - kappa)

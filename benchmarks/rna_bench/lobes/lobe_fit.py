@@ -19,9 +19,7 @@ _ROWS, _NEW = 2048, 64  # points of a step, and those of them that no step has h
 _KEPT = 100_000  # points
 _DIRECTIONS, _LIGHTS = 64, 32  # of a point
 _KAPPA = (0.5, 30.0)  # of the lights
-_STRIDE = (
-    7  # between concentrations of neighbouring lights, so that none has its part of the sphere
-)
+_STRIDE = 7  # in concentrations between neighbouring lights: none has a part of the sphere alone
 _RATE = 5e-3
 _EPSILON = 0.1  # of the relative error; radiance under a light of radiance 1
 
