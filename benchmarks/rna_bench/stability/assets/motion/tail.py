@@ -37,7 +37,7 @@ def guides(rng):
 
 
 def swung(points, angle_deg):
-    """Points (s, n, 3), +Y up, whose segments have turned about z: half at the tie, all at the tip."""
+    """Points (s, n, 3), +Y up, whose segments turn about z: by half of it at the tie."""
     t = np.linspace(0.5, 1.0, points.shape[1] - 1)
     c, s = np.cos(np.radians(angle_deg) * t), np.sin(np.radians(angle_deg) * t)
     step = np.diff(points, axis=1)
