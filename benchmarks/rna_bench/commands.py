@@ -63,6 +63,7 @@ GROUPS: dict[str, tuple[Command, ...]] = {
     "hosts": (
         Command("preview", "hosts.preview"),
         Command("viewer", "hosts.viewer", extra="gpu"),
+        Command("first-look", "hosts.first_look"),
         Command("three", "hosts.three_memory"),
         Command("mitsuba", "hosts.mitsuba", extra="mitsuba"),
         Command("blender", "hosts.blender"),

@@ -41,15 +41,17 @@ class PackedDecoder:
 
 
 def pack_decoder(
-    decoder: ProfileDecoder, inputs: tuple[str, ...], channels: int, name: str
+    decoder: ProfileDecoder, inputs: tuple[str, ...], channels: int, name: str, more: int = 0
 ) -> PackedDecoder:
     """The decoder for these input blocks, `channels` wide features; name: for messages.
+
+    more: columns behind those of the blocks, a multiple of GROUP, as decoders of lobes have.
 
     Raises:
         QueryError: the decoder is larger than the shader takes.
     """
     _check(decoder, name)
-    columns, slots, query_groups = _spread(inputs, channels)
+    columns, slots, query_groups = _spread(inputs, channels, more)
     pieces = _Pieces()
     gain = NONE
     if decoder.gain is not None and decoder.offset is not None:
@@ -92,7 +94,7 @@ def _check(decoder: ProfileDecoder, name: str) -> None:
 
 
 def _spread(
-    inputs: tuple[str, ...], channels: int
+    inputs: tuple[str, ...], channels: int, more: int
 ) -> tuple[NDArray[np.intp], tuple[int, ...], int]:
     """Padded index of each query column, first group of each block, and number of groups."""
     places: list[NDArray[np.intp]] = []
@@ -102,6 +104,8 @@ def _spread(
         slots[name] = group
         places.append(GROUP * group + np.arange(width))
         group += -(-width // GROUP)
+    places.append(GROUP * group + np.arange(more))
+    group += more // GROUP
     return np.concatenate(places), tuple(slots.values()), group
 
 

@@ -11,7 +11,7 @@ const PAGES = {
   viewer: { own: "../rna_view/site", more: [{ in: "src/element/rna_viewer.js", out: "rna-viewer" }] },
   preview: { own: "../rna_render/preview/site", more: [] },
 };
-const ENTRIES = ["surface", "fiber", "evaluate", "weights_uniform.wgsl", "weights_storage.wgsl", "hit", "light", "queue"];
+const ENTRIES = ["surface", "fiber", "evaluate", "weights_uniform.wgsl", "weights_storage.wgsl", "hit", "light", "queue", "columns", "environment_lobes.wgsl"];
 
 /** Imports that are no files: rna_gpu's shaders; and in place of all of three what its reader of EXR needs. */
 const plugin = {

@@ -9,8 +9,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from rna_sdk.package import query_width
 from rna_view.site_files import Site, site_for
-from tests.package.builders import make_tier, make_tiny_fiber_package, make_tiny_package
+from tests.package.builders import INPUTS, make_tier, make_tiny_fiber_package, make_tiny_package
+from tests.package.environment_packages import even_decoder, with_lobes
 from tests.render.chromium import Page
 from tests.web.pages import APIS, TIMEOUT, base64_of, notice, viewer, wait_for_picture
 
@@ -121,6 +123,56 @@ def test_dropped_package_is_shown(page, tmp_path, package):
     page.wait_for("rnaViewer.shown.parts[0].kind === 'surface'", TIMEOUT)
     wait_for_picture(page, 3)
     assert notice(page) is None
+
+
+SHOWN = """globalThis.pictures = [];
+rnaViewer.viewer.addEventListener("shown", () => {
+    const { stats: { rounds, scale }, shown: { firstLook } } = rnaViewer.viewer;
+    pictures.push([rounds, scale, firstLook]);
+});"""
+FIRST_LOOK = """(async () => {
+    const { viewer, engine } = rnaViewer, { sums } = engine;
+    viewer.pause();
+    await engine.done();
+    engine.sums = engine.firstLook;
+    const values = await engine.picture();
+    engine.sums = sums;
+    viewer.start();
+    return [...values];
+})()"""
+
+
+def test_package_with_lobes_has_a_first_look(page, tmp_path, package):
+    """It is whole before the first sample, what shows while something moves, and fades."""
+    columns = query_width(INPUTS, 4) + 16
+    lobes = even_decoder(columns, 0.125)
+    drop(page, with_lobes(package, tmp_path / "lobes.rna", decoder=lobes))
+    page.evaluate(SHOWN)
+    page.evaluate("rnaViewer.setGround(false)")
+    page.evaluate("rnaViewer.setLight({ choice: 'white', sun: 0, strength: 1.5 })")
+    wait_for_picture(page, 3)
+    assert notice(page) is None
+    pictures = page.evaluate("pictures")
+    if page.evaluate("rnaViewer.engine.constructor.label") == "WebGL2":
+        assert all(rounds > 0 and not look for rounds, _, look in pictures)  # it has none
+    else:
+        assert pictures[0][0] == 0
+        assert [0, 1, 1] in pictures
+        shares = [look for rounds, scale, look in pictures if scale == 1]
+        assert shares == sorted(shares, reverse=True)
+        look = np.reshape(page.evaluate(FIRST_LOOK), (-1, 4))
+        asset = look[look[:, 3] == 1, :3]
+        assert len(asset) > 1000
+        # Four lobes of .125 under a radiance of 1.5.
+        assert asset == pytest.approx(np.full_like(asset, 0.75), rel=2e-3)
+        wait_for_picture(page, 3)
+        page.evaluate("pictures.length = 0; rnaViewer.turnTable(0.3, true)")
+        page.wait_for("pictures.length", TIMEOUT)
+        assert page.evaluate("pictures.every(([rounds, , look]) => rounds === 0 && look === 1)")
+    page.evaluate("rnaViewer.reset(), rnaViewer.chooseImage('studio'), rnaViewer.setGround(true)")
+    drop(page, package)
+    wait_for_picture(page, 3)
+    assert page.evaluate("rnaViewer.viewer.shown.firstLook") == 0
 
 
 @pytest.mark.parametrize("suffix", [".hdr", ".exr"])

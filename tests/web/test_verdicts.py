@@ -16,6 +16,7 @@ from rna_sdk.package.issues import Severity
 from tests.conftest import REPOSITORY
 from tests.package.builders import make_tiny_package, read_entries
 from tests.package.corpus import content_cases
+from tests.package.environment_packages import decoder, harmonics, with_lobes
 
 PROGRAM = REPOSITORY / "benchmarks" / "rna_bench" / "readers" / "fuzz_viewer.mjs"
 
@@ -29,12 +30,17 @@ pytestmark = pytest.mark.skipif(shutil.which("node") is None, reason="needs Node
 
 def verdicts(*packages: bytes) -> list[str]:
     """ "accepted", the code of a refusal, or NOT_SUPPORTED, of each."""
+    return judged(*packages)[0]
+
+
+def judged(*packages: bytes) -> tuple[list[str], list[list[str]]]:
+    """The verdicts, and each package's warnings."""
     stream = b"".join(struct.pack("<I", len(data)) + data for data in packages)
     command = ["node", str(PROGRAM), str(WEB_READER), "--verdicts"]
     done = subprocess.run(command, input=stream, capture_output=True, check=True, timeout=300)
     found = json.loads(done.stdout)
     assert found["failures"] == []
-    return found["verdicts"]
+    return found["verdicts"], found["warnings"]
 
 
 def test_broken_packages_of_the_kit() -> None:
@@ -57,3 +63,34 @@ def test_decoder_of_countless_layers_with_one_weight(tmp_path) -> None:
     entries = read_entries(make_tiny_package(tmp_path / "tiny.rna"))
     package = content_cases.decoder_of_countless_layers_with_one_weight(entries)
     assert verdicts(package) == ["DECODER_COST"]
+
+
+BROKEN = {
+    "odd": ({"lobes": 3}, {}, "FIELD_VALUE"),
+    "countless": ({"lobes": 34}, {}, "FIELD_VALUE"),
+    "another_block": ({"inputs": ["tangent"]}, {}, "INPUT_KIND"),
+    "no_entry": ({"decoder": "decoders/none.onnx"}, {}, "REFERENCE_MISSING"),
+    "unknown_member": ({"glow": 1}, {}, "FIELD_UNKNOWN"),
+    "other_outputs": ({"lobes": 6}, {}, "DECODER_OUTPUT"),
+    "other_inputs": ({}, {"decoder": decoder(5)}, "DECODER_INPUT"),
+    "no_decoder": ({}, {"decoder": b"none"}, "DECODER_NOT_ONNX"),
+    "few_points": ({}, {"visibility": harmonics(11)}, "VISIBILITY_TENSOR"),
+    "few_columns": ({}, {"visibility": harmonics(12, 9)}, "VISIBILITY_TENSOR"),
+    "no_tensors": ({}, {"visibility": b"none"}, "VISIBILITY_TENSOR"),
+}
+
+
+def test_lobes_that_are_broken_are_left_out(tmp_path) -> None:
+    """One line of each, and the asset is shown."""
+    plain = make_tiny_package(tmp_path / "tiny.rna")
+    good = with_lobes(plain, tmp_path / "good.rna")
+    cases = [good, with_lobes(plain, tmp_path / "untold.rna", {"visibility": None})]
+    for name, (record, entries, _) in BROKEN.items():
+        cases.append(with_lobes(plain, tmp_path / f"{name}.rna", record, **entries))
+    found, lines = judged(*(path.read_bytes() for path in cases))
+    assert set(found) == {"accepted"}
+    assert lines[:2] == [[], []]
+    for (name, (_, _, code)), own in zip(BROKEN.items(), lines[2:], strict=True):
+        assert len(own) == 1, (name, own)
+        assert own[0].startswith("no first look: "), name
+        assert own[0].endswith(f"[{code}]"), (name, own)

@@ -39,7 +39,7 @@ function checkTexture({ triangles: [first, count], texture }, mesh) {
   expect(values.length === height * width * channels, "a texture of another size");
 }
 
-function checkPart({ mesh, curves, transmittance, normalMaps, planes, transport, emission }) {
+function checkPart({ mesh, curves, transmittance, normalMaps, planes, transport, emission, environment }) {
   if (mesh) {
     expect(mesh.positions.length === mesh.normals.length, "normals of another count");
     expect(!mesh.uvs || mesh.uvs.length / 2 === mesh.positions.length / 3, "uvs of another count");
@@ -51,18 +51,26 @@ function checkPart({ mesh, curves, transmittance, normalMaps, planes, transport,
   }
   expect((mesh?.positions ?? curves.points).every(Number.isFinite), "a position that is not finite");
   expect(planes.values.length === 3 * planes.resolution ** 2 * planes.channels, "planes of another size");
-  for (const { layers } of [transport, emission].filter(Boolean)) {
+  if (environment?.harmonics) {
+    expect(environment.harmonics.length * 3 === 16 * (mesh?.positions ?? curves.points).length, "harmonics of another count");
+  }
+  for (const { layers } of [transport, emission, environment].filter(Boolean)) {
     for (const { weight, bias, rows, columns } of layers) {
       expect(weight.length === rows * columns && bias.length === columns, "a layer of another size");
     }
   }
 }
 
-/** "accepted", or the code of the refusal. */
-async function verdict(bytes) {
+/** "accepted", or the code of the refusal; warnings go to `lines`. */
+async function verdict(bytes, lines) {
   try {
     const opened = await Package.open(new BlobSource(new Blob([bytes]), "mutation"));
-    for (const { name } of opened.manifest.tiers) (await opened.load(name)).parts.forEach(checkPart);
+    lines.push(...opened.manifest.warnings);
+    for (const { name } of opened.manifest.tiers) {
+      const { parts, warnings } = await opened.load(name, { wantsLobes: true });
+      parts.forEach(checkPart);
+      lines.push(...warnings);
+    }
     await opened.posterImage();
     return "accepted";
   } catch (error) {
@@ -86,12 +94,15 @@ async function* mutations() {
   }
 }
 
-const tally = { mutations: 0, accepted: 0, refused: {}, failures: [], verdicts: [] };
+const tally = { mutations: 0, accepted: 0, refused: {}, failures: [], verdicts: [], warnings: [] };
 for await (const bytes of mutations()) {
   const started = performance.now();
   try {
-    const found = await verdict(bytes);
-    if (process.argv[3] === "--verdicts") tally.verdicts.push(found);
+    const lines = [], found = await verdict(bytes, lines);
+    if (process.argv[3] === "--verdicts") {
+      tally.verdicts.push(found);
+      tally.warnings.push(lines);
+    }
     if (found === "accepted") tally.accepted++;
     else tally.refused[found] = (tally.refused[found] ?? 0) + 1;
     expect(performance.now() - started < SLOW_MS, `more than ${SLOW_MS} ms`);

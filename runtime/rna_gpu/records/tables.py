@@ -83,9 +83,10 @@ LIGHT_PLACES = {
     "triangles": ("sums", "primitives", "densities", "count"),
 }
 
-VIEWER_LIGHTS = ("sun", "environment", "given", "aroundPoint")
+VIEWER_LIGHTS = ("sun", "environment", "given", "aroundPoint", "mirror")
 """Lights of the viewer's passes: a sun; the environment, sampled by its brightness; directions of
-the rows; the environment, sampled around the mirror direction and the normal."""
+the rows; the environment, sampled around the mirror direction and the normal; of lobes, along the
+mirror direction, with what an even environment brings to the ground."""
 
 TABLE_CONSTANTS = {
     "OF_MATERIAL": OF_MATERIAL,

@@ -79,8 +79,8 @@ fn rna_run_layer(layer: RnaLayer, source: u32, place: u32) {
     }
 }
 
-// The colours for the queries in rna_values.
-fn rna_decode() -> RnaTransport {
+// The place of the results in rna_values, from the queries there.
+fn rna_run_decoder() -> u32 {
     rna_prepare_queries();
     var source = 0u;
     for (var k = 0u; k < rna_part.layer_count; k++) {
@@ -96,6 +96,12 @@ fn rna_decode() -> RnaTransport {
         rna_run_layer(rna_part.matrix, source, RNA_GROUPS - source);
         source = RNA_GROUPS - source;
     }
+    return source;
+}
+
+// The colours for the queries in rna_values.
+fn rna_decode() -> RnaTransport {
+    let source = rna_run_decoder();
     let first = rna_values[source];
     let second = rna_values[source + 1u];
     let visible = max(first.xyz, vec3f(0.0));

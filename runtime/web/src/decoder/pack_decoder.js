@@ -6,10 +6,13 @@ import { constants, packed } from "./records.js";
 const { RNA_NONE: NONE, MAX_LAYERS, MAX_EXACT_INPUTS, RNA_CHANNEL_GROUPS } = constants;
 const groupsOf = (width) => Math.ceil(width / 4);
 
-/** { weights, record, groups }: binding 1, binding 0 and RNA_GROUPS. */
-export function packDecoder(part, decoder, inputs) {
+/**
+ * { weights, record, groups }: binding 1, binding 0 and RNA_GROUPS. inputs: blocks; `more` columns, a multiple of 4, come
+ * behind them.
+ */
+export function packDecoder(part, decoder, inputs, more = 0) {
   checkSize(decoder);
-  const { places, slots, queryGroups } = spread(inputs, part.planes.channels);
+  const { places, slots, queryGroups } = spread(inputs, part.planes.channels, more);
   const pieces = new Pieces();
   let gain = NONE;
   if (decoder.int8) {
@@ -38,7 +41,7 @@ function checkSize({ layers, int8 }) {
 }
 
 /** Each block starts at a group of four columns. */
-function spread(inputs, channels) {
+function spread(inputs, channels, more) {
   const places = [], slots = BLOCKS.map(() => NONE);
   let group = 0;
   for (const name of inputs) {
@@ -47,6 +50,8 @@ function spread(inputs, channels) {
     for (let k = 0; k < width; k++) places.push(4 * group + k);
     group += groupsOf(width);
   }
+  for (let k = 0; k < more; k++) places.push(4 * group + k);
+  group += groupsOf(more);
   return { places, slots, queryGroups: group };
 }
 

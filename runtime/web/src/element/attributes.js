@@ -69,6 +69,7 @@ export const READERS = {
   "touch-action": choice("pan-y", "pan-x", "none"), "wheel-zoom": choice("focus", "always"),
   "auto-rotate": flag, "auto-rotate-delay": number(0, 1e9), "rotation-per-second": turn,
   samples: number(1, 1e6, true), "pixel-ratio": number(0.1, 8), jitter: number(0, 1),
+  "first-look": choice("auto", "off"),
 };
 
 /** The name of an attribute's property, as cameraOrbit. */

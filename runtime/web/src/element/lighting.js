@@ -1,5 +1,6 @@
 // What lights the asset: a sun and an environment, turned together; or the lights of a scene file.
 import { environmentTables, evenImage, studioImage } from "../light/environment.js";
+import { firstLight } from "../light/first_light.js";
 
 const BUILT_IN = { studio: ["Studio", studioImage], white: ["White from all sides", () => evenImage([1, 1, 1])] };
 const SUN_COLOUR = [1.06, 1.0, 0.9];
@@ -33,23 +34,38 @@ export class Lighting {
     return own.tables;
   }
 
+  /** Lights of a first look: suns, brightest places of the environment, and the rest of it for lobes; null without one. */
+  firstLights() {
+    if (!(this.strength > 0)) return null;
+    const own = this.images.get(this.choice), angle = this._turn();
+    const { lights, rest, up } = (own.first ??= firstLight(own.make())), scaled = (rgb) => rgb.map((value) => value * this.strength);
+    const places = lights.map(({ direction, colour }) => ({ kind: "sun", direction: turn(direction, angle), colour: scaled(colour) }));
+    return [...this._suns(), ...places, { kind: "mirror", colour: scaled(up), radiance: scaled([1, 1, 1]), turn: angle, rest }];
+  }
+
   /** { lights, irradiance }: for shaders, and what falls on a plane that faces +y. Angles in degrees. */
   lights() {
-    const lights = [], up = [0, 0, 0], all = (this.rotation + this.turntable) * RADIANS;
-    for (const { direction, irradiance } of this.suns ?? [this._sun()]) {
-      if (!irradiance.some((value) => value > 0)) continue;
-      const turned = turn(direction, all);
-      lights.push({ kind: "sun", direction: turned, colour: irradiance });
-      irradiance.forEach((value, c) => { up[c] += value * Math.max(0, turned[1]); });
-    }
+    const lights = this._suns(), up = [0, 0, 0];
+    for (const { direction, colour } of lights) colour.forEach((value, c) => { up[c] += value * Math.max(0, direction[1]); });
     if (this.strength > 0) {
       const colour = [this.strength, this.strength, this.strength];
-      const angle = all + this.imageTurn * RADIANS;
+      const angle = this._turn();
       // One light, sampled in two ways, which share it.
       lights.push({ kind: "environment", colour, angle }, { kind: "aroundPoint", colour, angle });
       this.tables().up.forEach((value, c) => { up[c] += value * this.strength; });
     }
     return { lights, irradiance: up };
+  }
+
+  /** Of the environment's image, radians. */
+  _turn() {
+    return (this.rotation + this.turntable + this.imageTurn) * RADIANS;
+  }
+
+  _suns() {
+    const all = (this.rotation + this.turntable) * RADIANS;
+    return (this.suns ?? [this._sun()]).filter(({ irradiance }) => irradiance.some((value) => value > 0))
+      .map(({ direction, irradiance }) => ({ kind: "sun", direction: turn(direction, all), colour: irradiance }));
   }
 
   _sun() {

@@ -130,6 +130,7 @@ export class Stage extends LastingEngine {
     }
     this.viewer.backdrop = linearColour(this.place);
     this.viewer.lights = lights;
+    this.viewer.firstLights = this.engine.hasLobes ? this.lighting.firstLights() : null;
     this.viewer.ground = this._ground(irradiance);
     this.viewer.restart(moving);
   }
@@ -206,7 +207,7 @@ export class Stage extends LastingEngine {
   }
 
   async _show(opened, tier, isNew, signal) {
-    const shown = await opened.load(tier);
+    const shown = await opened.load(tier, { wantsLobes: this.settings.firstLook !== "off" });
     opened.forget();
     performance.mark("package");
     await this.lit;
@@ -228,7 +229,7 @@ export class Stage extends LastingEngine {
     Object.assign(this, { opened, shown, arrays, box: arrays.box, isNew });
     if (isNew && this.scene) this.reset();
     else if (isNew) this.placeCamera();
-    const { warnings } = opened.manifest;
+    const warnings = [...opened.manifest.warnings, ...shown.warnings];
     if (warnings.length) this.notices.say(warnings.join("; "), true, "asset");
     this.tell("package", { opened, shown });
     this.viewer.stats.ms = 0;

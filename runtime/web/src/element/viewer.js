@@ -6,6 +6,8 @@ const MOVING_MS = 110;     // of a picture while something moves
 const COARSEST = 16;
 const NOISE = 0.4;         // of one sample, in values of the screen: differences that may be noise
 const NOISY_ROUNDS = 12;   // from which on no noise is taken out
+const LOOK_ROUNDS = 64;    // from which on nothing is left of the first look
+const LOOK_WORTH = 2;      // samples that it is worth: in FLIP 1 to 2 for the toy, in PSNR up to 12
 const DARKNESS = { kind: "sun", direction: [0, 1, 0], colour: [0, 0, 0] };
 
 export class Viewer extends EventTarget {
@@ -13,7 +15,7 @@ export class Viewer extends EventTarget {
     super();
     Object.assign(this, { engine, canvas, orbit });
     Object.assign(this, {
-      lights: [], ground: null, exposure: 0, view: "srgb", denoise: true, rounds: 256, jitter: 1, generation: 0, msPerPixel: 0.005, shown: null,
+      lights: [], firstLights: null, ground: null, exposure: 0, view: "srgb", denoise: true, rounds: 256, jitter: 1, generation: 0, msPerPixel: 0.005, shown: null,
       ready: false, stopped: false, moving: false, resting: false, backdrop: [0, 0, 0], stats: { ms: 0, rounds: 0 },
     });
     this.wake = null;
@@ -61,9 +63,9 @@ export class Viewer extends EventTarget {
 
   show() {
     if (!this.shown) return;
-    const { rounds } = this.shown, noisy = this.denoise && rounds < NOISY_ROUNDS;
+    const { rounds, firstLook } = this.shown, noisy = this.denoise && rounds < NOISY_ROUNDS && !firstLook;
     this.engine.show({
-      rounds, exposure: 2 ** this.exposure, backdrop: this.backdrop, filmic: this.view === "filmic",
+      rounds, firstLook, exposure: 2 ** this.exposure, backdrop: this.backdrop, filmic: this.view === "filmic",
       spread: noisy ? NOISE / Math.sqrt(rounds) : 0,
     });
   }
@@ -84,7 +86,7 @@ export class Viewer extends EventTarget {
   /** All sizes of the picture, until something changes. */
   async _picture(generation) {
     for (const scale of this._scales()) {
-      const rounds = scale === 1 && !this.moving ? this.rounds : 1;
+      const rounds = scale === 1 && !this.moving ? this.rounds : Number(!this.firstLights);
       if (!(await this._stage(generation, scale, rounds))) return;
       if (this.moving) return;
     }
@@ -92,7 +94,7 @@ export class Viewer extends EventTarget {
 
   /** Sizes to go through: what is quick enough first, then four times as many pixels each. */
   _scales() {
-    const pixels = this.canvas.width * this.canvas.height * Math.max(1, this.lights.length);
+    const pixels = this.canvas.width * this.canvas.height * Math.max(1, (this.firstLights ?? this.lights).length);
     let scale = 1;
     while (scale < COARSEST && (pixels * this.msPerPixel) / scale ** 2 > MOVING_MS) scale *= 2;
     const scales = [scale];
@@ -105,45 +107,53 @@ export class Viewer extends EventTarget {
     const width = Math.ceil(canvas.width / scale), height = Math.ceil(canvas.height / scale);
     this.shown = null;
     engine.resize(width, height);
-    const camera = { ...this.orbit.camera(width, height), jitter: this.jitter };
-    if (!this.hasShown) {  // one light is better than none
+    const camera = { ...this.orbit.camera(width, height), jitter: this.jitter }, { firstLights } = this;
+    if (firstLights) {
+      const begun = performance.now();
+      if (!(await this._round(generation, { ...camera, jitter: 0 }, 0, firstLights, "firstLook"))) return false;
+      this._present(0, scale, 1);
+      this._measure(performance.now() - begun, width * height, firstLights.length);
+    } else if (!this.hasShown) {  // one light is better than none
       if (!(await this._round(generation, camera, 0, this.lights.slice(0, 1)))) return false;
-      this._present(1, scale);
+      this._present(1, scale, 0);
     }
     for (let round = 0; round < rounds; round++) {
       const begun = performance.now();
       if (!(await this._round(generation, camera, round, this.lights))) return false;
-      this._present(round + 1, scale);
-      this._measure(performance.now() - begun, width * height, scale);
+      const ms = performance.now() - begun;
+      this._present(round + 1, scale, firstLights ? lookShare(round + 1) : 0);
+      this._measure(ms, width * height, this.lights.length);
+      if (scale === 1) this.stats.ms = this.stats.ms ? 0.7 * this.stats.ms + 0.3 * ms : ms;
     }
     return true;
   }
 
   /** A sample of every pixel, some rows at a time; false if the picture is no longer wanted. */
-  async _round(generation, camera, round, lights) {
+  async _round(generation, camera, round, lights, picture) {
     const { engine } = this, { width, height } = engine.target;
     const cost = this.msPerPixel * width * Math.max(1, lights.length);
     const rows = Math.max(1, Math.min(height, Math.floor(BAND_MS / cost), Math.floor(engine.bandPixels / width)));
     for (let from = 0; from < height; from += rows) {
       if (this.resting) await new Promise((resolve) => { this.rouse = resolve; });
-      this._band(camera, round, lights, from, Math.min(height, from + rows));
+      this._band(camera, round, lights, from, Math.min(height, from + rows), picture);
       await engine.done();
       if (generation !== this.generation || this.stopped || engine.lost) return false;
     }
     return true;
   }
 
-  _band(camera, round, lights, from, to) {
+  _band(camera, round, lights, from, to, picture) {
     const { engine } = this;
-    engine.trace(camera, round, from, to);
+    engine.trace(camera, round, from, to, picture);
     const all = lights.length ? lights : [DARKNESS];
     all.forEach((light, k) =>
       engine.light({ ...light, ground: this.ground }, { isFirst: round === 0 && k === 0, countsCoverage: k === 0 }));
     if (engine.emits) engine.emission();
   }
 
-  _present(rounds, scale) {
-    this.shown = { rounds };
+  /** firstLook: share of the first look in the picture. */
+  _present(rounds, scale, firstLook) {
+    this.shown = { rounds, firstLook };
     this.show();
     if (!this.hasShown) performance.mark("picture");
     this.hasShown = true;
@@ -151,9 +161,11 @@ export class Viewer extends EventTarget {
     this.dispatchEvent(new Event("shown"));
   }
 
-  _measure(ms, pixels, scale) {
-    const own = ms / (pixels * Math.max(1, this.lights.length));
+  _measure(ms, pixels, lights) {
+    const own = ms / (pixels * Math.max(1, lights));
     this.msPerPixel = pixels < 4096 ? Math.min(this.msPerPixel * 4, own) : 0.5 * (this.msPerPixel + own);
-    if (scale === 1) this.stats.ms = this.stats.ms ? 0.7 * this.stats.ms + 0.3 * ms : ms;
   }
 }
+
+/** Of a picture of so many samples. */
+const lookShare = (rounds) => Math.max(0, 1 - rounds / LOOK_ROUNDS) / (1 + rounds / LOOK_WORTH);

@@ -43,7 +43,8 @@ const SCHEMAS = {
     },
   }),
 };
-export const KNOWN_EXTENSIONS = Object.keys(SCHEMAS);
+// environment_form.js checks the last one.
+export const KNOWN_EXTENSIONS = [...Object.keys(SCHEMAS), "RNA_environment"];
 
 /** Fails where the data of a known extension is not as it must be. */
 export function checkExtensions(manifest) {
@@ -54,6 +55,7 @@ export function checkExtensions(manifest) {
       if (manifest.extensionsUsed?.includes(name)) fail("FIELD_MISSING", where, "its data is missing");
       continue;
     }
+    if (!SCHEMAS[name]) continue;
     checkSchema(SCHEMAS[name], data[name], where);
     CHECKS[name](data[name], manifest, where);
   }

@@ -4,7 +4,8 @@ import { entryData, MANIFEST, readDirectory } from "./container.js";
 import { readCurves } from "./curves.js";
 import { readDecoder } from "./decoder.js";
 import { decodeEntry } from "./deflate.js";
-import { fail } from "./errors.js";
+import { entriesOf, environmentOf, readHarmonics, VISIBILITY_COLUMNS } from "./environment_form.js";
+import { fail, NotSupported, PackageError } from "./errors.js";
 import { checkEntries, readManifest } from "./manifest.js";
 import { readMesh } from "./mesh.js";
 import { readPlanes } from "./planes.js";
@@ -21,6 +22,7 @@ export class Package {
     own.cache = new Map();
     own.manifest = readManifest(await own._stored(MANIFEST));
     checkEntries(own.manifest, own.directory);
+    own.environment = environmentOf(own.manifest);
     return own;
   }
 
@@ -39,17 +41,42 @@ export class Package {
 
   /** Bytes of the file that showing the tier takes. */
   bytesOf(name) {
-    return this._ranges(this._entriesOf(this.tier(name))).reduce((sum, [start, end]) => sum + end - start, 0);
+    return this._ranges([...new Set([...this._entriesOf(this.tier(name)), ...entriesOf(this.environment ?? [])])]).reduce((sum, [start, end]) => sum + end - start, 0);
   }
 
-  /** The parts of a tier, read and checked: geometry, planes, decoders, textures. */
-  async load(name) {
+  /** The parts of a tier, read and checked: geometry, planes, decoders, textures. wantsLobes: with those of the parts. */
+  async load(name, { wantsLobes = false } = {}) {
     const tier = this.tier(name), names = this._entriesOf(tier);
     await this._fetch(names);
     const data = new Map();
     for (const entry of names) data.set(entry, await this._data(entry));
     const parts = this.manifest.parts.map((part, k) => this._part(part, tier.parts[k], k, data));
-    return { name: tier.name, tier, parts };
+    return { name: tier.name, tier, parts, warnings: wantsLobes ? await this._addEnvironment(parts, tier, data) : [] };
+  }
+
+  /** Adds what the parts have for whole environments, all or none of them; a line of each fault. It is an extra. */
+  async _addEnvironment(parts, tier, data) {
+    if (!this.environment) return [];
+    try {
+      const names = entriesOf(this.environment).filter((name) => !data.has(name));
+      await this._fetch(names);
+      for (const name of names) data.set(name, await this._data(name));
+      const found = this.environment.map((own, k) => this._environment(parts[k], own, tier.parts[k], data));
+      found.forEach((own, k) => { parts[k].environment = own; });
+      return [];
+    } catch (error) {
+      if (!(error instanceof PackageError || error instanceof NotSupported)) throw error;
+      return [`no first look: ${error.message}`];
+    }
+  }
+
+  /** { inputs, lobes, harmonics or null, planes, and the decoder }. The tier's planes are taken where they are the same. */
+  _environment(part, own, ofTier, data) {
+    const { inputs, lobes, visibility } = own, points = (part.mesh?.positions ?? part.curves.points).length / 3;
+    const planes = own.planes === ofTier.planes ? part.planes : readPlanes(data.get(own.planes), own, own.planes);
+    const harmonics = visibility ? readHarmonics(data.get(visibility), points, visibility) : null;
+    const more = visibility ? VISIBILITY_COLUMNS : 0;
+    return { inputs, lobes, harmonics, planes, ...decoderOf(data, own, own, "environment", 9 * lobes, more) };
   }
 
   /** The poster's PNG, or null. */
@@ -147,8 +174,9 @@ export class Package {
   }
 }
 
-function decoderOf(data, part, own, output, outputs) {
-  const columns = own.inputs.reduce((sum, block) => sum + widthOf(block, part.channels), 0);
+/** more: columns behind those of the blocks. */
+function decoderOf(data, part, own, output, outputs, more = 0) {
+  const columns = own.inputs.reduce((sum, block) => sum + widthOf(block, part.channels), more);
   const options = { columns, outputs, output, precision: own.decoderPrecision };
   return readDecoder(data.get(own.decoder), options, own.decoder);
 }

@@ -4,9 +4,11 @@ import { planeWords } from "../decoder/pack_decoder.js";
 import { bytesOf, constants, lightNumbers, packed, viewerLights } from "../decoder/records.js";
 import { bind, bindGroup, buffer, compiled, dispatch, groupLayout, openDevice, read } from "./gpu_device.js";
 import { PartEvaluator, Pipelines } from "./part_evaluator.js";
+import { LobeLight, PartLobes } from "./part_lobes.js";
 import { rayKernels, sources } from "./sources.js";
 
 const BAND_PIXELS = 1 << 17;
+const FORMS = ["transport", "emission", "environment"];  // FORM_TRANSPORT and so on of band.wgsl
 
 export class WebGPUEngine {
   static label = "WebGPU";
@@ -78,21 +80,28 @@ export class WebGPUEngine {
     await this.compiled;
     this.raySources = rayKernels({ hasSegments: arrays.strands > 0, hasTextures: arrays.hasTextures });
     const { hit, light } = this.raySources;
+    const hasLobes = parts.every(({ environment }) => environment);
+    this.lobeLight = hasLobes ? await LobeLight.make(this, arrays) : null;
     const [traced, lit, ...made] = await Promise.all([
       pipelines.get(hit, "trace_pixels", this.rayLayout), pipelines.get(light, "light_pixels", this.rayLayout),
       ...parts.map((part) => this._makePart(part)),
     ]);
-    this.parts = made;
+    Object.assign(this, { parts: made, hasLobes });
     this.kernels = { hit: traced, light: lit, ...this.queueKernels };
-    this._bind();
+    this._makeSums();
   }
 
   async _makePart(part) {
     const { device, pipelines } = this;
-    const planes = [0, 1, 2].map((k) => buffer(device, planeWords(part.planes, k), undefined, "a plane of features"));
+    const upload = (stored) => [0, 1, 2].map((k) => buffer(device, planeWords(stored, k), undefined, "a plane of features"));
+    const planes = upload(part.planes), { environment: own } = part;
+    const ofLobes = this.lobeLight && own.planes !== part.planes ? upload(own.planes) : null;
     const make = (decoder, inputs) => PartEvaluator.make(device, pipelines, part, decoder, inputs, planes);
-    const transport = await make(part.transport, part.inputs);
-    return { planes, transport, emission: part.emission && await make(part.emission, part.emission.inputs) };
+    const [transport, emission, environment] = await Promise.all([
+      make(part.transport, part.inputs), part.emission && make(part.emission, part.emission.inputs),
+      this.lobeLight && PartLobes.make(device, pipelines, part, ofLobes ?? planes, this.lobeLight),
+    ]);
+    return { planes: [...planes, ...(ofLobes ?? [])], transport, emission, environment };
   }
 
   get emits() {
@@ -119,35 +128,41 @@ export class WebGPUEngine {
   resize(width, height) {
     if (this.target?.width === width && this.target.height === height) return;
     const capacity = width * height;
-    if (!this.sums || capacity > this.capacity || capacity * 8 < this.capacity) {
-      this.sums?.destroy();
-      this.sums = buffer(this.device, 16 * capacity, undefined, "the picture");
-      this.capacity = capacity;
-      this._bind();
-    }
     this.target = { width, height };
+    if (this.sums && capacity <= this.capacity && capacity * 8 >= this.capacity) return;
+    this.capacity = capacity;
+    this._makeSums();
+  }
+
+  /** The sum of the samples; and the first look, where the asset has lobes. */
+  _makeSums() {
+    if (!this.capacity) return;
+    for (const own of [this.sums, this.firstLook]) own?.destroy();
+    const make = (pixels) => buffer(this.device, 16 * pixels, undefined, "the picture");
+    Object.assign(this, { sums: make(this.capacity), firstLook: make(this.hasLobes ? this.capacity : 1) });
+    this._bind();
   }
 
   _bind() {
     if (!this.geometry || !this.sums || !this.band || !this.kernels) return;
     const { device, rayLayout, queueLayout, queue } = this;
     const band = bindGroup(device, rayLayout[1], { 0: this.band, 1: this.viewRecord });
+    const queries = bindGroup(device, queueLayout[2], [queue.rows, queue.answers, queue.count]);
+    const queueGroups = (sums) => [bindGroup(device, queueLayout[0], { 0: this.frameRecord, 2: sums }), band, queries];
     this.groups = {
       rays: [
         bindGroup(device, rayLayout[0], { 0: this.frameRecord, 4: this.table, 5: this.images }), band,
         bindGroup(device, rayLayout[2], this.geometry),
       ],
-      queue: [
-        bindGroup(device, queueLayout[0], { 0: this.frameRecord, 2: this.sums }), band,
-        bindGroup(device, queueLayout[2], [queue.rows, queue.answers, queue.count]),
-      ],
-      show: bind(device, this.shown, 0, [this.showRecord, this.sums]),
+      samples: queueGroups(this.sums), firstLook: queueGroups(this.firstLook),
+      show: bind(device, this.shown, 0, [this.showRecord, this.sums, this.firstLook]),
     };
   }
 
-  /** The first hits of rows `from` to `to`, the band that what follows is about. */
-  trace(camera, sample, from, to) {
+  /** The first hits of rows `from` to `to`, the band that what follows is about. picture: "samples", or "firstLook". */
+  trace(camera, sample, from, to, picture = "samples") {
     const { width } = this.target;
+    this.drawn = picture;
     this.span = { first: from * width, pixels: (to - from) * width, jitter: camera.jitter ?? 1 };
     this._writeFrame(camera, sample);
     this._writeView({});
@@ -161,19 +176,21 @@ export class WebGPUEngine {
     this._writeView(this.view);
     this._run((pass) => {
       dispatch(pass, this.kernels.light, this.groups.rays, this.span.pixels);
-      dispatch(pass, this.kernels.begin, this.groups.queue, this.span.pixels);
+      dispatch(pass, this.kernels.begin, this.groups[this.drawn], this.span.pixels);
     });
-    this._decode("transport");
+    if (light.kind === "mirror") this.lobeLight.set(light);
+    this._decode(light.kind === "mirror" ? "environment" : "transport");
   }
 
   emission() {
     this._decode("emission");
   }
 
-  show({ rounds, exposure, backdrop, filmic, spread }) {
+  /** firstLook: its share in what is shown, 1 where there are no samples. */
+  show({ rounds, firstLook, exposure, backdrop, filmic, spread }) {
     const { width, height } = this.target, { canvas, device } = this;
     device.queue.writeBuffer(this.showRecord, 0, packed("Show", {
-      size: [canvas.width, canvas.height], picture: [width, height], backdrop, rounds, exposure, filmic: Number(filmic), spread,
+      size: [canvas.width, canvas.height], picture: [width, height], backdrop, rounds, exposure, filmic: Number(filmic), spread, first_look: firstLook,
     }));
     const encoder = device.createCommandEncoder();
     const view = this.context.getCurrentTexture().createView();
@@ -200,12 +217,12 @@ export class WebGPUEngine {
     for (const [k, part] of this.parts.entries()) {
       const own = part[output];
       if (!own) continue;
-      this._writeView({ ...this.view, part: k + 1, isEmission: output === "emission" });
+      this._writeView({ ...this.view, part: k + 1, form: FORMS.indexOf(output) });
       this.device.queue.writeBuffer(this.queue.count, 0, Uint32Array.of(0));
       this._run((pass) => {
-        dispatch(pass, this.kernels.gather, this.groups.queue, this.span.pixels);
+        dispatch(pass, this.kernels.gather, this.groups[this.drawn], this.span.pixels);
         own.run(pass, this.queue, this.span.pixels);
-        dispatch(pass, this.kernels.scatter, this.groups.queue, this.span.pixels);
+        dispatch(pass, this.kernels.scatter, this.groups[this.drawn], this.span.pixels);
       });
     }
   }
@@ -226,12 +243,12 @@ export class WebGPUEngine {
     }));
   }
 
-  _writeView({ kind = "sun", direction = [0, 0, 0], colour = [0, 0, 0], ground, isFirst = false, countsCoverage = false, part = 0, isEmission = false }) {
+  _writeView({ kind = "sun", direction = [0, 0, 0], colour = [0, 0, 0], ground, isFirst = false, countsCoverage = false, part = 0, form = 0 }) {
     const { first, jitter } = this.span;
     const under = ground && { ground: ground.height, ground_colour: ground.colour, ground_size: ground.size, middle: [ground.x, ground.z] };
     this.device.queue.writeBuffer(this.viewRecord, 0, packed("View", {
       first, jitter, kind: viewerLights[kind], is_first: Number(isFirst), direction, counts_coverage: Number(countsCoverage), colour, part,
-      emission: Number(isEmission), ...under,
+      form, ...under,
     }));
   }
 
@@ -247,10 +264,10 @@ export class WebGPUEngine {
 
   _deleteAsset() {
     for (const own of [...(this.geometry ?? []), this.table, this.images]) own?.destroy();
-    for (const { planes, transport, emission } of this.parts) {
+    this.lobeLight?.delete();
+    for (const { planes, ...decoders } of this.parts) {
       planes.forEach((own) => own.destroy());
-      transport.delete();
-      emission?.delete();
+      for (const own of Object.values(decoders)) own?.delete();
     }
     this.parts = [];
     this.geometry = this.images = null;

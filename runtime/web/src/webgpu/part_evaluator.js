@@ -26,12 +26,17 @@ export class Pipelines {
 }
 
 export class PartEvaluator {
-  static async make(device, pipelines, part, decoder, inputs, planes) {
-    const own = new PartEvaluator(), { weights, record, groups } = packDecoder(part, decoder, inputs);
-    const { UNIFORM_WEIGHTS } = limits, fits = weights.length / 4 <= UNIFORM_WEIGHTS;
-    const constants = { RNA_GROUPS: groups, RNA_COLOURS: decoder.outputs === 6 ? 2 : 1 };
+  static make(device, pipelines, part, decoder, inputs, planes) {
+    const constants = { RNA_COLOURS: decoder.outputs === 6 ? 2 : 1 };
+    const what = { constants, parts: [part.kind, "evaluate"], kernel: "", entryPoint: "rna_evaluate" };
+    return this.of(device, pipelines, packDecoder(part, decoder, inputs), planes, what);
+  }
+
+  /** A kernel over rows: what packDecoder gives, and constants and parts of the module, with more WGSL behind them. */
+  static async of(device, pipelines, { weights, record, groups }, planes, { constants, parts, kernel, entryPoint }) {
+    const own = new this(), { UNIFORM_WEIGHTS } = limits, fits = weights.length / 4 <= UNIFORM_WEIGHTS;
     const file = fits ? "weights_uniform.wgsl" : "weights_storage.wgsl";
-    own.pipeline = await pipelines.get(compose(constants, file, part.kind, "evaluate"), "rna_evaluate");
+    own.pipeline = await pipelines.get(compose({ RNA_GROUPS: groups, ...constants }, file, ...parts) + kernel, entryPoint);
     const { UNIFORM, STORAGE } = GPUBufferUsage;
     const padded = fits ? new Float32Array(4 * UNIFORM_WEIGHTS) : weights;
     if (fits) padded.set(weights);
@@ -45,8 +50,12 @@ export class PartEvaluator {
 
   /** Answers of at most `most` rows, of which the first word of `count` says how many there are. */
   run(pass, { rows, answers, count }, most) {
-    this.bound ??= bind(this.device, this.pipeline, 1, [rows, answers, count]);
-    dispatch(pass, this.pipeline, [this.part, this.bound], most);
+    this.dispatch(pass, [rows, answers, count], most);
+  }
+
+  dispatch(pass, buffers, most, more = []) {
+    this.bound ??= bind(this.device, this.pipeline, 1, buffers);
+    dispatch(pass, this.pipeline, [this.part, this.bound, ...more], most);
   }
 
   delete() {

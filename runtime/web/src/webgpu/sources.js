@@ -3,14 +3,16 @@
 import { compositions, sharedFiles } from "rna_gpu/wgsl";  // by build.mjs
 import { declare, lightKinds } from "../decoder/records.js";
 import band from "./shaders/band.wgsl";
+import columns from "./shaders/columns.wgsl";
 import hit from "./shaders/hit.wgsl";
 import light from "./shaders/light.wgsl";
+import lobes from "./shaders/lobes.wgsl";
 import queue from "./shaders/queue.wgsl";
 import show from "./shaders/show.wgsl";
 import withoutSegments from "./shaders/without_segments.wgsl";
 import withoutTextures from "./shaders/without_textures.wgsl";
 
-for (const text of [band, queue, show]) declare(text);
+for (const text of [band, lobes, queue, show]) declare(text);
 
 const kinds = lightKinds((name, number) => `const ${name}: u32 = ${number}u;`);
 
@@ -34,4 +36,7 @@ export function rayKernels({ hasSegments, hasTextures }) {
   return { hit: joined(compositions.hit, instead) + band + hit, light: [joined(compositions.light, instead), band, kinds, light].join("\n") };
 }
 
-export const sources = { queue: joined(compositions.queue) + band + queue, show };
+export const sources = {
+  columns: joined(compositions.columns) + band + columns, lobes: `${sharedFiles["environment_lobes.wgsl"]}\n${sharedFiles["row_records.wgsl"]}\n${lobes}`,
+  queue: joined(compositions.queue) + band + queue, show,
+};

@@ -13,8 +13,12 @@ struct View {
     ground_size: f32,     // 0: there is no ground
     middle: vec2f,        // of the ground, x and z
     part: u32,     // of the queries, + 1
-    emission: u32, // 1: answers are of emission, one vec4f each
+    form: u32,     // of the answers: FORM_TRANSPORT, two vec4f each; FORM_EMISSION or FORM_ENVIRONMENT, one
 }
+
+const FORM_TRANSPORT = 0u;
+const FORM_EMISSION = 1u;
+const FORM_ENVIRONMENT = 2u;
 
 // A pixel: the members of a row of rna_evaluate, with two numbers in free ones; and its weights.
 struct Pixel {
@@ -23,7 +27,7 @@ struct Pixel {
     wo: vec4<u32>,       // and the primitive
     wi: vec4<u32>,
     through: vec3f, // throughput
-    b1: f32,        // barycentric coordinates
+    b1: f32,        // barycentric coordinates; of a segment how far along it, 0 to 1
     radiance: vec3f, // over the density, times the throughput; of the ground what it sends on
     b2: f32,
     visibility: vec3f,

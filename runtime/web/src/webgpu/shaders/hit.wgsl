@@ -9,6 +9,12 @@ fn with_lights(ray: RnaRay, found: RnaHit) -> RnaHit {
     return found;
 }
 
+fn along_segment(record: RnaPrimitive, x: vec3f) -> f32 {
+    let cone = rna_cone(record.a);
+    let way = cone.b - cone.a;
+    return clamp(dot(x - cone.a, way) / max(dot(way, way), 1e-30), 0.0, 1.0);
+}
+
 fn pixel_of(hit: RnaHit, wo: vec3f) -> Pixel {
     var pixel: Pixel;
     pixel.wo = words(wo, hit.primitive);
@@ -29,7 +35,7 @@ fn pixel_of(hit: RnaHit, wo: vec3f) -> Pixel {
     }
     pixel.position = words(v.x, bitcast<u32>(v.h));
     pixel.axis = words(v.axis, surface_part(rna_surface(record)) + 1u);
-    pixel.b1 = hit.b1;
+    pixel.b1 = select(hit.b1, along_segment(record, v.x), rna_is_segment(record));
     pixel.b2 = hit.b2;
     return pixel;
 }

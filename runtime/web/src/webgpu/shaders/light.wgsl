@@ -53,6 +53,19 @@ fn surroundings_of(pixel: Pixel) -> Surroundings {
     return Surroundings(select(n, -n, dot(n, wo) < 0.0), reflect(-wo, n));
 }
 
+// The direction that lobes are asked with. To the ground one by the cosine, with the irradiance in the view's colour.
+fn mirrored(number: u32, pixel: Pixel) -> Arrival {
+    if pixel.axis.w == 0u {
+        let u = at_point(number, DIRECTION);
+        let wi = normalize(along_axis(vec3f(0.0, 1.0, 0.0), 1.0 - 2.0 * u.y, u.x) + vec3f(0.0, 1.0001, 0.0));
+        return Arrival(wi, view.colour / max(wi.y, 1e-3));
+    }
+    let axis = bitcast<vec3f>(pixel.axis.xyz);
+    let wo = bitcast<vec3f>(pixel.wo.xyz);
+    let m = select(reflect(-wo, axis), reflect(wo, axis), rna_is_segment(rna_primitives[pixel.wo.w]));
+    return Arrival(m, vec3f(1.0));
+}
+
 // One sample of both techniques each, as two lights: the balance heuristic (Veach and Guibas 1995).
 fn arrival_at(number: u32, pixel: Pixel) -> Arrival {
     if view.kind == LIGHT_SUN {
@@ -62,6 +75,9 @@ fn arrival_at(number: u32, pixel: Pixel) -> Arrival {
         return Arrival(bitcast<vec3f>(pixel.wi.xyz), view.colour);
     }
     let at = surroundings_of(pixel);
+    if view.kind == LIGHT_MIRROR {
+        return mirrored(number, pixel);
+    }
     if view.kind == LIGHT_ENVIRONMENT {
         let bright = sample_image(0u, at_point(number, LIGHT));
         return Arrival(bright.wi, bright.radiance / (bright.pdf + density_about(at, bright.wi)));

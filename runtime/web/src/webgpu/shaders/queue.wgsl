@@ -31,8 +31,9 @@ fn gather(
     let at = atomicAdd(&count[0], 1u);
     atomicStore(&count[at + 1u], k);
     // No block of emission reads wi.
-    let wi = select(pixel.wi, pixel.wo, view.emission == 1u);
-    rows[at] = RnaRow(pixel.position.xyz, pixel.position.w, pixel.axis.xyz, 0u, pixel.wo.xyz, 0u, wi.xyz, 0u);
+    let wi = select(pixel.wi, pixel.wo, view.form == FORM_EMISSION);
+    let free = dot(pixel.visibility, vec3f(1.0 / 3.0)); // read with lobes alone
+    rows[at] = RnaRow(pixel.position.xyz, pixel.position.w, pixel.axis.xyz, 0u, pixel.wo.xyz, 0u, wi.xyz, bitcast<u32>(free));
 }
 
 @compute @workgroup_size(64)
@@ -46,7 +47,7 @@ fn scatter(
     let k = atomicLoad(&count[at + 1u]);
     let pixel = band[k];
     var radiance = pixel.through * answers[at].xyz;
-    if view.emission == 0u {
+    if view.form == FORM_TRANSPORT {
         radiance = pixel.radiance * mix(answers[2u * at + 1u].xyz, answers[2u * at].xyz, pixel.visibility);
     }
     sums[view.first + k] += vec4f(radiance, 0.0);

@@ -8,20 +8,30 @@ struct Show {
     exposure: f32,  // a factor
     filmic: f32,    // 1 for the filmic view transform, 0 for none
     spread: f32,    // of noise, in values of the screen; 0 to leave it
-    unused: f32,
+    first_look: f32, // share of the first look in what is shown, 0 to 1
 }
 
 @group(0) @binding(0) var<uniform> shown: Show;
 @group(0) @binding(1) var<storage, read> sums: array<vec4f>;
+@group(0) @binding(2) var<storage, read> first_look: array<vec4f>; // the first look
 
 @vertex
 fn corner(@builtin(vertex_index) k: u32) -> @builtin(position) vec4f {
     return vec4f(vec2f(f32(k & 1u), f32(k >> 1u)) * 4.0 - 1.0, 0.0, 1.0);
 }
 
+// The mean of the samples and the first look.
 fn picture_at(x: f32, y: f32) -> vec4f {
     let place = vec2<u32>(clamp(vec2f(x, y), vec2f(0.0), shown.picture - 1.0));
-    return sums[place.y * u32(shown.picture.x) + place.x];
+    let k = place.y * u32(shown.picture.x) + place.x;
+    if shown.first_look >= 1.0 {
+        return first_look[k];
+    }
+    let mean = sums[k] / shown.rounds;
+    if shown.first_look <= 0.0 {
+        return mean;
+    }
+    return mix(mean, first_look[k], shown.first_look);
 }
 
 // As rna_render/image/view_transform.py, which names the source.
@@ -52,7 +62,7 @@ fn colour(@builtin(position) at: vec4f) -> @location(0) vec4f {
     let f = place - low;
     let above = mix(picture_at(low.x, low.y), picture_at(low.x + 1.0, low.y), f.x);
     let below = mix(picture_at(low.x, low.y + 1.0), picture_at(low.x + 1.0, low.y + 1.0), f.x);
-    let mean = mix(above, below, f.y) / shown.rounds;
+    let mean = mix(above, below, f.y);
     let here = displayed(mean);
     if (shown.spread == 0.0) {
         return vec4f(here, 1.0);
@@ -63,7 +73,7 @@ fn colour(@builtin(position) at: vec4f) -> @location(0) vec4f {
     for (var dy = -2.0; dy <= 2.0; dy += 1.0) {
         for (var dx = -2.0; dx <= 2.0; dx += 1.0) {
             let there = middle + vec2f(dx, dy);
-            let other = picture_at(there.x, there.y) / shown.rounds;
+            let other = picture_at(there.x, there.y);
             let value = displayed(other);
             let away = there - place;
             let unlike = (value - here) / shown.spread;

@@ -1,0 +1,78 @@
+// RNA_environment (spec, 12): lobes of the transport for light from whole environments. An extra: a package whose data of it
+// is broken is shown without.
+import schema from "../../../../spec/schema/manifest.schema.json";
+import { blockNamed } from "./blocks.js";
+import { fail, PackageError } from "./errors.js";
+import { checkSchema } from "./schema.js";
+import { isMetadata, isTensor, readHeader, takeTensors } from "./tensors.js";
+
+export const VISIBILITY_COLUMNS = 16;
+const MOST_LOBES = 32;
+const { emission, ...OF_A_PART } = schema.$defs.TierPart.properties;
+const SCHEMA = {
+  $defs: schema.$defs,
+  type: "object", required: ["parts"], additionalProperties: false,
+  properties: {
+    parts: {
+      type: "array", minItems: 1, maxItems: 16,
+      items: {
+        anyOf: [
+          { type: "null" },
+          {
+            type: "object", additionalProperties: false, required: [...schema.$defs.TierPart.required, "lobes"],
+            properties: { ...OF_A_PART, lobes: { type: "integer", minimum: 2, maximum: MOST_LOBES }, visibility: OF_A_PART.planes },
+          },
+        ],
+      },
+    },
+    validation: { type: "array", maxItems: 64 },
+  },
+};
+
+/** The parts' records, checked; null where a part has none, or where they are broken, with a line in the manifest's warnings. */
+export function environmentOf(manifest) {
+  const data = manifest.extensions?.RNA_environment;
+  if (data === undefined) return null;
+  try {
+    check(data, manifest, "/extensions/RNA_environment");
+    return data.parts.every((record) => record) ? data.parts : null;
+  } catch (error) {
+    if (!(error instanceof PackageError)) throw error;
+    manifest.warnings.push(`no first look: ${error.message}`);
+    return null;
+  }
+}
+
+function check(data, manifest, where) {
+  checkSchema(SCHEMA, data, where);
+  const found = data.parts.length, expected = manifest.parts.length;
+  if (found !== expected) fail("PARTS_DIFFER", where, `found ${found} parts, expected ${expected}`);
+  data.parts.forEach((record, k) => {
+    if (!record) return;
+    const at = `${where}/parts/${k}`;
+    if (record.lobes % 2) fail("FIELD_VALUE", `${at}/lobes`, `found ${record.lobes}, expected an even number`);
+    for (const name of record.inputs) {
+      if (!blockNamed(name).kinds.includes(manifest.parts[k].kind)) fail("INPUT_KIND", `${at}/inputs`, `${name} is not for this part`);
+    }
+    for (const name of entriesOf([record])) {
+      if (!Object.hasOwn(manifest.entries, name)) fail("REFERENCE_MISSING", at, `no entry ${name}`);
+    }
+  });
+}
+
+/** Names of the entries of records. */
+export const entriesOf = (records) =>
+  records.flatMap(({ planes, decoder, visibility }) => [planes, decoder, ...(visibility ? [visibility] : [])]);
+
+/** Harmonics of the asset's own visibility about its points: 16 whole numbers each, of which 127 stands for 1. */
+export function readHarmonics(bytes, points, where) {
+  const code = "VISIBILITY_TENSOR", header = readHeader(bytes, where, code), tensor = header.tensors.harmonics;
+  if (!isMetadata(header.metadata)) fail(code, where, "__metadata__ is no object");
+  if (Object.keys(header.tensors).join() !== "harmonics" || !isTensor(tensor)) fail(code, where, "not one tensor harmonics");
+  const expected = [points, VISIBILITY_COLUMNS];
+  if (tensor.dtype !== "I8" || tensor.shape.join() !== expected.join()) {
+    fail(code, where, `found ${tensor.dtype} [${tensor.shape}], expected I8 [${expected}]`);
+  }
+  if (header.data % 64) fail(code, where, "data does not start at a multiple of 64");
+  return takeTensors(bytes, header, ["harmonics"], where, code)[0];
+}
