@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 import torch
 
-from rna_bench.lobes.bright_directions import MOST, cell_directions, split_environment
 from rna_bench.lobes.directions import even_directions, random_rotations
 from rna_bench.lobes.lobe_error import generated_environments, lobe_errors
 from rna_bench.lobes.lobe_fit import fit_lobes, light_weights, lobe_loss, make_rows
 from rna_bench.lobes.lobe_model import LobeInputs, LobeModel, QueryRows, densities
 from rna_bench.lobes.spherical_harmonics import COUNT, harmonics
 from rna_bench.lobes.view_points import PartViews
+from rna_render.lights.bright_directions import MOST, cell_directions, split_environment
 from rna_sdk.package import Package
 from rna_sdk.runtime import load
 

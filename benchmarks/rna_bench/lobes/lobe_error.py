@@ -8,10 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 import torch
 
-from rna_bench.lobes.bright_directions import cell_directions, split_environment
 from rna_bench.lobes.lobe_model import LobeInputs, LobeModel, QueryRows, densities
 from rna_bench.lobes.view_points import PartViews, ViewPoints
 from rna_export.metrics import IRRADIANCE, flip, psnr
+from rna_render.lights import cell_directions, split_environment
 
 _VIEWERS = 4  # about the vertical
 _AT_ONCE = 20  # points

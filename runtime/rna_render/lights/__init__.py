@@ -18,11 +18,17 @@ if TYPE_CHECKING:
         PlacedLight,
         ShapeLight,
     )
+    from rna_render.lights.bright_directions import (
+        SplitEnvironment,
+        cell_directions,
+        split_environment,
+    )
     from rna_render.lights.directions import LUMINANCE
     from rna_render.lights.environment import EnvironmentImageLight
     from rna_render.lights.equirectangular import EquirectangularImage
     from rna_render.lights.kinds import LIGHT_ROWS, ROW_NUMBERS, row_places
     from rna_render.lights.mesh import MeshLight
+    from rna_render.lights.prefilter import PrefilteredEnvironment
     from rna_render.lights.selection import LightSelection
     from rna_render.lights.table import make_light
 
@@ -40,9 +46,13 @@ __all__ = [
     "LightSelection",
     "MeshLight",
     "PlacedLight",
+    "PrefilteredEnvironment",
     "ShapeLight",
+    "SplitEnvironment",
+    "cell_directions",
     "make_light",
     "row_places",
+    "split_environment",
 ]
 
 __getattr__, __dir__ = lazy_face(__name__)
