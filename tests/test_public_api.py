@@ -57,6 +57,7 @@ MEASURED = {
     "rna_render.materials",
     "rna_render.world.placements",
     "rna_render.world.scene_sources",
+    "rna_render.world.world_loading",
     "rna_trace.embree",
 }
 """Insides that rna_bench alone measures or fuzzes."""

@@ -45,6 +45,7 @@ GROUPS: dict[str, tuple[Command, ...]] = {
         Command("evaluate", "speed.evaluate"),
         Command("evaluate-against", "speed.evaluate_against"),
         Command("busy", "speed.busy"),
+        Command("motion", "speed.motion"),
         Command("c-host", "speed.c_host_speed"),
         Command("gpu", "speed.gpu", extra="gpu"),
     ),

@@ -120,11 +120,11 @@ def part_transmittance(part: AssetPart, shape: Shape | None = None) -> Transmitt
     return mesh_transmittance(part_mesh(part, shape), part.transmittance_records)
 
 
-def part_normal_maps(part: AssetPart, shape: Shape | None = None) -> NormalMaps | None:
-    """The relief of a part; None where it has none. shape: as for `part_geometry`."""
+def part_normal_maps(part: AssetPart) -> NormalMaps | None:
+    """The relief of a part at rest; None where it has none."""
     if part.kind == "fiber" or not part.normal_maps:
         return None
-    return NormalMaps(part_mesh(part, shape), part.normal_maps)
+    return NormalMaps(part.mesh, part.normal_maps)
 
 
 def mesh_transmittance(mesh: Mesh, records: Sequence[TransmittanceRecord]) -> Transmittance | None:

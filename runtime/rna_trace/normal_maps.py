@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from copy import copy
 from typing import Protocol
 
 import numpy as np
@@ -49,6 +50,12 @@ class NormalMaps:
         sizes = [record.texture.shape[:2] for record in maps]
         starts = np.cumsum([0, *(h * w for h, w in sizes)])[:-1]
         self._sizes = np.column_stack([starts, sizes]).astype(np.int64)
+
+    def on(self, mesh: Mesh) -> NormalMaps:
+        """The same maps on a mesh in motion, with the same triangles and coordinates."""
+        result = copy(self)
+        result._mesh = mesh.positions, *self._mesh[1:]
+        return result
 
     def at(self, n: np.ndarray, triangle: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
         """The mapped normals, (m, 3) float32, unit.

@@ -35,9 +35,17 @@ HIDDEN_LAYERS = 4
 
 
 def write_random_package(
-    path: Path, kind: Kind, width: int, resolution: int, channels: int
+    path: Path,
+    kind: Kind,
+    width: int,
+    resolution: int,
+    channels: int,
+    geometry: Mesh | Curves | None = None,
 ) -> None:
-    """A package with random planes and a random decoder, a tier for each of PRECISIONS."""
+    """A package with random planes and a random decoder, a tier for each of PRECISIONS.
+
+    geometry: in the box from -1 to 1; a small one if left out.
+    """
     model = random_model(kind, width, resolution, channels)
     tiers = [random_tier(name, model, precision) for name, precision in PRECISIONS.items()]
     manifest = Manifest(
@@ -49,7 +57,7 @@ def write_random_package(
         provenance=Provenance(source="random numbers", tool="rna-bench evaluate"),
         license="Apache-2.0",
     )
-    geometry = ball() if kind == "surface" else strand()
+    geometry = geometry or (ball() if kind == "surface" else strand())
     data = {tier.name: [random_data(model, tier.parts[0])] for tier in tiers}
     write_package(path, manifest, [geometry], data)
 

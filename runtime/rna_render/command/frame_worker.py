@@ -19,7 +19,7 @@ from rna_render.paths.shutter import shutter_times
 from rna_render.paths.world_in_time import load_world
 from rna_render.scene.animation import frame_scene
 from rna_render.scene.scene_file import SceneFile
-from rna_render.scene.scene_model import Scene
+from rna_render.scene.scene_model import AssetModel, Scene
 from rna_render.world.world import World
 from rna_render.world.world_loading import Loaded, placed_world, warn_of_darkness
 from rna_sdk.errors import SceneError
@@ -86,11 +86,13 @@ class SceneWorker:
     def __exit__(self, *_: object) -> None:
         pass
 
-    def load(self, views: list[Scene], loaded: Loaded | None = None) -> World:
-        """The world for these images; loaded: as for `load_world`."""
-        world = load_world(self.scene_file, views, partial(open_renderer, self.device), loaded)
-        tell_tiers(self.scene_file, world)
-        warn_of_darkness(self.scene_file, world)
+    def load(
+        self, scene_file: SceneFile, views: list[Scene], loaded: Loaded | None = None
+    ) -> World:
+        """The world of this scene, with tiers for the views; loaded: as for `load_world`."""
+        world = load_world(scene_file, views, partial(open_renderer, self.device), loaded)
+        tell_tiers(scene_file, world)
+        warn_of_darkness(scene_file, world)
         return world
 
     def kill(self) -> None:
@@ -104,23 +106,25 @@ class FrameWorker(SceneWorker):
         super().__init__(job.scene_file, job.files, job.threads, job.device)
         self._job = job
         self._world: World | None = None
+        self._assets: tuple[AssetModel, ...] = ()
         self._files_loaded = Loaded()
 
     def run(self, frame: Frame) -> FrameFiles:
         """Render and write a frame. Raises SceneError if that cannot be, or if it is ended."""
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
-            world = self._loaded()
+            if self._world is None:
+                self._load(self._times(frame)[0])
             start = time.perf_counter()
-            paths = self._render(frame, world)
+            paths = self._render(frame)
         lines = dict.fromkeys(str(warning.message) for warning in caught)
         return FrameFiles(paths, list(lines), time.perf_counter() - start)
 
-    def _render(self, frame: Frame, world: World) -> list[Path]:
-        scene = frame_scene(self.scene_file.scene, frame.number)
+    def _render(self, frame: Frame) -> list[Path]:
+        frame_file = self._at(frame.number)
+        scene, stop = frame_file.scene, self.stop.is_set
         files = self._job.output.frame(frame.number)
-        moments = self._moments(frame, world)
-        frame_file, stop = replace(self.scene_file, scene=scene), self.stop.is_set
+        moments = [(file, self._world_at(file)) for file in map(self._at, self._times(frame))]
         film = render_with_bar(
             frame_file, moments[0][1], stop, frame.what, device=self.device, moments=moments
         )
@@ -129,28 +133,31 @@ class FrameWorker(SceneWorker):
         files.write(scene, film)
         return files.paths()
 
-    def _moments(self, frame: Frame, world: World) -> list[tuple[SceneFile, World]]:
-        """The scene and its world at each time of the frame. world: where nothing bends."""
-        scene = self.scene_file.scene
-        assert scene.animation is not None
-        blur = scene.animation.shutter, scene.animation.subframes
-        moves = any(asset.motion is not None for asset in scene.assets)
-        result = []
-        for at in shutter_times(frame.number, *blur):
-            file = replace(self.scene_file, scene=frame_scene(scene, at))
-            if moves:
-                loaded = self._files_loaded
-                world = placed_world(file, loaded.tiers, loaded)
-            result.append((file, world))
-        return result
+    def _times(self, frame: Frame) -> list[float]:
+        """The times that the frame shows, more than one with motion blur."""
+        animation = self.scene_file.scene.animation
+        assert animation is not None
+        return shutter_times(frame.number, animation.shutter, animation.subframes)
 
-    def _loaded(self) -> World:
-        if self._world is None:
-            scene = self.scene_file.scene
-            views = [frame_scene(scene, n) for n in self._job.numbers]
-            self._world = self.load(views, self._files_loaded)
-            for view in views:
-                self._files_loaded.motions.check(replace(self.scene_file, scene=view))
-            seconds = time.perf_counter() - self._job.started
-            print(f"assets loaded after {seconds:.2f} s", file=sys.stderr)
+    def _at(self, moment: float) -> SceneFile:
+        return replace(self.scene_file, scene=frame_scene(self.scene_file.scene, moment))
+
+    def _world_at(self, scene_file: SceneFile) -> World:
+        """The world at a time; the one that is there where nothing bends since."""
+        assert self._world is not None
+        assets = scene_file.scene.assets
+        if assets != self._assets:
+            loaded = self._files_loaded
+            self._world = placed_world(scene_file, loaded.tiers, loaded)
+            self._assets = assets
         return self._world
+
+    def _load(self, moment: float) -> None:
+        """Load the files, and the world at a time."""
+        first, views = self._at(moment), [self._at(n) for n in self._job.numbers]
+        scenes = [view.scene for view in views]
+        self._world, self._assets = self.load(first, scenes, self._files_loaded), first.scene.assets
+        for view in views:
+            self._files_loaded.motions.check(view)
+        seconds = time.perf_counter() - self._job.started
+        print(f"assets loaded after {seconds:.2f} s", file=sys.stderr)

@@ -111,7 +111,7 @@ class PieceWorker(SceneWorker):
         """All samples of the piece's pixels; an image that is as wide as there are."""
         scene = self.scene_file.scene
         if self._renderer is None:
-            world = self.load([scene])
+            world = self.load(self.scene_file, [scene])
             self._renderer = open_renderer(self.device, self.scene_file, world)
         pixels = np.arange(piece.start, piece.stop, dtype=np.uint32)
         samplers = (Sampler(scene.seed, number) for number in range(scene.samples))

@@ -16,7 +16,7 @@ from rna_render.lights.base import PlacedLight
 from rna_render.materials import MeshObject
 from rna_render.world.neural_sampling import LobeMixture
 from rna_render.world.placements import SceneObject
-from rna_sdk.runtime import DeformedCurves, RestPoints, offset_across
+from rna_sdk.runtime import DeformedCurves, DeformedMesh, RestPoints, offset_across
 from rna_trace import surface
 from rna_trace.asset_parts import (
     Asset,
@@ -31,9 +31,13 @@ from rna_trace.asset_parts import (
 from rna_trace.embree import TriangleScene
 from rna_trace.embree.tracing import ClosestHits
 from rna_trace.fiber import FiberPoints
+from rna_trace.normal_maps import NormalMaps
 from rna_trace.parts_scene import PartPoints, PartsScene
 from rna_trace.points import Body, Points, Role
 from rna_trace.surface import SurfacePoints
+
+RestMaps = Sequence[NormalMaps | None]
+"""The relief of an asset's parts at rest; None of those without."""
 
 # The lobes that rays leave assets in, by kind; see docs/decisions/renderer.md.
 SURFACE_LOBES = LobeMixture(uniform=0.2, cosine=0.35, mirror=0.45, mirror_kappa=20.0)
@@ -47,7 +51,8 @@ class AssetBody:
     strands are those of the round cones, outward.
 
     indirect: the same asset with the tier for what the camera does not see directly. shapes: of its
-    parts in motion; None where it is at rest. Decoders are then asked at rest points.
+    parts in motion; None where it is at rest. Decoders are then asked at rest points. rest_maps:
+    normal maps of the parts at rest, by `rest_maps_of`, for callers that have them.
     """
 
     role = Role.SCATTER
@@ -55,7 +60,11 @@ class AssetBody:
     one_sided = False
 
     def __init__(
-        self, asset: Asset, indirect: Asset | None, shapes: Sequence[Shape] | None = None
+        self,
+        asset: Asset,
+        indirect: Asset | None,
+        shapes: Sequence[Shape] | None = None,
+        rest_maps: RestMaps | None = None,
     ) -> None:
         self._parts = asset.parts
         self._indirect = asset.parts if indirect is None else indirect.parts
@@ -63,11 +72,10 @@ class AssetBody:
         pairs = shaped_parts(asset, shapes)
         self._shapes = [shape for _, shape in pairs]
         tables = [part_transmittance(*pair) for pair in pairs]
-        maps = [part_normal_maps(*pair) for pair in pairs]
+        self._rest_maps = rest_maps or rest_maps_of(asset)
+        placed = zip(self._rest_maps, self._shapes, strict=True)
+        maps = [m.on(s.mesh) if m and isinstance(s, DeformedMesh) else m for m, s in placed]
         self.scene = PartsScene([part_geometry(*pair) for pair in pairs], tables, maps)
-        self._rest_maps = [
-            None if shape is None else part_normal_maps(part) for part, shape in pairs
-        ]
 
     def points(
         self, part: int, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray, seen: bool
@@ -91,6 +99,11 @@ class AssetBody:
         where = hits.primitive[ray], hits.u[ray], hits.v[ray]
         rest = shape.rest_points(*where)
         return rest if maps is None else replace(rest, axes=maps.at(rest.axes, *where))
+
+
+def rest_maps_of(asset: Asset) -> RestMaps:
+    """Normal maps of an asset's parts, at rest."""
+    return [part_normal_maps(part) for part in asset.parts]
 
 
 class _NeuralPoints(Points):
@@ -263,10 +276,11 @@ def make_body(
     scene_object: SceneObject,
     indirect: Asset | None = None,
     shapes: Sequence[Shape] | None = None,
+    rest_maps: RestMaps | None = None,
 ) -> Body:
-    """The body of an asset, of an object or of a light. indirect, shapes: see AssetBody."""
+    """The body of an asset, an object or a light. indirect, shapes, rest_maps: see AssetBody."""
     if isinstance(scene_object, PlacedLight):
         return LightBody(scene_object)
     if isinstance(scene_object, MeshObject):
         return ObjectBody(scene_object)
-    return AssetBody(scene_object, indirect, shapes)
+    return AssetBody(scene_object, indirect, shapes, rest_maps)

@@ -11,7 +11,7 @@ from numba import prange
 
 from rna_render.lights.base import PlacedLight
 from rna_render.materials import MeshObject
-from rna_render.world.bodies import make_body
+from rna_render.world.kept_bodies import KeptBodies, body_key
 from rna_render.world.placements import Placement, SceneObject
 from rna_sdk.compiled import compiled
 from rna_sdk.runtime import Transform
@@ -59,7 +59,8 @@ class World:
     """Instances of bodies, in an order of their own: all instances of a body are neighbours.
 
     placements: the scene's objects, in the order of its file; the same object twice is one body
-    with two instances. Raises QueryError for a transform that is not a similarity.
+    with two instances. bodies: those of an earlier world, to take what does not move from.
+    Raises QueryError for a transform that is not a similarity.
 
     Attributes:
         objects: those of `placements`.
@@ -80,18 +81,17 @@ class World:
         scatters: whether light can go from one object to another, or to another part of the same.
     """
 
-    def __init__(self, placements: Sequence[Placement]) -> None:
+    def __init__(self, placements: Sequence[Placement], bodies: KeptBodies | None = None) -> None:
         groups: dict[tuple[int, int, int], list[int]] = {}
         for index, placement in enumerate(placements):
-            key = id(placement.object), id(placement.indirect), id(placement.shapes)
-            groups.setdefault(key, []).append(index)
+            groups.setdefault(body_key(placement), []).append(index)
         order = [index for group in groups.values() for index in group]
         ordered = [placements[index] for index in order]
         self.objects = [placement.object for placement in placements]
         self.indirect = [p.indirect for p in placements if p.indirect is not None]
         self.placements = ordered
         firsts = [placements[group[0]] for group in groups.values()]
-        self._bodies = [make_body(p.object, p.indirect, p.shapes) for p in firsts]
+        self._bodies = (bodies or KeptBodies()).of(firsts)
         self._order = _HitOrder(self._bodies, [len(group) for group in groups.values()])
         self.number = np.asarray(order, np.int32) + 1
         transforms = [Transform(placement.world_from_object) for placement in ordered]
@@ -101,21 +101,23 @@ class World:
         self._rotations = self._matrices[:, :3, :3] / scale[:, None, None]
         self._turned = not (self._rotations == np.eye(3)).all()
         self._placed = not (self._matrices == np.eye(4)).all()
-        bodies = [self._bodies[b] for b in self._order.body]
+        placed_bodies = [self._bodies[b] for b in self._order.body]
         self.met_by = [_met_by(placement.object) for placement in ordered]
-        scenes = [body.scene for body in bodies]
+        scenes = [body.scene for body in placed_bodies]
         placed = zip(scenes, self._matrices, self.met_by, strict=True)
         self.scene = InstanceScene([Instance(*instance) for instance in placed])
         self.lights = [placement.light for placement in ordered if placement.light is not None]
         shines = np.array([placement.light is not None for placement in ordered])
         self.light = np.where(shines, np.cumsum(shines) - 1, -1).astype(np.int32)
-        passes = np.array([body.passes_through for body in bodies])
+        passes = np.array([body.passes_through for body in placed_bodies])
         self.own_light = np.where(passes, self.light, -1).astype(np.int32)
-        self.one_sided = np.array([body.one_sided for body in bodies])
-        self._has_role = {role: np.array([body.role is role for body in bodies]) for role in Role}
+        self.one_sided = np.array([body.one_sided for body in placed_bodies])
+        self._has_role = {
+            role: np.array([body.role is role for body in placed_bodies]) for role in Role
+        }
         self.catches_shadows = self._has_role[Role.CATCH_SHADOWS]
         self._passes = passes
-        size = scale * np.sqrt(3.0) * [body.scene.extent for body in bodies]
+        size = scale * np.sqrt(3.0) * [body.scene.extent for body in placed_bodies]
         reach = np.abs(self._matrices[:, :3, 3]).max(axis=1) + size
         self._step = np.where(self._passes, 0.0, OFFSET * reach).astype(np.float32)
         self.radius = _radius(self._matrices[:, :3, 3], size, [not p.boundless for p in ordered])

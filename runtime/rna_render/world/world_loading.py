@@ -14,6 +14,7 @@ from rna_render.scene.light_models import AreaModel, LightModel
 from rna_render.scene.scene_file import SceneFile
 from rna_render.scene.transforms import world_from_object
 from rna_render.world.domain_watch import watched
+from rna_render.world.kept_bodies import KeptBodies
 from rna_render.world.motion_loading import MotionLoader
 from rna_render.world.placements import Placement, emission_of, mesh_light, place_asset
 from rna_render.world.tier_choice import Tiers
@@ -33,6 +34,7 @@ class Loaded:
         self.assets = _AssetLoader()
         self.motions = MotionLoader()
         self.objects: dict[tuple[Path, str], MeshObject] = {}
+        self.bodies = KeptBodies()
         self.tiers: Tiers = ()
 
 
@@ -47,7 +49,8 @@ def placed_world(scene_file: SceneFile, tiers: Tiers, loaded: Loaded | None = No
     loaded.tiers = tiers
     placed = _placed_assets(scene_file, tiers, loaded), _placed_objects(scene_file, loaded.objects)
     standing = [*placed[0], *placed[1]]
-    return World([*standing, *_placed_ground(scene_file, standing), *_placed_lights(scene_file)])
+    still = [*_placed_ground(scene_file, standing), *_placed_lights(scene_file)]
+    return World([*standing, *still], loaded.bodies)
 
 
 def _placed_assets(scene_file: SceneFile, tiers: Tiers, loaded: Loaded) -> list[Placement]:

@@ -1,0 +1,43 @@
+"""Bodies of a scene's worlds, frame after frame: what does not move is made once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import cast
+
+from rna_render.world.bodies import RestMaps, make_body, rest_maps_of
+from rna_render.world.placements import Placement
+from rna_trace.asset_parts import Asset
+from rna_trace.points import Body
+
+Key = tuple[int, int, int]
+
+
+class KeptBodies:
+    """Makes bodies, and keeps those at rest for the next world, until one has no such object."""
+
+    def __init__(self) -> None:
+        self._kept: dict[Key, tuple[Placement, Body]] = {}
+        self._maps: dict[int, tuple[Asset, RestMaps]] = {}
+
+    def of(self, placements: Iterable[Placement]) -> list[Body]:
+        """A body for each placement; those given differ by `body_key`."""
+        found: dict[Key, tuple[Placement, Body]] = {}
+        for placement in placements:
+            key = body_key(placement)
+            found[key] = self._kept.get(key) or (placement, self._made(placement))
+        self._kept = {key: pair for key, pair in found.items() if pair[0].shapes is None}
+        return [body for _, body in found.values()]
+
+    def _made(self, placement: Placement) -> Body:
+        if placement.shapes is None:
+            return make_body(placement.object, placement.indirect)
+        asset = cast(Asset, placement.object)
+        if id(asset) not in self._maps:
+            self._maps[id(asset)] = asset, rest_maps_of(asset)
+        return make_body(asset, placement.indirect, placement.shapes, self._maps[id(asset)][1])
+
+
+def body_key(placement: Placement) -> Key:
+    """What placements of one body share."""
+    return id(placement.object), id(placement.indirect), id(placement.shapes)
