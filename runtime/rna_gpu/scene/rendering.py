@@ -16,7 +16,7 @@ from rna_gpu.device import Device, open_device
 from rna_gpu.loading import load
 from rna_gpu.scene.scene_tables import asset_at, scene_tables
 from rna_gpu.scene.wavefront import Wavefront
-from rna_render import Layers, Sampler, World
+from rna_render import Camera, Layers, Sampler, World
 from rna_render.paths.integrator_factory import all_lights, indirect_clamp
 from rna_render.scene import SceneFile
 from rna_render.world.domain_watch import WatchedAsset
@@ -48,6 +48,8 @@ class GpuRenderer:
             GpuError: there is no GPU, or the scene does not fit on it.
         """
         self._scene_file, self._world = scene_file, world
+        models = scene_file.scene.camera, scene_file.camera_after
+        self._cameras = [Camera(model, scene_file.scene.resolution) for model in models]
         self._open = open_it or _DEVICE.get
         self._lock, self._losses = Lock(), 0
         self._start()
@@ -62,7 +64,11 @@ class GpuRenderer:
         with self._lock:
             starts = range(0, len(pixels), self._gpu.band)
             bands = [self._rendered(pixels[k : k + starts.step], sampler) for k in starts]
-        return Layers.concatenate(bands)
+        layers = Layers.concatenate(bands)
+        row = np.flatnonzero(layers.hit)
+        at = layers.position_world[row]
+        layers.motion[row] = self._cameras[0].motion_to(self._cameras[1], at, at)
+        return layers
 
     def _rendered(self, pixels: NDArray[np.uint32], sampler: Sampler) -> Layers:
         while True:

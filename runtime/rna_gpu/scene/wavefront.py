@@ -171,6 +171,7 @@ def _layers(sums: NDArray[np.float32]) -> Layers:
         hit=(own["hit"] == 1.0).astype(np.float32),
         normal_world=own["normal"],
         position_world=own["position"],
+        motion=np.zeros((len(own), 2), np.float32),
         light_samples=own["light_samples"],
         caught=own["caught"],
         behind_catcher=own["behind"],

@@ -43,7 +43,7 @@ def open_renderer(
         RnaError: the device does not know the scene, or has no room for it.
     """
     if device == CPU:
-        return make_integrator(scene_file.resolved, world)
+        return make_integrator(scene_file.resolved, world, scene_file.camera_after)
     for index, asset in enumerate(scene_file.scene.assets):
         if asset.motion is not None:
             message = f"is rendered on the CPU, not with --device {device}"

@@ -17,7 +17,6 @@ from rna_render.command.terminal import render_with_bar, tell_tiers
 from rna_render.image.output import Output
 from rna_render.paths.shutter import shutter_times
 from rna_render.paths.world_in_time import load_world
-from rna_render.scene.animation import frame_scene
 from rna_render.scene.scene_file import SceneFile
 from rna_render.scene.scene_model import AssetModel, Scene
 from rna_render.world.world import World
@@ -140,7 +139,7 @@ class FrameWorker(SceneWorker):
         return shutter_times(frame.number, animation.shutter, animation.subframes)
 
     def _at(self, moment: float) -> SceneFile:
-        return replace(self.scene_file, scene=frame_scene(self.scene_file.scene, moment))
+        return self.scene_file.at(moment)
 
     def _world_at(self, scene_file: SceneFile) -> World:
         """The world at a time; the one that is there where nothing bends since."""

@@ -19,6 +19,8 @@ class Layers:
     normal_world: (n, 3) float, where an object is hit the shading normal of the surface or the
         outward normal of the fiber, else 0.
     position_world: (n, 3) float, likewise.
+    motion: (n, 2) float, likewise, pixels to the right and down to where the point is in the next
+        frame.
     light_samples: (n, 2) float, how many samples of lights were taken at the first hit, and how
         many of them nothing stood in the way of.
     caught: (n, 2) float, where a shadow catcher is hit the light that it receives, and what it
@@ -34,6 +36,7 @@ class Layers:
     hit: np.ndarray
     normal_world: np.ndarray
     position_world: np.ndarray
+    motion: np.ndarray
     light_samples: np.ndarray
     caught: np.ndarray
     behind_catcher: np.ndarray
@@ -50,6 +53,7 @@ class Layers:
             "hit": (),
             "normal_world": (3,),
             "position_world": (3,),
+            "motion": (2,),
             "light_samples": (2,),
             "caught": (2,),
             "behind_catcher": (4,),
@@ -130,8 +134,8 @@ class Film:
         R, G, B, A are means over all samples, so RGB is premultiplied; variance.R/G/B are the
         variances of these means, taken as if samples were independent; light.<group>.R/G/B the
         parts of groups of lights. The other channels are means over the samples that hit a
-        object: normal.X/Y/Z (unit, or zero), position.X/Y/Z and visibility; assetId is that of
-        the first sample that did.
+        object: normal.X/Y/Z (unit, or zero), position.X/Y/Z, forward.u/v (pixels to the right and
+        up, to the next frame) and visibility; assetId is that of the first sample that did.
         """
         total, count = self._sum, max(self.samples, 1)
         lit = self._lit()
@@ -147,6 +151,7 @@ class Film:
             *(("RGB", f"light.{name}.", groups[:, g]) for g, name in enumerate(self.groups)),
             ("XYZ", "normal.", normal),
             ("XYZ", "position.", total.position_world / hits),
+            ("uv", "forward.", total.motion / hits * [1.0, -1.0]),
         ]
         result = {
             prefix + letter: self._plane(_float32(values[:, column]))

@@ -77,7 +77,7 @@ class Integrator:
     scatter. clamp: clamp on per-path indirect radiance; None disables it. Each of the BRANCHES
     that go on from the point that the camera sees counts for that part of a path, with its clamp.
     strategy: how light is found; anything but "both" is for tests, since each way alone misses some
-    lights or is slow.
+    lights or is slow. next_camera: of the next frame, for motion vectors; None for the same.
     """
 
     at_once = None
@@ -90,9 +90,10 @@ class Integrator:
         max_depth: int,
         clamp: float | None = None,
         strategy: Strategy = "both",
+        next_camera: Camera | None = None,
     ) -> None:
         self._world = world
-        self._camera = camera
+        self._camera, self._next_camera = camera, next_camera or camera
         both = strategy == "both"
         self._lights = [light.mis_compensated() for light in lights] if both else lights
         self._max_depth = max_depth
@@ -156,6 +157,9 @@ class Integrator:
         band.beauty[vertices.ray, 3] = band.hit[vertices.ray] = 1.0
         band.normal_world[vertices.ray] = vertices.n_world
         band.position_world[vertices.ray] = vertices.x_world
+        at = vertices.x_world, vertices.next_world
+        if self._next_camera is not self._camera or at[0] is not at[1]:
+            band.motion[vertices.ray] = self._camera.motion_to(self._next_camera, *at)
         band.asset[vertices.ray] = self._world.number[vertices.instance]
 
     def _collect(self, band: Layers, rays: _Rays, depth: int) -> None:

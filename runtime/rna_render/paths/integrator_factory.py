@@ -10,7 +10,7 @@ import numpy as np
 from rna_render.lights import Light, make_light
 from rna_render.paths.integrator import Integrator
 from rna_render.scene.light_models import AreaModel
-from rna_render.scene.scene_model import Scene
+from rna_render.scene.scene_model import CameraModel, Scene
 from rna_render.world.camera import Camera
 from rna_render.world.world import World
 
@@ -18,15 +18,21 @@ from rna_render.world.world import World
 AUTO = 10.0
 
 
-def make_integrator(scene: Scene, world: World) -> Integrator:
+def make_integrator(
+    scene: Scene, world: World, next_camera: CameraModel | None = None
+) -> Integrator:
     """Integrator of `scene`, with resolved paths, whose objects are in `world`.
 
+    next_camera: of the next frame, for motion vectors; None for the same.
     Raises SceneError for an environment's image that cannot be used.
     """
     lights = all_lights(scene, world)
     camera = Camera(scene.camera, scene.resolution)
+    after = None
+    if next_camera is not None and next_camera != scene.camera:
+        after = Camera(next_camera, scene.resolution)
     clamp = indirect_clamp(scene.clamp_indirect, lights, world.radius)
-    return Integrator(world, camera, lights, scene.max_depth, clamp)
+    return Integrator(world, camera, lights, scene.max_depth, clamp, next_camera=after)
 
 
 def all_lights(scene: Scene, world: World) -> list[Light]:

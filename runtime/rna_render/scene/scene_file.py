@@ -10,9 +10,10 @@ from typing import Any
 import yaml
 from pydantic import BaseModel, ValidationError
 
+from rna_render.scene.animation import frame_scene
 from rna_render.scene.limits import MAX_SCENE_BYTES
 from rna_render.scene.scene_messages import Key, mistakes
-from rna_render.scene.scene_model import Scene
+from rna_render.scene.scene_model import CameraModel, Scene
 from rna_render.scene.scene_of_package import default_scene
 from rna_sdk.errors import SceneError
 from rna_sdk.file_kinds import kind_of, not_a
@@ -28,12 +29,23 @@ class SceneFile:
     """A scene, and where in its file each key stands.
 
     path: the file. scene: what it says. lines: from key to line, counted from 1; none for the
-    default scene of a package.
+    default scene of a package. next_camera: of the next frame, where `scene` is one of several.
     """
 
     path: Path
     scene: Scene
     lines: dict[Key, int]
+    next_camera: CameraModel | None = None
+
+    def at(self, frame: float) -> SceneFile:
+        """The file with the scene of one frame of its animation; this one if it has none."""
+        scene, after = frame_scene(self.scene, frame), frame_scene(self.scene, frame + 1.0)
+        return replace(self, scene=scene, next_camera=after.camera)
+
+    @property
+    def camera_after(self) -> CameraModel:
+        """The camera of the next frame; that of this one where it does not move."""
+        return self.next_camera or frame_scene(self.scene, 1.0).camera
 
     def error(self, key: Key, message: str) -> SceneError:
         """An error that points at `key`."""

@@ -44,6 +44,24 @@ class Camera:
         _directions(pixels, u, self.width, self.corner, self.step_x, self.step_y, result)
         return result
 
+    def project(self, points: np.ndarray) -> np.ndarray:
+        """Where points of the world are in the image: (n, 2) float64, pixels from its top left.
+
+        points: (n, 3). NaN for those that are not in front of the camera.
+        """
+        x, y, z = self.to_world[:3, :3].T @ (points - self.to_world[:3, 3]).T
+        depth = np.where(z < 0.0, -z, np.nan) * self._half_height * 2.0 / self.height
+        return np.stack([self.width / 2 + x / depth, self.height / 2 - y / depth], axis=1)
+
+    def motion_to(self, after: Camera, points: np.ndarray, moved: np.ndarray) -> np.ndarray:
+        """Pixels to the right and down that points move by in the image: (n, 2) float32.
+
+        after: the camera of the next frame. points, moved: (n, 3), now and then. 0 where a point is
+        not in front of both.
+        """
+        way = after.project(moved) - self.project(points)
+        return np.asarray(np.nan_to_num(way), np.float32)
+
     def heights(self, centres: np.ndarray, radii: np.ndarray) -> np.ndarray:
         """Heights of spheres in the image, (n,) pixels: 0 outside it, inf around the camera.
 

@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+import numpy as np
+
 from rna_render.lights import AssetEmission
 from rna_render.motion.asset_motion import open_asset_motion
 from rna_render.scene.scene_file import SceneFile
 from rna_render.scene.scene_model import MotionModel
+from rna_render.world.next_frame import NextFrame
 from rna_render.world.placements import emission_of
 from rna_sdk.errors import MotionError, QueryError
 from rna_sdk.motion import Motion
@@ -24,6 +27,7 @@ class MotionLoader:
         self._motions: dict[tuple[object, ...], Motion] = {}
         self._shapes: dict[tuple[object, ...], Shapes] = {}
         self._emissions: dict[int, AssetEmission | None] = {}
+        self._after: dict[tuple[object, ...], tuple[float, list[np.ndarray]]] = {}
         self._scene: object = None
 
     def shapes(
@@ -51,11 +55,29 @@ class MotionLoader:
             frame = _frame(model, motion.frames)
             shape = id(asset), *key, frame
             if shape not in self._shapes:
-                pairs = zip(asset.parts, motion.positions(frame), strict=True)
+                kept, positions = self._after.get(key, (-1.0, []))
+                if kept != frame:
+                    positions = motion.positions(frame)
+                pairs = zip(asset.parts, positions, strict=True)
                 self._shapes[shape] = [part.deformed(p) for part, p in pairs]
         except (MotionError, QueryError) as error:
             raise scene_file.error(("assets", index, "motion"), str(error)) from error
         return self._shapes[shape]
+
+    def after(self, scene_file: SceneFile, index: int, shapes: Shapes | None) -> NextFrame | None:
+        """Where an asset in motion is in the next frame; after the last one it stays there."""
+        model = scene_file.scene.assets[index].motion
+        if model is None or shapes is None:
+            return None
+        key = _key(scene_file, index)
+        motion = self._motions[key]
+        frame = _frame(model, motion.frames, 1.0)
+        if self._after.get(key, (-1.0, []))[0] != frame:
+            try:
+                self._after[key] = frame, motion.positions(frame)
+            except MotionError as error:
+                raise scene_file.error(("assets", index, "motion"), str(error)) from error
+        return NextFrame(shapes, self._after[key][1])
 
     def check(self, scene_file: SceneFile) -> None:
         """Raises SceneError where a motion that is open has not the frame of the scene."""
@@ -83,8 +105,12 @@ def _key(scene_file: SceneFile, index: int) -> tuple[object, ...]:
     return scene_file.asset_path(index), path, model.clip, model.rate
 
 
-def _frame(model: MotionModel, frames: int) -> float:
-    """The frame that a motion of so many shows; until the next one would be, the last one."""
+def _frame(model: MotionModel, frames: int, later: float = 0.0) -> float:
+    """The frame that a motion of so many shows; until the next one would be, the last one.
+
+    later: 1 for the next frame, which after the last one is this.
+    """
+    at, last = model.start + later, float(frames - 1)
     if model.loop and frames > 1:
-        return model.start % (frames - 1)
-    return float(frames - 1) if frames - 1 < model.start < frames else model.start
+        return at % last
+    return last if last < at < frames + later else at

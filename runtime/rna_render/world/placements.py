@@ -10,6 +10,7 @@ import numpy as np
 
 from rna_render.lights import AssetEmission, AssetLight, MeshLight, PlacedLight, ShapeLight
 from rna_render.materials import MeshObject
+from rna_render.world.next_frame import NextFrame
 from rna_trace.asset_parts import Asset, Shape, part_geometry, shaped_parts
 
 SceneObject = Asset | MeshObject | PlacedLight
@@ -22,7 +23,7 @@ class Placement:
     light: what it shines with, if it does. boundless: whether it says nothing about the size of
     the scene, as a ground. indirect: the same asset with another tier, which answers what the
     camera does not see directly; None for `object` itself. shapes: of the parts of an asset in
-    motion.
+    motion. after: where these are in the next frame.
     """
 
     object: SceneObject
@@ -31,6 +32,7 @@ class Placement:
     boundless: bool = False
     indirect: Asset | None = None
     shapes: Sequence[Shape] | None = None
+    after: NextFrame | None = None
 
     def box(self) -> tuple[np.ndarray, np.ndarray]:
         """Lower and upper corner of the asset's or the object's box in the world, each (3,)."""
@@ -64,17 +66,18 @@ def place_asset(
     factor: float = 1.0,
     indirect: Asset | None = None,
     shapes: Sequence[Shape] | None = None,
+    after: NextFrame | None = None,
 ) -> Placement:
     """An asset, and the light that it sends out.
 
     world_from_object: (4, 4), a similarity. emission: `emission_of` the asset, for callers that
-    place it several times. factor: on what it emits. indirect, shapes: see Placement.
+    place it several times. factor: on what it emits. indirect, shapes, after: see Placement.
     """
     emission = emission or emission_of(asset, shapes)
     light = None
     if emission is not None and factor > 0.0:
         light = AssetLight(emission, world_from_object, factor)
-    return Placement(asset, world_from_object, light, indirect=indirect, shapes=shapes)
+    return Placement(asset, world_from_object, light, False, indirect, shapes, after)
 
 
 def emission_of(asset: Asset, shapes: Sequence[Shape] | None = None) -> AssetEmission | None:

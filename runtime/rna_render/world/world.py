@@ -31,6 +31,7 @@ class Vertices:
     ng_world: (m, 3) float32, geometric normals.
     wo_world: (m, 3) float32, unit, towards where the rays came from.
     own: (m,) int32, the instance that rays from here pass through, or NO_INSTANCE.
+    next_world: (m, 3) float32, where the points are in the next frame; of camera rays alone.
     """
 
     ray: np.ndarray
@@ -41,6 +42,7 @@ class Vertices:
     ng_world: np.ndarray
     wo_world: np.ndarray
     own: np.ndarray
+    next_world: np.ndarray
 
     def __len__(self) -> int:
         return len(self.ray)
@@ -92,6 +94,7 @@ class World:
         self.placements = ordered
         firsts = [placements[group[0]] for group in groups.values()]
         self._bodies = (bodies or KeptBodies()).of(firsts)
+        self._after = [placement.after for placement in firsts]
         self._order = _HitOrder(self._bodies, [len(group) for group in groups.values()])
         self.number = np.asarray(order, np.int32) + 1
         transforms = [Transform(placement.world_from_object) for placement in ordered]
@@ -136,21 +139,27 @@ class World:
         instance = hits.instance[ray]
         wo_world = -d_world.take(ray, axis=0)
         wo = self.to_object_directions(instance, wo_world)
-        x, n = (np.empty((len(ray), 3), np.float32) for _ in range(2))
+        x, n, x_next = (np.empty((len(ray), 3), np.float32) for _ in range(3))
         parts = []
         for body, part, rows in groups:
             points = self._bodies[body].points(part, hits, ray[rows], wo[rows], seen)
             x[rows], n[rows] = points.x, points.n
             parts.append((rows, points))
+            after = self._after[body] if seen else None
+            moved = points.x if after is None else after.points(part, hits, ray[rows], points.x)
+            x_next[rows] = moved
+        x_world = self._to_world_points(instance, x)
+        bends = seen and any(self._after)
         return Vertices(
             ray,
             instance,
             parts,
-            self._to_world_points(instance, x),
+            x_world,
             self.to_world_directions(instance, n),
             self.to_world_directions(instance, hits.ng.take(ray, axis=0)),
             wo_world,
             np.where(self._passes[instance], instance, NO_INSTANCE).astype(np.int32),
+            self._to_world_points(instance, x_next) if bends else x_world,
         )
 
     def origins(self, vertices: Vertices, row: np.ndarray, wi_world: np.ndarray) -> np.ndarray:

@@ -69,8 +69,9 @@ def _placed_assets(scene_file: SceneFile, tiers: Tiers, loaded: Loaded) -> list[
             other = load(path, chosen.indirect, pixels)
         shapes = motions.shapes(scene_file, index, path, asset)
         emission = load.emission(asset) if shapes is None else motions.emission(asset, shapes)
+        after = motions.after(scene_file, index, shapes)
         at = world_from_object(model.transform), emission, model.emission
-        placements.append(place_asset(asset, *at, other, shapes))
+        placements.append(place_asset(asset, *at, other, shapes, after))
     return placements
 
 
