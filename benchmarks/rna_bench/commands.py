@@ -40,6 +40,7 @@ GROUPS: dict[str, tuple[Command, ...]] = {
         Command("fit", "frontier.fit", resumes=True),
         Command("frontier-chart", "frontier.redraw"),
         Command("threads", "scenes.thread_counts"),
+        Command("film", "scenes.film_command", resumes=True),
     ),
     "speed of queries": (
         Command("evaluate", "speed.evaluate"),

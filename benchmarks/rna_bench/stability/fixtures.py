@@ -172,10 +172,19 @@ class Fixtures:
         """The package that was given, or one of `base`."""
         if self.subject.package is not None:
             return self.subject.package
-        out = self._folder / f"{self.dataset.manifest.name}.rna"
+        return self._packed(self.base, self.dataset, self.dataset.manifest.name)
+
+    def package_of(self, dataset: DatasetPart) -> OnePart:
+        """The package of one of the suite's own assets, `small`, loaded."""
+        trained = self.train("small", dataset, self.preset(dataset.kind))
+        path = self._packed(trained, dataset, dataset.dataset.folder.stem)
+        return load_one_part(path, threads=1)
+
+    def _packed(self, trained: Trained, dataset: DatasetPart, name: str) -> Path:
+        out = self._folder / f"{name}.rna"
         with self._made_once(out.name):
             if not out.is_file():
-                build_package([self.base], self.dataset.dataset, out, None, "unknown", print)
+                build_package([trained], dataset.dataset, out, None, "unknown", print)
         return out
 
     def packages_of_base(self) -> dict[str, Path]:
@@ -203,12 +212,23 @@ class Fixtures:
                 write_arrays(path, arrays)
         return load_file(path)
 
+    @property
+    def python(self) -> Path:
+        """Blender's."""
+        return blender_env.find_python()
+
+    @contextmanager
+    def scratch(self) -> Iterator[Path]:
+        """A folder's name, for a while."""
+        folder = self._folder / f"scratch-{uuid4().hex[:8]}"
+        try:
+            yield folder
+        finally:
+            shutil.rmtree(folder, ignore_errors=True)
+
     @contextmanager
     def cycles(self, source: Source) -> Iterator[BlenderWorker]:
         """Cycles with the source open."""
-        scratch = self._folder / f"scratch-{uuid4().hex[:8]}"
-        try:
-            with BlenderWorker(blender_env.find_python(), source, scratch, self._workers) as worker:
+        with self.scratch() as folder:
+            with BlenderWorker(self.python, source, folder, self._workers) as worker:
                 yield worker
-        finally:
-            shutil.rmtree(scratch, ignore_errors=True)

@@ -30,7 +30,7 @@ CASE_NAMES = (
     "luck",
     "numbers",
     "energy",
-    "posed",
+    "motion",
 )
 
 

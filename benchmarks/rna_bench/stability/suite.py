@@ -15,10 +15,10 @@ from rna_bench.stability.cases import (
     grazing,
     little_data,
     luck,
+    motion,
     near_light,
     noise,
     numbers,
-    posed,
     shadow_edges,
     sharp,
     thin,
@@ -47,7 +47,7 @@ CASES: tuple[Case, ...] = tuple(
         luck,
         numbers,
         energy,
-        posed,
+        motion,
     )
 )
 

@@ -1,0 +1,165 @@
+"""Frames of an asset in motion, ours and Cycles', timed, and the film of both."""
+
+from __future__ import annotations
+
+import argparse
+import tempfile
+import time
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from PIL import Image
+from tqdm import tqdm
+
+from rna_bench.results import write_results
+from rna_bench.scenes.beside_cycles import Beside
+from rna_export.capture.blender_process import blender_env
+from rna_export.capture.blender_process.blender_worker import BlenderWorker, Source
+from rna_export.compare.comparison_run import Timed
+from rna_export.compare.cycles_scene import cycles_scene
+from rna_export.machine import default_workers
+from rna_render import Camera, Denoiser, load_world, make_integrator, render
+from rna_render.scene import Scene, SceneFile, frame_scene, read_scene
+from rna_render.world.world_loading import Loaded
+from rna_sdk.errors import SceneError
+
+_QUALITY = 82  # of the film's WebP
+_GAP = 2  # pixels between ours and Cycles'
+
+
+def film(args: argparse.Namespace) -> list[Path]:
+    """Render the missing frames and write the film, its figures and PNGs; the paths."""
+    scene_file = read_scene(args.scene)
+    animation = scene_file.scene.animation
+    if animation is None or all(asset.motion is None for asset in scene_file.scene.assets):
+        raise SceneError(f"{args.scene}: found no `animation`, or no asset with a `motion`")
+    frames = range(animation.frames)
+    missing = [k for k in frames if not _kept(args.out, k).is_file()]
+    if missing:
+        _render(args, scene_file, missing)
+    both = [dict(np.load(_kept(args.out, k))) for k in frames]
+    exposure = Beside.of(both[0]["cycles"][None], both[0]["alpha"] > 0.5).exposure
+    shown = [_shown(frame, exposure) for frame in both]
+    rows = [_row(k, frame, exposure) for k, frame in enumerate(both)]
+    return _write(args, scene_file.scene, rows, shown)
+
+
+def _kept(out: Path, frame: int) -> Path:
+    return out / "frames" / f"{frame:04d}.npz"
+
+
+def _render(args: argparse.Namespace, scene_file: SceneFile, frames: list[int]) -> None:
+    source = Source(args.source, tuple(args.script_arguments))
+    ours = _Ours(scene_file, None if args.noisy else Denoiser(default_workers()))
+    ours.render(frames[0])  # kernels are compiled, files are read
+    with tempfile.TemporaryDirectory() as folder:
+        at = blender_env.find_or_set_up(), source, Path(folder), default_workers()
+        with BlenderWorker(*at) as worker:
+            first = worker.frame_span()[0] if args.first is None else args.first
+            cycles = _Cycles(worker, scene_file.resolved, args.cycles_samples, not args.noisy)
+            for k in tqdm(frames, unit="frame", leave=False):
+                mine, alpha = ours.render(k)
+                theirs = cycles.render(first + k)
+                path = _kept(args.out, k)
+                path.parent.mkdir(parents=True, exist_ok=True)
+                seconds = np.array([mine.seconds, theirs.seconds])
+                np.savez(path, ours=mine.pixels, cycles=theirs.pixels, alpha=alpha, seconds=seconds)
+
+
+class _Ours:
+    """Our frames; files are read once."""
+
+    def __init__(self, scene_file: SceneFile, denoiser: Denoiser | None) -> None:
+        self._file, self._denoiser, self._loaded = scene_file, denoiser, Loaded()
+
+    def render(self, frame: int) -> tuple[Timed, np.ndarray]:
+        """The image and the alpha of frame `frame` of the scene."""
+        scene = frame_scene(self._file.scene, frame)
+        begun = time.perf_counter()
+        world = load_world(replace(self._file, scene=scene), loaded=self._loaded)
+        channels = render(scene, make_integrator(scene, world)).channels()
+        image = np.stack([channels[c] for c in "RGB"], axis=-1)
+        if self._denoiser is not None:
+            image = self._denoiser(
+                image, np.stack([channels[f"normal.{c}"] for c in "XYZ"], axis=-1)
+            )
+        return Timed(image, time.perf_counter() - begun), channels["assetId"] == 1
+
+
+class _Cycles:
+    """Frames of the original."""
+
+    def __init__(self, worker: BlenderWorker, scene: Scene, samples: int, denoise: bool) -> None:
+        self._worker, self._described = worker, cycles_scene(scene)
+        view = Camera(scene.camera, scene.resolution)
+        fov = np.radians(scene.camera.vertical_fov_deg)
+        self._at = view.to_world, fov, samples, 1, *scene.resolution
+        self._denoise = denoise
+        self._image()  # builds the scene
+
+    def _image(self) -> np.ndarray:
+        image: np.ndarray = self._worker.render_scene(
+            self._described, *self._at, denoise=self._denoise
+        )
+        return image[..., :3]
+
+    def render(self, frame: int) -> Timed:
+        """The image of frame `frame` of the source."""
+        begun = time.perf_counter()
+        self._worker.show_frame(frame)
+        image = self._image()
+        return Timed(image, time.perf_counter() - begun)
+
+
+def _beside(frame: dict[str, np.ndarray], exposure: float) -> Beside:
+    halves = np.stack([frame["cycles"]] * 2)
+    return Beside(halves, exposure, frame["alpha"] > 0.5)
+
+
+def _row(number: int, frame: dict[str, np.ndarray], exposure: float) -> dict[str, Any]:
+    beside = _beside(frame, exposure)
+    seconds = frame["seconds"].tolist()
+    return {
+        "frame": number,
+        "ours_seconds": round(seconds[0], 3),
+        "cycles_seconds": round(seconds[1], 3),
+        "flip": round(float(beside.flip(frame["ours"])[1][beside.asset].mean()), 4),
+        "brightness": np.round(beside.brightness(frame["ours"]), 3).tolist(),
+    }
+
+
+def _shown(frame: dict[str, np.ndarray], exposure: float) -> Image.Image:
+    """Ours and Cycles' side by side, as displayed."""
+    beside = _beside(frame, exposure)
+    ours, theirs = beside.picture(frame["ours"]), beside.picture(frame["cycles"])
+    gap = np.full((len(ours), _GAP, 3), 255, np.uint8)
+    return Image.fromarray(np.concatenate([ours, gap, theirs], axis=1))
+
+
+def _write(
+    args: argparse.Namespace, scene: Scene, rows: list[dict[str, Any]], shown: list[Image.Image]
+) -> list[Path]:
+    for k, image in enumerate(shown):
+        image.save(args.out / "frames" / f"{k:04d}.png")
+    moving, figures = args.out / "film.webp", args.out / "film.json"
+    shown[0].save(
+        moving,
+        save_all=True,
+        append_images=shown[1:],
+        duration=round(1000 / 12),
+        loop=0,
+        quality=_QUALITY,
+        method=6,
+    )
+    names = ("ours_seconds", "cycles_seconds", "flip")
+    median = {name: float(np.median([row[name] for row in rows])) for name in names}
+    settings = {
+        "resolution": list(scene.resolution),
+        "samples": scene.samples,
+        "cycles_samples": args.cycles_samples,
+        "denoised": not args.noisy,
+    }
+    write_results(figures, args.stamp, {**settings, "median": median, "frames": rows})
+    return [moving, figures]

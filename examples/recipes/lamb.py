@@ -1,0 +1,221 @@
+"""Builds a lamb of soft plastic with wool, that walks.
+
+    rna-make examples/recipes/lamb.py --out lamb.rna --minutes 30
+    rna-motion examples/recipes/lamb.py lamb.rna --out lamb.rnam
+
+It stands in frame 0, as it is captured; frames 1 to 24 are a walk on the spot, in a loop. A
+skeleton moves one skin and what grows on it. Runs inside Blender, where `rna_hair` is at hand.
+"""
+
+import argparse
+import math
+
+import bpy
+import numpy as np
+import rna_hair
+import shading
+import shapes
+from mathutils import Matrix
+from rna_hair.objects import add_curves, chiang_material
+
+FRAMES = 24
+VOXEL = 0.0042
+SOFT = 0.010  # metres: how far from a joint weights go over
+BODY, BODY_RADII = np.array([0.0, 0.012, 0.142]), np.array([0.056, 0.086, 0.054])
+HEAD, HEAD_RADII = np.array([0.0, -0.112, 0.205]), np.array([0.033, 0.040, 0.034])
+RADIUS, POINTS = 0.0005, 9  # of a strand
+
+# Bones: parent, head, tail, and the radii of the skin there.
+BONES = {
+    "body": (None, (0.0, 0.075, 0.142), (0.0, -0.055, 0.142), (0.048, 0.048)),
+    "head": ("body", (0.0, -0.065, 0.172), (0.0, -0.112, 0.205), (0.026, 0.034)),
+    "tail": ("body", (0.0, 0.092, 0.152), (0.0, 0.118, 0.138), (0.010, 0.011)),
+}
+LEGS = {  # x, y, and the phase of its step
+    "fore.L": (0.030, -0.046, 0.0),
+    "fore.R": (-0.030, -0.046, math.pi),
+    "hind.L": (0.032, 0.062, 1.2 * math.pi),
+    "hind.R": (-0.032, 0.062, 0.2 * math.pi),
+}
+for leg, (x, y, _) in LEGS.items():
+    BONES[f"thigh {leg}"] = ("body", (x, y, 0.118), (x, y, 0.062), (0.020, 0.013))
+    BONES[f"shin {leg}"] = (f"thigh {leg}", (x, y, 0.062), (x, y, 0.010), (0.013, 0.012))
+
+
+def on_head(*offset):
+    """A place by its offset from the head's middle."""
+    return HEAD + np.array(offset)
+
+
+def plastic(name, colour, roughness=0.4):
+    return shading.principled(
+        name,
+        colour,
+        Roughness=roughness,
+        Subsurface_Weight=1.0,
+        Subsurface_Radius=(1.0, 0.5, 0.35),
+        Subsurface_Scale=0.008,
+    )
+
+
+def skin():
+    """One smooth surface: body, head with ears and muzzle, legs, tail."""
+    balls = [shapes.ball(BODY_RADII, 40).placed(BODY), shapes.ball(HEAD_RADII, 36).placed(HEAD)]
+    balls.append(shapes.ball((0.022, 0.026, 0.019), 32).placed(on_head(0.0, -0.034, -0.012)))
+    for side in (-1.0, 1.0):
+        turn = shapes.rotation((0, 1, 0), side * 22.0)
+        ear = shapes.ball((0.026, 0.007, 0.012), 28)
+        balls.append(ear.placed(on_head(side * 0.046, 0.006, 0.004), turn))
+    tubes = []
+    for name, (_, head, tail, radii) in BONES.items():
+        if name != "body":
+            path = np.linspace(head, tail, 10)
+            tubes.append(shapes.tube(path, np.linspace(*radii, 10), 20))
+            balls += [
+                shapes.ball((r, r, r), 20).placed(place)
+                for place, r in zip((head, tail), radii, strict=True)
+            ]
+    item = shapes.add(shapes.joined([*balls, *tubes]), "rough", plastic("skin", (0.66, 0.40, 0.30)))
+    item.modifiers.new("melted", "REMESH").voxel_size = VOXEL
+    item.modifiers.new("smooth", "SMOOTH").iterations = 7
+    evaluated = item.evaluated_get(bpy.context.evaluated_depsgraph_get())
+    mesh = bpy.data.meshes.new_from_object(evaluated)
+    bpy.data.objects.remove(item)
+    mesh.shade_smooth()
+    made = bpy.data.objects.new("lamb", mesh)
+    bpy.context.scene.collection.objects.link(made)
+    return made
+
+
+def skeleton():
+    data = bpy.data.armatures.new("skeleton")
+    rig = bpy.data.objects.new("skeleton", data)
+    bpy.context.scene.collection.objects.link(rig)
+    bpy.context.view_layer.objects.active = rig
+    bpy.ops.object.mode_set(mode="EDIT")
+    for name, (parent, head, tail, _) in BONES.items():
+        bone = data.edit_bones.new(name)
+        bone.head, bone.tail = head, tail
+        bone.parent = data.edit_bones[parent] if parent else None
+    bpy.ops.object.mode_set(mode="OBJECT")
+    return rig
+
+
+def bind(item, rig):
+    """Weights of the skin by the distance to each bone's surface."""
+    points = np.empty((len(item.data.vertices), 3), np.float32)
+    item.data.vertices.foreach_get("co", points.reshape(-1))
+    away = []
+    for _, head, tail, radii in BONES.values():
+        along = np.subtract(tail, head)
+        t = np.clip((points - head) @ along / (along @ along), 0.0, 1.0)
+        distance = np.linalg.norm(points - head - t[:, None] * along, axis=1)
+        away.append(distance - np.interp(t, (0, 1), radii))
+    away = np.stack(away)
+    weights = np.exp(-(away - away.min(axis=0)) / SOFT)
+    weights = np.where(weights < 0.02, 0.0, weights)
+    weights /= weights.sum(axis=0)
+    for name, row in zip(BONES, weights, strict=True):
+        group = item.vertex_groups.new(name=name)
+        for k in np.flatnonzero(row).tolist():
+            group.add([k], float(row[k]), "REPLACE")
+    item.parent = rig
+    item.modifiers.new("skin", "ARMATURE").object = rig
+
+
+def hang(item, rig, bone):
+    """Let an object go where a bone goes."""
+    item.parent, item.parent_type, item.parent_bone = rig, "BONE", bone
+    bpy.context.view_layer.update()
+    item.matrix_world = Matrix()
+
+
+def wool(rng, centre, radii, count, length, keep):
+    """Curly guides (s, POINTS, 3), Blender's axes, all over an ellipsoid where `keep` says so."""
+    unit = rng.normal(size=(6 * count, 3))
+    unit /= np.linalg.norm(unit, axis=1, keepdims=True)
+    unit = unit[keep(unit)][:count]
+    out = unit / radii
+    out /= np.linalg.norm(out, axis=1, keepdims=True)
+    side = np.cross(out, rng.normal(size=out.shape))
+    side /= np.linalg.norm(side, axis=1, keepdims=True)
+    other = np.cross(out, side)
+    t = np.linspace(0.0, 1.0, POINTS)[:, None, None]
+    turn = 2.0 * math.pi * (1.1 * t + rng.random((1, len(out), 1)))
+    curl = 0.0045 * t * (np.cos(turn) * side + np.sin(turn) * other)
+    grown = centre + 0.97 * radii * unit + length * t * out + curl
+    return np.moveaxis(grown + [0.0, 0.0, -0.25 * length] * t**2, 0, 1)
+
+
+def fur(name, guides, strands, seed):
+    roots = guides[..., [0, 2, 1]] * [1.0, 1.0, -1.0]  # +Y up, as rna_hair has it
+    grown = rna_hair.interpolate(
+        rna_hair.of_equal_length(roots, RADIUS),
+        strands,
+        points=POINTS,
+        seed=seed,
+        clump=0.6,
+        noise=0.05,
+        shorten=0.2,
+    )
+    grown = rna_hair.taper(grown, RADIUS, tip=0.4, start=0.6)
+    hair = chiang_material(name, melanin=0.14, redness=0.5, roughness=0.4, radial_roughness=0.6)
+    return add_curves(grown, name, hair)
+
+
+def add_eyes(rig):
+    black = shading.principled("eyes", (0.012, 0.01, 0.01), Roughness=0.08)
+    for side in (-1.0, 1.0):
+        eye = shapes.ball((0.0062, 0.0062, 0.0075), 24)
+        placed = eye.placed(on_head(side * 0.0245, -0.026, 0.008))
+        hang(shapes.add(placed, "eye", black), rig, "head")
+    nose = shapes.ball((0.0085, 0.005, 0.0055), 24).placed(on_head(0.0, -0.059, -0.009))
+    hang(shapes.add(nose, "nose", shading.principled("nose", (0.10, 0.035, 0.03))), rig, "head")
+
+
+def pose(rig, frame):
+    """Key all bones: at rest in frame 0, then a walk."""
+    turn, amount = 2.0 * math.pi * (frame - 1) / FRAMES, float(frame > 0)
+    bend = {
+        "body": (1.6 * math.sin(2.0 * turn), (0.0, 0.0, 0.004 * math.cos(2.0 * turn))),
+        "head": (5.0 * math.sin(2.0 * turn - 0.8), None),
+        "tail": (14.0 * math.sin(2.0 * turn), None),
+    }
+    for leg, (_, y, phase) in LEGS.items():
+        at = turn + phase
+        lift = max(0.0, math.cos(at)) ** 1.5
+        knee = 46.0 if y < 0 else -46.0  # forelegs bend back, hind legs forward
+        bend[f"thigh {leg}"] = (25.0 * math.sin(at) - 0.4 * knee * lift, None)
+        bend[f"shin {leg}"] = (knee * lift, None)
+    for name, (angle, shift) in bend.items():
+        bone = rig.pose.bones[name]
+        own = rig.data.bones[name].matrix_local.to_3x3().transposed()
+        axis = own @ Matrix.Identity(3).col[0]  # of the bone, towards +x
+        bone.rotation_mode = "AXIS_ANGLE"
+        bone.rotation_axis_angle = math.radians(amount * angle), *axis
+        bone.keyframe_insert("rotation_axis_angle", frame=frame)
+        if shift is not None:
+            bone.location = amount * (own @ Matrix.Translation(shift).to_translation())
+            bone.keyframe_insert("location", frame=frame)
+
+
+def build(strands):
+    rng = np.random.default_rng(9)
+    rig, lamb = skeleton(), skin()
+    bind(lamb, rig)
+    add_eyes(rig)
+    back = wool(rng, BODY, BODY_RADII, 900, 0.024, lambda u: u[:, 2] > -0.75)
+    cap = wool(rng, HEAD, HEAD_RADII, 160, 0.014, lambda u: (u[:, 2] > 0.5) & (u[:, 1] > -0.5))
+    hang(fur("wool", back, strands * 7 // 8, 1), rig, "body")
+    hang(fur("cap", cap, strands // 8, 2), rig, "head")
+    bpy.context.preferences.edit.keyframe_new_interpolation_type = "LINEAR"
+    for frame in range(FRAMES + 1):
+        pose(rig, frame)
+    scene = bpy.context.scene
+    scene.frame_start, scene.frame_end = 1, FRAMES
+    scene.frame_set(0)
+
+
+parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+parser.add_argument("--strands", type=int, default=8000)
+build(parser.parse_args().strands)
