@@ -111,8 +111,8 @@ def bind(item, rig):
         t = np.clip((points - head) @ along / (along @ along), 0.0, 1.0)
         distance = np.linalg.norm(points - head - t[:, None] * along, axis=1)
         away.append(distance - np.interp(t, (0, 1), radii))
-    away = np.stack(away)
-    weights = np.exp(-(away - away.min(axis=0)) / SOFT)
+    nearest = np.min(away, axis=0)
+    weights = np.exp(-(np.stack(away) - nearest) / SOFT)
     weights = np.where(weights < 0.02, 0.0, weights)
     weights /= weights.sum(axis=0)
     for name, row in zip(BONES, weights, strict=True):
@@ -159,7 +159,7 @@ def fur(name, guides, strands, seed):
         shorten=0.2,
     )
     grown = rna_hair.taper(grown, RADIUS, tip=0.4, start=0.6)
-    hair = chiang_material(name, melanin=0.14, redness=0.5, roughness=0.4, radial_roughness=0.6)
+    hair = chiang_material(name, melanin=0.08, redness=0.5, roughness=0.4, radial_roughness=0.6)
     return add_curves(grown, name, hair)
 
 

@@ -83,8 +83,8 @@ def bind(item, rig):
         t = np.clip((points - at(head)) @ along / (along @ along), 0.0, 1.0)
         distance = np.linalg.norm(points - at(head) - t[:, None] * along, axis=1)
         away.append(distance - np.interp(t, (0, 1), radii))
-    away = np.stack(away)
-    weights = np.exp(-(away - away.min(axis=0)) / SOFT)
+    nearest = np.min(away, axis=0)
+    weights = np.exp(-(np.stack(away) - nearest) / SOFT)
     weights = np.where(weights < 0.02, 0.0, weights)
     weights /= weights.sum(axis=0)
     for name, row in zip(BONES, weights, strict=True):
