@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from rna_export.capture.rna_capture import main as capture
 from rna_export.trials.trial import Trial
 from rna_export.trials.trial_pool import TrialPool, TrialWorkers
 from rna_render.command.rna_run import main as render
+from rna_sdk.motion import write_motion
 from rna_work.cluster.store import Store
 from rna_work.executors import open_executor
 from tests.exporters.scenes import write_scene
@@ -55,11 +57,18 @@ def test_a_capture_has_the_same_bits(
 
 
 def test_frames_have_the_same_bits(ray_address: str, tmp_path: Path) -> None:
-    (tmp_path / "models").mkdir()
-    write_lambert_package(tmp_path / "models" / "ball.rna", sphere(4))
+    """Of a ball, and of one in motion beside it, whose file travels with the scene."""
+    models, ball = tmp_path / "models", sphere(4)
+    models.mkdir()
+    write_lambert_package(models / "ball.rna", ball)
+    moved = [[ball.positions * np.float32([1, 1 + k / 10, 1])] for k in range(4)]
+    write_motion(models / "grow.rnam", [ball], moved, count=4, rate=24)
     scene = tmp_path / "scenes" / "scene.yaml"
     scene.parent.mkdir()
-    scene.write_text(SCENE.replace("ball.rna", "../models/ball.rna"))
+    still, name = "path: ../models/ball.rna", "motion: ../models/grow.rnam"
+    where = "transform: {translation: [0.1, 0, 0], scale: 0.1}"
+    both = f"{still}\n  - {still}\n    {name}\n    {where}"
+    scene.write_text(SCENE.replace("path: ball.rna", both))
     for name in ("a", "b"):
         (tmp_path / name).mkdir()
     common = [str(scene), "--frames", "all", "--out"]
