@@ -208,7 +208,6 @@ def build(strands):
     cap = wool(rng, HEAD, HEAD_RADII, 160, 0.014, lambda u: (u[:, 2] > 0.5) & (u[:, 1] > -0.5))
     hang(fur("wool", back, strands * 7 // 8, 1), rig, "body")
     hang(fur("cap", cap, strands // 8, 2), rig, "head")
-    bpy.context.preferences.edit.keyframe_new_interpolation_type = "LINEAR"
     for frame in range(FRAMES + 1):
         pose(rig, frame)
     scene = bpy.context.scene

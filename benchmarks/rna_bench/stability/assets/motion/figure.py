@@ -96,14 +96,13 @@ def bind(item, rig):
 
 
 def move(rig):
-    bpy.context.preferences.edit.keyframe_new_interpolation_type = "LINEAR"
     for name, (*_, axis) in BONES.items():
         if axis is None:
             continue
         bone = rig.pose.bones[name]
         own = np.array(rig.data.bones[name].matrix_local.to_3x3()).T @ axis
         bone.rotation_mode = "AXIS_ANGLE"
-        for frame in (1, LAST):
+        for frame in range(1, LAST + 1):
             bone.rotation_axis_angle = math.radians(frame - 1), *own
             bone.keyframe_insert("rotation_axis_angle", frame=frame)
     scene = bpy.context.scene

@@ -74,10 +74,10 @@ def move(item):
         key.data.foreach_set("co", shape(float(angle)).astype(np.float32).reshape(-1))
     keys = item.data.shape_keys
     keys.use_relative = False
-    bpy.context.preferences.edit.keyframe_new_interpolation_type = "LINEAR"
     blocks = keys.key_blocks
-    for frame, block in ((1, blocks[0]), (LAST, blocks[-1])):
-        keys.eval_time = block.frame
+    for frame in range(1, LAST + 1):
+        share = (frame - 1) / (LAST - 1)
+        keys.eval_time = blocks[0].frame + share * (blocks[-1].frame - blocks[0].frame)
         keys.keyframe_insert("eval_time", frame=frame)
     for block in blocks:
         block.interpolation = "KEY_LINEAR"

@@ -66,8 +66,7 @@ def paint(mesh):
 def move(item):
     bend = item.modifiers.new("bend", "SIMPLE_DEFORM")
     bend.deform_method, bend.deform_axis = "BEND", "X"
-    bpy.context.preferences.edit.keyframe_new_interpolation_type = "LINEAR"
-    for frame in (1, LAST):
+    for frame in range(1, LAST + 1):
         bend.angle = math.radians(frame - 1)
         bend.keyframe_insert("angle", frame=frame)
     scene = bpy.context.scene
