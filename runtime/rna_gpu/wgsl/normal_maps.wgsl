@@ -2,15 +2,20 @@
 //     fn rna_map_texel(map: u32, row: u32, column: u32) -> vec2f
 // which gives the two numbers from 0 to 255 of a texel.
 
+// at modulo sides. Vulkan leaves `%` of a negative number undefined, and drivers differ.
+fn rna_repeated(at: vec2<i32>, sides: vec2<i32>) -> vec2<i32> {
+    let left = at - at / sides * sides;
+    return select(left, left + sides, left < vec2<i32>(0));
+}
+
 // x and y of a map of `size` (columns, rows) at uv; it repeats.
 fn rna_map_value(map: u32, size: vec2<u32>, uv: vec2f) -> vec2f {
     let at = uv * vec2f(size) - 0.5;
     let low = floor(at);
     let part = at - low;
     let sides = vec2<i32>(size);
-    let first = ((vec2<i32>(low) % sides) + sides) % sides;
-    let i = vec2<u32>(first);
-    let j = vec2<u32>((first + 1) % sides);
+    let i = vec2<u32>(rna_repeated(vec2<i32>(low), sides));
+    let j = vec2<u32>(rna_repeated(vec2<i32>(low) + 1, sides));
     let upper = mix(rna_map_texel(map, i.y, i.x), rna_map_texel(map, i.y, j.x), part.x);
     let lower = mix(rna_map_texel(map, j.y, i.x), rna_map_texel(map, j.y, j.x), part.x);
     return (mix(upper, lower, part.y) - 127.0) / 127.0;
