@@ -18,7 +18,7 @@ from rna_sdk.conformance.kit import (
 )
 from rna_sdk.conformance.program import Program
 from rna_sdk.errors import ConformanceError
-from rna_sdk.package.decoder.decoder_form import TRANSPORT, form_named
+from rna_sdk.package.decoder.decoder_form import TRANSPORT, allowed, form_named
 
 
 @dataclass(frozen=True)
@@ -78,7 +78,7 @@ def _evaluate(program: Program, case: EvaluateCase, int8_share: float) -> Score:
     form = form_named(case.output)
     where = case.package, case.tier, case.part, case.queries
     found = reader.evaluate(program, form, case.expected.shape[1], *where)
-    return _compared(case, found, form.allowed(found), case.step, int8_share)
+    return _compared(case, found, allowed(found), case.step, int8_share)
 
 
 def _normals(program: Program, case: NormalsCase) -> Score:
@@ -89,12 +89,12 @@ def _normals(program: Program, case: NormalsCase) -> Score:
 def _compared(
     case: EvaluateCase | NormalsCase,
     found: NDArray[np.float64],
-    allowed: NDArray[np.bool_],
+    good: NDArray[np.bool_],
     step: float = 0.0,
     int8_share: float = 0.0,
 ) -> Score:
     """Each value against its tolerance; `int8_share` of the rows may be off by a step of int8."""
-    difference = np.where(allowed, np.abs(found - case.expected), np.inf)
+    difference = np.where(good, np.abs(found - case.expected), np.inf)
     units = _units(difference, case.tolerance)
     wrong = units.max(axis=1) > 1
     by_a_step = np.all(difference <= case.tolerance + step, axis=1)

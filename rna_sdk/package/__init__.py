@@ -22,7 +22,9 @@ if TYPE_CHECKING:
     from rna_sdk.package.geometry.curves import Curves
     from rna_sdk.package.geometry.geometry_files import quantise
     from rna_sdk.package.geometry.mesh import Mesh
+    from rna_sdk.package.geometry.vertex_visibility import quantised_harmonics
     from rna_sdk.package.issues import Code, Issue, Severity
+    from rna_sdk.package.manifest.extensions import EnvironmentPart, EnvironmentValidation
     from rna_sdk.package.manifest.manifest_fields import Bounds, Cone, Domain
     from rna_sdk.package.manifest.manifest_model import (
         Manifest,
@@ -41,7 +43,8 @@ if TYPE_CHECKING:
         Validation,
     )
     from rna_sdk.package.manifest.tier_ranges import tier_ranges
-    from rna_sdk.package.package import Package
+    from rna_sdk.package.package import EnvironmentLobes, Package
+    from rna_sdk.package.packing import Lobes, Unpacked
     from rna_sdk.package.textures.normal_maps import NormalMap
     from rna_sdk.package.textures.planes import Int8Planes, Planes, float_planes
     from rna_sdk.package.textures.transmittance import Transmittance
@@ -57,9 +60,13 @@ __all__ = [
     "Cost",
     "Curves",
     "Domain",
+    "EnvironmentLobes",
+    "EnvironmentPart",
+    "EnvironmentValidation",
     "FlipAtHeight",
     "Int8Planes",
     "Issue",
+    "Lobes",
     "Manifest",
     "Mesh",
     "NormalMap",
@@ -78,9 +85,11 @@ __all__ = [
     "TierPart",
     "Transmittance",
     "TransmittanceRecord",
+    "Unpacked",
     "Validation",
     "float_planes",
     "quantise",
+    "quantised_harmonics",
     "query_width",
     "read_profile_decoder",
     "tier_ranges",

@@ -83,6 +83,10 @@ class Code(Enum):
     # extensions/
     DEFLATE_STREAM = (Severity.ERROR, "A coded entry does not inflate to its declared bytes.")
     DEFLATE_SIZE = (Severity.ERROR, "A coded entry declares too many bytes for those stored.")
+    ENVIRONMENT_VISIBILITY = (
+        Severity.ERROR,
+        "The visibility is not a valid tensor file of one row a vertex.",
+    )
     POSTER_IMAGE = (Severity.WARNING, "The poster is not a PNG of the declared size.")
 
     # geometry/*.glb, geometry/*.safetensors

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from os import PathLike
 from types import TracebackType
 
@@ -15,13 +16,43 @@ from rna_sdk.package.decoder.decoder_form import TRANSPORT
 from rna_sdk.package.geometry.curves import Curves
 from rna_sdk.package.geometry.geometry_files import Geometry, geometry_from_bytes
 from rna_sdk.package.geometry.mesh import Mesh
-from rna_sdk.package.manifest.extensions import Poster, Proxy, ProxyLevel, extension
+from rna_sdk.package.geometry.vertex_visibility import (
+    Harmonics,
+    vertex_count,
+    visibility_from_bytes,
+)
+from rna_sdk.package.manifest.extensions import (
+    Environment,
+    EnvironmentPart,
+    Poster,
+    Proxy,
+    ProxyLevel,
+    extension,
+)
 from rna_sdk.package.manifest.manifest_model import Manifest, Part
 from rna_sdk.package.manifest.manifest_tiers import Tier, TierPart
 from rna_sdk.package.textures.normal_maps import NORMALS, NormalMap
 from rna_sdk.package.textures.planes import Planes, planes_from_bytes
 from rna_sdk.package.textures.transmittance import Transmittance, texture_from_bytes
 from rna_sdk.package.validator import inspect
+
+
+@dataclass(frozen=True, eq=False)
+class EnvironmentLobes:
+    """Lobes of a part (RNA_environment): light from all sides in one query a point.
+
+    Attributes:
+        record: in the manifest.
+        planes: that the decoder reads, as of `Package.planes`.
+        decoder: the ONNX model, read-only bytes.
+        harmonics: (vertices, 16) int8, read-only: 127 times the coefficients of the visibility
+            about the mesh's vertices or the curves' points; None if the decoder reads none.
+    """
+
+    record: EnvironmentPart
+    planes: Planes
+    decoder: memoryview
+    harmonics: Harmonics | None
 
 
 class Package:
@@ -218,6 +249,24 @@ class Package:
             if own.form.name == form:
                 return self._view(own.entry)
         raise QueryError(f"no decoder of {form} in part {part} of tier {tier!r}")
+
+    def environment(self, part: int = 0) -> EnvironmentLobes | None:
+        """The lobes of a part (RNA_environment), which are for its full geometry; None without.
+
+        Raises:
+            QueryError: the package has no such part, or is closed.
+        """
+        self._part(part)
+        data = extension(self.manifest, Environment)
+        record = data.parts[part] if data else None
+        if record is None:
+            return None
+        harmonics = None
+        if (name := record.visibility) is not None:
+            vertices = vertex_count(self.geometry(part))
+            harmonics = visibility_from_bytes(self._view(name), name, vertices)
+        planes = planes_from_bytes(self._view(record.planes), record)
+        return EnvironmentLobes(record, planes, self._view(record.decoder), harmonics)
 
     def layout(self) -> dict[str, range]:
         """Byte range of each entry in the file, its header included; for `tier_ranges`.

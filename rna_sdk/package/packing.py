@@ -1,9 +1,9 @@
-"""Change a package entry by entry, without its models: code its entries, add a poster."""
+"""Change a package entry by entry, without its models: code its entries, add a poster or lobes."""
 
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from os import PathLike
 
@@ -11,24 +11,75 @@ from pydantic import JsonValue
 
 from rna_sdk.errors import PackageError
 from rna_sdk.package.geometry.geometry_files import Geometry, geometry_to_bytes
+from rna_sdk.package.geometry.vertex_visibility import Harmonics, visibility_to_bytes
 from rna_sdk.package.issues import Code, refuse
 from rna_sdk.package.manifest.deflate import encode, largest_decoded
 from rna_sdk.package.manifest.extensions import (
     Coding,
     Deflate,
+    Environment,
+    EnvironmentPart,
+    EnvironmentValidation,
     Extension,
     Poster,
     Proxy,
     extension,
 )
-from rna_sdk.package.manifest.manifest_fields import GEOMETRY_ENTRIES
+from rna_sdk.package.manifest.manifest_fields import GEOMETRY_ENTRIES, DecoderPrecision
 from rna_sdk.package.manifest.manifest_model import Manifest
+from rna_sdk.package.manifest.manifest_tiers import Agreement, TierPart
 from rna_sdk.package.manifest.poster import png_size
 from rna_sdk.package.validator import inspect
 from rna_sdk.package.writer import write_entries
 
 _CODINGS = ((1, 0), (1, 1), (2, 0), (2, 1), (2, 3), (2, 4), (4, 0), (4, 3))
 """Element sizes and distances that are tried on an entry, beside those of its planes' channels."""
+
+
+@dataclass(frozen=True, eq=False)
+class Lobes:
+    """Lobes of a part, for RNA_environment.
+
+    Attributes:
+        tier: name of the tier whose planes the decoder reads.
+        lobes: how many, even, 2 to 32.
+        inputs: names of the decoder's input blocks.
+        decoder: serialized ONNX model, output `environment` of 9 columns a lobe.
+        harmonics: (vertices, 16) int8 of `quantised_harmonics`, the visibility about the mesh's
+            vertices or the curves' points, whose 16 numbers are the decoder's last inputs; None
+            if it has no such inputs.
+        precision: of the decoder.
+        agreement: largest difference between decoder and trained model, if recorded.
+    """
+
+    tier: str
+    lobes: int
+    inputs: tuple[str, ...]
+    decoder: bytes
+    harmonics: Harmonics | None = None
+    precision: DecoderPrecision = "float32"
+    agreement: Agreement | None = None
+
+    def entries(self, part: str, of_tier: TierPart) -> tuple[EnvironmentPart, dict[str, bytes]]:
+        """Record and entries of the lobes; part: its name. of_tier: in `tier`."""
+        start = f"extensions/{Environment.NAME}/{part}"
+        decoder, visibility = f"{start}.onnx", f"{start}-visibility.safetensors"
+        record = EnvironmentPart(
+            planes=of_tier.planes,
+            decoder=decoder,
+            inputs=self.inputs,
+            resolution=of_tier.resolution,
+            channels=of_tier.channels,
+            plane_precision=of_tier.plane_precision,
+            decoder_precision=self.precision,
+            agreement=self.agreement,
+            lobes=self.lobes,
+            visibility=None if self.harmonics is None else visibility,
+        )
+        own = {decoder: self.decoder}
+        if self.harmonics is not None:
+            own[visibility] = visibility_to_bytes(self.harmonics)
+        return record, own
 
 
 @dataclass(frozen=True)
@@ -89,6 +140,28 @@ class Unpacked:
                 records.append({"geometry": name, "height": height})
             parts.append(records or None)
         return self.with_extension(Proxy.model_validate({"parts": parts}), entries)
+
+    def with_environment(
+        self, parts: Sequence[Lobes | None], validation: Sequence[EnvironmentValidation] = ()
+    ) -> Unpacked:
+        """A copy with these lobes of each part (None for none), which replace any others.
+
+        validation: their error under environments that they were not trained on.
+
+        Raises:
+            KeyError: a tier is not there.
+        """
+        entries: dict[str, bytes] = {}
+        records: list[EnvironmentPart | None] = []
+        tiers = {tier.name: tier for tier in self.manifest.tiers}
+        for k, (part, lobes) in enumerate(zip(self.manifest.parts, parts, strict=True)):
+            record = None
+            if lobes is not None:
+                record, own = lobes.entries(part.name, tiers[lobes.tier].parts[k])
+                entries |= own
+            records.append(record)
+        data = Environment(parts=tuple(records), validation=tuple(validation))
+        return self.with_extension(data, entries)
 
     def with_extension(self, data: Extension, entries: Mapping[str, bytes]) -> Unpacked:
         """A copy with this data of an extension and its entries, which replace any others."""

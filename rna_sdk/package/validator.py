@@ -12,17 +12,19 @@ from rna_sdk.errors import PackageError
 from rna_sdk.package.container.strict_json import pointer
 from rna_sdk.package.container.zip_container import MANIFEST_NAME, Container
 from rna_sdk.package.decoder.decoder_checks import check_decoder
+from rna_sdk.package.decoder.decoder_form import PartDecoder
 from rna_sdk.package.geometry.geometry_files import QUANTISED_VERSION, Geometry, geometry_from_bytes
 from rna_sdk.package.geometry.mesh import Mesh
+from rna_sdk.package.geometry.vertex_visibility import vertex_count, visibility_from_bytes
 from rna_sdk.package.issues import Code, Issue, Severity
 from rna_sdk.package.manifest.deflate import decoded_entry
-from rna_sdk.package.manifest.extensions import Deflate, Proxy, extension
+from rna_sdk.package.manifest.extensions import Deflate, Environment, Proxy, extension
 from rna_sdk.package.manifest.manifest_checks import manifest_warnings
 from rna_sdk.package.manifest.manifest_fields import Bounds, version_number
 from rna_sdk.package.manifest.manifest_model import Manifest, NormalMapRecord, TransmittanceRecord
 from rna_sdk.package.manifest.manifest_reader import parse_manifest
 from rna_sdk.package.manifest.manifest_short import Places
-from rna_sdk.package.manifest.manifest_tiers import TierPart
+from rna_sdk.package.manifest.manifest_tiers import TierPartFields
 from rna_sdk.package.manifest.poster import poster_issues
 from rna_sdk.package.textures.normal_maps import NORMALS, check_normal_maps
 from rna_sdk.package.textures.planes import check_finite, planes_from_bytes
@@ -133,11 +135,13 @@ def _decode_entries(
 def _check_contents(
     result: Inspection, container: Container, manifest: Manifest, places: Places, intact: set[str]
 ) -> None:
+    vertices: dict[int, int] = {}  # of parts whose geometry is good
     for k, part in enumerate(manifest.parts):
         if part.geometry in intact:
             with result.collect():
                 view = container.view(part.geometry)
                 geometry = geometry_from_bytes(view, part.geometry, part.kind)
+                vertices[k] = vertex_count(geometry)
                 result.issues += _too_new(geometry, manifest, places.part(k, "geometry"))
                 result.issues += _outside(geometry, part.bounds, places.part(k, "bounds"))
                 if isinstance(geometry, Mesh):
@@ -153,10 +157,16 @@ def _check_contents(
         for tier_part in tier.parts:
             _check_planes(result, container, tier_part, intact, checked)
             for own in tier_part.decoders:
-                if own.entry in intact and own not in checked:
-                    checked.add(own)
-                    with result.collect():
-                        result.issues += check_decoder(container.view(own.entry), own)
+                _check_decoder(result, container, own, intact, checked)
+    data = extension(manifest, Environment)
+    for k, record in enumerate(data.parts if data else ()):
+        if record is not None:
+            _check_planes(result, container, record, intact, checked)
+            _check_decoder(result, container, record.own_decoder, intact, checked)
+            name = record.visibility
+            if name is not None and name in intact and k in vertices:
+                with result.collect():
+                    visibility_from_bytes(container.view(name), name, vertices[k])
 
 
 def _check_proxies(
@@ -174,7 +184,7 @@ def _check_proxies(
 def _check_planes(
     result: Inspection,
     container: Container,
-    part: TierPart,
+    part: TierPartFields,
     intact: set[str],
     checked: set[object],
 ) -> None:
@@ -183,6 +193,19 @@ def _check_planes(
         checked.add(form)
         with result.collect():
             check_finite(planes_from_bytes(container.view(part.planes), part), part.planes)
+
+
+def _check_decoder(
+    result: Inspection,
+    container: Container,
+    own: PartDecoder,
+    intact: set[str],
+    checked: set[object],
+) -> None:
+    if own.entry in intact and own not in checked:
+        checked.add(own)
+        with result.collect():
+            result.issues += check_decoder(container.view(own.entry), own)
 
 
 class _Textures:

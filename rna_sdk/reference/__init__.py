@@ -14,5 +14,8 @@ Input blocks (6.2): `queries.queries_reference`, `queries.fiber_queries_referenc
     shaders              blocks.wgsl, surface_blocks.wgsl, fiber_blocks.wgsl, blocks.glsl
     Mitsuba              rna_mitsuba/blocks.py
 
+Lobes (12, RNA_environment): `lobes.py`. Fast form:
+    numba                rna_sdk/runtime/kernels/lobe_kernels.py
+
 The twin reader of `rna_sdk.conformance` answers with these references.
 """

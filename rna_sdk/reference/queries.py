@@ -32,7 +32,7 @@ def queries_reference(
     planes: (3, R, R, C); bounds: (2, 3) lower and upper corner; positions, normals, wo, wi:
     (n, 3), finite, object space, directions of any length but zero.
     """
-    n, o, i = _unit(normals), _unit(wo), _unit(wi)
+    n, o, i = unit(normals), unit(wo), unit(wi)
     blocks: Blocks = {
         **_common_blocks(planes, bounds, positions, o, i),
         "normal": lambda: n,
@@ -57,7 +57,7 @@ def fiber_queries_reference(
 
     h: (n,), finite; the others as in `queries_reference`.
     """
-    t, o, i = _unit(tangents), _unit(wo), _unit(wi)
+    t, o, i = unit(tangents), unit(wo), unit(wi)
     offset = np.clip(np.asarray(h, np.float64), -1, 1)
     blocks: Blocks = {
         **_common_blocks(planes, bounds, positions, o, i),
@@ -185,7 +185,7 @@ def _dot(a: Float, b: Float) -> Float:
     return result
 
 
-def _unit(vectors: NDArray[np.floating]) -> Float:
+def unit(vectors: NDArray[np.floating]) -> Float:
     wide = np.asarray(vectors, np.float64)
     result: Float = wide / np.linalg.norm(wide, axis=1, keepdims=True)
     return result

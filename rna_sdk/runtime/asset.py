@@ -10,12 +10,22 @@ from numpy.typing import NDArray
 
 from rna_sdk.arrays import scalars, vectors
 from rna_sdk.errors import QueryError
-from rna_sdk.package import Domain, NormalMap, Package, Tier, Transmittance
-from rna_sdk.package.decoder.decoder_form import TRANSPORT, form_named
+from rna_sdk.package import (
+    Curves,
+    Domain,
+    EnvironmentPart,
+    Mesh,
+    NormalMap,
+    Package,
+    Tier,
+    Transmittance,
+)
+from rna_sdk.package.decoder.decoder_form import COLUMNS, TRANSPORT, form_named
 from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS, Rows
 from rna_sdk.package.manifest.manifest_fields import Kind
 from rna_sdk.runtime.engine.batch import Batch
 from rna_sdk.runtime.engine.costs import kept_cost, median_seconds
+from rna_sdk.runtime.part_lobes import PartLobes
 
 if TYPE_CHECKING:
     from rna_sdk.runtime.fiber_asset import FiberAsset
@@ -124,13 +134,20 @@ class AssetPart(Asset):
         tier_part: the part's record in the tier.
         transmittance_records: holes and thin glass of a surface; see `transmittance`.
         normal_maps: normal maps of a surface; see `mapped_normals`.
+        environment_form: the manifest's record of the part's lobes, `lobes` of them; see `mirror`.
+            None if the package has none for the part, or the geometry is that of a proxy.
     """
 
     _labels: ClassVar[Mapping[str, str]]
     """Names of arrays in errors: those of the arguments of `evaluate`."""
 
-    def __init__(self, package: Package, tier: Tier, threads: int, part: int, name: str) -> None:
-        """package: open. tier: one of its tiers. threads: at least 1. part: index of the part."""
+    def __init__(
+        self, package: Package, tier: Tier, threads: int, part: int, name: str, pixels: float
+    ) -> None:
+        """package: open. tier: one of its tiers. threads: at least 1. part: index of the part.
+
+        pixels: as for `Package.geometry`.
+        """
         # onnxruntime and numba load with the first asset, not with this module.
         from rna_sdk.runtime.engine.decoder_sessions import Decoder
         from rna_sdk.runtime.engine.tiles import QueryFiller, TileEvaluator
@@ -150,12 +167,16 @@ class AssetPart(Asset):
                 filler.laying_out(one.inputs),
                 Decoder(package.decoder(tier.name, part, one.form.name), filler.largest_query),
                 threads,
-                one.form,
             )
             for one in own.decoders
         }
         entries = package.manifest.entries
         self._digests = entries[own.planes].sha256, entries[own.decoder].sha256
+        self._geometry: Mesh | Curves = package.geometry(part, pixels)
+        proxied = any(pixels <= height for height in package.proxy_heights(part))
+        lobes = None if proxied else package.environment(part)
+        self._lobes = None if lobes is None else PartLobes(lobes, record, threads)
+        self.environment_form: EnvironmentPart | None = lobes.record if lobes else None
 
     @property
     def parts(self) -> tuple[SurfaceAsset | FiberAsset, ...]:
@@ -180,10 +201,9 @@ class AssetPart(Asset):
     def decode(
         self, form: str, arrays: Mapping[str, object], out: object = None
     ) -> tuple[Rows, ...]:
-        """The results of a decoder, each (n, columns) float32; 0 if the part has no such decoder.
+        """The results of a decoder, each (n, 3) float32; 0 if the part has no such decoder.
 
-        form: name of its form: "transport" gives (visible, shadowed), "emission" (radiance,), of
-        3 columns each.
+        form: name of its form: "transport" gives (visible, shadowed), "emission" (radiance,).
         arrays: by name, those that the form is asked with: position, axis (a normal or tangent), h
         (of fibers alone), wo, and wi. out: arrays for the results, as for `evaluate`.
 
@@ -192,31 +212,85 @@ class AssetPart(Asset):
                 `out` is not writable or not contiguous.
         """
         asked = form_named(form)
-        checked: dict[str, Rows] = {}
-        count = None
-        for array in QUERY_ARRAYS:
-            if array.name in asked.arrays and array.kind in ("", self.kind):
-                check = scalars if array.columns == 1 else vectors
-                label = self._labels.get(array.name, array.name)
-                checked[array.name] = check(label, arrays.get(array.name), count)
-                count = len(checked[array.name])
-        assert count is not None
-        number, columns = asked.result_count(asked.record(self.tier_part)), asked.columns
+        checked = self._checked(arrays, asked.arrays)
+        count = len(checked["wo"])
+        number = asked.result_count(asked.record(self.tier_part))
         evaluator = self._evaluators.get(form)
         if out is None:
             make = np.zeros if evaluator is None else np.empty
-            found = tuple(make((number, count, columns), np.float32))
+            found = tuple(make((number, count, COLUMNS), np.float32))
         else:
-            found = _results(out, number, count, columns)
+            found = _results(out, number, count)
         if evaluator is not None:
             evaluator.run(Batch.of(checked, found))
         return found
 
+    def mirror(self, axes: Rows, wo: Rows) -> Rows:
+        """Directions along which lobes are asked: where light comes from that is reflected to wo.
 
-def _results(
-    value: object, number: int, count: int, columns: int
-) -> tuple[NDArray[np.float32], ...]:
-    """`value`, checked to be a tuple of `number` writable arrays, each (count, columns).
+        axes: normals or tangents; wo: towards the viewer; (n, 3) float32, any length, one space. At
+        a normal n it is 2 (n . wo) n - wo, at a tangent t wo - 2 (wo . t) t. A host traces one
+        ray along it for the argument `free` of `lobes`.
+
+        Returns (n, 3) float32, unit; 0 where an argument has no direction.
+
+        Raises:
+            QueryError: an argument is not an (n, 3) float32 array, or they differ in n.
+
+        Examples:
+            >>> asset = load("toy.rna")
+            >>> asset.mirror(np.float32([[0, 1, 0]]), np.float32([[0.6, 0.8, 0]])).round(3).tolist()
+            [[-0.6000000238418579, 0.800000011920929, 0.0]]
+        """
+        return self._mirrored(self._checked({"axis": axes, "wo": wo}, ("axis", "wo")))
+
+    def _mirrored(self, checked: Mapping[str, Rows]) -> Rows:
+        from rna_sdk.runtime.kernels.lobe_kernels import mirror_rows
+
+        result = np.empty_like(checked["wo"])
+        mirror_rows(checked["axis"], checked["wo"], self.kind == "fiber", result)
+        return result
+
+    def visibility_at(self, primitives: NDArray[np.integer], u: Rows, v: Rows) -> Rows:
+        """The package's coefficients of the visibility at ray hits, for `lobes`.
+
+        primitives: (n,) indices of triangles, or of segments in the order of `Curves.segments()`.
+        u, v: (n,) float32, barycentric coordinates of the second and third corner; of a segment u,
+        from 0 at its first point to 1 at its second.
+
+        Returns (n, 16) float32; (n, 0) where the lobes want none.
+
+        Raises:
+            QueryError: arrays differ in length, or a primitive is not there.
+        """
+        if self._lobes is None:
+            return np.empty((len(primitives), 0), np.float32)
+        return self._lobes.visibility_at(self._geometry, primitives, u, v)
+
+    def _asked_lobes(
+        self, arrays: Mapping[str, Rows], free: Rows, visibility: Rows
+    ) -> tuple[Rows, Rows]:
+        if self._lobes is None:
+            raise QueryError(f"{self.name}: no lobes here; environment_form tells in advance")
+        checked = self._checked(arrays, tuple(arrays))
+        queries = {**checked, "wi": self._mirrored(checked)}
+        return self._lobes.evaluate(queries, free, visibility)
+
+    def _checked(self, arrays: Mapping[str, object], names: tuple[str, ...]) -> dict[str, Rows]:
+        """Those of the arrays that a form with these names asks a part of this kind with."""
+        checked: dict[str, Rows] = {}
+        count = None
+        for array in QUERY_ARRAYS:
+            if array.name in names and array.kind in ("", self.kind):
+                check = scalars if array.columns == 1 else vectors
+                label = self._labels.get(array.name, array.name)
+                checked[array.name] = check(label, arrays.get(array.name), count)
+                count = len(checked[array.name])
+        return checked
+
+
+def _results(value: object, number: int, count: int) -> tuple[NDArray[np.float32], ...]:
+    """`value`, checked to be a tuple of `number` writable arrays, each (count, COLUMNS).
 
     Raises:
         QueryError: it is not.
@@ -224,7 +298,7 @@ def _results(
     if not isinstance(value, tuple) or len(value) != number:
         raise QueryError(f"out: expected a tuple of {number} arrays, found {type(value).__name__}")
     for k, array in enumerate(value):
-        vectors(name := f"out[{k}]", array, count, columns)
+        vectors(name := f"out[{k}]", array, count, COLUMNS)
         if not (array.flags.c_contiguous and array.flags.writeable and array.flags.aligned):
             raise QueryError(f"{name}: expected a C-contiguous array that can be written")
     return value

@@ -1,4 +1,4 @@
-"""Loaded fibers, which evaluate transport and emission."""
+"""Loaded fibers, which evaluate transport, emission and lobes."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from functools import cached_property
 from typing import ClassVar, Literal
 
-from rna_sdk.package import Package, Tier
+from rna_sdk.package import Curves, Package, Tier
 from rna_sdk.package.decoder.query_arrays import Rows
 from rna_sdk.runtime.asset import AssetPart
 from rna_sdk.runtime.deformation import DeformedCurves, RestCurves
@@ -36,8 +36,9 @@ class FiberAsset(AssetPart):
 
         pixels: as for `Package.geometry`.
         """
-        super().__init__(package, tier, threads, part, name)
-        self.curves = package.curves(part, pixels)
+        super().__init__(package, tier, threads, part, name, pixels)
+        assert isinstance(self._geometry, Curves)
+        self.curves = self._geometry
 
     def evaluate(
         self,
@@ -102,6 +103,27 @@ class FiberAsset(AssetPart):
         arrays = {"position": positions, "axis": tangents, "h": h, "wo": wo}
         (radiance,) = self.decode("emission", arrays)
         return radiance
+
+    def lobes(
+        self, positions: Rows, tangents: Rows, h: Rows, wo: Rows, free: Rows, visibility: Rows
+    ) -> tuple[Rows, Rows]:
+        """Light of a whole environment at points of fibers: lobes that hosts integrate.
+
+        free: (n,) float32, the asset's own visibility along `mirror`, 0 to 1 (the mean of RGB).
+        visibility: of `visibility_at`. The others are as for `evaluate`.
+
+        Returns (amplitudes, axes), (n, L, 3) float32 each. With kappa = |axis|, at least 0.01, the
+        radiance towards wo is the sum over lobes of amplitude (RGB) times the mean of the
+        environment under the von Mises-Fisher distribution of direction axis / kappa and
+        concentration kappa. Amplitudes are finite and non-negative. Rows with NaN, infinity or a
+        direction of length zero return 0.
+
+        Raises:
+            QueryError: an argument is not a float32 array of its shape, or they differ in n; the
+                part has no lobes (`environment_form` is None).
+        """
+        arrays = {"position": positions, "axis": tangents, "h": h, "wo": wo}
+        return self._asked_lobes(arrays, free, visibility)
 
     def deformed(self, points: Rows) -> DeformedCurves:
         """The part in motion: its strands with other points, and the rest points of hits on them.

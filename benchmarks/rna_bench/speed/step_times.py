@@ -12,7 +12,7 @@ from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS
 from rna_sdk.runtime.engine.batch import Batch
 from rna_sdk.runtime.engine.decoder_sessions import Decoder
 from rna_sdk.runtime.engine.tiles import QueryFiller
-from rna_sdk.runtime.kernels.output_kernel import result_kernel
+from rna_sdk.runtime.kernels.output_kernel import write_results
 
 STEPS = ("gather", "inputs", "decoder", "output")
 """Features from the planes; the decoder's other inputs; the decoder; copies to the results."""
@@ -47,7 +47,7 @@ def _passed(
     names = [array.name for array in QUERY_ARRAYS if len(batch) == 5 or not array.kind]
     everything = Batch.of(dict(zip(names, batch, strict=True)), tuple(outputs))
     queries = np.zeros((rows, decoder.columns), np.float32)
-    valid, write_results = np.empty(rows, np.bool_), result_kernel(3)
+    valid = np.empty(rows, np.bool_)
     for _ in range(2):  # the first one warms caches
         total = np.zeros(3)
         for start in range(0, n, rows):

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from rna_sdk.errors import PackageError
 from rna_sdk.package.decoder.decoder_bounds import check_bounds
-from rna_sdk.package.decoder.decoder_form import INPUT_NAME, PartDecoder
+from rna_sdk.package.decoder.decoder_form import INPUT_NAME, PartDecoder, allowed
 from rna_sdk.package.decoder.onnx_fields import DataType
 from rna_sdk.package.decoder.onnx_model import FLOAT, Model, Value, read_model
 from rna_sdk.package.decoder.profile_decoder import read_profile, saturating_weights
@@ -175,13 +175,11 @@ def _check_results(data: bytes, own: PartDecoder) -> None:
         raise
     except Exception as error:  # the engine's exceptions share no narrower base
         refuse(Code.DECODER_LOAD, own.entry, error, "a model that loads and runs")
-    good = own.form.allowed(output).all(axis=1)
+    good = allowed(output).all(axis=1)
     if not good.all():
         row = int(np.argmin(good))
         found = f"{output[row].tolist()} for inputs that begin with {queries[row, 0]:g}"
-        signed = f", but for signed columns {own.form.signed}," if own.form.signed else ""
-        expected = f"finite and >= 0{signed} for any finite input"
-        refuse(Code.DECODER_RESULT, own.entry, found, expected)
+        refuse(Code.DECODER_RESULT, own.entry, found, "finite and >= 0 for any finite input")
     in_order = permuted[np.argsort(order)]
     _check_rows_apart(output[ordinary], (in_order[ordinary], alone), own)
 

@@ -1,8 +1,8 @@
 """Decoder forms: the kinds of decoder that a part can have in a tier.
 
 A form says what a decoder gives, of which query arrays, and so of which input blocks; validator,
-writer, runtime, exporter and conformance kit go by it. A new form is a value in FORMS and, in
-`manifest_tiers.py`, the member of a tier part that declares it.
+writer, runtime, exporter and conformance kit go by it. A new form is a value here and, in
+`manifest_tiers.py`, the member of a tier part that declares it, or a record of an extension.
 """
 
 from __future__ import annotations
@@ -20,6 +20,9 @@ if TYPE_CHECKING:
 
 INPUT_NAME = "queries"
 
+COLUMNS = 3
+"""Of each result: RGB, or XYZ."""
+
 
 @dataclass(frozen=True)
 class DecoderForm:
@@ -27,21 +30,17 @@ class DecoderForm:
 
     Attributes:
         name: of the form and of the decoder's one output.
-        results: what the output's columns are, each of `columns`, side by side.
+        results: what the output's columns are, COLUMNS each, side by side.
         arrays: names of the QUERY_ARRAYS that it is asked with.
         member: of a tier part, with the decoder's record; "" for the tier part itself.
-        columns: of each result; 3 for RGB.
         count: name of a member of the record: so many times there are all results; "" for once.
-        signed: numbers of the columns of a result that may be negative.
     """
 
     name: str
     results: tuple[str, ...]
     arrays: tuple[str, ...]
     member: str = ""
-    columns: int = 3
     count: str = ""
-    signed: tuple[int, ...] = ()
 
     @property
     def path(self) -> tuple[str, ...]:
@@ -59,13 +58,7 @@ class DecoderForm:
 
     def width(self, record: Any) -> int:
         """Columns of the output."""
-        return self.columns * self.result_count(record)
-
-    def allowed(self, output: NDArray[np.floating]) -> NDArray[np.bool_]:
-        """Which values of (n, width) are finite, and not negative where they must not be."""
-        column = np.arange(output.shape[1]) % self.columns
-        good: NDArray[np.bool_] = np.isfinite(output)
-        return good & ((output >= 0) | np.isin(column, self.signed))
+        return COLUMNS * self.result_count(record)
 
     def blocks(self, kind: str) -> list[str]:
         """The input blocks that it can have in a part of this kind."""
@@ -77,7 +70,15 @@ TRANSPORT = DecoderForm("transport", ("visible", "shadowed"), ("position", "axis
 EMISSION = DecoderForm("emission", ("radiance",), ("position", "axis", "h", "wo"), "emission")
 
 FORMS = (TRANSPORT, EMISSION)
-"""Every part has the first; the others are optional."""
+"""Those of a tier part, which always has the first; the others are optional."""
+
+ENVIRONMENT = DecoderForm(
+    "environment",
+    ("visible", "shadowed", "axis"),
+    ("position", "axis", "h", "wo", "wi"),
+    count="lobes",
+)
+"""Of the extension RNA_environment; wi is the mirror direction of wo."""
 
 
 def form_named(name: str) -> DecoderForm:
@@ -91,7 +92,7 @@ class PartDecoder:
 
     Attributes:
         entry: its name.
-        columns: K, of the input `queries`.
+        columns: K, of the input `queries`: those of the blocks, and any others behind them.
         width: of the output.
         precision: of its arithmetic.
         inputs: its input blocks.
@@ -103,3 +104,9 @@ class PartDecoder:
     width: int
     precision: DecoderPrecision
     inputs: tuple[str, ...] = field(compare=False)
+
+
+def allowed(output: NDArray[np.floating]) -> NDArray[np.bool_]:
+    """Which values are finite and not negative, as all of a decoder must be."""
+    good: NDArray[np.bool_] = np.isfinite(output) & (output >= 0)
+    return good

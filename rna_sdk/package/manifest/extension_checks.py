@@ -13,11 +13,13 @@ from rna_sdk.package.manifest.deflate import largest_decoded
 from rna_sdk.package.manifest.extensions import (
     EXTENSIONS,
     Deflate,
+    Environment,
     Extension,
     Poster,
     Proxy,
     Standin,
 )
+from rna_sdk.package.manifest.input_checks import input_issues
 from rna_sdk.package.manifest.manifest_model import Manifest
 from rna_sdk.package.manifest.schema_issues import schema_issues
 
@@ -45,7 +47,7 @@ def extension_issues(manifest: Manifest) -> list[Issue]:
 def _data_issues(data: Extension, manifest: Manifest) -> Iterator[Issue]:
     if isinstance(data, Deflate):
         yield from _deflate_issues(data, manifest)
-    if isinstance(data, Standin | Proxy) and len(data.parts) != len(manifest.parts):
+    if isinstance(data, Standin | Proxy | Environment) and len(data.parts) != len(manifest.parts):
         where, expected = pointer("extensions", data.NAME, "parts"), f"{len(manifest.parts)}"
         yield Issue.of(Code.PARTS_DIFFER, where, f"{len(data.parts)} parts", expected)
         return
@@ -53,12 +55,20 @@ def _data_issues(data: Extension, manifest: Manifest) -> Iterator[Issue]:
         if entry not in manifest.entries:
             where = pointer("extensions", data.NAME, *path)
             yield Issue.of(Code.REFERENCE_MISSING, where, entry, "a key of /entries")
+    if isinstance(data, Environment):
+        for k, (part, lobes) in enumerate(zip(manifest.parts, data.parts, strict=True)):
+            if lobes:
+                where, what = _place(data, k, "inputs"), f"environment of {part.kind}"
+                yield from input_issues(lobes.own_decoder, part.kind, what, where)
     if isinstance(data, Proxy):
         for k, (part, proxies) in enumerate(zip(manifest.parts, data.parts, strict=True)):
             if (part.transmittance or part.normal_maps) and proxies:
-                where = pointer("extensions", data.NAME, "parts", k)
-                found = "proxies of a part with textures"
+                where, found = _place(data, k), "proxies of a part with textures"
                 yield Issue.of(Code.FIELD_VALUE, where, found, "null")
+
+
+def _place(data: Extension, part: int, *member: str) -> str:
+    return pointer("extensions", data.NAME, "parts", part, *member)
 
 
 def _deflate_issues(data: Deflate, manifest: Manifest) -> Iterator[Issue]:
@@ -89,3 +99,8 @@ def _references(data: Extension) -> Iterator[tuple[tuple[str | int, ...], str]]:
         for k, proxies in enumerate(data.parts):
             for j, proxy in enumerate(proxies or ()):
                 yield ("parts", k, j, "geometry"), proxy.geometry
+    if isinstance(data, Environment):
+        for k, lobes in enumerate(data.parts):
+            for member in ("planes", "decoder", "visibility") if lobes else ():
+                if entry := getattr(lobes, member):
+                    yield ("parts", k, member), entry

@@ -8,10 +8,27 @@ from typing import Annotated, ClassVar, TypeVar
 from pydantic import AfterValidator, Field, field_validator
 from pydantic_core import PydanticCustomError
 
+from rna_sdk.package.blocks import query_width
 from rna_sdk.package.container.strict_json import model_of
-from rna_sdk.package.limits import MAX_FILE_BYTES, MAX_INTEGER, MAX_PARTS, MAX_PROXIES
-from rna_sdk.package.manifest.manifest_fields import EntryPath, Positive, Record
+from rna_sdk.package.decoder.decoder_form import ENVIRONMENT, PartDecoder
+from rna_sdk.package.limits import (
+    MAX_FILE_BYTES,
+    MAX_INTEGER,
+    MAX_LOBES,
+    MAX_PARTS,
+    MAX_PROXIES,
+)
+from rna_sdk.package.manifest.manifest_fields import (
+    EntryPath,
+    Measure,
+    Name,
+    NotNull,
+    Positive,
+    Record,
+    SparseRecord,
+)
 from rna_sdk.package.manifest.manifest_model import Manifest
+from rna_sdk.package.manifest.manifest_tiers import TierPartFields, part_decoder
 
 
 def _is_element_size(value: int) -> int:
@@ -104,8 +121,57 @@ class Proxy(Extension):
         return value
 
 
+HARMONICS = 16
+"""Real spherical harmonics of degree 0 to 3."""
+
+
+class EnvironmentPart(TierPartFields, SparseRecord):
+    """Lobes of a part: what it sends to a viewer under light from all sides."""
+
+    lobes: int = Field(ge=2, le=MAX_LOBES, multiple_of=2, description="How many.")
+    visibility: Annotated[EntryPath | None, NotNull()] = Field(
+        default=None, description="Entry with the visibility about the vertices."
+    )
+
+    @property
+    def own_decoder(self) -> PartDecoder:
+        """Its decoder, whose queries are the input blocks and, behind them, the visibility."""
+        more = HARMONICS if self.visibility else 0
+        columns = query_width(self.inputs, self.channels) + more
+        return part_decoder(ENVIRONMENT, self, columns)
+
+
+class EnvironmentValidation(Record):
+    """Error of the lobes of all parts under an environment that they were not trained on."""
+
+    environment: Name
+    psnr: float = Field(description="dB, of the lobes alone.")
+    psnr_with_lights: float = Field(description="dB, with what is bright split off as lights.")
+    flip: Measure = Field(description="Mean FLIP, with lights.")
+    brightness: tuple[Measure, Measure, Measure] = Field(
+        description="Sum of the channel over that of the reference, with lights."
+    )
+
+
+class Environment(Extension):
+    """Light from all sides in one query a point; null for a part that has none."""
+
+    NAME: ClassVar[str] = "RNA_environment"
+    parts: tuple[EnvironmentPart | None, ...] = Field(min_length=1, max_length=MAX_PARTS)
+    validation: tuple[EnvironmentValidation, ...] = ()
+
+    @field_validator("parts")
+    @classmethod
+    def _has_one(
+        cls, value: tuple[EnvironmentPart | None, ...]
+    ) -> tuple[EnvironmentPart | None, ...]:
+        if not any(value):
+            raise PydanticCustomError("FIELD_VALUE", "lobes of some part")
+        return value
+
+
 T = TypeVar("T", bound=Extension)
-EXTENSIONS: tuple[type[Extension], ...] = (Deflate, Poster, Standin, Proxy)
+EXTENSIONS: tuple[type[Extension], ...] = (Deflate, Poster, Standin, Proxy, Environment)
 
 
 def extension(manifest: Manifest, of: type[T]) -> T | None:

@@ -9,6 +9,7 @@ from rna_sdk.package.container.strict_json import pointer
 from rna_sdk.package.decoder.decoder_form import FORMS
 from rna_sdk.package.issues import Code, Issue
 from rna_sdk.package.manifest.extension_checks import KNOWN_EXTENSIONS, extension_issues
+from rna_sdk.package.manifest.input_checks import input_issues
 from rna_sdk.package.manifest.manifest_fields import FIRST_WITH_PARTS, version_number
 from rna_sdk.package.manifest.manifest_model import Manifest
 from rna_sdk.package.manifest.manifest_short import Places
@@ -96,16 +97,8 @@ def _input_issues(manifest: Manifest, places: Places) -> list[Issue]:
             for own in part.decoders:
                 what = f"{own.form.name} of {kind}" if own.form.member else kind
                 where = places.tier_part(i, k, *own.form.path, "inputs")
-                issues += _unknown_blocks(own.inputs, own.form.blocks(kind), what, where)
+                issues += input_issues(own, kind, what, where)
     return issues
-
-
-def _unknown_blocks(
-    inputs: tuple[str, ...], known: list[str], what: str, where: str
-) -> Iterator[Issue]:
-    for j, name in enumerate(inputs):
-        if name not in known:
-            yield Issue.of(Code.INPUT_KIND, f"{where}/{j}", name, f"for {what}: {', '.join(known)}")
 
 
 def _texture_issues(manifest: Manifest, places: Places) -> Iterator[Issue]:

@@ -109,16 +109,21 @@ class TierPart(TierPartFields, SparseRecord):
     def decoders(self) -> tuple[PartDecoder, ...]:
         """Its decoders, in the order of FORMS: that of transport first."""
         records = ((form, form.record(self)) for form in FORMS)
-        return tuple(self._decoder(form, own) for form, own in records if own is not None)
-
-    def _decoder(self, form: DecoderForm, own: TierPart | TierDecoder) -> PartDecoder:
-        columns, width = query_width(own.inputs, self.channels), form.width(own)
-        return PartDecoder(form, own.decoder, columns, width, own.decoder_precision, own.inputs)
+        found = ((form, own) for form, own in records if own is not None)
+        return tuple(
+            part_decoder(form, own, query_width(own.inputs, self.channels)) for form, own in found
+        )
 
     @property
     def query_width(self) -> int:
         """K, the number of columns of `queries`, of transport."""
         return query_width(self.inputs, self.channels)
+
+
+def part_decoder(form: DecoderForm, own: TierPartFields | TierDecoder, columns: int) -> PartDecoder:
+    """The decoder that a record declares, with so many columns of `queries`."""
+    width = form.width(own)
+    return PartDecoder(form, own.decoder, columns, width, own.decoder_precision, own.inputs)
 
 
 class Tier(Record):

@@ -16,7 +16,7 @@ from rna_sdk.package.container.tensor_file import (
 )
 from rna_sdk.package.issues import Code, refuse
 from rna_sdk.package.limits import MAX_TEXEL
-from rna_sdk.package.manifest.manifest_tiers import TierPart
+from rna_sdk.package.manifest.manifest_tiers import TierPartFields
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,7 +76,7 @@ def planes_to_bytes(planes: Planes) -> bytes:
     return tensors_to_bytes({TENSOR: planes})
 
 
-def planes_from_bytes(data: memoryview, part: TierPart) -> Planes:
+def planes_from_bytes(data: memoryview, part: TierPartFields) -> Planes:
     """The part's planes, (3, R, R, C), as read-only views of the entry `data`.
 
     Raises:

@@ -5,7 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+import numpy as np
+from numpy.typing import NDArray
+
+from rna_sdk.package.decoder.decoder_form import COLUMNS
 from rna_sdk.package.decoder.query_arrays import Rows, in_order
+from rna_sdk.runtime.kernels.output_kernel import write_results
 
 
 @dataclass(frozen=True)
@@ -14,7 +19,7 @@ class Batch:
 
     Attributes:
         arrays: one for each of QUERY_ARRAYS, (n, 3) or (n,) float32.
-        results: written by the evaluation: those of the decoder's form, each (n, columns) float32.
+        results: written by the evaluation: those of the decoder's form, each (n, 3) float32.
     """
 
     arrays: tuple[Rows, ...]
@@ -27,3 +32,11 @@ class Batch:
 
     def __len__(self) -> int:
         return len(self.arrays[0])
+
+    def complete(self, tile: slice, queries: Rows, valid: NDArray[np.bool_]) -> None:
+        """Write what stands in `queries` (m, K) behind the input blocks, for m rows: nothing."""
+
+    def write(self, tile: slice, output: Rows, valid: NDArray[np.bool_]) -> None:
+        """Write the results of a tile from the decoder's output."""
+        for k, result in enumerate(self.results):
+            write_results(output, COLUMNS * k, valid, result[tile])

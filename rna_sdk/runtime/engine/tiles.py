@@ -10,15 +10,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.package import Bounds, Int8Planes, Planes, TierPart
-from rna_sdk.package.decoder.decoder_form import DecoderForm
+from rna_sdk.package import Bounds, Int8Planes, Planes
 from rna_sdk.package.decoder.query_arrays import Rows
 from rna_sdk.package.manifest.manifest_fields import Kind
+from rna_sdk.package.manifest.manifest_tiers import TierPartFields
 from rna_sdk.runtime.engine.batch import Batch
 from rna_sdk.runtime.engine.decoder_sessions import Decoder
 from rna_sdk.runtime.kernels.block_columns import block_columns
 from rna_sdk.runtime.kernels.lanes import LANES
-from rna_sdk.runtime.kernels.output_kernel import result_kernel
 from rna_sdk.runtime.kernels.query_kernel import query_kernel
 
 _ROW_STEP = 16
@@ -36,7 +35,7 @@ class QueryFiller:
         largest_query: no number in the queries is further from 0.
     """
 
-    def __init__(self, planes: Planes, bounds: Bounds, part: TierPart, kind: Kind) -> None:
+    def __init__(self, planes: Planes, bounds: Bounds, part: TierPartFields, kind: Kind) -> None:
         low, high = bounds.corners().astype(np.float64)
         self._box = np.stack([low, 1 / (high - low)])
         self._columns = block_columns(part.inputs, part.channels)
@@ -106,14 +105,10 @@ class TileEvaluator:
     depends on that row alone, to the bit: not on its tile, nor on the thread that took it.
     """
 
-    def __init__(
-        self, filler: QueryFiller, decoder: Decoder, threads: int, form: DecoderForm
-    ) -> None:
+    def __init__(self, filler: QueryFiller, decoder: Decoder, threads: int) -> None:
         self._filler = filler
         self._decoder = decoder
         self._threads = threads
-        self._columns = form.columns
-        self._write_results = result_kernel(form.columns, form.signed)
         self._helpers = ThreadPoolExecutor(max(threads - 1, 1), thread_name_prefix="rna-tile")
 
     def run(self, batch: Batch) -> None:
@@ -149,9 +144,8 @@ class TileEvaluator:
     def _run_tile(self, batch: Batch, tile: slice, queries: Rows, valid: NDArray[np.bool_]) -> None:
         count = tile.stop - tile.start
         self._filler.fill(batch, tile, queries[:count], valid[:count])
-        output = self._decoder.run(queries[: _rounded_up(count)])
-        for k, result in enumerate(batch.results):
-            self._write_results(output, self._columns * k, valid[:count], result[tile])
+        batch.complete(tile, queries[:count], valid[:count])
+        batch.write(tile, self._decoder.run(queries[: _rounded_up(count)]), valid[:count])
 
 
 def _rounded_up(rows: int) -> int:

@@ -7,10 +7,24 @@ import struct
 import zlib
 from typing import Any
 
+import numpy as np
+
+from rna_sdk.package.container.tensor_file import tensors_to_bytes
 from rna_sdk.package.manifest.deflate import encode
-from tests.package.corpus.registry import MESH, Entries, case, with_entry, with_manifest
+from tests.package.builders import INPUTS, make_decoder
+from tests.package.corpus.registry import (
+    DECODER,
+    MESH,
+    PLANES,
+    Entries,
+    case,
+    with_entry,
+    with_manifest,
+)
 
 POSTER = "extensions/RNA_poster/poster.png"
+LOBES = "extensions/RNA_environment/asset.onnx"
+VISIBILITY = "extensions/RNA_environment/asset-visibility.safetensors"
 PROXY = "extensions/RNA_proxy/asset-64.glb"
 
 
@@ -42,6 +56,37 @@ def with_poster(entries: Entries, png: bytes, **changes: Any) -> bytes:
 def with_proxy(entries: Entries, mesh: bytes, *levels: dict[str, Any]) -> bytes:
     data = {"parts": [list(levels) or [{"geometry": PROXY, "height": 64}]]}
     return with_entry(entries, PROXY, mesh, lambda m: used(m, "RNA_proxy", data))
+
+
+def lobes_record(**changes: Any) -> dict[str, Any]:
+    """Two lobes on the planes of the package."""
+    return {
+        **{"planes": PLANES, "decoder": LOBES, "inputs": list(INPUTS), "lobes": 2},
+        **{"resolution": 8, "channels": 4},
+        **{"planePrecision": "float16", "decoderPrecision": "float32"},
+        **changes,
+    }
+
+
+def with_lobes(entries: Entries, outputs: int = 18, columns: int = 18, **changes: Any) -> bytes:
+    """The package with lobes, whose decoder has so many inputs and outputs."""
+    data = {"parts": [lobes_record(**changes)]}
+    decoder = make_decoder("float32", columns, outputs=outputs, output="environment")
+    return with_entry(entries, LOBES, decoder, lambda m: used(m, "RNA_environment", data))
+
+
+def with_visibility(entries: Entries, harmonics: np.ndarray, name: str = "harmonics") -> bytes:
+    """The package with lobes and a visibility about its vertices."""
+    file = tensors_to_bytes({name: harmonics})
+    data = {"parts": [lobes_record(visibility=VISIBILITY)]}
+    decoder = make_decoder("float32", 18 + 16, outputs=18, output="environment")
+
+    def declare(manifest: dict[str, Any]) -> None:
+        digest = hashlib.sha256(decoder).hexdigest()
+        manifest["entries"][LOBES] = {"size": len(decoder), "sha256": digest}
+        used(manifest, "RNA_environment", data)
+
+    return with_entry({**entries, LOBES: decoder}, VISIBILITY, file, declare)
 
 
 def png_of(width: int, height: int) -> bytes:
@@ -163,3 +208,72 @@ def proxies_that_ascend(entries: Entries) -> bytes:
 @case("FIELD_VALUE")
 def proxy_of_no_part(entries: Entries) -> bytes:
     return with_manifest(entries, lambda m: used(m, "RNA_proxy", {"parts": [None]}))
+
+
+@case("FIELD_VALUE")
+def lobes_of_no_part(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: used(m, "RNA_environment", {"parts": [None]}))
+
+
+@case("FIELD_VALUE")
+def lobes_that_cannot_be_halved(entries: Entries) -> bytes:
+    return with_lobes(entries, 27, lobes=3)
+
+
+@case("FIELD_VALUE")
+def lobes_beyond_the_most(entries: Entries) -> bytes:
+    return with_lobes(entries, 9 * 34, lobes=34)
+
+
+@case("PARTS_DIFFER")
+def lobes_of_two_parts(entries: Entries) -> bytes:
+    data = {"parts": [lobes_record(decoder=DECODER), None]}
+    return with_manifest(entries, lambda m: used(m, "RNA_environment", data))
+
+
+@case("REFERENCE_MISSING")
+def lobes_on_planes_that_are_not_there(entries: Entries) -> bytes:
+    return with_lobes(entries, planes="features/none.safetensors")
+
+
+@case("PLANES_SHAPE")
+def lobes_on_planes_of_another_size(entries: Entries) -> bytes:
+    return with_lobes(entries, resolution=7)
+
+
+@case("INPUT_KIND")
+def lobes_of_a_surface_with_a_block_of_fibers(entries: Entries) -> bytes:
+    return with_lobes(entries, columns=4, inputs=["wo", "h"])
+
+
+@case("DECODER_OUTPUT")
+def lobes_with_the_output_of_transport(entries: Entries) -> bytes:
+    data = {"parts": [lobes_record(decoder=DECODER)]}
+    return with_manifest(entries, lambda m: used(m, "RNA_environment", data))
+
+
+@case("DECODER_INPUT")
+def lobes_without_the_columns_of_their_visibility(entries: Entries) -> bytes:
+    file = tensors_to_bytes({"harmonics": np.zeros((12, 16), np.int8)})
+    data = {"parts": [lobes_record(decoder=DECODER, visibility=VISIBILITY)]}
+    return with_entry(entries, VISIBILITY, file, lambda m: used(m, "RNA_environment", data))
+
+
+@case("ENVIRONMENT_VISIBILITY")
+def visibility_with_a_vertex_missing(entries: Entries) -> bytes:
+    return with_visibility(entries, np.zeros((11, 16), np.int8))
+
+
+@case("ENVIRONMENT_VISIBILITY")
+def visibility_up_to_degree_two(entries: Entries) -> bytes:
+    return with_visibility(entries, np.zeros((12, 9), np.int8))
+
+
+@case("ENVIRONMENT_VISIBILITY")
+def visibility_in_float16(entries: Entries) -> bytes:
+    return with_visibility(entries, np.zeros((12, 16), np.float16))
+
+
+@case("ENVIRONMENT_VISIBILITY")
+def visibility_by_another_name(entries: Entries) -> bytes:
+    return with_visibility(entries, np.zeros((12, 16), np.int8), "visibility")
