@@ -1,15 +1,25 @@
-"""Small packages with random lobes (RNA_environment)."""
+"""Small packages with lobes (RNA_environment), from random decoders."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+from onnx import numpy_helper
 
-from rna_sdk.package import Curves, Lobes, Mesh, Package, Unpacked, query_width
-from rna_sdk.package.packing import EnvironmentValidation
-from tests.package.builders import FIBER_INPUTS, INPUTS, make_decoder
+from rna_sdk.package import (
+    Curves,
+    EnvironmentValidation,
+    Lobes,
+    Mesh,
+    Package,
+    Unpacked,
+    query_width,
+)
+from tests.package.builders import FIBER_INPUTS, INPUTS, make_decoder, make_decoder_model
 
+LOBES = 4
 FOREST = EnvironmentValidation(
     environment="forest",
     psnr=28.5,
@@ -20,15 +30,14 @@ FOREST = EnvironmentValidation(
 
 
 def make_lobes(
-    package: Package, part: int = 0, lobes: int = 4, visibility: bool = True, seed: int = 5
+    package: Package, part: int = 0, lobes: int = LOBES, visibility: bool = True
 ) -> Lobes:
     """Random lobes of a part, on the planes of the first tier."""
     tier, geometry = package.manifest.tiers[0], package.geometry(part)
     inputs = INPUTS if isinstance(geometry, Mesh) else FIBER_INPUTS
     columns = query_width(inputs, tier.parts[part].channels) + 16 * visibility
-    decoder = make_decoder(
-        *("float32", columns, 16, 2, seed), outputs=9 * lobes, output="environment"
-    )
+    sizes = columns, 16, 2, 5
+    decoder = make_decoder("float32", *sizes, outputs=9 * lobes, output="environment")
     harmonics = make_harmonics(geometry) if visibility else None
     return Lobes(tier.name, lobes, inputs, decoder, harmonics)
 
@@ -39,13 +48,34 @@ def make_harmonics(geometry: Mesh | Curves) -> np.ndarray:
     return np.random.default_rng(3).integers(-127, 128, (vertices, 16)).astype(np.int8)
 
 
-def add_lobes(path: Path, out: Path, *parts: int, visibility: bool = True) -> Path:
-    """Write the package at `path` with random lobes of these parts to `out`."""
-    with Package.open(path) as package:
-        count = len(package.manifest.parts)
-        own = [
-            make_lobes(package, k, visibility=visibility) if k in parts else None
-            for k in range(count)
-        ]
-    Unpacked.read(path).with_environment(own, [FOREST]).write(out)
-    return out
+def even_decoder(columns: int, amplitude: float, lobes: int = LOBES) -> bytes:
+    """A decoder whose lobes have this amplitude, visible and shadowed, wherever it is asked."""
+    model = make_decoder_model(columns, outputs=9 * lobes, output="environment")
+    of_lobe = np.repeat([amplitude, amplitude, 8.0], 3)
+    values = {"w0": 0.0, "b0": 0.0, "w1": 0.0, "b1": np.log1p(np.tile(of_lobe, lobes))}
+    for tensor in model.graph.initializer:
+        if tensor.name in values:
+            old = numpy_helper.to_array(tensor)
+            whole = np.broadcast_to(np.float32(values[tensor.name]), old.shape)
+            tensor.CopyFrom(numpy_helper.from_array(np.ascontiguousarray(whole), tensor.name))
+    return bytes(model.SerializeToString())
+
+
+def with_lobes(
+    source: Path,
+    target: Path,
+    *parts: int,
+    visibility: bool = True,
+    decoder: bytes | None = None,
+) -> Path:
+    """A copy of a package with random lobes of these parts, or of the first; its path.
+
+    decoder: in place of a random one.
+    """
+    with Package.open(source) as package:
+        own: list[Lobes | None] = [None] * len(package.manifest.parts)
+        for k in parts or (0,):
+            made = make_lobes(package, k, visibility=visibility)
+            own[k] = replace(made, decoder=decoder or made.decoder)
+    Unpacked.read(source).with_environment(own, [FOREST]).write(target)
+    return target

@@ -9,11 +9,11 @@ import pytest
 
 from rna_sdk.package import Package, Unpacked, quantised_harmonics, validate
 from rna_sdk.package.manifest.extensions import Environment, extension
-from tests.package.lobes import FOREST, add_lobes, make_harmonics, make_lobes
+from tests.package.lobes import FOREST, make_harmonics, make_lobes, with_lobes
 
 
 def test_lobes_come_back(lantern: Path, tmp_path: Path) -> None:
-    path = add_lobes(lantern, tmp_path / "x.rna", 1)
+    path = with_lobes(lantern, tmp_path / "x.rna", 1)
     assert validate(path) == []
     with Package.open(path) as package, Package.open(lantern) as plain:
         lobes = package.environment(1)
@@ -29,7 +29,7 @@ def test_lobes_come_back(lantern: Path, tmp_path: Path) -> None:
 
 
 def test_lobes_are_coded_and_replaced(tiny: Path, tmp_path: Path) -> None:
-    path = add_lobes(tiny, tmp_path / "x.rna", 0)
+    path = with_lobes(tiny, tmp_path / "x.rna", 0)
     Unpacked.read(path).deflated().write(tmp_path / "coded.rna")
     with Package.open(tmp_path / "coded.rna") as package:
         lobes = package.environment()

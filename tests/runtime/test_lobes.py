@@ -20,7 +20,7 @@ from rna_sdk.reference.lobes import (
 from rna_sdk.reference.queries import fiber_queries_reference, queries_reference
 from rna_sdk.runtime import FiberAsset, SurfaceAsset, load
 from tests.package.lantern import make_lantern
-from tests.package.lobes import add_lobes
+from tests.package.lobes import with_lobes
 from tests.runtime.points import random_fiber_points, random_points
 
 Part = SurfaceAsset | FiberAsset
@@ -30,7 +30,7 @@ Part = SurfaceAsset | FiberAsset
 def path(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A surface and fibers, both with lobes and visibility."""
     folder = tmp_path_factory.mktemp("lobes")
-    return add_lobes(make_lantern(folder / "lantern.rna"), folder / "lobes.rna", 0, 1)
+    return with_lobes(make_lantern(folder / "lantern.rna"), folder / "lobes.rna", 0, 1)
 
 
 @pytest.fixture(scope="module", params=[0, 1], ids=["surface", "fiber"])
@@ -132,7 +132,7 @@ def test_visibility_is_interpolated_between_vertices(part: Part, path: Path) -> 
 
 def test_a_part_without_lobes(path: Path, tmp_path: Path) -> None:
     lantern = make_lantern(tmp_path / "plain.rna")
-    body, tuft = load(add_lobes(lantern, tmp_path / "x.rna", 1, visibility=False)).parts
+    body, tuft = load(with_lobes(lantern, tmp_path / "x.rna", 1, visibility=False)).parts
     assert body.environment_form is None and tuft.environment_form.lobes == 4
     none = np.zeros(3, np.float32)
     for part in (body, tuft):

@@ -12,7 +12,7 @@ import pytest
 from rna_sdk.package import query_width
 from rna_view.site_files import Site, site_for
 from tests.package.builders import INPUTS, make_tier, make_tiny_fiber_package, make_tiny_package
-from tests.package.environment_packages import even_decoder, with_lobes
+from tests.package.lobes import even_decoder, with_lobes
 from tests.render.chromium import Page
 from tests.web.pages import APIS, TIMEOUT, base64_of, notice, viewer, wait_for_picture
 

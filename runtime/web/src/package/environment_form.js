@@ -1,15 +1,13 @@
-// RNA_environment (spec, 12): lobes of the transport for light from whole environments. An extra: a package whose data of it
-// is broken is shown without.
+// RNA_environment (spec, 12.1): lobes of the transport for light from whole environments.
 import schema from "../../../../spec/schema/manifest.schema.json";
 import { blockNamed } from "./blocks.js";
-import { fail, PackageError } from "./errors.js";
-import { checkSchema } from "./schema.js";
+import { fail } from "./errors.js";
 import { isMetadata, isTensor, readHeader, takeTensors } from "./tensors.js";
 
 export const VISIBILITY_COLUMNS = 16;
 const MOST_LOBES = 32;
 const { emission, ...OF_A_PART } = schema.$defs.TierPart.properties;
-const SCHEMA = {
+export const ENVIRONMENT_SCHEMA = {
   $defs: schema.$defs,
   type: "object", required: ["parts"], additionalProperties: false,
   properties: {
@@ -29,25 +27,16 @@ const SCHEMA = {
   },
 };
 
-/** The parts' records, checked; null where a part has none, or where they are broken, with a line in the manifest's warnings. */
+/** The parts' records; null where a part has none. */
 export function environmentOf(manifest) {
-  const data = manifest.extensions?.RNA_environment;
-  if (data === undefined) return null;
-  try {
-    check(data, manifest, "/extensions/RNA_environment");
-    return data.parts.every((record) => record) ? data.parts : null;
-  } catch (error) {
-    if (!(error instanceof PackageError)) throw error;
-    manifest.warnings.push(`no first look: ${error.message}`);
-    return null;
-  }
+  const parts = manifest.extensions?.RNA_environment?.parts;
+  return parts?.every((record) => record) ? parts : null;
 }
 
-function check(data, manifest, where) {
-  checkSchema(SCHEMA, data, where);
-  const found = data.parts.length, expected = manifest.parts.length;
-  if (found !== expected) fail("PARTS_DIFFER", where, `found ${found} parts, expected ${expected}`);
-  data.parts.forEach((record, k) => {
+/** Fails where the data, which fits the schema and has one record or null a part, is not as it must be. */
+export function checkEnvironment({ parts }, manifest, where) {
+  if (!parts.some((record) => record)) fail("FIELD_VALUE", where, "lobes of no part");
+  parts.forEach((record, k) => {
     if (!record) return;
     const at = `${where}/parts/${k}`;
     if (record.lobes % 2) fail("FIELD_VALUE", `${at}/lobes`, `found ${record.lobes}, expected an even number`);
@@ -66,7 +55,7 @@ export const entriesOf = (records) =>
 
 /** Harmonics of the asset's own visibility about its points: 16 whole numbers each, of which 127 stands for 1. */
 export function readHarmonics(bytes, points, where) {
-  const code = "VISIBILITY_TENSOR", header = readHeader(bytes, where, code), tensor = header.tensors.harmonics;
+  const code = "ENVIRONMENT_VISIBILITY", header = readHeader(bytes, where, code), tensor = header.tensors.harmonics;
   if (!isMetadata(header.metadata)) fail(code, where, "__metadata__ is no object");
   if (Object.keys(header.tensors).join() !== "harmonics" || !isTensor(tensor)) fail(code, where, "not one tensor harmonics");
   const expected = [points, VISIBILITY_COLUMNS];

@@ -1,4 +1,5 @@
 // The extensions that the spec defines (12): their data in the manifest.
+import { checkEnvironment, ENVIRONMENT_SCHEMA } from "./environment_form.js";
 import { fail } from "./errors.js";
 import { checkSchema } from "./schema.js";
 
@@ -42,9 +43,9 @@ const SCHEMAS = {
       },
     },
   }),
+  RNA_environment: ENVIRONMENT_SCHEMA,
 };
-// environment_form.js checks the last one.
-export const KNOWN_EXTENSIONS = [...Object.keys(SCHEMAS), "RNA_environment"];
+export const KNOWN_EXTENSIONS = Object.keys(SCHEMAS);
 
 /** Fails where the data of a known extension is not as it must be. */
 export function checkExtensions(manifest) {
@@ -55,7 +56,6 @@ export function checkExtensions(manifest) {
       if (manifest.extensionsUsed?.includes(name)) fail("FIELD_MISSING", where, "its data is missing");
       continue;
     }
-    if (!SCHEMAS[name]) continue;
     checkSchema(SCHEMAS[name], data[name], where);
     CHECKS[name](data[name], manifest, where);
   }
@@ -101,5 +101,9 @@ const CHECKS = {
         if (j && height >= levels[j - 1].height) fail("FIELD_VALUE", where, "heights must descend");
       });
     });
+  },
+  RNA_environment(data, manifest, where) {
+    checkCount(data.parts, manifest, where);
+    checkEnvironment(data, manifest, where);
   },
 };

@@ -5,7 +5,7 @@ import { readCurves } from "./curves.js";
 import { readDecoder } from "./decoder.js";
 import { decodeEntry } from "./deflate.js";
 import { entriesOf, environmentOf, readHarmonics, VISIBILITY_COLUMNS } from "./environment_form.js";
-import { fail, NotSupported, PackageError } from "./errors.js";
+import { fail, NotSupported } from "./errors.js";
 import { checkEntries, readManifest } from "./manifest.js";
 import { readMesh } from "./mesh.js";
 import { readPlanes } from "./planes.js";
@@ -54,7 +54,7 @@ export class Package {
     return { name: tier.name, tier, parts, warnings: wantsLobes ? await this._addEnvironment(parts, tier, data) : [] };
   }
 
-  /** Adds what the parts have for whole environments, all or none of them; a line of each fault. It is an extra. */
+  /** Adds what the parts have for whole environments, all or none of them; a line of what is not supported. It is an extra. */
   async _addEnvironment(parts, tier, data) {
     if (!this.environment) return [];
     try {
@@ -65,7 +65,7 @@ export class Package {
       found.forEach((own, k) => { parts[k].environment = own; });
       return [];
     } catch (error) {
-      if (!(error instanceof PackageError || error instanceof NotSupported)) throw error;
+      if (!(error instanceof NotSupported)) throw error;
       return [`no first look: ${error.message}`];
     }
   }
@@ -73,7 +73,8 @@ export class Package {
   /** { inputs, lobes, harmonics or null, planes, and the decoder }. The tier's planes are taken where they are the same. */
   _environment(part, own, ofTier, data) {
     const { inputs, lobes, visibility } = own, points = (part.mesh?.positions ?? part.curves.points).length / 3;
-    const planes = own.planes === ofTier.planes ? part.planes : readPlanes(data.get(own.planes), own, own.planes);
+    const isTiers = ["planes", "resolution", "channels", "planePrecision"].every((name) => own[name] === ofTier[name]);
+    const planes = isTiers ? part.planes : readPlanes(data.get(own.planes), own, own.planes);
     const harmonics = visibility ? readHarmonics(data.get(visibility), points, visibility) : null;
     const more = visibility ? VISIBILITY_COLUMNS : 0;
     return { inputs, lobes, harmonics, planes, ...decoderOf(data, own, own, "environment", 9 * lobes, more) };
