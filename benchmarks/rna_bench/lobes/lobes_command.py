@@ -12,23 +12,26 @@ mesh's vertices, which is traced once.
 from __future__ import annotations
 
 import argparse
-from dataclasses import asdict
 from pathlib import Path
 from time import perf_counter, process_time
 from typing import Any
 
 import numpy as np
 import torch
+from tqdm import tqdm
 
 from rna_bench.bench_options import add_out
-from rna_bench.lobes.lobe_error import LobeError, generated_environments, lobe_errors
-from rna_bench.lobes.lobe_fit import fit_lobes
-from rna_bench.lobes.lobe_model import LobeModel, QueryRows
-from rna_bench.lobes.spherical_harmonics import COUNT
-from rna_bench.lobes.view_points import PartViews
 from rna_bench.results import publish
+from rna_export.environment.environment_training import BAR, SIZE, STEPS, filling
+from rna_export.environment.lobe_error import generated_environments, lobe_errors
+from rna_export.environment.lobe_fit import fit_lobes
+from rna_export.environment.lobe_model import HIDDEN_LAYERS, WIDTH, LobeModel
+from rna_export.environment.lobe_queries import QueryRows
+from rna_export.environment.view_points import part_views
+from rna_export.training.optimization.pace import StepPace
 from rna_render import read_environment
 from rna_sdk.package import Package
+from rna_sdk.package.manifest.extensions import EnvironmentValidation
 from rna_sdk.runtime import load
 
 _TURNS = 3
@@ -39,14 +42,16 @@ def run(args: argparse.Namespace) -> None:
     asset = load(args.package, args.tier, threads=1)
     part, tier = asset.parts[args.part], asset.tier.name
     begun = perf_counter()
-    views = PartViews(asset, args.part)
+    views = part_views(asset)[args.part]
     baked = perf_counter() - begun
     with Package.open(args.package) as package:
-        queries = QueryRows(package, tier, args.part, COUNT)
+        queries = QueryRows(package, tier, args.part, views.visibility_columns)
     torch.manual_seed(args.seed)
     model = LobeModel(queries.columns, args.width, args.hidden_layers)
     begun, cpu = perf_counter(), process_time()
-    fit_lobes(model, views, queries, args.steps, args.seed)
+    pace = StepPace(args.steps)
+    with tqdm(total=1.0, desc="lobes", bar_format=BAR) as bar:
+        fit_lobes(model, views, queries, [pace], args.seed, filling(bar))
     report: dict[str, Any] = {
         "asset": part.name,
         "tier": tier,
@@ -58,10 +63,9 @@ def run(args: argparse.Namespace) -> None:
         "training_seconds": round(perf_counter() - begun, 1),
         "training_cpu_seconds": round(process_time() - cpu, 1),
         "multiply_adds": model.multiply_adds,
-        "environments": _rounded(
-            lobe_errors(views, queries, model, _environments(args.environments))
-        ),
     }
+    pairs = [(views, model.answering(queries))]
+    report["environments"] = _rounded(lobe_errors(pairs, _environments(args.environments), SIZE))
     publish(report, args)
 
 
@@ -72,16 +76,13 @@ def _environments(files: list[Path]) -> dict[str, np.ndarray]:
         texels = read_environment(path)
         for turn in range(_TURNS):
             columns = turn * texels.shape[1] // _TURNS
-            found[f"{path.stem}, turned by {360 * turn // _TURNS}"] = np.roll(
-                texels, columns, axis=1
-            )
+            found[f"{path.stem}-{360 * turn // _TURNS}"] = np.roll(texels, columns, axis=1)
     return found
 
 
-def _rounded(errors: list[LobeError]) -> list[dict[str, Any]]:
+def _rounded(errors: list[EnvironmentValidation]) -> list[dict[str, Any]]:
     return [
-        {k: v if isinstance(v, str) else np.round(v, 3).tolist() for k, v in asdict(one).items()}
-        for one in errors
+        {k: v if isinstance(v, str) else np.round(v, 3).tolist() for k, v in one} for one in errors
     ]
 
 
@@ -93,8 +94,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--environments", type=Path, nargs="+", default=[], help=".hdr or .exr files (paths)"
     )
-    parser.add_argument("--width", type=int, default=96, help="neurons of a hidden layer")
-    parser.add_argument("--hidden-layers", type=int, default=2, help="of the decoder")
-    parser.add_argument("--steps", type=int, default=6000, help="of training")
+    parser.add_argument("--width", type=int, default=WIDTH, help="neurons of a hidden layer")
+    parser.add_argument("--hidden-layers", type=int, default=HIDDEN_LAYERS, help="of the decoder")
+    parser.add_argument("--steps", type=int, default=STEPS, help="of training")
     parser.add_argument("--seed", type=int, default=0, help="of training")
     add_out(parser)

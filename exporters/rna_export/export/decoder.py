@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Protocol
+
 import numpy as np
 import onnxruntime
 import torch
@@ -18,6 +20,27 @@ from rna_sdk.runtime.engine.agreement import ABSOLUTE, RELATIVE, TIES, close_row
 LARGEST_INPUT = 65504.0  # keeps sums finite whatever is asked
 _RANDOM_QUERIES = 20_000
 _FAR = 10.0  # factor on extreme queries and positions
+
+
+class Answering(Protocol):
+    """A model that is exported: an MLP that gives y = log(x / unit + 1) of sums of outputs."""
+
+    @property
+    def output(self) -> str: ...
+
+    @property
+    def colour_sums(self) -> tuple[tuple[int, ...], ...]: ...
+
+    @property
+    def decoder(self) -> torch.nn.Sequential: ...
+
+    @property
+    def unit(self) -> Tensor: ...
+
+    @property
+    def ceiling(self) -> Tensor: ...
+
+    def transport(self, y: Tensor) -> Tensor: ...
 
 
 class EmissionModel:
@@ -48,7 +71,7 @@ def other_models(model: NeuralAsset) -> list[EmissionModel]:
     return [] if model.emission is None else [EmissionModel(model)]
 
 
-def export_decoder(model: Exported, int8: Int8Decoder | None = None) -> bytes:
+def export_decoder(model: Answering, int8: Int8Decoder | None = None) -> bytes:
     """`queries` (N, K) to the output of the model's form, with the spec's operators alone.
 
     int8: the model's layers in integers, to be written in place of its own.
@@ -69,7 +92,7 @@ def export_decoder(model: Exported, int8: Int8Decoder | None = None) -> bytes:
     return graph.serialize(first.in_features, model.output, 3 * len(sums))
 
 
-def _layers(graph: Graph, value: str, model: Exported) -> str:
+def _layers(graph: Graph, value: str, model: Answering) -> str:
     for layer in model.decoder:
         if isinstance(layer, torch.nn.Linear):
             weight, bias = layer.weight.detach().numpy().T, layer.bias.detach().numpy()
@@ -99,13 +122,18 @@ def _int8_layers(graph: Graph, value: str, int8: Int8Decoder) -> str:
     return value
 
 
-@torch.no_grad()
 def compare_decoder(decoder: bytes, model: Exported, seed: int = 0) -> Agreement:
-    """Compare ONNX with PyTorch on random and extreme queries; `ExportError` beyond tolerance.
+    """Compare ONNX with PyTorch on random and extreme queries; `ExportError` beyond tolerance."""
+    usual = random_queries(model, _RANDOM_QUERIES, seed)
+    return compare_answers(decoder, model, usual, extreme_queries(model, seed))
 
-    Where a query is larger than random ones are, its tolerance is as many times larger.
+
+@torch.no_grad()
+def compare_answers(decoder: bytes, model: Answering, usual: Tensor, extreme: Tensor) -> Agreement:
+    """Compare ONNX with PyTorch on queries (n, K) each; `ExportError` beyond tolerance.
+
+    Where a query is larger than usual ones are, its tolerance is as many times larger.
     """
-    usual, extreme = random_queries(model, _RANDOM_QUERIES, seed), extreme_queries(model, seed)
     queries = torch.cat([usual, extreme])
     found, expected = _run(decoder, queries), _transport(model, model.decoder(queries))
     absolute, relative = _differences(found, expected)
@@ -150,7 +178,7 @@ def _run(decoder: bytes, queries: Tensor) -> np.ndarray:
     return np.asarray(found, np.float64)
 
 
-def _transport(model: Exported, y: Tensor) -> np.ndarray:
+def _transport(model: Answering, y: Tensor) -> np.ndarray:
     return model.transport(y.unflatten(1, (-1, 3))).flatten(1).numpy()
 
 

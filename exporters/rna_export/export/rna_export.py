@@ -6,6 +6,7 @@ import argparse
 import sys
 from pathlib import Path
 
+from rna_export.environment.environment_options import add_environment, check_environment
 from rna_export.export.credit import add_credit
 from rna_export.export.precision import MAX_LOSS, add_precision, precisions_of
 from rna_sdk.console import command_line, command_parser, run_command
@@ -24,7 +25,8 @@ def parser() -> argparse.ArgumentParser:
         nargs="+",
         type=Path,
         help="checkpoints or output folders of rna-train, one per tier, the default tier first; an "
-        "asset of several parts needs its folder (paths)",
+        "asset of several parts needs its folder. With --environment alone, a package to add it to "
+        "(paths)",
     )
     p.add_argument("--out", type=Path, required=True, help="output package (path, required)")
     p.add_argument(
@@ -64,6 +66,7 @@ def parser() -> argparse.ArgumentParser:
         "the package (default: %(default)s)",
     )
     add_credit(p)
+    add_environment(p)
     return p
 
 
@@ -73,12 +76,41 @@ def main(argv: list[str] | None = None) -> int:
     args = options.parse_args(argv)
     if any(pixels < 1 for pixels in args.proxies):
         options.error(f"argument --proxies: expected 1 or more, found {min(args.proxies)}")
-    return run_command(lambda: _run(args), args.debug, "nothing was written", "train")
+    check_environment(args, options)
+    run = _run
+    if any(path.suffix == ".rna" for path in args.checkpoints):
+        _check_package(args, options)
+        run = _add_lobes
+    return run_command(lambda: run(args), args.debug, "no package is half written", "train")
+
+
+def _check_package(args: argparse.Namespace, options: argparse.ArgumentParser) -> None:
+    """Exits with an error of usage unless one package is given, and the form `environment`."""
+    if len(args.checkpoints) > 1 or not args.environment:
+        found = " ".join(map(str, args.checkpoints))
+        options.error(f"found {found}, expected checkpoints, or one package with --environment")
+    for name in ("dataset", "precision", "poster", "proxies", "source"):
+        if getattr(args, name):
+            options.error(f"argument --{name}: expected checkpoints, found {args.checkpoints[0]}")
+
+
+def _add_lobes(args: argparse.Namespace) -> None:
+    """A copy of a package with the form `environment`."""
+    from rna_export.environment.environment_training import add_lobes
+
+    (package,) = args.checkpoints
+    check_outputs([args.out], [package, *args.environment_files])
+    lines = add_lobes(package, args.out, args.environment_minutes, args.environment_files)
+    before, after = (path.stat().st_size / 1e6 for path in (package, args.out))
+    print("\n".join(lines))
+    print(f"wrote {args.out}, {after:.2f} MB ({package}: {before:.2f} MB)")
+    print(f"next: {command_line('rna-view', args.out)}")
 
 
 def _run(args: argparse.Namespace) -> None:
     from rna_export.capture.dataset.dataset_folder import Dataset
     from rna_export.capture.geometry.cut import as_cut
+    from rna_export.environment.environment_training import add_lobes
     from rna_export.export.export_summary import closing_lines
     from rna_export.export.extras import add_extras
     from rna_export.export.package_build import build_package
@@ -87,7 +119,8 @@ def _run(args: argparse.Namespace) -> None:
     from rna_export.training.checkpoint import load_checkpoint
 
     checkpoints = checkpoint_paths(args.checkpoints)
-    check_outputs([args.out], checkpoints if args.poster is None else [*checkpoints, args.poster])
+    given = [*checkpoints, *args.environment_files]
+    check_outputs([args.out], given if args.poster is None else [*given, args.poster])
     trained = [load_checkpoint(path) for path in checkpoints]
     dataset = as_cut(Dataset(args.dataset or trained[0].dataset), trained[0].cut)
     presets = dict.fromkeys(one.preset_name for one in trained)
@@ -104,7 +137,10 @@ def _run(args: argparse.Namespace) -> None:
     )
     proxies = sorted(set(args.proxies), reverse=True)
     add_extras(args.out, dataset, args.poster, proxies, args.coding == "deflate", print)
-    print("\n".join(closing_lines(args.out, manifest, trained, dataset)))
+    print("\n".join(closing_lines(args.out, manifest, trained, dataset)), flush=True)
+    if args.environment:
+        minutes, files = args.environment_minutes, args.environment_files
+        print("\n".join(add_lobes(args.out, args.out, minutes, files)))
     size = args.out.stat().st_size / 1e6
     print(f"wrote {args.out}, {size:.2f} MB, {sheet_of(args.out)}")
     print(f"next: {command_line('rna-validate', args.out)}")

@@ -20,6 +20,11 @@ from rna_export.capture.rna_capture import (
     check_source,
     given_settings,
 )
+from rna_export.environment.environment_options import (
+    add_environment,
+    check_environment,
+    lobe_minutes,
+)
 from rna_export.export.credit import add_credit
 from rna_export.export.precision import add_precision, precisions_of
 from rna_export.training.presets import PRESETS
@@ -118,6 +123,7 @@ def parser() -> argparse.ArgumentParser:
     p.add_argument("--keep", action="store_true", help="keep the work folder (default: off)")
     add_precision(p)
     add_credit(p)
+    add_environment(p)
     return p
 
 
@@ -144,6 +150,7 @@ def main(argv: list[str] | None = None) -> int:
     if len(set(args.presets)) < len(args.presets):
         options.error(f"argument --presets: expected each once, found {' '.join(args.presets)}")
     check_settings(args, options)
+    check_environment(args, options)
     return run_command(lambda: _run(args, arguments, begun), args.debug, _GO_ON, "train")
 
 
@@ -153,6 +160,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     from rna_export.capture.blender_process.blender_worker import Source
     from rna_export.capture.capture_run import CaptureWorkers
     from rna_export.capture.capture_settings import CaptureSettings
+    from rna_export.environment.environment_training import add_lobes
     from rna_export.export.export_summary import closing_lines
     from rna_export.machine import keep_freed_memory
     from rna_export.make.make_options import MakeOptions
@@ -164,10 +172,12 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     keep_freed_memory()
     work = args.work or args.out.with_suffix(".make")
     given = [args.model] if args.for_scene is None else [args.model, args.for_scene]
-    check_outputs([args.out], given)
+    check_outputs([args.out], [*given, *args.environment_files])
     check_outside(work, [args.out, *given])
     settings = {**given_settings(args), "seed": args.seed}
     goal = _goal(args)
+    lobes_take = lobe_minutes(args)
+    minutes = None if args.minutes is None else args.minutes - lobes_take
     run_settings = RunSettings(
         source=args.model.name,
         source_sha256=hashlib.sha256(args.model.read_bytes()).hexdigest(),
@@ -176,7 +186,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
         scene=None if args.for_scene is None else args.for_scene.read_text(),
         presets=tuple(args.presets),
         goal="none" if goal is None else str(goal),
-        minutes=args.minutes,
+        minutes=minutes,
         steps=args.steps,
         seed=args.seed,
     )
@@ -196,7 +206,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
                 work=work,
                 presets=tuple(args.presets),
                 goal=goal,
-                minutes=args.minutes,
+                minutes=minutes,
                 steps=args.steps,
                 seed=args.seed,
                 device=device,
@@ -208,6 +218,8 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
         manifest = export(made, args.out, args.source, args.license, precisions)
         marked = _kept_picture(options, args.out)
         lines = closing_lines(args.out, manifest, made.trained(), made.dataset)
+        if args.environment:
+            lines += add_lobes(args.out, args.out, lobes_take, args.environment_files)
         others = [] if args.keep else folder.dissolve(*WRITTEN)
     if others:
         print(f"kept {work}: rna-make did not write {', '.join(others)}")

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import torch
 from torch import Tensor
-from tqdm import trange
 
-from rna_bench.lobes.directions import even_directions, random_rotations
-from rna_bench.lobes.lobe_model import LobeInputs, LobeModel, QueryRows, densities
-from rna_bench.lobes.view_points import PartViews, Rows
+from rna_export.environment.directions import even_directions, random_rotations
+from rna_export.environment.lobe_model import LobeModel, densities
+from rna_export.environment.lobe_queries import LobeInputs, QueryRows
+from rna_export.environment.view_points import PartViews, Rows
+from rna_export.training.optimization.pace import Pace
 from rna_export.training.optimization.training_threads import threads_in_use, use_threads
 
 _ROWS, _NEW = 2048, 64  # points of a step, and those of them that no step has had
@@ -20,7 +22,7 @@ _KEPT = 100_000  # points
 _DIRECTIONS, _LIGHTS = 64, 32  # of a point
 _KAPPA = (0.5, 30.0)  # of the lights
 _STRIDE = 7  # in concentrations between neighbouring lights: none has a part of the sphere alone
-_RATE = 5e-3
+_RATE, _WARMUP = 5e-3, 100  # steps
 _EPSILON = 0.1  # of the relative error; radiance under a light of radiance 1
 
 
@@ -91,30 +93,36 @@ def fit_lobes(
     model: LobeModel,
     views: PartViews,
     queries: QueryRows,
-    steps: int,
+    paces: Sequence[Pace],
     seed: int = 0,
+    advance: Callable[[float], None] = lambda share: None,
 ) -> None:
-    """Train for a number of steps.
+    """Train until the first of the paces is at its end. advance: told shares of all that is done.
 
     Steps take one thread. A second one makes points meanwhile, in a fixed order.
     """
     rng, draw = np.random.default_rng(seed), np.random.default_rng(seed + 1)
     optimizer = torch.optim.Adam(model.parameters(), lr=_RATE)
     weights, threads = light_weights(), threads_in_use()
-    kept = _Kept(make_rows(views, queries, 4 * _ROWS, rng))
+    kept, steps, done = _Kept(make_rows(views, queries, 4 * _ROWS, rng)), 0, 0.0
     use_threads(1)
     try:
         with ThreadPoolExecutor(1) as maker:
             coming = maker.submit(make_rows, views, queries, _NEW, rng)
-            for step in trange(1, steps + 1, desc="lobes", unit="step"):
+            while done < 1.0:
                 kept.add(coming.result())
                 coming = maker.submit(make_rows, views, queries, _NEW, rng)
-                rate = 0.5 * (1.0 + math.cos(math.pi * step / steps)) + 1e-3
+                steps += 1
+                rate = 0.5 * (1.0 + math.cos(math.pi * done)) + 1e-3
                 for group in optimizer.param_groups:
-                    group["lr"] = _RATE * rate * min(1.0, step / 100)
+                    group["lr"] = _RATE * rate * min(1.0, steps / _WARMUP)
                 optimizer.zero_grad()
                 loss = lobe_loss(model, kept.some(_ROWS, draw), weights)
                 loss.backward()
                 optimizer.step()
+                for pace in paces:
+                    pace.advance()
+                before, done = done, max(pace.progress for pace in paces)
+                advance(done - before)
     finally:
         use_threads(threads)

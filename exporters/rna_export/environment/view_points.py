@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
+from rna_sdk.package.geometry.vertex_visibility import STEPS, Harmonics, quantised_harmonics
 
-from rna_bench.lobes.directions import even_directions, random_directions
-from rna_bench.lobes.spherical_harmonics import harmonics
+from rna_export.environment.directions import even_directions, random_directions
+from rna_export.environment.spherical_harmonics import COUNT, harmonics
+from rna_sdk.package import Mesh
 from rna_sdk.runtime import Asset, FiberAsset, SurfaceAsset, offset_across
 from rna_trace import (
     FiberPoints,
@@ -26,6 +30,7 @@ _DISTANCE = 4.0  # of viewers from the asset's middle, in its radii
 _RAYS = 512  # of the visibility of a vertex
 _AT_ONCE = 2000  # vertices
 _NEAR_CORNER = 0.9  # barycentric coordinate: rays do not start on the edges of a triangle
+_TRIES = 50_000  # rays that miss a part before it counts as hidden
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,7 +46,8 @@ class ViewPoints:
             turns them. Surface: the normal, and the mirror direction of wo. Fiber: the directions
             in which a smooth cylinder lets wo through (TT), and reflects it (R).
         free: (n,) float32, visibility along `mirror`.
-        visibility: (n, COUNT) float32, harmonics of the visibility about the point.
+        visibility: (n, COUNT) float32, harmonics of the visibility about the point; (n, 0) on
+            fibers.
     """
 
     at: PartPoints
@@ -58,29 +64,58 @@ class ViewPoints:
         return len(self.position)
 
 
+LobesAt = Callable[[ViewPoints], tuple[Rows, Rows]]
+"""Amplitudes and axes of lobes at points, (n, L, 3) float32 each."""
+
+
+def part_views(asset: Asset, visibility: Sequence[Harmonics | None] = ()) -> list[PartViews]:
+    """Of each part of a loaded asset. visibility: of `PartViews`, to save its rays."""
+    scene = PartsScene(
+        [part_geometry(part) for part in asset.parts],
+        [part_transmittance(part) for part in asset.parts],
+        [part_normal_maps(part) for part in asset.parts],
+    )
+    known = visibility or [None] * len(asset.parts)
+    return [PartViews(asset, index, scene, one) for index, one in enumerate(known)]
+
+
 class PartViews:
     """What viewers see of one part of an asset.
 
     Attributes:
         part: the part.
-        visibility: (m, COUNT) float32, harmonics of the asset's own visibility about the mesh's
-            vertices, or the curves' points; the first is the visible part of the sphere.
+        visibility: (m, COUNT) int8, harmonics of the asset's own visibility about the mesh's
+            vertices, as `quantised_harmonics` has them; the first is the visible part of the
+            sphere. None for fibers, about which it changes too fast with direction.
     """
 
-    def __init__(self, asset: Asset, index: int) -> None:
-        """asset: loaded. index: of the part."""
-        self.part, self._index = asset.parts[index], index
-        self._scene = PartsScene(
-            [part_geometry(part) for part in asset.parts],
-            [part_transmittance(part) for part in asset.parts],
-            [part_normal_maps(part) for part in asset.parts],
-        )
-        low, high = part_geometry(self.part).box()
-        self._centre, self._radius = (low + high) / 2, float(np.linalg.norm(high - low)) / 2
-        self.visibility = self._baked()
+    def __init__(
+        self, asset: Asset, index: int, scene: PartsScene, visibility: Harmonics | None = None
+    ) -> None:
+        """index: of the part. scene: of all parts. visibility: the attribute, if it is known."""
+        self.part, self._index, self._scene = asset.parts[index], index, scene
+        own = part_geometry(self.part).box()
+        boxes = [part_geometry(part).box() for part in asset.parts]
+        whole = np.min([box[0] for box in boxes], axis=0), np.max([box[1] for box in boxes], axis=0)
+        self._sphere, self._picture_sphere = _sphere(*own), _sphere(*whole)
+        self._mesh = self.part.mesh if isinstance(self.part, SurfaceAsset) else None
+        if visibility is None and self._mesh is not None:
+            visibility = self._baked(self._mesh)
+        self.visibility = visibility
+
+    @property
+    def visibility_columns(self) -> int:
+        """Of ViewPoints.visibility."""
+        return 0 if self.visibility is None else COUNT
+
+    @cached_property
+    def is_hidden(self) -> bool:
+        """Whether no viewer sees it."""
+        row, _ = self._seen(*self._random_rays(_TRIES, np.random.default_rng(0)))
+        return not len(row)
 
     def points(self, count: int, rng: np.random.Generator) -> ViewPoints:
-        """`count` random points that random viewers see."""
+        """`count` random points that random viewers see of a part that is not hidden."""
         found: list[tuple[np.ndarray, ...]] = []
         have = 0
         while have < count:
@@ -91,16 +126,17 @@ class PartViews:
         return self._view_points(*(np.concatenate(rows)[:count] for rows in columns))
 
     def picture(self, azimuth: float, size: int) -> tuple[ViewPoints, NDArray[np.int64]]:
-        """The points of a square picture, and their places in it, from the top row on.
+        """The part's points of a square picture of the asset, and their places, top row first.
 
         azimuth: of the viewer about the vertical, radians.
         """
+        centre, radius = self._picture_sphere
         away = np.array([np.sin(azimuth), 0.5, np.cos(azimuth)]) / np.hypot(1.0, 0.5)
         right = np.array([np.cos(azimuth), 0.0, -np.sin(azimuth)])
-        step = ((np.arange(size) + 0.5) / size * 2 - 1) * self._radius
+        step = ((np.arange(size) + 0.5) / size * 2 - 1) * radius
         across, down = np.tile(step, size)[:, None], np.repeat(step, size)[:, None]
-        origin = self._centre + _DISTANCE * self._radius * away
-        target = self._centre + across * right - down * np.cross(away, right)
+        origin = centre + _DISTANCE * radius * away
+        target = centre + across * right - down * np.cross(away, right)
         row, seen = self._seen(np.broadcast_to(origin, target.shape), target)
         return self._view_points(*seen), row
 
@@ -120,9 +156,10 @@ class PartViews:
 
     def _random_rays(self, count: int, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
         """Origins at random viewers, and random places in the part's sphere."""
-        origin = self._centre + _DISTANCE * self._radius * random_directions(count, rng)
+        centre, radius = self._sphere
+        origin = centre + _DISTANCE * radius * random_directions(count, rng)
         place = random_directions(count, rng) * rng.random((count, 1)) ** (1 / 3)
-        return origin, self._centre + self._radius * place
+        return origin, centre + radius * place
 
     def _seen(
         self, origin: np.ndarray, target: np.ndarray
@@ -156,8 +193,8 @@ class PartViews:
         seen = self._scene.visible(self._index, at, np.ascontiguousarray(wi, np.float32), far, row)
         return np.asarray(seen if seen.ndim == 1 else seen.mean(axis=1), np.float32)
 
-    def _baked(self) -> Rows:
-        at = self._vertices()
+    def _baked(self, mesh: Mesh) -> Harmonics:
+        at = self._vertices(mesh)
         d = even_directions(_RAYS)
         columns = harmonics(d) * np.float32(np.sqrt(4 * np.pi) / _RAYS)
         baked = []
@@ -165,20 +202,11 @@ class PartViews:
             row = np.arange(start, min(start + _AT_ONCE, len(at)))
             free = self._free(at, np.repeat(row, _RAYS), np.tile(d, (len(row), 1)))
             baked.append(free.reshape(-1, _RAYS) @ columns)
-        return np.concatenate(baked)
+        return quantised_harmonics(np.concatenate(baked))
 
-    def _vertices(self) -> PartPoints:
-        """Each vertex as a point of a triangle or segment that has it."""
-        if isinstance(self.part, FiberAsset):
-            curves = self.part.curves
-            first = curves.segments()
-            of = np.zeros(len(curves.points), np.int32)
-            of[first + 1] = of[first] = np.arange(len(first))
-            u = (np.arange(len(of)) != first[of]).astype(np.float32)
-            along = curves.points[first[of] + 1] - curves.points[first[of]]
-            side = np.cross(along, (0.0, 1.0, 1e-3))
-            return self._scene.points(self._index, of, u, np.zeros_like(u), _unit(side))
-        triangles, corners = self.part.mesh.triangles, self.part.mesh.positions
+    def _vertices(self, mesh: Mesh) -> SurfacePoints:
+        """Each vertex as a point of a triangle that has it."""
+        triangles, corners = mesh.triangles, mesh.positions
         of, corner = np.zeros(len(corners), np.int32), np.zeros(len(corners), np.int64)
         for k in range(3):
             of[triangles[:, k]], corner[triangles[:, k]] = np.arange(len(triangles)), k
@@ -191,14 +219,17 @@ class PartViews:
 
     def _interpolated(self, primitive: np.ndarray, u: np.ndarray, v: np.ndarray) -> Rows:
         """The vertices' harmonics at hits."""
-        if isinstance(self.part, SurfaceAsset):
-            a, b, c = self.part.mesh.triangles[primitive].T
-            weighted = [(a, 1 - u - v), (b, u), (c, v)]
-        else:
-            first = self.part.curves.segments()[primitive]
-            weighted = [(first, 1 - u), (first + 1, u)]
+        if self._mesh is None or self.visibility is None:
+            return np.zeros((len(u), 0), np.float32)
+        a, b, c = self._mesh.triangles[primitive].T
+        weighted = [(a, 1 - u - v), (b, u), (c, v)]
         mixed = (self.visibility[corner] * weight[:, None] for corner, weight in weighted)
-        return np.asarray(sum(mixed), np.float32)
+        return np.asarray(sum(mixed), np.float32) / np.float32(STEPS)
+
+
+def _sphere(low: np.ndarray, high: np.ndarray) -> tuple[np.ndarray, float]:
+    """Middle and radius of a box's sphere."""
+    return (low + high) / 2, float(np.linalg.norm(high - low)) / 2
 
 
 def _unit(v: np.ndarray) -> Rows:

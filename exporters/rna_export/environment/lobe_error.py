@@ -2,40 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 import torch
 
-from rna_bench.lobes.lobe_model import LobeInputs, LobeModel, QueryRows, densities
-from rna_bench.lobes.view_points import PartViews, ViewPoints
+from rna_export.environment.lobe_model import densities
+from rna_export.environment.view_points import LobesAt, PartViews, Rows, ViewPoints
 from rna_export.metrics import IRRADIANCE, flip, psnr
 from rna_render.lights import cell_directions, split_environment
+from rna_sdk.package.manifest.extensions import EnvironmentValidation
 
 _VIEWERS = 4  # about the vertical
 _AT_ONCE = 20  # points
 _SHOWN = 0.95  # part of the values that an exposure shows below white
-
-
-@dataclass(frozen=True)
-class LobeError:
-    """Error of lobes under one environment, at the exposure that shows 95% of the values unclipped.
-
-    Attributes:
-        environment: its name.
-        psnr: dB, of the lobes alone.
-        psnr_with_lights: the same, with what is far brighter than its surroundings asked of the
-            decoder of transport: at most 8 directions.
-        flip: of the pictures, with lights.
-        brightness: mean over that of the integral, RGB, with lights.
-    """
-
-    environment: str
-    psnr: float
-    psnr_with_lights: float
-    flip: float
-    brightness: tuple[float, float, float]
 
 
 def generated_environments() -> dict[str, np.ndarray]:
@@ -60,20 +40,20 @@ def generated_environments() -> dict[str, np.ndarray]:
     sky += np.where(y < 0.0, 0.25, 0.0)[..., None] * (0.8, 0.7, 0.5)
     studio = 0.05 + 12.0 * softbox((0.8, 0.6, 0.3), 200.0) + 6.0 * softbox((-0.9, 0.2, 0.2), 80.0)
     studio = studio + 3.0 * softbox((0.0, 0.4, -1.0), 60.0) * (0.6, 0.8, 1.0)
-    return {"sky": sky.astype(np.float32), "studio": studio.astype(np.float32)}
+    return {"generated-sky": sky.astype(np.float32), "generated-studio": studio.astype(np.float32)}
 
 
 def lobe_errors(
-    views: PartViews,
-    queries: QueryRows,
-    model: LobeModel,
+    parts: Sequence[tuple[PartViews, LobesAt]],
     environments: Mapping[str, np.ndarray],
-    size: int = 32,
-) -> list[LobeError]:
-    """Errors over four small pictures of the part, under each environment, in their order.
+    size: int,
+    advance: Callable[[float], None] = lambda share: None,
+) -> list[EnvironmentValidation]:
+    """Errors over four small pictures of parts of an asset, under each environment, in order.
 
     environments: texels (h, w, 3) by name. size: pixels of a picture's side. The whole
-    integral is the sum over 8,192 cells of equal solid angle.
+    integral is the sum over 8,192 cells of equal solid angle. Pictures are scored at the exposure
+    that shows 95% of the values below white. advance: told shares of all that is done.
     """
     splits = [split_environment(texels) for texels in environments.values()]
     cells = cell_directions().astype(np.float32)
@@ -81,12 +61,14 @@ def lobe_errors(
     whole = rest / np.stack([split.share.reshape(-1, 1) for split in splits])
     places, found = [], []
     for viewer in range(_VIEWERS):
-        points, place = views.picture(2 * np.pi * (viewer + 0.3) / _VIEWERS, size)
-        places.append(place + viewer * size * size)
-        lobes = _lobe_light(model, queries.of(points), cells, np.stack([whole, rest]))
-        lights = np.stack([_light(views, points, s.directions, s.flux[None])[0] for s in splits])
-        truth = _light(views, points, cells, whole)
-        found.append(np.stack([truth, lobes[0], lobes[1] + lights]))
+        for views, lobes_at in parts:
+            points, place = views.picture(2 * np.pi * (viewer + 0.3) / _VIEWERS, size)
+            places.append(place + viewer * size * size)
+            lobes = _lobe_light(*lobes_at(points), cells, np.stack([whole, rest]))
+            lit = [_light(views, points, s.directions, s.flux[None])[0] for s in splits]
+            truth = _light(views, points, cells, whole)
+            found.append(np.stack([truth, lobes[0], lobes[1] + np.stack(lit)]))
+            advance(1 / _VIEWERS / len(parts))
     pictures = np.concatenate(found, axis=2)
     place = np.concatenate(places)
     return [_error(name, size, place, *pictures[:, k]) for k, name in enumerate(environments)]
@@ -94,7 +76,7 @@ def lobe_errors(
 
 def _light(views: PartViews, points: ViewPoints, d: np.ndarray, flux: np.ndarray) -> np.ndarray:
     """Sum of the transport along k directions, in flux (e, k, 3): (e, n, 3)."""
-    found = []
+    found = [np.zeros((len(flux), 0, 3), np.float32)]
     for start in range(0, len(points), _AT_ONCE):
         row = np.arange(start, min(start + _AT_ONCE, len(points)))
         asked = np.repeat(row, len(d)), np.tile(d.astype(np.float32), (len(row), 1))
@@ -103,30 +85,27 @@ def _light(views: PartViews, points: ViewPoints, d: np.ndarray, flux: np.ndarray
     return np.concatenate(found, axis=1)
 
 
-def _lobe_light(
-    model: LobeModel, inputs: LobeInputs, d: np.ndarray, flux: np.ndarray
-) -> np.ndarray:
+def _lobe_light(amplitude: Rows, axis: Rows, d: np.ndarray, flux: np.ndarray) -> np.ndarray:
     """What lobes give of flux (..., k, 3) along k directions: (..., n, 3)."""
-    with torch.no_grad():
-        amplitude, axis = model(inputs)
-        found = []
-        for start in range(0, len(axis), _AT_ONCE):
-            part = slice(start, start + _AT_ONCE)
-            density = densities(axis[part], torch.from_numpy(d.T)[None]).numpy()
-            mean = np.einsum("nlk,...kc->...nlc", density, flux, optimize=True)
-            found.append(np.einsum("...nlc,nlc->...nc", mean, amplitude[part].numpy()))
+    along = torch.from_numpy(d.T)[None]
+    found = [np.zeros((*flux.shape[:-2], 0, 3), np.float32)]
+    for start in range(0, len(axis), _AT_ONCE):
+        part = slice(start, start + _AT_ONCE)
+        density = densities(torch.from_numpy(axis[part]), along).numpy()
+        mean = np.einsum("nlk,...kc->...nlc", density, flux, optimize=True)
+        found.append(np.einsum("...nlc,nlc->...nc", mean, amplitude[part]))
     return np.concatenate(found, axis=-2)
 
 
 def _error(
     name: str, size: int, place: np.ndarray, truth: np.ndarray, lobes: np.ndarray, both: np.ndarray
-) -> LobeError:
+) -> EnvironmentValidation:
     exposure = float(1 / max(np.quantile(truth, _SHOWN), 1e-12)) / IRRADIANCE  # white is 1
     pixels = np.zeros((2, _VIEWERS * size * size, 3), np.float32)
     pixels[:, place] = truth, both
     reference, image = pixels.reshape(2, -1, size, 3)
     r, g, b = (both.mean(axis=0) / np.maximum(truth.mean(axis=0), 1e-12)).tolist()
-    return LobeError(
+    return EnvironmentValidation(
         environment=name,
         psnr=psnr(lobes, truth, exposure),
         psnr_with_lights=psnr(both, truth, exposure),

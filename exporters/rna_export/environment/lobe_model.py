@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
-import numpy as np
 import torch
 from torch import Tensor, nn
 
-from rna_bench.lobes.view_points import Rows, ViewPoints
+from rna_export.environment.lobe_queries import LobeInputs, QueryRows
+from rna_export.environment.view_points import LobesAt, Rows, ViewPoints
 from rna_export.training.model.layers import through
-from rna_sdk.package import Package, query_width
-from rna_sdk.runtime.engine.batch import Batch
-from rna_sdk.runtime.engine.tiles import QueryFiller
 
 LOBES = 8
+WIDTH, HIDDEN_LAYERS = 80, 2  # of the decoder
 CONCENTRATIONS = (2.0, 10.0)
 """kappa of a lobe that the decoder leaves as it is: of the first half of them, and of the rest."""
 
@@ -25,42 +22,8 @@ SHIFT = 8.0
 SMALLEST_KAPPA = 0.01
 
 _UNIT = 0.1
-_TOP = 8.0  # of logarithms
+_CEILING = 300.0
 _FURNACE = 0.5  # of all amplitudes together, at first
-
-
-class LobeInputs(NamedTuple):
-    """What lobes are made of: queries (n, K); wide, mirror (n, 3) and free (n,), of ViewPoints."""
-
-    queries: Rows
-    wide: Rows
-    mirror: Rows
-    free: Rows
-
-
-class QueryRows:
-    """Makes the decoder's queries for a part: blocks of inputs, then the visibility.
-
-    Attributes:
-        inputs: names of the blocks: those of transport, wi being the mirror direction.
-        columns: K, of blocks and visibility.
-    """
-
-    def __init__(self, package: Package, tier: str, part: int, visibility_columns: int) -> None:
-        """package: open. visibility_columns: of ViewPoints.visibility, or 0 to leave it out."""
-        own, record = package.tier(tier).parts[part], package.manifest.parts[part]
-        self._filler = QueryFiller(package.planes(tier, part), record.bounds, own, record.kind)
-        self._blocks, self._visibility = query_width(own.inputs, own.channels), visibility_columns
-        self.inputs, self.columns = own.inputs, self._blocks + visibility_columns
-
-    def of(self, points: ViewPoints) -> LobeInputs:
-        """The inputs of points."""
-        arrays = {"position": points.position, "axis": points.axis, "h": points.h}
-        batch = Batch.of(arrays | {"wo": points.wo, "wi": points.mirror}, ())
-        blocks = np.zeros((len(points), self._blocks), np.float32)
-        self._filler.fill(batch, slice(None), blocks, np.empty(len(points), np.bool_))
-        queries = np.hstack([blocks, points.visibility[:, : self._visibility]])
-        return LobeInputs(queries, points.wide, points.mirror, points.free)
 
 
 class LobeModel(nn.Module):
@@ -70,7 +33,12 @@ class LobeModel(nn.Module):
     mirror direction is free and where it is blocked, and an axis plus a shift.
     """
 
-    def __init__(self, columns: int, width: int, hidden_layers: int) -> None:
+    ceiling: Tensor
+    unit: Tensor
+    output = "environment"
+    colour_sums = tuple(tuple(row) for row in torch.eye(3 * LOBES, dtype=torch.int).tolist())
+
+    def __init__(self, columns: int, width: int = WIDTH, hidden_layers: int = HIDDEN_LAYERS):
         """columns: K of the queries. width: of the hidden layers."""
         super().__init__()
         layers: list[nn.Module] = []
@@ -83,6 +51,8 @@ class LobeModel(nn.Module):
         of_lobe[6:] = math.log1p(SHIFT / _UNIT)
         last.bias.data = of_lobe.repeat(LOBES)
         self.decoder = nn.Sequential(*layers, last)
+        self.register_buffer("ceiling", torch.tensor(_CEILING))
+        self.register_buffer("unit", torch.tensor(_UNIT))
 
     @property
     def multiply_adds(self) -> int:
@@ -92,8 +62,7 @@ class LobeModel(nn.Module):
     def forward(self, inputs: LobeInputs) -> tuple[Tensor, Tensor]:
         """Amplitudes and axes, (n, LOBES, 3) each."""
         queries, wide, mirror, free = (torch.from_numpy(rows) for rows in inputs)
-        y = through(self.decoder, queries).view(-1, LOBES, 3, 3)
-        values = _UNIT * torch.expm1(y.clamp(0.0, _TOP))
+        values = self.transport(through(self.decoder, queries)).view(-1, LOBES, 3, 3)
         free = free[:, None, None]
         amplitude = free * values[:, :, 0] + (1.0 - free) * values[:, :, 1]
         base = [
@@ -101,6 +70,21 @@ class LobeModel(nn.Module):
             for kappa, direction in zip(CONCENTRATIONS, (wide, mirror), strict=True)
         ]
         return amplitude, values[:, :, 2] - SHIFT + torch.cat(base, dim=1)
+
+    def answering(self, queries: QueryRows) -> LobesAt:
+        """Its lobes at points of the part that the queries are for."""
+
+        def lobes(points: ViewPoints) -> tuple[Rows, Rows]:
+            with torch.no_grad():
+                amplitude, axis = self(queries.of(points))
+            return amplitude.numpy(), axis.numpy()
+
+        return lobes
+
+    def transport(self, y: Tensor) -> Tensor:
+        """The decoder's outputs from y = log(x / unit + 1): between 0 and the ceiling."""
+        highest = torch.log1p(self.ceiling / self.unit)
+        return self.unit * torch.expm1(y.clamp(min=0.0).minimum(highest))
 
 
 def densities(axis: Tensor, directions: Tensor) -> Tensor:

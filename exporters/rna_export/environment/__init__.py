@@ -1,0 +1,1 @@
+"""The form `environment`: lobes of the transport, trained from a package alone."""
