@@ -113,8 +113,10 @@ def filling(bar: tqdm, share: float = 1.0) -> Callable[[float], None]:
 
 def _lobes_of(part: SurfaceAsset | FiberAsset) -> LobesAt:
     def lobes(at: ViewPoints) -> tuple[Rows, Rows]:
-        frame = (at.axis, at.h) if isinstance(part, FiberAsset) else (at.axis,)
-        return part.lobes(at.position, *frame, at.wo, at.free, at.visibility)
+        seen = at.wo, at.free, at.visibility
+        if isinstance(part, FiberAsset):
+            return part.lobes(at.position, at.axis, at.h, *seen)
+        return part.lobes(at.position, at.axis, *seen)
 
     return lobes
 

@@ -12,7 +12,7 @@ from rna_export.environment.view_points import LobesAt, Rows, ViewPoints
 from rna_export.training.model.layers import through
 
 LOBES = 8
-WIDTH, HIDDEN_LAYERS = 80, 2  # of the decoder
+WIDTH, HIDDEN_LAYERS = 88, 2  # of the decoder
 CONCENTRATIONS = (2.0, 10.0)
 """kappa of a lobe that the decoder leaves as it is: of the first half of them, and of the rest."""
 
