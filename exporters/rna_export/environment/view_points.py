@@ -8,11 +8,11 @@ from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
-from rna_sdk.package.geometry.vertex_visibility import STEPS, Harmonics, quantised_harmonics
 
 from rna_export.environment.directions import even_directions, random_directions
 from rna_export.environment.spherical_harmonics import COUNT, harmonics
 from rna_sdk.package import Mesh
+from rna_sdk.package.geometry.vertex_visibility import STEPS, Harmonics, quantised_harmonics
 from rna_sdk.runtime import Asset, FiberAsset, SurfaceAsset, offset_across
 from rna_trace import (
     FiberPoints,
