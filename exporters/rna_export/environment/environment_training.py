@@ -22,6 +22,7 @@ from rna_export.training.optimization.pace import StepPace, TimePace
 from rna_render import read_environment
 from rna_sdk.errors import ExportError
 from rna_sdk.package import Package
+from rna_sdk.package.geometry.vertex_visibility import Harmonics
 from rna_sdk.package.manifest.extensions import Deflate, EnvironmentValidation
 from rna_sdk.package.packing import Lobes, Unpacked
 from rna_sdk.runtime import Asset, FiberAsset, SurfaceAsset, load
@@ -96,14 +97,20 @@ def _measured(
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "measured.rna"
         package.write(path)
-        asset = load(path)
-        again = part_views(asset, [one.visibility for one in views])
-        pairs = [
-            (own, _lobes_of(part))
-            for own, part in zip(again, asset.parts, strict=True)
-            if part.environment_form is not None
-        ]
+        pairs = parts_with_lobes(load(path), [one.visibility for one in views])
         return lobe_errors(pairs, environments, SIZE, filling(bar, _MEASURED))
+
+
+def parts_with_lobes(
+    asset: Asset, visibility: Sequence[Harmonics | None] = ()
+) -> list[tuple[PartViews, LobesAt]]:
+    """What `lobe_errors` measures of a loaded asset. visibility: as of `part_views`."""
+    views = part_views(asset, visibility)
+    return [
+        (own, _lobes_of(part))
+        for own, part in zip(views, asset.parts, strict=True)
+        if part.environment_form is not None
+    ]
 
 
 def filling(bar: tqdm, share: float = 1.0) -> Callable[[float], None]:
