@@ -26,10 +26,12 @@ def open_worker(blender_python: Path, tmp_path: Path) -> Iterator[OpenWorker]:
         front: str | None = None,
         up: str | None = None,
         parts: str = "kinds",
+        rest_frame: int | None = None,
     ) -> BlenderWorker:
         name = f"scene{next(opened)}"
         path = write_scene(tmp_path, name, scene) if isinstance(scene, str) else scene
-        source = Source(path, arguments, front=front, up=up, parts=parts)
+        how = {"front": front, "up": up, "parts": parts, "rest_frame": rest_frame}
+        source = Source(path, arguments, **how)
         worker = BlenderWorker(blender_python, source, tmp_path / "scratch", 1, name)
         return workers.enter_context(worker)
 

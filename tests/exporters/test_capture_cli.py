@@ -127,7 +127,13 @@ def test_help_starts_with_a_sentence_and_a_command() -> None:
     text = " ".join(text.split())
     assert "rna-capture helmet.gltf --out helmet.rays/" in text
     surfaces, fibers = (CaptureSettings.usual(kind).model_dump() for kind in ("surface", "fiber"))
-    for name in surfaces.keys() - {"lights_per_shard", "front", "up", "exact_geometry"}:
+    for name in surfaces.keys() - {
+        "lights_per_shard",
+        "front",
+        "up",
+        "exact_geometry",
+        "rest_frame",
+    }:
         same = surfaces[name] == fibers[name]
         told = f"default {surfaces[name]}" + ("" if same else f", for hair {fibers[name]}")
         assert told in text, name
@@ -142,6 +148,7 @@ def test_help_starts_with_a_sentence_and_a_command() -> None:
         ("--domain", "hemisphere"),
         ("--seed", 9),
         ("--front", "-Z"),
+        ("--rest-frame", 7),
     ],
 )
 def test_other_settings_are_refused_on_resume(

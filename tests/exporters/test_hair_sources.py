@@ -227,10 +227,17 @@ def test_converted_hair_covers_what_particle_hair_covered(
     assert np.sum(hit != (alpha.reshape(-1) > 0.5)) < 0.01 * hit.sum()
 
 
-def test_particle_hair_is_the_same_each_time(save: Save, open_worker: OpenWorker) -> None:
-    path = save(f"CHILDREN = 'INTERPOLATED'\n{PARTICLES}")
-    one, two = (open_worker(path).export_curves().points for _ in range(2))
+def test_particle_hair_is_the_same_each_time_and_follows_its_emitter(
+    save: Save, open_worker: OpenWorker
+) -> None:
+    moves = "item.keyframe_insert('location', frame=1)\n"
+    moves += "item.location.z += 1\nitem.keyframe_insert('location', frame=9)\n"
+    path = save(f"CHILDREN = 'INTERPOLATED'\n{PARTICLES}{moves}")
+    worker = open_worker(path, rest_frame=9)
+    one, two = (open_.export_curves().points for open_ in (worker, open_worker(path, rest_frame=9)))
     assert np.array_equal(one, two)
+    worker.show_frame(1)
+    np.testing.assert_allclose(worker.export_curves().points, one - (0, 1, 0), atol=1e-6)
 
 
 def test_an_emitter_that_is_rendered_counts_as_a_surface(

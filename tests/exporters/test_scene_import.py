@@ -45,10 +45,12 @@ SPLINE = """
 POINTS = np.array([[0, 0, 0], [0, 1, 0], [1, 0, 0], [1, 1, 0], [1, 1, 2]])
 
 
-def exported(open_worker: OpenWorker, folder: Path, text: str, *arguments: str) -> Curves:
+def exported(
+    open_worker: OpenWorker, folder: Path, text: str, *arguments: str, **how: int
+) -> Curves:
     path = folder / "hair.usda"
     path.write_text(HEADER + text)
-    return open_worker(path, *arguments).export_curves()
+    return open_worker(path, *arguments, **how).export_curves()
 
 
 def test_units_axes_and_constant_widths(open_worker: OpenWorker, tmp_path: Path) -> None:
@@ -110,7 +112,7 @@ def test_a_frame_can_be_chosen(open_worker: OpenWorker, tmp_path: Path) -> None:
     samples = f"point3f[] points.timeSamples = {{ 1: {points}, 5: {moved} }}\n"
     body = LINES.replace(LINES.splitlines()[2], samples) + widths([2, 2], "uniform")
     assert exported(open_worker, tmp_path, curves(body)).points[:, 1].max() == pytest.approx(1.0)
-    found = exported(open_worker, tmp_path, curves(body), "--frame", "5")
+    found = exported(open_worker, tmp_path, curves(body), rest_frame=5)
     assert found.points[:, 1].max() == pytest.approx(3.0)
 
 

@@ -13,7 +13,8 @@ from rna_export.capture.geometry.mesh_cleanup import clean_mesh
 from rna_export.motion.rna_motion import main
 from rna_render import open_asset_motion
 from rna_sdk.motion import open_motion
-from rna_sdk.package import Curves, Mesh, Tier, write_package
+from rna_sdk.package import Curves, Mesh, Provenance, Tier, write_package
+from rna_sdk.package.manifest.manifest_model import REST_FRAME
 from rna_sdk.runtime import load
 from tests.conftest import REPOSITORY
 from tests.motion.gltf_files import bending_arm, moving_node
@@ -59,6 +60,10 @@ scene.frame_set(1)
 """
 
 
+REST = 5
+"""The frame of ARM that its package is of; it opens with frame 1."""
+
+
 def package(path: Path, mesh: Mesh, hair: Curves) -> Path:
     """A package of these two parts."""
     tier = Tier(
@@ -66,7 +71,8 @@ def package(path: Path, mesh: Mesh, hair: Curves) -> Path:
         parts=(make_tier_part("skin"), make_tier_part("hair", inputs=FIBER_INPUTS)),
     )
     parts = make_part(name="skin"), make_part(name="hair", kind="fiber")
-    manifest = make_manifest(tier, parts=parts)
+    origin = Provenance(source="arm.py", tool="tests", capture={REST_FRAME: REST})
+    manifest = make_manifest(tier, parts=parts, provenance=origin)
     data = [make_part_data(part, seed=k) for k, part in enumerate(tier.parts)]
     write_package(path, manifest, [mesh, hair], {tier.name: data})
     return path
@@ -107,11 +113,18 @@ def test_sources_of_no_motion_are_one_line(
 
 
 @pytest.mark.blender
-def test_a_motion_file_of_what_blender_evaluates(tmp_path: Path, blender_python: Path) -> None:
-    """The whole moves as one, so each vertex has a closed form; strands are the source's own."""
+def test_a_motion_file_of_what_blender_evaluates(
+    tmp_path: Path, blender_python: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The whole moves as one, so each vertex has a closed form; strands are the source's own.
+
+    The package is that of another frame than the one that the source opens with.
+    """
     source, out = tmp_path / "arm.py", tmp_path / "arm.rnam"
     source.write_text(ARM + HAIR)
-    with BlenderWorker(blender_python, Source(source), tmp_path / "worker", 1) as worker:
+    at_rest = Source(source, rest_frame=REST)
+    with BlenderWorker(blender_python, at_rest, tmp_path / "worker", 1) as worker:
+        assert worker.opened["frame"] == REST
         mesh, hair = clean_mesh(worker.export_corners()), worker.export_curves()
     asset = package(tmp_path / "arm.rna", mesh, hair)
     assert main([str(source), str(asset), "--out", str(out)]) == 0
@@ -119,7 +132,10 @@ def test_a_motion_file_of_what_blender_evaluates(tmp_path: Path, blender_python:
     assert (motion.frames, motion.rate) == (5, 12)
     c, s = np.cos(1.0), np.sin(1.0)
     turn = np.array([[1, 0, 0], [0, c, -s], [0, s, c]])
-    for rest, found in zip((mesh.positions, hair.points), motion.positions(4), strict=True):
-        np.testing.assert_allclose(found, rest @ turn.T + (0, 0.4, 0), atol=2e-5)
     for rest, found in zip((mesh.positions, hair.points), motion.positions(0), strict=True):
+        np.testing.assert_allclose(found, (rest - (0, 0.4, 0)) @ turn, atol=2e-5)
+    for rest, found in zip((mesh.positions, hair.points), motion.positions(4), strict=True):
         np.testing.assert_allclose(found, rest, atol=1e-6)
+    capsys.readouterr()
+    assert main([str(source), str(asset), "--out", str(out), "--rest-frame", "1"]) == 1
+    assert "arm.rna: was captured at frame 5, found --rest-frame 1" in capsys.readouterr().err

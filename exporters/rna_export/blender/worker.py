@@ -22,15 +22,19 @@ from rna_geometry import curves_export, mesh_export, scene_parts
 from rna_geometry.rendered_geometry import as_rendered
 from rna_materials import material_override, surface_textures
 from rna_renders import ray_render, render_settings, scene_render, white_card
-from rna_sources import read_files, source_scene
+from rna_sources import read_files, shown_frame, source_scene
 
 _PR_SET_PDEATHSIG = 1  # prctl(2)
+
+_last_opened: dict[str, Any] = {}  # the request
 
 
 def open_scene(request: dict[str, Any]) -> dict[str, Any]:
     read_files.watch()
+    _last_opened.update(request)
+    shown_frame.opening()
     axes = request["front"], request["up"]
-    notes = source_scene.load(request["source"], request["arguments"], *axes)
+    notes = source_scene.load(request["source"], request["arguments"], request["frame"], *axes)
     render_settings.own()
     material_override.apply()
     notes += source_scene.keep_only_the_asset()
@@ -44,17 +48,15 @@ def open_scene(request: dict[str, Any]) -> dict[str, Any]:
         "blender": source_scene.blender_version(),
         "emitters": printable(emitters),
         "files": read_files.files_of(request["source"]),
+        "frame": bpy.context.scene.frame_current,
     }
 
 
-def frame_span(request: dict[str, Any]) -> dict[str, Any]:
-    scene = bpy.context.scene
-    rate = scene.render.fps / scene.render.fps_base
-    return {"first": scene.frame_start, "last": scene.frame_end, "rate": rate}
-
-
 def show_frame(request: dict[str, Any]) -> None:
-    bpy.context.scene.frame_set(request["frame"])
+    if shown_frame.is_kept():
+        open_scene({**_last_opened, "frame": request["frame"]})
+    else:
+        bpy.context.scene.frame_set(request["frame"])
 
 
 HANDLERS = {
@@ -66,7 +68,7 @@ HANDLERS = {
         lambda: mesh_export.export_mesh(r["out"], r["owner"], r["charts"])
     ),
     "exportTextures": lambda r: surface_textures.export_textures(r["out"], r["side"]),
-    "frameSpan": frame_span,
+    "frameSpan": lambda _: shown_frame.span(),
     "renderCard": white_card.render_card,
     "renderRays": ray_render.render_rays,
     "renderScene": scene_render.render_scene,

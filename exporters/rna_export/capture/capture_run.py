@@ -24,7 +24,8 @@ from rna_export.capture.check.self_check import PICTURE, WORTH_A_NOTE, SelfCheck
 from rna_export.capture.dataset.collect import Collector
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_manifest import CaptureManifest
-from rna_export.capture.geometry.exported_parts import exported_parts
+from rna_export.capture.geometry.captured_poses import captured_poses
+from rna_export.capture.geometry.exported_parts import ExportedParts, exported_parts
 from rna_export.capture.rays.asset_scene import AssetScene
 from rna_export.capture.rays.capture_directions import light_direction
 from rna_export.capture.rays.traced_rays import TracedRays
@@ -106,22 +107,20 @@ def begin(
         settings = CaptureSettings.usual(worker.kind, **given)
         exported = exported_parts(worker, settings)
         geometries = exported.geometries
+        shape = tuple(geometries.values()), settings.sharpest
         materials = exported.transmittances(), exported.normal_maps()
-        scene = AssetScene(tuple(geometries.values()), settings.sharpest, *materials)
+        scene = AssetScene(*shape, *materials)
         limited = None if for_scene is None else scene_domain(for_scene, out.stem, scene)
         domain = limited or Domain(wo=settings.domain, wi=settings.domain)
         exported.notes += check_seen(source.path, scene, geometries, domain.wo)
-        check = SelfCheck(
-            scene,
-            settings.samples,
-            normals=not exported.has_learnt_relief,
-            side=picture_side(settings.rays),
-        )
-        cutouts = exported.has_opaque_cutouts
-        rate = _paths_a_second(check, settings, domain, worker, cutouts) * workers.backend().width()
-        _refuse_nothing(check, source)
-        check.render_card(worker)
-        check.render_picture(worker, source.path.name)
+        check, rate = _checked(scene, settings, domain, worker, exported)
+        rate *= workers.backend().width()
+        checks, poses = {"": check}, {}
+        others = [frame for frame in settings.poses if frame != worker.opened["frame"]]
+        for frame, positions in captured_poses(worker, geometries, others):
+            poses[frame] = positions
+            posed = AssetScene(*shape, *materials, list(positions.values()))
+            checks[f"frame {frame}: "], _ = _checked(posed, settings, domain, worker, exported)
         opened = worker.opened
     if limit is not None:
         usual, settings = settings, planned(settings, limit, opening, rate, given)
@@ -134,17 +133,19 @@ def begin(
         source_sha256=hashlib.sha256(source.path.read_bytes()).hexdigest(),
         arguments=source.arguments,
         settings=settings,
+        rest_frame=opened["frame"],
+        poses=(opened["frame"], *poses) if poses else (),
         blender=opened["blender"],
         generator=f"rna-capture {rna_sdk.__version__}",
         opaque_cutouts=exported.has_opaque_cutouts,
         emitters=tuple(opened["emitters"]),
-        notes=(*opened["notes"], *exported.notes, *_found(check, out)),
+        notes=(*opened["notes"], *exported.notes, *_found(checks, out)),
         processors=(processor_key(),),
         scene_domain=limited,
     )
     for note in manifest.notes:
         say(f"note: {note}")
-    dataset = Dataset.create(out, manifest, geometries, exported.textures)
+    dataset = Dataset.create(out, manifest, geometries, exported.textures, poses)
     say(_plan(dataset, geometries, rate))
     return dataset
 
@@ -242,6 +243,27 @@ class _TaskClock:
         return first >= LEAST_LIGHTS and self.limit.left() < self.took / 2.0
 
 
+def _checked(
+    scene: AssetScene,
+    settings: CaptureSettings,
+    domain: Domain,
+    worker: BlenderWorker,
+    exported: ExportedParts,
+) -> tuple[SelfCheck, float]:
+    """The comparison with Cycles of what the worker shows, and its paths a second."""
+    check = SelfCheck(
+        scene,
+        settings.samples,
+        normals=not exported.has_learnt_relief,
+        side=picture_side(settings.rays),
+    )
+    rate = _paths_a_second(check, settings, domain, worker, exported.has_opaque_cutouts)
+    _refuse_nothing(check, worker.source)
+    check.render_card(worker)
+    check.render_picture(worker, worker.source.path.name)
+    return check, rate
+
+
 def _paths_a_second(
     check: SelfCheck,
     settings: CaptureSettings,
@@ -277,17 +299,17 @@ def _refuse_nothing(check: SelfCheck, source: Source) -> None:
         raise CaptureError(f"{source.path}: none of {check.rays:,} view rays can be kept: {why}")
 
 
-def _found(check: SelfCheck, out: Path) -> list[str]:
-    """The note of the check; its picture is written into the dataset's folder."""
-    note = check.note()
-    if note is None:
-        return []
-    if check.picture is None:
-        return [note]
-    path = out / PICTURE
-    path.parent.mkdir(parents=True, exist_ok=True)
-    write_atomically(path, check.picture)
-    return [f"{note}; {path} marks it"]
+def _found(checks: Mapping[str, SelfCheck], out: Path) -> list[str]:
+    """The notes of checks, by their beginning; the first picture is written into the dataset."""
+    notes, path = [], out / PICTURE
+    shown = next((check for check in checks.values() if check.picture is not None), None)
+    if shown is not None and shown.picture is not None:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        write_atomically(path, shown.picture)
+    for begin, check in checks.items():
+        if (note := check.note()) is not None:
+            notes.append(f"{begin}{note}" + (f"; {path} marks it" if check is shown else ""))
+    return notes
 
 
 def _plan(dataset: Dataset, geometries: Mapping[str, Mesh | Curves], rate: float) -> str:
@@ -297,6 +319,7 @@ def _plan(dataset: Dataset, geometries: Mapping[str, Mesh | Curves], rate: float
     return (
         f"{parts_lines(dataset.manifest.name, geometries)}"
         f"{_domain_line(dataset.manifest)}"
+        f"{_poses_line(dataset.manifest)}"
         f"training: {settings.lights:,} lights x {settings.rays:,} view rays = "
         f"{samples / 1e6:.2f} M samples of {settings.samples} paths\n"
         f"validation: {settings.validation_views} images of {settings.validation_resolution}"
@@ -326,6 +349,12 @@ def _domain_line(manifest: CaptureManifest) -> str:
         return ""
     domain = manifest.scene_domain
     return f"of all directions: {_share(domain.wo)} of views, {_share(domain.wi)} of lights\n"
+
+
+def _poses_line(manifest: CaptureManifest) -> str:
+    """The poses by frame; empty for the rest frame alone."""
+    frames = ", ".join(map(str, manifest.poses))
+    return f"rays take turns at {manifest.pose_count} poses: frames {frames}\n" if frames else ""
 
 
 def _share(region: Region) -> str:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict, Field, field_validator
 from pydantic.alias_generators import to_camel
 
 SHARPEST = 0.14  # roughness
 MAX_LIGHTS = 1_000_000
 """Far above what is useful: a manifest with more would take forever to look through."""
+MAX_FRAME = 1_048_574
+"""That Blender knows."""
+_MAX_POSES = 32
 _MAX_RAYS, _MAX_SAMPLES, _MAX_VIEWS, _MAX_SIDE = 1 << 24, 1 << 20, 1000, 8192
 CLAMP_DIRECT, CLAMP_INDIRECT = 20.0, 10.0  # of radiance; the paper, section 4.1
 
@@ -58,6 +61,18 @@ class CaptureSettings(DatasetModel):
     clamp_indirect: float = Field(CLAMP_INDIRECT, description="Cycles' indirect clamp")
     front: str | None = Field(None, pattern="^-?[XYZ]$", description="front axis of the file")
     up: str | None = Field(None, pattern="^-?[XYZ]$", description="up axis of the file")
+    rest_frame: int | None = Field(
+        None,
+        ge=-MAX_FRAME,
+        le=MAX_FRAME,
+        description="frame of an animated source that the package's geometry is of",
+    )
+    poses: tuple[int, ...] = Field(
+        (),
+        max_length=_MAX_POSES,
+        description="frames of the source that rays are captured in, by turns with the rest frame; "
+        "one model learns them all",
+    )
     validation_views: int = Field(
         8, ge=1, le=_MAX_VIEWS, description="validation images, held out from training"
     )
@@ -74,6 +89,13 @@ class CaptureSettings(DatasetModel):
         description="lights per shard, the most that an interruption can lose",
     )
     seed: int = 0
+
+    @field_validator("poses")
+    @classmethod
+    def _check_poses(cls, frames: tuple[int, ...]) -> tuple[int, ...]:
+        if len(set(frames)) < len(frames) or any(abs(frame) > MAX_FRAME for frame in frames):
+            raise ValueError(f"expected frames of Blender's, each once, up to {MAX_FRAME:,}")
+        return frames
 
     @property
     def validation_paths(self) -> int:

@@ -27,6 +27,8 @@ from rna_sdk.package.manifest.manifest_fields import Region
 _RAYS_A_RENDER = 65536  # of a validation image; keeps ray images small
 _VALIDATION_FOV = np.radians(40.0)
 
+_DIRECTIONS = ("wo", "wi")
+
 Samples = dict[str, dict[str, np.ndarray]]
 """Part -> field -> rows."""
 
@@ -48,7 +50,8 @@ class TrainingShard:
         return len(self._lights(dataset)) * settings.rays * settings.samples
 
     def run(self, dataset: Dataset, scene: AssetScene, worker: BlenderWorker) -> None:
-        lights = [self._light(dataset, scene, worker, light) for light in self._lights(dataset)]
+        turns = _by_pose(self._lights(dataset), dataset)
+        lights = [self._light(dataset, scene, worker, light) for light in turns]
         write_parts(self.path(dataset), _all_rows(lights))
 
     def _lights(self, dataset: Dataset) -> range:
@@ -61,6 +64,7 @@ class TrainingShard:
     ) -> Samples:
         settings = dataset.manifest.settings
         domain = dataset.manifest.domain
+        scene = _posed(dataset, scene, worker, light)
         wi = light_direction(light, settings.seed, domain.wi)
         rng = np.random.default_rng([settings.seed, 1, light])
         rays = sample_view_rays(scene, wi, settings.rays, domain.wo, rng)
@@ -88,6 +92,8 @@ class ValidationHalf:
 
     def run(self, dataset: Dataset, scene: AssetScene, worker: BlenderWorker) -> None:
         settings = dataset.manifest.settings
+        # Every fourth view is a close-up: in each pose at times.
+        scene = _posed(dataset, scene, worker, self.view + self.view // 4)
         rng = np.random.default_rng([settings.seed, 2, self.view])
         domain = dataset.manifest.domain
         wi = directions_in(domain.wi, rng.random((1, 2)))[0]
@@ -124,11 +130,12 @@ class EmissionShard:
 
     def run(self, dataset: Dataset, scene: AssetScene, worker: BlenderWorker) -> None:
         settings, pieces = dataset.manifest.settings, []
-        for k in range(settings.lights_per_shard):
+        for k in _by_pose(range(settings.lights_per_shard), dataset):
             rng = np.random.default_rng([settings.seed, 5, self.index, k])
-            rays = sample_view_rays(scene, None, settings.rays, dataset.manifest.domain.wo, rng)
+            posed = _posed(dataset, scene, worker, k)
+            rays = sample_view_rays(posed, None, settings.rays, dataset.manifest.domain.wo, rng)
             arguments = rays, None, settings.samples, int(rng.integers(2**31)), rng
-            pieces.append(_capture(dataset, scene, worker, *arguments))
+            pieces.append(_capture(dataset, posed, worker, *arguments))
         write_parts(self.path(dataset), _all_rows(pieces))
 
 
@@ -148,6 +155,20 @@ def all_tasks(dataset: Dataset) -> list[Task]:
     ]
 
 
+def _by_pose(turns: Iterable[int], dataset: Dataset) -> list[int]:
+    """Numbers of lights, those of one pose together: they take turns at the poses."""
+    return sorted(turns, key=lambda turn: turn % dataset.manifest.pose_count)
+
+
+def _posed(dataset: Dataset, scene: AssetScene, worker: BlenderWorker, turn: int) -> AssetScene:
+    """The scene in the pose whose turn it is, which Blender shows as well."""
+    manifest = dataset.manifest
+    if not manifest.poses:
+        return scene
+    worker.show_frame(manifest.poses[turn % manifest.pose_count])
+    return scene.in_pose(turn % manifest.pose_count)
+
+
 def _all_rows(pieces: list[Samples]) -> Samples:
     return {part: joined([piece[part] for piece in pieces]) for part in pieces[0]}
 
@@ -164,6 +185,8 @@ def _capture(
     extra: dict[str, np.ndarray] | None = None,
 ) -> Samples:
     """Samples of view rays under one light: geometry from our scene, radiance from Cycles.
+
+    Those of a pose are recorded at rest: their points, and directions turned with these.
 
     wi: towards the light; None: of what the asset emits, without a light. rng: chooses which rays
     go on behind what lets light through.
@@ -204,11 +227,11 @@ def _kept(
     on: PartRows, keep: np.ndarray, of_ray: dict[str, Any], fields: Iterable[str]
 ) -> dict[str, np.ndarray]:
     """The fields of the rows of one part that are to be kept."""
-    kept = keep[on.rows]
-    return {
-        name: on.fields[name][kept] if name in on.fields else of_ray[name][on.rows[kept]]
-        for name in fields
-    }
+    kept, found = keep[on.rows], {}
+    for name in fields:
+        rows = on.fields[name] if name in on.fields else of_ray[name][on.rows]
+        found[name] = (on.at_rest(rows) if name in _DIRECTIONS else rows)[kept]
+    return found
 
 
 def _validation_rays(

@@ -15,6 +15,7 @@ from pydantic import ValidationError
 from rna_export.blender.rna_sources.source_formats import SOURCE_FORMATS
 from rna_export.capture.blender_process import blender_env, source_help
 from rna_export.capture.capture_settings import CaptureSettings
+from rna_export.capture.frame_options import FRAME_SETTINGS, add_frames
 from rna_export.capture.orientation import AXES, joined_axes
 from rna_export.machine import default_workers, keep_freed_memory
 from rna_sdk.console import command_line, command_parser, run_command, split_script_arguments
@@ -84,6 +85,7 @@ def parser() -> argparse.ArgumentParser:
         "images if they would take more than a quarter of it (float, default: no limit)",
     )
     add_settings(p, _OPTIONS)
+    add_frames(p)
     add_workers(p)
     return p
 
@@ -168,7 +170,7 @@ def given_settings(args: argparse.Namespace) -> dict[str, Any]:
     """The settings given on the command line."""
     return {
         name: value
-        for name in (*_OPTIONS, "front", "up", "exact_geometry")
+        for name in (*_OPTIONS, *FRAME_SETTINGS, "front", "up", "exact_geometry")
         if (value := getattr(args, name, None)) is not None
     }
 
@@ -177,6 +179,8 @@ def check_settings(args: argparse.Namespace, options: argparse.ArgumentParser) -
     """Exit with an error line for the first invalid setting."""
     if args.for_scene is not None and args.domain is not None:
         options.error("--for sets the domain: give only one of --for and --domain")
+    if args.poses and (args.for_scene is not None or args.domain == "hemisphere"):
+        options.error("--poses turn the directions of rays: give neither --for nor a hemisphere")
     try:
         CaptureSettings(**given_settings(args))
     except ValidationError as error:

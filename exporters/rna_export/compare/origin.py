@@ -22,7 +22,8 @@ class Origin:
     """Of one tier of a package.
 
     source: its credit. sha256: of the file that was captured; None where the package does not say.
-    front, up: axes that rna-capture was given. steps: of training, the fewest of all parts.
+    front, up: axes that rna-capture was given. rest_frame: of the source, that the geometry is of;
+    None where the package does not say. steps: of training, the fewest of all parts.
     lights: captured directions. validation: the recorded error.
     """
 
@@ -30,6 +31,7 @@ class Origin:
     sha256: str | None
     front: str | None
     up: str | None
+    rest_frame: int | None
     steps: int | None
     lights: int | None
     tier: str
@@ -51,6 +53,7 @@ class Origin:
             sha256=sha256 if isinstance(sha256, str) else None,
             front=front,
             up=up,
+            rest_frame=provenance.rest_frame,
             steps=_steps(provenance.training, found),
             lights=lights if isinstance(lights, int) else None,
             tier=found.name,

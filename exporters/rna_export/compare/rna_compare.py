@@ -107,7 +107,13 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     if doubt is not None:
         print(doubt, flush=True)
     python = blender_env.find_python()
-    source = Source(args.source, arguments, front=origin.front, up=origin.up)
+    source = Source(
+        args.source,
+        arguments,
+        front=origin.front,
+        up=origin.up,
+        rest_frame=origin.rest_frame,
+    )
     settings = {
         "tier": origin.tier,
         "samples": args.samples,

@@ -20,6 +20,7 @@ from rna_export.export.trained_tiers import TrainedTier, trained_tiers
 from rna_export.training.checkpoint import Trained
 from rna_sdk.package import Bounds, Manifest, Part, Provenance, TierData, write_package
 from rna_sdk.package.manifest.manifest_fields import GEOMETRY_ENTRIES
+from rna_sdk.package.manifest.manifest_model import POSES, REST_FRAME
 from rna_sdk.runtime import load
 
 
@@ -126,6 +127,8 @@ def _provenance(models: list[TrainedTier], dataset: Dataset, source: str | None)
         capture={
             **manifest.settings.model_dump(mode="json", by_alias=True),
             SOURCE_SHA256: manifest.source_sha256,
+            REST_FRAME: manifest.rest_frame,
+            POSES: list(manifest.poses),
         },
         training=runs,
     )

@@ -11,6 +11,7 @@ from time import monotonic
 from typing import TYPE_CHECKING
 
 from rna_export.capture.blender_process import source_help
+from rna_export.capture.frame_options import add_frames
 from rna_export.capture.orientation import joined_axes
 from rna_export.capture.rna_capture import (
     add_scene,
@@ -110,6 +111,7 @@ def parser() -> argparse.ArgumentParser:
         "preset's)",
     )
     add_settings(p, _SETTINGS)
+    add_frames(p)
     p.add_argument("--seed", type=int, default=0, help="random seed (int, default: 0)")
     add_device(p, "trainings")
     add_workers(p)

@@ -24,7 +24,7 @@ class RunSettings(BaseModel):
     source: str
     source_sha256: str
     arguments: tuple[str, ...]
-    settings: dict[str, int | float | str | bool]
+    settings: dict[str, int | float | str | bool | tuple[int, ...]]
     scene: str | None
     presets: tuple[str, ...]
     goal: str

@@ -27,9 +27,8 @@ def parser() -> argparse.ArgumentParser:
         "rna-motion",
         "Write the motion of a package, from an animated model, as a file for rna-run.",
         "rna-motion walk.blend fox.rna --out walk.rnam",
-        epilog="The model has to have the package's shape as it is opened, as for rna-capture. "
-        "glTF is read\nas it is; all else is evaluated by Blender, with the arguments after -- as "
-        "for rna-capture.",
+        epilog="At the rest frame the model has to have the package's shape. glTF is read as it "
+        "is; all else is\nevaluated by Blender, with the arguments after -- as for rna-capture.",
     )
     add = p.add_argument
     add("source", type=Path, help="animated model (path): glTF, .blend, Alembic, USD or a script")
@@ -46,6 +45,13 @@ def parser() -> argparse.ArgumentParser:
         type=_frames,
         metavar="A-B",
         help="frames to write, both included (default: all of the source)",
+    )
+    add(
+        "--rest-frame",
+        type=int,
+        metavar="N",
+        help="frame of the source that the package's shape is of (int, default: that of its "
+        "capture)",
     )
     for name in ("front", "up"):
         add(f"--{name}", choices=AXES, metavar="AXIS", help="as for rna-capture (default: none)")
@@ -83,6 +89,8 @@ def _run(options: argparse.Namespace, script: tuple[str, ...]) -> None:
     check_outputs([options.out], [options.source, options.package])
     with Package.open(options.package) as package:
         geometries = [package.geometry(k) for k in range(len(package.manifest.parts))]
+        captured = package.manifest.provenance.rest_frame
+    options.rest_frame = _rest_frame(options, captured)
     with ExitStack() as stack:
         frames, count, rate = (
             _of_gltf(options, geometries)
@@ -98,6 +106,17 @@ def _run(options: argparse.Namespace, script: tuple[str, ...]) -> None:
     )
 
 
+def _rest_frame(options: argparse.Namespace, captured: int | None) -> int | None:
+    """The frame that was asked for, or that of the package's capture."""
+    from rna_sdk.errors import MotionError
+
+    asked: int | None = options.rest_frame
+    if asked is None or captured in (None, asked):
+        return captured if asked is None else asked
+    found = f"was captured at frame {captured}, found --rest-frame {asked}"
+    raise MotionError(f"{options.package}: {found}: leave it out, or capture that frame")
+
+
 _Frames = tuple["Iterator[list[np.ndarray]]", int, float]
 """Positions by frame, how many frames, and their rate."""
 
@@ -106,7 +125,7 @@ def _of_gltf(options: argparse.Namespace, geometries: Sequence[Mesh | Curves]) -
     from rna_render import open_asset_motion
 
     rate = options.rate or 24.0
-    at = options.package.name, options.clip, rate
+    at = options.package.name, options.clip, rate, options.rest_frame
     motion = open_asset_motion(options.source, geometries, *at)
     first, last = options.frames or (0, motion.frames - 1)
     return map(motion.positions, range(first, last + 1)), last + 1 - first, rate
@@ -123,9 +142,15 @@ def _of_blender(
     from rna_export.motion.blender_motion import BlenderMotion, frame_numbers
 
     folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="rna-motion-"))
-    source = Source(options.source, script, front=options.front, up=options.up)
-    at = source, Path(folder), geometries, options.package.name
-    motion = stack.enter_context(BlenderMotion(find_or_set_up(), *at))
+    source = Source(
+        options.source,
+        script,
+        front=options.front,
+        up=options.up,
+        rest_frame=options.rest_frame,
+    )
+    given = source, Path(folder), geometries, options.package.name
+    motion = stack.enter_context(BlenderMotion(find_or_set_up(), *given))
     numbers = frame_numbers(options.frames, motion)
     return motion.frames(numbers), len(numbers), options.rate or motion.rate
 

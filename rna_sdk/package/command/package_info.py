@@ -8,7 +8,7 @@ from typing import Any
 
 from rna_sdk.package.geometry.curves import Curves
 from rna_sdk.package.manifest.extensions import Poster, extension
-from rna_sdk.package.manifest.manifest_model import Manifest, Part
+from rna_sdk.package.manifest.manifest_model import POSES, REST_FRAME, Manifest, Part
 from rna_sdk.package.manifest.manifest_tiers import Tier, TierPart
 from rna_sdk.package.package import Package
 from rna_sdk.size_note import size_note
@@ -175,6 +175,10 @@ def _capture_text(capture: Info) -> str:
     words = {"lights": "lights", "rays": "rays a light", "samples": "samples a ray"}
     shown = [(words[key], capture.get(key)) for key in words]
     told = [f"{value:,} {word}" for word, value in shown if isinstance(value, int)]
+    if isinstance(frame := capture.get(REST_FRAME), int):
+        told.append(f"rest frame {frame}")
+    if isinstance(poses := capture.get(POSES), list) and poses:
+        told.append(f"poses at frames {', '.join(map(str, poses))}")
     return ", ".join(told) or "not recorded"
 
 

@@ -78,6 +78,10 @@ class EntryRecord(Record):
     sha256: str = Field(pattern="^[0-9a-f]{64}$", description="SHA-256, lower-case hex.")
 
 
+REST_FRAME, POSES = "restFrame", "poses"
+"""Members of `Provenance.capture`: frames of the source."""
+
+
 class Provenance(Record):
     """Origin of the asset."""
 
@@ -85,6 +89,12 @@ class Provenance(Record):
     tool: str = Field(description="What made the training data, with its version.")
     capture: dict[str, JsonValue] = Field(default={}, description="Capture settings.")
     training: dict[str, JsonValue] = Field(default={}, description="Training settings.")
+
+    @property
+    def rest_frame(self) -> int | None:
+        """Frame of the source that the geometry is of; None where it is not recorded."""
+        frame = self.capture.get(REST_FRAME)
+        return frame if isinstance(frame, int) else None
 
 
 class ManifestFields(Record):

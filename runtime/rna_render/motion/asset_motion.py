@@ -35,17 +35,18 @@ def open_asset_motion(
     package: str,
     clip: str | None = None,
     rate: float = 24.0,
+    rest_frame: int | None = None,
 ) -> Motion:
     """The motion in a file for the parts of a package.
 
     geometries: of the parts, in order. package: its name, for errors. clip, rate: of a glTF, as for
-    GltfMotion.
+    GltfMotion. rest_frame: of the package's provenance, for a glTF that is bent at rest.
 
     Raises:
         MotionError: the file is no motion, or not one of this package.
     """
     if is_gltf(path):
-        return bound_gltf(GltfMotion(path, clip, rate), geometries, package)
+        return bound_gltf(GltfMotion(path, clip, rate), geometries, package, rest_frame)
     if kind_of(path) == "model":
         out = path.with_suffix(".rnam").name
         made = command_line("rna-motion", path, package, "--out", out)
@@ -54,7 +55,10 @@ def open_asset_motion(
 
 
 def bound_gltf(
-    source: GltfMotion, geometries: Sequence[Mesh | Curves], package: str
+    source: GltfMotion,
+    geometries: Sequence[Mesh | Curves],
+    package: str,
+    rest_frame: int | None = None,
 ) -> BoundMotion:
     """A package that follows a glTF, in whose rest pose it was made.
 
@@ -62,7 +66,7 @@ def bound_gltf(
         MotionError: in none of the poses that it may have been made in, it has the package's shape.
     """
     first: MotionError | None = None
-    for pose in source.rest_poses():
+    for pose in source.rest_poses(rest_frame):
         try:
             names = source.path.name, package
             return BoundMotion(source, bind(geometries, pose, source.triangles, names))

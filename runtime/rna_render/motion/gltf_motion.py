@@ -74,16 +74,18 @@ class GltfMotion:
             raise MotionError(f"{self.path}: frame {frame:g} has positions that are not finite")
         return result
 
-    def rest_poses(self) -> Iterator[np.ndarray]:
+    def rest_poses(self, captured: int | None = None) -> Iterator[np.ndarray]:
         """Poses that a package may have been made from, the likeliest first: (w, 3) each.
 
         As the nodes stand; without skins and morphs; the animation's start, and 1/24 s later, where
-        Blender's first frame is.
+        Blender's first frame is; the frame of Blender's at which the package was captured.
         """
         yield self._posed({})
         yield self._posed({}, bare=True)
         yield self.positions(0)
         yield self.positions(self.rate / 24.0)
+        if captured is not None:
+            yield self.positions(self.rate * captured / 24.0)
 
     def _read(self, clip: str | None) -> list[Track]:
         container, names = self._container, clip_names(self._container)

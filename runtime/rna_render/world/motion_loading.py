@@ -15,6 +15,7 @@ from rna_render.world.next_frame import NextFrame
 from rna_render.world.placements import emission_of
 from rna_sdk.errors import MotionError, QueryError
 from rna_sdk.motion import Motion
+from rna_sdk.package import Package
 from rna_trace.asset_parts import Asset, Shape, part_geometry
 
 Shapes = Sequence[Shape]
@@ -48,7 +49,9 @@ class MotionLoader:
         try:
             if key not in self._motions:
                 geometries = [part_geometry(part) for part in asset.parts]
-                at = model.clip, model.rate
+                with Package.open(package) as opened:
+                    rest_frame = opened.manifest.provenance.rest_frame
+                at = model.clip, model.rate, rest_frame
                 path = scene_file.resolve(model.path)
                 self._motions[key] = open_asset_motion(path, geometries, package.name, *at)
             motion = self._motions[key]

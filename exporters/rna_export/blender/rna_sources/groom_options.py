@@ -48,7 +48,6 @@ def _add_of_scenes(p: argparse.ArgumentParser) -> None:
         default=1.0,
         help="metres per unit of an Alembic file; scales the metersPerUnit of a USD file",
     )
-    p.add_argument("--frame", type=int, help="frame of an animated file (default: its first)")
     p.add_argument(
         "--subdivide",
         action="store_true",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import bpy
 import numpy as np
+from rna_sources import shown_frame
 
 _THINNEST = 0.01  # of the root: a closed tip ends in this, for a package has no radius 0
 
@@ -55,6 +56,7 @@ def _convert(emitter: bpy.types.Object) -> None:
 
     They are in the collections that the object is in: its instances have the hair too.
     """
+    shown_frame.keep()
     scene, homes = bpy.context.scene.collection, emitter.users_collection
     is_elsewhere = emitter.name_full not in bpy.context.view_layer.objects
     if is_elsewhere:

@@ -13,29 +13,35 @@ import rna_hair
 from rna_geometry import curves_export
 from rna_hair.axes import z_up_to_y_up
 from rna_hair.objects import add_curves, show_strands
-from rna_sources import groom_source, usd_curves
+from rna_sources import groom_source, shown_frame, usd_curves
 
 _STEPS = 4  # straight segments between two points of a spline
 
 
-def load(source: str, arguments: list[str]) -> None:
-    """Add what the file holds to the scene: see `groom_options` for the arguments."""
+def load(source: str, arguments: list[str], frame: int | None) -> None:
+    """Add what the file holds to the scene: see `groom_options` for the arguments.
+
+    frame: of strands that have to be copied; None for the first.
+    """
     path = Path(source)
     args = groom_source.options(path, arguments)
     if path.suffix.lower() == ".abc":
         if bpy.ops.wm.alembic_import(filepath=source, scale=args.unit) != {"FINISHED"}:
             raise ValueError(f"{path.name}: not an Alembic archive (Ogawa), or a damaged one")
     else:
-        _import_usd(path, args)
+        _import_usd(path, args, frame)
     scene = bpy.context.scene
-    scene.frame_set(scene.frame_start if args.frame is None else args.frame)
+    scene.frame_set(scene.frame_start if frame is None else frame)
     _finish_strands(args)
 
 
-def _import_usd(path: Path, args: argparse.Namespace) -> None:
+def _import_usd(path: Path, args: argparse.Namespace, frame: int | None) -> None:
     with tempfile.TemporaryDirectory(prefix="rna-usd-") as folder:
+        prepared = usd_curves.prepared(path, Path(folder), frame)
+        if prepared != path:
+            shown_frame.keep()
         bpy.ops.wm.usd_import(
-            filepath=str(usd_curves.prepared(path, Path(folder), args.frame)),
+            filepath=str(prepared),
             scale=args.unit,
             import_subdivision=args.subdivide,
         )
@@ -87,6 +93,7 @@ def _rebuild(
     items: list[bpy.types.Object], args: argparse.Namespace, material: bpy.types.Material
 ) -> None:
     """Put shaped strands, in world space, in the place of all curves objects."""
+    shown_frame.keep()
     shown = []
     for instance in curves_export.shown_curves():
         found = curves_export.strands_of(instance)

@@ -21,26 +21,31 @@ from rna_sources import (
     mesh_repair,
     orientation,
     scene_import,
+    shown_frame,
     usd_curves,
 )
 from rna_sources.source_formats import SOURCE_FORMATS
 
 
-def load(source: str, arguments: list[str], front: str | None, up: str | None) -> list[str]:
+def load(
+    source: str, arguments: list[str], frame: int | None, front: str | None, up: str | None
+) -> list[str]:
     """Replace the current scene by `source`; returns notes for the user.
 
     `arguments` become a script's `sys.argv[1:]`, or set what a groom does not say of its hair.
-    `front`, `up`: axes of the file, such as "-Y"; None for the usual ones of its kind.
+    `frame`: that is shown; None for the file's own. `front`, `up`: axes of the file, such as "-Y";
+    None for the usual ones of its kind.
     """
     suffix = Path(source).suffix.lower()
-    notes = _open(source, suffix, arguments)
+    notes = _open(source, suffix, arguments, frame)
+    notes += shown_frame.go_to(frame)
     notes += mesh_repair.repair()
     usual = SOURCE_FORMATS[suffix].up
     orientation.turn(front, up, usd_curves.up_is_z(source) if usual == "USD" else usual == "Z")
     return notes
 
 
-def _open(source: str, suffix: str, arguments: list[str]) -> list[str]:
+def _open(source: str, suffix: str, arguments: list[str], frame: int | None) -> list[str]:
     """Returns notes of the import."""
     if suffix not in SOURCE_FORMATS:
         *kinds, last = SOURCE_FORMATS
@@ -62,7 +67,7 @@ def _open(source: str, suffix: str, arguments: list[str]) -> list[str]:
         case "ply":
             bpy.ops.wm.ply_import(filepath=source)
         case "scene":
-            scene_import.load(source, arguments)
+            scene_import.load(source, arguments, frame)
         case "script":
             _run_script(source, arguments)
     return notes

@@ -42,12 +42,14 @@ class Source:
     front: str | None = None  # axes of the file; None: the usual ones of its kind
     up: str | None = None
     parts: str = "kinds"  # see CaptureSettings
+    rest_frame: int | None = None  # that is shown; None for the one that the file opens with
 
     @classmethod
     def captured(cls, path: Path, arguments: tuple[str, ...], settings: CaptureSettings) -> Source:
         """The source as a capture of these settings opens it."""
         clamps = settings.clamp_direct, settings.clamp_indirect
-        return cls(path, arguments, *clamps, settings.front, settings.up, settings.parts)
+        axes = settings.front, settings.up
+        return cls(path, arguments, *clamps, *axes, settings.parts, settings.rest_frame)
 
 
 @dataclass(frozen=True)
@@ -113,6 +115,7 @@ class BlenderWorker:
         self._python, self.source, self._threads = python, source, threads
         self._folder, self._name = folder, name
         self._renders = 0
+        self._frame = source.rest_frame  # that the source shows; None for the one it opens with
         self._samples: int | None = None  # of the last render
         self._holds_scene = False  # what `render_scene` made of the source
         self._process: subprocess.Popen[str] | None = None
@@ -148,7 +151,9 @@ class BlenderWorker:
                 front=self.source.front,
                 up=self.source.up,
                 parts=self.source.parts,
+                frame=self._frame,
             )
+            self._frame = self.opened["frame"]
             self.parts = tuple(ScenePart(**part) for part in self.opened["parts"])
         except BaseException:
             self.close()
@@ -226,8 +231,10 @@ class BlenderWorker:
         return answer["first"], answer["last"], answer["rate"]
 
     def show_frame(self, frame: int) -> None:
-        """Go to another frame of the source, for what is exported then."""
-        self._ask(op="showFrame", frame=frame)
+        """Go to another frame of the source, for what is exported and rendered then."""
+        if frame != self._frame:
+            self._frame = frame
+            self._ask(op="showFrame", frame=frame)
 
     def export_curves(self, owner: str | None = None) -> Curves:
         """All strands of a top object, or of the scene, +Y up."""

@@ -113,8 +113,12 @@ def opened(folder: Path, manifest: str) -> tuple[Dataset, AssetScene]:
 
 
 def scene_of(dataset: Dataset) -> AssetScene:
-    """All parts of a dataset, ready to be asked with rays."""
+    """All parts of a dataset, ready to be asked with rays, and its poses."""
     geometries = [part.geometry() for part in dataset.parts]
     transmittances = [part.transmittance() for part in dataset.parts]
     maps = [part.normal_maps() for part in dataset.parts]
-    return AssetScene(geometries, dataset.manifest.settings.sharpest, transmittances, maps)
+    arguments = geometries, dataset.manifest.settings.sharpest, transmittances, maps
+    scene = AssetScene(*arguments)
+    posed = ([p.positions(frame) for p in dataset.parts] for frame in dataset.manifest.poses[1:])
+    scene.poses = tuple(AssetScene(*arguments, positions) for positions in posed)
+    return scene

@@ -3,6 +3,7 @@
 toy.rays/
   manifest.json               parts, settings, source, what is planned
   geometry/NAME.safetensors   the mesh or the strands of a part, object space
+  poses/00012.safetensors     positions of the parts at a frame of the source, arrays NAME
   transmittance/0.safetensors texture of a material that lets light through, as in a package
   normals/0.safetensors       normal map of a material, as in a package
   train/00000.safetensors     samples of some lights, arrays NAME/FIELD
@@ -59,10 +60,12 @@ class Dataset:
         manifest: CaptureManifest,
         geometries: Mapping[str, Mesh | Curves],
         textures: Mapping[str, np.ndarray] | None = None,
+        poses: Mapping[int, Mapping[str, np.ndarray]] | None = None,
     ) -> Dataset:
         """Write geometry and textures, and the manifest, that last: with one it is a dataset.
 
         geometries: of each part. textures: of all transmittance, by the names that records have.
+        poses: by frame, but for the rest frame: positions of each part, (v, 3) float32.
         """
         folder = Path(folder)
         for inner in _FOLDERS:
@@ -72,6 +75,9 @@ class Dataset:
             write_atomically(folder / name, form.to_bytes(texture, name))
         for name, geometry in geometries.items():
             write_arrays(_geometry_path(folder, name), geometry_arrays(geometry))
+        for frame, parts in (poses or {}).items():
+            (folder / "poses").mkdir(exist_ok=True)
+            write_arrays(_pose_path(folder, frame), parts)
         manifest.write(folder / "manifest.json")
         return cls(folder)
 
@@ -145,6 +151,9 @@ class Dataset:
     def geometry_path(self, part: str) -> Path:
         return _geometry_path(self.folder, part)
 
+    def pose_path(self, frame: int) -> Path:
+        return _pose_path(self.folder, frame)
+
     def train_path(self, shard: int) -> Path:
         return self.folder / "train" / f"{shard:05d}.safetensors"
 
@@ -181,6 +190,10 @@ class Dataset:
 
     def _is_finished(self, view: int) -> bool:
         return all(self.validation_path(view, half).is_file() for half in (0, 1))
+
+
+def _pose_path(folder: Path, frame: int) -> Path:
+    return folder / "poses" / f"{frame:05d}.safetensors"
 
 
 def _geometry_path(folder: Path, part: str) -> Path:

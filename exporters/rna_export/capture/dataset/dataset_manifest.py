@@ -64,6 +64,8 @@ class CaptureManifest(DatasetModel):
     source_sha256: str
     arguments: tuple[str, ...] = ()
     settings: CaptureSettings
+    rest_frame: int | None = None  # of the source, that the geometry is of; None: not recorded
+    poses: tuple[int, ...] = ()  # frames of the source, the rest frame first; none: that alone
     blender: str
     generator: str
     opaque_cutouts: bool  # light through some materials counts as theirs: alpha may be below 1
@@ -87,6 +89,11 @@ class CaptureManifest(DatasetModel):
         """Directions of all samples."""
         everywhere = self.settings.domain
         return self.scene_domain or Domain(wo=everywhere, wi=everywhere)
+
+    @property
+    def pose_count(self) -> int:
+        """Of poses that rays are captured in: rays, and images, take turns."""
+        return max(len(self.poses), 1)
 
     @property
     def transmits(self) -> bool:

@@ -65,6 +65,14 @@ class DatasetPart:
         except (OSError, TypeError, SafetensorError, PackageError) as error:
             raise CaptureError(DAMAGED.format(path, error)) from error
 
+    def positions(self, frame: int) -> np.ndarray:
+        """(v, 3) float32, where the vertices are in a pose that rays are captured in."""
+        path = self.dataset.pose_path(frame)
+        try:
+            return load_file(path)[self.name]
+        except (OSError, KeyError, SafetensorError) as error:
+            raise CaptureError(DAMAGED.format(path, error)) from error
+
     def transmittance(self) -> tuple[Transmittance, ...]:
         """Transmittance of its triangles; empty for an opaque part."""
         return tuple(

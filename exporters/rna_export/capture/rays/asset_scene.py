@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -12,6 +12,8 @@ from rna_export.capture.rays.fiber_shape import FiberShape
 from rna_export.capture.rays.surface_shape import SurfaceShape
 from rna_sdk.package import Curves, Mesh, NormalMap
 from rna_sdk.package.textures.transmittance import Transmittance
+from rna_sdk.runtime import DeformedCurves, DeformedMesh, RestPoints
+from rna_sdk.runtime.deformation import RestCurves, RestMesh
 from rna_trace import NormalMaps, PartHits, PartPoints, PartsScene, mesh_transmittance
 
 _MOST_LAYERS = 64  # that a ray passes
@@ -24,12 +26,18 @@ class PartRows:
     """Ray hits on one part.
 
     rows: (k,) int64, which of the rays. points: (k) of them. fields: what a sample records of the
-    point, but for its directions: name -> (k,) or (k, c) rows.
+    point, but for its directions: name -> (k,) or (k, c) rows. rest: of a deformed part, the points
+    at rest, whose rotations take directions there.
     """
 
     rows: np.ndarray
     points: PartPoints
     fields: dict[str, np.ndarray]
+    rest: RestPoints | None = None
+
+    def at_rest(self, directions: np.ndarray) -> np.ndarray:
+        """Directions at the points as samples record them: those of the rest shape, (k, 3)."""
+        return directions if self.rest is None else self.rest.to_rest(directions)
 
 
 @dataclass(frozen=True)
@@ -53,8 +61,11 @@ class AssetScene:
 
     sharpest: roughness of the smoothest material whose highlights views are to find.
     transmittances: what each part lets through; none at all if left out. normal_maps: likewise.
+    positions: of each part in a pose, (v, 3) float32; none at all if left out. Rays meet this
+    shape, and samples are those of the rest shape: spec/RNA.md, 8.3.
 
     Attributes:
+        poses: the same asset in other poses, which rays of a capture meet by turns with this one.
         transmits: whether rays pass through any part.
         shapes: of the parts, in order.
         centre: (3,) float32, of the bounding box; radius: of the sphere around it.
@@ -66,7 +77,12 @@ class AssetScene:
         sharpest: float = SHARPEST,
         transmittances: Sequence[Sequence[Transmittance]] = (),
         normal_maps: Sequence[Sequence[NormalMap]] = (),
+        positions: Sequence[np.ndarray] = (),
     ):
+        self.poses: tuple[AssetScene, ...] = ()
+        rest = geometries
+        self._deformed = [_deformed(g, p) for g, p in zip(rest, positions, strict=bool(positions))]
+        geometries = [_geometry(d) for d in self._deformed] or rest
         self.shapes = tuple(
             FiberShape(g) if isinstance(g, Curves) else SurfaceShape(g, sharpest)
             for g in geometries
@@ -77,13 +93,8 @@ class AssetScene:
                 geometries, transmittances or [()] * len(geometries), strict=True
             )
         ]
-        maps = [
-            NormalMaps(geometry, of_part) if of_part and isinstance(geometry, Mesh) else None
-            for geometry, of_part in zip(
-                geometries, normal_maps or [()] * len(geometries), strict=True
-            )
-        ]
-        self._scene = PartsScene(geometries, tables, maps)
+        self._scene = PartsScene(geometries, tables, _maps(geometries, normal_maps))
+        self._rest_maps = _maps(rest, normal_maps) if self._deformed else []
         self.transmits = self._scene.transmits
         corners = np.concatenate([shape.points for shape in self.shapes])
         low, high = corners.min(axis=0), corners.max(axis=0)
@@ -151,8 +162,25 @@ class AssetScene:
             found = (a[rows] for a in (hits.primitive, hits.u, hits.v, hits.normals))
             points = self._scene.points(part, *found)
             position[rows] = points.x
-            on.append(PartRows(rows, points, shape.sample_fields(points, directions[rows])))
+            fields = shape.sample_fields(points, directions[rows])
+            if (rest := self._rest_points(part, hits, rows)) is not None:
+                fields |= {"position": rest.positions, shape.axis: rest.axes}
+            on.append(PartRows(rows, points, fields, rest))
         return ShadePoints(hits.part, position, hits.normals, tau, tuple(on))
+
+    def _rest_points(self, part: int, hits: PartHits, rows: np.ndarray) -> RestPoints | None:
+        if not self._deformed:
+            return None
+        shape, maps = self._deformed[part], self._rest_maps[part]
+        triangle, u, v = (a[rows] for a in (hits.primitive, hits.u, hits.v))
+        if isinstance(shape, DeformedCurves):
+            return shape.rest_points(triangle, u, hits.normals[rows])
+        rest = shape.rest_points(triangle, u, v)
+        return rest if maps is None else replace(rest, axes=maps.at(rest.axes, triangle, u, v))
+
+    def in_pose(self, number: int) -> AssetScene:
+        """The asset in one of its poses; 0 for this one."""
+        return self if number == 0 else self.poses[number - 1]
 
     def visible(self, points: ShadePoints, wi: np.ndarray) -> np.ndarray:
         """The visibility of the transport contract along wi (n, 3) at each point.
@@ -192,6 +220,25 @@ class AssetScene:
         every = np.concatenate(rows)
         order = np.argsort(every)
         return every[order], np.concatenate(views)[order]
+
+
+def _deformed(geometry: Mesh | Curves, positions: np.ndarray) -> DeformedMesh | DeformedCurves:
+    if isinstance(geometry, Curves):
+        return RestCurves(geometry).deformed(positions)
+    return RestMesh(geometry).deformed(positions)
+
+
+def _geometry(shape: DeformedMesh | DeformedCurves) -> Mesh | Curves:
+    return shape.curves if isinstance(shape, DeformedCurves) else shape.mesh
+
+
+def _maps(
+    geometries: Sequence[Mesh | Curves], normal_maps: Sequence[Sequence[NormalMap]]
+) -> list[NormalMaps | None]:
+    return [
+        NormalMaps(geometry, of_part) if of_part and isinstance(geometry, Mesh) else None
+        for geometry, of_part in zip(geometries, normal_maps or [()] * len(geometries), strict=True)
+    ]
 
 
 def _taken(hits: PartHits, row: np.ndarray) -> PartHits:

@@ -18,6 +18,8 @@ class FiberShape:
         area: of all segments.
     """
 
+    axis = "tangent"  # field of a sample
+
     def __init__(self, curves: Curves):
         self._curves, self.points = curves, curves.points
         self._first = curves.segments()

@@ -23,6 +23,8 @@ class SurfaceShape:
         area: of all triangles.
     """
 
+    axis = "normal"  # field of a sample
+
     def __init__(self, mesh: Mesh, sharpest: float = SHARPEST):
         self._mesh, self.points = mesh, mesh.positions
         self._narrowest = sharpest**2  # alpha of GGX

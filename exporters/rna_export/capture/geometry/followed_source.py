@@ -1,0 +1,97 @@
+"""The vertices of a package at other frames of its source, which Blender has opened."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from rna_export.capture.blender_process.blender_worker import BlenderWorker
+from rna_sdk.errors import MotionError
+from rna_sdk.motion import Binding, bind
+from rna_sdk.package import Curves, Mesh
+
+_SAME = 1e-3
+"""How far points of strands may be from the package's at rest, as a share of its diagonal."""
+
+
+class FollowedSource:
+    """Positions of a package's parts, as the source shows them.
+
+    Meshes and strands that the source moves itself follow it; other strands follow the mesh at
+    their root.
+
+    worker: an opened source, which shows its rest frame. geometries: of the parts, in order.
+    package: its name, for errors.
+
+    Raises MotionError where the source has not this shape.
+    """
+
+    def __init__(
+        self, worker: BlenderWorker, geometries: Sequence[Mesh | Curves], package: str
+    ) -> None:
+        self._worker, self._name = worker, worker.source.path.name
+        self._owners: list[str | None] = [None] * len(geometries)
+        kinds = ["fiber" if isinstance(g, Curves) else "surface" for g in geometries]
+        if [part.kind for part in worker.parts] == kinds:
+            self._owners = [part.owner for part in worker.parts]
+        mesh = self._mesh()
+        self._corners = 0 if mesh is None else len(mesh)
+        self._bindings: list[Binding | None] = []
+        self._points: list[int] = []
+        for geometry, owner in zip(geometries, self._owners, strict=True):
+            is_own = isinstance(geometry, Curves) and _same_strands(geometry, self._strands(owner))
+            self._points.append(len(geometry.points) if isinstance(geometry, Curves) else 0)
+            if is_own:
+                self._bindings.append(None)
+                continue
+            if mesh is None:
+                what = "strands" if isinstance(geometry, Curves) else "mesh"
+                raise MotionError(f"{self._name} has not the {what} of {package}")
+            triangles = np.arange(len(mesh)).reshape(-1, 3)
+            self._bindings += bind([geometry], mesh, triangles, (self._name, package))
+
+    def positions(self, frame: int) -> list[np.ndarray]:
+        """The positions of each part, (v, 3) float32, at a frame, which the source shows then.
+
+        Raises MotionError where the source changes its triangles or strands.
+        """
+        self._worker.show_frame(frame)
+        where = f"{self._name}: frame {frame}"
+        mesh = self._mesh() if any(b is not None for b in self._bindings) else None
+        if mesh is not None and len(mesh) != self._corners:
+            found = f"has {len(mesh) // 3} triangles, expected {self._corners // 3} as at rest"
+            raise MotionError(f"{where}: {found}")
+        return [self._part(where, k, mesh) for k in range(len(self._bindings))]
+
+    def _part(self, where: str, part: int, mesh: np.ndarray | None) -> np.ndarray:
+        binding = self._bindings[part]
+        if binding is not None:
+            assert mesh is not None
+            return binding.positions(mesh)
+        strands, expected = self._strands(self._owners[part]), self._points[part]
+        count = 0 if strands is None else len(strands.points)
+        if strands is None or count != expected:
+            found = f"has {count} points of strands"
+            raise MotionError(f"{where}: {found}, expected {expected} as at rest")
+        return strands.points
+
+    def _mesh(self) -> np.ndarray | None:
+        """Corners of all triangles, (3t, 3) float32; None where there are none."""
+        if not any(part.kind == "surface" for part in self._worker.parts):
+            return None
+        return self._worker.export_corners()["positions"]
+
+    def _strands(self, owner: str | None) -> Curves | None:
+        if not any(part.kind == "fiber" for part in self._worker.parts):
+            return None
+        return self._worker.export_curves(owner)
+
+
+def _same_strands(geometry: Curves, strands: Curves | None) -> bool:
+    """Whether a source's strands are a part's, point by point."""
+    if strands is None or not np.array_equal(strands.offsets, geometry.offsets):
+        return False
+    away = np.linalg.norm(strands.points - geometry.points, axis=1).max()
+    size = np.linalg.norm(np.ptp(geometry.points, axis=0))
+    return bool(away <= _SAME * size)
