@@ -3,6 +3,7 @@ import pytest
 
 from rna_export.capture.rays.asset_scene import AssetScene
 from tests.exporters.meshes import merged, moved, ring, sphere, square
+from tests.exporters.two_parts import spikes
 from tests.render.assets import unit_vectors
 
 
@@ -14,6 +15,31 @@ def test_points_on_a_ball_are_where_the_ball_is() -> None:
     assert np.abs(points.position - towards).max() < 1e-3
     assert np.sum(points.on[0].points.n * towards, axis=1).min() > 0.99999
     assert np.sum(points.geometric_normal * towards, axis=1).min() > 0.999
+
+
+def test_points_of_a_pose_are_recorded_at_rest() -> None:
+    """A pose that is the rest shape as a whole, turned: rays that are turned say the same."""
+    parts = sphere(4), spikes(60, radius=0.03)
+    turn = np.roll(np.eye(3, dtype=np.float32), 1, axis=0)
+    posed = [parts[0].positions @ turn.T, parts[1].points @ turn.T]
+    rest, pose = AssetScene(parts), AssetScene(parts, positions=posed)
+    towards = unit_vectors(np.random.default_rng(0), 2000)
+    aside = 0.3 * unit_vectors(np.random.default_rng(1), 2000)
+    origins, wi = (3.0 * towards + aside).astype(np.float32), np.float32([[0.6, 0.8, 0.0]])
+    expected = rest.shade_points(origins, -towards)
+    found = pose.shade_points(origins @ turn.T, -towards @ turn.T)
+    same = expected.part == found.part
+    assert same.mean() > 0.99
+    lit = rest.visible(expected, np.repeat(wi, 2000, axis=0))
+    assert (lit == pose.visible(found, np.repeat(wi @ turn.T, 2000, axis=0))).mean() > 0.98
+    for one, other in zip(expected.on, found.on, strict=True):
+        row, a, b = np.intersect1d(one.rows, other.rows, return_indices=True)
+        assert len(row) > 40
+        for name, values in one.fields.items():
+            away = np.abs(values[a] - other.fields[name][b]).reshape(len(row), -1).max(axis=1)
+            assert np.quantile(away, 0.98) < 1e-3, name
+        turned = other.at_rest(np.repeat(wi @ turn.T, len(other.rows), axis=0))
+        np.testing.assert_allclose(turned, np.repeat(wi, len(turned), axis=0), atol=1e-3)
 
 
 def test_a_miss_leaves_zeros() -> None:

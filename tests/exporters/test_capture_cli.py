@@ -113,6 +113,9 @@ def test_a_number_that_makes_no_sense(
         ["a.blend", "--out", "x", "--samples", "many"],
         ["a.blend", "--out", "x", "--domain", "disk"],
         ["a.blend", "--out", "x", "--domain", "sphere", "--for", "scene.yaml"],
+        ["a.blend", "--out", "x", "--domain", "hemisphere", "--poses", "1,2"],
+        ["a.blend", "--out", "x", "--poses", "1-12"],
+        ["a.blend", "--out", "x", "--poses", "2,2"],
     ],
 )
 def test_wrong_usage_exits_with_2(arguments: list[str], capsys) -> None:
@@ -127,13 +130,8 @@ def test_help_starts_with_a_sentence_and_a_command() -> None:
     text = " ".join(text.split())
     assert "rna-capture helmet.gltf --out helmet.rays/" in text
     surfaces, fibers = (CaptureSettings.usual(kind).model_dump() for kind in ("surface", "fiber"))
-    for name in surfaces.keys() - {
-        "lights_per_shard",
-        "front",
-        "up",
-        "exact_geometry",
-        "rest_frame",
-    }:
+    optional = {"front", "up", "exact_geometry", "rest_frame", "poses"}
+    for name in surfaces.keys() - {"lights_per_shard", *optional}:
         same = surfaces[name] == fibers[name]
         told = f"default {surfaces[name]}" + ("" if same else f", for hair {fibers[name]}")
         assert told in text, name
@@ -149,13 +147,14 @@ def test_help_starts_with_a_sentence_and_a_command() -> None:
         ("--seed", 9),
         ("--front", "-Z"),
         ("--rest-frame", 7),
+        ("--poses", "7"),
     ],
 )
 def test_other_settings_are_refused_on_resume(
     option: str, value: object, source: Path, begun: Path, some_python: None, capsys
 ) -> None:
     error = refusal(capsys, source, "--out", begun, option, value)
-    assert option.strip("-") in error and str(value) in error
+    assert option.strip("-").replace("-", "_") in error and str(value) in error
 
 
 SCENE = """\

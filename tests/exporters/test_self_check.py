@@ -24,6 +24,7 @@ from rna_render.world.camera import Camera
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Mesh
 from rna_sdk.package.textures.transmittance import Transmittance
+from rna_trace import SurfacePoints
 from tests.exporters.meshes import merged, moved, sphere, square
 
 WI = np.array([0.0, 1.0, 0.0], np.float32)
@@ -50,8 +51,8 @@ class Cycles:
         points = self._scene.shade_points(origins, directions)
         normal = np.zeros_like(points.position)
         for on in points.on:
-            if "normal" in on.fields:
-                normal[on.rows] = self._towards(on.fields["normal"], directions[on.rows])
+            if isinstance(on.points, SurfacePoints):
+                normal[on.rows] = self._towards(on.points.mapped, directions[on.rows])
         answers = np.abs(directions), alpha.astype(np.float32), points.position, None, normal
         return RenderedRays(*answers)
 
@@ -120,11 +121,12 @@ def strands(radius: float, at: float = 0.0) -> AssetScene:
     [
         AssetScene([BALL]),
         AssetScene([BALL, moved(BALL, (3.0, 0.0, 0.0))]),
+        AssetScene([BALL], positions=[BALL.positions[:, [1, 2, 0]]]),
         holes(CARD, 255, 0.5),
         holes(CARD, 100, None),
         strands(0.05),
     ],
-    ids=["surface", "parts", "holes", "thin", "fibers"],
+    ids=["surface", "parts", "pose", "holes", "thin", "fibers"],
 )
 def test_what_is_rendered_as_it_was_exported_has_no_note(scene: AssetScene) -> None:
     check = checked(scene, scene, turn=5.0)

@@ -16,6 +16,7 @@ from rna_export.capture.capture_tasks import TrainingShard, ValidationHalf, all_
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_manifest import CaptureManifest
 from rna_export.capture.dataset.dataset_part import DatasetPart
+from rna_export.capture.rays.capture_directions import light_direction
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Mesh
 from tests.exporters.meshes import ring, sphere
@@ -66,6 +67,46 @@ def test_samples_are_what_the_teacher_said_of_the_ray(tmp_path: Path) -> None:
     assert np.array_equal(
         at["visible"][np.abs(facing) > 0.05] > 0, facing[np.abs(facing) > 0.05] > 0
     )
+
+
+def test_rays_take_turns_at_the_poses_of_which_rest_points_are_recorded(tmp_path: Path) -> None:
+    """In the second of two poses the ball is turned, and larger."""
+
+    class Posed(Teacher):
+        frame = None
+
+        def show_frame(self, frame: int) -> None:
+            self.frame = frame
+
+        def render_rays(self, origins, directions, *arguments, **options):
+            wanted = {1: 1.0, 9: 2.0}[self.frame]
+            assert np.linalg.norm(origins, axis=1).max() > wanted
+            self.seeds.append(self.frame)
+            radiance = np.full_like(directions, wanted)
+            return RenderedRays(radiance, np.ones(len(origins), np.float32), origins, None)
+
+    mesh = sphere(4)
+    plain = make(tmp_path, mesh, validation_resolution=32).dataset
+    manifest = plain.manifest.model_copy(update={"poses": (1, 9)})
+    poses = {9: {"asset": 2.0 * mesh.positions[:, [1, 2, 0]]}}
+    part = Dataset.create(tmp_path, manifest, {"asset": mesh}, poses=poses).only
+    teacher = Posed()
+    run_all(part, teacher)
+    assert teacher.seeds[-5:] == [1, 9, 1, 9, 1]  # of the lights; those of a shard by pose
+    at = part.training_samples()
+    assert np.allclose(np.linalg.norm(at["position"], axis=1), 1.0, atol=0.01)
+    facing = np.sum(at["normal"] * at["wi"], axis=1)
+    clear = np.abs(facing) > 0.05
+    assert np.array_equal(at["visible"][clear] > 0, facing[clear] > 0)
+    assert np.sum(at["normal"] * at["wo"], axis=1).min() > -0.01
+    wi = {p: np.unique(at["wi"][at["radiance"][:, 0] == p], axis=0) for p in (1.0, 2.0)}
+    light = [light_direction(k, manifest.settings.seed, "sphere") for k in range(5)]
+    np.testing.assert_array_equal(np.unique(light[::2], axis=0), wi[1.0])
+    turned = np.stack(light[1::2])[:, [2, 0, 1]]
+    for row in wi[2.0]:
+        assert np.abs(turned - row).max(axis=1).min() < 0.02
+    shown = [view.samples["radiance"][0, 0] for view in part.validation_views()]
+    assert shown == [1, 2, 1, 2, 2, 1, 2, 1]
 
 
 def test_a_plan_is_every_light_once(tmp_path: Path) -> None:

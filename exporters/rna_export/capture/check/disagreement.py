@@ -10,6 +10,7 @@ from rna_export.capture.blender_process.blender_worker import RenderedRays
 from rna_export.capture.rays.asset_scene import AssetScene, ShadePoints
 from rna_export.capture.rays.traced_rays import HIT
 from rna_export.capture.rays.view_rays import ViewRays
+from rna_trace import SurfacePoints
 
 MISSING, EXTRA, ELSEWHERE, TURNED = "missing", "extra", "elsewhere", "turned"
 KINDS = (MISSING, EXTRA, ELSEWHERE, TURNED)
@@ -104,10 +105,10 @@ def _turned(rays: ViewRays, points: ShadePoints, normal: np.ndarray) -> np.ndarr
     """(n,) bool: surfaces that are not seen at a grazing angle, and whose normals differ."""
     result = np.zeros(len(rays), bool)
     for on in points.on:
-        if "normal" not in on.fields or not len(on.rows):
+        if not isinstance(on.points, SurfacePoints) or not len(on.rows):
             continue
         facing = np.sum(points.geometric_normal[on.rows] * rays.directions[on.rows], axis=1)
-        cosine = np.sum(on.fields["normal"] * normal[on.rows], axis=1)
+        cosine = np.sum(on.points.mapped * normal[on.rows], axis=1)
         # Cycles turns normals of backs towards the viewer.
         result[on.rows] = (np.abs(facing) > _GRAZING) & (-np.sign(facing) * cosine < _TURN)
     return result
