@@ -8,9 +8,17 @@ from dataclasses import dataclass
 import numpy as np
 
 from rna_bench.one_part import OnePart
+from rna_bench.stability.answers import of_package
 from rna_sdk.package import Curves, Mesh
 from rna_sdk.runtime import DeformedCurves, RestPoints, offset_across
-from rna_trace import OFFSET, FiberPoints, PartsScene, part_geometry, part_transmittance
+from rna_trace import (
+    OFFSET,
+    FiberPoints,
+    PartPoints,
+    PartsScene,
+    part_geometry,
+    part_transmittance,
+)
 
 
 @dataclass(frozen=True)
@@ -36,7 +44,7 @@ class MovedAsset:
     """
 
     def __init__(self, asset: OnePart, positions: np.ndarray) -> None:
-        self._asset, self._shape = asset, asset.deformed(positions)
+        self._answers, self._shape = of_package(asset), asset.deformed(positions)
         self.kind = asset.kind
         at_rest = _points(part_geometry(asset))
         middle = (at_rest.min(axis=0) + at_rest.max(axis=0)) / 2
@@ -55,11 +63,7 @@ class MovedAsset:
         wo = np.ascontiguousarray(-directions[ray])
         light = np.tile(wi.astype(np.float32), (len(ray), 1))
         lit = self._scene.visible(0, points, light)
-        if isinstance(points, FiberPoints):
-            across = offset_across(points.n, points.tangent, wo)
-            visible, shadowed = self._asked(self._at_rest(*where), wo, light, across)
-        else:
-            visible, shadowed = self._asked(self._at_rest(*where), wo, light)
+        visible, shadowed = self._asked(self._at_rest(*where), points, wo, light)
         share = lit.reshape(len(ray), -1).astype(np.float32)
         radiance = share * visible + (1.0 - share) * shadowed
         front = np.sum(where[3] * wo, axis=1) > 0.0
@@ -73,16 +77,20 @@ class MovedAsset:
         return self._shape.rest_points(primitive, u, v)
 
     def _asked(
-        self, rest: RestPoints, wo: np.ndarray, wi: np.ndarray, *across: np.ndarray
+        self, rest: RestPoints, points: PartPoints, wo: np.ndarray, wi: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
-        places = rest.positions, rest.axes, *across
-        return self._asset.evaluate(*places, rest.to_rest(wo), rest.to_rest(wi))
+        asked = {"position": rest.positions, "wo": rest.to_rest(wo), "wi": rest.to_rest(wi)}
+        if isinstance(points, FiberPoints):
+            asked |= {"tangent": rest.axes, "h": offset_across(points.n, points.tangent, wo)}
+        else:
+            asked["normal"] = rest.axes
+        return self._answers(asked)
 
     def turned_deg(self) -> np.ndarray:
         """How far each element has turned, degrees: (t,)."""
         count = len(self._elements())
         number, third = np.arange(count, dtype=np.int32), np.full(count, 1 / 3, np.float32)
-        normals = np.tile(np.float32([0.0, 0.0, 1.0]), (count, 1))
+        normals = np.tile(np.array([0.0, 0.0, 1.0], np.float32), (count, 1))
         r = self._at_rest(number, third, third, normals).rotations.astype(np.float64)
         cosine = (np.trace(r, axis1=1, axis2=2) - 1.0) / 2.0
         return np.asarray(np.degrees(np.arccos(np.clip(cosine, -1.0, 1.0))))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -86,14 +87,11 @@ def references(
         with fixtures.cycles(source) as worker:
             return _rendered(worker, views, frame, fixtures.some(HALF))
 
-    images = {
-        f"{frame}-{key}": value
-        for frame in frames
-        for key, value in fixtures.kept(
-            f"motion-{name}-{frame}", lambda frame=frame: of_frame(frame)
-        ).items()
-    }
-    return moved | images
+    found = dict(moved)
+    for frame in frames:
+        kept = fixtures.kept(f"motion-{name}-{frame}", partial(of_frame, frame))
+        found |= {f"{frame}-{key}": value for key, value in kept.items()}
+    return found
 
 
 def _positions(

@@ -20,11 +20,11 @@ from rna_bench.stability.view_errors import relative_error
 MOST, AT_DEG = 1.25, 30.0  # the mark: times the error at rest, at that angle
 JUDGED = ("figure", "slab")
 
-ANGLES = (10.0, 30.0, 60.0)  # degrees; the recipes' frames are one more
-MOVED_DEG = 5.0  # from which a triangle or segment counts as moved
-STRETCHES = (1.0, 1.02, 1.05, 1.1, 1.2, 1.4, np.inf)
+ANGLES = (10.0, 30.0, 60.0, 90.0)  # degrees; the recipes' frames are one more
+MOVED_DEG = 2.0  # from which a triangle or segment counts as moved
+STRETCHES = (1.0, 1.05, 1.1, 1.2, 1.4, 2.0, np.inf)
 NEAR = 0.03  # of the asset's radius: skin that comes as near to skin touches
-_FEW = 30  # pixels, below which no error is told
+_FEW = 200  # pixels, below which no error is told
 
 CAPTURES: dict[str, dict[str, int]] = {
     "figure": {"lights": 500, "rays": 4096, "samples": 4},
@@ -50,18 +50,9 @@ class Frame:
         """See `MovedAsset.gaps`."""
         return self.asset.gaps()
 
-    def error(self, elements: np.ndarray) -> tuple[float, float, int]:
-        """Error and brightness of the pixels that show these elements, (t,) bool, and how many."""
-        return self.error_of(elements[self.seen.element])
-
-    def error_of(self, rows: np.ndarray) -> tuple[float, float, int]:
-        """The same of rows, (n,) bool."""
-        count = int(rows.sum())
-        if count < _FEW:
-            return float("nan"), float("nan"), count
-        ours, halves = self.seen.radiance[rows], self.halves[:, rows]
-        brightness = float(ours.mean(dtype=np.float64) / halves.mean(dtype=np.float64))
-        return relative_error(ours, halves), brightness, count
+    def rows(self, elements: np.ndarray) -> np.ndarray:
+        """(n,) bool: pixels that show these elements, (t,) bool."""
+        return np.asarray(elements[self.seen.element])
 
 
 def measure(fixtures: Fixtures) -> list[Row]:
@@ -107,38 +98,43 @@ def shade(package: Any, views: Views, found: dict[str, np.ndarray], frame: int) 
 def by_angle(rest: Frame, frame: Frame, angle: float) -> list[Row]:
     """Errors of what has moved, of what newly touches, and of all, over those at rest."""
     turned, stretch = frame.asset.turned_deg(), frame.asset.stretch()
-    everything = np.ones(len(turned), bool)
-    rows = [
-        _row("moved", rest, frame, turned > MOVED_DEG, stretch),
-        _row("whole", rest, frame, everything, stretch),
-    ]
     touching = newly_near(rest, frame)
-    if touching.any():
-        error, brightness, pixels = frame.error_of(touching)
-        same = np.isin(np.arange(len(turned)), frame.seen.element[touching])
-        rows.append(
-            {
-                "where": "touching",
-                "error": error,
-                "at_rest": rest.error(same)[0],
-                "brightness": brightness,
-                "pixels": pixels,
-            }
-        )
-    return [{"angle_deg": angle, **row} for row in rows]
+    chosen = {
+        "moved": turned > MOVED_DEG,
+        "whole": np.ones(len(turned), bool),
+        "touching": np.isin(np.arange(len(turned)), frame.seen.element[touching]),
+    }
+    rows = []
+    for where, elements in chosen.items():
+        shown = touching if where == "touching" else frame.rows(elements)
+        compared = over_rest([(frame, shown)], [(rest, rest.rows(elements))])
+        if compared is not None:
+            most = float(np.percentile(stretch[elements], 99.0))
+            rows.append({"angle_deg": angle, "where": where, **compared, "stretch": most})
+    return rows
 
 
-def _row(where: str, rest: Frame, frame: Frame, elements: np.ndarray, stretch: np.ndarray) -> Row:
-    error, brightness, pixels = frame.error(elements)
-    before, brightness_before, _ = rest.error(elements)
+Pixels = Sequence[tuple[Frame, np.ndarray]]
+"""Frames, and which rows of each, (n,) bool."""
+
+
+def over_rest(now: Pixels, then: Pixels) -> Row | None:
+    """Errors and brightness of pixels now and at rest; None where there are few."""
+    sides = []
+    for pixels in (now, then):
+        ours = np.concatenate([frame.seen.radiance[rows] for frame, rows in pixels])
+        halves = np.concatenate([frame.halves[:, rows] for frame, rows in pixels], axis=1)
+        if len(ours) < _FEW:
+            return None
+        brightness = float(ours.mean(dtype=np.float64) / halves.mean(dtype=np.float64))
+        sides.append((relative_error(ours, halves), brightness, len(ours)))
+    (error, brightness, count), (before, brightness_before, _) = sides
     return {
-        "where": where,
         "error": error,
         "at_rest": before,
         "brightness": brightness,
         "brightness_at_rest": brightness_before,
-        "pixels": pixels,
-        "stretch": float(np.percentile(stretch[elements], 99.0)) if elements.any() else 1.0,
+        "pixels": count,
     }
 
 
@@ -154,20 +150,13 @@ def newly_near(rest: Frame, frame: Frame) -> np.ndarray:
 def by_stretch(rest: Frame, frames: Sequence[Frame]) -> list[Row]:
     """Errors over those of the same elements at rest, all frames together, by their stretch."""
     stretch = [frame.asset.stretch() for frame in frames]
-    rows: list[Row] = []
+    rows = []
     for low, high in pairwise(STRETCHES):
         bins = [(s >= low) & (s < high) for s in stretch]
-        pairs = [(f.error(b), rest.error(b)) for f, b in zip(frames, bins, strict=True)]
-        told = [(now, then) for now, then in pairs if now[2] >= _FEW and then[2] >= _FEW]
-        if not told:
-            continue
-        count = np.array([now[2] for now, _ in told], float)
-        error, before = (
-            float(np.sqrt(np.average([p[side][0] ** 2 for p in told], weights=count)))
-            for side in (0, 1)
-        )
-        row: Row = {"where": "stretch", "low": low, "error": error, "at_rest": before}
-        rows.append({**row, "pixels": int(count.sum())})
+        now = [(frame, frame.rows(b)) for frame, b in zip(frames, bins, strict=True)]
+        compared = over_rest(now, [(rest, rest.rows(b)) for b in bins])
+        if compared is not None:
+            rows.append({"where": "stretch", "low": low, **compared})
     return rows
 
 
