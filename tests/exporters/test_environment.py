@@ -20,9 +20,8 @@ from rna_export.environment.view_points import part_views
 from rna_export.export.rna_export import main
 from rna_export.training.optimization.pace import StepPace
 from rna_render import write_exr
-from rna_sdk.package import Package, validate
+from rna_sdk.package import Package, Unpacked, validate
 from rna_sdk.package.manifest.extensions import Environment, extension
-from rna_sdk.package.packing import Unpacked
 from rna_sdk.runtime import load
 from tests.conftest import REPOSITORY
 

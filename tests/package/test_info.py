@@ -12,6 +12,7 @@ from rna_sdk.package.command.package_info import info_lines, package_info
 from rna_sdk.package.command.rna_info import main
 from tests.conftest import REPOSITORY
 from tests.package.builders import make_tiny_package
+from tests.package.lobes import FOREST, with_lobes
 
 TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
 CURLS = REPOSITORY / "examples" / "fibers" / "curly_ball.rna"
@@ -36,6 +37,15 @@ def test_it_says_what_the_package_records(capsys: pytest.CaptureFixture[str]) ->
     ):
         assert part in said, part
     assert "note" not in said
+
+
+def test_lobes_are_told_with_their_error(tmp_path: Path) -> None:
+    info = package_info(with_lobes(make_tiny_package(tmp_path / "tiny.rna"), tmp_path / "lit.rna"))
+    assert info["parts"][0]["has"] == ["lobes"]
+    assert info["lobes"] == [FOREST.model_dump(mode="json", by_alias=False)]
+    lines = list(info_lines(info))
+    assert "lobes       PSNR 30.50 dB, FLIP 0.0500 under forest" in lines
+    assert any(line.endswith("RNA_environment") for line in lines)
 
 
 def test_strands_are_counted(capsys: pytest.CaptureFixture[str]) -> None:

@@ -21,10 +21,9 @@ from rna_export.environment.view_points import LobesAt, PartViews, Rows, ViewPoi
 from rna_export.training.optimization.pace import StepPace, TimePace
 from rna_render import read_environment
 from rna_sdk.errors import ExportError
-from rna_sdk.package import Package
+from rna_sdk.package import EnvironmentValidation, Lobes, Package, Unpacked
 from rna_sdk.package.geometry.vertex_visibility import Harmonics
-from rna_sdk.package.manifest.extensions import Deflate, EnvironmentValidation
-from rna_sdk.package.packing import Lobes, Unpacked
+from rna_sdk.package.manifest.extensions import Deflate
 from rna_sdk.runtime import Asset, FiberAsset, SurfaceAsset, load
 
 STEPS = 6000

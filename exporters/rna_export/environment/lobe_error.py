@@ -11,7 +11,7 @@ from rna_export.environment.lobe_model import densities
 from rna_export.environment.view_points import LobesAt, PartViews, Rows, ViewPoints
 from rna_export.metrics import IRRADIANCE, flip, psnr
 from rna_render.lights import cell_directions, split_environment
-from rna_sdk.package.manifest.extensions import EnvironmentValidation
+from rna_sdk.package import EnvironmentValidation
 
 _VIEWERS = 4  # about the vertical
 _AT_ONCE = 20  # points

@@ -9,7 +9,7 @@ from rna_export.environment.lobe_model import LOBES, LobeModel
 from rna_export.environment.lobe_queries import QueryRows
 from rna_export.environment.view_points import PartViews
 from rna_export.export.decoder import compare_answers, export_decoder
-from rna_sdk.package.packing import Lobes
+from rna_sdk.package import Lobes
 
 _COMPARED, _EXTREME, _FAR = 5000, 500, 10.0  # queries; factor on extreme ones
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from rna_sdk.package.geometry.curves import Curves
-from rna_sdk.package.manifest.extensions import Poster, extension
+from rna_sdk.package.manifest.extensions import Environment, Poster, extension
 from rna_sdk.package.manifest.manifest_model import POSES, REST_FRAME, Manifest, Part
 from rna_sdk.package.manifest.manifest_tiers import Tier, TierPart
 from rna_sdk.package.package import Package
@@ -24,7 +24,7 @@ def package_info(path: Path) -> Info:
     with Package.open(path) as package:
         manifest = package.manifest
         low, high = package.box()
-        poster = extension(manifest, Poster)
+        poster, lobes = extension(manifest, Poster), extension(manifest, Environment)
         origin = manifest.provenance
         return {
             "file": str(path),
@@ -35,6 +35,8 @@ def package_info(path: Path) -> Info:
             "size_note": size_note(low, high),
             "parts": [_part(package, k, has) for k, (_, has) in enumerate(contents(manifest))],
             "tiers": [_tier(tier) for tier in manifest.tiers],
+            "lobes": lobes
+            and [one.model_dump(mode="json", by_alias=False) for one in lobes.validation],
             "directions": manifest.domain.model_dump(mode="json"),
             "source": origin.source,
             "tool": origin.tool,
@@ -69,11 +71,13 @@ def _part(package: Package, index: int, has: list[str]) -> Info:
 
 def contents(manifest: Manifest) -> list[tuple[Part, list[str]]]:
     """Each part, and what it has beside geometry and transport: normal maps, emission, ..."""
-    found = []
-    for part, own in zip(manifest.parts, manifest.tiers[0].parts, strict=True):
+    found, data = [], extension(manifest, Environment)
+    lobes = data.parts if data else (None,) * len(manifest.parts)
+    for part, own, light in zip(manifest.parts, manifest.tiers[0].parts, lobes, strict=True):
         named = {"transmittance": part.transmittance, "normal maps": part.normal_maps}
         has = [name for name, records in named.items() if records]
-        found.append((part, [*has, *(decoder.form.name for decoder in own.decoders[1:])]))
+        has += [decoder.form.name for decoder in own.decoders[1:]]
+        found.append((part, [*has, *(["lobes"] if light else [])]))
     return found
 
 
@@ -117,6 +121,7 @@ def _rows(info: Info) -> Iterator[tuple[str, str]]:
         yield "note", info["size_note"]
     yield from _labelled("parts", map(_part_text, info["parts"]))
     yield from _labelled("tiers", map(_tier_text, info["tiers"]))
+    yield from _labelled("lobes", map(_lobes_text, info["lobes"] or ()))
     yield "directions", _directions_text(info["directions"])
     yield "made from", info["source"]
     yield "captured", _capture_text(info["capture"])
@@ -157,6 +162,12 @@ def _tier_text(tier: Info) -> str:
     first = tier["parts"][0]
     planes = f"{first['resolution']}^2 x {first['channels']} {first['planes']} planes"
     return f"{tier['name']}: {error}; {cost}; {planes}, {first['decoder']} decoder"
+
+
+def _lobes_text(error: Info) -> str:
+    """Error under an environment, as viewers use lobes: with its brightest directions apart."""
+    score = f"PSNR {error['psnr_with_lights']:.2f} dB, FLIP {error['flip']:.4f}"
+    return f"{score} under {error['environment']}"
 
 
 def _directions_text(domain: Info) -> str:
