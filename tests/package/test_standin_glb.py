@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from rna_render.materials.files.mesh_file import read_mesh_object
+from rna_render.scene.material_models import DiffuseModel
 from rna_sdk.package import Curves, Package
 from rna_sdk.package.command.rna_info import main
 from rna_sdk.package.geometry.strand_tubes import tubes
@@ -20,6 +21,7 @@ from tests.exporters.in_blender import answer_of
 
 TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
 CURLS = REPOSITORY / "examples" / "fibers" / "curly_ball.rna"
+PLAIN = DiffuseModel(type="diffuse")  # rna-run leaves colours of vertices out, with a warning
 KIT = REPOSITORY / "spec" / "conformance" / "packages"
 
 
@@ -37,15 +39,21 @@ def _glb(package: Path, folder: Path) -> Path:
 
 def test_a_mesh_has_its_triangles_and_its_material(tmp_path: Path) -> None:
     path = _glb(TOY, tmp_path)
-    document, _ = _document(path)
+    document, blob = _document(path)
     with Package.open(TOY) as package:
         mesh, manifest = package.mesh(), package.manifest
     stated = manifest.extensions["RNA_standin"]["parts"][0]
     material = document["materials"][0]["pbrMetallicRoughness"]
-    assert material["baseColorFactor"] == [*stated["baseColor"], 1.0]
+    assert material["baseColorFactor"] == [1.0, 1.0, 1.0, 1.0]
     assert material["roughnessFactor"] == stated["roughness"]
     assert manifest.license in document["asset"]["copyright"]
-    loaded = read_mesh_object(path)
+    number = document["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"]
+    view = document["bufferViews"][document["accessors"][number]["bufferView"]]
+    colors = np.frombuffer(blob[view["byteOffset"] :][: view["byteLength"]], "<f4").reshape(-1, 3)
+    assert colors.min() >= 0.0 and colors.max() <= 1.0
+    np.testing.assert_allclose(colors.mean(axis=0), stated["baseColor"], atol=0.15)
+    assert (colors.std(axis=0) > 0.1).all()  # red, yellow, blue and grey bricks
+    loaded = read_mesh_object(path, PLAIN)
     np.testing.assert_array_equal(loaded.positions, mesh.positions)
     np.testing.assert_array_equal(loaded.triangles, mesh.triangles)
 
@@ -100,7 +108,7 @@ def test_a_strand_that_turns_back_stays_finite() -> None:
 
 @pytest.mark.parametrize("name", sorted(path.name for path in KIT.glob("*.rna")))
 def test_every_package_of_the_kit_loads(name: str, tmp_path: Path) -> None:
-    assert len(read_mesh_object(_glb(KIT / name, tmp_path)).triangles)
+    assert len(read_mesh_object(_glb(KIT / name, tmp_path), PLAIN).triangles)
 
 
 def test_bad_files_are_one_line_and_write_nothing(
@@ -119,6 +127,7 @@ bpy.ops.import_scene.gltf(filepath=sys.argv[1])
 objects = [o for o in bpy.data.objects if o.type == "MESH"]
 answer([
     [o.name, len(o.data.polygons), [m.name for m in o.data.materials],
+     [node.type for m in o.data.materials for node in m.node_tree.nodes],
      [round(max(v.co[k] for v in o.data.vertices), 4) for k in range(3)]] for o in objects
 ])
 """
@@ -128,9 +137,10 @@ answer([
 @pytest.mark.parametrize("package", [TOY, CURLS], ids=["toy", "curls"])
 def test_blender_opens_it(package: Path, tmp_path: Path, blender_python: Path) -> None:
     path = _glb(package, tmp_path)
-    mesh = read_mesh_object(path)
-    ((_, polygons, materials, high),) = answer_of(blender_python, IMPORT, str(path))
+    mesh = read_mesh_object(path, PLAIN)
+    ((_, polygons, materials, nodes, high),) = answer_of(blender_python, IMPORT, str(path))
     assert polygons == pytest.approx(len(mesh.triangles), rel=0.01) and len(materials) == 1
+    assert ("VERTEX_COLOR" in nodes) == (package is TOY)
     x = mesh.positions[:, 0].max()
     assert high[0] == pytest.approx(x, abs=1e-3)
     assert high[1] == pytest.approx(-mesh.positions[:, 2].min(), abs=1e-3)

@@ -8,6 +8,8 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+import numpy as np
+
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.console import command_parser, run_command
 from rna_sdk.errors import RnaError
@@ -15,6 +17,7 @@ from rna_sdk.file_kinds import not_a
 from rna_sdk.outputs import check_outputs
 from rna_sdk.package.command.package_info import info_lines, package_info
 from rna_sdk.package.geometry.standin_glb import standin_glb
+from rna_sdk.package.manifest.extensions import Standin, extension
 from rna_sdk.package.package import Package
 
 
@@ -46,7 +49,8 @@ def parser() -> argparse.ArgumentParser:
         type=Path,
         metavar="GLB",
         help="write the geometry with its stand-in materials to this file, for any glTF viewer;\n"
-        "strands as at most 300,000 triangles (path, default: none)",
+        "surfaces with colours at their vertices, strands as at most 300,000 triangles\n"
+        "(path, default: none)",
     )
     return p
 
@@ -62,8 +66,21 @@ def _run(options: argparse.Namespace) -> None:
     if options.glb is not None:
         check_outputs([options.glb], [path])
         with Package.open(path) as package:
-            write_atomically(options.glb, standin_glb(package))
+            write_atomically(options.glb, standin_glb(package, _colors(path, package)))
         print(f"wrote {options.glb}", file=sys.stderr)
+
+
+def _colors(path: Path, package: Package) -> dict[int, np.ndarray]:
+    """What the first tier reflects at the vertices of surfaces that are not metal, by part."""
+    from rna_sdk.runtime import load  # slow to import
+    from rna_sdk.runtime.standin_colors import surface_colors
+
+    standin = extension(package.manifest, Standin)
+    colors = {}
+    for i, part in enumerate(load(path).parts):
+        if part.kind == "surface" and not (standin and standin.parts[i].metallic):
+            colors[i] = np.minimum(surface_colors(part, part.mesh.positions, part.mesh.normals), 1)
+    return colors
 
 
 def _write_poster(path: Path, png: Path) -> None:

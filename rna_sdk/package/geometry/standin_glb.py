@@ -1,6 +1,7 @@
 """A package as an ordinary binary glTF: its geometry with the stand-in materials.
 
-Holes become alpha, normal maps those of glTF, strands tubes. What the network knows is not in it.
+Holes become alpha, normal maps those of glTF, strands tubes. Of what the network knows it
+has a colour at each vertex, at most.
 """
 
 from __future__ import annotations
@@ -8,7 +9,7 @@ from __future__ import annotations
 import json
 import struct
 import zlib
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -30,10 +31,11 @@ _TYPES = {1: "SCALAR", 2: "VEC2", 3: "VEC3"}
 _REPEAT = 10497
 
 
-def standin_glb(package: Package) -> bytes:
+def standin_glb(package: Package, colors: Mapping[int, NDArray[np.float32]] | None = None) -> bytes:
     """The parts of a package as a .glb, metres, +Y up: a node each, named as the part.
 
-    A package without stand-in materials (RNA_standin) gets grey ones.
+    A package without stand-in materials (RNA_standin) gets grey ones. colors: of the vertices of
+    some parts, by the part's number, (v, 3), linear; they take the place of the base colour.
     """
     file = _File()
     manifest = package.manifest
@@ -42,9 +44,12 @@ def standin_glb(package: Package) -> bytes:
         geometry = package.geometry(i)
         mesh = geometry if isinstance(geometry, Mesh) else tubes(geometry)
         base = standin.parts[i] if standin else _GREY
+        own = (colors or {}).get(i)
+        if own is not None:
+            base = base.model_copy(update={"base_color": (1.0, 1.0, 1.0)})
         looks = _Looks(file, part.name, base, package.transmittance(i), package.normal_maps(i))
         file.add("nodes", {"mesh": i, "name": part.name})
-        file.add("meshes", {"name": part.name, "primitives": _primitives(file, mesh, looks)})
+        file.add("meshes", {"name": part.name, "primitives": _primitives(file, mesh, own, looks)})
     return file.packed(
         generator=f"rna-info {__version__}",
         copyright=f"{manifest.provenance.source}; {manifest.license}",
@@ -167,7 +172,9 @@ def _of(records: Sequence[Transmittance | NormalMap], triangle: int) -> int | No
     return None
 
 
-def _primitives(file: _File, mesh: Mesh, looks: _Looks) -> list[dict[str, Any]]:
+def _primitives(
+    file: _File, mesh: Mesh, colors: NDArray[np.float32] | None, looks: _Looks
+) -> list[dict[str, Any]]:
     """The triangles of a mesh, cut where materials change; the vertices are shared."""
     lengths = np.linalg.norm(mesh.normals, axis=1, keepdims=True)
     attributes = {
@@ -176,6 +183,8 @@ def _primitives(file: _File, mesh: Mesh, looks: _Looks) -> list[dict[str, Any]]:
     }
     if mesh.uvs is not None:
         attributes["TEXCOORD_0"] = file.array(mesh.uvs)
+    if colors is not None:
+        attributes["COLOR_0"] = file.array(colors)
     borders = sorted({0, len(mesh.triangles), *looks.borders()})
     return [
         {

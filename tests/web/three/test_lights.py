@@ -11,8 +11,9 @@ import numpy as np
 import OpenEXR
 import pytest
 
+from rna_sdk.package.command.rna_info import main as rna_info
 from tests.render.chromium import Page
-from tests.web.pages import TIMEOUT
+from tests.web.pages import TIMEOUT, base64_of
 from tests.web.test_picture import CURLS, TOY, by_rna_run, middles_of_pixels, psnr, write_scene
 from tests.web.three.pages import PAGE, installed, opened
 
@@ -32,9 +33,11 @@ RECTANGLE = """{type: rectangle, position: [0.9, 1.0, 0.8], look_at: [0.2, 0.15,
 RECTANGLE_OF_THREE = (
     'light("RectAreaLight", [0.9, 1, 0.8], new THREE.Color(18, 15, 12), 1, 0.4, 0.3)'
 )
-SKY = "{type: environment, path: sky.exr, visible_to_camera: false}"
+SKY = "{{type: environment, path: sky.exr, rotation_deg: {rotation}, visible_to_camera: false}}"
 SKY_OF_THREE = """light("HemisphereLight", [0, 1, 0],
     new THREE.Color(1, 1.5, 3), new THREE.Color(1.2, 0.5, 0.4), 1)"""
+LOAD = 'new rna.RnaLoader().loadAsync("{}")'
+LOAD_STANDIN = "(await new GLTFLoader().loadAsync('data:;base64,{}')).scene"
 __all__ = ["middles_of_pixels"]
 
 
@@ -49,12 +52,14 @@ def page(tmp_path_factory) -> Iterator[Page]:
         yield page
 
 
-def by_three(page: Page, asset: dict, light: str, size: list[int]) -> np.ndarray:
-    """(h, w, 4) float32. light: JavaScript."""
+def by_three(
+    page: Page, asset: dict, light: str, size: list[int], more: str = "", load: str = LOAD
+) -> np.ndarray:
+    """(h, w, 4) float32. light, more of what `picture` takes, what is loaded: JavaScript."""
     view = json.dumps({"position": asset["position"], "lookAt": asset["look_at"]})
     found = page.evaluate(
         f"""(async () => {{
-            const {{ THREE, rna, picture, sun, shadowingSun }} = test;
+            const {{ THREE, GLTFLoader, rna, picture, imageLight, sun, shadowingSun }} = test;
             const light = (kind, at, ...values) => {{
                 const one = new THREE[kind](...values), middle = new THREE.Vector3(0.2, 0.15, 0);
                 one.position.set(...at);
@@ -63,10 +68,10 @@ def by_three(page: Page, asset: dict, light: str, size: list[int]) -> np.ndarray
                 one.target?.updateMatrixWorld();
                 return one;
             }};
-            const asset = await new rna.RnaLoader().loadAsync("{asset["path"].name}");
-            const view = {{ ...{view}, lights: [{light}] }};
+            const asset = await {load.format(asset["path"].name)};
+            const view = {{ ...{view}, lights: [{light}], {more} }};
             const found = await picture(asset, {size[0]}, {size[1]}, view);
-            asset.dispose();
+            asset.dispose?.();
             return found;
         }})()"""
     )
@@ -93,14 +98,35 @@ def test_light(asset, light, of_three, size, samples, least, page, tmp_path):
 
 
 @pytest.mark.usefixtures("middles_of_pixels")
-def test_hemisphere(page, tmp_path):
-    """Blue from above, red from below, with the noise of 4 directions a pixel."""
+def test_hemisphere_and_environment(page, tmp_path):
+    """Blue from above, red from below, and an image, turned; with the noise of 4 directions."""
     sky = np.zeros((32, 64, 3), np.float32)
     sky[:16], sky[16:] = np.divide([1.0, 1.5, 3.0], np.pi), np.divide([1.2, 0.5, 0.4], np.pi)
-    OpenEXR.File({}, {"RGB": sky}).write(str(tmp_path / "sky.exr"))
-    found = by_three(page, TOY, SKY_OF_THREE, SIZE)
-    expected = by_rna_run(write_scene(tmp_path, TOY, SKY, SIZE, 256))
+    around = 2 * np.pi * (np.arange(64, dtype=np.float32) + 0.5) / 64
+    row = 0.5 + 0.3 * np.stack([np.cos(around), np.sin(around), -np.cos(around)], axis=1)
+    image = np.repeat(row[None], 32, axis=0)
+    for name, values in (("image.exr", image), ("sky.exr", sky + 0.5 * image)):
+        OpenEXR.File({}, {"RGB": values}).write(str(tmp_path / name))
+    turned = f"...await imageLight('data:;base64,{base64_of(tmp_path / 'image.exr')}', 2.0, 0.5)"
+    found = by_three(page, TOY, SKY_OF_THREE, SIZE, f"environment: {{ {turned} }}")
+    light = SKY.format(rotation=np.degrees(2.0) - 90)  # three.js has the image's middle at +x
+    expected = by_rna_run(write_scene(tmp_path, TOY, light, SIZE, 128))
     seen = expected[..., 3] > 0
     brightness = found[seen][:, :3].mean(0) / expected[seen][:, :3].mean(0)
     assert brightness == pytest.approx(1.0, abs=0.03)
     assert psnr(found, expected) >= 20.0
+
+
+@pytest.mark.usefixtures("middles_of_pixels")
+def test_standin(page, tmp_path):
+    """The plain glTF of rna-info in GLTFLoader: place, size, shape and about the colours."""
+    assert rna_info([str(TOY["path"]), "--glb", str(tmp_path / "toy.glb")]) == 0
+    load = (
+        LOAD_STANDIN.format(base64_of(tmp_path / "toy.glb")).replace("{", "{{").replace("}", "}}")
+    )
+    found = by_three(page, TOY, "sun()", SIZE, load=load)
+    expected = by_rna_run(write_scene(tmp_path, TOY, SUN, SIZE, 1))
+    assert np.mean((found[..., 3] > 0.5) != (expected[..., 3] > 0.5)) < 0.002
+    seen = expected[..., 3] > 0
+    assert found[seen].mean(0) == pytest.approx(expected[seen].mean(0), rel=0.15)
+    assert psnr(found, expected) >= 24.0

@@ -1,6 +1,7 @@
 // An asset in a scene: a mesh for each part; each picture takes the tier that is good enough for its size.
 import { Box3, BufferAttribute, BufferGeometry, Group, InstancedMesh, Mesh, Sphere, Vector2, Vector3 } from "three/webgpu";
-import { RnaMaterial, SharedBuffers } from "./material.js";
+import { keepPipelines } from "./kept_pipelines.js";
+import { MARK, RnaMaterial, SharedBuffers } from "./material.js";
 import { chooseTier } from "./tiers.js";
 
 const DEFAULTS = { visibility: "rays", environmentSamples: 4, areaSamples: 2, maxError: 0.05 };
@@ -9,7 +10,7 @@ const centre = /*@__PURE__*/ new Vector3(), eye = /*@__PURE__*/ new Vector3(), s
 /** What copies of an asset share. */
 class Content {
   constructor(data, options) {
-    Object.assign(this, { data, options, users: 0, materials: new Map() });
+    Object.assign(this, { data, options, users: 0, materials: new Map(), renderers: new Set() });
     this.buffers = new SharedBuffers(data.geometry);
     this.geometries = data.parts.map(geometryOf);
     this.sphere = new Box3(new Vector3(...data.box.min), new Vector3(...data.box.max)).getBoundingSphere(new Sphere());
@@ -24,6 +25,8 @@ class Content {
   }
 
   dispose() {
+    for (const renderer of this.renderers) keepPipelines(renderer, MARK);
+    this.renderers.clear();
     this.buffers.dispose();
     for (const geometry of this.geometries) geometry.dispose();
     for (const materials of this.materials.values()) for (const material of materials) material.dispose();
@@ -103,7 +106,10 @@ export class RnaAsset extends Group {
   _mesh(part, k, material) {
     const mesh = new Mesh(this.content.geometries[k], material);
     Object.assign(mesh, { name: part.name, castShadow: true, receiveShadow: true });
-    mesh.onBeforeRender = (renderer) => { this.height = renderer.getDrawingBufferSize(size).y; };
+    mesh.onBeforeRender = (renderer) => {
+      this.height = renderer.getDrawingBufferSize(size).y;
+      this.content.renderers.add(renderer);
+    };
     return mesh;
   }
 }

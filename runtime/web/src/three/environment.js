@@ -1,6 +1,6 @@
 // Light from all sides: the scene's environment, and lights of three.js that have no place. One function; a decoder of
 // its own for whole environments would take the place of the sum in it.
-import { float, interleavedGradientNoise, materialEnvIntensity, mix, pmremTexture, screenCoordinate, vec3 } from "three/tsl";
+import { float, interleavedGradientNoise, isolate, materialEnvIntensity, mix, screenCoordinate, vec3 } from "three/tsl";
 import { objectToWorld } from "./spaces.js";
 
 /** Adds what comes from all sides, as `environmentSamples` directions find it. */
@@ -25,7 +25,10 @@ export function environmentLight({ functions, options }, builder) {
 /** Radiance along a direction of the world, of each source: (direction, roughness) => vec3. */
 function radianceOf(builder) {
   const { rnaEnvironment } = builder.context, sources = [];
-  if (rnaEnvironment) sources.push((world, roughness) => pmremTexture(rnaEnvironment, world, roughness).mul(materialEnvIntensity));
+  if (rnaEnvironment) {
+    const along = (world, roughness) => isolate(rnaEnvironment.context({ getUV: () => world, getTextureLevel: () => roughness }));
+    sources.push((world, roughness) => along(world, roughness).mul(materialEnvIntensity));
+  }
   for (const { light, colorNode, groundColorNode, lightDirectionNode } of builder.lightsNode.getLightNodes(builder)) {
     if (light?.isAmbientLight) sources.push(() => colorNode.mul(1 / Math.PI));
     // Its irradiance goes linearly from below to above: two even half spheres.

@@ -1,10 +1,13 @@
 // The node material of a part in one tier: rna_gpu's WGSL with the buffers that three.js binds.
-import { DoubleSide, FrontSide, LightingNode, NodeMaterial, StorageBufferAttribute } from "three/webgpu";
-import { attribute, bool, buffer, Fn, positionGeometry, referenceAttribute, storage, wgsl, wgslFn } from "three/tsl";
+import { DoubleSide, Euler, FrontSide, LightingNode, NodeMaterial, StorageBufferAttribute } from "three/webgpu";
+import { attribute, bool, buffer, Fn, pmremTexture, positionGeometry, referenceAttribute, storage, wgsl, wgslFn } from "three/tsl";
 import { fragmentOf, towardsViewer } from "./fragment.js";
 import { RnaLighting, shadowPosition } from "./lighting.js";
 import { partSource } from "./shader_source.js";
 import { instanceColumns } from "./spaces.js";
+
+/** What the name of each function that three.js calls begins with. */
+export const MARK = "rna_three_";
 
 /** Buffers of all parts and tiers of an asset. */
 export class SharedBuffers {
@@ -31,6 +34,8 @@ export class RnaMaterial extends NodeMaterial {
   constructor(shared, kind, { planes, transport, emission }, options) {
     super();
     Object.assign(this, { lights: true, side: kind === "fiber" ? FrontSide : DoubleSide, isRnaMaterial: true, options, kind });
+    // As three.js' own have it: without a `null` here it leaves scene.environmentRotation out.
+    Object.assign(this, { envMap: null, envMapIntensity: 1, envMapRotation: new Euler() });
     this.receivedShadowPositionNode = shadowPosition;
     this.stored = [];
     const [xy, yz, zx] = planes.map((plane) => this._store(plane, 1));
@@ -72,7 +77,7 @@ export class RnaMaterial extends NodeMaterial {
 
   setupEnvironment(builder) {
     const node = super.setupEnvironment(builder) ?? builder.environmentNode;
-    return node ? new EnvironmentOfScene(node) : null;
+    return node ? new Environment(node) : null;
   }
 
   setupPosition(builder) {
@@ -90,22 +95,23 @@ export class RnaMaterial extends NodeMaterial {
   }
 }
 
-/** Tells RnaLighting of the scene's environment. */
-class EnvironmentOfScene extends LightingNode {
+/** Tells RnaLighting of the environment, of the scene or of the material: a node that is asked along a direction. */
+class Environment extends LightingNode {
   constructor(node) {
     super();
     this.node = node;
   }
 
-  setup(builder) {
-    builder.context.rnaEnvironment = this.node.value;
+  setup({ context, material }) {
+    const image = this.node.isMaterialReferenceNode ? material.envMap : this.node.value;
+    context.rnaEnvironment = image ? pmremTexture(image) : this.node;
   }
 }
 
 /** The WGSL's functions, as nodes. `begin` says where the fragment is, for all that follow: 0 where there is nothing. */
 function functionsOf(source, buffers) {
   const all = wgsl(source, buffers), primitive = attribute("rnaPrimitive", "uint");
-  const make = (head, body) => wgslFn(`fn rna_three_${head} {\n    return ${body};\n}`, [all]);
+  const make = (head, body) => wgslFn(`fn ${MARK}${head} {\n    return ${body};\n}`, [all]);
   const begin = make("begin(primitive: u32, x: vec3f, wo: vec3f) -> f32", "begin(primitive, x, wo)");
   const own = make("own(wi: vec3f, entry: bool) -> vec2f", "own_visibility(wi, entry)");
   const emitted = make("emitted(primitive: u32, x: vec3f, wo: vec3f) -> vec3f", "emitted(primitive, x, wo)");

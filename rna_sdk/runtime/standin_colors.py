@@ -1,0 +1,64 @@
+"""Colours of an asset for plain materials: what it reflects of light from the side."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rna_sdk.package.geometry.curves import Curves
+from rna_sdk.runtime.fiber_asset import FiberAsset
+from rna_sdk.runtime.surface_asset import SurfaceAsset
+
+_BRIGHT = 0.5  # of the brightest channel of hair, in a viewport
+
+Array = NDArray[np.float32]
+
+
+def surface_colors(part: SurfaceAsset, positions: Array, normals: Array) -> Array:
+    """Albedo at points (n, 3) with unit normals, as far as one direction tells: (n, 3)."""
+    wi = _unit(normals + _across(normals))  # at 45 degrees, so that nothing is mirrored to the eye
+    visible, _ = part.evaluate(positions, normals, normals, wi)
+    colors = _as_albedo(visible, np.sqrt(0.5))
+    if part.emits:
+        colors += np.clip(part.emission(positions, normals, normals), 0.0, 1.0)
+    return colors
+
+
+def fiber_colors(part: FiberAsset, curves: Curves) -> Array:
+    """Colours of the points of strands: (p, 3) float32.
+
+    Brightened, as an engine that knows no hair shades strands by their colour alone, without the
+    light that goes on from strand to strand.
+    """
+    tangents = np.gradient(curves.points, axis=0)
+    ends = curves.offsets.astype(np.int64)
+    tangents[ends[:-1]] = curves.points[ends[:-1] + 1] - curves.points[ends[:-1]]
+    tangents[ends[1:] - 1] = curves.points[ends[1:] - 1] - curves.points[ends[1:] - 2]
+    t = _unit(tangents)
+    wo = _across(t)
+    wi = _unit(wo + np.cross(t, wo))
+    h = np.zeros(len(t), np.float32)
+    visible, _ = part.evaluate(curves.points, t, h, wo, wi)
+    bright = max(float(np.percentile(visible, 95)), 1e-6)
+    colors = _as_albedo(visible * (_BRIGHT / (np.pi * bright)), 1.0)
+    if part.emits:
+        colors += np.clip(part.emission(curves.points, t, h, wo), 0.0, 1.0)
+    return colors
+
+
+def _as_albedo(transport: Array, cosine: float) -> Array:
+    return np.clip(np.pi * transport / cosine, 0.0, 1.0).astype(np.float32)
+
+
+def _across(vectors: Array) -> Array:
+    """Unit vectors at right angles to unit vectors: (n, 3) float32."""
+    axis = np.where(np.abs(vectors[:, 1:2]) < 0.9, [[0.0, 1.0, 0.0]], [[1.0, 0.0, 0.0]])
+    return _unit(np.cross(np.cross(vectors, axis), vectors))
+
+
+def _unit(vectors: NDArray[Any]) -> Array:
+    length = np.linalg.norm(vectors, axis=1, keepdims=True)
+    unit: Array = (vectors / np.maximum(length, 1e-30)).astype(np.float32)
+    return unit

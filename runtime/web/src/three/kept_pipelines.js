@@ -1,0 +1,34 @@
+// Compiled shaders outlive their assets: a package that comes again, or one of the same shape, is drawn without
+// compiling anew. three.js lets go of a pipeline with its last mesh; here each counts as used once more.
+
+const MOST = 16;
+const kept = new WeakMap();  // renderer -> pipelines, the latest last
+
+/** Keeps the renderer's pipelines whose shader has this in it, the last 16. */
+export function keepPipelines(renderer, mark) {
+  const owner = renderer?._pipelines;
+  if (!owner?.caches) return;
+  if (!kept.has(renderer)) kept.set(renderer, new Set());
+  const own = kept.get(renderer);
+  for (const pipeline of owner.caches.values()) {
+    if (!pipeline.fragmentProgram?.code.includes(mark)) continue;
+    if (!own.delete(pipeline)) count(pipeline, 1);
+    own.add(pipeline);
+  }
+  for (const pipeline of [...own].slice(0, -MOST)) {
+    own.delete(pipeline);
+    letGo(owner, pipeline);
+  }
+}
+
+const programsOf = ({ vertexProgram, fragmentProgram }) => [vertexProgram, fragmentProgram];
+
+function count(pipeline, change) {
+  for (const used of [pipeline, ...programsOf(pipeline)]) used.usedTimes += change;
+}
+
+function letGo(owner, pipeline) {
+  count(pipeline, -1);
+  if (pipeline.usedTimes === 0) owner._releasePipeline(pipeline);
+  for (const program of programsOf(pipeline)) if (program.usedTimes === 0) owner._releaseProgram(program);
+}
