@@ -88,7 +88,7 @@ def test_training_comes_nearer_to_the_whole_integral(views, queries, model):
     even = {"even": generated_environments()["generated-sky"]}
     pairs = [(views, model.answering(queries))]
     (before,) = lobe_errors(pairs, even, size=10)
-    fit_lobes(model, views, queries, [StepPace(120)])
+    assert fit_lobes(model, views, queries, [StepPace(120)]) == 120
     (after,) = lobe_errors(pairs, even, size=10)
     assert after.psnr > before.psnr + 3.0
     assert after.flip < before.flip
@@ -128,6 +128,7 @@ def test_the_command_adds_lobes_to_a_package(tmp_path, monkeypatch, capsys):
     assert names == ["generated-sky", "generated-studio", "my-forest"]
     said = capsys.readouterr().out
     assert all(f"environment {name}: PSNR " in said for name in names)
+    assert said.count(" of 3,000 steps, ") == 2
     assert "warning: the first look by lobes is rough: " in said
 
 

@@ -53,26 +53,35 @@ def add_lobes(package: Path, out: Path, minutes: float, files: Sequence[Path]) -
     with Package.open(package) as opened:
         is_deflated = Deflate.NAME in opened.manifest.extensions_required
     unpacked = Unpacked.read(package)
+    lines: list[str] = []
     with tqdm(total=1.0, desc="environment", bar_format=BAR, mininterval=0.5) as bar:
         asset = load(package, threads=1)
         views = part_views(asset)
-        lobes = _trained(package, asset, views, begun + _TRAINED * 60.0 * minutes, bar)
+        lobes = _trained(
+            package, asset, views, begun + _TRAINED * 60.0 * minutes, bar, lines.append
+        )
         found = _measured(unpacked.with_environment(lobes), views, environments, bar)
     whole = unpacked.with_environment(lobes, found)
     (whole.deflated() if is_deflated else whole).write(out)
-    hidden = [part.name for part, one in zip(asset.parts, lobes, strict=True) if one is None]
-    return _told(found, hidden)
+    return [*lines, *_told(found)]
 
 
 def _trained(
-    package: Path, asset: Asset, views: Sequence[PartViews], end: float, bar: tqdm
+    package: Path,
+    asset: Asset,
+    views: Sequence[PartViews],
+    end: float,
+    bar: tqdm,
+    say: Callable[[str], None],
 ) -> list[Lobes | None]:
     """Of each part; None of parts that nobody sees. end: of the time, as `monotonic` has it."""
     seen = [k for k, one in enumerate(views) if not one.is_hidden]
     if not seen:
         raise ExportError(f"{package}: no ray from outside meets the asset; it needs no lobes")
     lobes: list[Lobes | None] = [None] * len(views)
-    share = _TRAINED / len(seen)
+    share, usual = _TRAINED / len(seen), max(STEPS // len(seen), 1)
+    for k in sorted(set(range(len(views))) - set(seen)):
+        say(f"environment: no lobes of {views[k].part.name}, which no viewer sees")
     for done, k in enumerate(seen):
         own, now = views[k], monotonic()
         with Package.open(package) as opened:
@@ -80,8 +89,10 @@ def _trained(
         torch.manual_seed(k)
         model = LobeModel(queries.columns)
         seconds = max((end - now) / (len(seen) - done), 0.1)
-        paces = StepPace(max(STEPS // len(seen), 1)), TimePace(seconds, now)
-        fit_lobes(model, own, queries, paces, k, filling(bar, share))
+        paces = StepPace(usual), TimePace(seconds, now)
+        steps = fit_lobes(model, own, queries, paces, k, filling(bar, share))
+        told = f"{steps:,} of {usual:,} steps, {model.multiply_adds:,} multiply-adds a query"
+        say(f"environment: lobes of {own.part.name}: {told}")
         lobes[k] = exported_lobes(model, own, queries, asset.tier.name)
     return lobes
 
@@ -133,15 +144,13 @@ def _read(files: Sequence[Path]) -> dict[str, np.ndarray]:
     return {name or "file": read_environment(path) for name, path in zip(names, files, strict=True)}
 
 
-def _told(found: Sequence[EnvironmentValidation], hidden: Sequence[str]) -> list[str]:
+def _told(found: Sequence[EnvironmentValidation]) -> list[str]:
     lines = [
         f"environment {one.environment}: PSNR {one.psnr_with_lights:.1f} dB, FLIP {one.flip:.3f}, "
         f"brightness {' '.join(f'{share:.2f}' for share in one.brightness)}; PSNR {one.psnr:.1f} "
         "dB without its brightest directions asked of the transport"
         for one in found
     ]
-    if hidden:
-        lines.append(f"environment: no lobes of {', '.join(hidden)}, which no viewer sees")
     worst = min(found, key=lambda one: one.psnr_with_lights)
     if worst.psnr_with_lights < ROUGH_DB:
         lines.append(

@@ -96,10 +96,12 @@ def fit_lobes(
     paces: Sequence[Pace],
     seed: int = 0,
     advance: Callable[[float], None] = lambda share: None,
-) -> None:
-    """Train until the first of the paces is at its end. advance: told shares of all that is done.
+) -> int:
+    """Train until the first of the paces is at its end; the number of steps that this took.
 
-    Steps take one thread. A second one makes points meanwhile, in a fixed order.
+    advance: told shares of all that is done.
+
+    Steps take one thread; a second one makes points meanwhile, in a fixed order.
     """
     rng, draw = np.random.default_rng(seed), np.random.default_rng(seed + 1)
     optimizer = torch.optim.Adam(model.parameters(), lr=_RATE)
@@ -126,3 +128,4 @@ def fit_lobes(
                 advance(done - before)
     finally:
         use_threads(threads)
+    return steps
