@@ -55,6 +55,7 @@ GROUPS: dict[str, tuple[Command, ...]] = {
         Command("int8-tiers", "accuracy.int8_tiers"),
         Command("emission", "accuracy.emission_scenes"),
         Command("lobes", "lobes.lobes_command"),
+        Command("poses", "accuracy.poses"),
     ),
     "readers and files": (
         Command("readers", "readers.reader_agreement"),

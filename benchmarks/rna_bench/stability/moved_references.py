@@ -85,7 +85,7 @@ def references(
 
     def of_frame(frame: int) -> dict[str, np.ndarray]:
         with fixtures.cycles(source) as worker:
-            return _rendered(worker, views, frame, fixtures.some(HALF))
+            return frame_images(worker, views, frame, fixtures.some(HALF))
 
     found = dict(moved)
     for frame in frames:
@@ -110,7 +110,10 @@ def package_name(source: Source) -> str:
     return f"{source.path.stem}.rna"
 
 
-def _rendered(worker: BlenderWorker, views: Views, frame: int, half: int) -> dict[str, np.ndarray]:
+def frame_images(
+    worker: BlenderWorker, views: Views, frame: int, half: int
+) -> dict[str, np.ndarray]:
+    """Halves (2, n, 3) and alpha (n,) float32 of the views in a frame, of so many paths a pixel."""
     worker.show_frame(frame)
     halves: list[list[np.ndarray]] = [[], []]
     alpha = []

@@ -113,15 +113,17 @@ def begin(
         limited = None if for_scene is None else scene_domain(for_scene, out.stem, scene)
         domain = limited or Domain(wo=settings.domain, wi=settings.domain)
         exported.notes += check_seen(source.path, scene, geometries, domain.wo)
+        opened = worker.opened
+        others = [frame for frame in settings.poses if frame != opened["frame"]]
+        poses = dict(captured_poses(worker, geometries, others))
+        worker.show_frame(opened["frame"])
         check, rate = _checked(scene, settings, domain, worker, exported)
         rate *= workers.backend().width()
-        checks, poses = {"": check}, {}
-        others = [frame for frame in settings.poses if frame != worker.opened["frame"]]
-        for frame, positions in captured_poses(worker, geometries, others):
-            poses[frame] = positions
+        checks = {"": check}
+        for frame, positions in poses.items():
+            worker.show_frame(frame)
             posed = AssetScene(*shape, *materials, list(positions.values()))
             checks[f"frame {frame}: "], _ = _checked(posed, settings, domain, worker, exported)
-        opened = worker.opened
     if limit is not None:
         usual, settings = settings, planned(settings, limit, opening, rate, given)
         if note := shrunk(usual, settings):

@@ -18,12 +18,14 @@ _STILL = 1e-4
 def captured_poses(
     worker: BlenderWorker, geometries: Mapping[str, Mesh | Curves], frames: Sequence[int]
 ) -> Iterator[tuple[int, dict[str, np.ndarray]]]:
-    """Each frame, which the source shows then, and the positions of each part, (v, 3) float32.
+    """Each frame, and the positions of each part, (v, 3) float32.
 
     worker: an opened source, which shows its rest frame. geometries: of its parts, there. frames:
     without the rest frame. Raises CaptureError where nothing moves, MotionError where triangles or
     strands change.
     """
+    if not frames:
+        return
     name, rest_frame = worker.source.path.name, worker.opened["frame"]
     source = FollowedSource(worker, list(geometries.values()), "its own rest frame")
     rest = [g.points if isinstance(g, Curves) else g.positions for g in geometries.values()]
