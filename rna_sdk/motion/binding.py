@@ -1,7 +1,8 @@
 """A package's geometry, bound to a mesh that moves: the place of each vertex on it at rest.
 
-Welding, cuts and unwrapping lose the order of a source's vertices, so a vertex is found by its rest
-position: the nearest triangle of the source, and the barycentric place on it.
+Welding, cuts and unwrapping lose the order of a source's vertices. A package may say which vertex
+of the source each of its own is; else that is found by its rest position: the nearest triangle of
+the source, and the barycentric place on it.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from numpy.typing import NDArray
 
 from rna_sdk.errors import MotionError
 from rna_sdk.motion.motion_file import rest_positions
-from rna_sdk.package import Curves, Mesh
+from rna_sdk.package import Curves, Mesh, SourceVertices
 
 Float32 = NDArray[np.float32]
 Float64 = NDArray[np.float64]
@@ -31,7 +32,8 @@ class Binding:
     corners: (v, 3) int64, vertices of the source. weights: (v, 3) float64. residual: (v, 3)
     float64, from the place on the source to the vertex, at rest. root: for strands, (p,) int64,
     the row of each point's root in the other arrays, of one row a strand, with `frames` (s, 3, 3)
-    of its triangles at rest; None for meshes.
+    of its triangles at rest; None for meshes. by_number: whether the package said which vertices
+    of the source its own are.
 
     Examples:
         >>> mesh = load("toy.rna").mesh
@@ -45,6 +47,7 @@ class Binding:
     residual: Float64
     root: NDArray[np.int64] | None = None
     frames: Float64 | None = None
+    by_number: bool = False
 
     def positions(self, source: NDArray[np.floating[Any]]) -> Float32:
         """The part's positions where the source's vertices are at `source`: (w, 3).
@@ -66,11 +69,14 @@ def bind(
     source: NDArray[np.floating[Any]],
     triangles: NDArray[np.integer[Any]],
     names: tuple[str, str] = ("the source", "the package"),
+    numbers: Sequence[SourceVertices | None] = (),
 ) -> list[Binding]:
     """Bind the parts of a package to a source mesh in the pose that the package was made from.
 
     source: (w, 3), metres, the package's axes. triangles: (t, 3). names: of the source and of the
-    package, for errors. Strands are bound by their roots, which have to be near the surface.
+    package, for errors. numbers: `Package.source_vertices` of each part, which are followed where
+    the source has as many vertices and these are where the package's are; all is found by its place
+    if left out. Strands are bound by their roots, which have to be near the surface.
 
     Raises:
         MotionError: the source is not the package's shape; the message says how far it is away, or
@@ -89,7 +95,27 @@ def bind(
         [[rest_positions(g).min(axis=0), rest_positions(g).max(axis=0)] for g in geometries]
     )
     size = float(np.linalg.norm(box[:, 1].max(axis=0) - box[:, 0].min(axis=0)))
-    return [_bound(g, positions, corners, size, names) for g in geometries]
+    known = numbers or [None] * len(geometries)
+    pairs = zip(geometries, known, strict=True)
+    return [
+        _by_number(g, n, positions, size) or _bound(g, positions, corners, size, names, n)
+        for g, n in pairs
+    ]
+
+
+def _by_number(
+    geometry: Mesh | Curves, known: SourceVertices | None, source: Float64, size: float
+) -> Binding | None:
+    """None where the numbers are of another source, or of another shape of it."""
+    points = rest_positions(geometry)
+    if known is None or known.count != len(source) or len(known.numbers) != len(points):
+        return None
+    row = known.numbers.astype(np.int64)
+    residual = points - source[row]
+    if np.linalg.norm(residual, axis=1).max() > TOLERANCE * size:
+        return None
+    weights = np.tile([1.0, 0.0, 0.0], (len(row), 1))
+    return Binding(np.repeat(row[:, None], 3, axis=1), weights, residual, by_number=True)
 
 
 def _bound(
@@ -98,6 +124,7 @@ def _bound(
     triangles: NDArray[np.int64],
     size: float,
     names: tuple[str, str],
+    known: SourceVertices | None,
 ) -> Binding:
     from rna_sdk.motion.nearest import nearest_places  # numba loads when it is used
 
@@ -108,7 +135,10 @@ def _bound(
         normals = geometry.normals
     triangle, weights, distance = nearest_places(points, normals, source, triangles, reach)
     if not (triangle >= 0).all():
-        raise MotionError(_mismatch(points, triangle < 0, distance, source, triangles, size, names))
+        text = _mismatch(points, triangle < 0, distance, source, triangles, size, names)
+        if known is not None and known.count != len(source):
+            text += f"; it has {len(source):,} vertices where the package's had {known.count:,}"
+        raise MotionError(text)
     corners = triangles[triangle]
     places = np.einsum("nk,nkc->nc", weights, source[corners])
     if not isinstance(geometry, Curves):

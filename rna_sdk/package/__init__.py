@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from rna_sdk.package.geometry.curves import Curves
     from rna_sdk.package.geometry.geometry_files import quantise
     from rna_sdk.package.geometry.mesh import Mesh
+    from rna_sdk.package.geometry.source_vertices import SourceVertices
     from rna_sdk.package.geometry.vertex_visibility import quantised_harmonics
     from rna_sdk.package.issues import Code, Issue, Severity
     from rna_sdk.package.manifest.extensions import EnvironmentPart, EnvironmentValidation
@@ -79,6 +80,7 @@ __all__ = [
     "ProfileLayer",
     "Provenance",
     "Severity",
+    "SourceVertices",
     "Tier",
     "TierData",
     "TierEmission",

@@ -16,6 +16,10 @@ from rna_sdk.package.decoder.decoder_form import TRANSPORT
 from rna_sdk.package.geometry.curves import Curves
 from rna_sdk.package.geometry.geometry_files import Geometry, geometry_from_bytes
 from rna_sdk.package.geometry.mesh import Mesh
+from rna_sdk.package.geometry.source_vertices import (
+    SourceVertices,
+    source_vertices_from_bytes,
+)
 from rna_sdk.package.geometry.vertex_visibility import (
     Harmonics,
     vertex_count,
@@ -27,6 +31,7 @@ from rna_sdk.package.manifest.extensions import (
     Poster,
     Proxy,
     ProxyLevel,
+    Source,
     extension,
 )
 from rna_sdk.package.manifest.manifest_model import Manifest, Part
@@ -200,6 +205,22 @@ class Package:
         if not isinstance(geometry, Curves):
             raise QueryError(f"a {self._part(part).kind} part has no curves; ask for its mesh()")
         return geometry
+
+    def source_vertices(self, part: int = 0) -> SourceVertices | None:
+        """Which vertex of the source each vertex of a part came from (RNA_source).
+
+        None for a part without such numbers.
+
+        Raises:
+            QueryError: the package has no such part, or is closed.
+        """
+        self._part(part)
+        data = extension(self.manifest, Source)
+        name = None if data is None else data.parts[part]
+        if data is None or name is None:
+            return None
+        vertices = len(self.mesh(part).positions)
+        return source_vertices_from_bytes(self._view(name), name, vertices, data.vertices)
 
     def transmittance(self, part: int = 0) -> list[Transmittance]:
         """Holes and thin glass of a part, with their textures; empty if it is opaque.

@@ -11,6 +11,7 @@ from pydantic import JsonValue
 
 from rna_sdk.errors import PackageError
 from rna_sdk.package.geometry.geometry_files import Geometry, geometry_to_bytes
+from rna_sdk.package.geometry.source_vertices import SourceVertices
 from rna_sdk.package.geometry.vertex_visibility import Harmonics, visibility_to_bytes
 from rna_sdk.package.issues import Code, refuse
 from rna_sdk.package.manifest.deflate import encode, largest_decoded
@@ -23,6 +24,7 @@ from rna_sdk.package.manifest.extensions import (
     Extension,
     Poster,
     Proxy,
+    Source,
     extension,
 )
 from rna_sdk.package.manifest.manifest_fields import GEOMETRY_ENTRIES, DecoderPrecision
@@ -162,6 +164,16 @@ class Unpacked:
             records.append(record)
         data = Environment(parts=tuple(records), validation=tuple(validation))
         return self.with_extension(data, entries)
+
+    def with_source(self, parts: list[SourceVertices | None]) -> Unpacked:
+        """A copy with the source's vertex of each part's vertices; None for a part without."""
+        files = {
+            f"extensions/{Source.NAME}/{part.name}.safetensors": vertices
+            for part, vertices in zip(self.manifest.parts, parts, strict=True)
+        }
+        count = max(vertices.count for vertices in files.values() if vertices is not None)
+        data = Source(vertices=count, parts=tuple(k if v else None for k, v in files.items()))
+        return self.with_extension(data, {k: v.to_bytes() for k, v in files.items() if v})
 
     def with_extension(self, data: Extension, entries: Mapping[str, bytes]) -> Unpacked:
         """A copy with this data of an extension and its entries, which replace any others."""

@@ -15,10 +15,11 @@ from rna_sdk.package.decoder.decoder_checks import check_decoder
 from rna_sdk.package.decoder.decoder_form import PartDecoder
 from rna_sdk.package.geometry.geometry_files import QUANTISED_VERSION, Geometry, geometry_from_bytes
 from rna_sdk.package.geometry.mesh import Mesh
+from rna_sdk.package.geometry.source_vertices import source_vertices_from_bytes
 from rna_sdk.package.geometry.vertex_visibility import vertex_count, visibility_from_bytes
 from rna_sdk.package.issues import Code, Issue, Severity
 from rna_sdk.package.manifest.deflate import decoded_entry
-from rna_sdk.package.manifest.extensions import Deflate, Environment, Proxy, extension
+from rna_sdk.package.manifest.extensions import Deflate, Environment, Proxy, Source, extension
 from rna_sdk.package.manifest.manifest_checks import manifest_warnings
 from rna_sdk.package.manifest.manifest_fields import Bounds, version_number
 from rna_sdk.package.manifest.manifest_model import Manifest, NormalMapRecord, TransmittanceRecord
@@ -145,6 +146,7 @@ def _check_contents(
                 result.issues += _too_new(geometry, manifest, places.part(k, "geometry"))
                 result.issues += _outside(geometry, part.bounds, places.part(k, "bounds"))
                 if isinstance(geometry, Mesh):
+                    _check_source(container, manifest, k, geometry, intact)
                     textures = _Textures(result, container, intact)
                     where = places.part(k, "transmittance")
                     check_records(part, geometry, textures.of_transmittance, where)
@@ -167,6 +169,16 @@ def _check_contents(
             if name is not None and name in intact and k in vertices:
                 with result.collect():
                     visibility_from_bytes(container.view(name), name, vertices[k])
+
+
+def _check_source(
+    container: Container, manifest: Manifest, part: int, mesh: Mesh, intact: set[str]
+) -> None:
+    data = extension(manifest, Source)
+    name = None if data is None else data.parts[part]
+    if data is not None and name is not None and name in intact:
+        view = container.view(name)
+        source_vertices_from_bytes(view, name, len(mesh.positions), data.vertices)
 
 
 def _check_proxies(

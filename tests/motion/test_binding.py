@@ -7,7 +7,7 @@ import pytest
 
 from rna_sdk.errors import MotionError
 from rna_sdk.motion import bind
-from rna_sdk.package import Curves, Mesh
+from rna_sdk.package import Curves, Mesh, SourceVertices
 from tests.runtime.test_deformation import grid, rotation
 
 SOURCE = grid(12)
@@ -39,6 +39,35 @@ def test_a_mesh_follows_a_motion_of_its_source() -> None:
     matrix = rotation(3) @ np.diag([2, 1, 0.5])
     moved = binding.positions(SOURCE.positions @ matrix.T)
     np.testing.assert_allclose(moved, mesh.positions @ matrix.T, atol=1e-6)
+
+
+def test_a_mesh_follows_the_vertices_that_its_package_names() -> None:
+    """Two sheets at one place with one normal, which places at rest cannot tell apart."""
+    count = len(SOURCE.positions)
+    order = np.random.default_rng(3).permutation(count).astype(np.uint32)
+    sheet = Mesh(SOURCE.positions[order], SOURCE.normals[order], None, SOURCE.triangles)
+    both = np.concatenate([SOURCE.positions, SOURCE.positions])
+    triangles = np.concatenate([SOURCE.triangles, SOURCE.triangles + np.uint32(count)])
+    known = SourceVertices(order + np.uint32(count), 2 * count)
+    (binding,) = bind([sheet], both, triangles, numbers=[known])
+    assert binding.by_number
+    both[count:] += np.float32([0, 1, 0])
+    moved = binding.positions(both)
+    np.testing.assert_allclose(moved, sheet.positions + np.float32([0, 1, 0]), atol=1e-6)
+
+
+def test_places_serve_where_the_source_has_other_vertices_than_the_package_names() -> None:
+    mesh, (numbers, count) = SOURCE, (np.arange(len(SOURCE.positions)), len(SOURCE.positions))
+    for known in (
+        SourceVertices(numbers.astype(np.uint32), count + 1),
+        SourceVertices(numbers[::-1].astype(np.uint32), count),
+    ):
+        (binding,) = bind([mesh], SOURCE.positions, SOURCE.triangles, numbers=[known])
+        assert not binding.by_number
+    other = SourceVertices(numbers.astype(np.uint32), count + 1)
+    message = f"it has {count} vertices where the package's had {count + 1}$"
+    with pytest.raises(MotionError, match=message):
+        bind([mesh], 3 * SOURCE.positions, SOURCE.triangles, numbers=[other])
 
 
 def test_surfaces_that_touch_part_in_motion() -> None:

@@ -9,12 +9,13 @@ import numpy as np
 import pytest
 
 from rna_export.capture.blender_process.blender_worker import BlenderWorker, Source
-from rna_export.capture.geometry.mesh_cleanup import clean_mesh
+from rna_export.capture.geometry.mesh_cleanup import welded
 from rna_export.motion.rna_motion import main
 from rna_render import open_asset_motion
 from rna_sdk.motion import open_motion
-from rna_sdk.package import Curves, Mesh, Provenance, Tier, write_package
+from rna_sdk.package import Curves, Mesh, Provenance, SourceVertices, Tier, write_package
 from rna_sdk.package.manifest.manifest_model import REST_FRAME
+from rna_sdk.package.packing import Unpacked
 from rna_sdk.runtime import load
 from tests.conftest import REPOSITORY
 from tests.motion.gltf_files import bending_arm, moving_node
@@ -125,9 +126,14 @@ def test_a_motion_file_of_what_blender_evaluates(
     at_rest = Source(source, rest_frame=REST)
     with BlenderWorker(blender_python, at_rest, tmp_path / "worker", 1) as worker:
         assert worker.opened["frame"] == REST
-        mesh, hair = clean_mesh(worker.export_corners()), worker.export_curves()
+        corners, hair = worker.export_corners(), worker.export_curves()
+    mesh, first = welded(corners)
     asset = package(tmp_path / "arm.rna", mesh, hair)
+    numbers = SourceVertices(corners["vertex"][first].astype(np.uint32), int(corners["vertices"]))
+    assert len(mesh.positions) > numbers.count == len(np.unique(numbers.numbers))
+    Unpacked.read(asset).with_source([numbers, None]).write(asset)
     assert main([str(source), str(asset), "--out", str(out)]) == 0
+    assert "arm.rna follows arm.py by the numbers of its vertices\n" in capsys.readouterr().out
     motion = open_motion(out, [mesh, hair])
     assert (motion.frames, motion.rate) == (5, 12)
     c, s = np.cos(1.0), np.sin(1.0)

@@ -147,7 +147,7 @@ def begin(
     )
     for note in manifest.notes:
         say(f"note: {note}")
-    dataset = Dataset.create(out, manifest, geometries, exported.textures, poses)
+    dataset = Dataset.create(out, manifest, geometries, exported.textures, poses, exported.sources)
     say(_plan(dataset, geometries, rate))
     return dataset
 

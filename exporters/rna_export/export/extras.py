@@ -10,7 +10,7 @@ from rna_export.export.poster_rendering import render_poster
 from rna_export.export.proxy import proxy_of
 from rna_export.export.standin import standin_material
 from rna_sdk.errors import ExportError
-from rna_sdk.package import Package
+from rna_sdk.package import Package, SourceVertices
 from rna_sdk.package.geometry.geometry_files import Geometry
 from rna_sdk.package.manifest.extensions import Standin
 from rna_sdk.package.manifest.poster import png_size
@@ -26,11 +26,13 @@ def add_extras(
     proxies: Sequence[int],
     deflate: bool,
     say: Callable[[str], None],
+    source: bool = False,
 ) -> None:
     """Add poster, stand-ins and proxies to the package, and code its entries if `deflate`.
 
     poster: a PNG; None: one is rendered. proxies: their heights in pixels, each below the one
-    before. Raises ExportError where the poster is no PNG.
+    before. source: whether to add the source's vertices. Raises ExportError where the poster is no
+    PNG, or the dataset does not have these.
     """
     png = render_poster(package) if poster is None else _read_png(poster)
     materials = [standin_material(part.training_samples(_SHARDS)) for part in dataset.parts]
@@ -40,6 +42,8 @@ def add_extras(
         levels = [_proxies(opened, k, proxies, say) for k in range(len(materials))]
     if any(levels):
         unpacked = unpacked.with_proxies(levels)
+    if source:
+        unpacked = unpacked.with_source(_sources(dataset))
     (unpacked.deflated() if deflate else unpacked).write(package)
 
 
@@ -63,6 +67,16 @@ def _proxies(
             continue
         say(f"{whole}, proxy at {pixels} pixels: {len(proxy.triangles):,}")
         found.append((proxy, pixels))
+    return found
+
+
+def _sources(dataset: Dataset) -> list[SourceVertices | None]:
+    found = [part.source_vertices() for part in dataset.parts]
+    if not any(found):
+        raise ExportError(
+            f"{dataset.folder}: has no numbers of the source's vertices, expected a surface "
+            "that is not cut, captured by this version (--source-vertices)"
+        )
     return found
 
 

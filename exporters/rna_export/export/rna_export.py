@@ -59,6 +59,12 @@ def parser() -> argparse.ArgumentParser:
         "uses them in scenes with `quality` (ints, default: none)",
     )
     p.add_argument(
+        "--source-vertices",
+        action="store_true",
+        help="store which vertex of the source each vertex is, 4 bytes each, by which rna-motion "
+        "then follows the source (default: off)",
+    )
+    p.add_argument(
         "--coding",
         choices=["raw", "deflate"],
         default="raw",
@@ -136,7 +142,8 @@ def _run(args: argparse.Namespace) -> None:
         max_loss=args.max_loss,
     )
     proxies = sorted(set(args.proxies), reverse=True)
-    add_extras(args.out, dataset, args.poster, proxies, args.coding == "deflate", print)
+    coded = args.coding == "deflate"
+    add_extras(args.out, dataset, args.poster, proxies, coded, print, args.source_vertices)
     print("\n".join(closing_lines(args.out, manifest, trained, dataset)), flush=True)
     if args.environment:
         minutes, files = args.environment_minutes, args.environment_files

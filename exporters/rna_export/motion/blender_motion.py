@@ -11,7 +11,7 @@ import numpy as np
 from rna_export.capture.blender_process.blender_worker import BlenderWorker, Source
 from rna_export.capture.geometry.followed_source import FollowedSource
 from rna_sdk.errors import CaptureError
-from rna_sdk.package import Curves, Mesh
+from rna_sdk.package import Curves, Mesh, SourceVertices
 
 
 class BlenderMotion:
@@ -20,7 +20,8 @@ class BlenderMotion:
     At its rest frame, at which it is opened, the source has to have the package's shape.
 
     Attributes:
-        first, last: frames of the source's scene. rate: frames a second.
+        first, last: frames of the source's scene. rate: frames a second. by_number: whether the
+            meshes are followed by the numbers of their vertices.
 
     Raises CaptureError where Blender cannot open the source, MotionError for another shape.
     """
@@ -31,17 +32,21 @@ class BlenderMotion:
         source: Source,
         folder: Path,
         geometries: Sequence[Mesh | Curves],
+        numbers: Sequence[SourceVertices | None],
         package: str,
     ) -> None:
+        """numbers: of each part, as for `bind`. package: its name, for errors."""
         self._worker = BlenderWorker(python, source, folder, threads=1)
-        self._geometries, self._package = geometries, package
+        self._geometries, self._numbers, self._package = geometries, numbers, package
 
     def __enter__(self) -> BlenderMotion:
         self._worker.__enter__()
         try:
             span = self._worker.frame_span()
             self.first, self.last, self.rate = span
-            self._source = FollowedSource(self._worker, self._geometries, self._package)
+            shown = self._worker, self._geometries, self._package, self._numbers
+            self._source = FollowedSource(*shown)
+            self.by_number = self._source.by_number
         except BaseException:
             self._worker.close()
             raise

@@ -18,7 +18,7 @@ from rna_sdk.file_kinds import is_gltf
 if TYPE_CHECKING:
     import numpy as np
 
-    from rna_sdk.package import Curves, Mesh
+    from rna_sdk.package import Curves, Mesh, SourceVertices
 
 
 def parser() -> argparse.ArgumentParser:
@@ -88,14 +88,16 @@ def _run(options: argparse.Namespace, script: tuple[str, ...]) -> None:
 
     check_outputs([options.out], [options.source, options.package])
     with Package.open(options.package) as package:
-        geometries = [package.geometry(k) for k in range(len(package.manifest.parts))]
+        parts = range(len(package.manifest.parts))
+        geometries = [package.geometry(k) for k in parts]
+        numbers = [package.source_vertices(k) for k in parts]
         captured = package.manifest.provenance.rest_frame
     options.rest_frame = _rest_frame(options, captured)
     with ExitStack() as stack:
         frames, count, rate = (
             _of_gltf(options, geometries)
             if is_gltf(options.source)
-            else _of_blender(options, script, geometries, stack)
+            else _of_blender(options, script, geometries, numbers, stack)
         )
         bar = tqdm(frames, total=count, unit="frame", leave=False)
         write_motion(options.out, geometries, bar, count=count, rate=rate)
@@ -135,6 +137,7 @@ def _of_blender(
     options: argparse.Namespace,
     script: tuple[str, ...],
     geometries: Sequence[Mesh | Curves],
+    vertices: Sequence[SourceVertices | None],
     stack: ExitStack,
 ) -> _Frames:
     from rna_export.capture.blender_process.blender_env import find_or_set_up
@@ -149,8 +152,10 @@ def _of_blender(
         up=options.up,
         rest_frame=options.rest_frame,
     )
-    given = source, Path(folder), geometries, options.package.name
+    given = source, Path(folder), geometries, vertices, options.package.name
     motion = stack.enter_context(BlenderMotion(find_or_set_up(), *given))
+    how = "the numbers of its vertices" if motion.by_number else "places at rest"
+    print(f"{options.package.name} follows {options.source.name} by {how}")
     numbers = frame_numbers(options.frames, motion)
     return motion.frames(numbers), len(numbers), options.rate or motion.rate
 

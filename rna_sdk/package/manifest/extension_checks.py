@@ -17,6 +17,7 @@ from rna_sdk.package.manifest.extensions import (
     Extension,
     Poster,
     Proxy,
+    Source,
     Standin,
 )
 from rna_sdk.package.manifest.input_checks import input_issues
@@ -47,7 +48,8 @@ def extension_issues(manifest: Manifest) -> list[Issue]:
 def _data_issues(data: Extension, manifest: Manifest) -> Iterator[Issue]:
     if isinstance(data, Deflate):
         yield from _deflate_issues(data, manifest)
-    if isinstance(data, Standin | Proxy | Environment) and len(data.parts) != len(manifest.parts):
+    by_part = Standin | Proxy | Environment | Source
+    if isinstance(data, by_part) and len(data.parts) != len(manifest.parts):
         where, expected = pointer("extensions", data.NAME, "parts"), f"{len(manifest.parts)}"
         yield Issue.of(Code.PARTS_DIFFER, where, f"{len(data.parts)} parts", expected)
         return
@@ -65,6 +67,11 @@ def _data_issues(data: Extension, manifest: Manifest) -> Iterator[Issue]:
             if (part.transmittance or part.normal_maps) and proxies:
                 where, found = _place(data, k), "proxies of a part with textures"
                 yield Issue.of(Code.FIELD_VALUE, where, found, "null")
+    if isinstance(data, Source):
+        for k, (part, numbers) in enumerate(zip(manifest.parts, data.parts, strict=True)):
+            if part.kind != "surface" and numbers is not None:
+                where = pointer("extensions", data.NAME, "parts", k)
+                yield Issue.of(Code.FIELD_VALUE, where, f"vertices of a {part.kind}", "null")
 
 
 def _place(data: Extension, part: int, *member: str) -> str:
@@ -95,6 +102,10 @@ def _references(data: Extension) -> Iterator[tuple[tuple[str | int, ...], str]]:
             yield ("entries", name), name
     if isinstance(data, Poster):
         yield ("image",), data.image
+    if isinstance(data, Source):
+        for k, numbers in enumerate(data.parts):
+            if numbers is not None:
+                yield ("parts", k), numbers
     if isinstance(data, Proxy):
         for k, proxies in enumerate(data.parts):
             for j, proxy in enumerate(proxies or ()):

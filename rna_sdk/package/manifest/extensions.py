@@ -170,8 +170,30 @@ class Environment(Extension):
         return value
 
 
+class Source(Extension):
+    """Vertices of the source, for hosts that move the asset with it; null for a part without."""
+
+    NAME: ClassVar[str] = "RNA_source"
+    vertices: int = Field(ge=1, le=MAX_INTEGER, description="That the source's meshes have.")
+    parts: tuple[EntryPath | None, ...] = Field(min_length=1, max_length=MAX_PARTS)
+
+    @field_validator("parts")
+    @classmethod
+    def _has_one(cls, value: tuple[str | None, ...]) -> tuple[str | None, ...]:
+        if not any(value):
+            raise PydanticCustomError("FIELD_VALUE", "an entry of some part")
+        return value
+
+
 T = TypeVar("T", bound=Extension)
-EXTENSIONS: tuple[type[Extension], ...] = (Deflate, Poster, Standin, Proxy, Environment)
+EXTENSIONS: tuple[type[Extension], ...] = (
+    Deflate,
+    Poster,
+    Standin,
+    Proxy,
+    Environment,
+    Source,
+)
 
 
 def extension(manifest: Manifest, of: type[T]) -> T | None:

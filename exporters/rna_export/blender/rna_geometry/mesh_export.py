@@ -18,20 +18,26 @@ from rna_materials.uv_dependence import IDENTITY
 def export_mesh(
     path: str, owner: str | None = None, charts: dict[str, Any] | None = None
 ) -> dict[str, Any]:
-    """Write an .npz with `positions`, `normals` (3t, 3), `uvs` (3t, 2), `has_uv`, `material` (t,).
+    """Write an .npz: `positions`, `normals` (3t, 3), `uvs` (3t, 2), `has_uv`, `material` (t,),
+    `vertex` (3t,), `vertices`.
 
     One row a triangle corner, world space, Blender's axes, float32; materials by their place in
     the reply's list of full names, -1 for none. owner: the top object whose meshes are meant; None:
     all. charts: texture coordinates of materials (see `surface_textures.export_textures`); the rest
     has the UV map that renders use, or 0. has_uv: whether all objects have UV maps, or a chart.
+    vertex: int32, the corners' vertices, numbered over all shown meshes, of which there are so many
+    `vertices`.
     """
     names = [material.name_full for material in bpy.data.materials]
     charted = {name: Chart(c["layer"], np.array(c["matrix"])) for name, c in (charts or {}).items()}
-    shown = (i for i in _mesh_instances() if owner in (None, top_object(i)))
-    corners = [_corners(instance, names, charted) for instance in shown]
+    corners, vertices = [], 0
+    for instance in _mesh_instances():
+        if owner in (None, top_object(instance)):
+            corners.append(_corners(instance, names, charted, vertices))
+        vertices += _vertex_count(instance.object)
     if not corners:
         raise ValueError("the scene has no mesh with faces")
-    positions, normals, uvs, has_uv, material = zip(*corners, strict=True)
+    positions, normals, uvs, has_uv, material, vertex = zip(*corners, strict=True)
     used = np.unique(np.concatenate(material))
     np.savez(
         path,
@@ -40,6 +46,8 @@ def export_mesh(
         uvs=np.concatenate(uvs),
         has_uv=all(has_uv) or any(names[m] in charted for m in used if m >= 0),
         material=np.concatenate(material),
+        vertex=np.concatenate(vertex),
+        vertices=vertices,
     )
     return {"materials": names}
 
@@ -60,6 +68,12 @@ def _has_faces(item: bpy.types.Object) -> bool:
     return faces > 0
 
 
+def _vertex_count(item: bpy.types.Object) -> int:
+    vertices = len(item.to_mesh().vertices)
+    item.to_mesh_clear()
+    return vertices
+
+
 def _mesh_instances() -> Iterator[bpy.types.DepsgraphObjectInstance]:
     for instance in shown_objects.seen():
         if instance.object.type in SURFACES:
@@ -67,8 +81,12 @@ def _mesh_instances() -> Iterator[bpy.types.DepsgraphObjectInstance]:
 
 
 def _corners(
-    instance: bpy.types.DepsgraphObjectInstance, names: list[str], charts: dict[str, Chart]
-) -> tuple[np.ndarray, np.ndarray, np.ndarray, bool, np.ndarray]:
+    instance: bpy.types.DepsgraphObjectInstance,
+    names: list[str],
+    charts: dict[str, Chart],
+    first: int,
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, bool, np.ndarray, np.ndarray]:
+    """See `export_mesh`. first: number of the mesh's first vertex."""
     mesh = instance.object.to_mesh()
     try:
         mesh.calc_loop_triangles()
@@ -90,7 +108,8 @@ def _corners(
         instance.object.to_mesh_clear()
     numbers = np.array([names.index(name) if name in names else -1 for name in slots])
     material = numbers[slot].astype(np.int32)
-    return *_place(positions, normals, uvs, matrix), has_uv, material
+    *placed, order = _place(positions, normals, uvs, matrix, vertices[:, None] + first)
+    return *placed, has_uv, material, order[:, 0].astype(np.int32)
 
 
 def _stored_uvs(
@@ -110,8 +129,12 @@ def _stored_uvs(
 
 
 def _place(
-    positions: np.ndarray, normals: np.ndarray, uvs: np.ndarray, matrix: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    positions: np.ndarray,
+    normals: np.ndarray,
+    uvs: np.ndarray,
+    matrix: np.ndarray,
+    vertices: np.ndarray,
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     world = positions @ matrix[:3, :3].T + matrix[:3, 3]
     x, y, z = matrix[:3, :3].T.astype(np.float64)
     mirrored = np.dot(x, np.cross(y, z)) < 0.0
@@ -119,8 +142,8 @@ def _place(
     turned = normals @ np.stack([np.cross(y, z), np.cross(z, x), np.cross(x, y)])
     turned *= -1.0 if mirrored else 1.0
     turned /= np.maximum(np.linalg.norm(turned, axis=1, keepdims=True), 1e-300)
-    corners = world.astype(np.float32), turned.astype(np.float32), uvs
+    corners = world.astype(np.float32), turned.astype(np.float32), uvs, vertices
     if mirrored:  # such an object keeps its outside
-        a, b, c = (a.reshape(-1, 3, a.shape[1])[:, ::-1].reshape(a.shape) for a in corners)
-        return a, b, c
+        a, b, c, d = (a.reshape(-1, 3, a.shape[1])[:, ::-1].reshape(a.shape) for a in corners)
+        return a, b, c, d
     return corners

@@ -27,7 +27,7 @@ from rna_export.capture.dataset.validation_view import WholeView
 from rna_export.capture.geometry.stored_geometry import geometry_arrays
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import CaptureError
-from rna_sdk.package import Curves, Mesh
+from rna_sdk.package import Curves, Mesh, SourceVertices
 from rna_sdk.package.textures.normal_maps import NORMALS
 from rna_sdk.package.textures.transmittance import TRANSMITTANCE
 
@@ -61,11 +61,13 @@ class Dataset:
         geometries: Mapping[str, Mesh | Curves],
         textures: Mapping[str, np.ndarray] | None = None,
         poses: Mapping[int, Mapping[str, np.ndarray]] | None = None,
+        sources: Mapping[str, SourceVertices] | None = None,
     ) -> Dataset:
         """Write geometry and textures, and the manifest, that last: with one it is a dataset.
 
         geometries: of each part. textures: of all transmittance, by the names that records have.
         poses: by frame, but for the rest frame: positions of each part, (v, 3) float32.
+        sources: vertices of the source, of those parts that have any.
         """
         folder = Path(folder)
         for inner in _FOLDERS:
@@ -74,7 +76,8 @@ class Dataset:
             form = NORMALS if name.startswith("normals/") else TRANSMITTANCE
             write_atomically(folder / name, form.to_bytes(texture, name))
         for name, geometry in geometries.items():
-            write_arrays(_geometry_path(folder, name), geometry_arrays(geometry))
+            arrays = geometry_arrays(geometry, (sources or {}).get(name))
+            write_arrays(_geometry_path(folder, name), arrays)
         for frame, parts in (poses or {}).items():
             (folder / "poses").mkdir(exist_ok=True)
             write_arrays(_pose_path(folder, frame), parts)

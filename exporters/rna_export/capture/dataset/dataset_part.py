@@ -17,9 +17,9 @@ from rna_export.capture.dataset.dataset_manifest import (
 )
 from rna_export.capture.dataset.sample_files import DAMAGED, damaged, joined, read_part
 from rna_export.capture.dataset.validation_view import EmissionView, ValidationView
-from rna_export.capture.geometry.stored_geometry import geometry_from_arrays
+from rna_export.capture.geometry.stored_geometry import geometry_from_arrays, source_from_arrays
 from rna_sdk.errors import CaptureError, PackageError
-from rna_sdk.package import Curves, Mesh
+from rna_sdk.package import Curves, Mesh, SourceVertices
 from rna_sdk.package.manifest.manifest_model import NormalMapRecord, TransmittanceRecord
 from rna_sdk.package.textures.normal_maps import NORMALS, NormalMap
 from rna_sdk.package.textures.transmittance import Transmittance, texture_from_bytes
@@ -27,6 +27,7 @@ from rna_sdk.package.textures.transmittance import Transmittance, texture_from_b
 if TYPE_CHECKING:
     from rna_export.capture.dataset.dataset_folder import Dataset
 
+T = TypeVar("T")
 View = TypeVar("View", ValidationView, EmissionView)
 
 _SHARED = 0.95  # of the pixels of a half, at least, that the other one has, too
@@ -59,10 +60,17 @@ class DatasetPart:
 
     def geometry(self) -> Mesh | Curves:
         """The captured mesh, or the strands: object space, +Y up, metres."""
+        return self._read_geometry(lambda arrays: geometry_from_arrays(arrays, self.kind))
+
+    def source_vertices(self) -> SourceVertices | None:
+        """The source's vertex of each of the mesh's vertices; None where they are not known."""
+        return self._read_geometry(source_from_arrays)
+
+    def _read_geometry(self, of: Callable[[dict[str, np.ndarray]], T]) -> T:
         path = self.dataset.geometry_path(self.name)
         try:
-            return geometry_from_arrays(load_file(path), self.kind)
-        except (OSError, TypeError, SafetensorError, PackageError) as error:
+            return of(load_file(path))
+        except (OSError, TypeError, KeyError, SafetensorError, PackageError) as error:
             raise CaptureError(DAMAGED.format(path, error)) from error
 
     def positions(self, frame: int) -> np.ndarray:

@@ -79,6 +79,9 @@ class Piece(DatasetPart):
     def geometry(self) -> Mesh:
         return self._seams.meshes[self._number]
 
+    def source_vertices(self) -> None:
+        """Not known of a piece."""
+
     def training_samples(self, shards: int | None = None) -> dict[str, np.ndarray]:
         """Samples in the piece's bounds: those of its neighbours' edges, too."""
         return self._near(self._whole.training_samples(shards))

@@ -13,10 +13,10 @@ from rna_export.capture.blender_process.blender_worker import (
 )
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.dataset.dataset_manifest import CapturedPart
-from rna_export.capture.geometry.mesh_cleanup import clean_mesh, with_last
+from rna_export.capture.geometry.mesh_cleanup import welded, with_last
 from rna_export.capture.geometry.size_notes import size_notes, too_coarse
 from rna_sdk.errors import CaptureError
-from rna_sdk.package import Curves, Mesh, quantise
+from rna_sdk.package import Curves, Mesh, SourceVertices, quantise
 from rna_sdk.package.manifest.manifest_model import NormalMapRecord, TransmittanceRecord
 from rna_sdk.package.textures.normal_maps import NormalMap
 from rna_sdk.package.textures.transmittance import Transmittance
@@ -27,9 +27,9 @@ class ExportedParts:
     """The parts of an opened source, by name, in order.
 
     geometries: the mesh or strands of each. records: what lets light through, of each surface.
-    maps: its normal maps. textures: those of both, by name. notes: what of the materials could not
-    be told. has_opaque_cutouts: whether some of it lets light through. has_learnt_relief: whether
-    some relief is in no map.
+    maps: its normal maps. textures: those of both, by name. sources: the source's vertices of each
+    surface. notes: what of the materials could not be told. has_opaque_cutouts: whether some of it
+    lets light through. has_learnt_relief: whether some relief is in no map.
     """
 
     parts: tuple[ScenePart, ...]
@@ -37,6 +37,7 @@ class ExportedParts:
     records: dict[str, list[TransmittanceRecord]] = field(default_factory=dict)
     maps: dict[str, list[NormalMapRecord]] = field(default_factory=dict)
     textures: dict[str, np.ndarray] = field(default_factory=dict)
+    sources: dict[str, SourceVertices] = field(default_factory=dict)
     has_opaque_cutouts: bool = False
     has_learnt_relief: bool = True
     notes: list[str] = field(default_factory=list)
@@ -126,7 +127,9 @@ def _add_surface(
     corners = with_last(worker.export_corners(part.owner, of.charts), last)
     if not len(corners["material"]):
         return
-    exported.geometries[part.name] = clean_mesh(corners)
+    exported.geometries[part.name], first = welded(corners)
+    numbers = corners["vertex"][first].astype(np.uint32)
+    exported.sources[part.name] = SourceVertices(numbers, int(corners["vertices"]))
     for name in last:
         rows = np.flatnonzero(corners["material"] == name)
         if not len(rows):

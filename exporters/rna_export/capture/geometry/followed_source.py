@@ -9,7 +9,7 @@ import numpy as np
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_sdk.errors import MotionError
 from rna_sdk.motion import Binding, bind
-from rna_sdk.package import Curves, Mesh
+from rna_sdk.package import Curves, Mesh, SourceVertices
 
 _SAME = 1e-3
 """How far points of strands may be from the package's at rest, as a share of its diagonal."""
@@ -22,34 +22,42 @@ class FollowedSource:
     their root.
 
     worker: an opened source, which shows its rest frame. geometries: of the parts, in order.
-    package: its name, for errors.
+    package: its name, for errors. numbers: of each part, as for `bind`; none if left out.
+
+    Attributes:
+        by_number: whether the package's numbers of vertices are followed.
 
     Raises MotionError where the source has not this shape.
     """
 
     def __init__(
-        self, worker: BlenderWorker, geometries: Sequence[Mesh | Curves], package: str
+        self,
+        worker: BlenderWorker,
+        geometries: Sequence[Mesh | Curves],
+        package: str,
+        numbers: Sequence[SourceVertices | None] = (),
     ) -> None:
         self._worker, self._name = worker, worker.source.path.name
         self._owners: list[str | None] = [None] * len(geometries)
         kinds = ["fiber" if isinstance(g, Curves) else "surface" for g in geometries]
         if [part.kind for part in worker.parts] == kinds:
             self._owners = [part.owner for part in worker.parts]
-        mesh = self._mesh()
-        self._corners = 0 if mesh is None else len(mesh)
+        mesh, triangles = self._mesh()
+        self._vertices = len(mesh)
+        known = numbers or [None] * len(geometries)
         self._bindings: list[Binding | None] = []
         self._points: list[int] = []
-        for geometry, owner in zip(geometries, self._owners, strict=True):
+        for geometry, owner, own in zip(geometries, self._owners, known, strict=True):
             is_own = isinstance(geometry, Curves) and _same_strands(geometry, self._strands(owner))
             self._points.append(len(geometry.points) if isinstance(geometry, Curves) else 0)
             if is_own:
                 self._bindings.append(None)
                 continue
-            if mesh is None:
+            if not len(mesh):
                 what = "strands" if isinstance(geometry, Curves) else "mesh"
                 raise MotionError(f"{self._name} has not the {what} of {package}")
-            triangles = np.arange(len(mesh)).reshape(-1, 3)
-            self._bindings += bind([geometry], mesh, triangles, (self._name, package))
+            self._bindings += bind([geometry], mesh, triangles, (self._name, package), [own])
+        self.by_number = any(b is not None and b.by_number for b in self._bindings)
 
     def positions(self, frame: int) -> list[np.ndarray]:
         """The positions of each part, (v, 3) float32, at a frame, which the source shows then.
@@ -58,10 +66,12 @@ class FollowedSource:
         """
         self._worker.show_frame(frame)
         where = f"{self._name}: frame {frame}"
-        mesh = self._mesh() if any(b is not None for b in self._bindings) else None
-        if mesh is not None and len(mesh) != self._corners:
-            found = f"has {len(mesh) // 3} triangles, expected {self._corners // 3} as at rest"
-            raise MotionError(f"{where}: {found}")
+        mesh = None
+        if any(b is not None for b in self._bindings):
+            mesh, _ = self._mesh()
+            if len(mesh) != self._vertices:
+                found = f"has {len(mesh)} vertices, expected {self._vertices} as at rest"
+                raise MotionError(f"{where}: {found}")
         return [self._part(where, k, mesh) for k in range(len(self._bindings))]
 
     def _part(self, where: str, part: int, mesh: np.ndarray | None) -> np.ndarray:
@@ -76,11 +86,14 @@ class FollowedSource:
             raise MotionError(f"{where}: {found}, expected {expected} as at rest")
         return strands.points
 
-    def _mesh(self) -> np.ndarray | None:
-        """Corners of all triangles, (3t, 3) float32; None where there are none."""
+    def _mesh(self) -> tuple[np.ndarray, np.ndarray]:
+        """Vertices of the source, (v, 3) float32, 0 for those of no triangle, and triangles."""
         if not any(part.kind == "surface" for part in self._worker.parts):
-            return None
-        return self._worker.export_corners()["positions"]
+            return np.zeros((0, 3), np.float32), np.zeros((0, 3), np.int64)
+        corners = self._worker.export_corners()
+        positions = np.zeros((int(corners["vertices"]), 3), np.float32)
+        positions[corners["vertex"]] = corners["positions"]
+        return positions, corners["vertex"].reshape(-1, 3).astype(np.int64)
 
     def _strands(self, owner: str | None) -> Curves | None:
         if not any(part.kind == "fiber" for part in self._worker.parts):

@@ -19,7 +19,7 @@ def with_last(corners: dict[str, np.ndarray], last: Sequence[str]) -> dict[str, 
     order = np.argsort(places, kind="stable")
     order = order[area[order] > 0.0]
     rows = (3 * order[:, None] + np.arange(3)).ravel()
-    of_corners = {name: corners[name][rows] for name in ("positions", "normals", "uvs")}
+    of_corners = {name: corners[name][rows] for name in ("positions", "normals", "uvs", "vertex")}
     return {**corners, **of_corners, "material": corners["material"][order]}
 
 
@@ -28,18 +28,25 @@ def clean_mesh(corners: dict[str, np.ndarray]) -> Mesh:
 
     A corner without a normal gets its triangle's.
     """
+    return welded(corners)[0]
+
+
+def welded(corners: dict[str, np.ndarray]) -> tuple[Mesh, np.ndarray]:
+    """`clean_mesh`, and the corner that each of its vertices came from: (v,)."""
     with_uv = bool(corners["has_uv"])
     normals = _whole_normals(corners["positions"], corners["normals"])
     rows = np.concatenate(
         [corners["positions"], normals] + ([corners["uvs"]] if with_uv else []), axis=1
     )
-    vertices, index = np.unique(rows.astype(np.float32) + 0.0, axis=0, return_inverse=True)
+    rows = rows.astype(np.float32) + 0.0
+    vertices, first, index = np.unique(rows, axis=0, return_index=True, return_inverse=True)
     triangles = index.reshape(-1, 3).astype(np.uint32)
     area = trimesh.triangles.area(vertices[:, :3].astype(np.float64)[triangles])
     vertices = np.ascontiguousarray(vertices, np.float32)
     normals = np.ascontiguousarray(vertices[:, 3:6])
     uvs = np.ascontiguousarray(vertices[:, 6:8]) if with_uv else None
-    return Mesh(np.ascontiguousarray(vertices[:, :3]), normals, uvs, triangles[area > 0.0])
+    positions = np.ascontiguousarray(vertices[:, :3])
+    return Mesh(positions, normals, uvs, triangles[area > 0.0]), first
 
 
 def _whole_normals(positions: np.ndarray, normals: np.ndarray) -> np.ndarray:

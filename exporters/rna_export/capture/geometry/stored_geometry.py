@@ -6,19 +6,34 @@ from typing import Any
 
 import numpy as np
 
-from rna_sdk.package import Curves, Mesh
+from rna_sdk.package import Curves, Mesh, SourceVertices
 from rna_sdk.package.geometry.quantised_curves import QuantisedCurves
 from rna_sdk.package.geometry.quantised_mesh import QuantisedMesh
 
+_NUMBERS, _COUNT = "source.numbers", "source.count"
 
-def geometry_arrays(geometry: Mesh | Curves) -> dict[str, np.ndarray]:
+
+def geometry_arrays(
+    geometry: Mesh | Curves, source: SourceVertices | None = None
+) -> dict[str, np.ndarray]:
     """Arrays of the geometry by name; quantised ones restore it and its package entry exactly."""
     stored = geometry if geometry.quantised is None else geometry.quantised
-    return {k: v for k, v in vars(stored).items() if isinstance(v, np.ndarray)}
+    arrays = {k: v for k, v in vars(stored).items() if isinstance(v, np.ndarray)}
+    if source is not None:
+        arrays |= {_NUMBERS: source.numbers, _COUNT: np.array([source.count], np.uint32)}
+    return arrays
+
+
+def source_from_arrays(arrays: dict[str, Any]) -> SourceVertices | None:
+    """The source's vertices that were stored with a geometry; None for none."""
+    if _NUMBERS not in arrays:
+        return None
+    return SourceVertices(arrays[_NUMBERS], int(arrays[_COUNT][0]))
 
 
 def geometry_from_arrays(arrays: dict[str, Any], kind: str) -> Mesh | Curves:
     """The inverse. Raises TypeError for other arrays, PackageError for impossible ones."""
+    arrays = {k: v for k, v in arrays.items() if k not in (_NUMBERS, _COUNT)}
     if kind == "fiber":
         return QuantisedCurves(**arrays).restored() if "steps" in arrays else Curves(**arrays)
     arrays = {"uvs": None, **arrays}
