@@ -32,6 +32,11 @@ class SourceVertices:
 
     numbers: (v,) uint32, of each vertex of the mesh. count: vertices that the source has, more than
     every number.
+
+    Examples:
+        >>> corners_of_a_box = np.arange(24, dtype=np.uint32) // 3
+        >>> SourceVertices(corners_of_a_box, count=8).numbers[3:6].tolist()
+        [1, 1, 1]
     """
 
     numbers: NDArray[np.uint32]
