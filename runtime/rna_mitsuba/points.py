@@ -125,6 +125,11 @@ class MeshGeometry:
         is_front = dr.dot(d, dr.cross(p[1] - p[0], p[2] - p[0])) < 0
         return self._holes.at(primitive, uv, dr.abs(dr.dot(n, d)), is_front, active)
 
+    def corners_of(self, primitive: mi.UInt32, active: mi.Bool) -> list[mi.Point3f]:
+        """Positions of the triangles' corners."""
+        corners = self._corners(primitive, active)
+        return self._at(mi.Point3f, self._positions, corners, active)
+
     def _corners(self, primitive: mi.UInt32, active: mi.Bool) -> list[mi.UInt32]:
         triangle = dr.gather(mi.Point3u, self._triangles, primitive, active)
         return [triangle.x, triangle.y, triangle.z]
@@ -187,6 +192,13 @@ class FiberGeometry:
         return Points(
             c + r * n, t, dr.clip(h, -1, 1), n, zero, zero, self.strand(primitive, active)
         )
+
+    def on_cone(
+        self, segment: mi.UInt32, u: mi.Float, n: mi.Vector3f, active: mi.Bool
+    ) -> tuple[mi.Point3f, mi.Vector3f]:
+        """The point at u with the outward normal n, and the tangent there."""
+        c, r, t = self._sphere(segment, u, active)
+        return c + r * n, t
 
     def outward(
         self, segment: mi.UInt32, u: mi.Float, x: mi.Point3f, active: mi.Bool

@@ -12,14 +12,17 @@ import mitsuba as mi
 import numpy as np
 
 from rna_mitsuba.evaluator import PartEvaluator
-from rna_mitsuba.tracing import PackageScene
+from rna_mitsuba.tracing import PackageScene, Shape, geometry_of
 from rna_sdk.errors import QueryError
+from rna_sdk.motion import open_motion
 from rna_sdk.package import Package
-from rna_sdk.runtime import Transform, choose_tier
+from rna_sdk.runtime import Transform, choose_tier, load
 
 
 class LoadedPackage:
     """One tier of a package in Mitsuba's memory, shared by its instances.
+
+    motion: a motion file and its frame; None for the asset at rest.
 
     Attributes:
         scene: the geometry for ray queries.
@@ -27,22 +30,39 @@ class LoadedPackage:
         bounds: (2, 3), box of all parts in object space.
     """
 
-    def __init__(self, path: str, tier: str | None) -> None:
+    def __init__(
+        self, path: str, tier: str | None, motion: tuple[str, float] | None = None
+    ) -> None:
         with Package.open(path) as package:
             record = choose_tier(package, tier)
-            self.scene = PackageScene(package)
+            shapes = None if motion is None else _shapes(path, record.name, *motion)
+            self.scene = PackageScene(package, shapes)
             parts = range(len(package.manifest.parts))
             self.evaluators = [PartEvaluator(package, record.name, part) for part in parts]
             boxes = np.array([part.bounds.corners() for part in package.manifest.parts])
+            if shapes is not None:
+                boxes = np.array([geometry_of(s).box() for s in shapes])
         self.bounds = np.stack([boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)])
         self.emits = any(evaluator.emits for evaluator in self.evaluators)
 
 
-_loaded: dict[tuple[str, float, str | None], LoadedPackage] = {}
+def _shapes(path: str, tier: str, motion: str, frame: float) -> list[Shape]:
+    """The parts of a package at a frame of a motion."""
+    loaded = load(path, tier=tier, threads=1)
+    geometries = [p.curves if p.kind == "fiber" else p.mesh for p in loaded.parts]
+    positions = open_motion(motion, geometries, os.path.basename(path)).positions(frame)
+    return [part.deformed(p) for part, p in zip(loaded.parts, positions, strict=True)]
 
 
-def load_package(path: str, tier: str | None) -> LoadedPackage:
-    """The package at `path`; cached until the file changes."""
+_loaded: dict[tuple[Any, ...], LoadedPackage] = {}
+
+
+def load_package(
+    path: str, tier: str | None, motion: tuple[str, float] | None = None
+) -> LoadedPackage:
+    """The package at `path`; cached until the file changes. A frame of a motion is not cached."""
+    if motion is not None:
+        return LoadedPackage(path, tier, motion)
     real = os.path.realpath(path)
     changed = os.path.getmtime(real) if os.path.exists(real) else 0.0
     key = real, changed, tier
@@ -52,7 +72,11 @@ def load_package(path: str, tier: str | None) -> LoadedPackage:
 
 
 def asset(
-    path: str | PathLike[str], tier: str | None = None, to_world: Any = None
+    path: str | PathLike[str],
+    tier: str | None = None,
+    to_world: Any = None,
+    motion: str | PathLike[str] | None = None,
+    frame: float = 0.0,
 ) -> dict[str, Any]:
     """The scene entry of a package instance, for `mitsuba.load_dict`.
 
@@ -61,6 +85,8 @@ def asset(
         tier: name of the tier; None is the first.
         to_world: object to world: a Mitsuba transform or a (4, 4) array with a rotation, a uniform
             scale and a translation; None is the identity.
+        motion: a motion file of `rna-motion` that bends the asset; None is the asset at rest.
+        frame: of the motion, from 0; it may lie between two.
 
     Example:
         >>> entry = asset("toy.rna", to_world=mi.ScalarTransform4f().translate([0, 0, -1]))
@@ -69,6 +95,8 @@ def asset(
     entry: dict[str, Any] = {"type": "rna", "filename": os.fspath(path)}
     if tier is not None:
         entry["tier"] = tier
+    if motion is not None:
+        entry |= {"motion": os.fspath(motion), "frame": float(frame)}
     if to_world is not None:
         matrix = getattr(to_world, "matrix", to_world)
         entry["to_world"] = mi.ScalarTransform4f(np.array(matrix, float).reshape(4, 4))
@@ -87,14 +115,18 @@ class RnaShape(mi.Mesh):
     """
 
     def __init__(self, props: mi.Properties) -> None:
-        """Raises PackageError and QueryError, as Package.open, choose_tier and Transform."""
+        """Raises PackageError, QueryError and MotionError, as Package.open, choose_tier, Transform
+        and open_motion."""
         self.to_world: mi.Transform4f | None = None
         path = props["filename"]
         tier = props["tier"] if "tier" in props else None
         matrix = np.eye(4)
         if "to_world" in props:
             matrix = np.array(props["to_world"].matrix, float).reshape(4, 4)
-        self.loaded = load_package(str(mi.file_resolver().resolve(path)), tier)
+        resolver, motion = mi.file_resolver(), None
+        if "motion" in props:
+            motion = str(resolver.resolve(props["motion"])), float(props.get("frame", 0.0))
+        self.loaded = load_package(str(resolver.resolve(path)), tier, motion)
         Transform(matrix)  # raises if not a similarity
         corners = np.array(list(itertools.product(*self.loaded.bounds.T)))
         corners = corners @ matrix[:3, :3].T + matrix[:3, 3]

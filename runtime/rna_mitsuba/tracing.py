@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, ClassVar
 
 import drjit as dr
 import mitsuba as mi
 
-from rna_mitsuba.points import FiberGeometry, MeshGeometry
-from rna_sdk.package import Package
+from rna_mitsuba.points import FiberGeometry, MeshGeometry, Points
+from rna_mitsuba.rest import RestMesh, RestStrands
+from rna_sdk.package import Curves, Mesh, Package
+from rna_sdk.runtime import DeformedCurves, DeformedMesh
+
+Shape = DeformedMesh | DeformedCurves
 
 NO_STRAND = 0xFFFFFFFF
 _STEP = 2.0**-18  # of the largest coordinate: how far beyond a hit a ray goes on
@@ -34,23 +39,35 @@ class Hits:
 class PackageScene:
     """All parts of a package as rays meet them.
 
+    shapes: of the parts in motion; None at rest.
+
     Attributes:
         geometries: of the parts.
         step: how far rays start off a surface, 2^-18 of the largest coordinate.
         is_plain: opaque meshes alone: a ray that meets one is blocked.
     """
 
-    def __init__(self, package: Package) -> None:
+    def __init__(self, package: Package, shapes: Sequence[Shape] | None = None) -> None:
         count = len(package.manifest.parts)
         self.geometries = [_geometry(package, part) for part in range(count)]
-        shapes = {f"part{k}": g.shape() for k, g in enumerate(self.geometries)}
+        self._rest: list[RestMesh | RestStrands | None] = [None] * count
+        for k, shape in enumerate(shapes or ()):
+            self.geometries[k], self._rest[k] = _moved(package, k, self.geometries[k], shape)
+        parts = {f"part{k}": g.shape() for k, g in enumerate(self.geometries)}
         self._scene = mi.load_dict(
-            {"type": "scene", "embree_use_robust_intersections": True, **shapes}
+            {"type": "scene", "embree_use_robust_intersections": True, **parts}
         )
-        self._pointers = [mi.ShapePtr(shape) for shape in shapes.values()]
+        self._pointers = [mi.ShapePtr(part) for part in parts.values()]
         self.step = _STEP * max(g.extent for g in self.geometries)
         self.transmits = any(g.transmits for g in self.geometries)
         self.is_plain = not (self.transmits or any(g.is_fiber for g in self.geometries))
+
+    def query(
+        self, part: int, hits: Hits, points: Points, at: dict[str, Any], active: mi.Bool
+    ) -> dict[str, Any]:
+        """Arguments `at` of a part's decoders; where it is in motion, at rest points."""
+        rest = self._rest[part]
+        return at if rest is None else rest.query(hits, points, at, active)
 
     def closest(self, o: mi.Point3f, d: mi.Vector3f, far: mi.Float, active: mi.Bool) -> Hits:
         """The first hit of o + t d, unit d, nearer than far."""
@@ -135,5 +152,24 @@ class PackageScene:
 def _geometry(package: Package, part: int) -> MeshGeometry | FiberGeometry:
     if package.manifest.parts[part].kind == "fiber":
         return FiberGeometry(package.curves(part))
-    maps = package.normal_maps(part)
-    return MeshGeometry(package.mesh(part), package.transmittance(part), maps)
+    return _mesh_geometry(package, part, package.mesh(part))
+
+
+def _mesh_geometry(package: Package, part: int, mesh: Mesh) -> MeshGeometry:
+    return MeshGeometry(mesh, package.transmittance(part), package.normal_maps(part))
+
+
+def geometry_of(shape: Shape) -> Mesh | Curves:
+    """What rays meet of a part in motion."""
+    return shape.curves if isinstance(shape, DeformedCurves) else shape.mesh
+
+
+def _moved(
+    package: Package, part: int, rest: MeshGeometry | FiberGeometry, shape: Shape
+) -> tuple[MeshGeometry | FiberGeometry, RestMesh | RestStrands]:
+    if isinstance(shape, DeformedCurves):
+        assert isinstance(rest, FiberGeometry)
+        return FiberGeometry(shape.curves), RestStrands(rest, shape)
+    assert isinstance(rest, MeshGeometry)
+    moved = _mesh_geometry(package, part, shape.mesh)
+    return moved, RestMesh(rest, moved)

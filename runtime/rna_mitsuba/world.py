@@ -161,6 +161,7 @@ class World:
             for part, evaluator in enumerate(shape.loaded.evaluators):
                 here = mine & (hits.part == part)
                 at = points.query(wo) | {"wi": wi}
+                at = scene.query(part, hits, points, at, here)
                 visible, shadowed = evaluator.decode("transport", at, here)
                 total = dr.select(here, v * visible + (1 - v) * shadowed, total)
         return total
@@ -174,7 +175,9 @@ class World:
             for part, evaluator in enumerate(shape.loaded.evaluators):
                 here = active & (hits.instance == k) & (hits.part == part)
                 if evaluator.emits:
-                    (found,) = evaluator.decode("emission", points.query(wo), here)
+                    at = points.query(wo)
+                    at = shape.loaded.scene.query(part, hits, points, at, here)
+                    (found,) = evaluator.decode("emission", at, here)
                     total = dr.select(here, found, total)
         return total
 

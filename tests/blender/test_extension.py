@@ -12,6 +12,7 @@ import yaml
 
 from rna_render.command.rna_run import main as rna_run
 from rna_render.image.images import read_exr
+from rna_sdk.motion import open_motion
 from rna_sdk.package import Package
 from tests.blender.conftest import RunInBlender
 from tests.conftest import REPOSITORY
@@ -212,7 +213,8 @@ print("LEFT", "rna_render.command.rna_run" in subprocess.run(
 
 
 def test_frames_of_an_animation(run_in_blender: RunInBlender, tmp_path: Path) -> None:
-    run_in_blender(
+    """Of an asset that goes to the right, posed by an armature."""
+    printed = run_in_blender(
         STAGE
         + """
 bpy.ops.rna.import_package(filepath=TOY)
@@ -220,11 +222,35 @@ toy = bpy.context.object
 for frame, x in ((1, -0.5), (2, 0.5)):
     toy.location.x = x
     toy.keyframe_insert("location", frame=frame)
+bones = bpy.data.armatures.new("bones")
+rig = add("rig", bones, (0, 0, 0), (0, 0, -1))
+rig.parent, rig.rotation_euler = toy, (0, 0, 0)
+bpy.context.view_layer.objects.active = rig
+bpy.ops.object.mode_set(mode="EDIT")
+bone = bones.edit_bones.new("bone")
+bone.head, bone.tail = (0, 0, 0), (0, 0, 1)
+bpy.ops.object.mode_set(mode="OBJECT")
+toy.modifiers.new("rig", "ARMATURE").object = rig
+group = toy.vertex_groups.new(name="bone")
+group.add(range(len(toy.data.vertices)), 1.0, "REPLACE")
+rig.pose.bones["bone"].rotation_mode = "XYZ"
+rig.pose.bones["bone"].rotation_euler.y = 0.6
 scene.frame_start, scene.frame_end = 1, 2
 render.filepath = os.path.abspath("frame.")
 bpy.ops.render.render(animation=True)
+bpy.ops.rna.export_scene(filepath=os.path.abspath("posed"))
+toy.modifiers.new("finer", "SUBSURF")
+bpy.ops.rna.export_scene(filepath=os.path.abspath("finer"))
 """
     )
+    assert "modifiers that change an asset's points or faces are left out" in printed
+    (asset,) = yaml.safe_load((tmp_path / "posed" / "scene.yaml").read_text())["assets"]
+    with Package.open(TOY) as package:
+        mesh = package.mesh()
+    motion = open_motion(tmp_path / "posed" / asset["motion"], [mesh])
+    c, s = np.cos(0.6), np.sin(0.6)
+    turned = mesh.positions @ np.array([[c, 0, s], [0, 1, 0], [-s, 0, c]]).T
+    np.testing.assert_allclose(motion.positions(0)[0], turned, atol=1e-5)
     alphas = [read_exr(tmp_path / f"frame.{n:04d}.exr")[0]["A"] for n in (1, 2)]
     centres = [np.average(np.arange(64), weights=alpha.sum(axis=0)) for alpha in alphas]
     assert centres[1] > centres[0] + 10

@@ -195,8 +195,10 @@ def Points "dust"
 
 def test_points_are_hidden_and_shade_nothing(open_worker: OpenWorker, tmp_path: Path) -> None:
     path = tmp_path / "square.usda"
-    path.write_text(HEADER + PREVIEW + POINTS_ABOVE)
+    header = HEADER.replace("upAxis", "timeCodesPerSecond = 12.5\n    upAxis")
+    path.write_text(header + PREVIEW + POINTS_ABOVE)
     worker = open_worker(path)
+    assert worker.frame_span()[2] == pytest.approx(12.5)
     assert worker.opened["notes"] == [
         "object 'dust' is a point cloud, which no package holds, and was hidden"
     ]

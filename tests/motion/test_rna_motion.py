@@ -47,6 +47,9 @@ item.keyframe_insert("rotation_euler", frame=5)
 scene = bpy.context.scene
 scene.frame_start, scene.frame_end = 1, 5
 scene.render.fps = 12
+twin = bpy.data.objects.new("twin", item.data)  # of one mesh, and stands still
+twin.location.x = 2.0
+scene.collection.objects.link(twin)
 scene.frame_set(1)
 """
 HAIR = """
@@ -138,8 +141,11 @@ def test_a_motion_file_of_what_blender_evaluates(
     assert (motion.frames, motion.rate) == (5, 12)
     c, s = np.cos(1.0), np.sin(1.0)
     turn = np.array([[1, 0, 0], [0, c, -s], [0, s, c]])
+    assert (mesh.positions[:, 0] > 1.0).mean() == 0.5  # the twin
     for rest, found in zip((mesh.positions, hair.points), motion.positions(0), strict=True):
-        np.testing.assert_allclose(found, (rest - (0, 0.4, 0)) @ turn, atol=2e-5)
+        still = rest[:, :1] > 1.0
+        expected = np.where(still, rest, (rest - (0, 0.4, 0)) @ turn)
+        np.testing.assert_allclose(found, expected, atol=2e-5)
     for rest, found in zip((mesh.positions, hair.points), motion.positions(4), strict=True):
         np.testing.assert_allclose(found, rest, atol=1e-6)
     capsys.readouterr()

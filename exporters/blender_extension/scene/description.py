@@ -11,6 +11,7 @@ from ..sdk import SdkError
 from .camera import describe_camera
 from .lights import describe_light
 from .meshes import Meshes
+from .motion import is_deformed, parts_of, write_motion
 from .notes import Notes
 from .placement import is_similarity, nearest_similarity, transform
 from .world import describe_world
@@ -89,10 +90,21 @@ class _SceneObjects:
             asset["tier"] = own.tier
         if own.emission != 1.0:
             asset["emission"] = own.emission
-        if item.modifiers:
-            self._notes.add("an asset's modifiers are left out", item.name)
+        self._add_motion(item, asset)
         self.assets.append(asset)
         self.placed["assets"].append((item.name, item.pass_index))
+
+    def _add_motion(self, item, asset):
+        """Poses and other deformations, of this frame."""
+        parts = parts_of(item, self._depsgraph)
+        if not any(map(is_deformed, parts)):
+            return
+        name = f"motion-{len(self.assets)}.rnam"
+        why_not = write_motion(parts, self._folder / name)
+        if why_not is None:
+            asset["motion"] = name
+        else:
+            self._notes.add(why_not, item.name)
 
     def _check_part(self, item, matrix):
         """Parts are rendered with the first one, which they are children of."""

@@ -45,6 +45,10 @@ def _import_usd(path: Path, args: argparse.Namespace, frame: int | None) -> None
             scale=args.unit,
             import_subdivision=args.subdivide,
         )
+    rate, render = usd_curves.frame_rate(path), bpy.context.scene.render
+    if rate > 0:  # Blender's importer leaves its own
+        render.fps = min(max(round(rate), 1), 32767)
+        render.fps_base = render.fps / rate
 
 
 def _finish_strands(args: argparse.Namespace) -> None:

@@ -45,6 +45,13 @@ def prepared(path: Path, folder: Path, frame: int | None) -> Path:
     return folder / "curves.usda"
 
 
+def frame_rate(path: Path) -> float:
+    """Frames a second of a USD file: its time codes; 24 if it does not say."""
+    from pxr import Usd
+
+    return float(Usd.Stage.Open(str(path)).GetTimeCodesPerSecond())
+
+
 def up_is_z(source: str) -> bool:
     """Whether a USD file's up is its z axis."""
     from pxr import Usd, UsdGeom
