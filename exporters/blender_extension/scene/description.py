@@ -60,7 +60,7 @@ class _SceneObjects:
 
     def add(self, instance):
         item, matrix = instance.object, instance.matrix_world.copy()
-        record = package_of(item)
+        record = package_of(item.original)  # modifiers may make data without it
         if record is not None:
             self._add_asset(item, record, matrix)
         elif item.type in _SURFACES:
@@ -81,7 +81,7 @@ class _SceneObjects:
         if not is_similarity(matrix):
             self._notes.add("an asset has one scale: rendered with the mean of three", item.name)
             matrix = nearest_similarity(matrix)
-        path = Path(bpy.path.abspath(record.path, library=item.data.library)).resolve()
+        path = Path(bpy.path.abspath(record.path, library=item.original.data.library)).resolve()
         if not path.is_file():
             raise SdkError(f"object {item.name!r}: there is no package {path}")
         own = item.original.rna_instance
@@ -110,7 +110,7 @@ class _SceneObjects:
         """Parts are rendered with the first one, which they are children of."""
         first = item.parent
         moved = first is None or (first.matrix_world.inverted() @ item.matrix_world).is_identity
-        if first is None or package_of(first) is None:
+        if first is None or package_of(first.original) is None:
             self._notes.add("a part of an asset without its first part is left out", item.name)
         elif not moved:
             self._notes.add("a part of an asset is rendered where its first part is", item.name)
