@@ -29,8 +29,8 @@ _FEW = 200  # pixels, below which no error is told
 CAPTURES: dict[str, dict[str, int]] = {
     "figure": {"lights": 500, "rays": 4096, "samples": 4},
     "slab": {"lights": 400, "rays": 2048, "samples": 4},
-    "flag": {"lights": 400, "rays": 2048, "samples": 4},
-    "tail": {"lights": 250, "rays": 4096, "samples": 2},
+    "flag": {"lights": 250, "rays": 2048, "samples": 4},
+    "tail": {"lights": 150, "rays": 4096, "samples": 2},
 }
 
 
