@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from rna_bench.one_part import load_one_part
 from rna_bench.stability import moved_references
 from rna_bench.stability.cases import motion
 from rna_bench.stability.fixtures import ASSETS, Fixtures, Subject
@@ -14,8 +15,9 @@ from rna_bench.stability.moved_asset import MovedAsset, joined
 from rna_bench.stability.moved_references import Views, references
 from rna_export.capture.blender_process.blender_worker import BlenderWorker, Source
 from rna_export.capture.geometry.mesh_cleanup import clean_mesh
-from rna_sdk.package import Tier, write_package
+from rna_sdk.package import Curves, Tier, write_package
 from rna_sdk.runtime import SurfaceAsset, load
+from rna_trace import part_geometry
 from tests.conftest import REPOSITORY
 from tests.package.builders import make_manifest, make_part_data, make_tier_part
 
@@ -29,22 +31,24 @@ def toy() -> SurfaceAsset:
     return asset
 
 
-def test_a_turned_asset_looks_as_it_does_at_rest(toy: SurfaceAsset) -> None:
+@pytest.mark.parametrize("path", ["quickstart/toy.rna", "fibers/curly_ball.rna"])
+def test_a_turned_asset_looks_as_it_does_at_rest(path: str) -> None:
     """All turned: shape, rays and light."""
-    rest = MovedAsset(toy, toy.mesh.positions)
-    turned = MovedAsset(toy, toy.mesh.positions @ TURN.T)
-    views = Views.around([toy.mesh.positions])
-    origins, directions = (rays[::7] for rays in views.rays(0))
+    asset = load_one_part(REPOSITORY / "examples" / path, threads=1)
+    geometry = part_geometry(asset)
+    positions = geometry.points if isinstance(geometry, Curves) else geometry.positions
+    rest, turned = MovedAsset(asset, positions), MovedAsset(asset, positions @ TURN.T)
+    views = Views.around([positions])
+    origins, directions = (rays[::23] for rays in views.rays(0))
     before = rest.see(origins, directions, views.wi[0])
     light = np.float32(TURN @ views.wi[0])
     after = turned.see(origins @ TURN.T, directions @ TURN.T, light)
-    same = np.isin(before.ray, after.ray)
-    assert same.mean() > 0.99 and len(before.ray) > 100
-    np.testing.assert_allclose(turned.turned_deg(), 90.0, atol=1e-2)
+    assert np.isin(before.ray, after.ray).mean() > 0.97 and len(before.ray) > 50
+    np.testing.assert_allclose(turned.turned_deg(), 90.0, atol=0.5)
     np.testing.assert_allclose(turned.stretch(), 1.0, atol=2e-3)
     assert rest.turned_deg().max() < 0.1
     error = np.abs(before.radiance.mean(axis=0) - after.radiance.mean(axis=0))
-    assert (error < 0.01 * before.radiance.mean()).all()
+    assert (error < 0.02 * before.radiance.mean()).all()
 
 
 def test_stretch_counts_longer_and_shorter(toy: SurfaceAsset) -> None:
