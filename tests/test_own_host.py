@@ -11,9 +11,13 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from rna_sdk.package import Package, query_width
+from rna_sdk.runtime import load
 from rna_trace.parts_scene import PartsScene
 from rna_trace.surface import SurfacePoints
 from tests.conftest import REPOSITORY
+from tests.package.builders import INPUTS
+from tests.package.lobes import even_decoder, with_lobes
 
 PAGE = REPOSITORY / "docs" / "your-own-host.md"
 
@@ -53,6 +57,23 @@ def test_its_visibility_is_the_renderers(names: dict) -> None:
     blocked = names["blocked"](*(names[k] for k in ("x", "n", "corners", "b")), wi)
     assert 0.2 < free.mean() < 0.6
     assert (free == blocked).mean() < 0.002  # edges and outlines, by rounding
+
+
+def test_lobes_are_looked_up_in_a_sky(names: dict, tmp_path: Path) -> None:
+    """A sky of one colour is the sum of the amplitudes; another adds light where lobes look up."""
+    with Package.open(REPOSITORY / "examples" / "quickstart" / "toy.rna") as package:
+        part = package.manifest.tiers[0].parts[0]
+    decoder = even_decoder(query_width(INPUTS, part.channels) + 16, 0.125)
+    toy = REPOSITORY / "examples" / "quickstart" / "toy.rna"
+    asset = load(with_lobes(toy, tmp_path / "lobes.rna", decoder=decoder))
+    seen = (names[k] for k in ("triangle", "b", "x", "n", "corners"))
+    at = asset, *seen, -names["direction"][names["pixel"]]
+    even = names["under_lobes"](*at, np.float32([0.5, 1, 2]), np.float32([0.5, 1, 2]))
+    np.testing.assert_allclose(even, np.tile([0.25, 0.5, 1.0], (len(even), 1)), rtol=1e-5)
+    above = names["under_lobes"](*at, np.float32(0), np.float32(1))[:, 0]
+    up = names["n"][:, 1]
+    assert 0.0 < above.min() < above.max() < 0.5
+    assert np.corrcoef(up, above)[0, 1] > 0.5
 
 
 def test_a_bent_asset_differs_a_little(names: dict) -> None:

@@ -6,7 +6,7 @@ import hashlib
 import json
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,8 +14,9 @@ from numpy.typing import NDArray
 from rna_sdk.errors import ConformanceError
 
 INDEX = "kit.json"
-VERSION = 3
-LEVELS = ("evaluate", "visibility", "normals", "validate")
+VERSION = 4
+LEVELS = ("evaluate", "environment", "visibility", "normals", "validate")
+"""All but the second are of the format itself; that is of an extension that no reader must know."""
 
 
 @dataclass(frozen=True)
@@ -49,6 +50,18 @@ class EvaluateCase:
     tolerance: NDArray[np.float64]
     step: float
     classes: tuple[RowClass, ...]
+
+
+@dataclass(frozen=True)
+class LobesCase(EvaluateCase):
+    """Lobes of a part (RNA_environment).
+
+    Attributes:
+        queries: file of LobeQueries.
+        expected, tolerance: (n, 6 L), amplitude and axis of each lobe.
+    """
+
+    level: ClassVar[str] = "environment"
 
 
 @dataclass(frozen=True)
@@ -92,6 +105,9 @@ class ValidateCase:
     extension: str | None
 
 
+Evaluated = TypeVar("Evaluated", bound=EvaluateCase)
+
+
 @dataclass(frozen=True)
 class Kit:
     """All cases.
@@ -104,6 +120,7 @@ class Kit:
     int8_share: float
     visibility_tolerance: float
     evaluate: tuple[EvaluateCase, ...]
+    environment: tuple[LobesCase, ...]
     visibility: tuple[VisibilityCase, ...]
     normals: tuple[NormalsCase, ...]
     validate: tuple[ValidateCase, ...]
@@ -143,7 +160,8 @@ def load_kit(folder: Path) -> Kit:
     return Kit(
         index["int8Share"],
         index["visibilityTolerance"],
-        tuple(_evaluate_case(folder, record) for record in index["evaluate"]),
+        tuple(_evaluate_case(EvaluateCase, folder, record) for record in index["evaluate"]),
+        tuple(_evaluate_case(LobesCase, folder, record) for record in index["environment"]),
         tuple(_visibility_case(folder, record) for record in index["visibility"]),
         tuple(_normals_case(folder, record) for record in index["normals"]),
         tuple(
@@ -171,9 +189,9 @@ def _check_file(path: Path, record: dict[str, Any]) -> None:
         )
 
 
-def _evaluate_case(folder: Path, record: dict[str, Any]) -> EvaluateCase:
+def _evaluate_case(case: type[Evaluated], folder: Path, record: dict[str, Any]) -> Evaluated:
     expected, tolerance = _expected(folder, record)
-    return EvaluateCase(
+    return case(
         folder / record["package"],
         record["tier"],
         record["part"],

@@ -11,6 +11,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from rna_sdk.conformance import lobe_queries
 from rna_sdk.conformance.kit import LEVELS
 from rna_sdk.errors import ConformanceError
 from rna_sdk.package.decoder.decoder_form import TRANSPORT, DecoderForm
@@ -86,6 +87,15 @@ def evaluate(
     rows = queries.stat().st_size // (4 * column_count(form.arrays))
     where = str(package), tier, str(part), str(queries)
     return _results(program, rows, width, command_of(form), *where)
+
+
+def lobes(
+    program: Program, width: int, package: Path, tier: str, part: int, queries: Path
+) -> NDArray[np.float64]:
+    """(n, width) amplitudes and axes of a part's lobes for a file of n LobeQueries."""
+    rows = queries.stat().st_size // (4 * lobe_queries.COLUMNS)
+    where = str(package), tier, str(part), str(queries)
+    return _results(program, rows, width, lobe_queries.COMMAND, *where)
 
 
 def command_of(form: DecoderForm) -> str:

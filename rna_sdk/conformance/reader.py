@@ -6,10 +6,12 @@ It has no rays, and so no visibility; `rna_render.conformance_reader` has.
 from __future__ import annotations
 
 import sys
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rna_sdk.conformance.lobe_queries import LobeQueries, answer_of
 from rna_sdk.conformance.reader_program import run_reader
 from rna_sdk.package.issues import is_valid
 from rna_sdk.package.validator import validate
@@ -24,6 +26,15 @@ def evaluate(
     return np.hstack(load(package, tier).parts[part].decode(form, arrays))
 
 
+def environment(package: str, tier: str, part: int, queries: LobeQueries) -> NDArray[np.float32]:
+    """(n, 6 L) by the runtime."""
+    from rna_sdk.runtime import load
+
+    own: Any = load(package, tier).parts[part]  # of either kind: the arguments fit it
+    visibility = own.visibility_at(queries.primitive, queries.u, queries.v)
+    return answer_of(*own.lobes(*queries.arguments(own.kind), visibility))
+
+
 def check(package: str) -> tuple[bool, list[str]]:
     """Whether the package is valid, and the codes of its issues."""
     issues = validate(package)
@@ -31,4 +42,4 @@ def check(package: str) -> tuple[bool, list[str]]:
 
 
 if __name__ == "__main__":
-    sys.exit(run_reader(evaluate=evaluate, validate=check))
+    sys.exit(run_reader(evaluate=evaluate, environment=environment, validate=check))

@@ -13,6 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.atomic_file import write_atomically
+from rna_sdk.conformance.kit import LEVELS
+from rna_sdk.conformance.lobe_queries import COLUMNS, COMMAND, LobeQueries
 from rna_sdk.conformance.program import command_of
 from rna_sdk.errors import ConformanceError, RnaError
 from rna_sdk.package.decoder.decoder_form import FORMS, DecoderForm
@@ -23,6 +25,8 @@ Evaluate = Callable[[str, str, str, int, dict[str, NDArray[np.float32]]], NDArra
 
 A part without such a decoder answers 0.
 """
+Environment = Callable[[str, str, int, LobeQueries], NDArray[np.float32]]
+"""(package, tier, part, queries) -> (n, 6 L), amplitude and axis of each lobe."""
 Visibility = Callable[[str, bytes], NDArray[np.float32]]
 """(package, hit records) -> (n, 3) visibility, RGB."""
 Normals = Callable[[str, bytes], NDArray[np.float32]]
@@ -35,6 +39,7 @@ def run_reader(
     arguments: Sequence[str] | None = None,
     *,
     evaluate: Evaluate | None = None,
+    environment: Environment | None = None,
     visibility: Visibility | None = None,
     normals: Normals | None = None,
     validate: Validate | None = None,
@@ -44,11 +49,14 @@ def run_reader(
     level, *rest = list(sys.argv[1:] if arguments is None else arguments) or [""]
     try:
         if level == "levels" and not rest:
-            levels = ("evaluate", "visibility", "normals", "validate")
-            had = (evaluate, visibility, normals, validate)
-            print("\n".join(name for name, function in zip(levels, had, strict=True) if function))
+            had = (evaluate, environment, visibility, normals, validate)
+            print("\n".join(name for name, function in zip(LEVELS, had, strict=True) if function))
         elif level in forms and evaluate and len(rest) == 5:
             _answer(evaluate, forms[level], *rest)
+        elif level == COMMAND and environment and len(rest) == 5:
+            package, tier, part, queries, results = rest
+            rows = np.fromfile(queries, "<f4").reshape(-1, COLUMNS).astype(np.float32)
+            _write(results, environment(package, tier, int(part), LobeQueries.of(rows)))
         elif level == "visibility" and visibility and len(rest) == 3:
             package, hits, results = rest
             _write(results, visibility(package, Path(hits).read_bytes()))

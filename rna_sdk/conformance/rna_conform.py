@@ -18,7 +18,7 @@ from rna_sdk.conformance.scoring import Score, cases, score
 from rna_sdk.console import command_parser, run_command, split_script_arguments
 from rna_sdk.errors import ConformanceError
 
-MEASURED = ("evaluate", "normals")
+MEASURED = ("evaluate", "environment", "normals")
 """Levels whose rows have tolerances of their own."""
 _TABLE = "{:<10} {:<24} {:<18} {:>5} {:>6}  {:>10} {:>9}  {}"
 

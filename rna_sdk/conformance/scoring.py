@@ -11,6 +11,7 @@ from rna_sdk.conformance import program as reader
 from rna_sdk.conformance.kit import (
     EvaluateCase,
     Kit,
+    LobesCase,
     NormalsCase,
     RowClass,
     ValidateCase,
@@ -58,6 +59,8 @@ def cases(kit: Kit, level: str) -> list[Case]:
 def score(program: Program, kit: Kit, case: Case) -> Score:
     """Score of the reader; if it fails or its output cannot be read, no row is right."""
     try:
+        if isinstance(case, LobesCase):
+            return _lobes(program, case)
         if isinstance(case, EvaluateCase):
             return _evaluate(program, case, kit.int8_share)
         if isinstance(case, VisibilityCase):
@@ -79,6 +82,13 @@ def _evaluate(program: Program, case: EvaluateCase, int8_share: float) -> Score:
     where = case.package, case.tier, case.part, case.queries
     found = reader.evaluate(program, form, case.expected.shape[1], *where)
     return _compared(case, found, allowed(found), case.step, int8_share)
+
+
+def _lobes(program: Program, case: LobesCase) -> Score:
+    where = case.package, case.tier, case.part, case.queries
+    found = reader.lobes(program, case.expected.shape[1], *where)
+    is_axis = np.arange(found.shape[1]) % 6 >= 3
+    return _compared(case, found, allowed(found) | (np.isfinite(found) & is_axis))
 
 
 def _normals(program: Program, case: NormalsCase) -> Score:

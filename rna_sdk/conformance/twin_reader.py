@@ -10,17 +10,19 @@ import sys
 import numpy as np
 from numpy.typing import NDArray
 
+from rna_sdk.conformance.lobe_queries import LobeQueries, answer_of
 from rna_sdk.conformance.reader_program import run_reader
-from rna_sdk.package import Package, float_planes
+from rna_sdk.package import Mesh, Package, Planes, float_planes
 from rna_sdk.package.decoder.decoder_form import form_named
 from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS, in_order
+from rna_sdk.reference.lobes import lobes_reference, mirror_reference, visibility_reference
 from rna_sdk.reference.queries import fiber_queries_reference, queries_reference
 from rna_sdk.runtime.engine.decoder_sessions import Graph
 
+Rows = NDArray[np.float32]
 
-def evaluate(
-    form: str, package: str, tier: str, part: int, arrays: dict[str, NDArray[np.float32]]
-) -> NDArray[np.float32]:
+
+def evaluate(form: str, package: str, tier: str, part: int, arrays: dict[str, Rows]) -> Rows:
     """(n, width): the decoder's output, 0 for rows that are no queries."""
     with Package.open(package) as opened:
         own = opened.tier(tier).parts[part]
@@ -29,21 +31,65 @@ def evaluate(
         result = np.zeros((len(arrays["wo"]), width), np.float32)
         if decoder is None:
             return result
-        valid = np.ones(len(result), bool)
-        for array in (array for array in QUERY_ARRAYS if array.name in arrays):
-            rows = arrays[array.name].reshape(len(result), -1)
-            valid &= np.isfinite(rows).all(axis=1) & (rows.any(axis=1) | (not array.is_direction))
-        at, axis, h, wo, wi = (array[valid] for array in in_order(arrays))
-        planes, box = float_planes(opened.planes(tier, part)), opened.manifest.parts[part].bounds
-        place = planes, box.corners(), decoder.inputs
-        if opened.manifest.parts[part].kind == "surface":
-            queries = queries_reference(*place, at, axis, wo, wi)
-        else:
-            queries = fiber_queries_reference(*place, at, axis, h, wo, wi)
+        valid = _valid(arrays)
+        asked = {name: rows[valid] for name, rows in arrays.items()}
+        queries = _queries(opened, part, opened.planes(tier, part), decoder.inputs, asked)
         model = bytes(opened.decoder(tier, part, form))
         result[valid] = Graph(model, optimized=False).run(queries)
         return result
 
 
+def environment(package: str, tier: str, part: int, queries: LobeQueries) -> Rows:
+    """(n, 6 L): amplitudes and axes, 0 for rows that are no queries. tier: any."""
+    with Package.open(package) as opened:
+        own, kind = opened.environment(part), opened.manifest.parts[part].kind
+        assert own is not None
+        arrays = {name: getattr(queries, name) for name in ("position", "axis", "h", "wo")}
+        valid = _valid(arrays) & np.isfinite(queries.free)
+        asked = {name: rows[valid] for name, rows in arrays.items()}
+        asked["wi"] = mirror_reference(kind, asked["axis"], asked["wo"])
+        inputs = _queries(opened, part, own.planes, own.record.inputs, asked)
+        if own.harmonics is not None:
+            corners, weights = _corners(opened, part, queries)
+            mixed = visibility_reference(own.harmonics, corners[valid], weights[valid])
+            inputs = np.hstack([inputs, mixed.astype(np.float32)])
+        output = Graph(bytes(own.decoder), optimized=False).run(inputs)
+        result = np.zeros((len(valid), 6 * own.record.lobes), np.float32)
+        found = lobes_reference(kind, output, asked["axis"], asked["wo"], queries.free[valid])
+        result[valid] = answer_of(*found)
+        return result
+
+
+def _corners(
+    opened: Package, part: int, queries: LobeQueries
+) -> tuple[NDArray[np.integer], NDArray[np.float64]]:
+    """Vertices of the primitives of queries, and their weights, (n, 3 or 2) each."""
+    geometry, u, v = opened.geometry(part), np.float64(queries.u), np.float64(queries.v)
+    if isinstance(geometry, Mesh):
+        return geometry.triangles[queries.primitive], np.stack([1 - u - v, u, v], axis=1)
+    first = geometry.segments()[queries.primitive]
+    return np.stack([first, first + 1], axis=1), np.stack([1 - u, u], axis=1)
+
+
+def _valid(arrays: dict[str, Rows]) -> NDArray[np.bool_]:
+    """Which rows are queries."""
+    valid = np.ones(len(arrays["wo"]), np.bool_)
+    for array in (array for array in QUERY_ARRAYS if array.name in arrays):
+        rows = arrays[array.name].reshape(len(valid), -1)
+        valid &= np.isfinite(rows).all(axis=1) & (rows.any(axis=1) | (not array.is_direction))
+    return valid
+
+
+def _queries(
+    opened: Package, part: int, planes: Planes, inputs: tuple[str, ...], arrays: dict[str, Rows]
+) -> Rows:
+    """(n, K): the blocks of these inputs."""
+    at, axis, h, wo, wi = in_order(arrays)
+    place = float_planes(planes), opened.manifest.parts[part].bounds.corners(), inputs
+    if opened.manifest.parts[part].kind == "surface":
+        return queries_reference(*place, at, axis, wo, wi)
+    return fiber_queries_reference(*place, at, axis, h, wo, wi)
+
+
 if __name__ == "__main__":
-    sys.exit(run_reader(evaluate=evaluate))
+    sys.exit(run_reader(evaluate=evaluate, environment=environment))

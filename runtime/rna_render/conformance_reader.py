@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rna_sdk.conformance.reader import check, evaluate
+from rna_sdk.conformance.reader import check, environment, evaluate
 from rna_sdk.conformance.reader_program import run_reader
 from rna_sdk.package import Curves, Mesh, Package
 
@@ -85,6 +85,7 @@ if __name__ == "__main__":
     sys.exit(
         run_reader(
             evaluate=evaluate,
+            environment=environment,
             visibility=visibility,
             normals=normals,
             validate=check,

@@ -15,7 +15,7 @@ import pytest
 
 from rna_sdk.conformance.kit import Kit, load_kit
 from rna_sdk.conformance.program import Answer
-from rna_sdk.conformance.reader_program import Evaluate, run_reader
+from rna_sdk.conformance.reader_program import Environment, Evaluate, run_reader
 from tests.conftest import REPOSITORY
 
 KIT = REPOSITORY / "spec" / "conformance"
@@ -42,6 +42,7 @@ class InProcess:
     """Functions as a reader program: the same protocol, without a process a call."""
 
     evaluate: Evaluate | None = None
+    environment: Environment | None = None
     visibility: Callable[[str, bytes], np.ndarray] | None = None
     normals: Callable[[str, bytes], np.ndarray] | None = None
     validate: Callable[[str], tuple[bool, list[str]]] | None = None

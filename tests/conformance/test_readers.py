@@ -16,6 +16,7 @@ import pytest
 from rna_render import conformance_reader
 from rna_sdk.conformance import reader, twin_reader
 from rna_sdk.conformance.kit import LEVELS, Kit
+from rna_sdk.conformance.lobe_queries import LobeQueries
 from rna_sdk.conformance.program import Command, Program, claimed_levels
 from rna_sdk.conformance.rna_conform import run_levels
 from rna_sdk.conformance.scoring import Score
@@ -48,6 +49,7 @@ def kind_of(score: Score) -> str:
 def test_the_runtime_passes_every_level(kit: Kit) -> None:
     program = InProcess(
         reader.evaluate,
+        reader.environment,
         conformance_reader.visibility,
         conformance_reader.normals,
         reader.check,
@@ -57,15 +59,22 @@ def test_the_runtime_passes_every_level(kit: Kit) -> None:
 
 
 def test_the_numpy_twin_passes(kit: Kit) -> None:
-    assert failures(InProcess(twin_reader.evaluate), kit, "evaluate") == []
+    twin = InProcess(twin_reader.evaluate, twin_reader.environment)
+    assert failures(twin, kit, *claimed_levels(twin)) == []
 
 
 @pytest.mark.parametrize("module", ["rna_sdk.conformance.reader", "rna_render.conformance_reader"])
 def test_our_readers_are_programs(module: str, kit: Kit, tmp_path: Path) -> None:
     program = Command((sys.executable, "-m", module), timeout=300)
     had = claimed_levels(program)
-    assert had == (LEVELS if "render" in module else ("evaluate", "validate"))
-    one = replace(kit, evaluate=kit.evaluate[:1], visibility=(), validate=kit.validate[:1])
+    assert had == (LEVELS if "render" in module else ("evaluate", "environment", "validate"))
+    one = replace(
+        kit,
+        evaluate=kit.evaluate[:1],
+        environment=kit.environment[:1],
+        visibility=(),
+        validate=kit.validate[:1],
+    )
     assert failures(program, one, *had) == []
     refused = program.run("evaluate", str(tmp_path / "none.rna"), "small", "0", "none", "none")
     assert refused.status == 2 and refused.stderr.startswith("error: ")
@@ -78,8 +87,9 @@ def test_the_c_host_passes_every_level(kit: Kit, tmp_path: Path) -> None:
         ["make", "-s", "-C", C_HOST, f"BUILD={tmp_path}", "ARCH=", "CFLAGS=-O1", host], check=True
     )
     program = Command((str(host),), timeout=60)
-    assert claimed_levels(program) == LEVELS
-    assert failures(program, kit, *LEVELS) == []
+    known = tuple(level for level in LEVELS if level != "environment")
+    assert claimed_levels(program) == known
+    assert failures(program, kit, *known) == []
 
 
 def of_float32(minimal: ModuleType, formulas: Formulas) -> InProcess:
@@ -302,6 +312,32 @@ def test_a_reader_without_emission_fails(kit: Kit) -> None:
     failed = failures(InProcess(evaluate), kit, "evaluate")
     assert {score.tier.split()[-1] for score in failed} == {"emission"} and len(failed) == 3
     assert "no emission here" in failed[0].note
+
+
+def with_lobes(change: Callable[[LobeQueries], LobeQueries]):  # type: ignore[no-untyped-def]
+    """Lobes of queries that are read wrong."""
+
+    def environment(package: str, tier: str, part: int, queries: LobeQueries) -> np.ndarray:
+        return reader.environment(package, tier, part, change(queries))
+
+    return environment
+
+
+@pytest.mark.parametrize(
+    ("change", "packages"),
+    [
+        (lambda q: replace(q, free=np.ones_like(q.free)), {"surface-quantised", "fiber-quantised"}),
+        (lambda q: replace(q, axis=-q.axis), {"surface-quantised", "fiber-quantised"}),
+        (lambda q: replace(q, u=q.v, v=q.u), {"surface-quantised"}),
+        (lambda q: replace(q, primitive=0 * q.primitive), {"surface-quantised"}),
+        (lambda q: replace(q, h=-q.h), {"fiber-quantised"}),
+    ],
+    ids=["free", "turned", "corners", "first triangle", "other side"],
+)
+def test_readers_that_get_lobes_wrong_fail(change, packages, kit: Kit) -> None:  # type: ignore[no-untyped-def]
+    failed = failures(InProcess(environment=with_lobes(change)), kit, "environment")
+    assert {score.package for score in failed} == packages
+    assert all("expected" in score.note for score in failed)
 
 
 def with_maps(change: Callable[[NormalMap], NormalMap | None]):  # type: ignore[no-untyped-def]

@@ -41,10 +41,10 @@ def test_it_says_what_the_package_records(capsys: pytest.CaptureFixture[str]) ->
 
 def test_lobes_are_told_with_their_error(tmp_path: Path) -> None:
     info = package_info(with_lobes(make_tiny_package(tmp_path / "tiny.rna"), tmp_path / "lit.rna"))
-    assert info["parts"][0]["has"] == ["lobes"]
+    assert info["parts"][0]["has"] == ["4 lobes"]
     assert info["lobes"] == [FOREST.model_dump(mode="json", by_alias=False)]
     lines = list(info_lines(info))
-    assert "lobes       PSNR 30.50 dB, FLIP 0.0500 under forest" in lines
+    assert "lobes       PSNR 30.50 dB, FLIP 0.0500 under forest; lobes alone 28.50 dB" in lines
     assert any(line.endswith("RNA_environment") for line in lines)
 
 

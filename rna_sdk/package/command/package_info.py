@@ -77,7 +77,7 @@ def contents(manifest: Manifest) -> list[tuple[Part, list[str]]]:
         named = {"transmittance": part.transmittance, "normal maps": part.normal_maps}
         has = [name for name, records in named.items() if records]
         has += [decoder.form.name for decoder in own.decoders[1:]]
-        found.append((part, [*has, *(["lobes"] if light else [])]))
+        found.append((part, [*has, *([f"{light.lobes} lobes"] if light else [])]))
     return found
 
 
@@ -165,9 +165,9 @@ def _tier_text(tier: Info) -> str:
 
 
 def _lobes_text(error: Info) -> str:
-    """Error under an environment, as viewers use lobes: with its brightest directions apart."""
+    """Error under an environment: as viewers use lobes, its brightest directions apart; without."""
     score = f"PSNR {error['psnr_with_lights']:.2f} dB, FLIP {error['flip']:.4f}"
-    return f"{score} under {error['environment']}"
+    return f"{score} under {error['environment']}; lobes alone {error['psnr']:.2f} dB"
 
 
 def _directions_text(domain: Info) -> str:

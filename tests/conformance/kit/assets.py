@@ -10,6 +10,7 @@ import numpy as np
 from rna_sdk.package import (
     Bounds,
     Int8Planes,
+    Lobes,
     NormalMapRecord,
     Part,
     Provenance,
@@ -17,13 +18,16 @@ from rna_sdk.package import (
     TierData,
     TierPart,
     TransmittanceRecord,
+    Unpacked,
     write_package,
 )
 from rna_sdk.package.decoder.decoder_form import form_named
 from rna_sdk.package.decoder.query_arrays import arrays_of
 from tests.conformance.kit import decoders
+from tests.conformance.kit.answers import PART_OF_SCALE, SIGN_PATTERNS, Answers
 from tests.conformance.kit.blocks import Points, decoder_inputs, moved_blocks
 from tests.conformance.kit.decoders import Decoder, Int8Decoder, short
+from tests.conformance.kit.lobes import make_lobes
 from tests.conformance.kit.oddities import make_odd
 from tests.conformance.kit.plans import DecoderPlan, PartPlan, Plan, TierPlan
 from tests.conformance.kit.queries import (
@@ -36,8 +40,6 @@ from tests.conformance.kit.queries import (
 )
 from tests.package.builders import make_manifest, make_part, make_tier_part
 
-PART_OF_SCALE = 1e-4  # tolerance of a well-conditioned row
-SIGN_PATTERNS = 32
 _CALIBRATION_ROWS = 600
 
 
@@ -48,24 +50,6 @@ class Asked:
     tier: str
     part: int
     output: str  # name of the decoder's form
-
-
-@dataclass(frozen=True)
-class Answers:
-    """To one question: queries (n, columns) float32; blocks (n, K), expected and tolerance
-    (n, width) float64.
-
-    classes: name, first row, rows. scale: root mean square of the expected of ordinary rows.
-    step: the most that a step of one int8 activation changes an output; 0 for float32.
-    """
-
-    queries: np.ndarray
-    blocks: np.ndarray
-    expected: np.ndarray
-    tolerance: np.ndarray
-    classes: list[tuple[str, int, int]]
-    scale: float
-    step: float
 
 
 def write_asset(plan: Plan, folder: Path) -> dict[Asked, Answers]:
@@ -90,6 +74,8 @@ def write_asset(plan: Plan, folder: Path) -> dict[Asked, Answers]:
         )
     }
     write_package(path, manifest, [part.geometry for part in plan.parts], data, textures)
+    if any(part.lobes for part in made):
+        Unpacked.read(path).with_environment([part.lobes for part in made]).write(path)
     if plan.name == "surface-odd":
         make_odd(path)
     return {asked: answers for part in made for asked, answers in part.answers.items()}
@@ -112,6 +98,7 @@ class _Made:
         self.record = _part(part, alone)
         self.records: list[TierPart] = []
         self.data: list[TierData] = []
+        self.lobes: Lobes | None = None
         self.answers: dict[Asked, Answers] = {}
         for k, tier in enumerate(part.tiers):
             seed = [len(plan.name), k + 100 * number, *plan.name.encode()]
@@ -119,6 +106,10 @@ class _Made:
             if not tier.shares_planes:
                 self._planes, self._values = _planes(rng, tier)
             self._add(rng, number, part, tier)
+            if k == 0 and part.lobes:
+                own = np.random.default_rng([*seed, 1])
+                self.lobes, answers = make_lobes(own, part, self._values)
+                self.answers[Asked(tier.name, number, "environment")] = answers
 
     def _add(self, rng: np.random.Generator, number: int, part: PartPlan, tier: TierPlan) -> None:
         decoder = _decoder(rng, part, tier, self._values)

@@ -67,7 +67,8 @@ class Decoder:
         for k, layer in enumerate(self.layers):
             value = graph.node("Relu", value) if k else value
             value = graph.node("Gemm", value, layer.weight, layer.bias)
-        return _file(graph, value, self.ends, len(self.layers[0].weight), self.output)
+        sizes = len(self.layers[0].weight), len(self.layers[-1].bias)
+        return _file(graph, value, self.ends, *sizes, self.output)
 
 
 @dataclass(frozen=True)
@@ -122,7 +123,7 @@ class Int8Decoder:
             scale = layer.input_scale * layer.scale
             bias = graph.node("DequantizeLinear", layer.bias, scale, axis=0)
             value = graph.node("Gemm", value, weight, bias)
-        return _file(graph, value, self.ends, len(self.gain), self.output)
+        return _file(graph, value, self.ends, len(self.gain), len(layer.bias), self.output)
 
 
 def make_decoder(
@@ -132,13 +133,15 @@ def make_decoder(
     mixing: int = 0,
     first: np.ndarray | None = None,
     output: str = "transport",
+    colours: int = 0,
 ) -> Decoder:
     """Random layers whose outputs on these (n, K) blocks are colours of 0.02 to 2 or so.
 
     mixing: outputs of the last layer that a matrix makes the colours of; 0 for none. first:
-    (K, outputs), the first layer's weights but for a factor an output.
+    (K, outputs), the first layer's weights but for a factor an output. colours: columns of the
+    output, where its name does not say so.
     """
-    colours = OUTPUTS[output]
+    colours = colours or OUTPUTS[output]
     sizes, layers, x = [blocks.shape[1], *widths, mixing or colours], [], blocks
     spread = blocks.std(axis=0)
     spread = np.where(spread > 1e-6, spread, 1)
@@ -223,10 +226,16 @@ def _closed(x: np.ndarray, ends: np.ndarray) -> np.ndarray:
     return colours @ wide if wide.ndim else colours * wide
 
 
-def _file(graph: pb.GraphBuilder, value: str, ends: np.ndarray, columns: int, output: str) -> bytes:
-    """The ModelProto from `queries` to the output, the closing nodes included."""
+def _file(
+    graph: pb.GraphBuilder, value: str, ends: np.ndarray, columns: int, last: int, output: str
+) -> bytes:
+    """The ModelProto from `queries` to the output, the closing nodes included.
+
+    columns: of the queries. last: outputs of the last layer.
+    """
     value = graph.node("Exp", graph.node("Clip", value, 0.0, TOP))
     value = graph.node("Sub", value, 1.0)
     graph.node("MatMul" if np.ndim(ends) else "Mul", value, ends, output=output)
-    ends_at = pb.value("queries", ["N", columns]), pb.value(output, ["N", OUTPUTS[output]])
+    width = len(ends.T) if np.ndim(ends) else last
+    ends_at = pb.value("queries", ["N", columns]), pb.value(output, ["N", width])
     return graph.model(*ends_at, [("", 17)], producer="rna-conformance")

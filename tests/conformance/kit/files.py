@@ -11,8 +11,10 @@ from typing import Any
 
 import numpy as np
 
+from rna_sdk.conformance.kit import VERSION
 from rna_sdk.package import Mesh
-from tests.conformance.kit.assets import Answers, Asked, write_asset
+from tests.conformance.kit.answers import Answers
+from tests.conformance.kit.assets import Asked, write_asset
 from tests.conformance.kit.broken import broken_packages
 from tests.conformance.kit.hits import make_hits
 from tests.conformance.kit.normals import make_normal_hits
@@ -30,16 +32,17 @@ Files = dict[str, bytes]
 def kit_files() -> Files:
     """Path below the kit -> content."""
     files: Files = {}
-    index: dict[str, Any] = {"version": 3, "int8Share": INT8_SHARE}
+    index: dict[str, Any] = {"version": VERSION, "int8Share": INT8_SHARE}
     index |= {"visibilityTolerance": VISIBILITY_TOLERANCE}
-    index |= {"evaluate": [], "visibility": [], "normals": [], "validate": []}
+    index |= {"evaluate": [], "environment": [], "visibility": [], "normals": [], "validate": []}
     with tempfile.TemporaryDirectory() as folder:
         for plan in PLANS:
             answers = write_asset(plan, Path(folder))
             package = f"packages/{plan.name}.rna"
             files[package] = (Path(folder) / f"{plan.name}.rna").read_bytes()
             for asked, answer in answers.items():
-                index["evaluate"].append(_evaluate_case(files, plan, package, asked, answer))
+                level = "environment" if asked.output == "environment" else "evaluate"
+                index[level].append(_evaluate_case(files, plan, package, asked, answer))
             index["visibility"].append(_visibility_case(files, plan, package))
             index["normals"] += _normals_cases(files, plan, package)
             index["validate"].append(_validate_case(package, True, plan.warning))

@@ -53,6 +53,16 @@ class TierPlan:
 
 
 @dataclass(frozen=True)
+class LobesPlan:
+    """Lobes of a part, on the planes of the first tier."""
+
+    inputs: tuple[str, ...]
+    lobes: int
+    visibility: bool
+    widths: tuple[int, ...] = (12,)
+
+
+@dataclass(frozen=True)
 class PartPlan:
     """A part; records, maps: with the names of their textures."""
 
@@ -63,6 +73,7 @@ class PartPlan:
     tiers: tuple[TierPlan, ...]
     records: tuple[tuple[str, Transmittance], ...] = ()
     maps: tuple[tuple[str, NormalMap], ...] = ()
+    lobes: LobesPlan | None = None
 
     @property
     def is_fiber(self) -> bool:
@@ -95,8 +106,9 @@ def one_part(
     high: tuple[float, float, float],
     tiers: tuple[TierPlan, ...],
     warning: str | None = None,
+    lobes: LobesPlan | None = None,
 ) -> Plan:
-    return Plan(name, what, (PartPlan("asset", geometry, low, high, tiers),), warning)
+    return Plan(name, what, (PartPlan("asset", geometry, low, high, tiers, lobes=lobes),), warning)
 
 
 ONE = (-1.0,) * 3, (1.0,) * 3
@@ -171,14 +183,16 @@ PLANS = (
         (TierPlan("one", ("h", "fiber_lobes", "fiber_angles"), 1, 1, "float32", widths=(13, 7)),),
     ),
     one_part(
-        *("surface-quantised", "a mesh in 16 bits, with texture coordinates"),
+        *("surface-quantised", "a mesh in 16 bits, with texture coordinates; lobes"),
         *(quantise(shapes.with_uvs(shapes.bowl())), *ONE),
         (TierPlan("small", SURFACE, 6, 4, widths=(12,)),),
+        lobes=LobesPlan(SURFACE, 4, visibility=True),
     ),
     one_part(
-        *("fiber-quantised", "strands in steps"),
+        *("fiber-quantised", "strands in steps; lobes without visibility"),
         *(quantise(shapes.curls(7, 3)), *ONE),
         (TierPlan("small", FIBER, 6, 4, widths=(12,)),),
+        lobes=LobesPlan(FIBER, 2, visibility=False),
     ),
     one_part(
         *("surface-glow", "one part that emits, float32"),

@@ -68,16 +68,15 @@ def lobes_record(**changes: Any) -> dict[str, Any]:
     }
 
 
-def with_lobes(entries: Entries, outputs: int = 18, columns: int = 18, **changes: Any) -> bytes:
-    """The package with lobes, whose decoder has so many inputs and outputs."""
-    data = {"parts": [lobes_record(**changes)]}
-    decoder = make_decoder("float32", columns, outputs=outputs, output="environment")
-    return with_entry(entries, LOBES, decoder, lambda m: used(m, "RNA_environment", data))
+def with_record(entries: Entries, **changes: Any) -> bytes:
+    """The package with the record of lobes, and for their decoder that of transport."""
+    data = {"parts": [lobes_record(**{"decoder": DECODER, **changes})]}
+    return with_manifest(entries, lambda m: used(m, "RNA_environment", data))
 
 
-def with_visibility(entries: Entries, harmonics: np.ndarray, name: str = "harmonics") -> bytes:
+def with_visibility(entries: Entries, harmonics: np.ndarray) -> bytes:
     """The package with lobes and a visibility about its vertices."""
-    file = tensors_to_bytes({name: harmonics})
+    file = tensors_to_bytes({"harmonics": harmonics})
     data = {"parts": [lobes_record(visibility=VISIBILITY)]}
     decoder = make_decoder("float32", 18 + 16, outputs=18, output="environment")
 
@@ -217,12 +216,12 @@ def lobes_of_no_part(entries: Entries) -> bytes:
 
 @case("FIELD_VALUE")
 def lobes_that_cannot_be_halved(entries: Entries) -> bytes:
-    return with_lobes(entries, 27, lobes=3)
+    return with_record(entries, lobes=3)
 
 
 @case("FIELD_VALUE")
 def lobes_beyond_the_most(entries: Entries) -> bytes:
-    return with_lobes(entries, 9 * 34, lobes=34)
+    return with_record(entries, lobes=34)
 
 
 @case("PARTS_DIFFER")
@@ -233,23 +232,24 @@ def lobes_of_two_parts(entries: Entries) -> bytes:
 
 @case("REFERENCE_MISSING")
 def lobes_on_planes_that_are_not_there(entries: Entries) -> bytes:
-    return with_lobes(entries, planes="features/none.safetensors")
+    return with_record(entries, planes="features/none.safetensors")
 
 
 @case("PLANES_SHAPE")
 def lobes_on_planes_of_another_size(entries: Entries) -> bytes:
-    return with_lobes(entries, resolution=7)
+    data = {"parts": [lobes_record(resolution=7)]}
+    decoder = make_decoder("float32", 18, outputs=18, output="environment")
+    return with_entry(entries, LOBES, decoder, lambda m: used(m, "RNA_environment", data))
 
 
 @case("INPUT_KIND")
 def lobes_of_a_surface_with_a_block_of_fibers(entries: Entries) -> bytes:
-    return with_lobes(entries, columns=4, inputs=["wo", "h"])
+    return with_record(entries, inputs=["wo", "h"])
 
 
 @case("DECODER_OUTPUT")
 def lobes_with_the_output_of_transport(entries: Entries) -> bytes:
-    data = {"parts": [lobes_record(decoder=DECODER)]}
-    return with_manifest(entries, lambda m: used(m, "RNA_environment", data))
+    return with_record(entries)
 
 
 @case("DECODER_INPUT")
@@ -267,13 +267,3 @@ def visibility_with_a_vertex_missing(entries: Entries) -> bytes:
 @case("ENVIRONMENT_VISIBILITY")
 def visibility_up_to_degree_two(entries: Entries) -> bytes:
     return with_visibility(entries, np.zeros((12, 9), np.int8))
-
-
-@case("ENVIRONMENT_VISIBILITY")
-def visibility_in_float16(entries: Entries) -> bytes:
-    return with_visibility(entries, np.zeros((12, 16), np.float16))
-
-
-@case("ENVIRONMENT_VISIBILITY")
-def visibility_by_another_name(entries: Entries) -> bytes:
-    return with_visibility(entries, np.zeros((12, 16), np.int8), "visibility")
