@@ -14,7 +14,9 @@ from tests.web.three.pages import REPOSITORY, TOY, installed, opened
 
 pytestmark = pytest.mark.chromium
 
-TINY = REPOSITORY / "spec" / "conformance" / "packages" / "surface-tiny.rna"
+KIT = REPOSITORY / "spec" / "conformance" / "packages"
+TINY = KIT / "surface-tiny.rna"
+TWO_TIERS = KIT / "surface-float32.rna"
 SIZE = [96, 60]
 
 
@@ -23,7 +25,7 @@ def page(tmp_path_factory) -> Iterator[Page]:
     """A page with the module, a renderer and packages beside it."""
     folder = tmp_path_factory.mktemp("scene")
     installed(folder)
-    for path in (TOY, TINY, Path(__file__).parent / "page.html"):
+    for path in (TOY, TINY, TWO_TIERS, Path(__file__).parent / "page.html"):
         shutil.copy(path, folder)
     with opened(folder, "page.html", *SIZE) as page:
         page.wait_for("!!globalThis.test", TIMEOUT)
@@ -93,12 +95,48 @@ def test_raycaster_meets_the_asset(page):
     assert hits[0] > 0 and hits[1] == 0
 
 
+def test_a_distant_asset_takes_the_cheaper_tier(page):
+    """Heights and errors as a package records them; the size is that of the picture before."""
+    shown = run(
+        page,
+        """
+        const asset = await new rna.RnaLoader().loadAsync("surface-float32.rna");
+        const [small, hq] = asset.content.data.tiers, { sphere } = asset.content;
+        const rows = [{ height: 64, flip: 0.2 }, { height: 8, flip: 0.01 }];
+        Object.assign(small, { work: 1, validation: { flip: 0.2, flipAtHeight: rows } });
+        Object.assign(hq, { work: 2, validation: { flip: 0.01 } });
+        asset.scale.setScalar(0.2 / sphere.radius);
+        const seen = async (radii) => {
+          const middle = sphere.center.clone().multiply(asset.scale);
+          const position = middle.clone().addScalar((0.2 * radii) / Math.sqrt(3)).toArray();
+          const view = { position, lookAt: middle.toArray() };
+          await picture(asset, 96, 60, view);
+          return [await picture(asset, 96, 60, view), asset.shown];
+        };
+        const found = [await seen(4), await seen(40), await seen(4)];
+        asset.tier = "small";
+        found.push(await seen(4));
+        asset.dispose();
+        const [near, , again, forced] = found.map(([pixels]) => pixels);
+        return [found.map(([, tier]) => tier), near === again, near === forced];
+        """,
+    )
+    assert shown == [["hq", "small", "hq", "small"], True, False]
+
+
 def test_dispose_leaves_no_memory(page):
-    """After the first time, in which three.js makes what it keeps."""
+    """After the first times, in which three.js makes what it keeps: nothing is compiled anew."""
     totals = run(
         page,
         """
-        const totals = [], { memory } = renderer.info;
+        const totals = [], { memory } = renderer.info, { device } = renderer.backend;
+        let pipelines = 0;
+        for (const name of ["createRenderPipeline", "createRenderPipelineAsync"]) {
+          device[name] = (given) => {
+            pipelines += 1;
+            return Object.getPrototypeOf(device)[name].call(device, given);
+          };
+        }
         for (let k = 0; k < 4; k++) {
           const asset = await new rna.RnaLoader().loadAsync("surface-tiny.rna");
           const copy = asset.clone();
@@ -106,7 +144,8 @@ def test_dispose_leaves_no_memory(page):
           asset.dispose();
           copy.dispose();
           const { total, storageAttributes, attributes, uniformBuffers, programs } = memory;
-          totals.push({ total, storageAttributes, attributes, uniformBuffers, programs });
+          const objects = { total, storageAttributes, attributes, uniformBuffers, programs };
+          totals.push({ ...objects, pipelines });
         }
         return totals;
         """,

@@ -42,8 +42,8 @@ export class RnaAsset extends Group {
     this.content.users += 1;
     const { name, parts, tiers, notes, manifest } = this.content.data;
     Object.assign(this, { isRnaAsset: true, type: "RnaAsset", name, tier: "auto", manifest, height: Infinity });
-    // three.js calls `update` of objects with these two once a picture, as of its own THREE.LOD.
-    Object.assign(this, { isLOD: true, autoUpdate: true });
+    // three.js calls `update` of objects with these once a picture, as of its own THREE.LOD; of those with isGroup it does not.
+    Object.assign(this, { isLOD: true, autoUpdate: true, isGroup: false });
     this.shown = tiers[0].name;
     const materials = this.content.materialsOf(this.shown);
     parts.forEach((part, k) => this.add(this._mesh(part, k, materials[k])));
@@ -107,7 +107,7 @@ export class RnaAsset extends Group {
     const mesh = new Mesh(this.content.geometries[k], material);
     Object.assign(mesh, { name: part.name, castShadow: true, receiveShadow: true });
     mesh.onBeforeRender = (renderer) => {
-      this.height = renderer.getDrawingBufferSize(size).y;
+      this.height = renderer.getRenderTarget()?.height ?? renderer.getDrawingBufferSize(size).y;
       this.content.renderers.add(renderer);
     };
     return mesh;
