@@ -10,7 +10,9 @@ picture; milliseconds from opening the page, the bundle in the cache.
     first_look    time and FLIP of the first picture in full size
     same_quality  time and samples until the page without it has that FLIP
     share         the first time over the second
-    pictures      samples, ms and FLIP of each page's pictures in full size
+    pictures      samples, ms, FLIP and brightness of each page's pictures in full size; brightness:
+                  sum of R, G, B, linear, over that of the converged picture, where it differs from
+                  the backdrop in its corner
 """
 
 from __future__ import annotations
@@ -28,6 +30,7 @@ from PIL import Image
 
 from rna_bench.bench_options import add_out
 from rna_bench.results import publish
+from rna_render.image.view_transform import decode_srgb
 from rna_sdk.errors import RnaError
 from rna_view.site_files import Site, site_for
 from tests.render.chromium import INSTALL, SOFTWARE_GPU, find_chromium, open_page
@@ -76,6 +79,7 @@ def run(args: argparse.Namespace) -> None:
     converged = without[-1]["image"]
     for own in (*without, *with_look):
         own["flip"] = round(flip(own["image"], converged), 4)
+        own["brightness"] = brightness(own["image"], converged)
     first = with_look[0]
     same = next(own for own in without if own["flip"] <= first["flip"])
     if args.pictures:
@@ -95,9 +99,10 @@ def run(args: argparse.Namespace) -> None:
     publish(report, args)
 
 
-def numbers(picture: dict[str, Any]) -> dict[str, float]:
+def numbers(picture: dict[str, Any]) -> dict[str, Any]:
     """What the report says of a picture."""
-    return {"samples": picture["rounds"], "ms": round(picture["ms"]), "flip": picture["flip"]}
+    measured = {name: picture[name] for name in ("flip", "brightness")}
+    return {"samples": picture["rounds"], "ms": round(picture["ms"]), **measured}
 
 
 def in_chromium(
@@ -129,6 +134,13 @@ def flip(image: np.ndarray, reference: np.ndarray) -> float:
     """Mean FLIP of two pictures (h, w, 3), values of the screen from 0 to 1."""
     _, mean, _ = flip_evaluator.evaluate(reference, image, "LDR", applyMagma=False)
     return float(mean)
+
+
+def brightness(image: np.ndarray, reference: np.ndarray) -> list[float]:
+    """Of two pictures as flip takes them: R, G, B."""
+    seen = np.abs(reference - reference[0, 0]).max(axis=-1) > 1 / 255
+    ratio = decode_srgb(image)[seen].sum(axis=0) / decode_srgb(reference)[seen].sum(axis=0)
+    return [round(float(value), 4) for value in ratio]
 
 
 def save(folder: Path, pictures: dict[str, dict[str, Any]]) -> None:

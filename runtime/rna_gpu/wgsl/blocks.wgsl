@@ -16,13 +16,13 @@ fn rna_put(slot: u32, values: vec4f) {
 fn rna_common_blocks(x: vec3f, wo: vec3f, wi: vec3f) -> vec3f {
     let p = rna_relative(x);
     let texels = rna_texels(p);
-    let first = rna_features(texels, 0u);
     let slot = rna_slot(RNA_BLOCK_FEATURES);
-    if slot != RNA_NONE {
-        rna_values[slot] = first;
-        for (var group = 1u; group < rna_part.channel_groups; group++) {
-            rna_values[slot + group] = rna_features(texels, group);
-        }
+    let groups = select(rna_part.channel_groups, 1u, slot == RNA_NONE);
+    var first = vec4f(0.0);
+    for (var group = 0u; group < groups; group++) {
+        let features = rna_features(texels, group);
+        first = select(first, features, group == 0u);
+        rna_put(select(slot + group, RNA_NONE, slot == RNA_NONE), features);
     }
     rna_put(rna_slot(RNA_BLOCK_POSITION), vec4f(2.0 * p - 1.0, 0.0));
     rna_put(rna_slot(RNA_BLOCK_WO), vec4f(wo, 0.0));

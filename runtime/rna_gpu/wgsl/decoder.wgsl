@@ -1,5 +1,6 @@
 // The decoder: spec/RNA.md, 6.4 Decoder profile. All loops take their lengths from RnaPart: shaders
-// that are unrolled take minutes to compile.
+// that are unrolled take minutes to compile. Drivers inline each call: one call, in a loop, compiles
+// sooner than two.
 
 struct RnaTransport {
     visible: vec3f, // of emission: what is emitted
@@ -79,21 +80,30 @@ fn rna_run_layer(layer: RnaLayer, source: u32, place: u32) {
     }
 }
 
-// The place of the results in rna_values, from the queries there.
-fn rna_run_decoder() -> u32 {
-    rna_prepare_queries();
-    var source = 0u;
-    for (var k = 0u; k < rna_part.layer_count; k++) {
-        rna_run_layer(rna_part.layers[k], source, RNA_GROUPS - source);
-        source = RNA_GROUPS - source;
-    }
+// What the last layer gives, clipped, as radiance.
+fn rna_expand(source: u32) {
     let last = rna_part.layers[rna_part.layer_count - 1u].outputs;
     for (var k = 0u; k < last; k++) {
         let x = clamp(rna_values[source + k], vec4f(0.0), vec4f(rna_part.top));
         rna_values[source + k] = (exp(x) - 1.0) * rna_part.unit;
     }
-    if rna_part.matrix.inputs != 0u {
-        rna_run_layer(rna_part.matrix, source, RNA_GROUPS - source);
+}
+
+// The place of the results in rna_values, from the queries there.
+fn rna_run_decoder() -> u32 {
+    rna_prepare_queries();
+    var source = 0u;
+    for (var k = 0u; k <= rna_part.layer_count; k++) {
+        var layer = rna_part.matrix;
+        if k < rna_part.layer_count {
+            layer = rna_part.layers[k];
+        } else {
+            rna_expand(source);
+        }
+        if layer.inputs == 0u {
+            break; // there is no matrix
+        }
+        rna_run_layer(layer, source, RNA_GROUPS - source);
         source = RNA_GROUPS - source;
     }
     return source;

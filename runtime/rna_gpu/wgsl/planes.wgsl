@@ -87,10 +87,12 @@ fn rna_relative(x: vec3f) -> vec3f {
 
 // Channels 4 group to 4 group + 3 of the features at p, in [0, 1].
 fn rna_features(t: RnaTexel, group: u32) -> vec4f {
-    let x = vec2<u32>(t.low.x, t.high.x);
-    let y = vec2<u32>(t.low.y, t.high.y);
-    let z = vec2<u32>(t.low.z, t.high.z);
-    return rna_bilinear(0u, group, x, y, t.fraction.x, t.fraction.y)
-        + rna_bilinear(1u, group, y, z, t.fraction.y, t.fraction.z)
-        + rna_bilinear(2u, group, z, x, t.fraction.z, t.fraction.x);
+    var sum = vec4f(0.0);
+    for (var plane = 0u; plane < 3u; plane++) {
+        let next = (plane + 1u) % 3u;
+        let columns = vec2<u32>(t.low[plane], t.high[plane]);
+        let rows = vec2<u32>(t.low[next], t.high[next]);
+        sum += rna_bilinear(plane, group, columns, rows, t.fraction[plane], t.fraction[next]);
+    }
+    return sum;
 }

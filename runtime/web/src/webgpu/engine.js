@@ -40,14 +40,16 @@ export class WebGPUEngine {
       groupLayout(device, { 0: readOnly, 1: readOnly, 2: readOnly, 3: readOnly, 4: readOnly }),
     ];
     this.queueLayout = [groupLayout(device, { 0: uniform, 2: storage }), band, groupLayout(device, { 0: storage, 1: storage, 2: storage })];
-    const [begin, gather, scatter, shown] = await Promise.all([
+    this.lookLayout = [...this.queueLayout.slice(0, 2), groupLayout(device, { 0: storage, 1: storage })];
+    const [begin, gather, scatter, remember, smooth, shown] = await Promise.all([
       ...["begin", "gather", "scatter"].map((name) => this.pipelines.get(sources.queue, name, this.queueLayout)),
+      ...["remember", "smooth_edges"].map((name) => this.pipelines.get(sources.look, name, this.lookLayout)),
       device.createRenderPipelineAsync({
         layout: "auto", vertex: { module: show, entryPoint: "corner" },
         fragment: { module: show, entryPoint: "colour", targets: [{ format }] },
       }),
     ]);
-    Object.assign(this, { queueKernels: { begin, gather, scatter }, shown });
+    Object.assign(this, { queueKernels: { begin, gather, scatter, remember, smooth }, shown });
     this._makeBand();
   }
 
@@ -134,12 +136,13 @@ export class WebGPUEngine {
     this._makeSums();
   }
 
-  /** The sum of the samples; and the first look, where the asset has lobes. */
+  /** The sum of the samples; and the first look and what its rays met, where the asset has lobes. */
   _makeSums() {
     if (!this.capacity) return;
-    for (const own of [this.sums, this.firstLook]) own?.destroy();
+    for (const own of [this.sums, this.firstLook, this.seen]) own?.destroy();
     const make = (pixels) => buffer(this.device, 16 * pixels, undefined, "the picture");
-    Object.assign(this, { sums: make(this.capacity), firstLook: make(this.hasLobes ? this.capacity : 1) });
+    const more = this.hasLobes ? this.capacity : 1;
+    Object.assign(this, { sums: make(this.capacity), firstLook: make(more), seen: make(more) });
     this._bind();
   }
 
@@ -148,22 +151,21 @@ export class WebGPUEngine {
     const { device, rayLayout, queueLayout, queue } = this;
     const band = bindGroup(device, rayLayout[1], { 0: this.band, 1: this.viewRecord });
     const queries = bindGroup(device, queueLayout[2], [queue.rows, queue.answers, queue.count]);
-    const queueGroups = (sums) => [bindGroup(device, queueLayout[0], { 0: this.frameRecord, 2: sums }), band, queries];
+    const sums = bindGroup(device, queueLayout[0], { 0: this.frameRecord, 2: this.sums });
     this.groups = {
       rays: [
         bindGroup(device, rayLayout[0], { 0: this.frameRecord, 4: this.table, 5: this.images }), band,
         bindGroup(device, rayLayout[2], this.geometry),
       ],
-      samples: queueGroups(this.sums), firstLook: queueGroups(this.firstLook),
+      queue: [sums, band, queries], look: [sums, band, bindGroup(device, this.lookLayout[2], [this.seen, this.firstLook])],
       show: bind(device, this.shown, 0, [this.showRecord, this.sums, this.firstLook]),
     };
   }
 
-  /** The first hits of rows `from` to `to`, the band that what follows is about. picture: "samples", or "firstLook". */
-  trace(camera, sample, from, to, picture = "samples") {
+  /** The first hits of rows `from` to `to`, the band that what follows is about. */
+  trace(camera, sample, from, to) {
     const { width } = this.target;
-    this.drawn = picture;
-    this.span = { first: from * width, pixels: (to - from) * width, jitter: camera.jitter ?? 1 };
+    this.span = { first: from * width, pixels: (to - from) * width, jitter: camera.jitter ?? 1, shift: camera.shift ?? [0, 0] };
     this._writeFrame(camera, sample);
     this._writeView({});
     this._run((pass) => dispatch(pass, this.kernels.hit, this.groups.rays, this.span.pixels));
@@ -176,7 +178,7 @@ export class WebGPUEngine {
     this._writeView(this.view);
     this._run((pass) => {
       dispatch(pass, this.kernels.light, this.groups.rays, this.span.pixels);
-      dispatch(pass, this.kernels.begin, this.groups[this.drawn], this.span.pixels);
+      dispatch(pass, this.kernels.begin, this.groups.queue, this.span.pixels);
     });
     if (light.kind === "mirror") this.lobeLight.set(light);
     this._decode(light.kind === "mirror" ? "environment" : "transport");
@@ -184,6 +186,17 @@ export class WebGPUEngine {
 
   emission() {
     this._decode("emission");
+  }
+
+  /** Keeps what the band's rays met: those of the first look, whose light is in the sums. */
+  remember() {
+    this._run((pass) => dispatch(pass, this.kernels.remember, this.groups.look, this.span.pixels));
+  }
+
+  /** Adds one of `shares` rays a pixel, those of the band, to the first look. */
+  smoothEdges(shares, isFirst) {
+    this._writeView({ shares, isFirst });
+    this._run((pass) => dispatch(pass, this.kernels.smooth, this.groups.look, this.span.pixels));
   }
 
   /** firstLook: its share in what is shown, 1 where there are no samples. */
@@ -220,9 +233,9 @@ export class WebGPUEngine {
       this._writeView({ ...this.view, part: k + 1, form: FORMS.indexOf(output) });
       this.device.queue.writeBuffer(this.queue.count, 0, Uint32Array.of(0));
       this._run((pass) => {
-        dispatch(pass, this.kernels.gather, this.groups[this.drawn], this.span.pixels);
+        dispatch(pass, this.kernels.gather, this.groups.queue, this.span.pixels);
         own.run(pass, this.queue, this.span.pixels);
-        dispatch(pass, this.kernels.scatter, this.groups[this.drawn], this.span.pixels);
+        dispatch(pass, this.kernels.scatter, this.groups.queue, this.span.pixels);
       });
     }
   }
@@ -243,12 +256,12 @@ export class WebGPUEngine {
     }));
   }
 
-  _writeView({ kind = "sun", direction = [0, 0, 0], colour = [0, 0, 0], ground, isFirst = false, countsCoverage = false, part = 0, form = 0 }) {
-    const { first, jitter } = this.span;
+  _writeView({ kind = "sun", direction = [0, 0, 0], colour = [0, 0, 0], ground, isFirst = false, countsCoverage = false, part = 0, form = 0, shares = 1 }) {
+    const { first, jitter, shift = [0, 0] } = this.span, { width, height } = this.target;
     const under = ground && { ground: ground.height, ground_colour: ground.colour, ground_size: ground.size, middle: [ground.x, ground.z] };
     this.device.queue.writeBuffer(this.viewRecord, 0, packed("View", {
       first, jitter, kind: viewerLights[kind], is_first: Number(isFirst), direction, counts_coverage: Number(countsCoverage), colour, part,
-      form, ...under,
+      form, shift, pixels: width * height, shares, ...under,
     }));
   }
 

@@ -6,6 +6,7 @@ import band from "./shaders/band.wgsl";
 import columns from "./shaders/columns.wgsl";
 import hit from "./shaders/hit.wgsl";
 import light from "./shaders/light.wgsl";
+import look from "./shaders/look.wgsl";
 import lobes from "./shaders/lobes.wgsl";
 import queue from "./shaders/queue.wgsl";
 import show from "./shaders/show.wgsl";
@@ -38,5 +39,5 @@ export function rayKernels({ hasSegments, hasTextures }) {
 
 export const sources = {
   columns: joined(compositions.columns) + band + columns, lobes: `${sharedFiles["environment_lobes.wgsl"]}\n${sharedFiles["row_records.wgsl"]}\n${lobes}`,
-  queue: joined(compositions.queue) + band + queue, show,
+  look: joined(compositions.queue) + band + look, queue: joined(compositions.queue) + band + queue, show,
 };

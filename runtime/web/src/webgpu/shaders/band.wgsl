@@ -14,6 +14,9 @@ struct View {
     middle: vec2f,        // of the ground, x and z
     part: u32,     // of the queries, + 1
     form: u32,     // of the answers: FORM_TRANSPORT, two vec4f each; FORM_EMISSION or FORM_ENVIRONMENT, one
+    shift: vec2f,  // of the rays, pixels
+    pixels: u32,   // of the whole picture
+    shares: f32,   // rays a pixel of the first look's edges
 }
 
 const FORM_TRANSPORT = 0u;

@@ -50,7 +50,7 @@ fn trace_pixels(
     }
     let number = view.first + k;
     let place = vec2f(vec2<u32>(number % frame.width, number / frame.width));
-    let at = place + mix(vec2f(0.5), square(number, 0u, frame.sample), view.jitter);
+    let at = place + mix(vec2f(0.5), square(number, 0u, frame.sample), view.jitter) + view.shift;
     let d = normalize(frame.corner + at.x * frame.step_x + at.y * frame.step_y);
     let ray = RnaRay(frame.camera, 0.0, d, RNA_FAR);
     let found = closest_through(ray, RNA_NOTHING, chance_of(number));
