@@ -212,23 +212,12 @@ class Fixtures:
                 write_arrays(path, arrays)
         return load_file(path)
 
-    @property
-    def python(self) -> Path:
-        """Blender's."""
-        return blender_env.find_python()
-
-    @contextmanager
-    def scratch(self) -> Iterator[Path]:
-        """A folder's name, for a while."""
-        folder = self._folder / f"scratch-{uuid4().hex[:8]}"
-        try:
-            yield folder
-        finally:
-            shutil.rmtree(folder, ignore_errors=True)
-
     @contextmanager
     def cycles(self, source: Source) -> Iterator[BlenderWorker]:
         """Cycles with the source open."""
-        with self.scratch() as folder:
-            with BlenderWorker(self.python, source, folder, self._workers) as worker:
+        scratch = self._folder / f"scratch-{uuid4().hex[:8]}"
+        try:
+            with BlenderWorker(blender_env.find_python(), source, scratch, self._workers) as worker:
                 yield worker
+        finally:
+            shutil.rmtree(scratch, ignore_errors=True)

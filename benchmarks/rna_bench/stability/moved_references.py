@@ -12,7 +12,7 @@ import numpy as np
 from rna_bench.one_part import OnePart
 from rna_bench.stability.fixtures import Fixtures
 from rna_export.capture.blender_process.blender_worker import BlenderWorker, Source
-from rna_export.motion.blender_motion import BlenderMotion
+from rna_export.capture.geometry.followed_source import FollowedSource
 from rna_render import Camera
 from rna_render.scene import CameraModel
 from rna_trace import part_geometry
@@ -98,16 +98,10 @@ def _positions(
     fixtures: Fixtures, source: Source, package: OnePart, frames: Sequence[int]
 ) -> dict[str, np.ndarray]:
     """As rna-motion would write them."""
-    with fixtures.scratch() as folder:
-        at = source, folder, [part_geometry(package)], package_name(source)
-        with BlenderMotion(fixtures.python, *at) as motion:
-            found = [positions for (positions,) in motion.frames(frames)]
+    with fixtures.cycles(source) as worker:
+        follows = FollowedSource(worker, [part_geometry(package)], f"{source.path.stem}.rna")
+        found = [follows.positions(frame)[0] for frame in frames]
     return {f"{frame}-positions": p for frame, p in zip(frames, found, strict=True)}
-
-
-def package_name(source: Source) -> str:
-    """Of the package that the suite made of a source."""
-    return f"{source.path.stem}.rna"
 
 
 def frame_images(
