@@ -49,7 +49,8 @@ def fiber_colors(part: FiberAsset, curves: Curves) -> Array:
 
 
 def _as_albedo(transport: Array, cosine: float) -> Array:
-    return np.clip(np.pi * transport / cosine, 0.0, 1.0).astype(np.float32)
+    albedo: Array = np.clip(np.pi * transport / cosine, 0.0, 1.0).astype(np.float32)
+    return albedo
 
 
 def _across(vectors: Array) -> Array:
