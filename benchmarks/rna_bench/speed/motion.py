@@ -66,7 +66,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     add("packages", nargs="*", type=Path, default=[TOY, FOX, CURLS], help="packages")
     add("--mesh", nargs="*", type=Path, default=[], help="glTF, OBJ or PLY files")
     add("--resolution", nargs=2, type=int, default=[320, 180], metavar="N", help="of the images")
-    add("--samples", type=int, default=4, help="per pixel")
+    add("--samples", type=int, default=2, help="per pixel")
     add_repeats(parser, 3)
     add_out(parser)
 
