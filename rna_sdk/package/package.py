@@ -52,6 +52,12 @@ class EnvironmentLobes:
         decoder: the ONNX model, read-only bytes.
         harmonics: (vertices, 16) int8, read-only: 127 times the coefficients of the visibility
             about the mesh's vertices or the curves' points; None if the decoder reads none.
+
+    Examples:
+        >>> with Package.open("toy.rna") as package:
+        ...     lobes = package.environment()
+        >>> 0 if lobes is None else lobes.record.lobes % 2  # none, or an even number
+        0
     """
 
     record: EnvironmentPart

@@ -52,6 +52,15 @@ class Lobes:
             if it has no such inputs.
         precision: of the decoder.
         agreement: largest difference between decoder and trained model, if recorded.
+
+    Examples:
+        >>> with Package.open("toy.rna") as package:
+        ...     of_tier = package.tier("small").parts[0]
+        >>> model = b"..."  # of ONNX
+        >>> lobes = Lobes("small", 8, ("features", "normal", "half_vector"), model)
+        >>> record, entries = lobes.entries("asset", of_tier)
+        >>> record.lobes, list(entries)
+        (8, ['extensions/RNA_environment/asset.onnx'])
     """
 
     tier: str
@@ -91,6 +100,11 @@ class Unpacked:
     Attributes:
         manifest: as it is written; its `entries` are computed anew.
         entries: name -> bytes, none of them coded.
+
+    Examples:
+        >>> package = Unpacked.read("toy.rna")
+        >>> package.write("copy.rna").name
+        'toy'
     """
 
     manifest: Manifest
