@@ -32,10 +32,10 @@ class BlenderMotion:
         source: Source,
         folder: Path,
         geometries: Sequence[Mesh | Curves],
-        numbers: Sequence[SourceVertices | None],
         package: str,
+        numbers: Sequence[SourceVertices | None] = (),
     ) -> None:
-        """numbers: of each part, as for `bind`. package: its name, for errors."""
+        """package: its name, for errors. numbers: of each part, as for `bind`."""
         self._worker = BlenderWorker(python, source, folder, threads=1)
         self._geometries, self._numbers, self._package = geometries, numbers, package
 

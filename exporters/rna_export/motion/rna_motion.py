@@ -152,7 +152,7 @@ def _of_blender(
         up=options.up,
         rest_frame=options.rest_frame,
     )
-    given = source, Path(folder), geometries, vertices, options.package.name
+    given = source, Path(folder), geometries, options.package.name, vertices
     motion = stack.enter_context(BlenderMotion(find_or_set_up(), *given))
     how = "the numbers of its vertices" if motion.by_number else "places at rest"
     print(f"{options.package.name} follows {options.source.name} by {how}")
