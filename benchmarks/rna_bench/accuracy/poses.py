@@ -69,9 +69,11 @@ def _rows(
     rest, *moved = (shade(asset, views, found, frame) for frame in frames)
     rows = []
     for number, frame in zip(frames[1:], moved, strict=True):
-        elements = frame.asset.turned_deg() > MOVED_DEG
+        turned = frame.asset.turned_deg()
+        elements = turned > MOVED_DEG
         error, at_rest = _error(frame, elements), _error(rest, elements)
-        rows.append({"frame": number, "error": error, "at_rest": at_rest, "ratio": error / at_rest})
+        errors = {"error": error, "at_rest": at_rest, "ratio": error / at_rest}
+        rows.append({"frame": number, "turned_deg": float(turned.max()), **errors})
     return rows
 
 
