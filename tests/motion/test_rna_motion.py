@@ -9,9 +9,11 @@ import numpy as np
 import pytest
 
 from rna_export.capture.blender_process.blender_worker import BlenderWorker, Source
+from rna_export.capture.geometry.captured_poses import captured_poses
 from rna_export.capture.geometry.mesh_cleanup import welded
 from rna_export.motion.rna_motion import main
 from rna_render import open_asset_motion
+from rna_sdk.errors import CaptureError
 from rna_sdk.motion import open_motion
 from rna_sdk.package import Curves, Mesh, Provenance, SourceVertices, Tier, write_package
 from rna_sdk.package.manifest.manifest_model import REST_FRAME
@@ -130,7 +132,13 @@ def test_a_motion_file_of_what_blender_evaluates(
     with BlenderWorker(blender_python, at_rest, tmp_path / "worker", 1) as worker:
         assert worker.opened["frame"] == REST
         corners, hair = worker.export_corners(), worker.export_curves()
-    mesh, first = welded(corners)
+        mesh, first = welded(corners)
+        parts = {"skin": mesh, "hair": hair}
+        with pytest.raises(CaptureError, match="frame 9 is as the rest frame, 5: nothing moves"):
+            dict(captured_poses(worker, parts, {}, [9]))
+        pose = dict(captured_poses(worker, parts, {}, [1]))[1]
+        worker.restart()
+        np.testing.assert_allclose(worker.export_curves().points, pose["hair"], atol=1e-6)
     asset = package(tmp_path / "arm.rna", mesh, hair)
     numbers = SourceVertices(corners["vertex"][first].astype(np.uint32), int(corners["vertices"]))
     assert len(mesh.positions) > numbers.count == len(np.unique(numbers.numbers))
@@ -146,6 +154,7 @@ def test_a_motion_file_of_what_blender_evaluates(
         still = rest[:, :1] > 1.0
         expected = np.where(still, rest, (rest - (0, 0.4, 0)) @ turn)
         np.testing.assert_allclose(found, expected, atol=2e-5)
+    np.testing.assert_allclose(motion.positions(0)[1], pose["hair"], atol=1e-6)
     for rest, found in zip((mesh.positions, hair.points), motion.positions(4), strict=True):
         np.testing.assert_allclose(found, rest, atol=1e-6)
     capsys.readouterr()

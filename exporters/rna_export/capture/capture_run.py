@@ -115,7 +115,7 @@ def begin(
         exported.notes += check_seen(source.path, scene, geometries, domain.wo)
         opened = worker.opened
         others = [frame for frame in settings.poses if frame != opened["frame"]]
-        poses = dict(captured_poses(worker, geometries, others))
+        poses = dict(captured_poses(worker, geometries, exported.sources, others))
         worker.show_frame(opened["frame"])
         check, rate = _checked(scene, settings, domain, worker, exported)
         rate *= workers.backend().width()
