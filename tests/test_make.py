@@ -46,16 +46,13 @@ def run(source: Path, out: Path, *options: object) -> str:
 
 STAGES = (  # a file of the work folder that appears in each
     "rays/manifest.json",
-    "rays/validation/*.safetensors",
     "rays/train/00000.safetensors",
     "runs/small/round-01/last.ckpt",
-    "runs/small/round-02/last.ckpt",
-    "runs/small/last/last.ckpt",
     "runs/tiny/last/best.ckpt",
 )
 
 
-def test_a_make_killed_at_every_stage_ends_with_a_package(tmp_path: Path) -> None:
+def test_a_make_killed_in_each_of_its_stages_ends_with_a_package(tmp_path: Path) -> None:
     source = write_scene(tmp_path, "ball", SCENE)
     out, work = tmp_path / "ball.rna", tmp_path / "ball.make"
     for number, stage in enumerate(STAGES):
@@ -96,7 +93,7 @@ def test_a_goal_of_a_lamp_behind_glass_is_met(tmp_path: Path) -> None:
 def test_lights_and_steps_make_the_package_of_the_three_commands(tmp_path: Path) -> None:
     """Equal bytes in every entry; measured costs differ."""
     source = write_scene(tmp_path, "ball", SCENE)
-    capture = [*SMALL[: SMALL.index("--steps")], "--lights", 32]
+    capture = [*SMALL[: SMALL.index("--steps")], "--lights", 16]
     export = "--precision float32 small=int8 --source ball --license CC0-1.0".split()
     made, rays, apart = (tmp_path / name for name in ("made.rna", "ball.rays", "apart.rna"))
     training = SMALL[SMALL.index("--steps") :]

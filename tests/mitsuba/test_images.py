@@ -19,7 +19,7 @@ SIZE, BATCHES = (24, 16), 16
 
 @pytest.mark.parametrize(
     ("name", "samples"),
-    [("sun", 16), ("environment and ground", 64), ("lamp and red wall", 80), ("curls", 256)],
+    [("sun", 16), ("environment and ground", 40), ("lamp and red wall", 40), ("curls", 128)],
 )
 def test_both_show_the_same(name: str, samples: int, tmp_path: Path) -> None:
     from rna_bench.hosts.mitsuba_scenes import pairs
