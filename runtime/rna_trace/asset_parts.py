@@ -26,7 +26,18 @@ class TransmittanceRecord(TextureRecord, Protocol):
     def ior(self) -> tuple[float, float] | None: ...
 
 
-class SurfacePart(Protocol):
+class LobedPart(Protocol):
+    """What any part knows of its lobes; its `lobes` is asked as its `evaluate` is."""
+
+    @property
+    def environment_form(self) -> object | None: ...
+
+    def mirror(self, axes: np.ndarray, wo: np.ndarray) -> np.ndarray: ...
+
+    def visibility_at(self, primitives: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray: ...
+
+
+class SurfacePart(LobedPart, Protocol):
     """A part with a mesh: rna_sdk.runtime.SurfaceAsset."""
 
     @property
@@ -52,10 +63,19 @@ class SurfacePart(Protocol):
         self, positions: np.ndarray, normals: np.ndarray, wo: np.ndarray
     ) -> np.ndarray: ...
 
+    def lobes(
+        self,
+        positions: np.ndarray,
+        normals: np.ndarray,
+        wo: np.ndarray,
+        free: np.ndarray,
+        visibility: np.ndarray,
+    ) -> tuple[np.ndarray, np.ndarray]: ...
+
     def deformed(self, positions: np.ndarray) -> DeformedMesh: ...
 
 
-class FiberPart(Protocol):
+class FiberPart(LobedPart, Protocol):
     """A part of strands: rna_sdk.runtime.FiberAsset."""
 
     @property
@@ -79,6 +99,16 @@ class FiberPart(Protocol):
     def emission(
         self, positions: np.ndarray, tangents: np.ndarray, h: np.ndarray, wo: np.ndarray
     ) -> np.ndarray: ...
+
+    def lobes(
+        self,
+        positions: np.ndarray,
+        tangents: np.ndarray,
+        h: np.ndarray,
+        wo: np.ndarray,
+        free: np.ndarray,
+        visibility: np.ndarray,
+    ) -> tuple[np.ndarray, np.ndarray]: ...
 
     def deformed(self, points: np.ndarray) -> DeformedCurves: ...
 

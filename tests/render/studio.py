@@ -14,6 +14,7 @@ from rna_render.lights import AssetLight, PlacedLight, make_light
 from rna_render.materials import MeshObject
 from rna_render.materials.material import Material
 from rna_render.paths.integrator import Integrator
+from rna_render.paths.lobe_lighting import LobeLighting
 from rna_render.paths.render import render
 from rna_render.scene.scene_model import Scene
 from rna_render.scene.transforms import world_from_object
@@ -38,11 +39,13 @@ def shoot(
     scene_objects: Sequence[tuple[SceneObject, dict[str, Any]]],
     lights: Sequence[dict[str, Any]] = (),
     strategy: Literal["both", "lights", "rays"] = "both",
+    lobes: Literal["image", "directions"] | None = None,
     **changes: Any,
 ) -> Channels:
     """Channels of the image of `things`, with their transforms, and of lights of a scene file.
 
-    changes: keys of the scene file. strategy: of the integrator.
+    changes: keys of the scene file. strategy: of the integrator. lobes: what is bright in
+    environments that lobes carry.
     """
     defaults = {
         "resolution": (48, 48),
@@ -62,8 +65,10 @@ def shoot(
     world = World(placements)
     others = [light for light in made if light not in shapes]
     camera = Camera(scene.camera, scene.resolution)
+    lights = [*world.lights, *others]
+    lighting = None if lobes is None else LobeLighting(lights, lobes == "directions")
     integrator = Integrator(
-        world, camera, [*world.lights, *others], scene.max_depth, strategy=strategy
+        world, camera, lights, scene.max_depth, strategy=strategy, lobes=lighting
     )
     with one_thread():
         return render(scene, integrator).channels()

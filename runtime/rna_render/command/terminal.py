@@ -63,7 +63,8 @@ def tell_size(scene_file: SceneFile) -> None:
 def tell_tiers(scene_file: SceneFile, world: World) -> None:
     """Print which tiers the scene's `quality` led to, if it has one."""
     assets = loaded_assets(scene_file, world)
-    if scene_file.scene.quality is not None and assets:
+    quality = scene_file.scene.quality
+    if quality is not None and quality.has_limit and assets:
         told = _counted(assets)
         if world.indirect:
             told += f"; of indirect radiance: {_counted(cast(list[Asset], world.indirect))}"

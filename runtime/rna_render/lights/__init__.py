@@ -24,7 +24,7 @@ if TYPE_CHECKING:
         split_environment,
     )
     from rna_render.lights.directions import LUMINANCE
-    from rna_render.lights.environment import EnvironmentImageLight
+    from rna_render.lights.environment import EnvironmentImageLight, EnvironmentLight
     from rna_render.lights.equirectangular import EquirectangularImage
     from rna_render.lights.kinds import LIGHT_ROWS, ROW_NUMBERS, row_places
     from rna_render.lights.mesh import MeshLight
@@ -39,6 +39,7 @@ __all__ = [
     "AssetEmission",
     "AssetLight",
     "EnvironmentImageLight",
+    "EnvironmentLight",
     "EquirectangularImage",
     "InfiniteLight",
     "Light",

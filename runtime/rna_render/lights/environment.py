@@ -24,6 +24,7 @@ class EnvironmentLight(InfiniteLight):
     def __init__(self, model: EnvironmentModel) -> None:
         self.group = model.group
         self.visible_to_camera = model.visible_to_camera
+        self.model = model
         self._radiance = np.asarray(model.radiance, np.float32)
         self.row = light_row(UNIFORM, self._radiance)
 
@@ -50,9 +51,19 @@ class EnvironmentImageLight(InfiniteLight):
         self.row = light_row(IMAGE, self._scale, self._image.words, **self._image.members)
 
     @property
+    def model(self) -> EnvironmentModel:
+        """What the scene file says of it."""
+        return self._model
+
+    @property
     def image(self) -> EquirectangularImage:
         """The image, at its angle."""
         return self._image
+
+    @property
+    def untouched(self) -> EquirectangularImage:
+        """The image at angle 0."""
+        return self._untouched
 
     def power(self, scene_radius: float) -> float:
         return float(np.pi * scene_radius**2 * self._image.total * luminance(self._scale))

@@ -99,6 +99,11 @@ class EquirectangularImage:
         self.numbers[TURN_COSINE], self.numbers[TURN_SINE] = np.cos(angle), np.sin(angle)
 
     @property
+    def texels(self) -> np.ndarray:
+        """Radiance at angle 0: (h, w, 3) float32."""
+        return self._texels
+
+    @property
     def members(self) -> dict[str, float]:
         """What the row of a light of this image holds beside its colour."""
         rows, columns, _ = self._texels.shape

@@ -13,7 +13,7 @@ start on, and are stopped by every other.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
@@ -21,6 +21,7 @@ import numpy as np
 from rna_render.image.film import Layers
 from rna_render.lights import InfiniteLight, Light
 from rna_render.paths.light_sampling import LightChoice, LightSampling, caught_light
+from rna_render.paths.lobe_lighting import LobeLighting, lobed_rows
 from rna_render.paths.sampling import (
     BRANCHES,
     CHOICES,
@@ -56,8 +57,11 @@ class _Rays:
 
     path: (n,) place of their path in the band. origin, direction: (n, 3) float32, world space.
     beta: (n, 3) float32, throughput of their path so far. pdf: (n,) float32, density of the
-    direction; None for camera rays. probability: of each light to be sampled where the rays start.
-    number: (n,) int64, see PathNumbers, for the points that they meet.
+    direction; None for camera rays. probability: (2, k) of each light to be sampled where the rays
+    start, without lobes and with them. number: (n,) int64, see PathNumbers, for the points that
+    they meet. lobed: (n,) bool, which start where lobes carry the environment; None for none.
+    unweakened: (n, 3) float32, beta if the rays had not passed through anything; None without
+    lobes.
     """
 
     path: np.ndarray
@@ -68,6 +72,8 @@ class _Rays:
     pdf: np.ndarray | None
     probability: np.ndarray
     number: np.ndarray
+    lobed: np.ndarray | None = None
+    unweakened: np.ndarray | None = None
 
 
 class Integrator:
@@ -77,7 +83,8 @@ class Integrator:
     scatter. clamp: clamp on per-path indirect radiance; None disables it. Each of the BRANCHES
     that go on from the point that the camera sees counts for that part of a path, with its clamp.
     strategy: how light is found; anything but "both" is for tests, since each way alone misses some
-    lights or is slow. next_camera: of the next frame, for motion vectors; None for the same.
+    lights or is slow. next_camera: where the camera is a frame later; None for a still one. lobes:
+    of these lights, to use the lobes of assets; None for rays alone.
     """
 
     at_once = None
@@ -91,22 +98,31 @@ class Integrator:
         clamp: float | None = None,
         strategy: Strategy = "both",
         next_camera: Camera | None = None,
+        lobes: LobeLighting | None = None,
     ) -> None:
         self._world = world
         self._camera, self._next_camera = camera, next_camera or camera
+        self._lobes, own = lobes, range(len(lights))
+        carried = [] if lobes is None else [k for k, _ in lobes.environments]
+        lights = [*lights, *(() if lobes is None else lobes.bright)]
         both = strategy == "both"
         self._lights = [light.mis_compensated() for light in lights] if both else lights
         self._max_depth = max_depth
         self._branches = BRANCHES if world.scatters else 1
         self._clamp = None if clamp is None else np.float32(clamp / self._branches)
         self._strategy = strategy
-        self._sampling = LightSampling(world, self._lights)
-        self._sampling_alone = LightSampling(world, lights)
+        self._sampling = LightSampling(world, self._lights, own)
+        self._sampling_lobed = None if lobes is None else lobes.sampling(world, self._lights)
+        self._sampling_alone = LightSampling(world, lights, own)
         self.groups = sorted({light.group for light in lights} - {""})
         self._group = [self.groups.index(x.group) if x.group else None for x in lights]
         self._infinite = [
             (k, light) for k, light in enumerate(self._lights) if isinstance(light, InfiniteLight)
         ]
+        # Whether rays look for each light where they start without lobes, and with them.
+        self._sought = np.ones((2, len(lights)), bool)
+        self._sought[0, len(own) :] = self._sought[1, carried] = False
+        self._seen_lobed = any(self._sought[1, k] for k, _ in self._infinite)
         self._rays_meet_lights = strategy != "lights" and not all(light.delta for light in lights)
 
     def render(self, pixels: np.ndarray, sampler: Sampler) -> Layers:
@@ -122,9 +138,10 @@ class Integrator:
                 break
             path, beta = rays.path[vertices.ray], rays.beta.take(vertices.ray, axis=0)
             numbers = PathNumbers(sampler, pixels[path], depth, rays.number[vertices.ray])
-            choices, probability = self._sampling.choose(numbers)
-            for choice in choices if self._strategy != "rays" else ():
-                found = self._sample_lights(vertices, choice, probability, beta)
+            lobed = self._add_lobes(band, vertices, path, beta) if depth == 1 else None
+            choices, probability = self._choose(numbers, lobed)
+            for choice, shares in choices if self._strategy != "rays" else ():
+                found = self._sample_lights(vertices, choice, shares, beta)
                 self._add(band, path[found.row], found.light, found.radiance, depth)
                 if depth == 1:
                     band.light_samples[path, 0] += np.bincount(found.tried, minlength=len(path))
@@ -133,7 +150,7 @@ class Integrator:
             last = depth == self._max_depth or not self._world.scatters
             if last and not self._rays_meet_lights:
                 break
-            rays = self._scatter(vertices, path, beta, numbers, probability)
+            rays = self._scatter(vertices, path, beta, numbers, probability, lobed)
             self._collect(band, rays, depth)
             if last:
                 break
@@ -145,7 +162,7 @@ class Integrator:
         origin = np.tile(self._camera.position, (len(pixels), 1))
         hits = self._world.scene.intersect(origin, direction, rays=CAMERA_RAY)
         beta = np.ones((len(pixels), 3), np.float32) if hits.weight is None else hits.weight
-        path, never = np.arange(len(pixels)), np.zeros(len(self._lights))
+        path, never = np.arange(len(pixels)), np.zeros((2, len(self._lights)))
         number = np.full(len(pixels), sampler.sample, np.int64)
         return _Rays(path, origin, direction, hits, beta, None, never, number)
 
@@ -173,17 +190,39 @@ class Integrator:
         elif not self._rays_meet_lights:
             return
         for k, light in self._infinite:
-            if from_camera and not light.visible_to_camera:
+            row = self._seeking(rays, escaped, k)
+            if not len(row) or (from_camera and not light.visible_to_camera):
                 continue
-            radiance, pdf = light.eval_environment(rays.direction.take(escaped, axis=0))
-            self._add_hit(band, rays, depth, escaped, k, radiance, pdf)
+            radiance, pdf = light.eval_environment(rays.direction.take(row, axis=0))
+            self._add_hit(band, rays, depth, row, k, radiance, pdf)
             if from_camera:
-                band.beauty[rays.path[escaped], 3] = 1.0
+                band.beauty[rays.path[row], 3] = 1.0
+        self._subtract_lobes(band, rays, depth)
         of_light = np.where(owner >= 0, self._world.light[owner], -1)
         for k in np.flatnonzero(np.bincount(of_light + 1)[1:]).tolist():
             hit = np.flatnonzero(of_light == k)
             radiance, pdf = self._world.lights[k].eval_hit(*self._meeting(rays, hit))
             self._add_hit(band, rays, depth, hit, k, radiance, pdf)
+
+    def _seeking(self, rays: _Rays, row: np.ndarray, light: int) -> np.ndarray:
+        """Those of the rows of rays that look for a light."""
+        without, with_lobes = self._sought[:, light]
+        if rays.lobed is None:
+            return row if without else row[:0]
+        return row[np.where(rays.lobed[row], with_lobes, without)]
+
+    def _subtract_lobes(self, band: Layers, rays: _Rays, depth: int) -> None:
+        """Take away what lobes carry from directions in which rays did not find the environment."""
+        if rays.lobed is None or rays.unweakened is None or self._lobes is None:
+            return
+        kept = (rays.hits.instance < 0).astype(np.float32)[:, None]
+        if rays.hits.weight is not None:
+            kept = kept * rays.hits.weight
+        row = np.flatnonzero(rays.lobed & (kept != 1.0).any(axis=1))
+        scale = (kept[row] - 1.0) * rays.unweakened[row]
+        for k, split in self._lobes.environments:
+            missing = scale * split.rest(rays.direction.take(row, axis=0))
+            self._add(band, rays.path[row], np.full(len(row), k), missing, depth)
 
     def _meeting(
         self, rays: _Rays, hit: np.ndarray
@@ -203,9 +242,12 @@ class Integrator:
         pdf: np.ndarray,
     ) -> None:
         own_pdf = rays.pdf if self._strategy == "both" else None
-        samples = float(rays.probability[light])
-        brought = weigh_hit(radiance, pdf, samples, own_pdf, row, rays.beta)
-        self._add(band, rays.path[row], np.full(len(row), light), brought, depth)
+        lobed = np.zeros(len(row), bool) if rays.lobed is None else rays.lobed[row]
+        for which in np.unique(lobed).tolist():
+            some = lobed == which
+            at, samples = row[some], float(rays.probability[int(which), light])
+            brought = weigh_hit(radiance[some], pdf[some], samples, own_pdf, at, rays.beta)
+            self._add(band, rays.path[at], np.full(len(at), light), brought, depth)
 
     def _add(
         self, band: Layers, path: np.ndarray, light: np.ndarray, radiance: np.ndarray, depth: int
@@ -218,6 +260,37 @@ class Integrator:
             if group is not None:
                 of_light = light == k
                 add_rows(band.groups[:, group], path[of_light], radiance[of_light])
+
+    def _add_lobes(
+        self, band: Layers, vertices: Vertices, path: np.ndarray, beta: np.ndarray
+    ) -> np.ndarray | None:
+        """Add what lobes carry, and tell which vertices have them, (m,) bool; None if none has."""
+        if self._lobes is None or not (lobed := lobed_rows(vertices)).any():
+            return None
+        for rows, free, lights in self._lobes.light(self._world, vertices):
+            for k, radiance in lights:
+                self._add(band, path[rows], np.full(len(radiance), k), beta[rows] * radiance, 1)
+            band.light_samples[path[rows]] += np.column_stack([np.ones_like(free), free])
+        return lobed
+
+    def _choose(
+        self, numbers: PathNumbers, lobed: np.ndarray | None
+    ) -> tuple[list[tuple[LightChoice, np.ndarray]], np.ndarray]:
+        """Samples of lights at points, each with how many each light gets, (k,) float64.
+
+        lobed: (n,) bool, which points have lobes; None for none. The second is (2, k), how many
+        without and with lobes.
+        """
+        if lobed is None or self._sampling_lobed is None:
+            choices, shares = self._sampling.choose(numbers)
+            return [(choice, shares) for choice in choices], np.stack([shares, shares])
+        found, of_kind = [], []
+        for which, sampling in enumerate((self._sampling, self._sampling_lobed)):
+            row = np.flatnonzero(lobed == bool(which))
+            choices, shares = sampling.choose(numbers.take(row))
+            found += [(replace(x, row=row[x.row]), shares) for x in choices if len(row)]
+            of_kind.append(shares)
+        return found, np.stack(of_kind)
 
     def _sample_lights(
         self,
@@ -262,13 +335,19 @@ class Integrator:
         beta: np.ndarray,
         numbers: PathNumbers,
         probability: np.ndarray,
+        lobed: np.ndarray | None,
     ) -> _Rays:
-        """Continue the paths, with rays in directions of their bodies' choice."""
+        """Continue the paths, with rays in directions of their bodies' choice.
+
+        lobed: (m,) bool, which vertices have lobes; None for none.
+        """
         world = self._world
         row, branches = np.arange(len(vertices)), 1
         if numbers.depth == 1:
             branches = self._branches
             beta = beta / np.float32(branches)
+        if lobed is not None and not (world.scatters or self._seen_lobed):
+            row = np.flatnonzero(~lobed)  # the lobes are all there is
         if numbers.depth >= FIRST_ROULETTE:
             # As often as if the path had not been split.
             largest = np.maximum(np.maximum(beta[:, 0], beta[:, 1]), beta[:, 2])
@@ -290,13 +369,33 @@ class Integrator:
         origin = world.origins(vertices, row, direction)
         hits = world.scene.intersect(origin, direction, vertices.own[row], INDIRECT_RAY)
         transport, distance = np.zeros_like(wi), hits.t / world.scale[instance]
-        # A ray into a black sky brings nothing, whatever the decoder says.
-        lit = slice(None) if self._infinite else np.flatnonzero(hits.instance >= 0)
+        of_lobed = None if lobed is None else lobed[row]
+        lit = self._lit(hits, direction, of_lobed)
         for part, place, points in vertices.local_rows(row[lit]):
             at = part if isinstance(lit, slice) else lit[part]
             transport[at], _ = points.transport(place, wi[at], distance[at])
+        unweakened = None
+        if of_lobed is not None:
+            unweakened = transport.copy()
+            weigh_rays(unweakened, pdf, None, row, beta)
         weigh_rays(transport, pdf, hits.weight, row, beta)
-        return _Rays(path[row], origin, direction, hits, transport, pdf, probability, number)
+        found = hits, transport, pdf, probability, number, of_lobed, unweakened
+        return _Rays(path[row], origin, direction, *found)
+
+    def _lit(
+        self, hits: ClosestHits, direction: np.ndarray, lobed: np.ndarray | None
+    ) -> np.ndarray | slice:
+        """Rays that may bring anything, whatever the decoder says: not those into a black sky."""
+        if lobed is None:
+            return slice(None) if self._infinite else np.flatnonzero(hits.instance >= 0)
+        met = (hits.instance >= 0) | (hits.weight is not None)
+        lit = met | (~lobed & bool(self._sought[0, [k for k, _ in self._infinite]].any()))
+        for k, light in self._infinite:
+            row = np.flatnonzero(~lit)
+            if self._sought[1, k] and len(row):
+                radiance, _ = light.eval_environment(direction.take(row, axis=0))
+                lit[row] = radiance.any(axis=1)
+        return np.flatnonzero(lit)
 
     def _catch_shadows(
         self, band: Layers, rays: _Rays, pixels: np.ndarray, sampler: Sampler

@@ -9,6 +9,7 @@ import numpy as np
 
 from rna_render.lights import Light, make_light
 from rna_render.paths.integrator import Integrator
+from rna_render.paths.lobe_lighting import LobeLighting
 from rna_render.scene.light_models import AreaModel
 from rna_render.scene.scene_model import CameraModel, Scene
 from rna_render.world.camera import Camera
@@ -32,7 +33,11 @@ def make_integrator(
     if next_camera is not None and next_camera != scene.camera:
         after = Camera(next_camera, scene.resolution)
     clamp = indirect_clamp(scene.clamp_indirect, lights, world.radius)
-    return Integrator(world, camera, lights, scene.max_depth, clamp, next_camera=after)
+    by_lobes = scene.quality is not None and scene.quality.environment == "lobes"
+    lobes = LobeLighting(lights) if by_lobes else None
+    return Integrator(
+        *(world, camera, lights, scene.max_depth, clamp), next_camera=after, lobes=lobes
+    )
 
 
 def all_lights(scene: Scene, world: World) -> list[Light]:

@@ -40,13 +40,21 @@ class LightSampling:
     """Samples of the lights of a world, and shadow rays to them.
 
     At the first points of a path, few lights all have samples; else one light is chosen, by its
-    power, and has one.
+    power, and has one. only: places of the lights that have samples at all; None for all. at_once:
+    so many are few.
     """
 
-    def __init__(self, world: World, lights: Sequence[Light]) -> None:
+    def __init__(
+        self,
+        world: World,
+        lights: Sequence[Light],
+        only: Sequence[int] | None = None,
+        at_once: int = LIGHTS_AT_A_VERTEX,
+    ) -> None:
         self._world = world
-        self._lights = lights
-        self._selection = LightSelection(lights, world.radius)
+        self._lights, self._at_once = lights, at_once
+        self._only = np.arange(len(lights)) if only is None else np.array(only, np.int64)
+        self._selection = LightSelection([lights[k] for k in self._only], world.radius)
         self._delta = np.array([light.delta for light in lights], bool)
         self._times = np.array([light.samples for light in lights], np.int64)
 
@@ -55,22 +63,24 @@ class LightSampling:
 
         Returns any number of choices, and (k,) float64.
         """
-        row = np.arange(len(numbers.pixels))
-        if not self._lights:
-            return [], np.zeros(0)
-        if numbers.depth <= FULLY_LIT and len(self._lights) <= LIGHTS_AT_A_VERTEX:
-            times = np.maximum(self._times // numbers.depth, 1)
+        row, probability = np.arange(len(numbers.pixels)), np.zeros(len(self._lights))
+        if not len(self._only):
+            return [], probability
+        if numbers.depth <= FULLY_LIT and len(self._only) <= self._at_once:
+            times = np.maximum(self._times[self._only] // numbers.depth, 1)
             every = [
                 LightChoice(
                     np.repeat(row, parts),
                     np.full(len(row) * parts, light),
-                    numbers.square(LIGHT + light, parts),
+                    numbers.square(LIGHT + k, parts),
                 )
-                for light, parts in enumerate(times.tolist())
+                for k, (light, parts) in enumerate(zip(self._only, times.tolist(), strict=True))
             ]
-            return every, times.astype(np.float64)
-        chosen = self._selection.choose(numbers.square(CHOICES)[:, 0])
-        return [LightChoice(row, chosen, numbers.square(LIGHT))], self._selection.probability
+            probability[self._only] = times
+            return every, probability
+        chosen = self._only[self._selection.choose(numbers.square(CHOICES)[:, 0])]
+        probability[self._only] = self._selection.probability
+        return [LightChoice(row, chosen, numbers.square(LIGHT))], probability
 
     def sample(self, choice: LightChoice, x_world: np.ndarray) -> LightSamples:
         """The samples at points x, (n, 3) float32, one for each row of the choice."""

@@ -131,7 +131,7 @@ class TurnModel(Model):
 
 
 class QualityModel(Model):
-    """Error or time target, from which the renderer picks each asset's tier."""
+    """Error or time target, from which the renderer picks each asset's tier, and how it is lit."""
 
     max_error: Positive | None = Field(
         default=None,
@@ -144,10 +144,23 @@ class QualityModel(Model):
         "cheaper tiers are used if fewer than 16 samples would fit.",
     )
 
+    environment: Literal["rays", "lobes"] = Field(
+        default="rays",
+        description="How environments light assets that the camera sees: by rays, or by the lobes "
+        "of packages that have them (`RNA_environment`), with rays for what else is in the scene.",
+    )
+
+    @property
+    def has_limit(self) -> bool:
+        """Whether tiers follow from it."""
+        return self.max_error is not None or self.seconds is not None
+
     @model_validator(mode="after")
-    def _has_limit(self) -> QualityModel:
-        if self.max_error is None and self.seconds is None:
-            raise ValueError("quality is empty: give max_error, seconds or both")
+    def _asks_for_something(self) -> QualityModel:
+        if not self.has_limit and self.environment == "rays":
+            raise ValueError(
+                "quality is empty: give max_error, seconds or both, or environment: lobes"
+            )
         return self
 
 

@@ -86,9 +86,14 @@ class AssetBody:
         rest = self._rest_points(part, hits, ray)
         if asset.kind == "fiber":
             assert isinstance(points, FiberPoints)
-            return _StrandPoints(asset, self.scene, part, points, wo, rest)
-        assert isinstance(points, SurfacePoints)
-        return _MeshPoints(asset, self.scene, part, points, wo, rest)
+            result: _NeuralPoints = _StrandPoints(asset, self.scene, part, points, wo, rest)
+        else:
+            assert isinstance(points, SurfacePoints)
+            result = _MeshPoints(asset, self.scene, part, points, wo, rest)
+        result.where = where[:3]
+        # Lobes know the visibility of the asset at rest, and are trained for what viewers see.
+        result.gives_lobes = seen and rest is None and asset.environment_form is not None
+        return result
 
     def _rest_points(self, part: int, hits: ClosestHits, ray: np.ndarray) -> RestPoints | None:
         shape, maps = self._shapes[part], self._rest_maps[part]
@@ -110,10 +115,12 @@ class _NeuralPoints(Points):
     """Points of a part of an asset: its decoder knows what scatters, and asks if wi is free.
 
     rest: what the decoder is asked with instead of the points, where the part is in motion.
+    where: primitives and barycentric coordinates of the hits.
     """
 
     _lobes: LobeMixture
     tangents: np.ndarray
+    where: tuple[np.ndarray, np.ndarray, np.ndarray]
 
     def __init__(
         self,
@@ -152,8 +159,19 @@ class _NeuralPoints(Points):
             wi = self._rest.to_rest(wi, row)
         return x.take(row, axis=0), axes.take(row, axis=0), wo, wi
 
+    def lobes(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        v = self._scene.visible(self._part, self._at, self._mirror())
+        free = np.asarray(v if v.ndim == 1 else v.mean(axis=1), np.float32)
+        return *self._lobes_of(free), free
+
     @abstractmethod
     def _evaluate(self, row: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray, np.ndarray]: ...
+
+    @abstractmethod
+    def _mirror(self) -> np.ndarray: ...
+
+    @abstractmethod
+    def _lobes_of(self, free: np.ndarray) -> tuple[np.ndarray, np.ndarray]: ...
 
 
 class _MeshPoints(_NeuralPoints):
@@ -174,6 +192,13 @@ class _MeshPoints(_NeuralPoints):
 
     def _evaluate(self, row: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         return self._asset.evaluate(*self._asked(self.n, row, wi))
+
+    def _mirror(self) -> np.ndarray:
+        return self._asset.mirror(self.n, self._wo)
+
+    def _lobes_of(self, free: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        visibility = self._asset.visibility_at(*self.where)
+        return self._asset.lobes(self.x, self.n, self._wo, free, visibility)
 
 
 class _StrandPoints(_NeuralPoints):
@@ -196,6 +221,13 @@ class _StrandPoints(_NeuralPoints):
     def _evaluate(self, row: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         x, tangents, wo, wi = self._asked(self.tangents, row, wi)
         return self._asset.evaluate(x, tangents, self._h[row], wo, wi)
+
+    def _mirror(self) -> np.ndarray:
+        return self._asset.mirror(self.tangents, self._wo)
+
+    def _lobes_of(self, free: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        visibility = self._asset.visibility_at(*self.where)
+        return self._asset.lobes(self.x, self.tangents, self._h, self._wo, free, visibility)
 
 
 class ObjectBody:
