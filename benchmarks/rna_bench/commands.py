@@ -56,6 +56,7 @@ GROUPS: dict[str, tuple[Command, ...]] = {
         Command("emission", "accuracy.emission_scenes"),
         Command("lobes", "lobes.lobes_command"),
         Command("poses", "accuracy.poses"),
+        Command("lobes-scenes", "lobes.lobes_scenes"),
     ),
     "readers and files": (
         Command("readers", "readers.reader_agreement"),
