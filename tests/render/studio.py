@@ -39,13 +39,13 @@ def shoot(
     scene_objects: Sequence[tuple[SceneObject, dict[str, Any]]],
     lights: Sequence[dict[str, Any]] = (),
     strategy: Literal["both", "lights", "rays"] = "both",
-    lobes: Literal["image", "directions"] | None = None,
+    lobes: bool = False,
     **changes: Any,
 ) -> Channels:
     """Channels of the image of `things`, with their transforms, and of lights of a scene file.
 
-    changes: keys of the scene file. strategy: of the integrator. lobes: what is bright in
-    environments that lobes carry.
+    changes: keys of the scene file. strategy: of the integrator. lobes: whether
+    environments come by lobes.
     """
     defaults = {
         "resolution": (48, 48),
@@ -66,7 +66,7 @@ def shoot(
     others = [light for light in made if light not in shapes]
     camera = Camera(scene.camera, scene.resolution)
     lights = [*world.lights, *others]
-    lighting = None if lobes is None else LobeLighting(lights, lobes == "directions")
+    lighting = LobeLighting(lights) if lobes else None
     integrator = Integrator(
         world, camera, lights, scene.max_depth, strategy=strategy, lobes=lighting
     )

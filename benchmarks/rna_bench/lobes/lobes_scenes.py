@@ -2,10 +2,10 @@
 
     rna-bench lobes-scenes toy.rna fox.rna --environment forest studio --out bench/lobes
 
-Packages with lobes (`RNA_environment`), alone and on a grey ground, under each environment, rendered
-both ways by turns with rising sample counts. Errors are those against a long image by rays alone:
-relative squared error over the pixels that the asset covers, their PSNR, FLIP of the image. The
-error of many samples by lobes is their bias. Writes JSON, a chart of error over CPU time, and a
+Packages with lobes (`RNA_environment`), alone and on a grey ground, under each environment, are
+rendered both ways by turns with rising sample counts. Errors are those against a long image by
+rays: relative squared error over the pixels that the asset covers, their PSNR, FLIP of the image.
+The error of many samples by lobes is their bias. Writes JSON, a chart of error over CPU time, and a
 sheet of images. Run it on an idle machine.
 """
 
@@ -40,10 +40,10 @@ DEFINITIONS = {
     "cpu_seconds": "of all threads, of rendering alone",
     "error": "mean over the asset's pixels of squared error over the reference's square plus 1% of "
     "its mean square",
-    "psnr": "dB, over the asset's pixels, exposed so that 95% of the reference's values are unclipped",
+    "psnr": "dB, over the asset's pixels; the exposure shows 95% of the reference below white",
     "flip": "mean FLIP of the image, with that exposure",
     "brightness": "light from the asset's pixels over the reference's, red, green, blue",
-    "times_as_fast": "CPU time that rays take to the error of this image, over its own; the error of "
+    "times_as_fast": "CPU time of rays to the error of this image, over its own; the error of "
     "rays is fitted as one over their samples, their time as a line",
 }
 

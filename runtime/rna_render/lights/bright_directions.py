@@ -61,20 +61,6 @@ def split_environment(texels: np.ndarray) -> SplitEnvironment:
     )
 
 
-def rest_of_texels(texels: np.ndarray, split: SplitEnvironment) -> np.ndarray:
-    """The texels without what was split off, (h, w, 3) float32: each has the share of its cell."""
-    h, w, _ = texels.shape
-    y = np.cos(np.pi * (np.arange(h) + 0.5) / h)
-    row = np.minimum((1.0 - y) / 2.0 * ROWS, ROWS - 1).astype(np.int64)
-    column = ((np.arange(w) + 0.5) / w * COLUMNS).astype(np.int64)
-    return np.asarray(texels * split.share[row[:, None], column][..., None], np.float32)
-
-
-def cell_flux(texels: np.ndarray) -> np.ndarray:
-    """Radiance times solid angle of each cell: (ROWS, COLUMNS, 3) float32."""
-    return _cells(texels)[0].reshape(ROWS, COLUMNS, 3).astype(np.float32)
-
-
 def cell_directions() -> np.ndarray:
     """The middle of each cell: (ROWS * COLUMNS, 3) float64, unit, in the image's frame."""
     y = 1.0 - 2.0 * (np.arange(ROWS) + 0.5) / ROWS

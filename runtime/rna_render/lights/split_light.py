@@ -1,8 +1,7 @@
-"""An environment in two: what lobes of assets carry, and what is far brighter, for samples."""
+"""An environment in two: what lobes of assets carry, and what is far brighter, as directions."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -13,8 +12,6 @@ from rna_render.lights.bright_directions import (
     COLUMNS,
     ROWS,
     SplitEnvironment,
-    cell_flux,
-    rest_of_texels,
     split_environment,
 )
 from rna_render.lights.directional import DirectionalLight
@@ -23,20 +20,21 @@ from rna_render.lights.equirectangular import EquirectangularImage
 from rna_render.lights.prefilter import PrefilteredEnvironment
 from rna_render.scene.light_models import DirectionalModel
 
+# How sharply lobes see an environment: few are narrower. A sharper rest would have small bright
+# places, which rays seldom find and lobes do not have.
+REST_KAPPA = np.float32(32.0)
+
 
 @dataclass(frozen=True)
 class SplitLight:
     """An environment light in two, which together have its light.
 
     Attributes:
-        whole: the environment.
-        bright: what is far brighter than its surroundings; may be none.
+        bright: what is far brighter than its surroundings: at most MOST directions.
     """
 
-    whole: EnvironmentLight | EnvironmentImageLight
     bright: tuple[Light, ...]
     _sky: PrefilteredEnvironment
-    _excess: EnvironmentImageLight | None
     _angle: float
     _scale: np.ndarray
 
@@ -45,31 +43,21 @@ class SplitLight:
         return self._sky.light(amplitudes, axes_world, self._angle, self._scale)
 
     def rest(self, d_world: np.ndarray) -> np.ndarray:
-        """Radiance from directions, (n, 3) float32, without that of `bright`: (n, 3) float32."""
-        radiance, _ = self.whole.eval_environment(d_world)
-        if self._excess is not None:
-            radiance -= self._excess.eval_environment(d_world)[0]
-        return radiance
+        """Radiance from directions, without that of `bright`, as lobes see it.
+
+        d_world: (n, 3) float32, unit. Returns (n, 3) float32.
+        """
+        return self.light(np.ones((len(d_world), 1, 3), np.float32), REST_KAPPA * d_world[:, None])
 
 
-def split_light(
-    light: EnvironmentLight | EnvironmentImageLight, as_directions: bool = False
-) -> SplitLight:
-    """The environment in two.
-
-    as_directions: what is bright is at most MOST directions; else an image, with all its light
-    where it was.
-    """
+def split_light(light: EnvironmentLight | EnvironmentImageLight) -> SplitLight:
+    """The environment in two."""
     scale = np.asarray(light.model.radiance, np.float32)
     if isinstance(light, EnvironmentLight):
-        return SplitLight(light, (), _even_sky(), None, 0.0, scale)
-    split, sky, image = _of_image(light.untouched)
+        return SplitLight((), _even_sky(), 0.0, scale)
+    split, sky = _of_image(light.untouched)
     angle = float(np.radians(light.model.rotation_deg))
-    excess = None if image is None else EnvironmentImageLight(light.model, image)
-    bright: Sequence[Light] = () if excess is None else (excess,)
-    if as_directions:
-        bright = _directional_lights(split, light, angle)
-    return SplitLight(light, tuple(bright), sky, excess, angle, scale)
+    return SplitLight(tuple(_directional_lights(split, light, angle)), sky, angle, scale)
 
 
 def _directional_lights(
@@ -97,12 +85,6 @@ def _even_sky() -> PrefilteredEnvironment:
 
 
 @lru_cache(maxsize=4)
-def _of_image(
-    image: EquirectangularImage,
-) -> tuple[SplitEnvironment, PrefilteredEnvironment, EquirectangularImage | None]:
-    """Its split; the rest; what the rest is without, None for nothing."""
-    texels = image.texels
-    split = split_environment(texels)
-    rest = rest_of_texels(texels, split)
-    excess = None if (split.share == 1.0).all() else EquirectangularImage(texels - rest)
-    return split, PrefilteredEnvironment(cell_flux(rest)), excess
+def _of_image(image: EquirectangularImage) -> tuple[SplitEnvironment, PrefilteredEnvironment]:
+    split = split_environment(image.texels)
+    return split, PrefilteredEnvironment(split.rest)

@@ -103,7 +103,7 @@ class Integrator:
         self._world = world
         self._camera, self._next_camera = camera, next_camera or camera
         self._lobes, own = lobes, range(len(lights))
-        carried = [] if lobes is None else [k for k, _ in lobes.environments]
+        self._carried = set() if lobes is None else {k for k, _ in lobes.environments}
         lights = [*lights, *(() if lobes is None else lobes.bright)]
         both = strategy == "both"
         self._lights = [light.mis_compensated() for light in lights] if both else lights
@@ -119,10 +119,6 @@ class Integrator:
         self._infinite = [
             (k, light) for k, light in enumerate(self._lights) if isinstance(light, InfiniteLight)
         ]
-        # Whether rays look for each light where they start without lobes, and with them.
-        self._sought = np.ones((2, len(lights)), bool)
-        self._sought[0, len(own) :] = self._sought[1, carried] = False
-        self._seen_lobed = any(self._sought[1, k] for k, _ in self._infinite)
         self._rays_meet_lights = strategy != "lights" and not all(light.delta for light in lights)
 
     def render(self, pixels: np.ndarray, sampler: Sampler) -> Layers:
@@ -190,9 +186,11 @@ class Integrator:
         elif not self._rays_meet_lights:
             return
         for k, light in self._infinite:
-            row = self._seeking(rays, escaped, k)
-            if not len(row) or (from_camera and not light.visible_to_camera):
+            if from_camera and not light.visible_to_camera:
                 continue
+            row = escaped
+            if rays.lobed is not None and k in self._carried:
+                row = escaped[~rays.lobed[escaped]]
             radiance, pdf = light.eval_environment(rays.direction.take(row, axis=0))
             self._add_hit(band, rays, depth, row, k, radiance, pdf)
             if from_camera:
@@ -203,13 +201,6 @@ class Integrator:
             hit = np.flatnonzero(of_light == k)
             radiance, pdf = self._world.lights[k].eval_hit(*self._meeting(rays, hit))
             self._add_hit(band, rays, depth, hit, k, radiance, pdf)
-
-    def _seeking(self, rays: _Rays, row: np.ndarray, light: int) -> np.ndarray:
-        """Those of the rows of rays that look for a light."""
-        without, with_lobes = self._sought[:, light]
-        if rays.lobed is None:
-            return row if without else row[:0]
-        return row[np.where(rays.lobed[row], with_lobes, without)]
 
     def _subtract_lobes(self, band: Layers, rays: _Rays, depth: int) -> None:
         """Take away what lobes carry from directions in which rays did not find the environment."""
@@ -346,7 +337,7 @@ class Integrator:
         if numbers.depth == 1:
             branches = self._branches
             beta = beta / np.float32(branches)
-        if lobed is not None and not (world.scatters or self._seen_lobed):
+        if lobed is not None and not world.scatters:
             row = np.flatnonzero(~lobed)  # the lobes are all there is
         if numbers.depth >= FIRST_ROULETTE:
             # As often as if the path had not been split.
@@ -370,7 +361,11 @@ class Integrator:
         hits = world.scene.intersect(origin, direction, vertices.own[row], INDIRECT_RAY)
         transport, distance = np.zeros_like(wi), hits.t / world.scale[instance]
         of_lobed = None if lobed is None else lobed[row]
-        lit = self._lit(hits, direction, of_lobed)
+        # A ray into a black sky, or one that lobes carry, brings nothing, whatever T is.
+        lit: np.ndarray | slice = slice(None)
+        if not self._infinite or (of_lobed is not None and hits.weight is None):
+            seeks = np.zeros(len(row), bool) if of_lobed is None else ~of_lobed
+            lit = np.flatnonzero((hits.instance >= 0) | (seeks & bool(self._infinite)))
         for part, place, points in vertices.local_rows(row[lit]):
             at = part if isinstance(lit, slice) else lit[part]
             transport[at], _ = points.transport(place, wi[at], distance[at])
@@ -381,21 +376,6 @@ class Integrator:
         weigh_rays(transport, pdf, hits.weight, row, beta)
         found = hits, transport, pdf, probability, number, of_lobed, unweakened
         return _Rays(path[row], origin, direction, *found)
-
-    def _lit(
-        self, hits: ClosestHits, direction: np.ndarray, lobed: np.ndarray | None
-    ) -> np.ndarray | slice:
-        """Rays that may bring anything, whatever the decoder says: not those into a black sky."""
-        if lobed is None:
-            return slice(None) if self._infinite else np.flatnonzero(hits.instance >= 0)
-        met = (hits.instance >= 0) | (hits.weight is not None)
-        lit = met | (~lobed & bool(self._sought[0, [k for k, _ in self._infinite]].any()))
-        for k, light in self._infinite:
-            row = np.flatnonzero(~lit)
-            if self._sought[1, k] and len(row):
-                radiance, _ = light.eval_environment(direction.take(row, axis=0))
-                lit[row] = radiance.any(axis=1)
-        return np.flatnonzero(lit)
 
     def _catch_shadows(
         self, band: Layers, rays: _Rays, pixels: np.ndarray, sampler: Sampler

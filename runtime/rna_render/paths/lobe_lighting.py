@@ -1,10 +1,10 @@
 """Environments by lobes, where the camera sees an asset that has them.
 
-There the lobes carry the light of the whole environment, without what is far brighter than its
-surroundings, as if nothing but the asset were there. Samples of lights find the bright part. The
+There the lobes carry the light of the whole environment, as if nothing but the asset were there;
+what is far brighter than its surroundings is left out, and comes as a few directional lights. The
 rays that continue the path bring the difference: one that meets another thing has its radiance,
-without what the lobes carry from that direction; one that escapes has what they do not carry.
-"""
+without what the lobes carry from that direction. With no other thing there are no such rays, and
+no noise."""
 
 from __future__ import annotations
 
@@ -22,16 +22,14 @@ from rna_render.world.world import Vertices, World
 class LobeLighting:
     """The environments among some lights, split.
 
-    as_directions: what is bright are delta lights, free of noise, instead of images.
-
     Attributes:
         environments: places of the lights that lobes stand for, and what they are split into.
-        bright: lights that have samples instead, at points with lobes.
+        bright: lights that have samples instead, at points with lobes; no ray can meet them.
     """
 
-    def __init__(self, lights: Sequence[Light], as_directions: bool = False) -> None:
+    def __init__(self, lights: Sequence[Light]) -> None:
         self.environments: list[tuple[int, SplitLight]] = [
-            (k, split_light(light, as_directions))
+            (k, split_light(light))
             for k, light in enumerate(lights)
             if isinstance(light, EnvironmentLight | EnvironmentImageLight)
         ]
@@ -41,8 +39,7 @@ class LobeLighting:
         """Samples of lights at points with lobes; lights: the others', then `bright`."""
         carried = {k for k, _ in self.environments}
         only = [k for k in range(len(lights)) if k not in carried]
-        deltas = sum(light.delta for light in self.bright)
-        return LightSampling(world, lights, only, LIGHTS_AT_A_VERTEX + deltas)
+        return LightSampling(world, lights, only, LIGHTS_AT_A_VERTEX + len(self.bright))
 
     def light(
         self, world: World, vertices: Vertices
