@@ -9,9 +9,9 @@ import numpy as np
 
 from rna_render.lights import Light, make_light
 from rna_render.paths.integrator import Integrator
-from rna_render.paths.lobe_lighting import LobeLighting
-from rna_render.scene.light_models import AreaModel
-from rna_render.scene.scene_model import CameraModel, Scene
+from rna_render.paths.lobe_lighting import LobeLighting, lobed_objects
+from rna_render.scene.light_models import AreaModel, EnvironmentModel
+from rna_render.scene.scene_model import CameraModel, QualityModel, Scene
 from rna_render.world.camera import Camera
 from rna_render.world.world import World
 
@@ -38,6 +38,20 @@ def make_integrator(
     return Integrator(
         *(world, camera, lights, scene.max_depth, clamp), next_camera=after, lobes=lobes
     )
+
+
+def make_first_look(scene: Scene, world: World) -> Integrator | None:
+    """As `make_integrator`, with environments by lobes.
+
+    None where that changes nothing: no asset has lobes, no light is an environment, or the scene
+    asks for lobes itself.
+    """
+    asked = scene.quality is not None and scene.quality.environment == "lobes"
+    lit = any(isinstance(light, EnvironmentModel) for light in scene.lights)
+    if asked or not lit or not lobed_objects(world):
+        return None
+    by_lobes = QualityModel(environment="lobes")
+    return make_integrator(scene.model_copy(update={"quality": by_lobes}), world)
 
 
 def all_lights(scene: Scene, world: World) -> list[Light]:

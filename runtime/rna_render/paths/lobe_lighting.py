@@ -12,10 +12,12 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from rna_render.lights import EnvironmentImageLight, EnvironmentLight, Light
+from rna_render.lights import EnvironmentImageLight, EnvironmentLight, Light, PlacedLight
 from rna_render.lights.split_light import SplitLight, split_light
+from rna_render.materials import MeshObject
 from rna_render.paths.light_sampling import LightSampling
 from rna_render.paths.sampling import LIGHTS_AT_A_VERTEX
+from rna_render.world.placements import Placement
 from rna_render.world.world import Vertices, World
 
 
@@ -56,6 +58,19 @@ class LobeLighting:
             turned = world.to_world_directions(instance, axes.reshape(-1, 3)).reshape(axes.shape)
             light = [(k, split.light(amplitudes, turned)) for k, split in self.environments]
             yield rows, free, light
+
+
+def lobed_objects(world: World) -> list[int]:
+    """Numbers, as in World.number, of the objects that the camera may see lobes of."""
+    placed = zip(world.placements, world.number.tolist(), strict=True)
+    return [number for placement, number in placed if _has_lobes(placement)]
+
+
+def _has_lobes(placement: Placement) -> bool:
+    asset = placement.object
+    if isinstance(asset, MeshObject | PlacedLight) or placement.shapes is not None:
+        return False
+    return any(part.environment_form is not None for part in asset.parts)
 
 
 def lobed_rows(vertices: Vertices) -> np.ndarray:
