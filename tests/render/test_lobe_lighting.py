@@ -5,7 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from rna_render.command.devices import open_renderer
 from rna_render.image.images import write_exr
+from rna_render.scene.scene_file import read_scene
+from rna_sdk.errors import SceneError
 from tests.render.assets import LobedAsset, sphere, square
 from tests.render.studio import at_point, made_of, seen, shoot
 from tests.render.test_prefilter import texels
@@ -84,3 +87,13 @@ def test_alone_under_an_even_sky_there_is_no_noise():
     by_rays, by_lobes = both([EVEN], [], samples=1)
     assert by_lobes.error.max() < 1e-3 * by_lobes.mean.min()
     assert by_rays.error.max() > 1e-3 * by_rays.mean.max()
+
+
+def test_lobes_are_for_the_cpu(tmp_path):
+    path = tmp_path / "scene.yaml"
+    path.write_text(
+        "ground: {}\ncamera: {position: [0, 1, 4], look_at: [0, 0, 0]}\n"
+        "quality: {environment: lobes}\n"
+    )
+    with pytest.raises(SceneError, match=r"quality\.environment: lobes are for the CPU"):
+        open_renderer("gpu", read_scene(path), None)

@@ -103,7 +103,8 @@ def _overlap(edges: np.ndarray, of_cells: np.ndarray) -> np.ndarray:
 
 def _bilinear(weights: np.ndarray) -> np.ndarray:
     """Of texels' boxes those of texels' tents, around the seam: a tent has 3/4 of it in its box."""
-    return (6.0 * weights + np.roll(weights, 1, axis=1) + np.roll(weights, -1, axis=1)) / 8.0
+    around = np.roll(weights, 1, axis=1) + np.roll(weights, -1, axis=1)
+    return np.asarray((6.0 * weights + around) / 8.0)
 
 
 def _mean(directions: np.ndarray, weights: np.ndarray) -> np.ndarray:
