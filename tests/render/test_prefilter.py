@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_render.lights.bright_directions import (
+from rna_render.lights.split.bright_directions import (
     COLUMNS,
     ROWS,
     cell_directions,
     split_environment,
 )
-from rna_render.lights.prefilter import PrefilteredEnvironment
+from rna_render.lights.split.prefilter import PrefilteredEnvironment
 
 ANGLE = 0.7
 

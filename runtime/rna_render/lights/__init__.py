@@ -18,18 +18,18 @@ if TYPE_CHECKING:
         PlacedLight,
         ShapeLight,
     )
-    from rna_render.lights.bright_directions import (
-        SplitEnvironment,
-        cell_directions,
-        split_environment,
-    )
     from rna_render.lights.directions import LUMINANCE
     from rna_render.lights.environment import EnvironmentImageLight, EnvironmentLight
     from rna_render.lights.equirectangular import EquirectangularImage
     from rna_render.lights.kinds import LIGHT_ROWS, ROW_NUMBERS, row_places
     from rna_render.lights.mesh import MeshLight
-    from rna_render.lights.prefilter import PrefilteredEnvironment
     from rna_render.lights.selection import LightSelection
+    from rna_render.lights.split.bright_directions import (
+        SplitEnvironment,
+        cell_directions,
+        split_environment,
+    )
+    from rna_render.lights.split.prefilter import PrefilteredEnvironment
     from rna_render.lights.table import make_light
 
 __all__ = [

@@ -13,7 +13,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from rna_render.lights import EnvironmentImageLight, EnvironmentLight, Light, PlacedLight
-from rna_render.lights.split_light import SplitLight, split_light
+from rna_render.lights.split.split_light import SplitLight, split_light
 from rna_render.materials import MeshObject
 from rna_render.paths.light_sampling import LightSampling
 from rna_render.paths.sampling import LIGHTS_AT_A_VERTEX

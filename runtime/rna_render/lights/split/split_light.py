@@ -8,16 +8,16 @@ from functools import lru_cache
 import numpy as np
 
 from rna_render.lights.base import Light
-from rna_render.lights.bright_directions import (
+from rna_render.lights.directional import DirectionalLight
+from rna_render.lights.environment import EnvironmentImageLight, EnvironmentLight
+from rna_render.lights.equirectangular import EquirectangularImage
+from rna_render.lights.split.bright_directions import (
     COLUMNS,
     ROWS,
     SplitEnvironment,
     split_environment,
 )
-from rna_render.lights.directional import DirectionalLight
-from rna_render.lights.environment import EnvironmentImageLight, EnvironmentLight
-from rna_render.lights.equirectangular import EquirectangularImage
-from rna_render.lights.prefilter import PrefilteredEnvironment
+from rna_render.lights.split.prefilter import PrefilteredEnvironment
 from rna_render.scene.light_models import DirectionalModel
 
 # How sharply lobes see an environment: few are narrower. A sharper rest would have small bright

@@ -1,0 +1,1 @@
+"""Environments for lobes: what is far brighter than its surroundings, and the rest, prefiltered."""
