@@ -30,6 +30,9 @@ MAX_TIERS = 16
 MAX_CONES = 16
 MAX_PROXIES = 8
 MAX_LOBES = 32
+MAX_VALIDATIONS = 64
+"""Environments under which the error of lobes is recorded."""
+
 MAX_RESOLUTION = 4096
 MAX_CHANNELS = 64
 MAX_TEXEL = np.float32(1e18)

@@ -17,6 +17,7 @@ from rna_sdk.package.limits import (
     MAX_LOBES,
     MAX_PARTS,
     MAX_PROXIES,
+    MAX_VALIDATIONS,
 )
 from rna_sdk.package.manifest.manifest_fields import (
     EntryPath,
@@ -158,7 +159,7 @@ class Environment(Extension):
 
     NAME: ClassVar[str] = "RNA_environment"
     parts: tuple[EnvironmentPart | None, ...] = Field(min_length=1, max_length=MAX_PARTS)
-    validation: tuple[EnvironmentValidation, ...] = ()
+    validation: tuple[EnvironmentValidation, ...] = Field(default=(), max_length=MAX_VALIDATIONS)
 
     @field_validator("parts")
     @classmethod
