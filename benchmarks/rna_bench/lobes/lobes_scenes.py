@@ -59,14 +59,14 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         metavar="FILE",
         help="environment maps, EXR or HDR, or names of those shipped with Blender",
     )
-    parser.add_argument("--samples", type=int, nargs="+", default=[1, 2, 4, 8, 16, 32, 64])
+    parser.add_argument("--samples", type=int, nargs="+", default=[1, 2, 4, 8, 16, 32])
     parser.add_argument(
-        "--reference-samples", type=int, default=1024, help="by rays, of the image of reference"
+        "--reference-samples", type=int, default=512, help="by rays, of the image of reference"
     )
     parser.add_argument(
-        "--bias-samples", type=int, default=256, help="by lobes, of the image that tells their bias"
+        "--bias-samples", type=int, default=64, help="by lobes, of the image that tells their bias"
     )
-    parser.add_argument("--resolution", type=int, nargs=2, default=[128, 96], help="width, height")
+    parser.add_argument("--resolution", type=int, nargs=2, default=[256, 192], help="width, height")
     parser.add_argument("--tier", help="tier of the assets (text, default: their first)")
     parser.add_argument("--turn", type=float, default=0.0, help="camera rotation, degrees")
 
