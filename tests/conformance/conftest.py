@@ -42,10 +42,10 @@ class InProcess:
     """Functions as a reader program: the same protocol, without a process a call."""
 
     evaluate: Evaluate | None = None
-    environment: Environment | None = None
     visibility: Callable[[str, bytes], np.ndarray] | None = None
     normals: Callable[[str, bytes], np.ndarray] | None = None
     validate: Callable[[str], tuple[bool, list[str]]] | None = None
+    environment: Environment | None = None
 
     def run(self, *arguments: str) -> Answer:
         out, errors = io.StringIO(), io.StringIO()

@@ -49,17 +49,17 @@ def kind_of(score: Score) -> str:
 def test_the_runtime_passes_every_level(kit: Kit) -> None:
     program = InProcess(
         reader.evaluate,
-        reader.environment,
         conformance_reader.visibility,
         conformance_reader.normals,
         reader.check,
+        reader.environment,
     )
     assert claimed_levels(program) == LEVELS
     assert failures(program, kit, *LEVELS) == []
 
 
 def test_the_numpy_twin_passes(kit: Kit) -> None:
-    twin = InProcess(twin_reader.evaluate, twin_reader.environment)
+    twin = InProcess(twin_reader.evaluate, environment=twin_reader.environment)
     assert failures(twin, kit, *claimed_levels(twin)) == []
 
 
