@@ -5,6 +5,7 @@
 
 const UNLIKE = 8.0; // weight of differences: of axes, and of distances to a plane in pixels
 const APART = 3.0;  // and of the distance in the picture, pixels squared
+const APART_ON_GROUND = 0.5; // whose light is noisy
 
 fn raw_direction(place: vec2f) -> vec3f {
     return frame.corner + place.x * frame.step_x + place.y * frame.step_y;
@@ -43,6 +44,7 @@ fn difference(hit: Pixel, other: vec4<u32>, place: vec2f) -> f32 {
 // The light of the neighbours that are like the band's hit, whose ray went beside the middle by the view's shift.
 fn light_beside(number: u32, hit: Pixel) -> vec4f {
     let middle = vec2<i32>(vec2<u32>(number % frame.width, number / frame.width));
+    let narrow = select(APART, APART_ON_GROUND, hit.axis.w == 0u);
     var sum = vec4f(0.0);
     var total = 0.0;
     for (var j = 0; j < 9; j++) {
@@ -54,7 +56,7 @@ fn light_beside(number: u32, hit: Pixel) -> vec4f {
         }
         let apart = vec2f(step) - view.shift;
         let unlike = min(difference(hit, seen[there], vec2f(at) + 0.5), 4.0);
-        let weight = exp(-UNLIKE * unlike - APART * dot(apart, apart));
+        let weight = exp(-UNLIKE * unlike - narrow * dot(apart, apart));
         sum += weight * sums[there];
         total += weight;
     }
