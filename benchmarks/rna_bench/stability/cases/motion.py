@@ -187,7 +187,8 @@ def draw(figure: FigureBase, rows: list[Row]) -> None:
         by_length.plot([row["low"] for row in of_stretch], ratio, "o-", label=asset)
     for axes in (by_turn, by_length):
         axes.axhline(MOST, color="0.6", lw=0.8)
-        axes.set_ylim(bottom=0.0)
+        axes.set_yscale("log", base=2)
+        axes.yaxis.set_major_formatter("{x:g}")
     by_turn.set_xlabel("angle, degrees")
     by_turn.set_ylabel("error of what moved / at rest")
     by_length.set_xlabel("stretch, from")
