@@ -30,7 +30,6 @@ from PIL import Image
 
 from rna_bench.bench_options import add_out
 from rna_bench.results import publish
-from rna_render.image.view_transform import decode_srgb
 from rna_sdk.errors import RnaError
 from rna_view.site_files import Site, site_for
 from tests.render.chromium import INSTALL, SOFTWARE_GPU, find_chromium, open_page
@@ -139,7 +138,11 @@ def flip(image: np.ndarray, reference: np.ndarray) -> float:
 def brightness(image: np.ndarray, reference: np.ndarray) -> list[float]:
     """Of two pictures as flip takes them: R, G, B."""
     seen = np.abs(reference - reference[0, 0]).max(axis=-1) > 1 / 255
-    ratio = decode_srgb(image)[seen].sum(axis=0) / decode_srgb(reference)[seen].sum(axis=0)
+    own, true = (
+        np.where(encoded <= 0.04045, encoded / 12.92, ((encoded + 0.055) / 1.055) ** 2.4)
+        for encoded in (image[seen], reference[seen])  # sRGB, IEC 61966-2-1
+    )
+    ratio = own.sum(axis=0) / true.sum(axis=0)
     return [round(float(value), 4) for value in ratio]
 
 
