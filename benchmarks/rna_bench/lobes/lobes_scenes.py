@@ -59,7 +59,13 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         metavar="FILE",
         help="environment maps, EXR or HDR, or names of those shipped with Blender",
     )
-    parser.add_argument("--samples", type=int, nargs="+", default=[1, 2, 4, 8, 16, 32])
+    parser.add_argument(
+        "--samples",
+        type=int,
+        nargs="+",
+        default=[1, 2, 4, 8, 16, 32],
+        help="per pixel, of the images whose time counts",
+    )
     parser.add_argument(
         "--reference-samples", type=int, default=512, help="by rays, of the image of reference"
     )
