@@ -27,7 +27,7 @@ from rna_bench.results import publish
 from rna_bench.speed.query_batches import random_queries
 from rna_gpu import Device, GpuAsset, GpuFiber, GpuSurface
 from rna_gpu.scene.rendering import GpuRenderer
-from rna_render import load_world, make_integrator, render
+from rna_render import Integrator, load_world, make_integrator, render
 from rna_render.scene import read_scene
 
 DISPATCHES = 32  # of one reading of the resident rate
@@ -110,7 +110,7 @@ def image_seconds(path: Path, size: dict[str, Any], runs: int) -> dict[str, Any]
     """Seconds of a scene's image: the first on the GPU, and the median of later ones on both."""
     scene_file = read_scene(path).with_changes(**size)
     world = load_world(scene_file)
-    renderers = {
+    renderers: dict[str, GpuRenderer | Integrator] = {
         "gpu": GpuRenderer(scene_file, world),
         "cpu": make_integrator(scene_file.resolved, world),
     }
