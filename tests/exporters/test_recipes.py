@@ -22,7 +22,7 @@ sys.path.insert(0, {blender!r})
 import bpy, numpy as np
 from rna_sources import source_scene
 source, out, *arguments = sys.argv[1:]
-source_scene.load(source, arguments, None, None)
+source_scene.load(source, arguments, None, None, None)
 triangles, strands, digest = 0, 0, hashlib.sha256()
 for item in bpy.data.objects:
     if item.type == "MESH":

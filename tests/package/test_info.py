@@ -22,7 +22,7 @@ def test_it_says_what_the_package_records(capsys: pytest.CaptureFixture[str]) ->
     assert main([str(TOY)]) == 0
     said = capsys.readouterr().out
     for part in (
-        "toy, 3.81 MB, format 1.1",
+        "toy, 4.11 MB, format 1.1",
         "0.798 x 0.432 x 0.462 m",
         "asset: surface, 17,658 triangles",
         "small: PSNR 38.92 dB, FLIP 0.0363; 156 ns/query (2 threads, AMD EPYC, 2 cores)",
@@ -32,7 +32,8 @@ def test_it_says_what_the_package_records(capsys: pytest.CaptureFixture[str]) ->
         "3,520 lights, 4,096 rays a light, 16 samples a ray",
         "hq: 100,000 steps",
         "256 x 256 pixels",
-        "RNA_poster, RNA_standin",
+        "lobes alone 27.61 dB",
+        "RNA_poster, RNA_standin, RNA_environment",
         "CC0-1.0",
     ):
         assert part in said, part
