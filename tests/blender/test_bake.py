@@ -225,7 +225,7 @@ driver.expression = "__import__('pathlib').Path('RAN').touch() or 0.0"
 bpy.ops.wm.save_as_mainfile(filepath=str(pathlib.Path.cwd() / "evil.blend"))
 pathlib.Path("RAN").unlink(missing_ok=True)
 bpy.context.preferences.filepaths.use_scripts_auto_execute = True
-source_scene.load(str(pathlib.Path.cwd() / "evil.blend"), [], None, None)
+source_scene.load(str(pathlib.Path.cwd() / "evil.blend"), [], None, None, None)
 bpy.context.view_layer.update()
 print("SAFE", not pathlib.Path("RAN").exists(), len(bpy.context.scene.objects))
 """

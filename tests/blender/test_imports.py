@@ -1,5 +1,5 @@
 """The extension needs Blender's Python alone, and of the SDK its public names
-and the function that writes files whole."""
+and the functions that write files whole and give stand-ins their colours."""
 
 from __future__ import annotations
 
@@ -12,7 +12,12 @@ from tests.conftest import REPOSITORY
 
 EXTENSION = REPOSITORY / "exporters" / "blender_extension"
 IN_BLENDER = {"bpy", "bpy_extras", "mathutils", "numpy", *sys.stdlib_module_names}
-PUBLIC = {"rna_sdk.atomic_file", "rna_sdk.package", "rna_sdk.runtime"}
+PUBLIC = {
+    "rna_sdk.atomic_file",
+    "rna_sdk.package",
+    "rna_sdk.runtime",
+    "rna_sdk.runtime.standin_colors",
+}
 FILES = sorted(EXTENSION.rglob("*.py"))
 
 
