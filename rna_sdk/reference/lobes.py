@@ -12,7 +12,12 @@ from rna_sdk.reference.queries import unit
 
 Float = NDArray[np.float64]
 
-WIDE, NARROW, SHIFT = 2.0, 10.0, 8.0
+WIDE, NARROW = 2.0, 10.0
+"""kappa of a lobe that the decoder leaves as it is: of the first half of them, and of the rest."""
+
+SHIFT = 8.0
+"""Of axes in the output, in which nothing is negative."""
+
 SMALLEST_KAPPA = 0.01
 
 

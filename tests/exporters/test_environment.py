@@ -15,13 +15,13 @@ from rna_export.environment.lobe_export import exported_lobes
 from rna_export.environment.lobe_fit import fit_lobes, light_weights, lobe_loss, make_rows
 from rna_export.environment.lobe_model import LOBES, LobeModel, densities
 from rna_export.environment.lobe_queries import LobeInputs, QueryRows
-from rna_export.environment.spherical_harmonics import COUNT, harmonics
+from rna_export.environment.spherical_harmonics import harmonics
 from rna_export.environment.view_points import part_views
 from rna_export.export.rna_export import main
 from rna_export.training.optimization.pace import StepPace
 from rna_render import write_exr
 from rna_sdk.package import Package, Unpacked, validate
-from rna_sdk.package.manifest.extensions import Environment, extension
+from rna_sdk.package.manifest.extensions import HARMONICS, Environment, extension
 from rna_sdk.runtime import load
 from tests.conftest import REPOSITORY
 
@@ -43,7 +43,7 @@ def views(asset):
 @pytest.fixture(scope="module")
 def queries(asset):
     with Package.open(TOY) as package:
-        return QueryRows(package, asset.tier.name, 0, COUNT)
+        return QueryRows(package, asset.tier.name, 0, HARMONICS)
 
 
 @pytest.fixture
@@ -55,7 +55,7 @@ def model(queries):
 def test_harmonics_are_orthonormal():
     d = even_directions(20_000)
     products = harmonics(d).T @ harmonics(d) * (4 * np.pi / len(d))
-    assert np.abs(products - np.eye(COUNT)).max() < 2e-3
+    assert np.abs(products - np.eye(HARMONICS)).max() < 2e-3
 
 
 def test_densities_sum_up_to_one():

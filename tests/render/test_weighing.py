@@ -94,7 +94,7 @@ def test_weights_of_met_light(both: bool) -> None:
     radiance, pdf, beta, own_pdf = numbers(k, 3), numbers(k), numbers(n, 3), numbers(n)
     own = own_pdf[row].astype(np.float64)
     share = own**2 / np.maximum(own**2 + (3.0 * pdf) ** 2, 1e-30) if both else np.ones(k)
-    found = weigh_hit(radiance, pdf, 3.0, own_pdf if both else None, row, beta)
+    found = weigh_hit(radiance, pdf, np.full(k, 3.0), own_pdf if both else None, row, beta)
     assert found == pytest.approx(beta[row] * radiance * share[:, None], rel=1e-5)
     assert found.any()
 

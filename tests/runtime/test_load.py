@@ -187,6 +187,7 @@ PACKAGE_ALONE = (*ENGINES, "rna_sdk.runtime")
         ("import rna_sdk.package", PACKAGE_ALONE),
         ("import rna_sdk.package as p; p.Package.open(path).planes('small')", PACKAGE_ALONE[:2]),
         ("import rna_sdk.runtime", ENGINES),
+        ("from rna_sdk.runtime import Asset, load", ENGINES),
         (
             "import rna_sdk.runtime as r; r.Transform([[1.0 * (i == k) for k in range(4)]"
             " for i in range(4)])",

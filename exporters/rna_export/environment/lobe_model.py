@@ -10,16 +10,10 @@ from torch import Tensor, nn
 from rna_export.environment.lobe_queries import LobeInputs, QueryRows
 from rna_export.environment.view_points import LobesAt, Rows, ViewPoints
 from rna_export.training.model.layers import through
+from rna_sdk.reference.lobes import NARROW, SHIFT, SMALLEST_KAPPA, WIDE
 
 LOBES = 8
 WIDTH, HIDDEN_LAYERS = 88, 2  # of the decoder
-CONCENTRATIONS = (2.0, 10.0)
-"""kappa of a lobe that the decoder leaves as it is: of the first half of them, and of the rest."""
-
-SHIFT = 8.0
-"""Of axes: a decoder of the profile gives nothing negative."""
-
-SMALLEST_KAPPA = 0.01
 
 _UNIT = 0.1
 _CEILING = 300.0
@@ -67,7 +61,7 @@ class LobeModel(nn.Module):
         amplitude = free * values[:, :, 0] + (1.0 - free) * values[:, :, 1]
         base = [
             kappa * direction[:, None].expand(-1, LOBES // 2, -1)
-            for kappa, direction in zip(CONCENTRATIONS, (wide, mirror), strict=True)
+            for kappa, direction in ((WIDE, wide), (NARROW, mirror))
         ]
         return amplitude, values[:, :, 2] - SHIFT + torch.cat(base, dim=1)
 

@@ -5,11 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-COUNT = 16
-
 
 def harmonics(directions: NDArray[np.floating]) -> NDArray[np.float32]:
-    """All COUNT of them, orthonormal, in unit directions (n, 3): (n, COUNT) float32."""
+    """All 16 of them, orthonormal, in unit directions (n, 3): (n, 16) float32."""
     x, y, z = np.asarray(directions, np.float64).T
     terms = [
         (1.0, np.ones_like(x)),

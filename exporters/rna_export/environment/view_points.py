@@ -10,10 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_export.environment.directions import even_directions, random_directions
-from rna_export.environment.spherical_harmonics import COUNT, harmonics
+from rna_export.environment.spherical_harmonics import harmonics
 from rna_sdk.package import Mesh
-from rna_sdk.package.geometry.vertex_visibility import STEPS, Harmonics, quantised_harmonics
+from rna_sdk.package.geometry.vertex_visibility import Harmonics, quantised_harmonics
+from rna_sdk.package.manifest.extensions import HARMONICS
 from rna_sdk.runtime import Asset, FiberAsset, SurfaceAsset, offset_across
+from rna_sdk.runtime.kernels.lobe_kernels import mixed_harmonics
 from rna_trace import (
     FiberPoints,
     PartPoints,
@@ -46,7 +48,7 @@ class ViewPoints:
             turns them. Surface: the normal, and the mirror direction of wo. Fiber: the directions
             in which a smooth cylinder lets wo through (TT), and reflects it (R).
         free: (n,) float32, visibility along `mirror`.
-        visibility: (n, COUNT) float32, harmonics of the visibility about the point; (n, 0) on
+        visibility: (n, HARMONICS) float32, harmonics of the visibility about the point; (n, 0) on
             fibers.
     """
 
@@ -84,7 +86,7 @@ class PartViews:
 
     Attributes:
         part: the part.
-        visibility: (m, COUNT) int8, harmonics of the asset's own visibility about the mesh's
+        visibility: (m, HARMONICS) int8, harmonics of the asset's own visibility about the mesh's
             vertices, as `quantised_harmonics` has them; the first is the visible part of the
             sphere. None for fibers, about which it changes too fast with direction.
     """
@@ -106,7 +108,7 @@ class PartViews:
     @property
     def visibility_columns(self) -> int:
         """Of ViewPoints.visibility."""
-        return 0 if self.visibility is None else COUNT
+        return 0 if self.visibility is None else HARMONICS
 
     @cached_property
     def is_hidden(self) -> bool:
@@ -180,9 +182,7 @@ class PartViews:
             axis, h = at.tangent, offset_across(at.n, at.tangent, wo)
         else:
             axis, h = at.mapped, np.zeros(len(wo), np.float32)
-        along = np.sum(axis * wo, axis=1, keepdims=True)
-        is_fiber = isinstance(at, FiberPoints)
-        wide, mirror = (-wo, wo - 2 * along * axis) if is_fiber else (axis, 2 * along * axis - wo)
+        wide, mirror = -wo if isinstance(at, FiberPoints) else axis, self.part.mirror(axis, wo)
         free = self._free(at, np.arange(len(wo)), mirror)
         visibility = self._interpolated(primitive, u, v)
         return ViewPoints(at, at.x, axis, h, wo, wide, mirror, free, visibility)
@@ -221,10 +221,10 @@ class PartViews:
         """The vertices' harmonics at hits."""
         if self._mesh is None or self.visibility is None:
             return np.zeros((len(u), 0), np.float32)
-        a, b, c = self._mesh.triangles[primitive].T
-        weighted = [(a, 1 - u - v), (b, u), (c, v)]
-        mixed = (self.visibility[corner] * weight[:, None] for corner, weight in weighted)
-        return np.asarray(sum(mixed), np.float32) / np.float32(STEPS)
+        result = np.empty((len(u), HARMONICS), np.float32)
+        number = primitive.astype(np.int64)
+        mixed_harmonics(self.visibility, self._mesh.triangles, number, u, v, result)
+        return result
 
 
 def _sphere(low: np.ndarray, high: np.ndarray) -> tuple[np.ndarray, float]:

@@ -29,7 +29,7 @@ _QUANTISED_FORMS = {
     "steps": TensorForm(("int16", "int32"), (range(1, MAX_CURVE_POINTS), 3)),
     "radii": TensorForm(("uint8", "uint16"), (_POINTS,)),
 }
-_CODES = TensorCodes(
+GEOMETRY_CODES = TensorCodes(
     header=Code.GEOMETRY_CONTAINER,
     tensors=Code.GEOMETRY_PROFILE,
     dtype=Code.GEOMETRY_PROFILE,
@@ -59,11 +59,11 @@ def curves_from_bytes(data: memoryview, name: str) -> Curves:
     Raises:
         PackageError: with the first GEOMETRY_* or JSON_* issue found.
     """
-    if "steps" in tensor_names(data, name, _CODES):
-        tensors = tensors_from_bytes(data, name, _QUANTISED_FORMS, _CODES)
+    if "steps" in tensor_names(data, name, GEOMETRY_CODES):
+        tensors = tensors_from_bytes(data, name, _QUANTISED_FORMS, GEOMETRY_CODES)
         curves = QuantisedCurves(**tensors).restored()
     else:
-        curves = Curves(**tensors_from_bytes(data, name, _FORMS, _CODES))
+        curves = Curves(**tensors_from_bytes(data, name, _FORMS, GEOMETRY_CODES))
     for attribute, array in (("points", curves.points), ("radii", curves.radii)):
         if not np.isfinite(array).all():
             refuse(Code.GEOMETRY_NOT_FINITE, name, attribute, "finite values")

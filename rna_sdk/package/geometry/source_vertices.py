@@ -8,22 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.package.container.tensor_file import (
-    TensorCodes,
     TensorForm,
     tensors_from_bytes,
     tensors_to_bytes,
 )
+from rna_sdk.package.geometry.curves_file import GEOMETRY_CODES
 from rna_sdk.package.issues import Code, refuse
 
 _NAME = "vertices"
-_CODES = TensorCodes(
-    header=Code.GEOMETRY_CONTAINER,
-    tensors=Code.GEOMETRY_PROFILE,
-    dtype=Code.GEOMETRY_PROFILE,
-    shape=Code.GEOMETRY_PROFILE,
-    offsets=Code.GEOMETRY_RANGE,
-    alignment=Code.GEOMETRY_PROFILE,
-)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -58,7 +50,7 @@ def source_vertices_from_bytes(
         PackageError: with the first GEOMETRY_* or JSON_* issue found.
     """
     form = {_NAME: TensorForm("uint32", (vertices,))}
-    numbers = tensors_from_bytes(data, name, form, _CODES)[_NAME]
+    numbers = tensors_from_bytes(data, name, form, GEOMETRY_CODES)[_NAME]
     largest = int(numbers.max(initial=0))
     if largest >= count:
         refuse(Code.GEOMETRY_INDEX, name, f"vertex {largest}", f"less than {count}")

@@ -70,8 +70,8 @@ def _data_issues(data: Extension, manifest: Manifest) -> Iterator[Issue]:
     if isinstance(data, Source):
         for k, (part, numbers) in enumerate(zip(manifest.parts, data.parts, strict=True)):
             if part.kind != "surface" and numbers is not None:
-                where = pointer("extensions", data.NAME, "parts", k)
-                yield Issue.of(Code.FIELD_VALUE, where, f"vertices of a {part.kind}", "null")
+                found = f"vertices of a {part.kind}"
+                yield Issue.of(Code.FIELD_VALUE, _place(data, k), found, "null")
 
 
 def _place(data: Extension, part: int, *member: str) -> str:

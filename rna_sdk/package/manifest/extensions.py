@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import pairwise
 from typing import Annotated, ClassVar, TypeVar
 
-from pydantic import AfterValidator, Field, field_validator
+from pydantic import AfterValidator, Field
 from pydantic_core import PydanticCustomError
 
 from rna_sdk.package.blocks import query_width
@@ -95,6 +95,17 @@ class ProxyLevel(Record):
     height: Positive = Field(description="Largest height of the bounding sphere, pixels.")
 
 
+def _not_all_null(expected: str) -> AfterValidator:
+    """Refuses a member by part that has nothing of any part."""
+
+    def check(value: tuple[object, ...]) -> tuple[object, ...]:
+        if not any(value):
+            raise PydanticCustomError("FIELD_VALUE", expected)
+        return value
+
+    return AfterValidator(check)
+
+
 def _descends(value: tuple[ProxyLevel, ...]) -> tuple[ProxyLevel, ...]:
     if any(a.height <= b.height for a, b in pairwise(value)):
         raise PydanticCustomError("FIELD_VALUE", "each height below the one before")
@@ -112,14 +123,11 @@ class Proxy(Extension):
     """Coarser geometry of the parts; null for a part that has none."""
 
     NAME: ClassVar[str] = "RNA_proxy"
-    parts: tuple[ProxyLevels | None, ...] = Field(min_length=1, max_length=MAX_PARTS)
-
-    @field_validator("parts")
-    @classmethod
-    def _has_one(cls, value: tuple[ProxyLevels | None, ...]) -> tuple[ProxyLevels | None, ...]:
-        if not any(value):
-            raise PydanticCustomError("FIELD_VALUE", "a proxy of some part")
-        return value
+    parts: Annotated[
+        tuple[ProxyLevels | None, ...],
+        Field(min_length=1, max_length=MAX_PARTS),
+        _not_all_null("a proxy of some part"),
+    ]
 
 
 HARMONICS = 16
@@ -158,17 +166,12 @@ class Environment(Extension):
     """Light from all sides in one query a point; null for a part that has none."""
 
     NAME: ClassVar[str] = "RNA_environment"
-    parts: tuple[EnvironmentPart | None, ...] = Field(min_length=1, max_length=MAX_PARTS)
+    parts: Annotated[
+        tuple[EnvironmentPart | None, ...],
+        Field(min_length=1, max_length=MAX_PARTS),
+        _not_all_null("lobes of some part"),
+    ]
     validation: tuple[EnvironmentValidation, ...] = Field(default=(), max_length=MAX_VALIDATIONS)
-
-    @field_validator("parts")
-    @classmethod
-    def _has_one(
-        cls, value: tuple[EnvironmentPart | None, ...]
-    ) -> tuple[EnvironmentPart | None, ...]:
-        if not any(value):
-            raise PydanticCustomError("FIELD_VALUE", "lobes of some part")
-        return value
 
 
 class Source(Extension):
@@ -176,14 +179,11 @@ class Source(Extension):
 
     NAME: ClassVar[str] = "RNA_source"
     vertices: int = Field(ge=1, le=MAX_INTEGER, description="That the source's meshes have.")
-    parts: tuple[EntryPath | None, ...] = Field(min_length=1, max_length=MAX_PARTS)
-
-    @field_validator("parts")
-    @classmethod
-    def _has_one(cls, value: tuple[str | None, ...]) -> tuple[str | None, ...]:
-        if not any(value):
-            raise PydanticCustomError("FIELD_VALUE", "an entry of some part")
-        return value
+    parts: Annotated[
+        tuple[EntryPath | None, ...],
+        Field(min_length=1, max_length=MAX_PARTS),
+        _not_all_null("an entry of some part"),
+    ]
 
 
 T = TypeVar("T", bound=Extension)

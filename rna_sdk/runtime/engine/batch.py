@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from rna_sdk.package.decoder.decoder_form import COLUMNS
 from rna_sdk.package.decoder.query_arrays import Rows, in_order
-from rna_sdk.runtime.kernels.output_kernel import write_results
 
 
 @dataclass(frozen=True)
@@ -38,5 +37,9 @@ class Batch:
 
     def write(self, tile: slice, output: Rows, valid: NDArray[np.bool_]) -> None:
         """Write the results of a tile from the decoder's output."""
+        from rna_sdk.runtime.kernels.output_kernel import (
+            write_results,
+        )  # numba loads when it is used
+
         for k, result in enumerate(self.results):
             write_results(output, COLUMNS * k, valid, result[tile])

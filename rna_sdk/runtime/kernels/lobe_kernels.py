@@ -12,14 +12,9 @@ from numba import types
 from numpy.typing import NDArray
 
 from rna_sdk.compiled import compiled
+from rna_sdk.reference.lobes import NARROW, SHIFT, WIDE
 from rna_sdk.runtime.kernels.output_kernel import OUTPUT, kept
 from rna_sdk.runtime.kernels.vectors import Rows, dot, unit
-
-WIDE, NARROW = 2.0, 10.0
-"""kappa of a lobe that the decoder leaves as it is: of the first half of them, and of the rest."""
-
-SHIFT = 8.0
-"""Of axes in the output, in which nothing is negative."""
 
 _VECTORS = types.Array(types.float32, 2, "C", readonly=True)
 _SCALARS = types.Array(types.float32, 1, "C", readonly=True)

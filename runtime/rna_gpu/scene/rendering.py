@@ -49,7 +49,8 @@ class GpuRenderer:
         """
         self._scene_file, self._world = scene_file, world
         models = scene_file.scene.camera, scene_file.camera_after
-        self._cameras = [Camera(model, scene_file.scene.resolution) for model in models]
+        moves = models[0] != models[1]
+        self._cameras = [Camera(m, scene_file.scene.resolution) for m in models if moves]
         self._open = open_it or _DEVICE.get
         self._lock, self._losses = Lock(), 0
         self._start()
@@ -65,9 +66,11 @@ class GpuRenderer:
             starts = range(0, len(pixels), self._gpu.band)
             bands = [self._rendered(pixels[k : k + starts.step], sampler) for k in starts]
         layers = Layers.concatenate(bands)
-        row = np.flatnonzero(layers.hit)
-        at = layers.position_world[row]
-        layers.motion[row] = self._cameras[0].motion_to(self._cameras[1], at, at)
+        if self._cameras:
+            now, after = self._cameras
+            row = np.flatnonzero(layers.hit)
+            at = layers.position_world[row]
+            layers.motion[row] = now.motion_to(after, at, at)
         return layers
 
     def _rendered(self, pixels: NDArray[np.uint32], sampler: Sampler) -> Layers:

@@ -49,7 +49,7 @@ def open_renderer(
             message = f"is rendered on the CPU, not with --device {device}"
             raise scene_file.error(("assets", index, "motion"), message)
     quality = scene_file.scene.quality
-    if quality is not None and quality.environment == "lobes":
+    if quality is not None and quality.by_lobes:
         message = f"lobes are for the CPU, found --device {device}; expected rays"
         raise scene_file.error(("quality", "environment"), message)
     return find_device(device)(scene_file, world)

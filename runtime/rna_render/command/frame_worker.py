@@ -120,10 +120,12 @@ class FrameWorker(SceneWorker):
         return FrameFiles(paths, list(lines), time.perf_counter() - start)
 
     def _render(self, frame: Frame) -> list[Path]:
-        frame_file = self._at(frame.number)
+        frame_file = self.scene_file.at(frame.number)
         scene, stop = frame_file.scene, self.stop.is_set
         files = self._job.output.frame(frame.number)
-        moments = [(file, self._world_at(file)) for file in map(self._at, self._times(frame))]
+        moments = [
+            (file, self._world_at(file)) for file in map(self.scene_file.at, self._times(frame))
+        ]
         film = render_with_bar(
             frame_file, moments[0][1], stop, frame.what, device=self.device, moments=moments
         )
@@ -138,9 +140,6 @@ class FrameWorker(SceneWorker):
         assert animation is not None
         return shutter_times(frame.number, animation.shutter, animation.subframes)
 
-    def _at(self, moment: float) -> SceneFile:
-        return self.scene_file.at(moment)
-
     def _world_at(self, scene_file: SceneFile) -> World:
         """The world at a time; the one that is there where nothing bends since."""
         assert self._world is not None
@@ -153,7 +152,7 @@ class FrameWorker(SceneWorker):
 
     def _load(self, moment: float) -> None:
         """Load the files, and the world at a time."""
-        first, views = self._at(moment), [self._at(n) for n in self._job.numbers]
+        first, *views = map(self.scene_file.at, (moment, *self._job.numbers))
         scenes = [view.scene for view in views]
         self._world, self._assets = self.load(first, scenes, self._files_loaded), first.scene.assets
         for view in views:

@@ -36,6 +36,10 @@ class EnvironmentImageLight(InfiniteLight):
     """Radiance of an equirectangular image, sampled in proportion to its luminance.
 
     image: at angle 0, not yet multiplied by the model's radiance.
+
+    Attributes:
+        model: what the scene file says of it.
+        untouched: the image at angle 0.
     """
 
     delta = False
@@ -45,31 +49,21 @@ class EnvironmentImageLight(InfiniteLight):
     def __init__(self, model: EnvironmentModel, image: EquirectangularImage) -> None:
         self.group = model.group
         self.visible_to_camera = model.visible_to_camera
-        self._model, self._untouched = model, image
+        self.model, self.untouched = model, image
         self._image = image.turned(np.radians(model.rotation_deg))
         self._scale = np.asarray(model.radiance, np.float32)
         self.row = light_row(IMAGE, self._scale, self._image.words, **self._image.members)
-
-    @property
-    def model(self) -> EnvironmentModel:
-        """What the scene file says of it."""
-        return self._model
 
     @property
     def image(self) -> EquirectangularImage:
         """The image, at its angle."""
         return self._image
 
-    @property
-    def untouched(self) -> EquirectangularImage:
-        """The image at angle 0."""
-        return self._untouched
-
     def power(self, scene_radius: float) -> float:
         return float(np.pi * scene_radius**2 * self._image.total * luminance(self._scale))
 
     def mis_compensated(self) -> Light:
-        return EnvironmentImageLight(self._model, self._untouched.compensated())
+        return EnvironmentImageLight(self.model, self.untouched.compensated())
 
 
 @compiled(fastmath=())

@@ -233,12 +233,10 @@ class Integrator:
         pdf: np.ndarray,
     ) -> None:
         own_pdf = rays.pdf if self._strategy == "both" else None
-        lobed = np.zeros(len(row), bool) if rays.lobed is None else rays.lobed[row]
-        for which in np.unique(lobed).tolist():
-            some = lobed == which
-            at, samples = row[some], float(rays.probability[int(which), light])
-            brought = weigh_hit(radiance[some], pdf[some], samples, own_pdf, at, rays.beta)
-            self._add(band, rays.path[at], np.full(len(at), light), brought, depth)
+        lobed = np.zeros(len(row), np.int8) if rays.lobed is None else rays.lobed[row].view(np.int8)
+        samples = rays.probability[lobed, light]
+        brought = weigh_hit(radiance, pdf, samples, own_pdf, row, rays.beta)
+        self._add(band, rays.path[row], np.full(len(row), light), brought, depth)
 
     def _add(
         self, band: Layers, path: np.ndarray, light: np.ndarray, radiance: np.ndarray, depth: int

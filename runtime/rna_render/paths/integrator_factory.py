@@ -33,7 +33,7 @@ def make_integrator(
     if next_camera is not None and next_camera != scene.camera:
         after = Camera(next_camera, scene.resolution)
     clamp = indirect_clamp(scene.clamp_indirect, lights, world.radius)
-    by_lobes = scene.quality is not None and scene.quality.environment == "lobes"
+    by_lobes = scene.quality is not None and scene.quality.by_lobes
     lobes = LobeLighting(lights) if by_lobes else None
     return Integrator(
         *(world, camera, lights, scene.max_depth, clamp), next_camera=after, lobes=lobes
@@ -46,7 +46,7 @@ def make_first_look(scene: Scene, world: World) -> Integrator | None:
     None where that changes nothing: no asset has lobes, no light is an environment, or the scene
     asks for lobes itself.
     """
-    asked = scene.quality is not None and scene.quality.environment == "lobes"
+    asked = scene.quality is not None and scene.quality.by_lobes
     lit = any(isinstance(light, EnvironmentModel) for light in scene.lights)
     if asked or not lit or not lobed_objects(world):
         return None

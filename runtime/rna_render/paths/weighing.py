@@ -163,23 +163,23 @@ def weigh_samples(
 def weigh_hit(
     radiance: np.ndarray,
     pdf: np.ndarray,
-    probability: float,
+    probability: np.ndarray,
     own_pdf: np.ndarray | None,
     row: np.ndarray,
     beta: np.ndarray,
 ) -> np.ndarray:
     """Contribution of radiance that rays of paths hit, with MIS weights: (k, 3) float32.
 
-    radiance: (k, 3) float32. pdf: (k,) float32, density with which `probability` samples find the
-    light there. own_pdf: (n,) float32, of all rays; None if rays alone find light. row: (k,) which
-    rays these are. beta: (n, 3) float32, throughput of all paths.
+    radiance: (k, 3) float32. pdf: (k,) float32, density with which each of `probability` samples,
+    (k,) float64, finds the light there. own_pdf: (n,) float32, of all rays; None if rays alone find
+    light. row: (k,) which rays these are. beta: (n, 3) float32, throughput of all paths.
     """
     result = np.empty_like(radiance)
     for i in range(len(row)):
         share = np.float32(1.0)
         if own_pdf is not None:
             density = own_pdf[row[i]]
-            ratio = probability * pdf[i] / density if density > 0.0 else np.inf
+            ratio = probability[i] * pdf[i] / density if density > 0.0 else np.inf
             share = np.float32(1.0 / (1.0 + ratio * ratio))
         for channel in range(3):
             result[i, channel] = beta[row[i], channel] * share * radiance[i, channel]

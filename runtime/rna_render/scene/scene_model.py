@@ -151,13 +151,18 @@ class QualityModel(Model):
     )
 
     @property
+    def by_lobes(self) -> bool:
+        """Whether lobes light assets that have them."""
+        return self.environment == "lobes"
+
+    @property
     def has_limit(self) -> bool:
         """Whether tiers follow from it."""
         return self.max_error is not None or self.seconds is not None
 
     @model_validator(mode="after")
     def _asks_for_something(self) -> QualityModel:
-        if not self.has_limit and self.environment == "rays":
+        if not self.has_limit and not self.by_lobes:
             raise ValueError(
                 "quality is empty: give max_error, seconds or both, or environment: lobes"
             )

@@ -159,19 +159,13 @@ class _NeuralPoints(Points):
             wi = self._rest.to_rest(wi, row)
         return x.take(row, axis=0), axes.take(row, axis=0), wo, wi
 
-    def lobes(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        v = self._scene.visible(self._part, self._at, self._mirror())
-        free = np.asarray(v if v.ndim == 1 else v.mean(axis=1), np.float32)
-        return *self._lobes_of(free), free
+    def _free(self, mirror: np.ndarray) -> np.ndarray:
+        """How much of each mirror direction the asset leaves in sight: (m,) float32."""
+        v = self._scene.visible(self._part, self._at, mirror)
+        return np.asarray(v if v.ndim == 1 else v.mean(axis=1), np.float32)
 
     @abstractmethod
     def _evaluate(self, row: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray, np.ndarray]: ...
-
-    @abstractmethod
-    def _mirror(self) -> np.ndarray: ...
-
-    @abstractmethod
-    def _lobes_of(self, free: np.ndarray) -> tuple[np.ndarray, np.ndarray]: ...
 
 
 class _MeshPoints(_NeuralPoints):
@@ -193,12 +187,10 @@ class _MeshPoints(_NeuralPoints):
     def _evaluate(self, row: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         return self._asset.evaluate(*self._asked(self.n, row, wi))
 
-    def _mirror(self) -> np.ndarray:
-        return self._asset.mirror(self.n, self._wo)
-
-    def _lobes_of(self, free: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def lobes(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        free = self._free(self._asset.mirror(self.n, self._wo))
         visibility = self._asset.visibility_at(*self.where)
-        return self._asset.lobes(self.x, self.n, self._wo, free, visibility)
+        return *self._asset.lobes(self.x, self.n, self._wo, free, visibility), free
 
 
 class _StrandPoints(_NeuralPoints):
@@ -222,12 +214,10 @@ class _StrandPoints(_NeuralPoints):
         x, tangents, wo, wi = self._asked(self.tangents, row, wi)
         return self._asset.evaluate(x, tangents, self._h[row], wo, wi)
 
-    def _mirror(self) -> np.ndarray:
-        return self._asset.mirror(self.tangents, self._wo)
-
-    def _lobes_of(self, free: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        visibility = self._asset.visibility_at(*self.where)
-        return self._asset.lobes(self.x, self.tangents, self._h, self._wo, free, visibility)
+    def lobes(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        free = self._free(self._asset.mirror(self.tangents, self._wo))
+        seen = self._wo, free, self._asset.visibility_at(*self.where)
+        return *self._asset.lobes(self.x, self.tangents, self._h, *seen), free
 
 
 class ObjectBody:
