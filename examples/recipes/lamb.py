@@ -23,7 +23,8 @@ VOXEL = 0.0042
 SOFT = 0.010  # metres: how far from a joint weights go over
 BODY, BODY_RADII = np.array([0.0, 0.012, 0.142]), np.array([0.056, 0.086, 0.054])
 HEAD, HEAD_RADII = np.array([0.0, -0.112, 0.205]), np.array([0.033, 0.040, 0.034])
-RADIUS, POINTS = 0.0005, 9  # of a strand
+RADIUS, POINTS = 0.0006, 9  # of a strand
+STANCE, STRIDE, LIFT = 0.6, 0.036, 0.010  # of a step: the share on the ground; metres
 
 # Bones: parent, head, tail, and the radii of the skin there.
 BONES = {
@@ -31,15 +32,16 @@ BONES = {
     "head": ("body", (0.0, -0.065, 0.172), (0.0, -0.112, 0.205), (0.026, 0.034)),
     "tail": ("body", (0.0, 0.092, 0.152), (0.0, 0.118, 0.138), (0.010, 0.011)),
 }
+HIP, KNEE, FOOT = 0.118, 0.062, 0.010  # heights
 LEGS = {  # x, y, and the phase of its step
-    "fore.L": (0.030, -0.046, 0.0),
-    "fore.R": (-0.030, -0.046, math.pi),
-    "hind.L": (0.032, 0.062, 1.2 * math.pi),
-    "hind.R": (-0.032, 0.062, 0.2 * math.pi),
+    "fore.L": (0.026, -0.046, 0.0),
+    "fore.R": (-0.026, -0.046, 0.5),
+    "hind.L": (0.028, 0.062, 0.25),
+    "hind.R": (-0.028, 0.062, 0.75),
 }
 for leg, (x, y, _) in LEGS.items():
-    BONES[f"thigh {leg}"] = ("body", (x, y, 0.118), (x, y, 0.062), (0.020, 0.013))
-    BONES[f"shin {leg}"] = (f"thigh {leg}", (x, y, 0.062), (x, y, 0.010), (0.013, 0.012))
+    BONES[f"thigh {leg}"] = ("body", (x, y, HIP), (x, y, KNEE), (0.018, 0.012))
+    BONES[f"shin {leg}"] = (f"thigh {leg}", (x, y, KNEE), (x, y, FOOT), (0.012, 0.011))
 
 
 def on_head(*offset):
@@ -75,7 +77,7 @@ def skin():
                 shapes.ball((r, r, r), 20).placed(place)
                 for place, r in zip((head, tail), radii, strict=True)
             ]
-    item = shapes.add(shapes.joined([*balls, *tubes]), "rough", plastic("skin", (0.66, 0.40, 0.30)))
+    item = shapes.add(shapes.joined([*balls, *tubes]), "rough", plastic("skin", (0.72, 0.48, 0.38)))
     item.modifiers.new("melted", "REMESH").voxel_size = VOXEL
     item.modifiers.new("smooth", "SMOOTH").iterations = 7
     evaluated = item.evaluated_get(bpy.context.evaluated_depsgraph_get())
@@ -131,10 +133,12 @@ def hang(item, rig, bone):
 
 
 def wool(rng, centre, radii, count, length, keep):
-    """Curly guides (s, POINTS, 3), Blender's axes, all over an ellipsoid where `keep` says so."""
-    unit = rng.normal(size=(6 * count, 3))
-    unit /= np.linalg.norm(unit, axis=1, keepdims=True)
-    unit = unit[keep(unit)][:count]
+    """Curly guides (s, POINTS, 3), Blender's axes, on an ellipsoid: `keep` of `count` places."""
+    k = np.arange(count)
+    up, around = 1.0 - (2.0 * k + 1.0) / count, math.pi * (3.0 - math.sqrt(5.0)) * k
+    flat = np.sqrt(1.0 - up**2)
+    unit = np.stack([flat * np.cos(around), flat * np.sin(around), up], axis=1)
+    unit = unit[keep(unit)]
     out = unit / radii
     out /= np.linalg.norm(out, axis=1, keepdims=True)
     side = np.cross(out, rng.normal(size=out.shape))
@@ -154,16 +158,16 @@ def fur(name, guides, strands, seed):
         strands,
         points=POINTS,
         seed=seed,
-        clump=0.6,
+        clump=0.45,
         noise=0.05,
         shorten=0.2,
     )
     grown = rna_hair.taper(grown, RADIUS, tip=0.4, start=0.6)
-    hair = chiang_material(name, melanin=0.08, redness=0.5, roughness=0.4, radial_roughness=0.6)
+    hair = chiang_material(name, melanin=0.03, redness=0.4, roughness=0.4, radial_roughness=0.6)
     return add_curves(grown, name, hair)
 
 
-def add_eyes(rig):
+def add_eyes_and_hooves(rig):
     black = shading.principled("eyes", (0.012, 0.01, 0.01), Roughness=0.08)
     for side in (-1.0, 1.0):
         eye = shapes.ball((0.0062, 0.0062, 0.0075), 24)
@@ -171,43 +175,78 @@ def add_eyes(rig):
         hang(shapes.add(placed, "eye", black), rig, "head")
     nose = shapes.ball((0.0085, 0.005, 0.0055), 24).placed(on_head(0.0, -0.059, -0.009))
     hang(shapes.add(nose, "nose", shading.principled("nose", (0.10, 0.035, 0.03))), rig, "head")
+    horn = shading.principled("horn", (0.05, 0.035, 0.03))
+    for leg, (x, y, _) in LEGS.items():
+        hoof = shapes.ball((0.0130, 0.0145, 0.0115), 28).placed((x, y - 0.002, FOOT + 0.001))
+        hang(shapes.add(hoof, "hoof", horn), rig, f"shin {leg}")
+
+
+def foot_path(step):
+    """How far a foot is behind its place and above the ground, by the part of its step."""
+    if step < STANCE:
+        return STRIDE * (step / STANCE - 0.5), 0.0
+    swing = (step - STANCE) / (1.0 - STANCE)
+    return 0.5 * STRIDE * math.cos(math.pi * swing), LIFT * math.sin(math.pi * swing)
+
+
+def bent_leg(hip, foot, side):
+    """Turns of thigh and shin about +x, radians, that bring a foot (y, z) to its place."""
+    thigh, shin = HIP - KNEE, KNEE - FOOT
+    y, z = np.subtract(foot, hip)
+    reach = min(math.hypot(y, z), 0.9999 * (thigh + shin))
+    knee = math.acos((thigh**2 + shin**2 - reach**2) / (2.0 * thigh * shin))
+    ahead = math.acos((thigh**2 + reach**2 - shin**2) / (2.0 * thigh * reach))
+    return math.atan2(y, -z) - side * ahead, side * (math.pi - knee)
 
 
 def pose(rig, frame):
     """Key all bones: at rest in frame 0, then a walk."""
-    turn, amount = 2.0 * math.pi * (frame - 1) / FRAMES, float(frame > 0)
+    walked, amount = (frame - 1) / FRAMES, float(frame > 0)
+    turn = 4.0 * math.pi * walked
+    pitch, rise = math.radians(0.6) * math.sin(turn), 0.0015 * math.cos(turn) - 0.0045
     bend = {
-        "body": (1.6 * math.sin(2.0 * turn), (0.0, 0.0, 0.004 * math.cos(2.0 * turn))),
-        "head": (5.0 * math.sin(2.0 * turn - 0.8), None),
-        "tail": (14.0 * math.sin(2.0 * turn), None),
+        "body": (pitch, (0.0, 0.0, rise)),
+        "head": (math.radians(4.0) * math.sin(turn - 0.8), None),
+        "tail": (math.radians(14.0) * math.sin(turn), None),
     }
+    pivot = np.array(BONES["body"][1][1:])
     for leg, (_, y, phase) in LEGS.items():
-        at = turn + phase
-        lift = max(0.0, math.cos(at)) ** 1.5
-        knee = 46.0 if y < 0 else -46.0  # forelegs bend back, hind legs forward
-        bend[f"thigh {leg}"] = (25.0 * math.sin(at) - 0.4 * knee * lift, None)
-        bend[f"shin {leg}"] = (knee * lift, None)
+        y_hip, z_hip = np.subtract((y, HIP), pivot)
+        hip = np.add(pivot, (y_hip - pitch * z_hip, z_hip + pitch * y_hip + rise))
+        back, up = foot_path((walked + phase) % 1.0)
+        side = 1.0 if y < 0 else -1.0  # forelegs bend back, hind legs forward
+        thigh, shin = bent_leg(hip, (y + back, FOOT + up), side)
+        bend |= {f"thigh {leg}": (thigh - pitch, None), f"shin {leg}": (shin, None)}
     for name, (angle, shift) in bend.items():
         bone = rig.pose.bones[name]
         own = rig.data.bones[name].matrix_local.to_3x3().transposed()
         axis = own @ Matrix.Identity(3).col[0]  # of the bone, towards +x
         bone.rotation_mode = "AXIS_ANGLE"
-        bone.rotation_axis_angle = math.radians(amount * angle), *axis
+        bone.rotation_axis_angle = amount * angle, *axis
         bone.keyframe_insert("rotation_axis_angle", frame=frame)
         if shift is not None:
             bone.location = amount * (own @ Matrix.Translation(shift).to_translation())
             bone.keyframe_insert("location", frame=frame)
 
 
-def build(strands):
+def grow(rig, strands):
+    """Wool of the body, a cap on the head, breeches around the thighs."""
     rng = np.random.default_rng(9)
+    back = wool(rng, BODY, BODY_RADII, 1400, 0.024, lambda u: u[:, 2] > -0.75)
+    hang(fur("wool", back, strands * 6 // 8, 1), rig, "body")
+    cap = wool(rng, HEAD, HEAD_RADII, 700, 0.014, lambda u: (u[:, 2] > 0.5) & (u[:, 1] > -0.5))
+    hang(fur("cap", cap, strands // 8, 2), rig, "head")
+    for seed, (leg, (x, y, _)) in enumerate(LEGS.items(), 3):
+        middle, radii = np.array([x, y, HIP - 0.014]), np.array([0.018, 0.019, 0.034])
+        breeches = wool(rng, middle, radii, 110, 0.015, lambda u: u[:, 2] < 0.9)
+        hang(fur(f"breeches {leg}", breeches, strands // 32, seed), rig, f"thigh {leg}")
+
+
+def build(strands):
     rig, lamb = skeleton(), skin()
     bind(lamb, rig)
-    add_eyes(rig)
-    back = wool(rng, BODY, BODY_RADII, 900, 0.024, lambda u: u[:, 2] > -0.75)
-    cap = wool(rng, HEAD, HEAD_RADII, 160, 0.014, lambda u: (u[:, 2] > 0.5) & (u[:, 1] > -0.5))
-    hang(fur("wool", back, strands * 7 // 8, 1), rig, "body")
-    hang(fur("cap", cap, strands // 8, 2), rig, "head")
+    add_eyes_and_hooves(rig)
+    grow(rig, strands)
     for frame in range(FRAMES + 1):
         pose(rig, frame)
     scene = bpy.context.scene
@@ -216,5 +255,5 @@ def build(strands):
 
 
 parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-parser.add_argument("--strands", type=int, default=8000)
+parser.add_argument("--strands", type=int, default=12000)
 build(parser.parse_args().strands)
