@@ -51,6 +51,14 @@ def test_a_turned_asset_looks_as_it_does_at_rest(path: str) -> None:
     assert (error < 0.02 * before.radiance.mean()).all()
 
 
+def test_assets_are_measured_by_choice(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    row = {"where": "moved", "angle_deg": motion.AT_DEG, "error": 3.0, "at_rest": 2.0}
+    monkeypatch.setattr(motion, "rows_of", lambda _, name: [{"asset": name, **row}])
+    (row,) = motion.measure(Fixtures(tmp_path, Subject(), 10, 1, moving=("tail",)))
+    assert row["asset"] == "tail"
+    assert motion.judge([row]).found.endswith("tail 1.50; figure not measured; slab not measured")
+
+
 def test_stretch_counts_longer_and_shorter(toy: SurfaceAsset) -> None:
     wide = MovedAsset(toy, toy.mesh.positions * np.float32([1.0, 1.5, 1.0]))
     flat = MovedAsset(toy, toy.mesh.positions * np.float32([1.0, 0.5, 1.0]))

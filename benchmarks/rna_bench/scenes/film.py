@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import tempfile
 import time
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +17,6 @@ from rna_bench.results import write_results
 from rna_bench.scenes.beside_cycles import Beside
 from rna_export.capture.blender_process import blender_env
 from rna_export.capture.blender_process.blender_worker import BlenderWorker, Source
-from rna_export.compare.comparison_run import Timed
 from rna_export.compare.cycles_scene import cycles_scene
 from rna_export.machine import default_workers
 from rna_render import Camera, Denoiser, load_world, make_integrator, render
@@ -27,6 +26,7 @@ from rna_sdk.errors import SceneError
 
 _QUALITY = 82  # of the film's WebP
 _GAP = 2  # pixels between ours and Cycles'
+_TIMES = ("ours_seconds", "cycles_seconds", "ours_cpu_seconds", "cycles_cpu_seconds")
 
 
 def film(args: argparse.Namespace) -> list[Path]:
@@ -64,8 +64,17 @@ def _render(args: argparse.Namespace, scene_file: SceneFile, frames: list[int]) 
                 theirs = cycles.render(first + k)
                 path = _kept(args.out, k)
                 path.parent.mkdir(parents=True, exist_ok=True)
-                seconds = np.array([mine.seconds, theirs.seconds])
+                seconds = np.array([mine.seconds, theirs.seconds, mine.of_cpu, theirs.of_cpu])
                 np.savez(path, ours=mine.pixels, cycles=theirs.pixels, alpha=alpha, seconds=seconds)
+
+
+@dataclass(frozen=True)
+class _Frame:
+    """An image, (h, w, 3) float32, its render time and its time on all processors, s."""
+
+    pixels: np.ndarray
+    seconds: float
+    of_cpu: float
 
 
 class _Ours:
@@ -74,10 +83,10 @@ class _Ours:
     def __init__(self, scene_file: SceneFile, denoiser: Denoiser | None) -> None:
         self._file, self._denoiser, self._loaded = scene_file, denoiser, Loaded()
 
-    def render(self, frame: int) -> tuple[Timed, np.ndarray]:
+    def render(self, frame: int) -> tuple[_Frame, np.ndarray]:
         """The image and the alpha of frame `frame` of the scene."""
         scene = frame_scene(self._file.scene, frame)
-        begun = time.perf_counter()
+        begun, worked = time.perf_counter(), time.process_time()
         world = load_world(replace(self._file, scene=scene), loaded=self._loaded)
         channels = render(scene, make_integrator(scene, world)).channels()
         image = np.stack([channels[c] for c in "RGB"], axis=-1)
@@ -85,7 +94,8 @@ class _Ours:
             image = self._denoiser(
                 image, np.stack([channels[f"normal.{c}"] for c in "XYZ"], axis=-1)
             )
-        return Timed(image, time.perf_counter() - begun), channels["assetId"] == 1
+        taken = time.perf_counter() - begun, time.process_time() - worked
+        return _Frame(image, *taken), channels["assetId"] == 1
 
 
 class _Cycles:
@@ -105,12 +115,17 @@ class _Cycles:
         )
         return image[..., :3]
 
-    def render(self, frame: int) -> Timed:
+    def render(self, frame: int) -> _Frame:
         """The image of frame `frame` of the source."""
-        begun = time.perf_counter()
+        begun, worked = time.perf_counter(), self._of_cpu()
         self._worker.show_frame(frame)
         image = self._image()
-        return Timed(image, time.perf_counter() - begun)
+        taken = time.perf_counter() - begun, self._of_cpu() - worked
+        return _Frame(image, *taken)
+
+    def _of_cpu(self) -> float:
+        """Seconds so far; not a number where the system does not tell."""
+        return self._worker.processor_seconds() or np.nan
 
 
 def _beside(frame: dict[str, np.ndarray], exposure: float) -> Beside:
@@ -120,11 +135,10 @@ def _beside(frame: dict[str, np.ndarray], exposure: float) -> Beside:
 
 def _row(number: int, frame: dict[str, np.ndarray], exposure: float) -> dict[str, Any]:
     beside = _beside(frame, exposure)
-    seconds = frame["seconds"].tolist()
+    seconds = np.round(frame["seconds"], 3).tolist()
     return {
         "frame": number,
-        "ours_seconds": round(seconds[0], 3),
-        "cycles_seconds": round(seconds[1], 3),
+        **dict(zip(_TIMES, seconds, strict=True)),
         "flip": round(float(beside.flip(frame["ours"])[1][beside.asset].mean()), 4),
         "brightness": np.round(beside.brightness(frame["ours"]), 3).tolist(),
     }
@@ -153,8 +167,7 @@ def _write(
         quality=_QUALITY,
         method=6,
     )
-    names = ("ours_seconds", "cycles_seconds", "flip")
-    median = {name: float(np.median([row[name] for row in rows])) for name in names}
+    median = {name: float(np.median([row[name] for row in rows])) for name in (*_TIMES, "flip")}
     settings = {
         "resolution": list(scene.resolution),
         "samples": scene.samples,

@@ -60,19 +60,26 @@ class Fixtures:
         subject: the given asset.
         steps: of each training.
         short: whether cases should do less of everything.
+        moving: assets of the case `motion`.
     """
 
     def __init__(
-        self, folder: Path, subject: Subject, steps: int, workers: int, short: bool = False
+        self,
+        folder: Path,
+        subject: Subject,
+        steps: int,
+        workers: int,
+        short: bool = False,
+        moving: tuple[str, ...] = (),
     ):
-        self.subject, self.short = subject, short
+        self.subject, self.short, self.moving = subject, short, moving
         self.steps = max(10, steps // _SHORT) if short else steps
         self._folder, self._workers = folder, workers
 
     def with_workers(self, workers: int) -> Fixtures:
         """A copy with a number of Blender processes, for another machine; nothing is loaded yet."""
         steps = self.steps * _SHORT if self.short else self.steps
-        return Fixtures(self._folder, self.subject, steps, workers, self.short)
+        return Fixtures(self._folder, self.subject, steps, workers, self.short, self.moving)
 
     def _made_once(self, name: str) -> AbstractContextManager[None]:
         """Held while something is made, which cases on other machines may want as well."""

@@ -32,6 +32,7 @@ CASE_NAMES = (
     "energy",
     "motion",
 )
+MOVING = ("figure", "slab", "flag", "tail")  # assets of `motion`
 
 
 def add_options(p: argparse.ArgumentParser) -> None:
@@ -63,6 +64,13 @@ def add_options(p: argparse.ArgumentParser) -> None:
         help=", ".join(CASE_NAMES) + " (default: all)",
     )
     p.add_argument(
+        "--moving",
+        nargs="+",
+        choices=MOVING,
+        metavar="ASSET",
+        help=f"assets of `motion`: {', '.join(MOVING)} (default: all)",
+    )
+    p.add_argument(
         "--steps",
         type=int,
         default=3000,
@@ -85,9 +93,10 @@ def add_options(p: argparse.ArgumentParser) -> None:
     )
     p.add_argument(
         "--redraw",
+        nargs="+",
         type=Path,
         metavar="JSON",
-        help="only redraw the results of an earlier run (path, default: measure)",
+        help="only redraw results of earlier runs, together (paths, default: measure)",
     )
 
 
@@ -101,6 +110,8 @@ def run(args: argparse.Namespace) -> None:
     else:
         fixtures = _fixtures(args)
         settings = {"steps": fixtures.steps, "short": args.short, "tier": args.tier or "default"}
+        if args.moving is not None:
+            settings["moving"] = args.moving
         cases = [case for case in CASES if args.cases is None or case.name in args.cases]
         with open_executor(args.cluster) as executor:
             folder = args.out / "cases"
@@ -125,4 +136,5 @@ def _fixtures(args: argparse.Namespace) -> Any:
     source = Source(args.source, arguments) if args.source else None
     subject = Subject(dataset, args.package, args.tier, source)
     folder = args.work or args.out / "work"
-    return Fixtures(folder, subject, args.steps, args.workers, args.short)
+    moving = tuple(args.moving or MOVING)
+    return Fixtures(folder, subject, args.steps, args.workers, args.short, moving)

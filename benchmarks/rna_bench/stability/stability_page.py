@@ -38,14 +38,25 @@ def write_page(
 
 
 def read_results(
-    path: Path, cases: Sequence[Case]
+    paths: Sequence[Path], cases: Sequence[Case]
 ) -> tuple[dict[str, Any] | None, str, dict[str, Any], list[Result]]:
-    """Stamp (None in old ones), name, settings and results of the cases that `write_page` left."""
-    saved = json.loads(path.read_text())
+    """Stamp (None in old ones), name, settings and results of the cases that `write_page` left.
+
+    Rows of a case that several files have are joined; stamp, name and settings are the first
+    file's, with the other stamps as the stamp's `joined`.
+    """
+    first, *others = (json.loads(path.read_text()) for path in paths)
     by_name = {case.name: case for case in cases}
-    known = [c for c in saved["cases"] if c["case"] in by_name]  # not those of earlier suites
-    results = [_read(by_name[c["case"]], c["rows"], c["skipped"]) for c in known]
-    return saved.get("stamp"), saved["asset"], saved["settings"], results
+    known: dict[str, tuple[list[Row], str | None]] = {}
+    for one in (one for saved in (first, *others) for one in saved["cases"]):
+        if one["case"] in by_name:  # not those of earlier suites
+            rows, _ = known.get(one["case"], ([], None))
+            known[one["case"]] = [*rows, *one["rows"]], one["skipped"]
+    results = [_read(by_name[name], *found) for name, found in known.items()]
+    stamp = first.get("stamp")
+    if others:
+        stamp = {**(stamp or {}), "joined": [saved.get("stamp") for saved in others]}
+    return stamp, first["asset"], first["settings"], results
 
 
 def _read(case: Case, rows: list[Row], skipped: str | None) -> Result:

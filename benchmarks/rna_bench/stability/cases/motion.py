@@ -56,7 +56,7 @@ class Frame:
 
 
 def measure(fixtures: Fixtures) -> list[Row]:
-    return [row for name in CAPTURES for row in rows_of(fixtures, name)]
+    return [row for name in fixtures.moving for row in rows_of(fixtures, name)]
 
 
 def rows_of(fixtures: Fixtures, name: str) -> list[Row]:
@@ -173,6 +173,7 @@ def judge(rows: list[Row]) -> Verdict:
         if asset in JUDGED:
             passed &= rise[AT_DEG] <= MOST
         told.append(f"{asset} " + ", ".join(f"{value:.2f}" for value in rise.values()))
+    told += [f"{asset} not measured" for asset in JUDGED if asset not in values(rows, "asset")]
     at = ", ".join(f"{angle:g}" for angle in ANGLES)
     return Verdict(passed, f"times the error at rest, at {at} degrees: {'; '.join(told)}")
 
