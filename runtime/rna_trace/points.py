@@ -15,11 +15,13 @@ class Points(ABC):
     """Points of a part of a body that are seen, and directions wo to the viewer; object space.
 
     x, n: (m, 3) float32, points and unit normals. gives_lobes: whether they know `lobes`.
+    on_strands: whether they are on strands, many of which may share a pixel.
     """
 
     x: np.ndarray
     n: np.ndarray
     gives_lobes = False
+    on_strands = False
 
     def lobes(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Lobes of the transport of all points: amplitudes and axes, (m, L, 3) float32 each.

@@ -88,11 +88,13 @@ def test_normals_and_positions_are_those_of_the_placed_strand():
     assert (off_axis[..., 1] > 0).all() and np.ptp(off_axis[..., 0]) > 1
 
 
-def test_a_white_furnace_is_white():
-    """A transport of 1 / 4 pi in all directions sends back all that comes in."""
+@pytest.mark.parametrize("floors", [0, 1])
+def test_a_white_furnace_is_white(floors):
+    """A transport of 1 / 4 pi in all directions sends back all that comes in, as a floor does."""
     asset = FiberProbe(curls(40, radius=0.05), (0, 0, 1 / (4 * np.pi)))
+    floor = LambertAsset(square(size=0.3), albedo=WHITE), {"translation": (0, -1, 0)}
     sky = SKY | {"visible_to_camera": False}
-    channels = image([(asset, {})], [sky], samples=256)
+    channels = image([(asset, {}), *[floor] * floors], [sky], samples=256, max_depth=32)
     assert 0.3 < channels["A"].mean() < 1
     hit = channels["A"] > 0.2
     assert abs((channels["B"][hit] / channels["A"][hit]).mean() - 1) < 5e-3

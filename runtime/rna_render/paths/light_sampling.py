@@ -41,7 +41,7 @@ class LightSampling:
 
     At the first points of a path, few lights all have samples; else one light is chosen, by its
     power, and has one. only: places of the lights that have samples at all; None for all. at_once:
-    so many are few.
+    so many are few. most: samples of a light at a point; None for as many as it asks for.
     """
 
     def __init__(
@@ -50,13 +50,15 @@ class LightSampling:
         lights: Sequence[Light],
         only: Sequence[int] | None = None,
         at_once: int = LIGHTS_AT_A_VERTEX,
+        most: int | None = None,
     ) -> None:
         self._world = world
         self._lights, self._at_once = lights, at_once
         self._only = np.arange(len(lights)) if only is None else np.array(only, np.int64)
         self._selection = LightSelection([lights[k] for k in self._only], world.radius)
         self._delta = np.array([light.delta for light in lights], bool)
-        self._times = np.array([light.samples for light in lights], np.int64)
+        asked = [light.samples for light in lights]
+        self._times = np.array([min(n, most or n) for n in asked], np.int64)
 
     def choose(self, numbers: PathNumbers) -> tuple[list[LightChoice], np.ndarray]:
         """The samples of lights at each of n points, and how many each light gets on average.

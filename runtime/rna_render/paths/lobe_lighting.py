@@ -37,11 +37,16 @@ class LobeLighting:
         ]
         self.bright = [light for _, split in self.environments for light in split.bright]
 
-    def sampling(self, world: World, lights: Sequence[Light]) -> LightSampling:
-        """Samples of lights at points with lobes; lights: the others', then `bright`."""
+    def sampling(
+        self, world: World, lights: Sequence[Light], most: int | None = None
+    ) -> LightSampling:
+        """Samples of lights at points with lobes; lights: the others', then `bright`.
+
+        most: as for LightSampling.
+        """
         carried = {k for k, _ in self.environments}
         only = [k for k in range(len(lights)) if k not in carried]
-        return LightSampling(world, lights, only, LIGHTS_AT_A_VERTEX + len(self.bright))
+        return LightSampling(world, lights, only, LIGHTS_AT_A_VERTEX + len(self.bright), most)
 
     def light(
         self, world: World, vertices: Vertices
@@ -71,11 +76,3 @@ def _has_lobes(placement: Placement) -> bool:
     if isinstance(asset, MeshObject | PlacedLight) or placement.shapes is not None:
         return False
     return any(part.environment_form is not None for part in asset.parts)
-
-
-def lobed_rows(vertices: Vertices) -> np.ndarray:
-    """Which vertices have lobes: (m,) bool."""
-    lobed = np.zeros(len(vertices), bool)
-    for rows, points in vertices.parts:
-        lobed[rows] = points.gives_lobes
-    return lobed

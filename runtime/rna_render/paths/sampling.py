@@ -17,8 +17,11 @@ from rna_trace.hashing import Bits, hash_bits
 # So many lights at most have a sample each at one point.
 LIGHTS_AT_A_VERTEX = 4
 
-# So many rays go on from the point that the camera sees, if they can meet another thing.
-BRANCHES = 3
+# So many rays go on from the point that the camera sees, if they can meet another thing. From a
+# strand fewer do, and no light has more samples than these: most noise of its pixels is that of
+# where in the pixel the camera ray falls.
+BRANCHES, STRAND_BRANCHES = 3, 2
+STRAND_SAMPLES = 2
 
 # Dimensions of the sampler: the place in the pixel, then these at each point of a path, with one
 # for each light that has a sample there.
@@ -159,6 +162,25 @@ class PathNumbers:
         """The numbers of some of the paths."""
         number = None if self.number is None else self.number[row]
         return PathNumbers(self.sampler, self.pixels[row], self.depth, number)
+
+    def of_branches(self, branches: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Numbers of the rays that go on, `branches` of each path, (n,) int64: k in all.
+
+        Returns u, (k, 3) float64 in [0, 1), for their directions, and (k,) int64, the number of the
+        path along each. Raises ValueError if the paths have no numbers.
+        """
+        if self.number is None:
+            raise ValueError("paths without numbers have no branches")
+        start = np.cumsum(branches) - branches
+        u, number = np.empty((branches.sum(), 3)), np.empty(branches.sum(), np.int64)
+        for count in np.flatnonzero(np.bincount(branches)).tolist():
+            row, each = np.flatnonzero(branches == count), np.arange(count)
+            some = self.take(row)
+            at = (start[row, None] + each).reshape(-1)
+            u[at, :2] = some.square(DIRECTION, count)
+            u[at, 2] = some.square(CHOICES, count)[:, 1]
+            number[at] = (self.number[row, None] * count + each).reshape(-1)
+        return u, number
 
     def square(self, dimension: int, parts: int = 1) -> np.ndarray:
         """(n * parts, 2) float64 in [0, 1), for one of the dimensions above, as Sampler.square."""

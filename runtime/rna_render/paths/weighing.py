@@ -208,13 +208,16 @@ def weigh_rays(
 
 
 @compiled(fastmath=())
-def clamp_paths(radiance: np.ndarray, limit: np.float32) -> None:
-    """Scale the rows of radiance, (n, 3) float32, whose largest channel is above the limit."""
+def clamp_paths(radiance: np.ndarray, limit: np.ndarray) -> None:
+    """Scale the rows of radiance, (n, 3) float32, whose largest channel is above their limit.
+
+    limit: (n,) float32.
+    """
     for i in range(len(radiance)):
         largest = max(radiance[i, 0], radiance[i, 1], radiance[i, 2])
-        if largest > limit:
+        if largest > limit[i]:
             for channel in range(3):
-                radiance[i, channel] *= limit / largest
+                radiance[i, channel] *= limit[i] / largest
 
 
 @compiled(fastmath=())

@@ -195,6 +195,7 @@ class _MeshPoints(_NeuralPoints):
 
 class _StrandPoints(_NeuralPoints):
     _lobes = FIBER_LOBES
+    on_strands = True
 
     def __init__(
         self,
