@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import json
 import os
 import subprocess
 import sys
@@ -11,6 +12,7 @@ from functools import cache
 from importlib import import_module
 from importlib.metadata import distribution, packages_distributions
 from pathlib import Path
+from typing import NamedTuple
 
 import pytest
 from packaging.requirements import Requirement
@@ -23,10 +25,10 @@ COMMANDS = PROJECT["scripts"]
 TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
 
 WITH_BASE_ALONE = """
-import importlib, sys
+import contextlib, importlib, io, json, sys
 from importlib.abc import MetaPathFinder
 
-refused = set(sys.argv[2].split(","))
+refused = set(sys.argv[1].split(","))
 
 class Refuse(MetaPathFinder):
     def find_spec(self, name, path=None, target=None):
@@ -34,10 +36,27 @@ class Refuse(MetaPathFinder):
             raise ModuleNotFoundError(f"No module named {name!r}", name=name)
 
 sys.meta_path.insert(0, Refuse())
-module, function = sys.argv[1].split(":")
-sys.argv = ["command", *sys.argv[3:]]
-sys.exit(getattr(importlib.import_module(module), function)())
+answers = []
+for entry, *arguments in json.load(sys.stdin):
+    module, function = entry.split(":")
+    sys.argv = ["command", *arguments]
+    out, error = io.StringIO(), io.StringIO()
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(error):
+        try:
+            status = getattr(importlib.import_module(module), function)()
+        except SystemExit as end:
+            status = end.code
+    answers.append([status or 0, out.getvalue(), error.getvalue()])
+print(json.dumps(answers))
 """
+
+
+class Done(NamedTuple):
+    """What a command said."""
+
+    status: int
+    out: str
+    error: str
 
 
 @cache
@@ -58,16 +77,19 @@ def modules_beyond_the_base() -> frozenset[str]:
     )
 
 
-def run(command: str, *arguments: object) -> subprocess.CompletedProcess[str]:
-    """The command in a process that can import the base install alone."""
+def run(*commands: list[object]) -> list[Done]:
+    """Commands, each with its arguments, in a process that can import the base install alone."""
     refused = ",".join(sorted(modules_beyond_the_base()))
-    entry = [sys.executable, "-c", WITH_BASE_ALONE, COMMANDS[command], refused]
-    return subprocess.run(
-        [*entry, *map(str, arguments)],
+    asked = [[COMMANDS[name], *map(str, arguments)] for name, *arguments in commands]
+    done = subprocess.run(
+        [sys.executable, "-c", WITH_BASE_ALONE, refused],
+        input=json.dumps(asked),
         capture_output=True,
         text=True,
         env={**os.environ, "COLUMNS": "100"},
     )
+    assert done.returncode == 0, done.stderr
+    return [Done(*answer) for answer in json.loads(done.stdout)]
 
 
 def test_the_base_is_small() -> None:
@@ -76,11 +98,18 @@ def test_the_base_is_small() -> None:
     assert not {"numpy", "numba", "onnxruntime", "pydantic"} & beyond
 
 
+@pytest.fixture(scope="module")
+def helps() -> dict[str, Done]:
+    return dict(zip(COMMANDS, run(*([name, "--help"] for name in COMMANDS)), strict=True))
+
+
 @pytest.mark.parametrize("command", COMMANDS)
-def test_help_needs_no_extra_and_begins_with_a_command_to_copy(command: str) -> None:
-    done = run(command, "--help")
-    assert (done.returncode, done.stderr) == (0, "")
-    usage, sentence, example = done.stdout.split("\n\n")[:3]
+def test_help_needs_no_extra_and_begins_with_a_command_to_copy(
+    command: str, helps: dict[str, Done]
+) -> None:
+    done = helps[command]
+    assert (done.status, done.error) == (0, "")
+    usage, sentence, example = done.out.split("\n\n")[:3]
     assert usage.startswith("usage:") or command == "rna-validate"
     if command == "rna-validate":
         sentence, example = usage, sentence
@@ -120,20 +149,27 @@ EXTRAS = {
 }
 
 
+@pytest.fixture(scope="module")
+def refusals(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Done]:
+    """What commands say that get as far as their first import beyond the base."""
+    folders = {name: tmp_path_factory.mktemp(name) for name in EXTRAS}
+    commands = ([name, *arguments_that_need(name, folders[name])] for name in EXTRAS)
+    return dict(zip(EXTRAS, run(*commands), strict=True))
+
+
 @pytest.mark.parametrize(("command", "extra"), EXTRAS.items())
-def test_a_missing_extra_is_one_line(command: str, extra: str, tmp_path: Path) -> None:
-    done = run(command, *arguments_that_need(command, tmp_path))
-    assert done.returncode == 1
-    assert done.stderr.startswith("error: no module ") and done.stderr.count("\n") == 1
-    assert f"pip install -e '.[{extra}]' in the clone" in done.stderr
+def test_a_missing_extra_is_one_line(command: str, extra: str, refusals: dict[str, Done]) -> None:
+    done = refusals[command]
+    assert done.status == 1
+    assert done.error.startswith("error: no module ") and done.error.count("\n") == 1
+    assert f"pip install -e '.[{extra}]' in the clone" in done.error
     assert extra in PROJECT["optional-dependencies"]
 
 
 def test_what_the_base_can_do_it_does() -> None:
-    done = run("rna-info", TOY)
-    assert done.returncode == 0 and "PSNR 38.92 dB" in done.stdout
-    done = run("rna-validate", TOY)
-    assert (done.returncode, done.stdout) == (0, f"{TOY}: valid\n")
+    told, valid = run(["rna-info", TOY], ["rna-validate", TOY])
+    assert told.status == 0 and "PSNR 38.92 dB" in told.out
+    assert (valid.status, valid.out) == (0, f"{TOY}: valid\n")
     assert set(COMMANDS) >= set(EXTRAS)
 
 
