@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import subprocess
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -15,13 +15,12 @@ from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.capture.rays.asset_scene import AssetScene
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves
-from tests.exporters.conftest import OpenWorker
-from tests.exporters.scenes import write_scene
+from tests.exporters.conftest import OpenWorker, SaveBlend
 from tests.exporters.test_hair_files import tfx_bytes
 
 pytestmark = pytest.mark.blender
 
-Save = Callable[[str], Path]
+Save = Callable[..., Path]
 
 # Two strands, of 2 and 3 points.
 HAIR = """
@@ -68,18 +67,9 @@ fur.use_close_tip = False
 
 
 @pytest.fixture
-def save(tmp_path: Path, blender_python: Path) -> Save:
+def save(tmp_path: Path, save_blend: SaveBlend) -> Save:
     """The .blend file of a scene given as the text of a script."""
-
-    def save_(body: str) -> Path:
-        path = tmp_path / "saved.blend"
-        start = "bpy.ops.wm.read_factory_settings(use_empty=True)\n"
-        end = f"bpy.ops.wm.save_as_mainfile(filepath={str(path)!r})\n"
-        script = write_scene(tmp_path, "save", start + body + end)
-        subprocess.run([blender_python, script], capture_output=True)  # bpy may complain on exit
-        return path
-
-    return save_
+    return partial(save_blend, tmp_path / "saved.blend")
 
 
 def groom() -> Strands:
@@ -214,7 +204,7 @@ def test_converted_hair_covers_what_particle_hair_covered(
 ) -> None:
     picture = tmp_path / "particles.exr"
     body = f"CHILDREN = 'SIMPLE'\nPICTURE = {str(picture)!r}\n{PARTICLES}{instance}"
-    worker = open_worker(save(body + "fur.use_close_tip = True\n" + RENDER))
+    worker = open_worker(save(body + "fur.use_close_tip = True\n" + RENDER, renders=True))
     with OpenEXR.File(str(picture)) as file:
         alpha = file.channels()["RGBA"].pixels[..., 3]
     step = 8.0 / 160

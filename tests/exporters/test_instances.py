@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
 from pathlib import Path
 
 import numpy as np
@@ -13,9 +12,8 @@ from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.capture.rays.asset_scene import AssetScene
 from rna_export.capture.rays.view_rays import sample_view_rays
 from rna_sdk.errors import CaptureError
-from tests.exporters.conftest import OpenWorker
+from tests.exporters.conftest import OpenWorker, SaveBlend
 from tests.exporters.cycles import trace, unit
-from tests.exporters.scenes import write_scene
 
 pytestmark = pytest.mark.blender
 
@@ -146,18 +144,6 @@ def test_hierarchies_of_gltf(open_worker: OpenWorker, tmp_path: Path) -> None:
     assert found.volume == pytest.approx(6 * (8 + 1.5), rel=1e-4)  # all sides face outwards
 
 
-def save(python: Path, folder: Path, name: str, body: str) -> Path:
-    """`folder/name.blend` of a script that begins with an empty file of that name."""
-    path = folder / f"{name}.blend"
-    save_it = f"bpy.ops.wm.save_as_mainfile(filepath={str(path)!r})\n"
-    start = "bpy.ops.wm.read_factory_settings(use_empty=True)\n" + save_it
-    folder.mkdir(exist_ok=True)
-    script = write_scene(folder, f"save_{name}", start + body + save_it)
-    subprocess.run([python, script], capture_output=True)  # bpy may complain on exit
-    assert path.is_file()
-    return path
-
-
 LINKED = """
 with bpy.data.libraries.load("//library.blend", link=True, relative=True) as (_, wanted):
     wanted.collections = ["group"]
@@ -182,33 +168,33 @@ item.show_instancer_for_render = False
 
 
 def test_a_linked_library_moves_with_its_folder(
-    open_worker: OpenWorker, tmp_path: Path, blender_python: Path
+    open_worker: OpenWorker, save_blend: SaveBlend, tmp_path: Path
 ) -> None:
-    save(blender_python, tmp_path / "a", "library", LIBRARY)
-    save(blender_python, tmp_path / "a", "scene", LINKED)
+    save_blend(tmp_path / "a" / "library.blend", LIBRARY)
+    save_blend(tmp_path / "a" / "scene.blend", LINKED)
     moved = (tmp_path / "a").rename(tmp_path / "b")
     positions = open_worker(moved / "scene.blend").export_corners()["positions"]
     np.testing.assert_allclose(positions.min(axis=0), [2, -1, -1], atol=0.02)
 
 
 def test_a_missing_library_is_named(
-    open_worker: OpenWorker, tmp_path: Path, blender_python: Path
+    open_worker: OpenWorker, save_blend: SaveBlend, tmp_path: Path
 ) -> None:
-    library = save(blender_python, tmp_path, "library", LIBRARY)
-    path = save(blender_python, tmp_path, "scene", LINKED)
+    library = save_blend(tmp_path / "library.blend", LIBRARY)
+    path = save_blend(tmp_path / "scene.blend", LINKED)
     library.unlink()
     with pytest.raises(CaptureError, match=r"linked library .*/library\.blend is missing$"):
         open_worker(path)
-    save(blender_python, tmp_path, "library", "")
+    save_blend(library, "")
     with pytest.raises(CaptureError, match=r"library\.blend has no Collection 'group'$"):
         open_worker(path)
 
 
 def test_particle_hair_of_a_linked_collection(
-    open_worker: OpenWorker, tmp_path: Path, blender_python: Path
+    open_worker: OpenWorker, save_blend: SaveBlend, tmp_path: Path
 ) -> None:
-    save(blender_python, tmp_path, "library", LIBRARY + FUR)
-    worker = open_worker(save(blender_python, tmp_path, "scene", LINKED))
+    save_blend(tmp_path / "library.blend", LIBRARY + FUR)
+    worker = open_worker(save_blend(tmp_path / "scene.blend", LINKED))
     curves = worker.export_curves()
     assert len(curves.offsets) == 31
     roots = curves.points[curves.offsets[:-1].astype(int)] - np.float32([3, 0, 0])

@@ -131,15 +131,7 @@ class BlenderWorker:
 
     def _start(self) -> None:
         self._log = (self._folder / f"worker-{self._name}.log").open("w", encoding="utf-8")
-        self._process = subprocess.Popen(
-            [str(self._python), str(_WORKER)],
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=self._log,
-            encoding="utf-8",
-            errors="replace",  # Blender prints names of files as their bytes are
-            process_group=0,  # Ctrl-C is for us; half a render would look like a whole one
-        )
+        self._process = self._launch()
         try:
             self.opened = self._ask(
                 op="open",
@@ -158,6 +150,18 @@ class BlenderWorker:
         except BaseException:
             self.close()
             raise
+
+    def _launch(self) -> subprocess.Popen[str]:
+        """A process that has opened nothing yet."""
+        return subprocess.Popen(
+            [str(self._python), str(_WORKER)],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=self._log,
+            encoding="utf-8",
+            errors="replace",  # Blender prints names of files as their bytes are
+            process_group=0,  # Ctrl-C is for us; half a render would look like a whole one
+        )
 
     def kill(self) -> None:
         """Kill the process, if it runs: calls from other threads then raise CaptureError."""
