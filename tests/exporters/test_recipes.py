@@ -21,82 +21,92 @@ import hashlib, json, os, sys
 sys.path.insert(0, {blender!r})
 import bpy, numpy as np
 from rna_sources import source_scene
-source, out, *arguments = sys.argv[1:]
-source_scene.load(source, arguments, None, None, None)
-triangles, strands, digest = 0, 0, hashlib.sha256()
-for item in bpy.data.objects:
-    if item.type == "MESH":
-        item.data.calc_loop_triangles()
-        triangles += len(item.data.loop_triangles)
-        points = item.data.vertices
-    else:
-        strands += len(item.data.curves)
-        points = item.data.points
-    place = np.empty(3 * len(points), np.float32)
-    points.foreach_get("position" if item.type == "CURVES" else "co", place)
-    digest.update(place.tobytes())
-    if item.type == "CURVES":
-        np.save(out + ".npy", place.reshape(-1, 3))
-materials = {{m.name: sorted({{n.type for n in m.node_tree.nodes}}) for m in bpy.data.materials}}
+out, calls = sys.argv[1], json.loads(sys.argv[2])
+
+def census(source, *arguments):
+    source_scene.load(source, arguments, None, None, None)
+    triangles, strands, digest = 0, 0, hashlib.sha256()
+    for item in bpy.data.objects:
+        if item.type == "MESH":
+            item.data.calc_loop_triangles()
+            triangles += len(item.data.loop_triangles)
+            points = item.data.vertices
+        else:
+            strands += len(item.data.curves)
+            points = item.data.points
+        place = np.empty(3 * len(points), np.float32)
+        points.foreach_get("position" if item.type == "CURVES" else "co", place)
+        digest.update(place.tobytes())
+        if item.type == "CURVES":
+            np.save(out + ".npy", place.reshape(-1, 3))
+    materials = {{
+        m.name: sorted({{n.type for n in m.node_tree.nodes}}) for m in bpy.data.materials
+    }}
+    return {{"triangles": triangles, "strands": strands, "materials": materials,
+             "digest": digest.hexdigest(), "images": [i.size[:] for i in bpy.data.images]}}
+
+found = [census(*call) for call in calls]
 with open(out, "w") as file:
-    json.dump({{"triangles": triangles, "strands": strands, "materials": materials,
-               "digest": digest.hexdigest(), "images": [i.size[:] for i in bpy.data.images]}}, file)
+    json.dump(found, file)
 os._exit(0)  # bpy may crash while it unloads
 """
 
+Call = tuple[str, ...]  # a recipe and its arguments
 
-def census(python: Path, folder: Path, recipe: str, *arguments: str) -> dict:
-    """What a recipe leaves in the scene; the points of its strands are in `folder`."""
+
+def census(python: Path, folder: Path, *calls: Call) -> list[dict]:
+    """What recipes leave in the scene; the points of the last strands are in `folder`."""
     out = folder / "census.json"
     script = _CENSUS.format(blender=str(REPOSITORY / "exporters" / "rna_export" / "blender"))
-    command = [str(python), "-c", script, str(RECIPES / recipe), str(out), *arguments]
-    ended = subprocess.run(command, capture_output=True, text=True, timeout=120)
+    asked = json.dumps([(str(RECIPES / recipe), *arguments) for recipe, *arguments in calls])
+    command = [str(python), "-c", script, str(out), asked]
+    ended = subprocess.run(command, capture_output=True, text=True, timeout=900)
     assert ended.returncode == 0, ended.stderr
     return json.loads(out.read_text())
 
 
-@pytest.mark.parametrize(
-    ("recipe", "arguments", "strands", "materials"),
-    [
-        ("lamp.py", (), 0, {"brass", "bulb", "paper"}),
-        ("branch.py", (), 0, {"bark", "leaf"}),
-        ("lantern.py", ("--lit",), 0, {"amber glass", "brass", "flame", "iron", "wax"}),
-        ("bottle.py", (), 0, {"cork", "glass", "label"}),
-        ("hair_card.py", (), 0, {"hair", "mannequin"}),
-        ("furry_toy.py", ("--strands", "1200"), 1200, {"mane", "yellow", "eyes"}),
-    ],
-)
-def test_a_recipe_has_what_it_says(
-    blender_python: Path,
-    tmp_path: Path,
-    recipe: str,
-    arguments: tuple[str, ...],
-    strands: int,
-    materials: set[str],
+WITH = {  # strands and materials
+    ("lamp.py",): (0, {"brass", "bulb", "paper"}),
+    ("branch.py",): (0, {"bark", "leaf"}),
+    ("lantern.py", "--lit"): (0, {"amber glass", "brass", "flame", "iron", "wax"}),
+    ("bottle.py",): (0, {"cork", "glass", "label"}),
+    ("hair_card.py",): (0, {"hair", "mannequin"}),
+    ("furry_toy.py", "--strands", "1200"): (1200, {"mane", "yellow", "eyes"}),
+}
+UNLIT = ("lantern.py",)
+BRANCH, LESS = (("branch.py", "--leaves", n) for n in ("40", "30"))
+
+
+@pytest.fixture(scope="module")
+def censuses(blender_python: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[Call, dict]:
+    calls = [*WITH, UNLIT, BRANCH, LESS]
+    folder = tmp_path_factory.mktemp("census")
+    return dict(zip(calls, census(blender_python, folder, *calls), strict=True))
+
+
+@pytest.mark.parametrize("call", WITH, ids="-".join)
+def test_a_recipe_has_what_it_says(call: Call, censuses: dict[Call, dict]) -> None:
+    strands, materials = WITH[call]
+    assert 3000 <= censuses[call]["triangles"] <= 30_000
+    assert censuses[call]["strands"] == strands
+    assert materials <= set(censuses[call]["materials"])
+
+
+def test_the_same_seed_makes_the_same_branch(
+    blender_python: Path, tmp_path: Path, censuses: dict[Call, dict]
 ) -> None:
-    found = census(blender_python, tmp_path, recipe, *arguments)
-    assert 3000 <= found["triangles"] <= 30_000
-    assert found["strands"] == strands
-    assert materials <= set(found["materials"])
-
-
-def test_the_same_seed_makes_the_same_branch(blender_python: Path, tmp_path: Path) -> None:
-    one, two, less = (
-        census(blender_python, tmp_path, "branch.py", "--leaves", n) for n in ("40", "40", "30")
-    )
-    assert one == two
+    one, less = censuses[BRANCH], censuses[LESS]
+    assert census(blender_python, tmp_path, BRANCH) == [one]
     assert one["digest"] != less["digest"]
     assert one["triangles"] - less["triangles"] == 10 * 16  # cards of 4 x 2 quads
     assert {"MATH", "BSDF_TRANSPARENT", "BSDF_TRANSLUCENT"} <= set(one["materials"]["leaf"])
     assert [1024, 1024] in one["images"]
 
 
-def test_panes_are_mixes_of_clear_and_mirror_by_fresnel(
-    blender_python: Path, tmp_path: Path
-) -> None:
-    found = census(blender_python, tmp_path, "lantern.py")
-    assert "flame" not in found["materials"]
-    nodes = set(found["materials"]["sea glass"])
+def test_panes_are_mixes_of_clear_and_mirror_by_fresnel(censuses: dict[Call, dict]) -> None:
+    lantern = censuses[UNLIT]
+    assert "flame" not in lantern["materials"]
+    nodes = set(lantern["materials"]["sea glass"])
     assert nodes >= {"FRESNEL", "MIX_SHADER", "BSDF_TRANSPARENT", "BSDF_GLOSSY"}
     assert "BSDF_PRINCIPLED" not in nodes
 
@@ -106,7 +116,8 @@ def test_the_hair_of_the_head_leaves_the_face_free(
     blender_python: Path, data_folder: Path, tmp_path: Path
 ) -> None:
     scan = str(data_folder / "mesh" / "LeePerrySmith")
-    found = census(blender_python, tmp_path, "haired_head.py", scan, "--strands", "1500")
+    call = ("haired_head.py", scan, "--strands", "1500")
+    (found,) = census(blender_python, tmp_path, call)
     assert found["strands"] == 1500 and found["triangles"] == 17_684
     assert {"skin", "brown"} == set(found["materials"])
     x, back, y = np.load(tmp_path / "census.json.npy").T  # the face looks along +y of Blender
