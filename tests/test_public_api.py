@@ -61,12 +61,13 @@ MEASURED = {
     "rna_trace.embree",
 }
 """Insides that rna_bench alone measures or fuzzes."""
-SPLIT = {"rna_render.lights"}
-"""Where the exporter measures lobes as renderers use them: with the brightest directions apart."""
+EXPORTED = {"rna_render.lights", "rna_render.materials"}
+"""Where the exporter measures lobes as renderers use them, with the brightest directions apart, and
+fits the material of meshes."""
 USERS = {
     "runtime/rna_gpu": OTHER_HALF,
     "runtime/rna_view": set(),
-    "exporters/rna_export": SPLIT,
+    "exporters/rna_export": EXPORTED,
     "benchmarks/rna_bench": MEASURED,
 }
 RENDERERS = {"rna_trace": OUR_TOOLS, "rna_render": OUR_TOOLS, "rna_mitsuba": set()}

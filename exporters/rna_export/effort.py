@@ -31,8 +31,8 @@ class Effort:
         least = min(trained, key=lambda one: one.steps)
         kinds = {part.kind for part in dataset.parts}
         usual = CaptureSettings.usual(kinds.pop() if len(kinds) == 1 else "both")
-        kind = dataset.part(least.part).kind
-        steps = PRESETS[kind][least.preset_name].training.steps
+        of_kind = PRESETS[dataset.part(least.part).kind]
+        steps = of_kind.get(least.preset_name, of_kind["small"]).training.steps
         return cls(least.steps, steps, dataset.lights_finished(), usual.lights)
 
     def __str__(self) -> str:

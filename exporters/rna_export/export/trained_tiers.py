@@ -45,6 +45,9 @@ def trained_tiers(trained: Sequence[Trained], dataset: Dataset) -> list[TrainedT
     capture.
     """
     for one in trained:
+        if not one.preset.model.packageable:
+            found = f"the {one.preset_name} checkpoint of {one.part} is a model to compare with"
+            raise ExportError(f"{found}, expected one with planes whose decoder gives colours")
         _check_capture(one, dataset)
     presets = dict.fromkeys(one.preset_name for one in trained)
     names = [part.name for part in dataset.parts]

@@ -21,6 +21,9 @@ Loss = Literal["auto", "log", "unbiased"]
 LOSSES: tuple[Loss, ...] = get_args(Loss)
 
 
+Material = Literal["learned", "gltf", "kajiya_kay"]
+
+
 MAX_MODEL_WIDTH = 8192
 MAX_HIDDEN_LAYERS = 64
 MAX_MODEL_RESOLUTION = 8192
@@ -52,9 +55,19 @@ class ModelConfig(BaseModel):
         "have none",
     )
 
+    material: Material = Field(
+        "learned",
+        description="what the decoder's outputs are: colours, or parameters of a known material, "
+        "whose shadows are black; all but colours only to compare, packages have none",
+    )
     emission_inputs: tuple[str, ...] = Field(
         (), description="blocks of the decoder of emission; none where the asset emits nothing"
     )
+
+    @property
+    def packageable(self) -> bool:
+        """Whether the format can hold it."""
+        return self.texture == "triplane" and self.material == "learned"
 
     @property
     def colour_sums(self) -> tuple[tuple[int, ...], tuple[int, ...]]:
@@ -199,3 +212,19 @@ PRESETS = {
     for kind in ("surface", "fiber")
 }
 """Kind of asset -> name -> preset."""
+
+
+def _analytic(kind: str) -> Preset:
+    """A material's parameters by place, with the training of `small`."""
+    small = PRESETS[kind]["small"]
+    return small.with_model(
+        material="gltf" if kind == "surface" else "kajiya_kay",
+        inputs=_PAPER_INPUTS[kind][:2],  # features, and normal or tangent
+        hidden_layers=2,
+        separates_direct=False,
+    ).with_training(loss="auto")
+
+
+ANALYTIC_NAME = "analytic"
+ANALYTIC = {kind: _analytic(kind) for kind in PRESETS}
+"""Kind of asset -> the material that can be baked, fitted as well as it can be: to compare."""

@@ -9,7 +9,7 @@ from pathlib import Path
 from time import monotonic
 from typing import TYPE_CHECKING
 
-from rna_export.training.presets import LOSSES, PRESETS, Preset
+from rna_export.training.presets import ANALYTIC, ANALYTIC_NAME, LOSSES, PRESETS, Preset
 from rna_export.training.training_options import add_device, chosen_device
 from rna_sdk.console import command_line, command_parser, run_command
 from rna_sdk.errors import TrainingError
@@ -52,9 +52,11 @@ def parser() -> argparse.ArgumentParser:
     )
     p.add_argument(
         "--preset",
-        choices=PRESETS["surface"],
+        choices=[*PRESETS["surface"], ANALYTIC_NAME],
         default="small",
-        help="model preset (default: %(default)s)",
+        help="model preset; analytic: the best-fitting glTF material of a surface, or Kajiya-Kay "
+        "material of strands: what baking a material would give; no package holds it "
+        "(default: %(default)s)",
     )
     p.add_argument(
         "--inputs",
@@ -137,6 +139,8 @@ def _run(args: argparse.Namespace) -> None:
             written.append(f"wrote {best}, {out / 'curves.png'}, {out / 'sheet.png'}")
             begun = monotonic()
     print("\n".join([*(f"note: {note}" for note in dataset.manifest.notes), *written]))
+    if args.preset == ANALYTIC_NAME:
+        return
     package = f"{dataset.manifest.name}.rna"
     print(f"next: {command_line('rna-export', _to_export(args.out, dataset), '--out', package)}")
 
@@ -147,7 +151,7 @@ def _to_export(out: Path, dataset: Dataset) -> Path:
 
 def _chosen(args: argparse.Namespace, kind: str) -> Preset:
     """The named preset, with what the options change of it."""
-    preset = PRESETS[kind][args.preset]
+    preset = ANALYTIC[kind] if args.preset == ANALYTIC_NAME else PRESETS[kind][args.preset]
     if args.steps is not None:
         preset = preset.with_training(steps=args.steps)
     if args.loss is not None:

@@ -35,7 +35,7 @@ class Trial(BaseModel):
     @property
     def packageable(self) -> bool:
         """Whether the format can hold it."""
-        return self.preset.model.texture == "triplane"
+        return self.preset.model.packageable
 
 
 def name_of(preset: Preset) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import torch
 from torch import Tensor, nn
 
+from rna_export.training.model.analytic import PARAMETERS, shaded
 from rna_export.training.model.emission import EmissionDecoder
 from rna_export.training.model.feature_network import FeatureNetwork
 from rna_export.training.model.inputs import Points, assemble
@@ -21,7 +22,8 @@ class NeuralAsset(nn.Module):
     The decoder gives colours as y = log(x / unit + 1); `colours` inverts that. In the paper there
     are two, `visible` and `shadowed`. A model that `separates_direct` has three: direct light, and
     scattered light where the light is visible and where it is shadowed. `transport` sums them up
-    to the paper's two. Without `visibility_hint` there is one instead of each two.
+    to the paper's two. Without `visibility_hint` there is one instead of each two. With an analytic
+    `material` the decoder gives its parameters, and shadowed light is black.
 
     `bounds` is (2, 3). `unit` is a radiance: 1 in the paper, what is usual on the asset in our
     presets. `ceiling` bounds what a colour can be: nothing brighter was seen in training.
@@ -50,7 +52,8 @@ class NeuralAsset(nn.Module):
         for _ in range(config.hidden_layers):
             layers += [nn.Linear(columns, width), nn.ReLU()]
             columns = width
-        self.decoder = nn.Sequential(*layers, nn.Linear(columns, 3 * len(config.colour_sums[0])))
+        outputs = PARAMETERS.get(config.material, 3 * len(config.colour_sums[0]))
+        self.decoder = nn.Sequential(*layers, nn.Linear(columns, outputs))
         self.emission = (
             EmissionDecoder(config.emission_inputs, config.channels, width)
             if config.emission_inputs
@@ -81,6 +84,9 @@ class NeuralAsset(nn.Module):
     def forward(self, at: Points, blur: float = 1.0) -> Tensor:
         """y = log(x / unit + 1) of each colour, (k, 1 to 3, 3)."""
         y = through(self.decoder, self.queries(at, blur), self._in_bfloat16)
+        if self.config.material != "learned":
+            lit = torch.log1p(shaded(self.config.material, y, at) / self.unit)
+            return torch.stack([lit, torch.zeros_like(lit)], dim=1)
         return y.reshape(len(y), y.shape[1] // 3, 3)
 
     @property

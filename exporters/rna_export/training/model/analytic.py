@@ -1,0 +1,132 @@
+"""Analytic materials on captured geometry: what a decoder's outputs mean, and how they shade.
+
+Instead of colours, the decoder gives the parameters of a known material at each point. It is what
+baking a material gives, fitted to the captured radiance: what a neural asset has to be better than.
+Surfaces: the metallic-roughness material of glTF, as `rna_render.materials.bsdf` shades it.
+Strands: Kajiya and Kay, "Rendering Fur with Three Dimensional Textures", 1989, with the exponent
+of the highlight, and a colour of its own, as parameters of a point.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+from typing import NamedTuple
+
+import numpy as np
+import torch
+import torch.nn.functional as F
+from torch import Tensor
+
+from rna_export.training.model.inputs import Points
+from rna_export.training.presets import Material
+from rna_render.materials import ALBEDO_MEANS, ALBEDO_TABLE
+
+PARAMETERS: dict[Material, int] = {"gltf": 8, "kajiya_kay": 7}
+"""Outputs of the decoder."""
+
+COAT_F0 = 0.04
+"""Reflectance of glTF's dielectrics seen straight on."""
+
+_LEAST_ROUGHNESS = 0.03
+_LEAST_COSINE = 1e-3  # to the viewer
+_FIRST_METALLIC = -3.0  # before the sigmoid: dielectric at first
+_EXPONENTS = 1.0, 9.0  # of two: narrow highlights have the larger one
+
+
+class GltfMaterial(NamedTuple):
+    """Parameters of points, (k, 3) or (k, 1) each."""
+
+    base_color: Tensor  # linear, 0 to 1
+    roughness: Tensor
+    metallic: Tensor
+    tilt: Tensor  # added to the unit normal, object space
+
+    def normal(self, n: Tensor) -> Tensor:
+        """The unit shading normal about the geometry's, (k, 3)."""
+        return F.normalize(n + self.tilt, dim=1)
+
+
+class HairMaterial(NamedTuple):
+    """Parameters of points of strands, (k, 3) or (k, 1) each; none negative."""
+
+    diffuse: Tensor  # radiance of light at right angles to the strand, of irradiance 1
+    specular: Tensor
+    exponent: Tensor
+
+
+def gltf_material(outputs: Tensor) -> GltfMaterial:
+    """The material that a decoder's outputs (k, 8) stand for."""
+    base, roughness, metallic, tilt = outputs.split([3, 1, 1, 3], dim=1)
+    return GltfMaterial(
+        torch.sigmoid(base),
+        _LEAST_ROUGHNESS + (1.0 - _LEAST_ROUGHNESS) * torch.sigmoid(roughness),
+        torch.sigmoid(metallic + _FIRST_METALLIC),
+        tilt,
+    )
+
+
+def hair_material(outputs: Tensor) -> HairMaterial:
+    """The material that a decoder's outputs (k, 7) stand for."""
+    diffuse, specular, exponent = outputs.split([3, 3, 1], dim=1)
+    low, high = _EXPONENTS
+    power = torch.exp2(low + (high - low) * torch.sigmoid(exponent))
+    return HairMaterial(F.softplus(diffuse) / math.pi, F.softplus(specular) / math.pi, power)
+
+
+def shaded(material: Material, outputs: Tensor, at: Points) -> Tensor:
+    """Radiance (k, 3) towards wo of light from wi that nothing blocks, of irradiance 1."""
+    if material == "gltf":
+        return gltf_radiance(gltf_material(outputs), at["normal"], at["wo"], at["wi"])
+    return hair_radiance(hair_material(outputs), at["tangent"], at["wo"], at["wi"])
+
+
+def gltf_radiance(material: GltfMaterial, n: Tensor, wo: Tensor, wi: Tensor) -> Tensor:
+    """f(wo, wi) |n.wi| of both sides of a surface alike, (k, 3)."""
+    m = torch.where(_dot(n, wo) < 0.0, -1.0, 1.0) * material.normal(n)
+    cos_i, cos_o = _dot(m, wi).clamp(min=0.0), _dot(m, wo).clamp(min=_LEAST_COSINE)
+    h = F.normalize(wo + wi, dim=1)
+    cos_h, weight = _dot(m, h), (1.0 - _dot(wo, h).clamp(0.0, 1.0)) ** 5
+    base, roughness, metallic, _ = material
+    square = roughness**4
+    spread = (1.0 - cos_h**2) + square * cos_h**2
+    roots = (torch.sqrt(square + (1.0 - square) * c**2) for c in (cos_o, cos_i))
+    # Smith's height-correlated masking; no light comes where cos_i is 0.
+    masked = cos_i * next(roots) + cos_o * next(roots)
+    mirrored = square / (math.pi * spread**2) * 0.5 / masked
+    metal = metallic * (base + (1.0 - base) * weight)
+    coat = (1.0 - metallic) * (COAT_F0 + (1.0 - COAT_F0) * weight)
+    passed = (1.0 - _coat_albedo(roughness, cos_o)) * (1.0 - _coat_albedo(roughness, cos_i))
+    diffuse = (1.0 - metallic) * base / math.pi * passed / (1.0 - _coat_albedo(roughness))
+    return ((metal + coat) * mirrored + diffuse) * cos_i
+
+
+def hair_radiance(material: HairMaterial, t: Tensor, wo: Tensor, wi: Tensor) -> Tensor:
+    """A cylinder's diffuse part, and a highlight about the cone that mirrors the light: (k, 3)."""
+    s_i, s_o = (_dot(t, w).clamp(-1.0, 1.0) for w in (wi, wo))
+    c_i, c_o = (torch.sqrt((1.0 - s**2).clamp(min=1e-6)) for s in (s_i, s_o))
+    aside = (c_i * c_o - s_i * s_o).clamp(min=1e-6)  # cosine of the angle to the cone
+    return material.diffuse * c_i + material.specular * aside**material.exponent
+
+
+def _coat_albedo(roughness: Tensor, cosine: Tensor | None = None) -> Tensor:
+    """The part that a dielectric's coat reflects by itself; its mean without a direction: (k, 1).
+
+    Interpolated in the renderer's table, uniform in roughness and sqrt(cosine).
+    """
+    table = _coat_table(cosine is None, roughness.device)
+    column = roughness if cosine is None else torch.sqrt(cosine.clamp(1e-8, 1.0))
+    place = 2.0 * torch.cat([column, roughness], dim=1)[None, :, None] - 1.0
+    found = F.grid_sample(table, place, padding_mode="border", align_corners=True)
+    return found[0, 0]
+
+
+@cache
+def _coat_table(mean: bool, device: torch.device) -> Tensor:
+    terms: np.ndarray = ALBEDO_MEANS[:, None] if mean else ALBEDO_TABLE
+    albedo = COAT_F0 * terms[..., 0] + terms[..., 1]
+    return torch.tensor(albedo[None, None], dtype=torch.float32, device=device)
+
+
+def _dot(a: Tensor, b: Tensor) -> Tensor:
+    return (a * b).sum(dim=1, keepdim=True)

@@ -1,0 +1,160 @@
+"""Analytic materials: against the renderer's own, in closed form, and fitted to samples."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+import torch
+import torch.nn.functional as F
+
+from rna_export.export.rna_export import main as export_main
+from rna_export.training.loss_curves import Curves
+from rna_export.training.model.analytic import (
+    COAT_F0,
+    GltfMaterial,
+    HairMaterial,
+    gltf_material,
+    gltf_radiance,
+    hair_radiance,
+)
+from rna_export.training.model.neural_asset import NeuralAsset
+from rna_export.training.optimization.fitting import Fitting
+from rna_export.training.optimization.losses import sample_loss
+from rna_export.training.optimization.samples import SampleTable
+from rna_export.training.presets import ANALYTIC
+from rna_export.training.rna_train import main as train_main
+from rna_render.materials import Scattering
+from tests.exporters.synthetic import make_dataset
+
+BOUNDS = torch.tensor([[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]])
+STEPS = 250
+UP = torch.tensor([[0.0, 0.0, 1.0]])
+
+
+def of_unit_length(*shape: int, seed: int = 0) -> torch.Tensor:
+    generator = torch.Generator().manual_seed(seed)
+    return F.normalize(torch.randn(*shape, 3, generator=generator), dim=-1)
+
+
+def plain(base, roughness: float, metallic: float, k: int = 1) -> GltfMaterial:
+    columns = [
+        torch.tensor([value]).float().reshape(1, -1) for value in (base, roughness, metallic)
+    ]
+    return GltfMaterial(*(c.expand(k, -1) for c in columns), torch.zeros(k, 3))
+
+
+def test_gltf_is_the_renderers_own_material() -> None:
+    k = 20_000
+    n, wo, wi = of_unit_length(3, k)
+    wo = torch.where((n * wo).sum(1, keepdim=True) < 0.05, F.normalize(n + 0.5 * wo, dim=1), wo)
+    outputs = 2.0 * torch.randn(k, 8, generator=torch.Generator().manual_seed(1))
+    outputs[:, 5:] *= 0.05
+    material = gltf_material(outputs)
+    found = gltf_radiance(material, n, wo, wi)
+    arrays = [x.squeeze(1).numpy() for x in (material.roughness**2, material.metallic)]
+    reference = Scattering(
+        material.base_color.numpy(), *arrays, np.full(k, COAT_F0, np.float32), np.zeros((k, 3))
+    )
+    normal = material.normal(n)
+    seen = ((normal * wo).sum(1) > 1e-2).numpy() & ((n * wo).sum(1) > 0).numpy()
+    seen &= ((n * wi).sum(1) > 0).numpy() | ((normal * wi).sum(1) < 0).numpy()
+    expected = reference.evaluate(*(x.numpy() for x in (normal, n, wo, wi)))
+    assert seen.mean() > 0.95 and (expected[seen] > 0).mean() > 0.4
+    np.testing.assert_allclose(found.numpy()[seen], expected[seen], rtol=5e-3, atol=1e-5)
+    other_side = gltf_radiance(material._replace(tilt=-material.tilt), -n, wo, wi)
+    np.testing.assert_allclose(other_side, found, rtol=1e-5, atol=1e-7)
+
+
+@pytest.mark.parametrize("cos_o", [0.2, 0.9])
+def test_white_reflects_all_light(cos_o: float) -> None:
+    side = 400
+    z = (torch.arange(side) + 0.5) / side
+    phi = 2.0 * math.pi * (torch.arange(side) + 0.5) / side
+    z, phi = (x.reshape(-1, 1) for x in torch.meshgrid(z, phi, indexing="ij"))
+    wi = torch.cat(
+        [torch.sqrt(1 - z**2) * torch.cos(phi), torch.sqrt(1 - z**2) * torch.sin(phi), z], 1
+    )
+    wo = torch.tensor([[math.sqrt(1 - cos_o**2), 0.0, cos_o]]).expand_as(wi)
+    values = gltf_radiance(plain((1, 1, 1), 0.5, 0, len(wi)), UP.expand_as(wi), wo, wi)
+    assert float(values.mean()) * 2.0 * math.pi == pytest.approx(1.0, abs=0.01)
+
+
+def test_a_diffuse_strand_sends_out_its_share() -> None:
+    """Over a cylinder: power out = pi^2 diffuse of what arrives, for light from any inclination."""
+    count = 500
+    s = (torch.arange(count) + 0.5) / count * 2.0 - 1.0  # sine of wo to the tangent
+    wo = torch.stack([torch.sqrt(1 - s**2), torch.zeros(count), s], dim=1)
+    wi = torch.tensor([[0.8, 0.0, 0.6]]).expand_as(wo)
+    one, none = torch.ones(1, 1), torch.zeros(1, 3)
+    material = HairMaterial(torch.full((1, 3), 0.05), none, one)
+    radiance = hair_radiance(material, UP.expand_as(wo), wo, wi)
+    out = 2.0 * 2.0 * math.pi * (radiance[:, 0] * torch.sqrt(1 - s**2)).mean()
+    assert float(out) == pytest.approx(math.pi**2 * 0.05 * 0.8, rel=1e-3)
+    mirror = HairMaterial(none, torch.full((1, 3), 0.7), 50.0 * one)
+    shine = hair_radiance(mirror, UP.expand_as(wo), wo, wi)[:, 0]
+    assert float(shine.max()) == pytest.approx(0.7, rel=1e-2)
+    assert float(s[shine.argmax()]) == pytest.approx(-0.6, abs=0.01)
+
+
+def known_samples(k: int) -> tuple[GltfMaterial, dict[str, torch.Tensor]]:
+    position = torch.rand(k, 3, generator=torch.Generator().manual_seed(2)) * 2 - 1
+    left = position[:, :1] < 0
+    base = torch.where(left, torch.tensor([[0.7, 0.3, 0.1]]), torch.tensor([[0.9, 0.6, 0.3]]))
+    roughness, metallic = torch.where(left, 0.6, 0.4), torch.where(left, 0.0, 1.0)
+    material = GltfMaterial(base, roughness, metallic, torch.zeros(k, 3))
+    wo, wi = of_unit_length(2, k, seed=3)
+    n = F.normalize(UP + 0.3 * of_unit_length(k, seed=4), dim=1)
+    wo, wi = (torch.where(w[:, 2:] < 0, -w, w) for w in (wo, wi))
+    mirrored = 2.0 * (n * wo).sum(1, keepdim=True) * n - wo
+    near = torch.arange(k)[:, None] % 2 == 0  # half of the lights near the highlight, as captured
+    wi = torch.where(near, F.normalize(mirrored + 0.5 * wi, dim=1), wi)
+    at = {"position": position, "normal": n, "wo": wo, "wi": wi}
+    at["radiance"] = gltf_radiance(material, n, wo, wi)
+    return material, {**at, "visible": ((n * wi).sum(1) > 0).float()}
+
+
+def test_a_known_material_is_found_again() -> None:
+    material, at = known_samples(40_000)
+    preset = ANALYTIC["surface"].with_model(resolution=16, width=32)
+    preset = preset.with_training(loss="log", unbiased_share=0.0, learning_rate=1e-2)
+    table = SampleTable({name: values.numpy() for name, values in at.items()}, batch=2048)
+    torch.manual_seed(0)
+    fitting = Fitting(preset, BOUNDS, 100.0, table.usual_radiance, table.fields)
+    for k, rows in zip(range(STEPS), table, strict=False):
+        fitting.step(rows, k / STEPS)
+    with torch.no_grad():
+        model = fitting.model
+        found = gltf_material(model.decoder(model.queries(at)))
+    inside = at["position"][:, 0].abs() > 0.15
+    for name, tolerance in (("base_color", 0.04), ("roughness", 0.04), ("metallic", 0.1)):
+        error = (getattr(found, name) - getattr(material, name))[inside].abs().mean()
+        assert float(error) < tolerance, name
+    straight = (found.normal(at["normal"]) * at["normal"]).sum(1)[inside]
+    assert float(torch.rad2deg(torch.arccos(straight.clamp(max=1.0))).mean()) < 1.0
+
+
+@pytest.mark.parametrize("kind", ["surface", "fiber"])
+def test_shadowed_light_is_black_and_teaches_nothing(kind: str) -> None:
+    _, at = known_samples(64)
+    at = {**at, "tangent": at["normal"], "h": torch.zeros(64), "visible": torch.zeros(64)}
+    model = NeuralAsset(ANALYTIC[kind].with_model(resolution=16).model, BOUNDS)
+    radiance = model.transport(model(at))
+    assert (radiance[:, 0] > 0).any() and (radiance[:, 1] == 0).all()
+    sample_loss(model, at, 1.0).backward()
+    assert all((p.grad == 0).all() for p in model.decoder.parameters())
+
+
+def test_a_training_says_its_score_and_no_package_takes_it(tmp_path, monkeypatch, capsys) -> None:
+    monkeypatch.setattr(Curves, "draw", lambda _: None)
+    dataset, runs, package = make_dataset(tmp_path / "ball.rays"), tmp_path / "run", "ball.rna"
+    options = ["--preset", "analytic", "--steps", "10", "--out", str(runs)]
+    assert train_main([str(dataset.folder), *options]) == 0
+    printed = capsys.readouterr().out
+    assert "analytic: PSNR" in printed and "10 of 40,000 steps" in printed
+    assert "next:" not in printed
+    assert export_main([str(runs), "--out", str(tmp_path / package)]) == 1
+    (line,) = capsys.readouterr().err.splitlines()
+    assert "the analytic checkpoint of asset is a model to compare with" in line
+    assert not (tmp_path / package).exists()
