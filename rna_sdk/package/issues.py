@@ -87,6 +87,10 @@ class Code(Enum):
         Severity.ERROR,
         "The visibility is not a valid tensor file of one row a vertex.",
     )
+    STANDIN_TEXTURE = (
+        Severity.WARNING,
+        "A texture of a stand-in is not a PNG of 1 to 8192 pixels, or has no coordinates.",
+    )
     POSTER_IMAGE = (Severity.WARNING, "The poster is not a PNG of the declared size.")
 
     # geometry/*.glb, geometry/*.safetensors

@@ -32,6 +32,7 @@ from rna_sdk.package.manifest.extensions import (
     Proxy,
     ProxyLevel,
     Source,
+    StandinTextures,
     extension,
 )
 from rna_sdk.package.manifest.manifest_model import Manifest, Part
@@ -189,6 +190,21 @@ class Package:
         """
         data = extension(self.manifest, Poster)
         return bytes(self._view(data.image)) if data else None
+
+    def standin_textures(self, part: int = 0) -> dict[str, bytes] | None:
+        """The PNGs of a part's stand-in material (RNA_standin_textures), None if it has none.
+
+        By the names `base_color`, `metallic_roughness` and `normal`, as glTF has them.
+
+        Raises:
+            QueryError: the package has no such part, or is closed.
+        """
+        self._part(part)
+        data = extension(self.manifest, StandinTextures)
+        names = data.parts[part] if data else None
+        if names is None:
+            return None
+        return {member: bytes(self._view(name)) for member, name in names}
 
     def mesh(self, part: int = 0, pixels: float = math.inf) -> Mesh:
         """The mesh of a surface part, object space, metres; arguments as for `geometry`.

@@ -22,15 +22,17 @@ from rna_sdk.package.manifest.extensions import (
     EnvironmentPart,
     EnvironmentValidation,
     Extension,
+    PartTextures,
     Poster,
     Proxy,
     Source,
+    StandinTextures,
     extension,
 )
 from rna_sdk.package.manifest.manifest_fields import GEOMETRY_ENTRIES, DecoderPrecision
 from rna_sdk.package.manifest.manifest_model import Manifest
 from rna_sdk.package.manifest.manifest_tiers import Agreement, TierPart
-from rna_sdk.package.manifest.poster import png_size
+from rna_sdk.package.manifest.pictures import png_size
 from rna_sdk.package.validator import inspect
 from rna_sdk.package.writer import write_entries
 
@@ -143,6 +145,17 @@ class Unpacked:
             refuse(Code.POSTER_IMAGE, name, "no PNG", "a PNG")
         data = Poster(image=name, width=size[0], height=size[1])
         return self.with_extension(data, {name: png})
+
+    def with_standin_textures(self, parts: Sequence[Mapping[str, bytes] | None]) -> Unpacked:
+        """A copy with these PNGs of each part, by member of `PartTextures`; None for none."""
+        entries: dict[str, bytes] = {}
+        records: list[PartTextures | None] = []
+        for part, pngs in zip(self.manifest.parts, parts, strict=True):
+            start = f"extensions/{StandinTextures.NAME}/{part.name}"
+            names = {member: f"{start}-{member}.png" for member in pngs or ()}
+            entries |= {names[member]: png for member, png in (pngs or {}).items()}
+            records.append(PartTextures(**names) if names else None)
+        return self.with_extension(StandinTextures(parts=tuple(records)), entries)
 
     def with_proxies(self, proxies: list[list[tuple[Geometry, int]]]) -> Unpacked:
         """A copy with these proxies of each part (an empty list for none), each with its height."""

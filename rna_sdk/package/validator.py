@@ -26,7 +26,7 @@ from rna_sdk.package.manifest.manifest_model import Manifest, NormalMapRecord, T
 from rna_sdk.package.manifest.manifest_reader import parse_manifest
 from rna_sdk.package.manifest.manifest_short import Places
 from rna_sdk.package.manifest.manifest_tiers import TierPartFields
-from rna_sdk.package.manifest.poster import poster_issues
+from rna_sdk.package.manifest.pictures import poster_issues, texture_issues
 from rna_sdk.package.textures.normal_maps import NORMALS, check_normal_maps
 from rna_sdk.package.textures.planes import check_finite, planes_from_bytes
 from rna_sdk.package.textures.texture_form import Texture
@@ -147,6 +147,7 @@ def _check_contents(
                 result.issues += _outside(geometry, part.bounds, places.part(k, "bounds"))
                 if isinstance(geometry, Mesh):
                     _check_source(container, manifest, k, geometry, intact)
+                    result.issues += texture_issues(container, manifest, k, geometry, intact)
                     textures = _Textures(result, container, intact)
                     where = places.part(k, "transmittance")
                     check_records(part, geometry, textures.of_transmittance, where)

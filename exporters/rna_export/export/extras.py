@@ -9,11 +9,13 @@ from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.export.poster_rendering import render_poster
 from rna_export.export.proxy import proxy_of
 from rna_export.export.standin import standin_material
+from rna_export.export.standin_textures import textures_of
+from rna_export.training.checkpoint import Trained
 from rna_sdk.errors import ExportError
 from rna_sdk.package import Package, SourceVertices
 from rna_sdk.package.geometry.geometry_files import Geometry
 from rna_sdk.package.manifest.extensions import Standin
-from rna_sdk.package.manifest.poster import png_size
+from rna_sdk.package.manifest.pictures import png_size
 from rna_sdk.package.packing import Unpacked
 
 _SHARDS = 12  # of training samples that a stand-in is estimated from
@@ -27,17 +29,24 @@ def add_extras(
     deflate: bool,
     say: Callable[[str], None],
     source: bool = False,
+    analytic: Sequence[Trained] = (),
 ) -> None:
     """Add poster, stand-ins and proxies to the package, and code its entries if `deflate`.
 
     poster: a PNG; None: one is rendered. proxies: their heights in pixels, each below the one
-    before. source: whether to add the source's vertices. Raises ExportError where the poster is no
-    PNG, or the dataset does not have these.
+    before. source: whether to add the source's vertices. analytic: trainings that the stand-ins'
+    textures are baked from. Raises ExportError where the poster is no PNG, the dataset does not
+    have these vertices, or a training is not one of its analytic ones.
     """
     png = render_poster(package) if poster is None else _read_png(poster)
     materials = [standin_material(part.training_samples(_SHARDS)) for part in dataset.parts]
     standin = Standin(parts=tuple(materials))
     unpacked = Unpacked.read(package).with_poster(png).with_extension(standin, {})
+    if analytic:
+        textures, lines = textures_of(analytic, dataset)
+        say("\n".join([*lines, f"stand-in: textures of {sum(map(bool, textures))} parts"]))
+        if any(textures):
+            unpacked = unpacked.with_standin_textures(textures)
     with Package.open(package) as opened:
         levels = [_proxies(opened, k, proxies, say) for k in range(len(materials))]
     if any(levels):

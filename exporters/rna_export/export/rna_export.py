@@ -59,6 +59,14 @@ def parser() -> argparse.ArgumentParser:
         "uses them in scenes with `quality` (ints, default: none)",
     )
     p.add_argument(
+        "--standin",
+        type=Path,
+        metavar="FOLDER",
+        help="folder of rna-train --preset analytic on the same dataset, whose materials become "
+        "textures of the stand-ins where texture coordinates allow it, for rna-info --glb (path, "
+        "default: one colour for each part)",
+    )
+    p.add_argument(
         "--source-vertices",
         action="store_true",
         help="store which vertex of the source each vertex is, 4 bytes each, by which rna-motion "
@@ -95,7 +103,7 @@ def _check_package(args: argparse.Namespace, options: argparse.ArgumentParser) -
     if len(args.checkpoints) > 1 or not args.environment:
         found = " ".join(map(str, args.checkpoints))
         options.error(f"found {found}, expected checkpoints, or one package with --environment")
-    for name in ("dataset", "precision", "poster", "proxies", "source"):
+    for name in ("dataset", "precision", "poster", "proxies", "source", "standin"):
         if getattr(args, name):
             options.error(f"argument --{name}: expected checkpoints, found {args.checkpoints[0]}")
 
@@ -128,6 +136,8 @@ def _run(args: argparse.Namespace) -> None:
     given = [*checkpoints, *args.environment_files]
     check_outputs([args.out], given if args.poster is None else [*given, args.poster])
     trained = [load_checkpoint(path) for path in checkpoints]
+    of_standin = checkpoint_paths([args.standin]) if args.standin else []
+    analytic = [load_checkpoint(path) for path in of_standin]
     dataset = as_cut(Dataset(args.dataset or trained[0].dataset), trained[0].cut)
     presets = dict.fromkeys(one.preset_name for one in trained)
     precisions = precisions_of(args.precision, presets)
@@ -143,7 +153,9 @@ def _run(args: argparse.Namespace) -> None:
     )
     proxies = sorted(set(args.proxies), reverse=True)
     coded = args.coding == "deflate"
-    add_extras(args.out, dataset, args.poster, proxies, coded, print, args.source_vertices)
+    add_extras(
+        args.out, dataset, args.poster, proxies, coded, print, args.source_vertices, analytic
+    )
     print("\n".join(closing_lines(args.out, manifest, trained, dataset)), flush=True)
     if args.environment:
         minutes, files = args.environment_minutes, args.environment_files

@@ -34,8 +34,9 @@ _REPEAT = 10497
 def standin_glb(package: Package, colors: Mapping[int, NDArray[np.float32]] | None = None) -> bytes:
     """The parts of a package as a .glb, metres, +Y up: a node each, named as the part.
 
-    A package without stand-in materials (RNA_standin) gets grey ones. colors: of the vertices of
-    some parts, by the part's number, (v, 3), linear; they take the place of the base colour.
+    A package without stand-in materials (RNA_standin) gets grey ones. Textures of these, and else
+    colors, take the place of the base colour. colors: of the vertices of some parts, by the part's
+    number, (v, 3), linear.
     """
     file = _File()
     manifest = package.manifest
@@ -44,10 +45,12 @@ def standin_glb(package: Package, colors: Mapping[int, NDArray[np.float32]] | No
         geometry = package.geometry(i)
         mesh = geometry if isinstance(geometry, Mesh) else tubes(geometry)
         base = standin.parts[i] if standin else _GREY
-        own = (colors or {}).get(i)
+        textures = package.standin_textures(i)
+        own = None if textures else (colors or {}).get(i)
         if own is not None:
             base = base.model_copy(update={"base_color": (1.0, 1.0, 1.0)})
-        looks = _Looks(file, part.name, base, package.transmittance(i), package.normal_maps(i))
+        holes, reliefs = package.transmittance(i), package.normal_maps(i)
+        looks = _Looks(file, part.name, base, holes, reliefs, textures)
         file.add("nodes", {"mesh": i, "name": part.name})
         file.add("meshes", {"name": part.name, "primitives": _primitives(file, mesh, own, looks)})
     return file.packed(
@@ -92,9 +95,9 @@ class _File:
             accessor |= {"min": rows.min(axis=0).tolist(), "max": rows.max(axis=0).tolist()}
         return self.add("accessors", accessor)
 
-    def texture(self, pixels: NDArray[np.uint8]) -> dict[str, int]:
-        """A texture of (h, w, 3 or 4) uint8 that repeats."""
-        image = self.add("images", {"bufferView": self.view(_png(pixels)), "mimeType": "image/png"})
+    def texture(self, png: bytes) -> dict[str, int]:
+        """A texture that repeats."""
+        image = self.add("images", {"bufferView": self.view(png), "mimeType": "image/png"})
         if "samplers" not in self._lists:
             self.add("samplers", {"wrapS": _REPEAT, "wrapT": _REPEAT})
         return {"index": self.add("textures", {"source": image, "sampler": 0})}
@@ -122,8 +125,9 @@ class _Looks:
         base: StandinMaterial,
         holes: list[Transmittance],
         reliefs: list[NormalMap],
+        textures: Mapping[str, bytes] | None,
     ) -> None:
-        self._file, self._name, self._base = file, name, base
+        self._file, self._name, self._base, self._textures = file, name, base, textures
         self._holes, self._reliefs = holes, reliefs
         self._made: dict[tuple[int | None, int | None], int] = {}
 
@@ -139,7 +143,18 @@ class _Looks:
             self._made[key] = self._file.add("materials", self._material(*key))
         return self._made[key]
 
+    def _textured(self, textures: Mapping[str, bytes]) -> dict[str, Any]:
+        """A part with textures has neither holes nor reliefs."""
+        images = {member: self._file.texture(png) for member, png in textures.items()}
+        surface = {
+            "baseColorTexture": images["base_color"],
+            "metallicRoughnessTexture": images["metallic_roughness"],
+        }
+        return {"pbrMetallicRoughness": surface, "normalTexture": images["normal"]}
+
     def _material(self, hole: int | None, relief: int | None) -> dict[str, Any]:
+        if self._textures is not None:
+            return {"name": self._name, "doubleSided": True, **self._textured(self._textures)}
         base = self._base
         surface: dict[str, Any] = {
             "baseColorFactor": [*base.base_color, 1.0],
@@ -154,13 +169,13 @@ class _Looks:
                 surface["baseColorFactor"][3] = float(alpha.item()) / 255.0
             else:
                 white = np.full((*alpha.shape, 3), 255, np.uint8)
-                surface["baseColorTexture"] = self._file.texture(np.dstack([white, alpha]))
+                surface["baseColorTexture"] = self._file.texture(_png(np.dstack([white, alpha])))
             material["alphaMode"] = "BLEND" if record.cutoff is None else "MASK"
             if record.cutoff is not None:
                 material["alphaCutoff"] = 1.0 - record.cutoff
         if relief is not None:
             pixels = _gltf_normals(self._reliefs[relief].texture)
-            material["normalTexture"] = self._file.texture(pixels)
+            material["normalTexture"] = self._file.texture(_png(pixels))
         return material
 
 

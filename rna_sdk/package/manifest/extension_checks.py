@@ -19,6 +19,7 @@ from rna_sdk.package.manifest.extensions import (
     Proxy,
     Source,
     Standin,
+    StandinTextures,
 )
 from rna_sdk.package.manifest.input_checks import input_issues
 from rna_sdk.package.manifest.manifest_model import Manifest
@@ -48,7 +49,7 @@ def extension_issues(manifest: Manifest) -> list[Issue]:
 def _data_issues(data: Extension, manifest: Manifest) -> Iterator[Issue]:
     if isinstance(data, Deflate):
         yield from _deflate_issues(data, manifest)
-    by_part = Standin | Proxy | Environment | Source
+    by_part = Standin | StandinTextures | Proxy | Environment | Source
     if isinstance(data, by_part) and len(data.parts) != len(manifest.parts):
         where, expected = pointer("extensions", data.NAME, "parts"), f"{len(manifest.parts)}"
         yield Issue.of(Code.PARTS_DIFFER, where, f"{len(data.parts)} parts", expected)
@@ -62,15 +63,15 @@ def _data_issues(data: Extension, manifest: Manifest) -> Iterator[Issue]:
             if lobes:
                 where, what = _place(data, k, "inputs"), f"environment of {part.kind}"
                 yield from input_issues(lobes.own_decoder, part.kind, what, where)
-    if isinstance(data, Proxy):
-        for k, (part, proxies) in enumerate(zip(manifest.parts, data.parts, strict=True)):
-            if (part.transmittance or part.normal_maps) and proxies:
-                where, found = _place(data, k), "proxies of a part with textures"
+    if isinstance(data, Proxy | StandinTextures):
+        for k, (part, own) in enumerate(zip(manifest.parts, data.parts, strict=True)):
+            if (part.transmittance or part.normal_maps) and own:
+                where, found = _place(data, k), f"{data.NAME} of a part with textures"
                 yield Issue.of(Code.FIELD_VALUE, where, found, "null")
-    if isinstance(data, Source):
-        for k, (part, numbers) in enumerate(zip(manifest.parts, data.parts, strict=True)):
-            if part.kind != "surface" and numbers is not None:
-                found = f"vertices of a {part.kind}"
+    if isinstance(data, Source | StandinTextures):
+        for k, (part, of_mesh) in enumerate(zip(manifest.parts, data.parts, strict=True)):
+            if part.kind != "surface" and of_mesh is not None:
+                found = f"{data.NAME} of a {part.kind}"
                 yield Issue.of(Code.FIELD_VALUE, _place(data, k), found, "null")
 
 
@@ -106,6 +107,10 @@ def _references(data: Extension) -> Iterator[tuple[tuple[str | int, ...], str]]:
         for k, numbers in enumerate(data.parts):
             if numbers is not None:
                 yield ("parts", k), numbers
+    if isinstance(data, StandinTextures):
+        for k, textures in enumerate(data.parts):
+            for member, entry in (textures.entries if textures else {}).items():
+                yield ("parts", k, member), entry
     if isinstance(data, Proxy):
         for k, proxies in enumerate(data.parts):
             for j, proxy in enumerate(proxies or ()):

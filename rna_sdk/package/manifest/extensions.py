@@ -88,6 +88,19 @@ class Standin(Extension):
     parts: tuple[StandinMaterial, ...] = Field(min_length=1, max_length=MAX_PARTS)
 
 
+class PartTextures(Record):
+    """Textures of a part's stand-in material, as in glTF, over the mesh's texture coordinates."""
+
+    base_color: EntryPath = Field(description="Entry with a PNG: sRGB.")
+    metallic_roughness: EntryPath = Field(description="PNG: roughness in green, metallic in blue.")
+    normal: EntryPath = Field(description="PNG: normal in the tangent frame.")
+
+    @property
+    def entries(self) -> dict[str, str]:
+        """Entries by member, as the manifest names them."""
+        return self.model_dump(mode="json", by_alias=True)
+
+
 class ProxyLevel(Record):
     """Coarser geometry of a part, for an asset that is small in the image."""
 
@@ -117,6 +130,17 @@ ProxyLevels = Annotated[
     Field(min_length=1, max_length=MAX_PROXIES),
     AfterValidator(_descends),
 ]
+
+
+class StandinTextures(Extension):
+    """Textures in the place of RNA_standin's constants; null for a part that has none."""
+
+    NAME: ClassVar[str] = "RNA_standin_textures"
+    parts: Annotated[
+        tuple[PartTextures | None, ...],
+        Field(min_length=1, max_length=MAX_PARTS),
+        _not_all_null("textures of some part"),
+    ]
 
 
 class Proxy(Extension):
@@ -194,6 +218,7 @@ EXTENSIONS: tuple[type[Extension], ...] = (
     Proxy,
     Environment,
     Source,
+    StandinTextures,
 )
 
 

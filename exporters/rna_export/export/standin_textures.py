@@ -1,0 +1,185 @@
+"""Textures of a stand-in material: an analytic training, evaluated at the texels of a mesh."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import torch
+from PIL import Image
+
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.dataset.dataset_part import DatasetPart
+from rna_export.training.checkpoint import Trained
+from rna_export.training.model.analytic import gltf_material
+from rna_export.training.model.neural_asset import NeuralAsset
+from rna_render import encode_srgb
+from rna_sdk.errors import ExportError
+from rna_sdk.package import Mesh
+from rna_trace import TriangleScene
+
+TEXELS = 512
+"""Along a side."""
+
+_OUTSIDE = 1e-3  # of the texture, that coordinates may be
+_OVERLAPPING = 0.02  # of the covered texels
+_GROWN = 8  # texels about charts, for filters of readers
+
+
+@dataclass(frozen=True)
+class UvPoints:
+    """Points of a mesh at n texels of a square texture.
+
+    texel: (n,) row * side + column. position, normal, tangent, bitangent: (n, 3) float32, the last
+    two as in spec/RNA.md, 4.5.
+    """
+
+    texel: np.ndarray
+    position: np.ndarray
+    normal: np.ndarray
+    tangent: np.ndarray
+    bitangent: np.ndarray
+
+
+def standin_textures(model: NeuralAsset, mesh: Mesh, side: int = TEXELS) -> dict[str, bytes]:
+    """PNGs by member of RNA_standin_textures. model: with glTF's material.
+
+    Raises `ExportError` for a mesh whose texture coordinates lay out no texture of its own.
+    """
+    at = uv_points(mesh, side)
+    with torch.no_grad():
+        position, n = torch.from_numpy(at.position), torch.from_numpy(at.normal)
+        queries = model.queries({"position": position, "normal": n, "wo": n, "wi": n})
+        material = gltf_material(model.decoder(queries))
+        m = material.normal(n).numpy()
+    base, roughness, metallic = (x.numpy() for x in material[:3])
+    x, y, z = (_dots(m, axis) for axis in (at.tangent, at.bitangent, at.normal))
+    images = {
+        "base_color": encode_srgb(base),
+        "metallic_roughness": np.concatenate([np.ones_like(roughness), roughness, metallic], 1),
+        "normal": 0.5 + 0.5 * np.stack([x, y, np.maximum(z, 0.0)], axis=1),
+    }
+    return {member: _png(_filled(values, at.texel, side)) for member, values in images.items()}
+
+
+def uv_points(mesh: Mesh, side: int) -> UvPoints:
+    """The points whose texture coordinates are the middles of texels; raises `ExportError`."""
+    if mesh.uvs is None:
+        raise ExportError("the mesh has no texture coordinates")
+    low, high = float(mesh.uvs.min()), float(mesh.uvs.max())
+    if low < -_OUTSIDE or high > 1.0 + _OUTSIDE:
+        raise ExportError(f"texture coordinates from {low:.3g} to {high:.3g}, expected 0 to 1")
+    corners = mesh.uvs[mesh.triangles]
+    count = len(corners)
+    # Each triangle in a plane of its own: rays from both sides meet the last and the first.
+    height = np.broadcast_to(
+        np.arange(count, dtype=np.float32)[:, None, None] / count, (count, 3, 1)
+    )
+    flat = np.concatenate([corners, height], axis=2).reshape(-1, 3)
+    scene = TriangleScene([(flat, np.arange(3 * count, dtype=np.uint32).reshape(-1, 3))])
+    middle = (np.arange(side, dtype=np.float32) + 0.5) / side
+    v, u = (values.reshape(-1) for values in np.meshgrid(middle, middle, indexing="ij"))
+    down = np.float32([0.0, 0.0, -1.0])
+    origins = np.stack([u, v, np.full_like(u, 2.0)], axis=1)
+    above = scene.intersect(origins, np.tile(down, (len(u), 1)))
+    below = scene.intersect(origins * np.float32([1, 1, -1]), np.tile(-down, (len(u), 1)))
+    texel = np.flatnonzero(above.geometry >= 0)
+    overlap = float(np.mean(above.triangle[texel] != below.triangle[texel])) if len(texel) else 1.0
+    if overlap > _OVERLAPPING:
+        raise ExportError(f"texture coordinates overlap in {100 * overlap:.0f}% of their texels")
+    found = (x[texel] for x in (above.triangle, above.u, above.v))
+    return UvPoints(texel, *_points(mesh, *found))
+
+
+def _points(mesh: Mesh, triangle: np.ndarray, u: np.ndarray, v: np.ndarray) -> tuple:
+    """Positions and frames of points in triangles, as spec/RNA.md, 4.5 has them."""
+    assert mesh.uvs is not None
+    rows = mesh.triangles[triangle]
+    weights = np.stack([1.0 - u - v, u, v], axis=1)[..., None]
+    p = mesh.positions[rows]
+    position = (weights * p).sum(axis=1)
+    normal = _unit((weights * mesh.normals[rows]).sum(axis=1))
+    e1, e2 = p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]
+    uv = mesh.uvs[rows]
+    (a1, c1), (a2, c2) = ((uv[:, k] - uv[:, 0]).T[..., None] for k in (1, 2))
+    sign = np.sign(a1 * c2 - a2 * c1)
+    along_u, along_v = (c2 * e1 - c1 * e2) * sign, (a1 * e2 - a2 * e1) * sign
+    tangent = _unit(along_u - _dots(along_u, normal)[:, None] * normal)
+    across = np.cross(normal, tangent)
+    bitangent = np.where(_dots(across, along_v)[:, None] > 0.0, -across, across)
+    return tuple(x.astype(np.float32) for x in (position, normal, tangent, bitangent))
+
+
+def textures_of(
+    trained: Sequence[Trained], dataset: Dataset
+) -> tuple[list[dict[str, bytes] | None], list[str]]:
+    """The textures of each part, None where there can be none, and a line for each of these.
+
+    trained: analytic models of the dataset's capture. Raises `ExportError` for others.
+    """
+    by_part: dict[str, Trained] = {}
+    for one in trained:
+        if one.preset.model.material == "learned":
+            raise ExportError(
+                f"--standin: found a checkpoint of {one.preset_name}, expected one of "
+                "rna-train --preset analytic"
+            )
+        if one.capture.source_sha256 != dataset.manifest.source_sha256 or one.cut != dataset.cut:
+            raise ExportError(
+                f"--standin: the checkpoint of {one.part} was trained on another capture or cut"
+            )
+        by_part[one.part] = one
+    found: list[dict[str, bytes] | None] = []
+    lines = []
+    for part in dataset.parts:
+        try:
+            found.append(_of_part(part, by_part.get(part.name)))
+        except ExportError as error:
+            found.append(None)
+            lines.append(f"{part.name}: a stand-in without textures: {error}")
+    return found, lines
+
+
+def _of_part(part: DatasetPart, trained: Trained | None) -> dict[str, bytes]:
+    if trained is None:
+        raise ExportError("no checkpoint of it is given")
+    mesh = part.geometry()
+    if not isinstance(mesh, Mesh):
+        raise ExportError("strands have none")
+    if part.captured.transmittance or part.captured.normal_maps:
+        raise ExportError("it has holes or a normal map")
+    return standin_textures(trained.model, mesh)
+
+
+def _filled(values: np.ndarray, texel: np.ndarray, side: int) -> np.ndarray:
+    """An image (side, side, 3) of values (n, 3) at texels: grown about them, else their mean."""
+    image = np.zeros((side, side, 3), np.float32)
+    known = np.zeros((side, side, 1), np.float32)
+    image.reshape(-1, 3)[texel], known.reshape(-1)[texel] = values, 1.0
+    for _ in range(_GROWN):
+        shifts = [(step, axis) for axis in (0, 1) for step in (-1, 1)]
+        weight = sum(np.roll(known, *shift) for shift in shifts)
+        mean = sum(np.roll(image, *shift) for shift in shifts) / np.maximum(weight, 1.0)
+        fresh = (known == 0.0) & (weight > 0.0)
+        image, known = np.where(fresh, mean, image), np.where(fresh, 1.0, known)
+    return np.where(known > 0.0, image, values.mean(axis=0))
+
+
+def _png(image: np.ndarray) -> bytes:
+    pixels = np.rint(255.0 * np.clip(image, 0.0, 1.0)).astype(np.uint8)
+    file = io.BytesIO()
+    Image.fromarray(pixels, "RGB").save(file, format="PNG", optimize=True)
+    return file.getvalue()
+
+
+def _unit(vectors: np.ndarray) -> np.ndarray:
+    length = np.linalg.norm(vectors, axis=1, keepdims=True)
+    unit: np.ndarray = vectors / np.maximum(length, 1e-20)
+    return unit
+
+
+def _dots(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    dots: np.ndarray = np.einsum("ij,ij->i", a, b)
+    return dots
