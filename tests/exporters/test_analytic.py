@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,6 +11,8 @@ import torch
 import torch.nn.functional as F
 
 from rna_export.export.rna_export import main as export_main
+from rna_export.export.standin_textures import textures_of
+from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.loss_curves import Curves
 from rna_export.training.model.analytic import (
     COAT_F0,
@@ -23,9 +26,10 @@ from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.optimization.fitting import Fitting
 from rna_export.training.optimization.losses import sample_loss
 from rna_export.training.optimization.samples import SampleTable
-from rna_export.training.presets import ANALYTIC
+from rna_export.training.presets import ANALYTIC, PRESETS
 from rna_export.training.rna_train import main as train_main
 from rna_render.materials import Scattering
+from rna_sdk.errors import ExportError
 from tests.exporters.synthetic import make_dataset
 
 BOUNDS = torch.tensor([[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]])
@@ -154,6 +158,12 @@ def test_a_training_says_its_score_and_no_package_takes_it(tmp_path, monkeypatch
     printed = capsys.readouterr().out
     assert "analytic: PSNR" in printed and "10 of 40,000 steps" in printed
     assert "next:" not in printed
+    trained = load_checkpoint(runs / "best.ckpt")
+    found, lines = textures_of([trained], dataset.dataset)
+    assert found == [None]
+    assert lines == ["asset: a stand-in without textures: the mesh has no texture coordinates"]
+    with pytest.raises(ExportError, match="--standin: found a checkpoint of analytic, expected"):
+        textures_of([replace(trained, preset=PRESETS["surface"]["small"])], dataset.dataset)
     assert export_main([str(runs), "--out", str(tmp_path / package)]) == 1
     (line,) = capsys.readouterr().err.splitlines()
     assert "the analytic checkpoint of asset is a model to compare with" in line
