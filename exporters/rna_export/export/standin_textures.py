@@ -81,10 +81,10 @@ def uv_points(mesh: Mesh, side: int) -> UvPoints:
     scene = TriangleScene([(flat, np.arange(3 * count, dtype=np.uint32).reshape(-1, 3))])
     middle = (np.arange(side, dtype=np.float32) + 0.5) / side
     v, u = (values.reshape(-1) for values in np.meshgrid(middle, middle, indexing="ij"))
-    down = np.float32([0.0, 0.0, -1.0])
+    down = np.array([0.0, 0.0, -1.0], np.float32)
     origins = np.stack([u, v, np.full_like(u, 2.0)], axis=1)
     above = scene.intersect(origins, np.tile(down, (len(u), 1)))
-    below = scene.intersect(origins * np.float32([1, 1, -1]), np.tile(-down, (len(u), 1)))
+    below = scene.intersect(origins * np.array([1, 1, -1], np.float32), np.tile(-down, (len(u), 1)))
     texel = np.flatnonzero(above.geometry >= 0)
     overlap = float(np.mean(above.triangle[texel] != below.triangle[texel])) if len(texel) else 1.0
     if overlap > _OVERLAPPING:
@@ -93,7 +93,9 @@ def uv_points(mesh: Mesh, side: int) -> UvPoints:
     return UvPoints(texel, *_points(mesh, *found))
 
 
-def _points(mesh: Mesh, triangle: np.ndarray, u: np.ndarray, v: np.ndarray) -> tuple:
+def _points(
+    mesh: Mesh, triangle: np.ndarray, u: np.ndarray, v: np.ndarray
+) -> tuple[np.ndarray, ...]:
     """Positions and frames of points in triangles, as spec/RNA.md, 4.5 has them."""
     assert mesh.uvs is not None
     rows = mesh.triangles[triangle]
