@@ -25,6 +25,7 @@ from tests.package.corpus.registry import (
 POSTER = "extensions/RNA_poster/poster.png"
 LOBES = "extensions/RNA_environment/asset.onnx"
 VISIBILITY = "extensions/RNA_environment/asset-visibility.safetensors"
+TEXTURE = "extensions/RNA_standin_textures/asset.png"
 PROXY = "extensions/RNA_proxy/asset-64.glb"
 
 
@@ -191,6 +192,15 @@ def standin_of_two_parts(entries: Entries) -> bytes:
 def standin_brighter_than_white(entries: Entries) -> bytes:
     material = {"baseColor": [1, 1, 1.5], "roughness": 1, "metallic": 0}
     return with_manifest(entries, lambda m: used(m, "RNA_standin", {"parts": [material]}))
+
+
+@case("STANDIN_TEXTURE")
+def standin_texture_that_is_no_png(entries: Entries) -> bytes:
+    """Of 64 KB, which keeps it out of the conformance kit: other readers have no such textures."""
+    members = dict.fromkeys(("baseColor", "metallicRoughness", "normal"), TEXTURE)
+    data = {"parts": [members]}
+    png = b"JFIF" * 16_384
+    return with_entry(entries, TEXTURE, png, lambda m: used(m, "RNA_standin_textures", data))
 
 
 @case("GEOMETRY_CONTAINER")
