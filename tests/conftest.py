@@ -14,6 +14,8 @@ from tests.render.chromium import INSTALL, find_chromium
 
 REPOSITORY = Path(__file__).parent.parent
 DATA = REPOSITORY.parent / "shared" / "data"
+COMPILES = REPOSITORY / "tests" / "render" / "test_asset_emission.py"
+SECONDS = {"blender": 3, "chromium": 5}  # about what starting a program takes, by markers
 
 
 def pytest_configure() -> None:
@@ -26,15 +28,28 @@ def pytest_configure() -> None:
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     if hasattr(config, "workerinput"):  # one of several processes, see scripts/test
-        # Files of few tests are the longest; those of many short ones fill up the end.
-        tests = Counter(item.path for item in items)
-        items.sort(key=lambda item: tests[item.path])
+        _longest_files_first(items)
     needs = {"blender": _no_blender, "chromium": _no_chromium, "data": _no_data, "gpu": _no_gpu}
     for marker, reason in needs.items():
         marked = [item for item in items if item.get_closest_marker(marker)]
         if marked and (why := reason()):
             for item in marked:
                 item.add_marker(pytest.mark.skip(reason=why))
+
+
+def _longest_files_first(items: list[pytest.Item]) -> None:
+    """Those that start other programs, then those of few tests; many short tests fill up the end.
+
+    One file comes first of all: it compiles what most others load, which both processes would
+    otherwise do at the same time.
+    """
+    tests, seconds = Counter[Path](), Counter[Path]()
+    for item in items:
+        tests[item.path] += 1
+        seconds[item.path] += sum(SECONDS.get(mark.name, 0) for mark in item.iter_markers())
+    items.sort(
+        key=lambda item: (item.path != COMPILES, -seconds[item.path], tests[item.path], item.path)
+    )
 
 
 @pytest.fixture(scope="session")
