@@ -115,9 +115,10 @@ def test_lights_and_steps_make_the_package_of_the_three_commands(tmp_path: Path)
         assert one.manifest.provenance == other.manifest.provenance
 
 
-def test_minutes_are_kept(tmp_path: Path) -> None:
+def test_a_minute_is_kept(tmp_path: Path) -> None:
+    """What is neither rays nor training may take 12 s, 3 of which are kept for the export."""
     source = write_scene(tmp_path, "ball", SCENE)
     begun = time.monotonic()
-    said = run(source, tmp_path / "b.rna", "--minutes", 2, "--presets", "tiny", "--", 0.4)
+    said = run(source, tmp_path / "b.rna", "--minutes", 1, "--presets", "tiny", "--", 0.4)
     assert "time is up" in said
-    assert 0.8 * 120.0 < time.monotonic() - begun < 1.05 * 120.0
+    assert 0.8 * 60.0 < time.monotonic() - begun < 60.0 + 9.0
