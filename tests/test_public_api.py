@@ -61,9 +61,9 @@ MEASURED = {
     "rna_trace.embree",
 }
 """Insides that rna_bench alone measures or fuzzes."""
-EXPORTED = {"rna_render.lights", "rna_render.materials"}
-"""Where the exporter measures lobes as renderers use them, with the brightest directions apart, and
-fits the material of meshes."""
+EXPORTED = {"rna_render.lights", "rna_render.materials", "rna_render.world.neural_sampling"}
+"""Where the exporter measures lobes as renderers use them, with the brightest directions apart,
+trains them along directions that paths would take, and fits the material of meshes."""
 USERS = {
     "runtime/rna_gpu": OTHER_HALF,
     "runtime/rna_view": set(),

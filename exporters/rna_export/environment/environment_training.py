@@ -12,7 +12,7 @@ import numpy as np
 import torch
 from tqdm import tqdm
 
-from rna_export.environment.lobe_error import generated_environments, lobe_errors
+from rna_export.environment.lobe_error import generated_environments, grid_of, lobe_pictures
 from rna_export.environment.lobe_export import exported_lobes
 from rna_export.environment.lobe_fit import fit_lobes
 from rna_export.environment.lobe_model import LobeModel
@@ -26,10 +26,8 @@ from rna_sdk.package.geometry.vertex_visibility import Harmonics
 from rna_sdk.package.manifest.extensions import Deflate
 from rna_sdk.runtime import Asset, FiberAsset, SurfaceAsset, load
 
-STEPS = 6000
+STEPS = 10_000
 """Of training, all parts together."""
-SIZE = 32
-"""Pixels of a side of the pictures that are measured."""
 ROUGH_DB = 25.0
 """dB with bright directions, below which a user is told that the look is rough."""
 
@@ -108,13 +106,14 @@ def _measured(
         path = Path(folder) / "measured.rna"
         package.write(path)
         pairs = parts_with_lobes(load(path), [one.visibility for one in views])
-        return lobe_errors(pairs, environments, SIZE, filling(bar, _MEASURED))
+        pictures = lobe_pictures(pairs, environments, grid_of(pairs), filling(bar, _MEASURED))
+        return pictures.of_pixels().errors()
 
 
 def parts_with_lobes(
     asset: Asset, visibility: Sequence[Harmonics | None] = ()
 ) -> list[tuple[PartViews, LobesAt]]:
-    """What `lobe_errors` measures of a loaded asset. visibility: as of `part_views`."""
+    """What `lobe_pictures` measures of a loaded asset. visibility: as of `part_views`."""
     views = part_views(asset, visibility)
     return [
         (own, _lobes_of(part))

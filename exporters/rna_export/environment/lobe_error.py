@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 import torch
+from numpy.typing import NDArray
 
 from rna_export.environment.lobe_model import densities
-from rna_export.environment.view_points import LobesAt, PartViews, Rows, ViewPoints
+from rna_export.environment.view_points import Grid, LobesAt, PartViews, Rows, ViewPoints
 from rna_export.metrics import IRRADIANCE, flip, psnr
 from rna_render.lights import cell_directions, split_environment
 from rna_sdk.package import EnvironmentValidation
+from rna_sdk.runtime import FiberAsset
 
 _VIEWERS = 4  # about the vertical
 _AT_ONCE = 20  # points
@@ -43,17 +46,78 @@ def generated_environments() -> dict[str, np.ndarray]:
     return {"generated-sky": sky.astype(np.float32), "generated-studio": studio.astype(np.float32)}
 
 
-def lobe_errors(
+@dataclass(frozen=True, eq=False)
+class LobePictures:
+    """Four pictures of an asset under e environments, the lobes' beside the whole integral's.
+
+    names: of the environments. size: pixels of a side. pixel: (n,) int64, where points are, all
+    pictures one after the other. truth, lobes, both: (e, n, 3) float32, the whole integral; lobes
+    alone; and lobes with what is bright asked of the transport.
+    """
+
+    names: list[str]
+    size: int
+    pixel: NDArray[np.int64]
+    truth: np.ndarray
+    lobes: np.ndarray
+    both: np.ndarray
+
+    def of_pixels(self) -> LobePictures:
+        """The same with the mean over each pixel in place of its points."""
+        pixel, place = np.unique(self.pixel, return_inverse=True)
+        order = np.argsort(place, kind="stable")
+        start = np.searchsorted(place[order], np.arange(len(pixel)))
+        count = np.bincount(place)[:, None]
+        truth, lobes, both = (
+            np.add.reduceat(found[:, order], start, axis=1) / count
+            for found in (self.truth, self.lobes, self.both)
+        )
+        return LobePictures(self.names, self.size, pixel, truth, lobes, both)
+
+    def errors(self) -> list[EnvironmentValidation]:
+        """Of each environment, in order.
+
+        Scored at the exposure that shows 95% of the values of the truth below white.
+        """
+        return [self._error(k) for k in range(len(self.names))]
+
+    def _error(self, k: int) -> EnvironmentValidation:
+        truth, lobes, both = self.truth[k], self.lobes[k], self.both[k]
+        exposure = float(1 / max(np.quantile(truth, _SHOWN), 1e-12)) / IRRADIANCE  # white is 1
+        pixels = np.zeros((2, _VIEWERS * self.size * self.size, 3), np.float32)
+        pixels[:, self.pixel] = truth, both
+        reference, image = pixels.reshape(2, -1, self.size, 3)
+        r, g, b = (both.mean(axis=0) / np.maximum(truth.mean(axis=0), 1e-12)).tolist()
+        return EnvironmentValidation(
+            environment=self.names[k],
+            psnr=psnr(lobes, truth, exposure),
+            psnr_with_lights=psnr(both, truth, exposure),
+            flip=flip(image, reference, exposure)[0],
+            brightness=(r, g, b),
+        )
+
+
+def grid_of(parts: Sequence[tuple[PartViews, LobesAt]]) -> Grid:
+    """Rays of the pictures that an asset is measured in.
+
+    Strands are thinner than pixels, so theirs are means, of 4 x 4 points, over pixels as of a
+    picture of 256 squared.
+    """
+    if any(isinstance(views.part, FiberAsset) for views, _ in parts):
+        return Grid(10, rays=4, finest=256)
+    return Grid(32)
+
+
+def lobe_pictures(
     parts: Sequence[tuple[PartViews, LobesAt]],
     environments: Mapping[str, np.ndarray],
-    size: int,
+    grid: Grid,
     advance: Callable[[float], None] = lambda share: None,
-) -> list[EnvironmentValidation]:
-    """Errors over four small pictures of parts of an asset, under each environment, in order.
+) -> LobePictures:
+    """Points of four small pictures of parts of an asset, under each environment.
 
-    environments: texels (h, w, 3) by name. size: pixels of a picture's side. The whole
-    integral is the sum over 8,192 cells of equal solid angle. Pictures are scored at the exposure
-    that shows 95% of the values below white. advance: told shares of all that is done.
+    environments: texels (h, w, 3) by name. The whole integral is the sum over 8,192 cells of equal
+    solid angle. advance: told shares of all that is done.
     """
     splits = [split_environment(texels) for texels in environments.values()]
     cells = cell_directions().astype(np.float32)
@@ -62,16 +126,15 @@ def lobe_errors(
     places, found = [], []
     for viewer in range(_VIEWERS):
         for views, lobes_at in parts:
-            points, place = views.picture(2 * np.pi * (viewer + 0.3) / _VIEWERS, size)
-            places.append(place + viewer * size * size)
+            points, pixel = views.picture(2 * np.pi * (viewer + 0.3) / _VIEWERS, grid)
+            places.append(pixel + viewer * grid.size**2)
             lobes = _lobe_light(*lobes_at(points), cells, np.stack([whole, rest]))
             lit = [_light(views, points, s.directions, s.flux[None])[0] for s in splits]
             truth = _light(views, points, cells, whole)
             found.append(np.stack([truth, lobes[0], lobes[1] + np.stack(lit)]))
             advance(1 / _VIEWERS / len(parts))
     pictures = np.concatenate(found, axis=2)
-    place = np.concatenate(places)
-    return [_error(name, size, place, *pictures[:, k]) for k, name in enumerate(environments)]
+    return LobePictures(list(environments), grid.size, np.concatenate(places), *pictures)
 
 
 def _light(views: PartViews, points: ViewPoints, d: np.ndarray, flux: np.ndarray) -> np.ndarray:
@@ -95,20 +158,3 @@ def _lobe_light(amplitude: Rows, axis: Rows, d: np.ndarray, flux: np.ndarray) ->
         mean = np.einsum("nlk,...kc->...nlc", density, flux, optimize=True)
         found.append(np.einsum("...nlc,nlc->...nc", mean, amplitude[part]))
     return np.concatenate(found, axis=-2)
-
-
-def _error(
-    name: str, size: int, place: np.ndarray, truth: np.ndarray, lobes: np.ndarray, both: np.ndarray
-) -> EnvironmentValidation:
-    exposure = float(1 / max(np.quantile(truth, _SHOWN), 1e-12)) / IRRADIANCE  # white is 1
-    pixels = np.zeros((2, _VIEWERS * size * size, 3), np.float32)
-    pixels[:, place] = truth, both
-    reference, image = pixels.reshape(2, -1, size, 3)
-    r, g, b = (both.mean(axis=0) / np.maximum(truth.mean(axis=0), 1e-12)).tolist()
-    return EnvironmentValidation(
-        environment=name,
-        psnr=psnr(lobes, truth, exposure),
-        psnr_with_lights=psnr(both, truth, exposure),
-        flip=flip(image, reference, exposure)[0],
-        brightness=(r, g, b),
-    )

@@ -8,34 +8,25 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import torch
-from torch import Tensor
+from numpy.typing import NDArray
 
-from rna_export.environment.directions import even_directions, random_rotations
-from rna_export.environment.lobe_model import LobeModel, densities
+from rna_export.environment.directions import random_rotations
+from rna_export.environment.lobe_loss import LobeLoss, Targets, even_lights
+from rna_export.environment.lobe_model import LobeModel
 from rna_export.environment.lobe_queries import LobeInputs, QueryRows
-from rna_export.environment.view_points import PartViews, Rows
+from rna_export.environment.view_points import PartViews, Rows, ViewPoints
 from rna_export.training.optimization.pace import Pace
 from rna_export.training.optimization.training_threads import threads_in_use, use_threads
+from rna_render.world.neural_sampling import LobeMixture
+from rna_trace import FiberPoints
 
-_ROWS, _NEW = 2048, 64  # points of a step, and those of them that no step has had
+_ROWS, _NEW = 2048, 32  # points of a step, and those of them that no step has had
 _KEPT = 100_000  # points
-_DIRECTIONS, _LIGHTS = 64, 32  # of a point
-_KAPPA = (0.5, 30.0)  # of the lights
-_STRIDE = 7  # in concentrations between neighbouring lights: none has a part of the sphere alone
+_DIRECTIONS = 64  # of a point
+_SURFACE = LobeMixture(uniform=0.6, mirror=0.4, mirror_kappa=40.0)
+_FIBER = LobeMixture(uniform=0.6, cone=0.4, cone_scale=0.08)
+_GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
 _RATE, _WARMUP = 5e-3, 100  # steps
-_EPSILON = 0.1  # of the relative error; radiance under a light of radiance 1
-
-
-def light_weights() -> Tensor:
-    """(lights, directions): weights of even directions under lights, each light's sum 1.
-
-    Lights are von Mises-Fisher distributions about even directions of their own.
-    """
-    place = np.arange(_LIGHTS) * _STRIDE % _LIGHTS / (_LIGHTS - 1)
-    kappa = _KAPPA[0] * (_KAPPA[1] / _KAPPA[0]) ** place
-    cosine = even_directions(_LIGHTS) @ even_directions(_DIRECTIONS).T
-    weights = np.exp(kappa[:, None] * (cosine - 1))
-    return torch.from_numpy((weights / weights.sum(axis=1, keepdims=True)).astype(np.float32))
 
 
 class _Kept:
@@ -54,39 +45,39 @@ class _Kept:
             kept[start : start + more] = array
         self._next, self._count = start + more, max(self._count, start + more)
 
-    def some(self, count: int, rng: np.random.Generator) -> list[Rows]:
-        """`count` random points."""
-        row = rng.integers(self._count, size=count)
-        return [array.take(row, axis=0) for array in self._rows]
+    def some(
+        self, count: int, rng: np.random.Generator
+    ) -> tuple[LobeInputs, NDArray[np.int64], Targets]:
+        """`count` random points: their inputs, and which of the targets are theirs."""
+        row, inputs = rng.integers(self._count, size=count), len(LobeInputs._fields)
+        taken = (array.take(row, axis=0) for array in self._rows[:inputs])
+        return LobeInputs(*taken), row, Targets(*self._rows[inputs:])
 
 
 def make_rows(
     views: PartViews, queries: QueryRows, count: int, rng: np.random.Generator
 ) -> tuple[Rows, ...]:
-    """`count` random points: the four of LobeInputs, directions and transport, (n, 3, D) each."""
+    """`count` random points: the members of LobeInputs, and those of Targets."""
     points = views.points(count, rng)
-    d = even_directions(_DIRECTIONS) @ random_rotations(count, rng).transpose(0, 2, 1)
-    d = np.ascontiguousarray(d, np.float32)
+    d, share = _directions(points, rng)
     row = np.repeat(np.arange(count), _DIRECTIONS)
     transport = views.transport(points, row, d.reshape(-1, 3)).reshape(d.shape)
-    return *queries.of(points), d.transpose(0, 2, 1), transport.transpose(0, 2, 1)
+    d, transport = (np.ascontiguousarray(rows.transpose(0, 2, 1)) for rows in (d, transport))
+    targets = Targets(d, transport, share, random_rotations(count, rng))
+    return *queries.of(points), *targets
 
 
-def lobe_loss(model: LobeModel, rows: list[Rows], weights: Tensor) -> Tensor:
-    """Mean squared relative error under lights: rows of `make_rows`, `light_weights`.
-
-    Lobes and truth are taken along the same directions, so that only what the lobes do not
-    explain is noise.
-    """
-    *inputs, directions, transport = rows
-    amplitude, axis = model(LobeInputs(*inputs))
-    answer = amplitude.transpose(1, 2) @ densities(axis, torch.from_numpy(directions))
-
-    def under_lights(along: Tensor) -> Tensor:
-        return along.reshape(-1, along.shape[2]) @ weights.T
-
-    scale = under_lights(answer.detach()).clamp_min(0.0) + _EPSILON
-    return ((under_lights(answer - torch.from_numpy(transport)) / scale) ** 2).mean()
+def _directions(points: ViewPoints, rng: np.random.Generator) -> tuple[Rows, Rows]:
+    """All around, denser where transport may be sharp: (n, D, 3), and their shares (n, D)."""
+    k, n = np.arange(_DIRECTIONS), len(points)
+    spiral = np.stack([(k + 0.5) / _DIRECTIONS, k * _GOLDEN], axis=1)
+    u = (spiral + rng.random((n, 1, 2))) % 1.0
+    mixture = _FIBER if isinstance(points.at, FiberPoints) else _SURFACE
+    at = points.axis, points.axis, points.wo
+    row = np.repeat(np.arange(n), _DIRECTIONS)
+    d = mixture.sample(*at, u.reshape(-1, 2), row)
+    share = np.float32(1.0) / (np.float32(_DIRECTIONS) * mixture.pdf(*at, d, row))
+    return d.reshape(n, _DIRECTIONS, 3), np.asarray(share.reshape(n, _DIRECTIONS), np.float32)
 
 
 def fit_lobes(
@@ -105,7 +96,7 @@ def fit_lobes(
     """
     rng, draw = np.random.default_rng(seed), np.random.default_rng(seed + 1)
     optimizer = torch.optim.Adam(model.parameters(), lr=_RATE)
-    weights, threads = light_weights(), threads_in_use()
+    lights, threads = even_lights(), threads_in_use()
     kept, steps, done = _Kept(make_rows(views, queries, 4 * _ROWS, rng)), 0, 0.0
     use_threads(1)
     try:
@@ -119,7 +110,8 @@ def fit_lobes(
                 for group in optimizer.param_groups:
                     group["lr"] = _RATE * rate * min(1.0, steps / _WARMUP)
                 optimizer.zero_grad()
-                loss = lobe_loss(model, kept.some(_ROWS, draw), weights)
+                inputs, *targets = kept.some(_ROWS, draw)
+                loss = LobeLoss.apply(*model(inputs), *targets, lights)  # type: ignore[no-untyped-call]
                 loss.backward()
                 optimizer.step()
                 for pace in paces:

@@ -66,6 +66,28 @@ class ViewPoints:
         return len(self.position)
 
 
+@dataclass(frozen=True, slots=True)
+class Grid:
+    """Rays of a square picture.
+
+    size: pixels of a side. rays: along a pixel's side. finest: pixels of a side of the picture that
+    the pixels are taken from, evenly; None for all of its pixels.
+    """
+
+    size: int
+    rays: int = 1
+    finest: int | None = None
+
+    def places(self) -> tuple[np.ndarray, np.ndarray, NDArray[np.int64]]:
+        """x to the right and y down, -1 to 1, and the pixel of each ray, all ((rays size)^2,)."""
+        within = ((np.arange(self.rays) + 0.5) / self.rays - 0.5) * 2.0 / (self.finest or self.size)
+        middle = (np.arange(self.size) + 0.5) / self.size * 2.0 - 1.0
+        line = (middle[:, None] + within).ravel()
+        pixel = np.repeat(np.arange(self.size), self.rays)
+        x, y = np.tile(line, len(line)), np.repeat(line, len(line))
+        return x, y, (pixel[:, None] * self.size + pixel).ravel()
+
+
 LobesAt = Callable[[ViewPoints], tuple[Rows, Rows]]
 """Amplitudes and axes of lobes at points, (n, L, 3) float32 each."""
 
@@ -127,20 +149,20 @@ class PartViews:
         columns = zip(*found, strict=True)
         return self._view_points(*(np.concatenate(rows)[:count] for rows in columns))
 
-    def picture(self, azimuth: float, size: int) -> tuple[ViewPoints, NDArray[np.int64]]:
-        """The part's points of a square picture of the asset, and their places, top row first.
+    def picture(self, azimuth: float, grid: Grid) -> tuple[ViewPoints, NDArray[np.int64]]:
+        """The part's points of a square picture of the asset, and their pixels, top row first.
 
         azimuth: of the viewer about the vertical, radians.
         """
         centre, radius = self._picture_sphere
         away = np.array([np.sin(azimuth), 0.5, np.cos(azimuth)]) / np.hypot(1.0, 0.5)
         right = np.array([np.cos(azimuth), 0.0, -np.sin(azimuth)])
-        step = ((np.arange(size) + 0.5) / size * 2 - 1) * radius
-        across, down = np.tile(step, size)[:, None], np.repeat(step, size)[:, None]
+        x, y, pixel = grid.places()
+        across, down = radius * x[:, None], radius * y[:, None]
         origin = centre + _DISTANCE * radius * away
         target = centre + across * right - down * np.cross(away, right)
         row, seen = self._seen(np.broadcast_to(origin, target.shape), target)
-        return self._view_points(*seen), row
+        return self._view_points(*seen), pixel[row]
 
     def transport(self, points: ViewPoints, row: np.ndarray, wi: Rows) -> Rows:
         """Transport with the asset's own shadows: (k, 3) float32.
