@@ -77,13 +77,26 @@ def test_texels_hold_the_material_of_their_place() -> None:
     ("uvs", "what"),
     [
         (lambda uvs: None, "no texture coordinates"),
-        (lambda uvs: 2.0 * uvs, "from 0 to 2, expected 0 to 1"),
+        (lambda uvs: 6.0 * uvs, "from 0 to 6, expected a texture that repeats less"),
+        (lambda uvs: 3.0 * uvs, "overlap in"),
         (lambda uvs: np.float32([[0, 0], [1, 0], [1, 1], [1, 0]]), "overlap in"),
-        (lambda uvs: np.zeros_like(uvs), "overlap in 100%"),
+        (lambda uvs: np.zeros_like(uvs), "without an area"),
     ],
-    ids=["none", "tiled", "folded", "a point"],
+    ids=["none", "tiled often", "tiled", "folded", "a point"],
 )
 def test_what_lays_out_no_texture_is_told(uvs, what: str) -> None:
     mesh = floor()
     with pytest.raises(ExportError, match=what):
         uv_points(replace(mesh, uvs=uvs(mesh.uvs)), SIDE)
+
+
+def test_charts_may_lie_over_the_edge_of_the_texture() -> None:
+    mesh = floor()
+    moved = replace(mesh, uvs=mesh.uvs + np.float32([-0.25, 0.5]))
+    at, shifted = uv_points(mesh, SIDE), uv_points(moved, SIDE)
+    assert len(at.texel) == len(shifted.texel) == SIDE * SIDE / 2
+    row, column = np.divmod(at.texel, SIDE)
+    expected = (row + SIDE // 2) % SIDE * SIDE + (column - SIDE // 4) % SIDE
+    order = np.argsort(expected)
+    np.testing.assert_array_equal(shifted.texel, expected[order])
+    np.testing.assert_allclose(shifted.position, at.position[order], atol=1e-6)

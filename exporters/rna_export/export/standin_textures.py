@@ -23,7 +23,8 @@ from rna_trace import TriangleScene
 TEXELS = 512
 """Along a side."""
 
-_OUTSIDE = 1e-3  # of the texture, that coordinates may be
+_EDGE = 1e-3  # of the texture, that coordinates may be beyond it
+_REPEATS = 3  # of the texture along a side, that charts may lie over
 _OVERLAPPING = 0.02  # of the covered texels
 _GROWN = 8  # texels about charts, for filters of readers
 
@@ -65,32 +66,53 @@ def standin_textures(model: NeuralAsset, mesh: Mesh, side: int = TEXELS) -> dict
 
 
 def uv_points(mesh: Mesh, side: int) -> UvPoints:
-    """The points whose texture coordinates are the middles of texels; raises `ExportError`."""
+    """The points whose texture coordinates are the middles of texels of a texture that repeats.
+
+    Raises `ExportError` for coordinates that are missing, overlap or span many repeats.
+    """
     if mesh.uvs is None:
         raise ExportError("the mesh has no texture coordinates")
-    low, high = float(mesh.uvs.min()), float(mesh.uvs.max())
-    if low < -_OUTSIDE or high > 1.0 + _OUTSIDE:
-        raise ExportError(f"texture coordinates from {low:.3g} to {high:.3g}, expected 0 to 1")
-    corners = mesh.uvs[mesh.triangles]
-    count = len(corners)
-    # Each triangle in a plane of its own: rays from both sides meet the last and the first.
-    height = np.broadcast_to(
-        np.arange(count, dtype=np.float32)[:, None, None] / count, (count, 3, 1)
-    )
-    flat = np.concatenate([corners, height], axis=2).reshape(-1, 3)
-    scene = TriangleScene([(flat, np.arange(3 * count, dtype=np.uint32).reshape(-1, 3))])
+    low, high = mesh.uvs.min(axis=0), mesh.uvs.max(axis=0)
+    first, end = np.floor(low + _EDGE).astype(int), np.ceil(high - _EDGE).astype(int)
+    if (end - first).max() > _REPEATS:
+        found = f"{low.min():.3g} to {high.max():.3g}"
+        raise ExportError(f"texture coordinates from {found}, expected a texture that repeats less")
     middle = (np.arange(side, dtype=np.float32) + 0.5) / side
     v, u = (values.reshape(-1) for values in np.meshgrid(middle, middle, indexing="ij"))
-    down = np.array([0.0, 0.0, -1.0], np.float32)
-    origins = np.stack([u, v, np.full_like(u, 2.0)], axis=1)
-    above = scene.intersect(origins, np.tile(down, (len(u), 1)))
-    below = scene.intersect(origins * np.array([1, 1, -1], np.float32), np.tile(-down, (len(u), 1)))
-    texel = np.flatnonzero(above.geometry >= 0)
-    overlap = float(np.mean(above.triangle[texel] != below.triangle[texel])) if len(texel) else 1.0
-    if overlap > _OVERLAPPING:
-        raise ExportError(f"texture coordinates overlap in {100 * overlap:.0f}% of their texels")
-    found = (x[texel] for x in (above.triangle, above.u, above.v))
-    return UvPoints(texel, *_points(mesh, *found))
+    repeats = [(i, j) for j in range(first[1], end[1]) for i in range(first[0], end[0])]
+    parts = [np.stack([u + i, v + j], axis=1) for i, j in repeats]
+    places = np.concatenate([*parts, np.empty((0, 2))])
+    (last, *inside), first_triangle = _triangles_at(mesh.uvs[mesh.triangles], places)
+    met = np.flatnonzero(last >= 0)
+    if not len(met):
+        raise ExportError("texture coordinates without an area")
+    texel, once = np.unique(met % side**2, return_index=True)
+    twice = len(met) - len(texel) + int((last[met] != first_triangle[met]).sum())
+    if twice > _OVERLAPPING * len(met):
+        share = min(100.0 * twice / len(met), 100.0)
+        raise ExportError(f"texture coordinates overlap in {share:.0f}% of their texels")
+    hit = met[once]
+    return UvPoints(texel, *_points(mesh, last[hit], *(weight[hit] for weight in inside)))
+
+
+def _triangles_at(
+    corners: np.ndarray, places: np.ndarray
+) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
+    """The last of the triangles (t, 3, 2) at places (n, 2), -1 for none, with the place's
+    barycentrics u and v in it, and the first.
+    """
+    count, n = len(corners), len(places)
+    number = np.arange(count, dtype=np.float32) / count
+    height = np.broadcast_to(number[:, None, None], (count, 3, 1))  # a plane for each
+    flat = np.concatenate([corners, height], axis=2).reshape(-1, 3)
+    scene = TriangleScene([(flat, np.arange(3 * count, dtype=np.uint32).reshape(-1, 3))])
+    found = []
+    for z in (2.0, -2.0):
+        start = np.column_stack([places, np.full(n, z)]).astype(np.float32)
+        way = np.tile(np.array([0.0, 0.0, -z], np.float32), (n, 1))
+        found.append(scene.intersect(start, way))
+    above, below = found
+    return (above.triangle, above.u, above.v), below.triangle
 
 
 def _points(
