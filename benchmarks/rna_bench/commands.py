@@ -41,6 +41,8 @@ GROUPS: dict[str, tuple[Command, ...]] = {
         Command("frontier-chart", "frontier.redraw"),
         Command("threads", "scenes.thread_counts"),
         Command("film", "scenes.film_command", resumes=True),
+        Command("peers", "peers.peers_command", resumes=True),
+        Command("peers-data", "peers.views_command", resumes=True),
     ),
     "speed of queries": (
         Command("evaluate", "speed.evaluate"),

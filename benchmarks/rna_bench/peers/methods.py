@@ -4,8 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from importlib import import_module
+from typing import TYPE_CHECKING
 
 from rna_bench.peers.method import Method
+
+if TYPE_CHECKING:
+    from rna_bench.peers.known_geometry import KnownGeometry
 
 
 @dataclass(frozen=True)
@@ -13,12 +18,14 @@ class Setting:
     """What a method is made with.
 
     seed: of its initialisation and training. device: of PyTorch. full: the published sizes of
-    batches and numbers of samples a ray, instead of those for a CPU.
+    batches and numbers of samples a ray, instead of those for a CPU. geometry: of our package of
+    the asset, for methods that know it.
     """
 
     seed: int = 0
     device: str = "cpu"
     full: bool = False
+    geometry: KnownGeometry | None = None
 
 
 @dataclass(frozen=True)
@@ -27,7 +34,8 @@ class MethodRow:
 
     title: for tables. make: imports its module. published_steps, published_batch: of the training
     as published; None where it is not known. reduced: what differs without `Setting.full`, for
-    tables; empty for nothing.
+    tables; empty for nothing. collocated: whether it is trained on views with the light at the
+    camera. needs_geometry: whether `Setting.geometry` must be there.
     """
 
     name: str
@@ -36,6 +44,8 @@ class MethodRow:
     published_steps: int | None
     published_batch: int | None
     reduced: str = ""
+    collocated: bool = False
+    needs_geometry: bool = False
 
     def share(self, samples: int) -> float | None:
         """Of the published number of pixels seen, with repetition."""
@@ -44,6 +54,44 @@ class MethodRow:
         return samples / (self.published_steps * self.published_batch)
 
 
-_ROWS: tuple[MethodRow, ...] = ()
+def _later(module: str, name: str) -> Callable[[Setting], Method]:
+    """The maker of that name in a module of this package, imported when it is called."""
+
+    def make(setting: Setting) -> Method:
+        found: Method = getattr(import_module(f"rna_bench.peers.{module}"), name)(setting)
+        return found
+
+    return make
+
+
+_REDUCED = "32 rays of 8 + 16 samples a step instead of 512 of 64 + 64; 4 + 4 towards the light"
+
+_ROWS: tuple[MethodRow, ...] = (
+    MethodRow("nrhints", "NRHints", _later("nrhints", "make"), 1_000_000, 512, _REDUCED),
+    MethodRow(
+        "nrhints-known",
+        "NRHints' networks on known geometry",
+        _later("nrhints_known", "KnownNRHints"),
+        None,
+        None,
+        needs_geometry=True,
+    ),
+    MethodRow(
+        "nrhints-geometry",
+        "NRHints with depth and alpha losses, weight 1",
+        _later("nrhints", "make_with_geometry"),
+        1_000_000,
+        512,
+        _REDUCED,
+    ),
+    MethodRow(
+        "nrhints-geometry-low",
+        "NRHints with depth and alpha losses, weight 0.1",
+        _later("nrhints", "make_with_less_geometry"),
+        1_000_000,
+        512,
+        _REDUCED,
+    ),
+)
 
 METHODS = {row.name: row for row in _ROWS}

@@ -21,6 +21,7 @@ class Plain(LearnedMethod):
     """The same colour everywhere."""
 
     def __init__(self, seed: int = 0) -> None:
+        torch.manual_seed(seed)
         super().__init__(nn.Linear(3, 3), 32, 0.05, seed)
 
     def loss(self, targets: Targets, progress: float) -> Tensor:
@@ -42,14 +43,14 @@ def views() -> Views:
 def test_a_training_that_stopped_goes_on_as_if_it_had_not(views: Views, tmp_path: Path) -> None:
     whole, halved = Plain(), Plain()
     halved.model.load_state_dict(whole.model.state_dict())
-    there = whole.train(views, Budget(60.0, 60.0, steps=60), tmp_path / "whole")
+    there = whole.train(views, Budget(60.0, 60.0, steps=150), tmp_path / "whole")
     halved.train(views, Budget(60.0, 60.0, steps=25), tmp_path / "halved")
     again = Plain(seed=9)
-    done = again.train(views, Budget(60.0, 60.0, steps=60), tmp_path / "halved")
+    done = again.train(views, Budget(60.0, 60.0, steps=150), tmp_path / "halved")
     for a, b in zip(whole.model.parameters(), again.model.parameters(), strict=True):
         assert torch.equal(a, b)
-    assert (done.steps, done.samples) == (there.steps, there.samples) == (60, 60 * 32)
-    assert [point.steps for point in done.curve][-1] == 60 and done.curve[0].loss > 0.1
+    assert (done.steps, done.samples) == (there.steps, there.samples) == (150, 150 * 32)
+    assert [point.steps for point in done.curve][-1] == 150 and done.curve[0].loss > 0.1
     image = again.render(views.camera(0), views.lights[0])
     assert image.shape == (4, 6, 3) and image.dtype == np.float32
     np.testing.assert_allclose(image, np.broadcast_to(COLOUR, image.shape), atol=0.02)

@@ -401,6 +401,26 @@ class BlenderWorker:
         without a fresh process, so the same render need not repeat to the bit. `to_world` and
         `fov_y` as in `render_view`.
         """
+        rgba, _ = self.render_scene_points(
+            scene, to_world, fov_y, samples, seed, width, height, denoise
+        )
+        return rgba
+
+    def render_scene_points(
+        self,
+        scene: dict[str, Any],
+        to_world: np.ndarray,
+        fov_y: float,
+        samples: int,
+        seed: int,
+        width: int,
+        height: int,
+        denoise: bool = False,
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """As `render_scene`, and the point that the first sample of each pixel hits.
+
+        (height, width, 3) float32, world space, +Y up; 0, 0, 0 where it hits nothing.
+        """
         self._holds_scene = True
         out = self._folder / f"scene-{self._name}-{self._renders}.exr"
         self._renders += 1
@@ -413,9 +433,11 @@ class BlenderWorker:
             seed=seed,
             denoise=denoise,
         )
-        passes = _read_render(out)
+        passes = _read_render(out, "Position")
         out.unlink()
-        return _channels(passes, "Combined", "RGBA").reshape(height, width, 4)
+        rgba = _channels(passes, "Combined", "RGBA").reshape(height, width, 4)
+        points = from_blender(_channels(passes, "Position", "XYZ")).reshape(height, width, 3)
+        return rgba, points
 
     def _render(
         self,

@@ -13,7 +13,10 @@ import torch
 from torch import Tensor, nn
 from torch.nn.utils.parametrizations import weight_norm
 
-_LAYERS, _SKIP = 8, 4
+_LAYERS = 8
+SKIP = 4
+"""The layer that has the encoded position beside the layer before."""
+
 _POSITION_OCTAVES, _DIRECTION_OCTAVES = 6, 4
 _SCALE = 3.0  # of positions, -1 to 1 in the bounds
 
@@ -34,36 +37,40 @@ class FeatureNetwork(nn.Module):
         super().__init__()
         encoded = 3 + 3 * 2 * _POSITION_OCTAVES
         columns, widths = [encoded, *[width] * _LAYERS], [width] * _LAYERS
-        widths[_SKIP - 1] -= encoded  # the layer after it has the encoded position beside
+        widths[SKIP - 1] -= encoded  # the layer after it has the encoded position beside
         sizes = zip(columns, [*widths, channels - ENCODED_DIRECTIONS], strict=True)
         self.layers = nn.ModuleList(weight_norm(nn.Linear(*size)) for size in sizes)
         self.register_buffer("low", low.float())
         self.register_buffer("high", high.float())
 
     def forward(self, position: Tensor, wo: Tensor, wi: Tensor, bfloat16: bool = False) -> Tensor:
-        """Features (n, C) of points and directions, (n, 3) each.
+        """Features (n, C) of points and directions, (n, 3) each; bfloat16: as in `of_position`."""
+        directions = [octaves(w, _DIRECTION_OCTAVES) for w in (wo, wi)]
+        return torch.cat([self.of_position(position, bfloat16), *directions], dim=1)
+
+    def of_position(self, position: Tensor, bfloat16: bool = False) -> Tensor:
+        """The network's own outputs of points (n, 3).
 
         bfloat16: of the layers after the first, whose inputs resolve the position.
         """
         p = 2.0 * (position - self.low) / (self.high - self.low) - 1.0
-        encoded = torch.cat([_SCALE * p, _octaves(_SCALE * p, _POSITION_OCTAVES)], dim=1)
+        encoded = torch.cat([_SCALE * p, octaves(_SCALE * p, _POSITION_OCTAVES)], dim=1)
         first, *layers, last = self.layers
         x = _activated(first(encoded))
         with torch.autocast(x.device.type, torch.bfloat16, enabled=bfloat16):
             for k, layer in enumerate(layers, start=1):
-                if k == _SKIP:
+                if k == SKIP:
                     x = torch.cat([x, encoded], dim=1) / math.sqrt(2.0)
                 x = _activated(layer(x))
-            features = last(x).float()
-        directions = [_octaves(w, _DIRECTION_OCTAVES) for w in (wo, wi)]
-        return torch.cat([features, *directions], dim=1)
+            features: Tensor = last(x).float()
+        return features
 
 
 def _activated(x: Tensor) -> Tensor:
     return nn.functional.softplus(x, beta=100.0)
 
 
-def _octaves(x: Tensor, count: int) -> Tensor:
-    """Sines and cosines of x (n, 3) times 1, 2, 4, ...: (n, 6 count)."""
+def octaves(x: Tensor, count: int) -> Tensor:
+    """Sines and cosines of x (n, k) times 1, 2, 4, ...: (n, 2 k count)."""
     scaled = x[:, :, None] * 2.0 ** torch.arange(count, device=x.device)
     return torch.cat([torch.sin(scaled), torch.cos(scaled)], dim=2).flatten(1)

@@ -1,0 +1,92 @@
+"""`rna-bench peers` and `peers-data`, at their smallest; NRHints' networks on known geometry."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+import torch
+
+from rna_bench.checkout import TOY
+from rna_bench.cli import main
+from rna_bench.peers import peers_command, study
+from rna_bench.peers.known_geometry import KnownGeometry
+from rna_bench.peers.lambert_sphere import sphere_views
+from rna_bench.peers.method import Budget
+from rna_bench.peers.methods import METHODS, Setting
+from rna_bench.peers.nrhints_known import KnownNRHints
+from rna_bench.peers.views import Views
+from rna_sdk.errors import TrainingError
+from rna_sdk.runtime import load
+
+
+@pytest.fixture(scope="module")
+def toy_views() -> Views:
+    """Cameras around the toy, whose images are black."""
+    positions = load(TOY, threads=1).parts[0].mesh.positions
+    centre = (positions.min(axis=0) + positions.max(axis=0)) / 2
+    radius = float(np.linalg.norm(positions - centre, axis=1).max())
+    return replace(sphere_views(2, 16), centre=tuple(centre.tolist()), radius=radius)
+
+
+def test_known_geometry_is_that_of_the_package(toy_views: Views) -> None:
+    batch = toy_views.batch(np.arange(2 * 256))
+    found = KnownGeometry(TOY, toy_views).hits(batch.origins, batch.directions, batch.lights)
+    assert 60 < len(found.row) < 512 and np.linalg.norm(found.points, axis=1).max() <= 1.0
+    way = found.points - batch.origins[found.row]
+    along = (way * batch.directions[found.row]).sum(axis=1)
+    np.testing.assert_allclose(np.linalg.norm(way, axis=1), along, rtol=1e-5)
+    facing = (found.normals * (batch.lights[found.row] - found.points)).sum(axis=1)
+    assert set(np.unique(found.visible)) == {0.0, 1.0} and found.visible[facing < -0.5].max() == 0
+
+
+def test_a_network_on_known_geometry_learns_a_colour(toy_views: Views, tmp_path: Path) -> None:
+    rgba = np.ones_like(toy_views.rgba) * np.float32([0.6, 0.2, 0.1, 1.0])
+    views = replace(toy_views, rgba=rgba)
+    torch.manual_seed(0)
+    method = KnownNRHints(Setting(geometry=KnownGeometry(TOY, views)))
+    done = method.train(views, Budget(1e9, 1e9, steps=12), tmp_path)
+    assert done.curve[-1].loss < 0.8 * done.curve[0].loss
+    image = method.render(views.camera(0), views.lights[0])
+    assert image.shape == (16, 16, 3) and image[0, 0].max() == 0.0 < image[8, 8, 0]
+    with pytest.raises(TrainingError, match="needs --package"):
+        METHODS["nrhints-known"].make(Setting())
+
+
+def test_a_tiny_run_is_measured_and_resumed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    command = ["peers", "sphere", "--methods", "nrhints", "--steps", "2", "--held-out", "1"]
+    command += ["--size", "8", "--orbit", "1", "--out", str(tmp_path)]
+    monkeypatch.setattr(study, "PARTS", (0.5, 1.0))
+    monkeypatch.setattr(peers_command, "_SPHERE_VIEWS", 2)
+    monkeypatch.setattr(peers_command, "_SPHERE_SIZE", 16)
+    assert main(command) == 0
+    report = json.loads((tmp_path / "peers.json").read_text())
+    (row,) = report["methods"]
+    assert [point["steps"] for point in row["points"]] == [1, 2]
+    last = row["points"][-1]
+    assert last["share_of_schedule"] == pytest.approx(2 * 32 / (512 * 1e6))
+    assert set(last["scores"]) == {"val", "val_collocated"} and last["frame_cpu_seconds"] > 0.0
+    assert "1.2e-05% of the schedule" in (tmp_path / "index.html").read_text()
+    assert (tmp_path / "sheet.png").stat().st_size > 10_000
+    assert (tmp_path / "nrhints-0" / "orbit-000.png").is_file()
+    made = {path: path.stat().st_mtime_ns for path in (tmp_path / "nrhints-0").iterdir()}
+    assert main(command) == 0
+    assert json.loads((tmp_path / "peers.json").read_text())["methods"] == [row]
+    assert {p.name for p, at in made.items() if p.stat().st_mtime_ns != at} <= {"settings.json"}
+    assert len(made) > 4
+    capsys.readouterr()
+    assert main([*command, "--size", "4"]) == 1
+    assert "size 8, now 4): choose another --out, or --again" in capsys.readouterr().err
+
+
+def test_bad_input_is_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["peers", str(tmp_path), "--out", str(tmp_path / "out")]) == 1
+    told = capsys.readouterr().err
+    assert told.count("\n") == 1 and "transforms_train.json: cannot read it" in told
+    assert main(["peers-data", "no.py", "--out", str(tmp_path / "views")]) == 1
+    assert capsys.readouterr().err == "error: no.py: no such file\n"
