@@ -66,6 +66,8 @@ def _later(module: str, name: str) -> Callable[[Setting], Method]:
 
 _REDUCED = "32 rays of 8 + 16 samples a step instead of 512 of 64 + 64; 4 + 4 towards the light"
 
+_REDUCED_FIELDS = "64 rays of 16 + 24 samples a step instead of NeRF's 4,096 of 64 + 128"
+
 _ROWS: tuple[MethodRow, ...] = (
     MethodRow("nrhints", "NRHints", _later("nrhints", "make"), 1_000_000, 512, _REDUCED),
     MethodRow(
@@ -91,6 +93,24 @@ _ROWS: tuple[MethodRow, ...] = (
         1_000_000,
         512,
         _REDUCED,
+    ),
+    MethodRow(
+        "fields",
+        "Neural Reflectance Fields",
+        _later("reflectance_field", "make"),
+        None,
+        None,
+        _REDUCED_FIELDS,
+        collocated=True,
+    ),
+    MethodRow(
+        "fields-fur",
+        "Neural Reflectance Fields, for fur",
+        _later("reflectance_field", "make_of_fur"),
+        None,
+        None,
+        _REDUCED_FIELDS,
+        collocated=True,
     ),
 )
 
