@@ -13,7 +13,7 @@ import pytest
 
 from rna_sdk.runtime import load
 from tests.conformance.kit.decoders import Int8Decoder, KitInt8Layer
-from tests.hosts.c_host import CAsset, build, compiler
+from tests.hosts.c_host import CAsset, compiler
 from tests.hosts.packages import make_profile_tier, write_profile_package
 from tests.package.builders import read_entries
 from tests.package.corpus.registry import DECODER, with_entry
@@ -25,14 +25,6 @@ TOY, CURLS = EXAMPLES / "quickstart" / "toy.rna", EXAMPLES / "fibers" / "curly_b
 ROWS = 2000
 TOLERANCE = 1e-4  # of the root mean square
 INT8_SHARE = 0.02  # of the rows that may differ by a step
-
-
-@pytest.fixture(scope="module")
-def programs(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
-    """The host's programs, for any CPU of this kind."""
-    names = ("librna.so", "conform")
-    paths = build(tmp_path_factory.mktemp("c-host"), *names, arch="")
-    return dict(zip(names, paths, strict=True))
 
 
 def random_rows(kind: str, bounds: np.ndarray, n: int) -> list[np.ndarray]:

@@ -10,7 +10,7 @@ import pytest
 
 from rna_sdk.package import Package
 from rna_sdk.runtime import mapped_normals
-from tests.hosts.c_host import CAsset, build, compiler
+from tests.hosts.c_host import CAsset, compiler
 from tests.hosts.test_c_host import run
 from tests.package.corpus import normal_map_cases
 from tests.package.corpus.registry import CASES, good_entries
@@ -22,12 +22,7 @@ OWN = [case for case in CASES if case.breaker.__module__ == normal_map_cases.__n
 BENT = 1  # 0 and 3 have no area in the texture, 2 has no record
 
 
-@pytest.fixture(scope="module")
-def programs(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
-    return build(tmp_path_factory.mktemp("c-host"), "conform", "librna.so", arch="")
-
-
-def test_normals_have_the_relief(programs: list[Path], tmp_path: Path) -> None:
+def test_normals_have_the_relief(programs: dict[str, Path], tmp_path: Path) -> None:
     relief = make_relief(tmp_path / "relief.rna")
     with Package.open(relief) as package:
         mesh, records = package.mesh(), package.normal_maps()
@@ -35,7 +30,7 @@ def test_normals_have_the_relief(programs: list[Path], tmp_path: Path) -> None:
         b1, b2 = np.random.default_rng(3).dirichlet((1, 1, 1), 80)[:, 1:].T
         expected = mapped_normals(mesh, records, triangle, b1, b2)
         plain = mapped_normals(mesh, [], triangle, b1, b2)
-    with closing(CAsset(programs[1], relief, "small")) as asset:
+    with closing(CAsset(programs["librna.so"], relief, "small")) as asset:
         rows = zip(triangle.tolist(), b1, b2, strict=True)
         found = np.array([asset.normal(*row) for row in rows])
         assert not asset.normal(99, 0.2, 0.3).any()
@@ -45,10 +40,10 @@ def test_normals_have_the_relief(programs: list[Path], tmp_path: Path) -> None:
     assert bent[triangle == BENT].mean() > 0.9 and not bent[triangle != BENT].any()
 
 
-def test_bad_normal_maps_are_refused(programs: list[Path], tmp_path: Path) -> None:
+def test_bad_normal_maps_are_refused(programs: dict[str, Path], tmp_path: Path) -> None:
     good = good_entries(tmp_path)
     for case in OWN:
         path = tmp_path / f"{case.name}.rna"
         path.write_bytes(case.breaker(good[case.base]))
-        result = run(programs[0], "validate", path)
+        result = run(programs["conform"], "validate", path)
         assert (result.returncode, result.stdout.split()) == (1, [case.code]), case.name

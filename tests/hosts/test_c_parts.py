@@ -11,7 +11,7 @@ import pytest
 
 from rna_sdk.package import Package
 from rna_sdk.runtime import load
-from tests.hosts.c_host import CAsset, build, compiler, values
+from tests.hosts.c_host import CAsset, compiler, values
 from tests.hosts.packages import write_quantised
 from tests.hosts.test_c_host import TOLERANCE, random_rows
 from tests.package.lantern import make_lantern
@@ -19,11 +19,6 @@ from tests.package.lantern import make_lantern
 pytestmark = pytest.mark.skipif(compiler() is None, reason="needs cc and make")
 
 BODY, TUFT = 0, 1
-
-
-@pytest.fixture(scope="module")
-def library(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return build(tmp_path_factory.mktemp("c-host"), "librna.so", arch="")[0]
 
 
 @pytest.fixture(scope="module")

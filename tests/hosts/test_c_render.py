@@ -11,7 +11,7 @@ import pytest
 from onnx import numpy_helper
 
 from rna_sdk.package import Mesh, Tier, TierData, TierEmission, TransmittanceRecord, write_package
-from tests.hosts.c_host import build, compiler
+from tests.hosts.c_host import compiler
 from tests.hosts.test_c_host import CURLS, TOY, run
 from tests.package.builders import (
     make_decoder_model,
@@ -28,14 +28,9 @@ PANE = {"visible": (0.3, 0.2, 0.1), "shadowed": (0.0, 0.0, 0.0), "emission": (0.
 WALL = {"visible": (0.5, 0.4, 0.2), "shadowed": (0.1, 0.2, 0.3), "emission": (0.2, 0.1, 0.4)}
 
 
-@pytest.fixture(scope="module")
-def programs(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
-    return build(tmp_path_factory.mktemp("c-host"), "render", "conform", arch="")
-
-
 @pytest.fixture
-def render(programs: list[Path]) -> Path:
-    return programs[0]
+def render(programs: dict[str, Path]) -> Path:
+    return programs["render"]
 
 
 def picture(render: Path, package: Path, out: Path, *options: object) -> np.ndarray:
@@ -106,14 +101,14 @@ def test_light_through_a_pane(irradiance: float, glow: float, render: Path, tmp_
     assert np.abs(pixels[8:19, 16:32] - 255 * srgb).max() <= 0.6
 
 
-def test_an_edge_of_two_triangles_tints_once(programs: list[Path], tmp_path: Path) -> None:
+def test_an_edge_of_two_triangles_tints_once(programs: dict[str, Path], tmp_path: Path) -> None:
     """The middle of the wall sees the sun through the diagonal of the pane."""
     package = write_pane_before_wall(tmp_path / "pane.rna")
     hit = np.zeros(8, "<f4")
     hit[2], hit[5] = 0.5, 1  # b_2: between the first corner and the third; wi is +z
     hit.view("<u4")[7] = 1  # the part
     hit.tofile(tmp_path / "hits")
-    result = run(programs[1], "visibility", package, tmp_path / "hits", tmp_path / "seen")
+    result = run(programs["conform"], "visibility", package, tmp_path / "hits", tmp_path / "seen")
     assert result.returncode == 0, result.stderr
     np.testing.assert_allclose(np.fromfile(tmp_path / "seen", "<f4"), TAU, atol=1e-6)
 
