@@ -20,21 +20,27 @@ from rna_trace import (
 
 @dataclass(frozen=True)
 class Hits:
-    """k first hits, float32. row: (k,) of the rays. points, normals: (k, 3). visible: (k,), 1 where
-    the light is seen.
+    """k first hits, float32. row: (k,) of the rays. points, normals, tangents: (k, 3), the last of
+    strands alone, else 0. visible: (k,), 1 where the light is seen.
     """
 
     row: np.ndarray
     points: np.ndarray
     normals: np.ndarray
+    tangents: np.ndarray
     visible: np.ndarray
 
 
 class KnownGeometry:
-    """A package's geometry, placed as in views."""
+    """A package's geometry, placed as in views.
+
+    Attributes:
+        kinds: of its parts, "surface" and "fiber".
+    """
 
     def __init__(self, package: Path, views: Views):
         parts = load(package, threads=1).parts
+        self.kinds = {part.kind for part in parts}
         tables = [part_transmittance(part) for part in parts]
         maps = [part_normal_maps(part) for part in parts]
         self._scene = PartsScene([part_geometry(part) for part in parts], tables, maps)
@@ -44,7 +50,7 @@ class KnownGeometry:
         """Of n rays with their lights, (n, 3) float32 each."""
         starts = self._placed(origins)
         found = self._scene.intersect(starts, directions)
-        normals = np.zeros_like(directions)
+        normals, tangents = np.zeros_like(directions), np.zeros_like(directions)
         visible = np.zeros(len(directions), np.float32)
         for part in range(len(self._scene.geometries)):
             row = np.flatnonzero(found.part == part)
@@ -55,10 +61,13 @@ class KnownGeometry:
             way = self._placed(lights[row]) - points.x
             seen = self._scene.visible(part, points, way, 1.0).astype(np.float32)
             visible[row] = seen if seen.ndim == 1 else seen.mean(axis=1)
-            normals[row] = points.n if isinstance(points, FiberPoints) else points.mapped
+            if isinstance(points, FiberPoints):
+                normals[row], tangents[row] = points.n, points.tangent
+            else:
+                normals[row] = points.mapped
         row = np.flatnonzero(found.part >= 0)
         points_at = origins[row] + (found.t[row] / self._radius)[:, None] * directions[row]
-        return Hits(row, points_at.astype(np.float32), normals[row], visible[row])
+        return Hits(row, points_at.astype(np.float32), normals[row], tangents[row], visible[row])
 
     def _placed(self, points: np.ndarray) -> np.ndarray:
         """Points of the views' sphere in the package's space, (n, 3) float32."""

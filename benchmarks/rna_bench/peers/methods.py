@@ -95,6 +95,14 @@ _ROWS: tuple[MethodRow, ...] = (
         _REDUCED,
     ),
     MethodRow(
+        "analytic",
+        "An analytic material on known geometry",
+        _later("analytic_known", "KnownMaterial"),
+        None,
+        None,
+        needs_geometry=True,
+    ),
+    MethodRow(
         "fields",
         "Neural Reflectance Fields",
         _later("reflectance_field", "make"),

@@ -13,6 +13,7 @@ import torch
 from rna_bench.checkout import TOY
 from rna_bench.cli import main
 from rna_bench.peers import peers_command, study
+from rna_bench.peers.analytic_known import KnownMaterial
 from rna_bench.peers.known_geometry import KnownGeometry
 from rna_bench.peers.lambert_sphere import sphere_views
 from rna_bench.peers.method import Budget
@@ -54,6 +55,27 @@ def test_a_network_on_known_geometry_learns_a_colour(toy_views: Views, tmp_path:
     assert image.shape == (16, 16, 3) and image[0, 0].max() == 0.0 < image[8, 8, 0]
     with pytest.raises(TrainingError, match="needs --package"):
         METHODS["nrhints-known"].make(Setting())
+
+
+def test_an_analytic_material_on_known_geometry_learns_one(
+    toy_views: Views, tmp_path: Path
+) -> None:
+    geometry = KnownGeometry(TOY, toy_views)
+    batch = toy_views.batch(np.arange(toy_views.pixels))
+    hits = geometry.hits(batch.origins, batch.directions, batch.lights)
+    way = batch.lights[hits.row] - hits.points
+    cosine = (way * hits.normals).sum(axis=1).clip(0.0) / np.linalg.norm(way, axis=1)
+    lit = toy_views.intensity * cosine * hits.visible / (way**2).sum(axis=1)
+    rgba = np.zeros_like(toy_views.rgba)
+    albedo = np.array([0.8, 0.3, 0.1])
+    rgba.reshape(-1, 4)[hits.row, :3] = albedo / np.pi * lit[:, None]
+    rgba.reshape(-1, 4)[hits.row, 3] = 1.0
+    method = KnownMaterial(Setting(geometry=geometry))
+    views = replace(toy_views, rgba=rgba)
+    done = method.train(views, Budget(1e9, 1e9, steps=80), tmp_path)
+    assert done.curve[-1].loss < 0.35 * done.curve[0].loss
+    assert method.model.intensity == pytest.approx(toy_views.intensity)
+    assert hits.tangents.max() == 0.0
 
 
 def test_a_tiny_run_is_measured_and_resumed(

@@ -1,0 +1,74 @@
+"""The material that a baked glTF or strand shader could have, on known geometry.
+
+The model of `rna-train --preset analytic`, which learns from captured rays there and from the same
+images as the other peers here: parameters by place, the analytic BRDF, times the visibility.
+"""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import torch
+from torch import Tensor, nn
+from torch.nn.functional import normalize
+
+from rna_bench.peers.known_method import KnownMethod, Points
+from rna_bench.peers.method import Budget, Training
+from rna_bench.peers.methods import Setting
+from rna_bench.peers.views import Views
+from rna_export.training.model.neural_asset import NeuralAsset
+from rna_export.training.presets import ANALYTIC
+from rna_sdk.errors import TrainingError
+
+BATCH, RATE = 2048, 1e-2  # the rate of our planes
+
+
+class _Model(nn.Module):
+    """The material, and the intensity of the lights, W/sr."""
+
+    intensity: Tensor
+
+    def __init__(self, kind: str):
+        super().__init__()
+        bounds = torch.tensor([[-1.0] * 3, [1.0] * 3])
+        self.asset = NeuralAsset(ANALYTIC[kind].model, bounds)
+        self.register_buffer("intensity", torch.tensor(1.0))
+
+
+class KnownMaterial(KnownMethod):
+    """glTF's material of an asset of surfaces, Kajiya's and Kay's of one of strands.
+
+    The planes span the unit sphere; the light's intensity is the views', or such that a white
+    point at the centre is shown as white. Raises `TrainingError` for an asset of both kinds.
+    """
+
+    model: _Model
+
+    def __init__(self, setting: Setting):
+        torch.manual_seed(setting.seed)
+        kinds = setting.geometry.kinds if setting.geometry else {"surface"}
+        if len(kinds) > 1:
+            raise TrainingError("analytic: found surfaces and strands, expected one of both")
+        super().__init__("analytic", setting, _Model(next(iter(kinds))), BATCH, RATE)
+
+    def rate_factor(self, progress: float) -> float:
+        """A cosine to 0, as in our presets."""
+        return 0.5 * (1.0 + math.cos(math.pi * progress)) + 1e-3
+
+    def train(self, data: Views, budget: Budget, work: Path) -> Training:
+        """As `Method.train`."""
+        shown = math.pi * float((data.lights**2).sum(axis=1).mean())
+        self.model.intensity.fill_(data.intensity or shown)
+        return super().train(data, budget, work)
+
+    def shaded(self, at: Points) -> Tensor:
+        """As `KnownMethod.shaded`; the model's radiance is that of irradiance 1."""
+        way = at.lights - at.points
+        squared = way.square().sum(dim=1, keepdim=True)
+        where = {"position": at.points, "normal": at.normals, "tangent": at.tangents}
+        where["h"] = torch.zeros_like(at.visible)  # which these materials do not know
+        queries = {**where, "wo": -at.directions, "wi": normalize(way, dim=1)}
+        asset = self.model.asset
+        lit = asset.transport(asset(queries))[:, 0]
+        return lit * at.visible[:, None] * self.model.intensity / squared
