@@ -1,6 +1,6 @@
 """Builds a lamb of soft plastic with wool, that walks.
 
-    rna-make examples/recipes/lamb.py --out lamb.rna --minutes 30
+    rna-make examples/recipes/lamb.py --out lamb.rna --minutes 40
     rna-motion examples/recipes/lamb.py lamb.rna --out lamb.rnam
 
 It stands in frame 0, as it is captured; frames 1 to 24 are a walk on the spot, in a loop. A

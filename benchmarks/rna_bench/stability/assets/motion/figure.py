@@ -3,18 +3,15 @@
     rna-capture figure.py --out figure.rays/
 
 Frame 1 is the rest pose. In frame f a shoulder, an elbow, a knee and the neck have turned by f - 1
-degrees; `-- --walk`: it rests in frame 0, and frames 1 to 24 are a walk on the spot, in a loop. One
-skin, whose weights go over from bone to bone at the joints. Runs inside Blender.
+degrees. One skin, whose weights go over from bone to bone at the joints. Runs inside Blender.
 """
 
-import argparse
 import math
 
 import bpy
 import numpy as np
 
 LAST = 91  # frame
-STEPS = 24  # frames of the walk
 VOXEL = 0.007
 SOFT = 0.012  # metres: how far from a joint weights go over
 
@@ -113,30 +110,9 @@ def move(rig):
         for name, (*_, axis) in BONES.items():
             if axis is not None:
                 turn(rig, name, axis, frame - 1, frame)
-    show(1, LAST, 1)
-
-
-def walk(rig):
-    """Legs and arms swing; knees bend while a leg comes forward."""
-    forward = (-1, 0, 0)
-    for frame in range(STEPS + 1):
-        for side, phase in ((".L", 0.0), (".R", math.pi)):
-            at = 2.0 * math.pi * (frame - 1) / STEPS + phase
-            angles = {
-                "thigh": 30.0 * math.sin(at) + 6.0,
-                "shin": -8.0 - 44.0 * max(0.0, math.cos(at)) ** 1.5,
-                "upper arm": -32.0 * math.sin(at),
-                "forearm": 22.0 - 14.0 * math.sin(at),
-            }
-            for name, angle in angles.items():
-                turn(rig, name + side, forward, angle if frame else 0.0, frame)
-    show(1, STEPS, 0)
-
-
-def show(first, last, rest):
     scene = bpy.context.scene
-    scene.frame_start, scene.frame_end = first, last
-    scene.frame_set(rest)
+    scene.frame_start, scene.frame_end = 1, LAST
+    scene.frame_set(1)
 
 
 def plastic():
@@ -154,6 +130,4 @@ def plastic():
 bpy.ops.object.select_all(action="DESELECT")
 figure, bones = skin(plastic()), skeleton()
 bind(figure, bones)
-parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-parser.add_argument("--walk", action="store_true", help="instead of a degree a frame")
-(walk if parser.parse_args().walk else move)(bones)
+move(bones)
