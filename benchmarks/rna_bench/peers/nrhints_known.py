@@ -13,7 +13,7 @@ from torch.nn.functional import normalize
 
 from rna_bench.peers.known_method import KnownMethod, Points
 from rna_bench.peers.methods import Setting
-from rna_bench.peers.nrhints import BATCH, RATE, scheduled
+from rna_bench.peers.nrhints import BATCH, RATE, SLOW_WARM_UP, WARM_UP, scheduled
 from rna_bench.peers.nrhints_hints import highlights
 from rna_bench.peers.nrhints_networks import ColourNetwork, DistanceNetwork
 
@@ -32,10 +32,11 @@ class KnownNRHints(KnownMethod):
     def __init__(self, setting: Setting):
         torch.manual_seed(setting.seed)
         super().__init__("nrhints-known", setting, _Model(), BATCH, RATE)
+        self.warm_up = WARM_UP if setting.full else SLOW_WARM_UP
 
     def rate_factor(self, progress: float) -> float:
         """As NRHints'."""
-        return scheduled(progress)
+        return scheduled(progress, self.warm_up)
 
     def shaded(self, at: Points) -> Tensor:
         """As `KnownMethod.shaded`."""

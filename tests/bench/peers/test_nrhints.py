@@ -14,7 +14,15 @@ from rna_bench.peers.lambert_sphere import sphere_views
 from rna_bench.peers.learned_method import Targets
 from rna_bench.peers.methods import METHODS, Setting
 from rna_bench.peers.neus import importance_samples, inverse_cdf, opacities, transmittances
-from rna_bench.peers.nrhints import ANNEALED, FULL, WARM_UP, GeometryLosses, NRHints
+from rna_bench.peers.nrhints import (
+    ANNEALED,
+    FULL,
+    RATE,
+    WARM_UP,
+    GeometryLosses,
+    NRHints,
+    scheduled,
+)
 from rna_bench.peers.nrhints_hints import ROUGHNESSES, highlights, visibilities
 from rna_bench.peers.nrhints_networks import COLOUR_INPUTS
 
@@ -133,7 +141,9 @@ def test_the_schedule_is_the_published_one(method: NRHints) -> None:
     assert (row.published_steps, row.published_batch) == (1_000_000, 512)
     assert FULL.ray == FULL.light == (64, 64) and FULL.batch == 512
     assert (WARM_UP * 1e6, ANNEALED * 1e6) == pytest.approx((5_000, 50_000))
-    factors = [method.rate * method.rate_factor(p) for p in (0.0, WARM_UP / 2, WARM_UP, 1.0)]
+    factors = [RATE * scheduled(p, WARM_UP) for p in (0.0, WARM_UP / 2, WARM_UP, 1.0)]
+    assert method.rate == RATE and method.rate_factor(1.0) == pytest.approx(0.05)
+    assert NRHints(Setting(full=True)).rate_factor(WARM_UP) == 1.0 > method.rate_factor(WARM_UP)
     assert factors == pytest.approx([0.0, 2.5e-4, 5e-4, 2.5e-5])
 
 

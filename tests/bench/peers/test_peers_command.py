@@ -49,7 +49,7 @@ def test_a_network_on_known_geometry_learns_a_colour(toy_views: Views, tmp_path:
     views = replace(toy_views, rgba=rgba)
     torch.manual_seed(0)
     method = KnownNRHints(Setting(geometry=KnownGeometry(TOY, views)))
-    done = method.train(views, Budget(1e9, 1e9, steps=12), tmp_path)
+    done = method.train(views, Budget(1e9, 1e9, steps=30), tmp_path)
     assert done.curve[-1].loss < 0.8 * done.curve[0].loss
     image = method.render(views.camera(0), views.lights[0])
     assert image.shape == (16, 16, 3) and image[0, 0].max() == 0.0 < image[8, 8, 0]
