@@ -54,3 +54,18 @@ def test_the_loss_that_a_preset_names_decides_what_noise_does(loss: str, learnt:
     y = fitting.model({**at, "wi": rows[:1, 9:12]})
     mean = fitting.model.transport(y)[0, 0].mean().item()
     assert mean == pytest.approx(learnt, rel=0.05)
+
+
+@pytest.mark.parametrize("weight", [1.0, 10.0])
+def test_shadows_count_as_often_as_their_weight(weight: float) -> None:
+    """A batch of light and shadow: its loss is the mean of both, weighted."""
+    torch.manual_seed(0)
+    fields = SAMPLE_FIELDS["surface"]
+    preset = tiny("paper-small", "surface", shadow_weight=weight)
+    fitting = Fitting(preset, BOUNDS, 10.0, 1.0, fields)
+    rows = torch.rand(64, sum(fields.values()))
+    rows[:, -1] = (torch.arange(64) % 4 == 0).float()
+    lit, shadowed = (fitting.loss(rows[rows[:, -1] == v], 0.0) for v in (1.0, 0.0))
+    expected = (lit + 3.0 * weight * shadowed) / (1.0 + 3.0 * weight)
+    assert torch.allclose(fitting.loss(rows, 0.0), expected, rtol=1e-5)
+    assert not torch.allclose(lit, shadowed, rtol=0.1)

@@ -99,6 +99,13 @@ class TrainingConfig(BaseModel):
         "targets nor what the model cannot tell apart darkens it. auto: unbiased where noise would "
         "darken the other by more than 5%",
     )
+    shadow_weight: float = Field(
+        1.0,
+        gt=0.0,
+        allow_inf_nan=False,
+        description="weight of samples in shadow beside those in light, in the loss of a model "
+        "without an output for direct light",
+    )
     unbiased_share: float = Field(
         0.0,
         description="part of the run, at its end, with the unbiased loss: sharp highlights are "

@@ -73,6 +73,12 @@ def parser() -> argparse.ArgumentParser:
         help="log; unbiased: capture noise does not darken the result, but sharp highlights lose "
         "accuracy; auto: chosen by the noise level (default: the preset's, auto for ours)",
     )
+    p.add_argument(
+        "--shadow-weight",
+        type=float,
+        help="weight of samples in shadow in the loss; 10 in configurations of the paper's code "
+        "(float, default: the preset's, 1)",
+    )
     lengths = sorted({preset.training.steps for preset in PRESETS["surface"].values()})
     usual = " or ".join(f"{steps:,}" for steps in lengths)
     length = p.add_mutually_exclusive_group()
@@ -101,10 +107,11 @@ def main(argv: list[str] | None = None) -> int:
     """Entry point; returns the exit status."""
     options = parser()
     args = options.parse_args(argv)
-    for name in ("minutes", "steps", "cut"):
+    for name in ("minutes", "steps", "cut", "shadow_weight"):
         value = getattr(args, name)
         if value is not None and not 0 < value < math.inf:
-            options.error(f"argument --{name}: expected a number above 0, found {value:g}")
+            option = name.replace("_", "-")
+            options.error(f"argument --{option}: expected a number above 0, found {value:g}")
     if not 0 <= args.seed < 2**32:
         options.error(f"argument --seed: expected 0 to 2^32 - 1, found {args.seed}")
     go_on = "run the same command again to resume"
@@ -154,6 +161,13 @@ def _chosen(args: argparse.Namespace, kind: str) -> Preset:
     preset = ANALYTIC[kind] if args.preset == ANALYTIC_NAME else PRESETS[kind][args.preset]
     if args.steps is not None:
         preset = preset.with_training(steps=args.steps)
+    if args.shadow_weight is not None:
+        if preset.model.separates_direct:
+            raise TrainingError(
+                f"--shadow-weight: expected none, {args.preset} of a {kind} learns direct and "
+                "scattered light apart"
+            )
+        preset = preset.with_training(shadow_weight=args.shadow_weight)
     if args.loss is not None:
         if preset.model.separates_direct:
             raise TrainingError(

@@ -88,7 +88,8 @@ class Fitting:
         blur = 1.0 + (self._config.blur - 1.0) * max(0.0, 1.0 - 5.0 * progress)
         at = columns(rows, self._fields)
         is_ending = progress >= 1.0 - self._config.unbiased_share
-        loss = sample_loss(self.model, at, blur, "unbiased" if is_ending else self._config.loss)
+        kind = "unbiased" if is_ending else self._config.loss
+        loss = sample_loss(self.model, at, blur, kind, self._config.shadow_weight)
         if self._emission is None:
             return loss
         return loss + self._emission.loss(*self.model.emitting, blur)

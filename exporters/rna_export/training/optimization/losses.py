@@ -19,15 +19,19 @@ MOST_DARKENED = 0.05
 """Part of the brightness that the log loss may cost; the end of a run puts it right."""
 
 
-def sample_loss(model: NeuralAsset, at: Points, blur: float, loss: str = "log") -> Tensor:
+def sample_loss(
+    model: NeuralAsset, at: Points, blur: float, loss: str = "log", shadow_weight: float = 1.0
+) -> Tensor:
     """The loss of a batch of samples, of the outputs alone that match their visibility.
 
     loss: "log" or "unbiased"; of a model with an output for direct light, of that light alone:
     scattered light is next to nothing but noise, and its loss is always the unbiased one.
+    shadow_weight: of samples in shadow, for a model without that output; the mean weight is 1.
     """
     config, y = model.config, model(at, blur)
     if not config.separates_direct:
-        return _LOSSES[loss](_of_visibility(y, at, config), at["radiance"], model.unit)
+        weight = _weights(at["visible"], shadow_weight)
+        return _LOSSES[loss](_of_visibility(y, at, config), at["radiance"], model.unit, weight)
     v, of_light = at["visible"], at["direct"]
     if v.dim() == 1:
         v = v[:, None]
@@ -37,6 +41,15 @@ def sample_loss(model: NeuralAsset, at: Points, blur: float, loss: str = "log") 
     direct = _LOSSES[loss](y[:, 0], of_light, model.unit, of_direct)
     scattered = _of_visibility(y[:, 1:], at, config)
     return direct + unbiased_l2(scattered, at["radiance"] - at["direct"], model.unit)
+
+
+def _weights(visible: Tensor, of_shadow: float) -> Tensor | float:
+    """Weights of samples, of mean 1: (k, 1), or (k, 3) where visibility has colours."""
+    if of_shadow == 1.0:
+        return 1.0
+    v = visible[:, None] if visible.dim() == 1 else visible
+    weight = v + of_shadow * (1.0 - v)
+    return weight / weight.mean()
 
 
 def _of_visibility(y: Tensor, at: Points, config: ModelConfig) -> Tensor:
