@@ -128,6 +128,7 @@ def _run(args: argparse.Namespace) -> None:
     from rna_export.export.export_summary import closing_lines
     from rna_export.export.extras import add_extras
     from rna_export.export.package_build import build_package
+    from rna_export.export.standin_textures import check_analytic
     from rna_export.export.trained_tiers import checkpoint_paths
     from rna_export.pictures import sheet_of
     from rna_export.training.checkpoint import load_checkpoint
@@ -139,6 +140,7 @@ def _run(args: argparse.Namespace) -> None:
     of_standin = checkpoint_paths([args.standin]) if args.standin else []
     analytic = [load_checkpoint(path) for path in of_standin]
     dataset = as_cut(Dataset(args.dataset or trained[0].dataset), trained[0].cut)
+    check_analytic(analytic, dataset)
     presets = dict.fromkeys(one.preset_name for one in trained)
     precisions = precisions_of(args.precision, presets)
     manifest = build_package(

@@ -136,14 +136,8 @@ def _points(
     return tuple(x.astype(np.float32) for x in (position, normal, tangent, bitangent))
 
 
-def textures_of(
-    trained: Sequence[Trained], dataset: Dataset
-) -> tuple[list[dict[str, bytes] | None], list[str]]:
-    """The textures of each part, None where there can be none, and a line for each of these.
-
-    trained: analytic models of the dataset's capture. Raises `ExportError` for others.
-    """
-    by_part: dict[str, Trained] = {}
+def check_analytic(trained: Sequence[Trained], dataset: Dataset) -> None:
+    """Raises `ExportError` unless these are analytic models of the dataset's capture."""
     for one in trained:
         if one.preset.model.material == "learned":
             raise ExportError(
@@ -154,7 +148,17 @@ def textures_of(
             raise ExportError(
                 f"--standin: the checkpoint of {one.part} was trained on another capture or cut"
             )
-        by_part[one.part] = one
+
+
+def textures_of(
+    trained: Sequence[Trained], dataset: Dataset
+) -> tuple[list[dict[str, bytes] | None], list[str]]:
+    """The textures of each part, None where there can be none, and a line for each of these.
+
+    trained: see `check_analytic`.
+    """
+    check_analytic(trained, dataset)
+    by_part = {one.part: one for one in trained}
     found: list[dict[str, bytes] | None] = []
     lines = []
     for part in dataset.parts:
