@@ -135,8 +135,24 @@ def test_without_a_goal_it_ends_when_the_error_stops_falling(make: Any, tmp_path
     assert len(lights) * SHARD == made.dataset.manifest.settings.lights
 
 
-def test_each_round_adds_rays(make: Any) -> None:
-    made, cycles = make()
+@pytest.fixture(scope="module")
+def whole_run() -> list[tuple[Made, Cycles]]:
+    """Of `whole`, once it was made."""
+    return []
+
+
+@pytest.fixture
+def whole(
+    make: Any, whole_run: list[tuple[Made, Cycles]], tmp_path_factory: pytest.TempPathFactory
+) -> tuple[Made, Cycles]:
+    """A make without a goal that nothing stopped."""
+    if not whole_run:
+        whole_run.append(make(work=tmp_path_factory.mktemp("whole") / "work"))
+    return whole_run[0]
+
+
+def test_each_round_adds_rays(whole: tuple[Made, Cycles]) -> None:
+    made, cycles = whole
     assert cycles.shards > 4
     samples = made.dataset.only.training_samples()
     assert len(samples["visible"]) == cycles.shards * SHARD * RAYS
@@ -148,8 +164,8 @@ def test_a_goal_that_is_met_ends_the_rounds_and_spares_the_last_phase(make: Any)
     assert made.checkpoints[0].name == "round-01"
 
 
-def test_the_last_phase_is_longer_than_the_rounds(make: Any) -> None:
-    made, _ = make()
+def test_the_last_phase_is_longer_than_the_rounds(whole: tuple[Made, Cycles]) -> None:
+    made, _ = whole
     last = made.dataset.folder.parent / "runs" / "small" / "last"
     rounds = [load_checkpoint(f / "best.ckpt").steps for f in sorted(last.parent.glob("round-*"))]
     assert load_checkpoint(last / "best.ckpt").steps > max(rounds) >= 10
@@ -173,25 +189,20 @@ def test_lights_have_one_round_and_no_training_but_the_last(make: Any) -> None:
     assert [load_checkpoint(f / "best.ckpt").steps for f in made.checkpoints] == [80, 80]
 
 
-@pytest.fixture(scope="module")
-def uninterrupted(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return tmp_path_factory.mktemp("uninterrupted") / "work"
-
-
 @pytest.mark.parametrize("stage", ["rays 0", "rays 1", "rays 3", "train 1", "train 2", "last"])
 def test_a_make_stopped_at_any_stage_comes_to_the_same_end(
-    stage: str, make: Any, monkeypatch: pytest.MonkeyPatch, uninterrupted: Path
+    stage: str, make: Any, monkeypatch: pytest.MonkeyPatch, whole: tuple[Made, Cycles]
 ) -> None:
-    whole, _ = make(work=uninterrupted)  # once for all stages: it takes up what it finds finished
-    expected = load_checkpoint(whole.checkpoints[0] / "best.ckpt").model.state_dict()
+    expected_made, _ = whole
+    expected = load_checkpoint(expected_made.checkpoints[0] / "best.ckpt").model.state_dict()
 
     with monkeypatch.context() as patch, pytest.raises(Stopped):
         stop_in(stage, patch)
         make(stop_after=int(stage.split()[1]) if stage.startswith("rays") else math.inf)
     made, _ = make()
     found = load_checkpoint(made.checkpoints[0] / "best.ckpt").model.state_dict()
-    assert made.rounds == whole.rounds and made.why == whole.why
-    assert made.checkpoints[0].name == whole.checkpoints[0].name
+    assert made.rounds == expected_made.rounds and made.why == expected_made.why
+    assert made.checkpoints[0].name == expected_made.checkpoints[0].name
     for name, weights in expected.items():
         np.testing.assert_array_equal(found[name], weights, name)
 
