@@ -11,6 +11,7 @@ import pytest
 from rna_gpu import Device, open_device
 from rna_gpu.scene import rendering
 from rna_render.image.film import Layers
+from rna_render.paths.sampling import BRANCHES
 from rna_render.scene.scene_file import SceneFile
 from rna_render.world.world import World
 from tests.gpu.scenes import assert_same_law, assert_same_numbers, on_cpu, on_gpu
@@ -19,8 +20,14 @@ from tests.render.whole_scenes import EVERYTHING, GLOW, RELIEF, UNDER_A_SKY, wri
 
 @pytest.mark.parametrize("text", [EVERYTHING, RELIEF, GLOW], ids=["everything", "relief", "glow"])
 def test_the_image_of_the_cpu_with_the_same_numbers(
-    text: str, scene: Callable[..., tuple[SceneFile, World]], device: Device, tmp_path: Path
+    text: str,
+    scene: Callable[..., tuple[SceneFile, World]],
+    device: Device,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    # The GPU has as many rays from strands as from surfaces.
+    monkeypatch.setattr("rna_render.paths.integrator.STRAND_BRANCHES", BRANCHES)
     write_files(tmp_path)
     scene_file, world = scene(text)
     found = on_gpu(scene_file, world, lambda: device).channels()

@@ -32,7 +32,7 @@ def test_it_says_what_the_package_records(capsys: pytest.CaptureFixture[str]) ->
         "3,520 lights, 4,096 rays a light, 16 samples a ray",
         "hq: 100,000 steps",
         "256 x 256 pixels",
-        "lobes alone 27.94 dB",
+        "lobes alone 28.30 dB",
         "RNA_poster, RNA_standin, RNA_environment",
         "CC0-1.0",
     ):

@@ -69,11 +69,11 @@ _REDUCED = "32 rays of 8 + 16 samples a step instead of 512 of 64 + 64; 4 + 4 to
 _REDUCED_FIELDS = "64 rays of 16 + 24 samples a step instead of NeRF's 4,096 of 64 + 128"
 
 _ROWS: tuple[MethodRow, ...] = (
-    MethodRow("nrhints", "NRHints", _later("nrhints", "make"), 1_000_000, 512, _REDUCED),
+    MethodRow("nrhints", "NRHints", _later("nrhints.nrhints", "make"), 1_000_000, 512, _REDUCED),
     MethodRow(
         "nrhints-known",
         "NRHints' networks on known geometry",
-        _later("nrhints_known", "KnownNRHints"),
+        _later("nrhints.nrhints_known", "KnownNRHints"),
         None,
         None,
         needs_geometry=True,
@@ -81,7 +81,7 @@ _ROWS: tuple[MethodRow, ...] = (
     MethodRow(
         "nrhints-geometry",
         "NRHints with depth and alpha losses, weight 1",
-        _later("nrhints", "make_with_geometry"),
+        _later("nrhints.nrhints", "make_with_geometry"),
         1_000_000,
         512,
         _REDUCED,
@@ -89,7 +89,7 @@ _ROWS: tuple[MethodRow, ...] = (
     MethodRow(
         "nrhints-geometry-low",
         "NRHints with depth and alpha losses, weight 0.1",
-        _later("nrhints", "make_with_less_geometry"),
+        _later("nrhints.nrhints", "make_with_less_geometry"),
         1_000_000,
         512,
         _REDUCED,
@@ -105,7 +105,7 @@ _ROWS: tuple[MethodRow, ...] = (
     MethodRow(
         "fields",
         "Neural Reflectance Fields",
-        _later("reflectance_field", "make"),
+        _later("fields.reflectance_field", "make"),
         None,
         None,
         _REDUCED_FIELDS,
@@ -114,7 +114,7 @@ _ROWS: tuple[MethodRow, ...] = (
     MethodRow(
         "fields-fur",
         "Neural Reflectance Fields, for fur",
-        _later("reflectance_field", "make_of_fur"),
+        _later("fields.reflectance_field", "make_of_fur"),
         None,
         None,
         _REDUCED_FIELDS,

@@ -14,7 +14,9 @@ from rna_bench.peers.lambert_sphere import sphere_views
 from rna_bench.peers.learned_method import Targets
 from rna_bench.peers.methods import METHODS, Setting
 from rna_bench.peers.neus import importance_samples, inverse_cdf, opacities, transmittances
-from rna_bench.peers.nrhints import (
+from rna_bench.peers.nrhints.hints import ROUGHNESSES, highlights, visibilities
+from rna_bench.peers.nrhints.networks import COLOUR_INPUTS
+from rna_bench.peers.nrhints.nrhints import (
     ANNEALED,
     FULL,
     RATE,
@@ -23,8 +25,6 @@ from rna_bench.peers.nrhints import (
     NRHints,
     scheduled,
 )
-from rna_bench.peers.nrhints_hints import ROUGHNESSES, highlights, visibilities
-from rna_bench.peers.nrhints_networks import COLOUR_INPUTS
 
 RADIUS = 0.6
 

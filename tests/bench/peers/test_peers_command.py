@@ -18,7 +18,7 @@ from rna_bench.peers.known_geometry import KnownGeometry
 from rna_bench.peers.lambert_sphere import sphere_views
 from rna_bench.peers.method import Budget
 from rna_bench.peers.methods import METHODS, Setting
-from rna_bench.peers.nrhints_known import KnownNRHints
+from rna_bench.peers.nrhints.nrhints_known import KnownNRHints
 from rna_bench.peers.views import Views
 from rna_sdk.errors import TrainingError
 from rna_sdk.runtime import load

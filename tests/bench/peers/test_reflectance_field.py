@@ -8,12 +8,18 @@ import numpy as np
 import pytest
 import torch
 
-from rna_bench.peers.field_network import FieldNetwork
+from rna_bench.peers.fields.field_network import FieldNetwork
+from rna_bench.peers.fields.light_volume import LightVolume, transmittances
+from rna_bench.peers.fields.reflectance_field import (
+    Sampling,
+    make,
+    make_of_fur,
+    sections,
+    single_bounce,
+)
 from rna_bench.peers.learned_method import Rays
-from rna_bench.peers.light_volume import LightVolume, transmittances
 from rna_bench.peers.method import Budget
 from rna_bench.peers.methods import Setting
-from rna_bench.peers.reflectance_field import Sampling, make, make_of_fur, sections, single_bounce
 from rna_bench.peers.views import PeerCamera, Views
 from rna_sdk.errors import TrainingError
 
@@ -105,7 +111,7 @@ def views_of(light_aside: float) -> Views:
 
 def test_trains_on_collocated_views_alone_and_renders_both_lights(tmp_path, monkeypatch) -> None:
     small = Sampling((4, 4), 8, (8, 8))
-    monkeypatch.setattr("rna_bench.peers.reflectance_field.REDUCED", small)
+    monkeypatch.setattr("rna_bench.peers.fields.reflectance_field.REDUCED", small)
     method, budget = make_of_fur(Setting()), Budget(60.0, 60.0, steps=2)
     with pytest.raises(TrainingError, match=r"view 0: found the light 0.5 from the camera"):
         method.train(views_of(0.5), budget, tmp_path)

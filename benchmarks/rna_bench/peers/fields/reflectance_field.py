@@ -17,9 +17,9 @@ import numpy as np
 import torch
 from torch import Tensor, nn
 
-from rna_bench.peers.field_network import FieldNetwork
+from rna_bench.peers.fields.field_network import FieldNetwork
+from rna_bench.peers.fields.light_volume import LightVolume, transmittances
 from rna_bench.peers.learned_method import LearnedMethod, Rays, Targets
-from rna_bench.peers.light_volume import LightVolume, transmittances
 from rna_bench.peers.method import Budget, Training
 from rna_bench.peers.methods import Setting
 from rna_bench.peers.neus import inverse_cdf

@@ -13,9 +13,9 @@ from torch.nn.functional import normalize
 
 from rna_bench.peers.known_method import KnownMethod, Points
 from rna_bench.peers.methods import Setting
-from rna_bench.peers.nrhints import BATCH, RATE, SLOW_WARM_UP, WARM_UP, scheduled
-from rna_bench.peers.nrhints_hints import highlights
-from rna_bench.peers.nrhints_networks import ColourNetwork, DistanceNetwork
+from rna_bench.peers.nrhints.hints import highlights
+from rna_bench.peers.nrhints.networks import ColourNetwork, DistanceNetwork
+from rna_bench.peers.nrhints.nrhints import BATCH, RATE, SLOW_WARM_UP, WARM_UP, scheduled
 
 
 class _Model(nn.Module):

@@ -22,8 +22,8 @@ from rna_bench.peers.neus import (
     points_on,
     transmittances,
 )
-from rna_bench.peers.nrhints_hints import highlights, visibilities
-from rna_bench.peers.nrhints_networks import ColourNetwork, DistanceNetwork
+from rna_bench.peers.nrhints.hints import highlights, visibilities
+from rna_bench.peers.nrhints.networks import ColourNetwork, DistanceNetwork
 
 STEPS, BATCH, RATE = 1_000_000, 512, 5e-4
 WARM_UP, ANNEALED = 5_000 / STEPS, 50_000 / STEPS

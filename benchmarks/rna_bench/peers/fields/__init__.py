@@ -1,0 +1,1 @@
+"""Neural Reflectance Fields (Bi et al. 2020)."""
