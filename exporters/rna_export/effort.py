@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from rna_export.capture.capture_settings import CaptureSettings
-from rna_export.training.presets import PRESETS
+from rna_export.training.presets import named_preset
 
 if TYPE_CHECKING:
     from rna_export.capture.dataset.dataset_folder import Dataset
@@ -31,8 +31,8 @@ class Effort:
         least = min(trained, key=lambda one: one.steps)
         kinds = {part.kind for part in dataset.parts}
         usual = CaptureSettings.usual(kinds.pop() if len(kinds) == 1 else "both")
-        of_kind = PRESETS[dataset.part(least.part).kind]
-        steps = of_kind.get(least.preset_name, of_kind["small"]).training.steps
+        kind = dataset.part(least.part).kind
+        steps = named_preset(kind, least.preset_name).training.steps
         return cls(least.steps, steps, dataset.lights_finished(), usual.lights)
 
     def __str__(self) -> str:

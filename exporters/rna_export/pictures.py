@@ -87,6 +87,13 @@ def _draw_scale(
     draw.text((right + 3, line // 2), "1", _INK, font, anchor="lm")
 
 
+def png_bytes(pixels: np.ndarray) -> bytes:
+    """A PNG of (h, w, 3 or 4) uint8."""
+    data = BytesIO()
+    Image.fromarray(pixels).save(data, format="PNG", optimize=True)
+    return data.getvalue()
+
+
 def write_picture(path: Path, picture: Image.Image | np.ndarray) -> None:
     """Write a PNG atomically. picture: an array is (h, w, 3) uint8, sRGB."""
     data = BytesIO()

@@ -52,6 +52,22 @@ def _mapped(
     record: NormalMap, mesh: Mesh, corners: NDArray[np.uint32], weights: Float, n: Float
 ) -> Float:
     assert mesh.uvs is not None  # a valid part with normal maps has them
+    t, b, is_flat = tangent_frames(mesh, corners, n)
+    at = np.einsum("nk,nkc->nc", weights, mesh.uvs[corners].astype(np.float64))
+    x, y = ((bilinear(record.texture, at) - 127.0) / 127.0).T[..., None]
+    bent = x * t + y * b + np.sqrt(np.maximum(1.0 - x * x - y * y, 0.0)) * n
+    is_flat |= np.linalg.norm(bent, axis=1) <= _SHORT
+    return np.where(is_flat[:, None], n, _unit(bent))
+
+
+def tangent_frames(
+    mesh: Mesh, corners: NDArray[np.uint32], n: Float
+) -> tuple[Float, Float, NDArray[np.bool_]]:
+    """Tangents and bitangents (n, 3) at points of triangles, and whether they do not tell.
+
+    corners: (n, 3), of the triangles. n: (n, 3) unit normals at the points.
+    """
+    assert mesh.uvs is not None
     p, uv = (values[corners].astype(np.float64) for values in (mesh.positions, mesh.uvs))
     along_u, along_v, is_flat = _directions(p, uv)
     t = along_u - np.sum(along_u * n, axis=1, keepdims=True) * n
@@ -59,12 +75,7 @@ def _mapped(
     is_flat |= length <= _SHORT * np.linalg.norm(along_u, axis=1)
     t = t / np.where(is_flat, 1.0, length)[:, None]
     b = np.cross(n, t)
-    b = np.where(np.sum(b * along_v, axis=1, keepdims=True) > 0.0, -b, b)
-    at = np.einsum("nk,nkc->nc", weights, uv)
-    x, y = ((bilinear(record.texture, at) - 127.0) / 127.0).T[..., None]
-    bent = x * t + y * b + np.sqrt(np.maximum(1.0 - x * x - y * y, 0.0)) * n
-    is_flat |= np.linalg.norm(bent, axis=1) <= _SHORT
-    return np.where(is_flat[:, None], n, _unit(bent))
+    return t, np.where(np.sum(b * along_v, axis=1, keepdims=True) > 0.0, -b, b), is_flat
 
 
 def _directions(p: Float, uv: Float) -> tuple[Float, Float, NDArray[np.bool_]]:

@@ -214,7 +214,8 @@ def _cycles(worker: BlenderWorker, scene: Scene, folder: Path, seed: int) -> np.
         Camera(scene.camera, scene.resolution).to_world,
         np.radians(scene.camera.vertical_fov_deg),
     )
-    return worker.render_scene(described, *view, 128, seed, *scene.resolution)[..., :3]
+    image, _ = worker.render_scene(described, *view, 128, seed, *scene.resolution)
+    return image[..., :3]
 
 
 def _assert_alike(name: str, ours: np.ndarray, cycles: np.ndarray) -> None:

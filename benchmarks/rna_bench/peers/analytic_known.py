@@ -58,8 +58,7 @@ class KnownMaterial(KnownMethod):
 
     def train(self, data: Views, budget: Budget, work: Path) -> Training:
         """As `Method.train`."""
-        shown = math.pi * float((data.lights**2).sum(axis=1).mean())
-        self.model.intensity.fill_(data.intensity or shown)
+        self.model.intensity.fill_(data.shown_intensity)
         return super().train(data, budget, work)
 
     def shaded(self, at: Points) -> Tensor:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -89,6 +90,11 @@ class Views:
     def pixels(self) -> int:
         """Number of pixels of all images."""
         return int(np.prod(self.rgba.shape[:3]))
+
+    @property
+    def shown_intensity(self) -> float:
+        """Of the lights; where it is not known, such that a white point at the centre is white."""
+        return self.intensity or math.pi * float((self.lights**2).sum(axis=1).mean())
 
     def camera(self, view: int) -> PeerCamera:
         """The camera of one image."""

@@ -125,7 +125,7 @@ class CyclesScene:
     def render(self, samples: int, seed: int, denoise: bool = False) -> Timed:
         """RGB, and the time of the request without any building of the scene."""
         begun = time.perf_counter()
-        image = self._worker.render_scene(
+        image, _ = self._worker.render_scene(
             self._described, *self._view, samples, seed, *self._size, denoise=denoise
         )
         return Timed(image[..., :3], time.perf_counter() - begun)

@@ -110,9 +110,7 @@ class _Cycles:
         self._image()  # builds the scene
 
     def _image(self) -> np.ndarray:
-        image: np.ndarray = self._worker.render_scene(
-            self._described, *self._at, denoise=self._denoise
-        )
+        image, _ = self._worker.render_scene(self._described, *self._at, denoise=self._denoise)
         return image[..., :3]
 
     def render(self, frame: int) -> _Frame:

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import io
 from pathlib import Path
 
 import numpy as np
-from PIL import Image
 
+from rna_export.pictures import png_bytes
 from rna_render import World, encode_srgb, make_integrator, place_asset, render
 from rna_render.scene import AssetModel, CameraModel, DirectionalModel, EnvironmentModel, Scene
 from rna_sdk.runtime import FiberAsset, load
@@ -60,6 +59,4 @@ def png_of(rgba: np.ndarray) -> bytes:
     alpha = np.clip(rgba[..., 3:], 0.0, 1.0)
     colour = encode_srgb(rgba[..., :3] / np.maximum(alpha, 1e-6))
     pixels = np.rint(255.0 * np.concatenate([colour * (alpha > 0), alpha], axis=-1))
-    file = io.BytesIO()
-    Image.fromarray(pixels.astype(np.uint8), "RGBA").save(file, format="PNG", optimize=True)
-    return file.getvalue()
+    return png_bytes(pixels.astype(np.uint8))

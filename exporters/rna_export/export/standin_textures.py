@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
-import io
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 import torch
-from PIL import Image
 
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_part import DatasetPart
+from rna_export.pictures import png_bytes
 from rna_export.training.checkpoint import Trained
 from rna_export.training.model.analytic import gltf_material
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_render import encode_srgb
 from rna_sdk.errors import ExportError
 from rna_sdk.package import Mesh
+from rna_sdk.runtime import mapped_normals
+from rna_sdk.runtime.normal_maps import tangent_frames
 from rna_trace import TriangleScene
 
 TEXELS = 512
@@ -62,7 +63,8 @@ def standin_textures(model: NeuralAsset, mesh: Mesh, side: int = TEXELS) -> dict
         "metallic_roughness": np.concatenate([np.ones_like(roughness), roughness, metallic], 1),
         "normal": 0.5 + 0.5 * np.stack([x, y, np.maximum(z, 0.0)], axis=1),
     }
-    return {member: _png(_filled(values, at.texel, side)) for member, values in images.items()}
+    filled = ((member, _filled(values, at.texel, side)) for member, values in images.items())
+    return {member: png_bytes(_levels(image)) for member, image in filled}
 
 
 def uv_points(mesh: Mesh, side: int) -> UvPoints:
@@ -119,20 +121,11 @@ def _points(
     mesh: Mesh, triangle: np.ndarray, u: np.ndarray, v: np.ndarray
 ) -> tuple[np.ndarray, ...]:
     """Positions and frames of points in triangles, as spec/RNA.md, 4.5 has them."""
-    assert mesh.uvs is not None
-    rows = mesh.triangles[triangle]
+    corners = mesh.triangles[triangle]
     weights = np.stack([1.0 - u - v, u, v], axis=1)[..., None]
-    p = mesh.positions[rows]
-    position = (weights * p).sum(axis=1)
-    normal = _unit((weights * mesh.normals[rows]).sum(axis=1))
-    e1, e2 = p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]
-    uv = mesh.uvs[rows]
-    (a1, c1), (a2, c2) = ((uv[:, k] - uv[:, 0]).T[..., None] for k in (1, 2))
-    sign = np.sign(a1 * c2 - a2 * c1)
-    along_u, along_v = (c2 * e1 - c1 * e2) * sign, (a1 * e2 - a2 * e1) * sign
-    tangent = _unit(along_u - _dots(along_u, normal)[:, None] * normal)
-    across = np.cross(normal, tangent)
-    bitangent = np.where(_dots(across, along_v)[:, None] > 0.0, -across, across)
+    position = (weights * mesh.positions[corners]).sum(axis=1)
+    normal = mapped_normals(mesh, (), triangle, u, v)
+    tangent, bitangent, _ = tangent_frames(mesh, corners, normal.astype(np.float64))
     return tuple(x.astype(np.float32) for x in (position, normal, tangent, bitangent))
 
 
@@ -195,17 +188,9 @@ def _filled(values: np.ndarray, texel: np.ndarray, side: int) -> np.ndarray:
     return np.where(known > 0.0, image, values.mean(axis=0))
 
 
-def _png(image: np.ndarray) -> bytes:
-    pixels = np.rint(255.0 * np.clip(image, 0.0, 1.0)).astype(np.uint8)
-    file = io.BytesIO()
-    Image.fromarray(pixels, "RGB").save(file, format="PNG", optimize=True)
-    return file.getvalue()
-
-
-def _unit(vectors: np.ndarray) -> np.ndarray:
-    length = np.linalg.norm(vectors, axis=1, keepdims=True)
-    unit: np.ndarray = vectors / np.maximum(length, 1e-20)
-    return unit
+def _levels(image: np.ndarray) -> np.ndarray:
+    levels: np.ndarray = np.rint(255.0 * np.clip(image, 0.0, 1.0)).astype(np.uint8)
+    return levels
 
 
 def _dots(a: np.ndarray, b: np.ndarray) -> np.ndarray:

@@ -235,3 +235,8 @@ def _analytic(kind: str) -> Preset:
 ANALYTIC_NAME = "analytic"
 ANALYTIC = {kind: _analytic(kind) for kind in PRESETS}
 """Kind of asset -> the material that can be baked, fitted as well as it can be: to compare."""
+
+
+def named_preset(kind: str, name: str) -> Preset:
+    """The preset of that name, `ANALYTIC_NAME` among them; KeyError for none."""
+    return ANALYTIC[kind] if name == ANALYTIC_NAME else PRESETS[kind][name]

@@ -9,7 +9,7 @@ from pathlib import Path
 from time import monotonic
 from typing import TYPE_CHECKING
 
-from rna_export.training.presets import ANALYTIC, ANALYTIC_NAME, LOSSES, PRESETS, Preset
+from rna_export.training.presets import ANALYTIC_NAME, LOSSES, PRESETS, Preset, named_preset
 from rna_export.training.training_options import add_device, chosen_device
 from rna_sdk.console import command_line, command_parser, run_command
 from rna_sdk.errors import TrainingError
@@ -158,7 +158,7 @@ def _to_export(out: Path, dataset: Dataset) -> Path:
 
 def _chosen(args: argparse.Namespace, kind: str) -> Preset:
     """The named preset, with what the options change of it."""
-    preset = ANALYTIC[kind] if args.preset == ANALYTIC_NAME else PRESETS[kind][args.preset]
+    preset = named_preset(kind, args.preset)
     if args.steps is not None:
         preset = preset.with_training(steps=args.steps)
     if args.shadow_weight is not None:

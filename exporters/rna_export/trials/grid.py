@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from itertools import product
 
-from rna_export.training.presets import ANALYTIC, PRESETS, Preset
+from rna_export.training.presets import PRESETS, Preset
 from rna_export.trials.trial import Family, Trial, name_of
 
 FULL_STEPS, SHORT_STEPS = 40_000, 5_000
@@ -102,11 +102,6 @@ def nrhints(kind: str) -> Trial:
         inputs=inputs, width=256, resolution=1, channels=304, texture="network"
     ).with_training(learning_rate=5e-4, plane_learning_rate=5e-4, schedule="cosine")
     return _trial("opponent", preset, "nrhints").model_copy(update={"cost_as": "paper-hq"})
-
-
-def analytic(kind: str, steps: int = FULL_STEPS) -> Trial:
-    """What baking a material gives: glTF's of a surface, Kajiya's and Kay's of strands."""
-    return _trial("opponent", ANALYTIC[kind], "analytic").of_length(steps)
 
 
 def ablations(kind: str, widths: tuple[int, ...]) -> list[Trial]:

@@ -108,6 +108,10 @@ class ProxyLevel(Record):
     height: Positive = Field(description="Largest height of the bounding sphere, pixels.")
 
 
+P = TypeVar("P")
+_ByPart = Annotated[tuple[P | None, ...], Field(min_length=1, max_length=MAX_PARTS)]
+
+
 def _not_all_null(expected: str) -> AfterValidator:
     """Refuses a member by part that has nothing of any part."""
 
@@ -136,22 +140,14 @@ class StandinTextures(Extension):
     """Textures in the place of RNA_standin's constants; null for a part that has none."""
 
     NAME: ClassVar[str] = "RNA_standin_textures"
-    parts: Annotated[
-        tuple[PartTextures | None, ...],
-        Field(min_length=1, max_length=MAX_PARTS),
-        _not_all_null("textures of some part"),
-    ]
+    parts: Annotated[_ByPart[PartTextures], _not_all_null("textures of some part")]
 
 
 class Proxy(Extension):
     """Coarser geometry of the parts; null for a part that has none."""
 
     NAME: ClassVar[str] = "RNA_proxy"
-    parts: Annotated[
-        tuple[ProxyLevels | None, ...],
-        Field(min_length=1, max_length=MAX_PARTS),
-        _not_all_null("a proxy of some part"),
-    ]
+    parts: Annotated[_ByPart[ProxyLevels], _not_all_null("a proxy of some part")]
 
 
 HARMONICS = 16
@@ -190,11 +186,7 @@ class Environment(Extension):
     """Light from all sides in one query a point; null for a part that has none."""
 
     NAME: ClassVar[str] = "RNA_environment"
-    parts: Annotated[
-        tuple[EnvironmentPart | None, ...],
-        Field(min_length=1, max_length=MAX_PARTS),
-        _not_all_null("lobes of some part"),
-    ]
+    parts: Annotated[_ByPart[EnvironmentPart], _not_all_null("lobes of some part")]
     validation: tuple[EnvironmentValidation, ...] = Field(default=(), max_length=MAX_VALIDATIONS)
 
 
@@ -203,11 +195,7 @@ class Source(Extension):
 
     NAME: ClassVar[str] = "RNA_source"
     vertices: int = Field(ge=1, le=MAX_INTEGER, description="That the source's meshes have.")
-    parts: Annotated[
-        tuple[EntryPath | None, ...],
-        Field(min_length=1, max_length=MAX_PARTS),
-        _not_all_null("an entry of some part"),
-    ]
+    parts: Annotated[_ByPart[EntryPath], _not_all_null("an entry of some part")]
 
 
 T = TypeVar("T", bound=Extension)

@@ -37,9 +37,8 @@ class Batch:
 
     def write(self, tile: slice, output: Rows, valid: NDArray[np.bool_]) -> None:
         """Write the results of a tile from the decoder's output."""
-        from rna_sdk.runtime.kernels.output_kernel import (
-            write_results,
-        )  # numba loads when it is used
+        # numba loads when it is used
+        from rna_sdk.runtime.kernels.output_kernel import write_results
 
         for k, result in enumerate(self.results):
             write_results(output, COLUMNS * k, valid, result[tile])

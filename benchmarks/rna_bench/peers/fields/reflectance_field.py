@@ -9,7 +9,6 @@ falls to a tenth. One network serves both kinds of samples, where NeRF has two.
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -22,7 +21,7 @@ from rna_bench.peers.fields.light_volume import LightVolume, transmittances
 from rna_bench.peers.learned_method import LearnedMethod, Rays, Targets
 from rna_bench.peers.method import Budget, Training
 from rna_bench.peers.methods import Setting
-from rna_bench.peers.neus import inverse_cdf
+from rna_bench.peers.neus import inverse_cdf, points_on
 from rna_bench.peers.views import PeerCamera, Views
 from rna_sdk.errors import TrainingError
 
@@ -80,9 +79,7 @@ class ReflectanceField(LearnedMethod):
                 f"view {apart.argmax()}: found the light {apart.max():.3g} from the camera, "
                 "expected both in one place (collocated views)"
             )
-        # Lights of unknown intensity: such that a white point at the centre is shown as white.
-        shown = math.pi * float(np.mean((data.lights**2).sum(axis=1)))
-        self.model.intensity.fill_(data.intensity or shown)
+        self.model.intensity.fill_(data.shown_intensity)
         return super().train(data, budget, work)
 
     def render(self, camera: PeerCamera, light: np.ndarray) -> np.ndarray:
@@ -153,8 +150,7 @@ class ReflectanceField(LearnedMethod):
 def sections(rays: Rays, edges: Tensor) -> tuple[Tensor, Tensor]:
     """Points in the middle of sections (n, m, 3), and their lengths (n, m)."""
     middles = 0.5 * (edges[:, 1:] + edges[:, :-1])
-    points = rays.origins[:, None] + rays.directions[:, None] * middles[..., None]
-    return points, edges.diff(dim=1)
+    return points_on(rays.origins, rays.directions, middles), edges.diff(dim=1)
 
 
 def single_bounce(

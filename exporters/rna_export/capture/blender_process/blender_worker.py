@@ -392,34 +392,18 @@ class BlenderWorker:
         width: int,
         height: int,
         denoise: bool = False,
-    ) -> np.ndarray:
-        """A pinhole image of the source in a scene, (height, width, 4) float32 premultiplied RGBA.
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """A pinhole image of the source in a scene, and the points that it shows.
+
+        The image: (height, width, 4) float32 premultiplied RGBA. The points: (height, width, 3)
+        float32, world space, +Y up, of the first sample of each pixel; 0, 0, 0 where it hits
+        nothing.
 
         scene: see `rna_export.compare.cycles_scene`. No clamping. `denoise`: by Cycles' own
         denoiser, Open Image Denoise with albedo and normals. What the scene describes is built
         anew when it is another one than in the render before; the numbers of samples may differ
         without a fresh process, so the same render need not repeat to the bit. `to_world` and
         `fov_y` as in `render_view`.
-        """
-        rgba, _ = self.render_scene_points(
-            scene, to_world, fov_y, samples, seed, width, height, denoise
-        )
-        return rgba
-
-    def render_scene_points(
-        self,
-        scene: dict[str, Any],
-        to_world: np.ndarray,
-        fov_y: float,
-        samples: int,
-        seed: int,
-        width: int,
-        height: int,
-        denoise: bool = False,
-    ) -> tuple[np.ndarray, np.ndarray]:
-        """As `render_scene`, and the point that the first sample of each pixel hits.
-
-        (height, width, 3) float32, world space, +Y up; 0, 0, 0 where it hits nothing.
         """
         self._holds_scene = True
         out = self._folder / f"scene-{self._name}-{self._renders}.exr"
