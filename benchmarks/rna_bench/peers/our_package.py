@@ -73,7 +73,7 @@ def _scene(
 
     matrix = camera.to_world
     eye, up = matrix[:3, 3], matrix[:3, 1]
-    intensity = (views.intensity or 1.0) * views.radius**2
+    intensity = views.shown_intensity * views.radius**2
     lamp = {"type": "point", "position": placed(light), "intensity": (intensity,) * 3}
     viewed = {
         "position": placed(eye),

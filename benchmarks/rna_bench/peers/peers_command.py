@@ -50,6 +50,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--seeds", type=int, nargs="+", default=[0], help="of trainings")
     parser.add_argument("--device", default="cpu", help="of PyTorch: cpu or cuda")
+    parser.add_argument(
+        "--threads", type=int, default=1, help="of each training; more than a free core are slow"
+    )
     parser.add_argument("--held-out", type=int, default=4, help="views to measure, of each kind")
     parser.add_argument(
         "--size",
@@ -73,7 +76,9 @@ def run(args: argparse.Namespace) -> None:
     from rna_bench.peers.known_geometry import KnownGeometry
     from rna_bench.peers.peers_page import write_page
     from rna_bench.peers.study import run_method
+    from rna_export.training.optimization.training_threads import use_threads
 
+    use_threads(args.threads)
     plan = _plan(args)
     settings = _settings(args)
     geometry = KnownGeometry(args.package, plan.train) if args.package else None
