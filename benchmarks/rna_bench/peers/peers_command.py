@@ -4,7 +4,7 @@
 
 Views are those of `rna-bench peers-data`, or a folder in NRHints' layout, or `sphere`: a
 Lambertian sphere under a point light, which every method must fit. Writes `peers.json`,
-`index.html`, `curves.svg` and `sheet.png`; the same command resumes. See docs/peers.md.
+`index.html`, `curves.svg` and sheets like the paper's; the same command resumes. See docs/peers.md.
 """
 
 from __future__ import annotations
