@@ -21,6 +21,7 @@ from rna_bench.peers.nrhints.nrhints import (
     FULL,
     RATE,
     WARM_UP,
+    REDUCED,
     GeometryLosses,
     NRHints,
     scheduled,
@@ -116,6 +117,19 @@ def test_visibility_is_the_transmittance_from_the_light() -> None:
         light, torch.tensor([[1.0, 0.0, 0.0]]), ball, ball_field, sharpness, 1.0, (64, 64)
     )
     assert beside[0, 0] > 0.98
+    few = REDUCED.light
+    near = visibilities(
+        light.expand(3, 3),
+        ends,
+        ball,
+        ball_field,
+        10 * sharpness,
+        1.0,
+        few,
+        None,
+        REDUCED.light_near,
+    )
+    assert near[0, 0] > 0.98 and near[1:].max() < 1e-3
 
 
 def test_highlights_are_the_ggx_term() -> None:

@@ -36,23 +36,27 @@ def visibilities(
     anneal: float,
     counts: tuple[int, int],
     jitter: Tensor | None = None,
+    near: float | None = None,
 ) -> Tensor:
     """Transmittance from lights to points, (n, 1): 1 is visible. lights, points: (n, 3).
 
     counts: uniform and importance samples. jitter: (n, count) in [0, 1), of the uniform ones.
+    near: how far before the points the samples begin; None, as published: at the lights.
     """
     uniform, importance = counts
     way = points - lights
     length = way.norm(dim=1, keepdim=True)
     directions = way / length
-    places = torch.linspace(0.0, 1.0, uniform, device=lights.device)[None] * length * (1 - _OFFSET)
+    start = torch.zeros_like(length) if near is None else (length - near).clamp(min=0.0)
+    spread = torch.linspace(0.0, 1.0, uniform, device=lights.device)[None]
+    places = start + spread * (length * (1 - _OFFSET) - start)
     if jitter is not None:
         middle = 0.5 * (places[:, 1:] + places[:, :-1])
         upper = torch.cat([middle, places[:, -1:]], dim=1)
         lower = torch.cat([places[:, :1], middle], dim=1)
         places = lower + (upper - lower) * jitter
     places = importance_samples(lights, directions, places, importance, distance)
-    lengths = lengths_of(places, length / uniform)
+    lengths = lengths_of(places, (length - start) / uniform)
     middles = points_on(lights, directions, places + 0.5 * lengths)
     there, gradient = field(middles.reshape(-1, 3))
     cosine = (gradient.reshape(middles.shape) * directions[:, None]).sum(dim=2)

@@ -42,16 +42,22 @@ _SEEN = 1e-3  # opacity of a ray below which its hints change nothing
 
 @dataclass(frozen=True)
 class Sampling:
-    """Uniform and importance samples of a ray, and of a ray from the light; pixels a step."""
+    """Uniform and importance samples of a ray, and of a ray from the light; pixels a step.
+
+    light_near: how far before the point the latter begin; None: at the light.
+    """
 
     ray: tuple[int, int]
     light: tuple[int, int]
     batch: int
+    light_near: float | None = None
 
 
 FULL = Sampling((64, 64), (64, 64), BATCH)
-REDUCED = Sampling((8, 16), (4, 4), 32)
-"""For a CPU: a step takes a hundredth."""
+REDUCED = Sampling((8, 16), (16, 16), 32, light_near=2.0)
+"""For a CPU: a step takes a hundredth. Fewer samples from the light shadow what is lit: a sphere of
+radius 0.7 had a mean visibility of 0.23 with 4 + 4 from the light, 1.00 with these.
+"""
 
 
 @dataclass(frozen=True)
@@ -185,6 +191,7 @@ class NRHints(LearnedMethod):
                 anneal,
                 self.sampling.light,
                 self._random(count, uniform) if is_training else None,
+                self.sampling.light_near,
             )
         mean = (normals.reshape(n, m, 3) * weights[..., None]).sum(dim=1)
         to_light = normalize(rays.lights - points, dim=1)
