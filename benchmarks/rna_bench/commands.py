@@ -39,6 +39,7 @@ GROUPS: dict[str, tuple[Command, ...]] = {
         Command("stability", "stability.stability_command", resumes=True),
         Command("fit", "frontier.fit", resumes=True),
         Command("frontier-chart", "frontier.redraw"),
+        Command("time-to-flip", "scenes.time_to_flip"),
         Command("threads", "scenes.thread_counts"),
         Command("film", "scenes.film_command", resumes=True),
         Command("peers", "peers.peers_command", resumes=True),

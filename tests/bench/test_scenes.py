@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from safetensors.numpy import load_file
 
-from rna_bench.checkout import TOY
+from rna_bench.checkout import ROOT, TOY
 from rna_bench.cli import main
 from rna_bench.scenes import scenes_study
 from rna_bench.scenes.beside_cycles import Beside, OurScene
@@ -18,6 +18,7 @@ from rna_bench.scenes.kept import Kept
 from rna_bench.scenes.kernel_times import KERNELS, kernel_times
 from rna_bench.scenes.scene_list import NEAR_AND_FAR, find_environment, scenes
 from rna_bench.scenes.stage import Stage
+from rna_bench.scenes.time_to_flip import Wait, wait_for
 from rna_render.scene.transforms import world_from_object
 from rna_sdk.errors import RnaError, SceneError
 from rna_sdk.runtime import load
@@ -29,6 +30,26 @@ SOURCE = TOY.with_suffix(".py")
 def stage() -> Stage:
     asset = load(TOY, threads=1)
     return Stage.of(asset, TOY, None, turn_deg=0.0, resolution=(48, 32))
+
+
+def test_the_wait_for_a_flip_lies_between_samples() -> None:
+    curve = [{"seconds": t, "flip": f} for t, f in ((1.0, 0.08), (4.0, 0.04), (16.0, 0.02))]
+    assert wait_for(0.04 * 2**0.5, curve).seconds == pytest.approx(2.0)
+    assert str(wait_for(0.1, curve)) == "at most 1.00 s"
+    assert wait_for(0.01, curve, floor=0.015) == Wait(None, False, 0.015)
+    assert str(wait_for(0.01, curve)) == "not reached, 0.020"
+
+
+def test_waits_of_results_are_told_and_drawn(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    result, chart = ROOT / "benchmarks/results/scenes-curls.json", tmp_path / "chart.svg"
+    assert main(["time-to-flip", str(result), "--out", str(chart)]) == 0
+    told = capsys.readouterr().out
+    assert "| curly ball, forest | 4.22 s | not reached, 0.054 | not reached, 0.037 |" in told
+    assert "until FLIP 0.03, denoised" in chart.read_text()
+    assert main(["time-to-flip", str(SOURCE)]) == 1
+    assert "found no result of `rna-bench scenes`, expected one" in capsys.readouterr().err
 
 
 def test_equal_error_is_exact_where_error_and_time_are_as_assumed() -> None:
