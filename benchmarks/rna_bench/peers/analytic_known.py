@@ -52,7 +52,7 @@ class KnownMaterial(KnownMethod):
             raise TrainingError("analytic: found surfaces and strands, expected one of both")
         super().__init__("analytic", setting, _Model(next(iter(kinds))), BATCH, RATE)
 
-    def rate_factor(self, progress: float) -> float:
+    def rate_factor(self, progress: float, steps: int) -> float:
         """A cosine to 0, as in our presets."""
         return 0.5 * (1.0 + math.cos(math.pi * progress)) + 1e-3
 

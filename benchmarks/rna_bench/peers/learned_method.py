@@ -76,8 +76,8 @@ class LearnedMethod:
     def radiance(self, rays: Rays) -> Tensor:
         """Radiance (n, 3), linear, over black."""
 
-    def rate_factor(self, progress: float) -> float:
-        """Of the rate, at a share of the planned training."""
+    def rate_factor(self, progress: float, steps: int) -> float:
+        """Of the rate, at a share of the planned training and after so many steps."""
         return 1.0
 
     @property
@@ -93,6 +93,8 @@ class LearnedMethod:
         start, kept = clock() - done.seconds, done.seconds
         losses: list[Tensor] = []
         while not _is_over(done, budget):
+            for group in optimizer.param_groups:
+                group["lr"] = self.rate * self.rate_factor(_progress(done, budget), done.steps)
             losses.append(self._step(data, optimizer, _progress(done, budget)))
             spent, steps = clock() - start, done.steps + 1
             done = replace(done, seconds=spent, steps=steps, samples=steps * self.batch)
@@ -109,8 +111,6 @@ class LearnedMethod:
         return done
 
     def _step(self, data: Views, optimizer: torch.optim.Adam, progress: float) -> Tensor:
-        for group in optimizer.param_groups:
-            group["lr"] = self.rate * self.rate_factor(progress)
         numbers = torch.randint(data.pixels, (self.batch,), generator=self.generator)
         loss = self.loss(Targets.of(data.batch(numbers.numpy()), self.device), progress)
         optimizer.zero_grad(set_to_none=True)

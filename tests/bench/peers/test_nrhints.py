@@ -19,12 +19,10 @@ from rna_bench.peers.nrhints.networks import COLOUR_INPUTS
 from rna_bench.peers.nrhints.nrhints import (
     ANNEALED,
     FULL,
-    RATE,
     REDUCED,
     WARM_UP,
     GeometryLosses,
     NRHints,
-    scheduled,
 )
 
 RADIUS = 0.6
@@ -154,11 +152,10 @@ def test_the_schedule_is_the_published_one(method: NRHints) -> None:
     row = METHODS["nrhints"]
     assert (row.published_steps, row.published_batch) == (1_000_000, 512)
     assert FULL.ray == FULL.light == (64, 64) and FULL.batch == 512
-    assert (WARM_UP * 1e6, ANNEALED * 1e6) == pytest.approx((5_000, 50_000))
-    factors = [RATE * scheduled(p, WARM_UP) for p in (0.0, WARM_UP / 2, WARM_UP, 1.0)]
-    assert method.rate == RATE and method.rate_factor(1.0) == pytest.approx(0.05)
-    assert NRHints(Setting(full=True)).rate_factor(WARM_UP) == 1.0 > method.rate_factor(WARM_UP)
-    assert factors == pytest.approx([0.0, 2.5e-4, 5e-4, 2.5e-5])
+    assert (WARM_UP, ANNEALED * row.published_steps) == (5_000, 50_000)
+    at = [(0.0, 0), (0.0025, 2_500), (0.005, 5_000), (1.0, 1_000_000)]
+    factors = [method.rate * method.rate_factor(*place) for place in at]
+    assert factors == pytest.approx([0.0, 2.5e-4, 5e-4, 2.5e-5], rel=1e-3)
 
 
 def test_losses_of_geometry_are_added_with_their_weights(method: NRHints) -> None:

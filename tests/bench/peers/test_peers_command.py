@@ -18,6 +18,7 @@ from rna_bench.peers.known_geometry import KnownGeometry
 from rna_bench.peers.lambert_sphere import sphere_views
 from rna_bench.peers.method import Budget
 from rna_bench.peers.methods import METHODS, Setting
+from rna_bench.peers.nrhints import nrhints
 from rna_bench.peers.nrhints.nrhints_known import KnownNRHints
 from rna_bench.peers.views import Views
 from rna_sdk.errors import TrainingError
@@ -44,7 +45,10 @@ def test_known_geometry_is_that_of_the_package(toy_views: Views) -> None:
     assert set(np.unique(found.visible)) == {0.0, 1.0} and found.visible[facing < -0.5].max() == 0
 
 
-def test_a_network_on_known_geometry_learns_a_colour(toy_views: Views, tmp_path: Path) -> None:
+def test_a_network_on_known_geometry_learns_a_colour(
+    toy_views: Views, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(nrhints, "WARM_UP", 10)
     rgba = np.ones_like(toy_views.rgba) * np.float32([0.6, 0.2, 0.1, 1.0])
     views = replace(toy_views, rgba=rgba)
     torch.manual_seed(0)

@@ -67,7 +67,7 @@ class ReflectanceField(LearnedMethod):
         batch = self.sampling.batch
         super().__init__(_Model(is_fur), batch, RATE, setting.seed, setting.device)
 
-    def rate_factor(self, progress: float) -> float:
+    def rate_factor(self, progress: float, steps: int) -> float:
         """Exponential, to `LAST_RATE`."""
         return float(LAST_RATE**progress)
 

@@ -26,13 +26,13 @@ from rna_bench.peers.nrhints.hints import highlights, visibilities
 from rna_bench.peers.nrhints.networks import ColourNetwork, DistanceNetwork
 
 STEPS, BATCH, RATE = 1_000_000, 512, 5e-4
-WARM_UP, ANNEALED = 5_000 / STEPS, 50_000 / STEPS
-"""Shares of the training in which the rate grows, and in which back faces lose their weight."""
-
-SLOW_WARM_UP = 0.3
-"""The share for trainings of some thousand steps: the features of the initial sphere are all alike,
-and a rate that is whole after a few steps drives the colour network into a constant.
+WARM_UP = 5_000
+"""Steps in which the rate grows, in short trainings as well: the features of the initial sphere are
+all alike, and a rate that is whole after some hundred steps drives the colour network into black.
 """
+
+ANNEALED = 50_000 / STEPS
+"""Share of the training in which back faces lose their weight."""
 
 _LEAST_RATE = 0.05
 _EIKONAL = 0.1
@@ -105,12 +105,11 @@ class NRHints(LearnedMethod):
         torch.manual_seed(setting.seed)
         self.sampling = FULL if setting.full else REDUCED
         self.geometry = geometry
-        self.warm_up = WARM_UP if setting.full else SLOW_WARM_UP
         super().__init__(_Model(), self.sampling.batch, RATE, setting.seed, setting.device)
 
-    def rate_factor(self, progress: float) -> float:
+    def rate_factor(self, progress: float, steps: int) -> float:
         """See `scheduled`."""
-        return scheduled(progress, self.warm_up)
+        return scheduled(progress, steps)
 
     def loss(self, targets: Targets, progress: float) -> Tensor:
         """L1 over white, as in the authors' synthetic scenes, and eikonal; then of geometry."""
@@ -201,12 +200,10 @@ class NRHints(LearnedMethod):
         return torch.rand(shape, generator=self.generator).to(self.device)
 
 
-def scheduled(progress: float, warm_up: float) -> float:
-    """Of the rate: linear to 1 in a share of the training, then a cosine."""
-    if progress < warm_up:
-        return progress / warm_up
-    left = (progress - warm_up) / (1.0 - warm_up)
-    return _LEAST_RATE + (1.0 - _LEAST_RATE) * 0.5 * (1.0 + math.cos(math.pi * left))
+def scheduled(progress: float, steps: int) -> float:
+    """Of the rate: a cosine over the training, times a line to 1 over the first steps."""
+    cosine = 0.5 * (1.0 + math.cos(math.pi * progress))
+    return min(1.0, steps / WARM_UP) * (_LEAST_RATE + (1.0 - _LEAST_RATE) * cosine)
 
 
 def _of_samples(rows: Tensor, count: int) -> Tensor:

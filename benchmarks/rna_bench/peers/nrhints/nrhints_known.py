@@ -15,7 +15,7 @@ from rna_bench.peers.known_method import KnownMethod, Points
 from rna_bench.peers.methods import Setting
 from rna_bench.peers.nrhints.hints import highlights
 from rna_bench.peers.nrhints.networks import ColourNetwork, DistanceNetwork
-from rna_bench.peers.nrhints.nrhints import BATCH, RATE, SLOW_WARM_UP, WARM_UP, scheduled
+from rna_bench.peers.nrhints.nrhints import BATCH, RATE, scheduled
 
 
 class _Model(nn.Module):
@@ -32,11 +32,10 @@ class KnownNRHints(KnownMethod):
     def __init__(self, setting: Setting):
         torch.manual_seed(setting.seed)
         super().__init__("nrhints-known", setting, _Model(), BATCH, RATE)
-        self.warm_up = WARM_UP if setting.full else SLOW_WARM_UP
 
-    def rate_factor(self, progress: float) -> float:
+    def rate_factor(self, progress: float, steps: int) -> float:
         """As NRHints'."""
-        return scheduled(progress, self.warm_up)
+        return scheduled(progress, steps)
 
     def shaded(self, at: Points) -> Tensor:
         """As `KnownMethod.shaded`."""
