@@ -116,6 +116,8 @@ def test_a_number_that_makes_no_sense(
         ["a.blend", "--out", "x", "--domain", "hemisphere", "--poses", "1,2"],
         ["a.blend", "--out", "x", "--poses", "1-12"],
         ["a.blend", "--out", "x", "--poses", "2,2"],
+        ["--estimate"],
+        ["a.blend", "--out", "x", "--estimate"],
     ],
 )
 def test_wrong_usage_exits_with_2(arguments: list[str], capsys) -> None:

@@ -111,7 +111,9 @@ def test_a_dataset_of_fibers(tmp_path: Path, blender_python: Path) -> None:
     source = Source(write_scene(tmp_path, "fur", FUR))
     settings = {"lights": 3, "rays": 300, "validation_views": 1, "validation_resolution": 24}
     workers = CaptureWorkers(blender_python, tmp_path / "scratch", 1)
-    dataset = begin(source, settings, tmp_path / "fur.rays", workers, None, lambda _: None)
+    said: list[str] = []
+    dataset = begin(source, settings, tmp_path / "fur.rays", workers, None, said.append)
+    assert any("\ngain: " in line and "a path of Cycles takes" in line for line in said)
     finish(dataset, source, workers)
     dataset = dataset.only
     usual = CaptureSettings.usual("fiber")

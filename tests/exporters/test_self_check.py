@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from rna_export.capture import capture_run as run
 from rna_export.capture.blender_process.blender_worker import RenderedRays, Source
 from rna_export.capture.check.disagreement import ELSEWHERE, EXTRA, MISSING, TURNED
 from rna_export.capture.check.self_check import PICTURE, SelfCheck, picture_side
+from rna_export.capture.opened_source import refuse_nothing
 from rna_export.capture.rays.asset_scene import AssetScene
 from rna_export.capture.rays.traced_rays import TracedRays
 from rna_export.capture.rays.view_rays import ViewRays, sample_view_rays
@@ -193,7 +193,7 @@ def test_nothing_kept_is_an_error_of_one_line() -> None:
     check = checked(AssetScene([BALL]), AssetScene([moved(sphere(2), (100.0, 0.0, 0.0))]))
     assert not check.kept
     with pytest.raises(CaptureError, match=r"^ball.gltf: none of 1,024 view rays can be kept: "):
-        run._refuse_nothing(check, Source(Path("ball.gltf")))
+        refuse_nothing(check, Source(Path("ball.gltf")))
 
 
 def test_rna_make_keeps_the_picture_beside_the_package(tmp_path: Path) -> None:

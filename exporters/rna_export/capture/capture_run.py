@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
@@ -18,26 +17,23 @@ import rna_sdk
 from rna_export.capture.blender_process import blender_env
 from rna_export.capture.blender_process.blender_worker import BlenderWorker, Source
 from rna_export.capture.blender_process.capture_worker import CaptureJob, CaptureWorker, opened
-from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.capture_tasks import Task, TrainingShard, all_tasks
-from rna_export.capture.check.self_check import PICTURE, WORTH_A_NOTE, SelfCheck, picture_side
+from rna_export.capture.check.self_check import PICTURE, WORTH_A_NOTE, SelfCheck
 from rna_export.capture.dataset.collect import Collector
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_manifest import CaptureManifest
+from rna_export.capture.estimate.gain import table_of, told
+from rna_export.capture.estimate.pilot import LIGHTS, Pilot
 from rna_export.capture.geometry.captured_poses import captured_poses
-from rna_export.capture.geometry.exported_parts import ExportedParts, exported_parts
+from rna_export.capture.opened_source import OpenedSource
 from rna_export.capture.rays.asset_scene import AssetScene
 from rna_export.capture.rays.capture_directions import light_direction
-from rna_export.capture.rays.traced_rays import TracedRays
-from rna_export.capture.rays.view_check import check_seen
-from rna_export.capture.rays.view_rays import sample_view_rays
-from rna_export.capture.scene_domain import scene_domain
 from rna_export.capture.time_plan import LEAST_LIGHTS, TimeLimit, planned, shrunk
 from rna_render.scene import SceneFile
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.cpu import processor_key
 from rna_sdk.errors import CaptureError
-from rna_sdk.package import Curves, Domain, Mesh
+from rna_sdk.package import Curves, Mesh
 from rna_sdk.package.manifest.manifest_fields import Region
 from rna_sdk.runtime import in_region
 from rna_work.backend import Backend
@@ -86,6 +82,28 @@ class CaptureWorkers:
         return self.executor.workers(Needs("threads", resource=_RESOURCE), self.count)
 
 
+def measured_pilot(
+    source: Source,
+    given: dict[str, Any],
+    workers: CaptureWorkers,
+    say: Callable[[str], None],
+    for_scene: SceneFile | None = None,
+    lights: int = LIGHTS,
+) -> Pilot:
+    """Open the source and measure as `begin` does, but write nothing.
+
+    say: told what the source is made of, and what `begin` would note. lights: of the pilot.
+    """
+    with workers.probe(source) as worker:
+        opened = OpenedSource.of(worker, given, source.path.stem, for_scene)
+        check, speed = opened.checked(opened.scene)
+        say(parts_lines(source.path.stem, opened.exported.geometries).rstrip())
+        note = check.note()
+        for line in (*opened.exported.notes, *([] if note is None else [note])):
+            say(f"note: {line}")
+        return opened.pilot(speed, lights)
+
+
 def begin(
     source: Source,
     given: dict[str, Any],
@@ -94,36 +112,35 @@ def begin(
     limit: TimeLimit | None,
     say: Callable[[str], None],
     for_scene: SceneFile | None = None,
+    say_gain: Callable[[str], None] | None = None,
 ) -> Dataset:
     """Open the source once: export the geometry, measure the speed, fix and write the plan.
 
     `given`: settings, by name, that are not to be the usual ones of the asset's kind. `limit`
     replaces the number of lights by as many as fit, and may make the validation images smaller.
-    `for_scene` limits views and lights to its own.
+    `for_scene` limits views and lights to its own. `say_gain`: told what the asset is expected to
+    gain in scenes; None for `say`.
     """
     start = monotonic()
     with workers.probe(source) as worker:
         opening = monotonic() - start
-        settings = CaptureSettings.usual(worker.kind, **given)
-        exported = exported_parts(worker, settings)
+        asset = OpenedSource.of(worker, given, out.stem, for_scene)
+        settings, exported = asset.settings, asset.exported
         geometries = exported.geometries
         shape = tuple(geometries.values()), settings.sharpest
         materials = exported.transmittances(), exported.normal_maps()
-        scene = AssetScene(*shape, *materials)
-        limited = None if for_scene is None else scene_domain(for_scene, out.stem, scene)
-        domain = limited or Domain(wo=settings.domain, wi=settings.domain)
-        exported.notes += check_seen(source.path, scene, geometries, domain.wo)
         opened = worker.opened
         others = [frame for frame in settings.poses if frame != opened["frame"]]
         poses = dict(captured_poses(worker, geometries, exported.sources, others))
         worker.show_frame(opened["frame"])
-        check, rate = _checked(scene, settings, domain, worker, exported)
-        rate *= workers.backend().width()
+        check, speed = asset.checked(asset.scene)
+        rate = speed.rate * workers.backend().width()
+        (say_gain or say)(told(asset.pilot(speed), table_of()))
         checks = {"": check}
         for frame, positions in poses.items():
             worker.show_frame(frame)
             posed = AssetScene(*shape, *materials, list(positions.values()))
-            checks[f"frame {frame}: "], _ = _checked(posed, settings, domain, worker, exported)
+            checks[f"frame {frame}: "], _ = asset.checked(posed)
     if limit is not None:
         usual, settings = settings, planned(settings, limit, opening, rate, given)
         if note := shrunk(usual, settings):
@@ -143,7 +160,7 @@ def begin(
         emitters=tuple(opened["emitters"]),
         notes=(*opened["notes"], *exported.notes, *_found(checks, out)),
         processors=(processor_key(),),
-        scene_domain=limited,
+        scene_domain=asset.limited,
     )
     for note in manifest.notes:
         say(f"note: {note}")
@@ -243,62 +260,6 @@ class _TaskClock:
             return False
         first = task.index * self.dataset.manifest.settings.lights_per_shard
         return first >= LEAST_LIGHTS and self.limit.left() < self.took / 2.0
-
-
-def _checked(
-    scene: AssetScene,
-    settings: CaptureSettings,
-    domain: Domain,
-    worker: BlenderWorker,
-    exported: ExportedParts,
-) -> tuple[SelfCheck, float]:
-    """The comparison with Cycles of what the worker shows, and its paths a second."""
-    check = SelfCheck(
-        scene,
-        settings.samples,
-        normals=not exported.has_learnt_relief,
-        side=picture_side(settings.rays),
-    )
-    rate = _paths_a_second(check, settings, domain, worker, exported.has_opaque_cutouts)
-    _refuse_nothing(check, worker.source)
-    check.render_card(worker)
-    check.render_picture(worker, worker.source.path.name)
-    return check, rate
-
-
-def _paths_a_second(
-    check: SelfCheck,
-    settings: CaptureSettings,
-    domain: Domain,
-    worker: BlenderWorker,
-    opaque_cutouts: bool,
-) -> float:
-    """The mean of three renders as the capture will do them, after one that only warms up.
-
-    All of them are checked.
-    """
-    seconds = []
-    for k in range(4):
-        wi = light_direction(k, settings.seed, domain.wi)
-        if k == 0:
-            check.render_chords(worker, wi, settings.rays, domain.wo, k)
-            continue
-        start = time.perf_counter()
-        rng = np.random.default_rng(k)
-        rays = sample_view_rays(check.scene, wi, settings.rays, domain.wo, rng)
-        traced = TracedRays.of(
-            check.scene, worker, rays, wi, settings.samples, k, rng, opaque_cutouts, check.normals
-        )
-        seconds.append(time.perf_counter() - start)
-        check.add(traced)
-    return settings.rays * settings.samples / float(np.mean(seconds))
-
-
-def _refuse_nothing(check: SelfCheck, source: Source) -> None:
-    """Raise CaptureError if no ray would make a sample."""
-    if not check.kept:
-        why = check.note() or "Cycles met nothing at their points"
-        raise CaptureError(f"{source.path}: none of {check.rays:,} view rays can be kept: {why}")
 
 
 def _found(checks: Mapping[str, SelfCheck], out: Path) -> list[str]:

@@ -6,6 +6,7 @@ import argparse
 import hashlib
 import math
 import sys
+import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -71,6 +72,12 @@ def parser() -> argparse.ArgumentParser:
         type=Path,
         metavar="FOLDER",
         help="dataset to write or resume (path, no default: required with a source)",
+    )
+    p.add_argument(
+        "--estimate",
+        action="store_true",
+        help="say how much faster than Cycles the asset will be in scenes, then exit; takes no "
+        "--out (default: off)",
     )
     p.add_argument(
         "--setup-blender",
@@ -154,8 +161,10 @@ def main(argv: list[str] | None = None) -> int:
     args = options.parse_args(joined_axes(own))
     if args.source is not None and source_help.is_asked(arguments):
         return run_command(lambda: source_help.show(args.source), args.debug, _GO_ON, "capture")
-    if not args.setup_blender and (args.source is None or args.out is None):
-        options.error("a source and --out are required (or --setup-blender)")
+    if args.estimate and (args.source is None or args.out is not None):
+        options.error("--estimate takes a source and writes nothing: give no --out")
+    if not (args.setup_blender or args.estimate) and (args.source is None or args.out is None):
+        options.error("a source and --out are required (or --estimate, or --setup-blender)")
     if args.minutes is not None and args.lights is not None:
         options.error("--minutes sets --lights: give only one of them")
     for name in ("minutes", "workers"):
@@ -194,6 +203,9 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
         print(f"Blender {blender_env.BPY_VERSION} is ready: {blender_env.set_up()}")
         return
     check_source(args.source)
+    if args.estimate:
+        _estimate(args, arguments)
+        return
     from rna_export.capture.blender_process.blender_worker import Source
     from rna_export.capture.capture_run import CaptureWorkers, begin, finish
     from rna_export.capture.time_plan import TimeLimit
@@ -223,6 +235,22 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
         finish(dataset, source, workers, limit)
     train = "rna-train", args.out, "--preset", "small", "--out", Path("runs", args.source.stem)
     print(f"wrote {args.out}\nnext: {command_line(*train)}")
+
+
+def _estimate(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
+    """Print what the source is made of and is expected to gain."""
+    from rna_export.capture.blender_process.blender_worker import Source
+    from rna_export.capture.capture_run import CaptureWorkers, measured_pilot
+    from rna_export.capture.estimate.gain import table_of, told
+    from rna_render.scene import read_scene
+
+    given = given_settings(args)
+    for_scene = None if args.for_scene is None else read_scene(args.for_scene)
+    source = Source.captured(args.source, arguments, CaptureSettings(**given))
+    python = blender_env.find_python()
+    with tempfile.TemporaryDirectory(prefix="rna-capture-") as scratch:
+        workers = CaptureWorkers(python, Path(scratch), args.workers)
+        print(told(measured_pilot(source, given, workers, print, for_scene), table_of()))
 
 
 def check_source(source: Path) -> None:

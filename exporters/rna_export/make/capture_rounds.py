@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from rna_export.capture.capture_run import begin, finish
@@ -17,10 +17,10 @@ from rna_export.make.state import Round
 _SHARD = 16  # lights, where rounds grow; a worker begins anew after 12 shards
 
 
-def open_rays(options: MakeOptions, begun: float) -> Dataset:
+def open_rays(options: MakeOptions, begun: float, say_gain: Callable[[str], None]) -> Dataset:
     """A dataset without rays, planned with as many lights as are usual, or fit into the minutes.
 
-    begun: when those began, of `time.monotonic`.
+    begun: when those began, of `time.monotonic`. say_gain: told what the asset is expected to gain.
     """
     limit = None if options.minutes is None else TimeLimit(options.minutes, begun, CAPTURE)
     small = {} if options.fixes_lights else {"lights_per_shard": _SHARD}
@@ -33,6 +33,7 @@ def open_rays(options: MakeOptions, begun: float) -> Dataset:
         limit,
         _quiet,
         options.for_scene,
+        say_gain,
     )
 
 

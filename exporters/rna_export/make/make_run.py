@@ -102,7 +102,7 @@ class Make:
         )
         shutil.rmtree(rays_folder(options), ignore_errors=True)  # of a start that was not finished
         options.work.mkdir(parents=True, exist_ok=True)
-        dataset = open_rays(options, self._begun)
+        dataset = open_rays(options, self._begun, say)
         state = State(asked=settings, lights=dataset.manifest.settings.lights)
         state.seconds = monotonic() - self._begun
         state.save(options.work)

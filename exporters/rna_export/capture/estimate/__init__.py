@@ -1,0 +1,1 @@
+"""What an asset will gain in scenes, told before its capture starts."""

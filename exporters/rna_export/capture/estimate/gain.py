@@ -1,0 +1,110 @@
+"""The speed over Cycles that a pilot lets expect, by assets whose speed was measured.
+
+At equal error the speedup is (time of a path x its variance) / (time of a sample of ours x its
+variance). A path's variance is that of its walk inside the asset and that of where in the pixel it
+starts; ours has the latter alone. The times keep nearly the same ratio: what makes a path dear,
+strands above all, makes our rays dear. So the speedup is the pilot's noise ratio times a constant.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from pydantic import BaseModel, ConfigDict
+
+from rna_export.capture.estimate.pilot import Pilot
+from rna_export.capture.estimate.query_cost import PRESET
+
+SAMPLES = 16  # of ours, at which speeds were measured
+TABLE = Path(__file__).with_name("measured_assets.json")
+"""The measured assets, written by `rna-bench gain`."""
+
+_WORTH = 1.25  # times as fast, from which a gain is promised
+
+
+class MeasuredAsset(BaseModel):
+    """An asset in scenes against Cycles.
+
+    scenes: name -> times as fast at equal error with SAMPLES samples, of `rna-bench scenes`.
+    """
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    pilot: Pilot
+    scenes: dict[str, float]
+
+    @property
+    def times(self) -> float:
+        """Geometric mean over the scenes."""
+        return float(np.exp(np.mean(np.log(list(self.scenes.values())))))
+
+
+@dataclass(frozen=True)
+class Gain:
+    """Times as fast as Cycles in scenes; low, high: by the largest error of a left-out asset.
+
+    extrapolated: whether the pilot's noise ratio lies beyond those of the measured assets.
+    """
+
+    times: float
+    low: float
+    high: float
+    extrapolated: bool
+
+
+def table_of(path: Path = TABLE) -> dict[str, MeasuredAsset]:
+    """The assets of a table by name."""
+    rows = json.loads(path.read_text())["assets"]
+    return {
+        name: MeasuredAsset(pilot=row["pilot"], scenes=row["scenes"]) for name, row in rows.items()
+    }
+
+
+def predicted(pilot: Pilot, assets: Sequence[MeasuredAsset]) -> float:
+    """Times as fast as Cycles: as the assets have it for each unit of the noise ratio."""
+    gains = np.log([asset.times / asset.pilot.noise_ratio for asset in assets])
+    return float(np.exp(np.mean(gains)) * pilot.noise_ratio)
+
+
+def left_out(assets: dict[str, MeasuredAsset]) -> dict[str, float]:
+    """For each asset, what the others let expect over what was measured."""
+    return {
+        name: predicted(one.pilot, [other for other in assets.values() if other is not one])
+        / one.times
+        for name, one in assets.items()
+    }
+
+
+def gain(pilot: Pilot, assets: dict[str, MeasuredAsset]) -> Gain:
+    """What the assets let expect of a pilot."""
+    times = predicted(pilot, list(assets.values()))
+    factor = float(np.exp(max(abs(np.log(off)) for off in left_out(assets).values())))
+    ratios = [asset.pilot.noise_ratio for asset in assets.values()]
+    is_among = min(ratios) <= pilot.noise_ratio <= max(ratios)
+    return Gain(times, times / factor, times * factor, not is_among)
+
+
+def told(pilot: Pilot, assets: dict[str, MeasuredAsset]) -> str:
+    """What a path costs in Cycles and a query here, and the gain: two lines."""
+    cost = (
+        f"a path of Cycles takes {pilot.path_us:.2g} us, and its variance is "
+        f"{pilot.noise_ratio:.2g} times that of its pixel; here a query of {PRESET} takes "
+        f"{pilot.query_us:.2g} us and its ray {pilot.ray_us:.2g} us (processor time)"
+    )
+    return f"{cost}\ngain: {_in_words(gain(pilot, assets))}"
+
+
+def _in_words(found: Gain) -> str:
+    by = f"in scenes at {SAMPLES} samples"
+    reach = f"{found.low:.2g} to {found.high:.2g}"
+    if found.times < _WORTH:
+        return (
+            f"none: about {found.times:.2g} times as fast as Cycles {by} ({reach}), since its "
+            "paths have little noise; reasons to go on are portability and one look in all readers"
+        )
+    beyond = ", extrapolated: no measured asset is so noisy" if found.extrapolated else ""
+    return f"about {found.times:.2g} times as fast as Cycles {by} ({reach}){beyond}"

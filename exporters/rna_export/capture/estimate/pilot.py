@@ -1,0 +1,137 @@
+"""A pilot: small renders that tell how noisy a path of Cycles is, and what rays cost here."""
+
+from __future__ import annotations
+
+import numpy as np
+from pydantic import BaseModel, ConfigDict, Field
+
+from rna_export.capture.blender_process.blender_worker import BlenderWorker
+from rna_export.capture.capture_settings import CaptureSettings
+from rna_export.capture.estimate.query_cost import query_seconds, thread_seconds
+from rna_export.capture.rays.asset_scene import AssetScene
+from rna_export.capture.rays.capture_directions import frame, light_direction
+from rna_export.capture.rays.traced_rays import TracedRays
+from rna_export.capture.rays.view_rays import ViewRays, outside_rays
+from rna_sdk.kernel_threads import kernel_threads, limit_kernel_threads
+from rna_sdk.package import Domain
+from rna_sdk.package.manifest.manifest_fields import Region
+
+LIGHTS = 8
+"""Renders of a pilot, three times: the noise ratio then repeats within about 15%."""
+
+_RAYS = 1024  # of a render
+_TRIES = 8  # at rays that hit
+_PIXELS = 100  # along the asset's diameter
+_LUMINANCE = np.array([0.2126, 0.7152, 0.0722], np.float32)  # Rec. 709
+_SHOWN, _QUANTILE = 0.8, 0.95
+"""Exposure: the luminance that the quantile gets, as in `rna-bench scenes`."""
+
+
+class Pilot(BaseModel):
+    """What was measured of a source, on one thread."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    path_us: float = Field(gt=0, description="processor time of a path in Cycles, us")
+    path_variance: float = Field(ge=0, description="of the luminance of a path along a fixed ray")
+    pixel_variance: float = Field(ge=0, description="of the luminance within a pixel, noise-free")
+    ray_us: float = Field(gt=0, description="processor time of a shadow ray in Embree, us")
+    query_us: float = Field(gt=0, description="processor time of a query of `small`, us")
+
+    @property
+    def noise_ratio(self) -> float:
+        """Variance of a path through a pixel, over what remains of it if T is known."""
+        return 1.0 + self.path_variance / max(self.pixel_variance, 1e-9)
+
+
+def measure_pilot(
+    scene: AssetScene,
+    worker: BlenderWorker,
+    settings: CaptureSettings,
+    domain: Domain,
+    cutouts: bool,
+    path_seconds: float,
+    lights: int = LIGHTS,
+) -> Pilot:
+    """Render rays under several suns, twice and once more from within their pixels.
+
+    cutouts: whether rays are kept where Cycles' alpha is below 1. path_seconds: processor time of a
+    path, as the capture traces them. lights: suns, each with other rays.
+    """
+    samples, layers = settings.samples, np.random.default_rng
+    count = min(_RAYS, settings.rays)
+    rng, answers = np.random.default_rng(settings.seed), []
+    for k in range(lights):
+        wi = light_direction(k, settings.seed, domain.wi)
+        rays = _hitting(scene, count, domain.wo, rng)
+        near = _moved(rays, 2.0 * scene.radius / _PIXELS, rng)
+        answers.append(
+            [
+                # The same layers of what lets light through are met in each turn.
+                _luminance(
+                    TracedRays.of(scene, worker, one, wi, samples, 3 * k + turn, layers(k), cutouts)
+                )
+                for turn, one in enumerate([rays, rays, near])
+            ]
+        )
+    path, pixel = variances(np.concatenate(answers, axis=1), samples)
+    kind = "fiber" if worker.kind == "fiber" else "surface"
+    return Pilot(
+        path_us=1e6 * path_seconds,
+        path_variance=path,
+        pixel_variance=pixel,
+        ray_us=1e6 * _ray_seconds(scene, rays, wi),
+        query_us=1e6 * query_seconds(kind),
+    )
+
+
+def variances(luminance: np.ndarray, samples: int) -> tuple[float, float]:
+    """Of a path along a fixed ray, and within a pixel, of what rays showed.
+
+    luminance: (3, n) float32, means of `samples` paths: along rays, along them once more with other
+    random numbers, and along others through the same pixels. Exposed and clamped to [0, 1], as the
+    error in scenes is measured: highlights that a screen does not show do not count.
+    """
+    white = float(np.quantile(luminance[:2], _QUANTILE)) or 1.0
+    first, again, near = np.clip(luminance.astype(np.float64) * (_SHOWN / white), 0.0, 1.0)
+    noise = np.mean((first - again) ** 2) / 2.0
+    apart = np.mean((first - near) ** 2 + (again - near) ** 2) / 4.0
+    return samples * float(noise), max(float(apart - noise), 0.0)
+
+
+def _luminance(traced: TracedRays) -> np.ndarray:
+    """(n,) float32, of what a pixel shows of points; black where there is no sample."""
+    return np.where(traced.kept, traced.rendered.radiance @ _LUMINANCE, np.float32(0.0))
+
+
+def _hitting(scene: AssetScene, count: int, wo: Region, rng: np.random.Generator) -> ViewRays:
+    """Rays from outside that hit the asset, `count` of them if they are found."""
+    origins, directions, found = [], [], 0
+    for _ in range(_TRIES):
+        rays = outside_rays(scene, 4 * count, wo, rng)
+        hit = np.flatnonzero(scene.part_hit(rays.origins, rays.directions) >= 0)
+        origins.append(rays.origins[hit])
+        directions.append(rays.directions[hit])
+        found += len(hit)
+        if found >= count:
+            break
+    return ViewRays(np.concatenate(origins)[:count], np.concatenate(directions)[:count])
+
+
+def _moved(rays: ViewRays, width: float, rng: np.random.Generator) -> ViewRays:
+    """The rays, moved sideways within pixels of a width, whose middles they are in."""
+    s, t = frame(rays.directions)
+    x, y = width * (rng.random((2, len(rays), 1)) - 0.5)
+    return ViewRays((rays.origins + x * s + y * t).astype(np.float32), rays.directions)
+
+
+def _ray_seconds(scene: AssetScene, rays: ViewRays, wi: np.ndarray) -> float:
+    """Processor time of a shadow ray from where the rays hit, on one thread."""
+    points = scene.shade_points(rays.origins, rays.directions)
+    towards = np.ascontiguousarray(np.broadcast_to(wi.astype(np.float32), points.position.shape))
+    threads = kernel_threads()
+    limit_kernel_threads(1)
+    try:
+        return thread_seconds(lambda: scene.visible(points, towards)) / len(rays)
+    finally:
+        limit_kernel_threads(threads)

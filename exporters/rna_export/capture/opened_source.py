@@ -1,0 +1,128 @@
+"""A source that Blender has open, before its capture: its geometry, checked, and its speed."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from rna_export.capture.blender_process.blender_worker import BlenderWorker, Source
+from rna_export.capture.capture_settings import CaptureSettings
+from rna_export.capture.check.self_check import SelfCheck, picture_side
+from rna_export.capture.estimate.pilot import LIGHTS, Pilot, measure_pilot
+from rna_export.capture.geometry.exported_parts import ExportedParts, exported_parts
+from rna_export.capture.rays.asset_scene import AssetScene
+from rna_export.capture.rays.capture_directions import light_direction
+from rna_export.capture.rays.traced_rays import TracedRays
+from rna_export.capture.rays.view_check import check_seen
+from rna_export.capture.rays.view_rays import sample_view_rays
+from rna_export.capture.scene_domain import scene_domain
+from rna_render.scene import SceneFile
+from rna_sdk.errors import CaptureError
+from rna_sdk.package import Domain
+
+
+@dataclass(frozen=True)
+class Speed:
+    """Of one worker: paths a second, and processor time of a path, s."""
+
+    rate: float
+    path_seconds: float
+
+
+@dataclass(frozen=True)
+class OpenedSource:
+    """A source that a probe has open, and how it is captured.
+
+    worker: the probe. limited: directions that a scene uses; None for all of the settings' domain.
+    """
+
+    worker: BlenderWorker
+    settings: CaptureSettings
+    exported: ExportedParts
+    scene: AssetScene
+    limited: Domain | None
+
+    @classmethod
+    def of(
+        cls, worker: BlenderWorker, given: dict[str, Any], name: str, for_scene: SceneFile | None
+    ) -> OpenedSource:
+        """Export the geometry. name: of the asset in the scene."""
+        settings = CaptureSettings.usual(worker.kind, **given)
+        exported = exported_parts(worker, settings)
+        geometries = exported.geometries
+        materials = exported.transmittances(), exported.normal_maps()
+        scene = AssetScene(tuple(geometries.values()), settings.sharpest, *materials)
+        limited = None if for_scene is None else scene_domain(for_scene, name, scene)
+        opened = cls(worker, settings, exported, scene, limited)
+        seen = check_seen(worker.source.path, scene, geometries, opened.domain.wo)
+        exported.notes += seen
+        return opened
+
+    @property
+    def domain(self) -> Domain:
+        """Directions of views and lights."""
+        return self.limited or Domain(wo=self.settings.domain, wi=self.settings.domain)
+
+    def checked(self, scene: AssetScene) -> tuple[SelfCheck, Speed]:
+        """The comparison with Cycles of what the worker shows, and how fast Cycles is."""
+        check = SelfCheck(
+            scene,
+            self.settings.samples,
+            normals=not self.exported.has_learnt_relief,
+            side=picture_side(self.settings.rays),
+        )
+        cutouts = self.exported.has_opaque_cutouts
+        speed = _speed(check, self.settings, self.domain, self.worker, cutouts)
+        refuse_nothing(check, self.worker.source)
+        check.render_card(self.worker)
+        check.render_picture(self.worker, self.worker.source.path.name)
+        return check, speed
+
+    def pilot(self, speed: Speed, lights: int = LIGHTS) -> Pilot:
+        """How noisy paths are, and what rays cost here; lights: of `measure_pilot`."""
+        cutouts, path_seconds = self.exported.has_opaque_cutouts, speed.path_seconds
+        return measure_pilot(
+            self.scene, self.worker, self.settings, self.domain, cutouts, path_seconds, lights
+        )
+
+
+def _speed(
+    check: SelfCheck,
+    settings: CaptureSettings,
+    domain: Domain,
+    worker: BlenderWorker,
+    opaque_cutouts: bool,
+) -> Speed:
+    """The mean of three renders as the capture will do them, after one that only warms up.
+
+    All of them are checked.
+    """
+    seconds, spent = [], []
+    for k in range(4):
+        wi = light_direction(k, settings.seed, domain.wi)
+        if k == 0:
+            check.render_chords(worker, wi, settings.rays, domain.wo, k)
+            continue
+        start, before = time.perf_counter(), worker.processor_seconds()
+        rng = np.random.default_rng(k)
+        rays = sample_view_rays(check.scene, wi, settings.rays, domain.wo, rng)
+        traced = TracedRays.of(
+            check.scene, worker, rays, wi, settings.samples, k, rng, opaque_cutouts, check.normals
+        )
+        seconds.append(time.perf_counter() - start)
+        after = worker.processor_seconds()
+        known = before is not None and after is not None
+        spent.append(after - before if known else seconds[-1])
+        check.add(traced)
+    paths = settings.rays * settings.samples
+    return Speed(paths / float(np.mean(seconds)), float(np.mean(spent)) / paths)
+
+
+def refuse_nothing(check: SelfCheck, source: Source) -> None:
+    """Raise CaptureError if no ray would make a sample."""
+    if not check.kept:
+        why = check.note() or "Cycles met nothing at their points"
+        raise CaptureError(f"{source.path}: none of {check.rays:,} view rays can be kept: {why}")

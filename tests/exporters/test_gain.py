@@ -1,0 +1,190 @@
+"""What is told of an asset's speed in scenes before its capture: the arithmetic and the words."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rna_bench.checkout import ROOT
+from rna_bench.cli import main as bench
+from rna_bench.scenes.gain_command import speeds
+from rna_export.capture import capture_run
+from rna_export.capture.blender_process import blender_env
+from rna_export.capture.blender_process.blender_worker import RenderedRays
+from rna_export.capture.capture_settings import CaptureSettings
+from rna_export.capture.estimate import gain as gain_module
+from rna_export.capture.estimate.gain import (
+    MeasuredAsset,
+    gain,
+    left_out,
+    predicted,
+    table_of,
+    told,
+)
+from rna_export.capture.estimate.pilot import Pilot, measure_pilot, variances
+from rna_export.capture.rays.asset_scene import AssetScene
+from rna_export.capture.rna_capture import main
+from rna_sdk.package import Domain
+from tests.exporters.meshes import sphere
+
+EVERYWHERE = Domain(wo="sphere", wi="sphere")
+
+
+def pilot(ratio: float) -> Pilot:
+    """One of a noise ratio."""
+    return Pilot(
+        path_us=12.0,
+        path_variance=(ratio - 1.0) * 0.01,
+        pixel_variance=0.01,
+        ray_us=0.3,
+        query_us=0.16,
+    )
+
+
+def asset(ratio: float, *times: float) -> MeasuredAsset:
+    return MeasuredAsset(pilot=pilot(ratio), scenes={str(k): t for k, t in enumerate(times)})
+
+
+HALF = {str(x): asset(x, 0.5 * x * 2, 0.5 * x / 2) for x in (2.0, 5.0, 20.0)}
+"""Exactly half of the noise ratio, as the geometric mean of two scenes."""
+
+
+def test_variances_are_those_of_paths_and_of_pixels() -> None:
+    rng, n, samples = np.random.default_rng(0), 200_000, 16
+    middle = rng.uniform(0.2, 0.4, n)
+    first, again = middle + rng.normal(0.0, 0.08 / np.sqrt(samples), (2, n))
+    near = middle + rng.normal(0.0, 0.03, n) + rng.normal(0.0, 0.08 / np.sqrt(samples), n)
+    shown = np.stack([first, again, near]).astype(np.float32)
+    exposure = 0.8 / np.quantile(shown[:2], 0.95)
+    path, pixel = variances(shown, samples)
+    assert path == pytest.approx((0.08 * exposure) ** 2, rel=0.02)
+    # Of a ray through the middle and one beside it, as each differs from the mean of both.
+    assert pixel == pytest.approx((0.03 * exposure) ** 2 / 2.0, rel=0.02)
+    assert variances(7.0 * shown, samples) == pytest.approx((path, pixel), rel=1e-4)
+
+
+def test_highlights_that_a_screen_does_not_show_are_no_noise() -> None:
+    shown = np.full((3, 1000), 0.5, np.float32)
+    shown[0, ::50], shown[1, ::50], shown[2, ::50] = 60.0, 90.0, 120.0
+    assert variances(shown, 16) == (0.0, 0.0)
+    assert variances(np.zeros((3, 10), np.float32), 16) == (0.0, 0.0)
+
+
+@dataclass
+class NoisyCycles:
+    """Answers rays with a brightness that depends on the hit, and noise of a known variance."""
+
+    scene: AssetScene
+    deviation: float  # of a path
+    kind: str = "surface"
+
+    def render_rays(self, origins, directions, wi, samples, seed, reach=None, normals=False):
+        points = self.scene.shade_points(origins, directions)
+        bright = 0.5 + 0.2 * np.sin(40.0 * points.position[:, :1])
+        noise = np.random.default_rng(seed).normal(0.0, self.deviation, (len(origins), 1))
+        radiance = np.repeat(bright + noise / np.sqrt(samples), 3, axis=1).astype(np.float32)
+        return RenderedRays(radiance, points.hit.astype(np.float32), points.position, None)
+
+
+def test_a_pilot_finds_the_noise_of_what_renders() -> None:
+    scene, settings = AssetScene([sphere(4)]), CaptureSettings(rays=1024)
+
+    def measured(deviation: float) -> Pilot:
+        cycles = NoisyCycles(scene, deviation)
+        return measure_pilot(scene, cycles, settings, EVERYWHERE, False, 12e-6)
+
+    quiet, noisy = measured(0.1), measured(0.2)
+    assert quiet.path_us == pytest.approx(12.0)
+    assert 0.0 < quiet.query_us < 1e3 and 0.0 < quiet.ray_us < 1e3
+    assert noisy.path_variance == pytest.approx(4.0 * quiet.path_variance, rel=0.15)
+    assert noisy.pixel_variance == pytest.approx(quiet.pixel_variance, rel=0.15)
+    # The sine's slope within a pixel, 1/50 of the radius, and the rim.
+    assert 1.0 < quiet.noise_ratio < noisy.noise_ratio
+
+
+def test_a_share_of_the_noise_ratio_is_found_and_left_out_assets_are_told_exactly() -> None:
+    assets = list(HALF.values())
+    assert predicted(pilot(10.0), assets) == pytest.approx(5.0)
+    assert left_out(HALF) == pytest.approx(dict.fromkeys(HALF, 1.0))
+    found = gain(pilot(10.0), HALF)
+    assert (found.low, found.high) == pytest.approx((found.times, found.times))
+    assert not found.extrapolated
+    assert gain(pilot(30.0), HALF).extrapolated and gain(pilot(1.5), HALF).extrapolated
+
+
+def test_the_range_is_the_largest_error_of_a_left_out_asset() -> None:
+    assets = {**HALF, "odd": asset(5.0, 7.5)}
+    worst = max(max(off, 1.0 / off) for off in left_out(assets).values())
+    found = gain(pilot(5.0), assets)
+    assert worst > 2.0
+    assert found.high / found.times == pytest.approx(worst)
+    assert found.times / found.low == pytest.approx(worst)
+
+
+@pytest.mark.parametrize(
+    ("ratio", "words"),
+    [
+        (10.0, "gain: about 5 times as fast as Cycles in scenes at 16 samples (5 to 5)"),
+        (2.0, "gain: none: about 1 times as fast as Cycles in scenes at 16 samples"),
+        (40.0, "extrapolated: no measured asset is so noisy"),
+    ],
+)
+def test_two_lines_are_told(ratio: float, words: str) -> None:
+    cost, of_gain = told(pilot(ratio), HALF).split("\n")
+    assert cost == (
+        f"a path of Cycles takes 12 us, and its variance is {ratio:.2g} times that of its pixel; "
+        "here a query of small takes 0.16 us and its ray 0.3 us (processor time)"
+    )
+    assert words in of_gain
+    assert ("portability" in of_gain) == (ratio == 2.0)
+
+
+def test_the_table_has_the_measured_speeds_and_an_error_below_3() -> None:
+    """After new results of `rna-bench scenes`: `rna-bench gain NAME --scenes RESULT`."""
+    assets = table_of()
+    for name, one in assets.items():
+        assert one.scenes == speeds(ROOT / "benchmarks" / "results" / f"scenes-{name}.json"), name
+    assert {"toy", "head", "helmet", "curls", "blonde"} <= set(assets)
+    assert max(max(off, 1.0 / off) for off in left_out(assets).values()) < 3.0
+
+
+@pytest.fixture
+def known(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A source whose pilot needs no Blender."""
+    monkeypatch.setattr(blender_env, "find_python", lambda: Path("python"))
+    monkeypatch.setattr(capture_run, "measured_pilot", lambda *_, **__: pilot(10.0))
+
+
+def test_estimate_prints_and_writes_nothing(
+    known: None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(gain_module, "table_of", lambda: HALF)
+    (tmp_path / "ball.py").write_text("pass")
+    assert main(["ball.py", "--estimate"]) == 0
+    assert capsys.readouterr().out == f"{told(pilot(10.0), HALF)}\n"
+    assert [path.name for path in tmp_path.iterdir()] == ["ball.py"]
+
+
+def test_rna_bench_gain_keeps_a_pilot_for_new_speeds(known: None, tmp_path: Path, capsys) -> None:
+    table, result = tmp_path / "table.json", tmp_path / "scenes.json"
+    rows = [{"samples": 16, "equal_error": {"times_as_fast": 4.0}}, {"samples": 64}]
+    result.write_text(
+        json.dumps({"scenes": {key: {"ours": rows} for key in ["forest", "studio", "lamp"]}})
+    )
+    new = ["--scenes", str(result), "--table", str(table)]
+    assert bench(["gain", "toy", *new]) == 1  # no pilot of it yet
+    assert "found no asset toy" in capsys.readouterr().err
+    assert bench(["gain", "toy", "toy.py", *new]) == 0
+    assert table_of(table)["toy"].times == pytest.approx(4.0)
+    result.write_text(result.read_text().replace("4.0", "5.0"))
+    assert bench(["gain", "toy", *new]) == 0
+    assert table_of(table)["toy"].times == pytest.approx(5.0)
+    assert table_of(table)["toy"].pilot == pilot(10.0)
+    result.write_text(json.dumps({"scenes": {"forest": {"ours": rows}}}))
+    assert bench(["gain", "toy", *new]) == 1
+    assert "found no scene studio, lamp" in capsys.readouterr().err
