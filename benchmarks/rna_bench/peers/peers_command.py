@@ -17,7 +17,7 @@ from rna_bench.peers.methods import METHODS, Setting
 from rna_sdk.errors import SceneError
 
 SPHERE = "sphere"
-_SPHERE_VIEWS, _SPHERE_SIZE = 60, 64
+_SPHERE_VIEWS, _SPHERE_SIZE = 500, 64
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
