@@ -35,7 +35,7 @@ class Command:
 GROUPS: dict[str, tuple[Command, ...]] = {
     "an asset": (
         Command("scenes", "scenes.scenes_command", resumes=True),
-        Command("gain", "scenes.gain_command"),
+        Command("gain", "accuracy.gain_command"),
         Command("frontier", "frontier.frontier_command", resumes=True),
         Command("stability", "stability.stability_command", resumes=True),
         Command("fit", "frontier.fit", resumes=True),

@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from rna_bench.accuracy.gain_command import speeds
 from rna_bench.checkout import ROOT
 from rna_bench.cli import main as bench
-from rna_bench.scenes.gain_command import speeds
 from rna_export.capture import capture_run
 from rna_export.capture.blender_process import blender_env
 from rna_export.capture.blender_process.blender_worker import RenderedRays
