@@ -114,8 +114,7 @@ def _speed(
         )
         seconds.append(time.perf_counter() - start)
         after = worker.processor_seconds()
-        known = before is not None and after is not None
-        spent.append(after - before if known else seconds[-1])
+        spent.append(seconds[-1] if before is None or after is None else after - before)
         check.add(traced)
     paths = settings.rays * settings.samples
     return Speed(paths / float(np.mean(seconds)), float(np.mean(spent)) / paths)
