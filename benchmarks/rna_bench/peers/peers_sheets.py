@@ -75,7 +75,8 @@ def _drawn(
     cells = [(s, k) for s in splits for k in range(min(sheet.views, len(plan.held_out[s].views)))]
     columns = 1 + len(ours) + len(shown)
     chart = figure(2.1 * columns, 0.3 + 4.9 * len(cells))
-    chart.suptitle(f"{sheet.title}; {', then '.join(TITLES[split] for split in splits)}")
+    title = f"{sheet.title}; {', then '.join(TITLES[split] for split in splits)}"
+    chart.suptitle("\n".join(wrap(title, 20 * columns)))
     grid = chart.subplots(2 * len(cells), columns, squeeze=False)
     for pair, (split, k) in enumerate(cells):
         held = plan.held_out[split]
@@ -90,13 +91,15 @@ def _drawn(
 
 
 def _of_ours(row: Row) -> str:
-    return f"{row['title']}\n{_size(row['parameters'])}, {row['frame_cpu_seconds']:.1f} s a frame"
+    return (
+        f"{row['title']}\n{_size(row['parameters'])}, {row['frame_cpu_seconds']:.2g} CPU s a frame"
+    )
 
 
 def _of_method(row: Row) -> str:
     last = row["points"][-1]
     spent = f"{last['cpu_minutes']:.1f} CPU min, {told_share(last)}"
-    frame = f"{_size(row['parameters'])}, {last['frame_cpu_seconds']:.1f} s a frame"
+    frame = f"{_size(row['parameters'])}, {last['frame_cpu_seconds']:.2g} CPU s a frame"
     return f"{row['title']}\n{spent}\n{frame}"
 
 
