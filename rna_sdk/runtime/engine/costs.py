@@ -35,14 +35,16 @@ def kept_cost(measure: Callable[[], float], *what: object) -> float:
     return known[key]
 
 
-def median_seconds(action: Callable[[], object]) -> float:
+def median_seconds(
+    action: Callable[[], object], clock: Callable[[], float] = time.perf_counter
+) -> float:
     """Median duration of several calls, after one that warms caches."""
     action()
     seconds = []
     for _ in range(_REPEATS):
-        start = time.perf_counter()
+        start = clock()
         action()
-        seconds.append(time.perf_counter() - start)
+        seconds.append(clock() - start)
     return float(np.median(seconds))
 
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import time
+
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field
 
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.capture.capture_settings import CaptureSettings
-from rna_export.capture.estimate.query_cost import query_seconds, thread_seconds
+from rna_export.capture.estimate.query_cost import query_seconds
 from rna_export.capture.rays.asset_scene import AssetScene
 from rna_export.capture.rays.capture_directions import frame, light_direction
 from rna_export.capture.rays.traced_rays import TracedRays
@@ -15,6 +17,7 @@ from rna_export.capture.rays.view_rays import ViewRays, outside_rays
 from rna_sdk.kernel_threads import kernel_threads, limit_kernel_threads
 from rna_sdk.package import Domain
 from rna_sdk.package.manifest.manifest_fields import Region
+from rna_sdk.runtime.engine.costs import median_seconds
 
 LIGHTS = 8
 """Renders of a pilot, three times: the noise ratio then repeats within about 15%."""
@@ -132,6 +135,6 @@ def _ray_seconds(scene: AssetScene, rays: ViewRays, wi: np.ndarray) -> float:
     threads = kernel_threads()
     limit_kernel_threads(1)
     try:
-        return thread_seconds(lambda: scene.visible(points, towards)) / len(rays)
+        return median_seconds(lambda: scene.visible(points, towards), time.thread_time) / len(rays)
     finally:
         limit_kernel_threads(threads)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
 from itertools import pairwise
 
 import numpy as np
@@ -12,11 +11,11 @@ from rna_export.training.presets import PRESETS
 from rna_sdk.package.blocks import query_width
 from rna_sdk.package.decoder.profile_decoder import ProfileDecoder, ProfileLayer
 from rna_sdk.runtime.engine.compiled_decoder import CompiledDecoder
+from rna_sdk.runtime.engine.costs import median_seconds
 
 PRESET = "small"
 
 _ROWS = 4096
-_REPEATS = 7
 _OUTPUTS = 6  # visible and shadowed colours
 
 
@@ -40,15 +39,4 @@ def query_seconds(kind: str) -> float:
     ]
     decoder = CompiledDecoder(ProfileDecoder(-1.0, 1.0, None, None, tuple(layers), 8.0, 1.0, None))
     queries = rng.uniform(-1.0, 1.0, (_ROWS, columns)).astype(np.float32)
-    return thread_seconds(lambda: decoder.run(queries)) / _ROWS
-
-
-def thread_seconds(action: Callable[[], object]) -> float:
-    """Median processor time of this thread for an action, after one that warms caches."""
-    action()
-    seconds = []
-    for _ in range(_REPEATS):
-        start = time.thread_time()
-        action()
-        seconds.append(time.thread_time() - start)
-    return float(np.median(seconds))
+    return median_seconds(lambda: decoder.run(queries), time.thread_time) / _ROWS
