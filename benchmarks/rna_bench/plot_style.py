@@ -6,7 +6,9 @@ from pathlib import Path
 
 import matplotlib
 from cycler import cycler
+from matplotlib.axis import Axis
 from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 matplotlib.use("Agg")
 
@@ -35,6 +37,13 @@ matplotlib.rcParams.update(
 def figure(width: float, height: float) -> Figure:
     """An empty figure of the given size in inches."""
     return Figure(figsize=(width, height), layout="constrained")
+
+
+def log_ticks(axis: Axis) -> None:
+    """Ticks of a logarithmic axis of a decade or two: 1, 2, 5, written as plain numbers."""
+    axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    axis.set_minor_formatter(NullFormatter())
 
 
 def save_chart(chart: Figure, path: Path) -> None:

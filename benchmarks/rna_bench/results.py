@@ -5,10 +5,14 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from rna_sdk.atomic_file import write_atomically
+from rna_sdk.errors import SceneError
+
+T = TypeVar("T")
 
 _LINE = 120  # characters
 _DATA = 100  # values of a list, from which on nobody reads them
@@ -18,6 +22,15 @@ def write_results(path: Path, stamp: dict[str, Any] | None, report: dict[str, An
     """Write the report, stamped (None: it is older than stamps); folders are made."""
     path.parent.mkdir(parents=True, exist_ok=True)
     write_atomically(path, f"{_lines({'stamp': stamp, **report})}\n".encode())
+
+
+def read_scenes(path: Path, taken: Callable[[dict[str, Any]], T]) -> T:
+    """What is taken of a result of `rna-bench scenes`; SceneError where the file is none."""
+    try:
+        return taken(json.loads(path.read_text()))
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        found = "found no result of `rna-bench scenes`, expected one"
+        raise SceneError(found, file=path) from error
 
 
 def _lines(value: Any, indent: str = "") -> str:

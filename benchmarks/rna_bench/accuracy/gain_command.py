@@ -93,9 +93,10 @@ def _known(table: Path, name: str) -> tuple[Pilot, dict[str, Any]]:
 
 def speeds(path: Path) -> dict[str, float]:
     """Times as fast as Cycles at the estimate's samples, by scene, of a result."""
+    from rna_bench.results import read_scenes
     from rna_export.capture.estimate.gain import SAMPLES
 
-    found = json.loads(path.read_text())["scenes"]
+    found = read_scenes(path, lambda result: result["scenes"])
     if missing := [name for name in SCENES if name not in found]:
         raise RnaError(f"{path}: found no scene {', '.join(missing)}; expected {SCENES}")
     return {

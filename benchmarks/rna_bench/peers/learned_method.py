@@ -93,9 +93,9 @@ class LearnedMethod:
         start, kept = clock() - done.seconds, done.seconds
         losses: list[Tensor] = []
         while not _is_over(done, budget):
-            for group in optimizer.param_groups:
-                group["lr"] = self.rate * self.rate_factor(_progress(done, budget), done.steps)
-            losses.append(self._step(data, optimizer, _progress(done, budget)))
+            progress = _progress(done, budget)
+            optimizer.param_groups[0]["lr"] = self.rate * self.rate_factor(progress, done.steps)
+            losses.append(self._step(data, optimizer, progress))
             spent, steps = clock() - start, done.steps + 1
             done = replace(done, seconds=spent, steps=steps, samples=steps * self.batch)
             last = done.curve[-1] if done.curve else LossPoint(0.0, 0, 0, 0.0)

@@ -8,9 +8,8 @@ from typing import Any
 
 from matplotlib.axes import Axes
 from matplotlib.figure import FigureBase
-from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
-from rna_bench.plot_style import CYCLES, OPPONENT, OURS, PAPER, QUIET, figure
+from rna_bench.plot_style import CYCLES, OPPONENT, OURS, PAPER, QUIET, figure, log_ticks
 from rna_bench.scenes.kernel_times import KERNELS
 
 SIZE = (12.0, 3.2)
@@ -31,9 +30,7 @@ def draw_charts(chart: FigureBase, scene: dict[str, Any]) -> None:
     _over_time(psnr, scene, "psnr", "PSNR of the asset, dB")
     _over_time(flip, scene, "flip", "mean FLIP of the image")
     flip.set_yscale("log")
-    flip.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
-    flip.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-    flip.yaxis.set_minor_formatter(NullFormatter())
+    log_ticks(flip.yaxis)
     lines = psnr.get_legend_handles_labels()
     chart.legend(*lines, loc="outside lower center", ncols=len(lines[0]))
     _by_kernel(kernels, scene["kernels"])
@@ -68,9 +65,7 @@ def _over_time(axes: Axes, scene: dict[str, Any], error: str, title: str) -> Non
     label = f"floor: ours, {floor['samples']} samples"
     axes.axhline(floor[error], color=OURS, lw=0.8, ls=":", label=label)
     axes.set_xscale("log")
-    axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
-    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-    axes.xaxis.set_minor_formatter(NullFormatter())
+    log_ticks(axes.xaxis)
     axes.set_xlabel("seconds; numbers are samples a pixel")
     axes.set_title(title)
 

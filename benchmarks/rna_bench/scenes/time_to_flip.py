@@ -10,7 +10,6 @@ A picture of the fewest samples that is good enough gives an upper limit.
 from __future__ import annotations
 
 import argparse
-import json
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -18,7 +17,7 @@ from typing import Any
 
 import numpy as np
 
-from rna_sdk.errors import SceneError
+from rna_bench.results import read_scenes
 
 TARGETS = (0.05, 0.03)
 _SIDES = {"ours": "ours_denoised", "Cycles": "cycles_denoised"}
@@ -101,9 +100,7 @@ def table(rows: Sequence[Row]) -> str:
 
 def draw(rows: Sequence[Row], path: Path) -> None:
     """Write the chart: a line for each row, a panel for each target."""
-    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
-
-    from rna_bench.plot_style import CYCLES, OURS, figure, save_chart
+    from rna_bench.plot_style import CYCLES, OURS, figure, log_ticks, save_chart
 
     waits = [wait for row in rows for side in row.waits.values() for wait in side.values()]
     missed_at = 1.6 * max((wait.seconds for wait in waits if wait.seconds), default=1.0)
@@ -112,9 +109,7 @@ def draw(rows: Sequence[Row], path: Path) -> None:
         for side, style in (("ours", (OURS, "o", -0.15)), ("Cycles", (CYCLES, "s", 0.15))):
             _draw_side(axes, rows, target, side, style, missed_at)
         axes.set(xscale="log", xlim=(None, 1.25 * missed_at))
-        axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
-        axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-        axes.xaxis.set_minor_formatter(NullFormatter())
+        log_ticks(axes.xaxis)
         axes.set_xlabel("seconds; hollow: at most; cross: not reached")
         axes.set_title(f"until FLIP {target:g}, denoised")
     axes.set_yticks(range(len(rows)), [f"{row.asset}, {row.scene}" for row in rows])
@@ -145,17 +140,6 @@ def _draw_side(
     axes.plot([], [], marker, color=colour, label=side)
 
 
-def _read(path: Path) -> dict[str, Any]:
-    try:
-        result: dict[str, Any] = json.loads(path.read_text())
-        rows_of(result)
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        raise SceneError(
-            "found no result of `rna-bench scenes`, expected one", file=path
-        ) from error
-    return result
-
-
 def add_options(parser: argparse.ArgumentParser) -> None:
     """The options of the command."""
     parser.add_argument("results", type=Path, nargs="+", help="JSON of `rna-bench scenes` (path)")
@@ -164,7 +148,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def run(args: argparse.Namespace) -> None:
     """Print the table, and draw it."""
-    rows = [row for path in args.results for row in rows_of(_read(path))]
+    rows = [row for path in args.results for row in read_scenes(path, rows_of)]
     print(table(rows))
     if args.out:
         draw(rows, args.out)

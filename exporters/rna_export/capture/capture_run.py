@@ -26,7 +26,6 @@ from rna_export.capture.estimate.gain import table_of, told
 from rna_export.capture.estimate.pilot import LIGHTS, Pilot
 from rna_export.capture.geometry.captured_poses import captured_poses
 from rna_export.capture.opened_source import OpenedSource
-from rna_export.capture.rays.asset_scene import AssetScene
 from rna_export.capture.rays.capture_directions import light_direction
 from rna_export.capture.time_plan import LEAST_LIGHTS, TimeLimit, planned, shrunk
 from rna_render.scene import SceneFile
@@ -127,8 +126,6 @@ def begin(
         asset = OpenedSource.of(worker, given, out.stem, for_scene)
         settings, exported = asset.settings, asset.exported
         geometries = exported.geometries
-        shape = tuple(geometries.values()), settings.sharpest
-        materials = exported.transmittances(), exported.normal_maps()
         opened = worker.opened
         others = [frame for frame in settings.poses if frame != opened["frame"]]
         poses = dict(captured_poses(worker, geometries, exported.sources, others))
@@ -139,7 +136,7 @@ def begin(
         checks = {"": check}
         for frame, positions in poses.items():
             worker.show_frame(frame)
-            posed = AssetScene(*shape, *materials, list(positions.values()))
+            posed = asset.posed(list(positions.values()))
             checks[f"frame {frame}: "], _ = asset.checked(posed)
     if limit is not None:
         usual, settings = settings, planned(settings, limit, opening, rate, given)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -53,18 +54,20 @@ class OpenedSource:
         settings = CaptureSettings.usual(worker.kind, **given)
         exported = exported_parts(worker, settings)
         geometries = exported.geometries
-        materials = exported.transmittances(), exported.normal_maps()
-        scene = AssetScene(tuple(geometries.values()), settings.sharpest, *materials)
+        scene = _scene(exported, settings)
         limited = None if for_scene is None else scene_domain(for_scene, name, scene)
         opened = cls(worker, settings, exported, scene, limited)
-        seen = check_seen(worker.source.path, scene, geometries, opened.domain.wo)
-        exported.notes += seen
+        exported.notes += check_seen(worker.source.path, scene, geometries, opened.domain.wo)
         return opened
 
     @property
     def domain(self) -> Domain:
         """Directions of views and lights."""
         return self.limited or Domain(wo=self.settings.domain, wi=self.settings.domain)
+
+    def posed(self, positions: Sequence[np.ndarray]) -> AssetScene:
+        """The scene of a pose; positions: of each part's vertices or points."""
+        return _scene(self.exported, self.settings, positions)
 
     def checked(self, scene: AssetScene) -> tuple[SelfCheck, Speed]:
         """The comparison with Cycles of what the worker shows, and how fast Cycles is."""
@@ -87,6 +90,14 @@ class OpenedSource:
         return measure_pilot(
             self.scene, self.worker, self.settings, self.domain, cutouts, path_seconds, lights
         )
+
+
+def _scene(
+    exported: ExportedParts, settings: CaptureSettings, positions: Sequence[np.ndarray] = ()
+) -> AssetScene:
+    materials = exported.transmittances(), exported.normal_maps()
+    shape = tuple(exported.geometries.values()), settings.sharpest
+    return AssetScene(*shape, *materials, positions)
 
 
 def _speed(
