@@ -9,7 +9,7 @@ import numpy as np
 from rna_bench.peers.views import PeerCamera, Views
 from rna_bench.peers.views_plan import FOV_X, INTENSITY, ViewsPlan
 
-CENTRE, RADIUS = np.array([0.1, 0.05, -0.1]), 0.7
+CENTRE, RADIUS = np.array([0.1, 0.05, -0.1]), 0.7  # as in sphere_asset.py
 ALBEDO = np.array([0.45, 0.3, 0.2])
 
 _SUBPIXELS = 4  # a side

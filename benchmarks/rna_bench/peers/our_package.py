@@ -16,20 +16,23 @@ from rna_render.scene import Scene
 from rna_sdk.package import Package, read_profile_decoder
 
 
-def measured(package: Path | None, plan: Plan, samples: int) -> list[dict[str, Any]]:
-    """A row for each tier, with its `images` by split; none without a package."""
+def measured(packages: Sequence[Path], plan: Plan, samples: int) -> list[dict[str, Any]]:
+    """A row for each tier of each package, with its `images` by split.
+
+    Several packages are told apart by the names of their files.
+    """
     rows = []
-    for tier in tiers_of(package) if package else ():
-        assert package is not None  # for mypy
+    for package, tier in ((path, name) for path in packages for name in tiers_of(path)):
         images, scores, seconds = {}, {}, []
         for split, held in plan.held_out.items():
             found = render_package(package, tier, held.views, held.cameras(), samples)
             images[split] = found[0]
             seconds.append(found[1])
             scores[split] = held.score(images[split]).as_json()
+        which = f"{package.stem}, {tier}" if len(packages) > 1 else tier
         rows.append(
             {
-                "title": f"ours, {tier}",
+                "title": f"ours, {which}",
                 "parameters": parameters_of(package, tier),
                 "samples": samples,
                 "frame_cpu_seconds": round(float(np.mean(seconds)), 3),

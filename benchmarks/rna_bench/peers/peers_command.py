@@ -27,7 +27,12 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--out", type=Path, required=True, help="folder for checkpoints and report (path, required)"
     )
     parser.add_argument(
-        "--package", type=Path, help="our package of the same asset, to render beside them"
+        "--package",
+        type=Path,
+        nargs="+",
+        default=[],
+        help="our packages of the same asset, to render beside them; the first is the known "
+        "geometry (paths, default: none)",
     )
     parser.add_argument(
         "--methods",
@@ -81,7 +86,7 @@ def run(args: argparse.Namespace) -> None:
     use_threads(args.threads)
     plan = _plan(args)
     settings = _settings(args)
-    geometry = KnownGeometry(args.package, plan.train) if args.package else None
+    geometry = KnownGeometry(args.package[0], plan.train) if args.package else None
     rows = []
     for seed in args.seeds:
         for name in args.methods or _possible(args):
