@@ -111,8 +111,22 @@ def test_a_zoomed_pixel_has_its_width() -> None:
     assert np.linalg.norm(a - b) == pytest.approx(1e-3, rel=1e-3)
 
 
-def test_zoom_is_judged_at_the_finest() -> None:
-    rows = [{"texels": t, "flip": 0.2 if t > 1.0 else 0.05} for t in zoom.FOOTPRINTS]
-    assert zoom.judge(rows).passed
-    rows[-1]["flip"] = 0.2
-    assert not zoom.judge(rows).passed
+@pytest.mark.parametrize(
+    ("ours", "texture", "passes"), [(0.09, 0.0, True), (0.2, 0.14, True), (0.2, 0.12, False)]
+)
+def test_zoom_is_judged_at_the_finest_beside_a_texture(
+    ours: float, texture: float, passes: bool
+) -> None:
+    rows = [{"texels": t, "flip": 0.5, "texture_flip": 0.0} for t in zoom.FOOTPRINTS[:-1]]
+    rows.append({"texels": zoom.FOOTPRINTS[-1], "flip": ours, "texture_flip": texture})
+    assert zoom.judge(rows).passed == passes
+
+
+def test_a_texture_has_one_value_a_texel() -> None:
+    image = np.random.default_rng(0).random((96, 96, 3), dtype=np.float32)
+    assert zoom.as_texture(image, 1.0) is image
+    shown = zoom.as_texture(image, 0.25)
+    means = image.reshape(24, 4, 24, 4, 3).mean(axis=(1, 3))
+    np.testing.assert_allclose(shown[1::4, 1::4] - means, 0.0, atol=0.2)
+    inner = shown[2:-2, 2:-2].reshape(23, 4, 23, 4, 3)
+    np.testing.assert_allclose(np.diff(inner, n=2, axis=1), 0.0, atol=1e-5)
