@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_bench.accuracy.gain_command import speeds
+from rna_bench.accuracy.gain_command import SCENES, speeds
 from rna_bench.checkout import ROOT
 from rna_bench.cli import main as bench
 from rna_export.capture import capture_run
@@ -173,9 +173,7 @@ def test_estimate_prints_and_writes_nothing(
 def test_rna_bench_gain_keeps_a_pilot_for_new_speeds(known: None, tmp_path: Path, capsys) -> None:
     table, result = tmp_path / "table.json", tmp_path / "scenes.json"
     rows = [{"samples": 16, "equal_error": {"times_as_fast": 4.0}}, {"samples": 64}]
-    result.write_text(
-        json.dumps({"scenes": {key: {"ours": rows} for key in ["forest", "studio", "lamp"]}})
-    )
+    result.write_text(json.dumps({"scenes": {key: {"ours": rows} for key in SCENES}}))
     new = ["--scenes", str(result), "--table", str(table)]
     assert bench(["gain", "toy", *new]) == 1  # no pilot of it yet
     assert "found no asset toy" in capsys.readouterr().err
@@ -188,3 +186,7 @@ def test_rna_bench_gain_keeps_a_pilot_for_new_speeds(known: None, tmp_path: Path
     result.write_text(json.dumps({"scenes": {"forest": {"ours": rows}}}))
     assert bench(["gain", "toy", *new]) == 1
     assert "found no scene studio, lamp" in capsys.readouterr().err
+    lacking = {key: {"ours": rows[1:] if key == "lamp" else rows} for key in SCENES}
+    result.write_text(json.dumps({"scenes": lacking}))
+    assert bench(["gain", "toy", *new]) == 1
+    assert "found no picture of 16 samples in lamp" in capsys.readouterr().err

@@ -99,12 +99,15 @@ def speeds(path: Path) -> dict[str, float]:
     found = read_scenes(path, lambda result: result["scenes"])
     if missing := [name for name in SCENES if name not in found]:
         raise RnaError(f"{path}: found no scene {', '.join(missing)}; expected {SCENES}")
-    return {
+    times = {
         name: round(row["equal_error"]["times_as_fast"], 3)
         for name in SCENES
         for row in found[name]["ours"]
         if row["samples"] == SAMPLES
     }
+    if missing := [name for name in SCENES if name not in times]:
+        raise RnaError(f"{path}: found no picture of {SAMPLES} samples in {', '.join(missing)}")
+    return times
 
 
 def add_row(table: Path, name: str, row: dict[str, Any]) -> None:
