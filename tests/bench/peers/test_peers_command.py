@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import json
 from dataclasses import replace
 from pathlib import Path
@@ -12,7 +13,7 @@ import torch
 
 from rna_bench.checkout import TOY
 from rna_bench.cli import main
-from rna_bench.peers import peers_command, study
+from rna_bench.peers import lambert_sphere, our_package, peers_command, study
 from rna_bench.peers.analytic_known import KnownMaterial
 from rna_bench.peers.known_geometry import KnownGeometry
 from rna_bench.peers.lambert_sphere import sphere_views
@@ -20,6 +21,7 @@ from rna_bench.peers.method import Budget
 from rna_bench.peers.methods import METHODS, Setting
 from rna_bench.peers.nrhints import nrhints
 from rna_bench.peers.nrhints.nrhints_known import KnownNRHints
+from rna_bench.peers.scoring import HeldOut
 from rna_bench.peers.views import Views
 from rna_sdk.errors import TrainingError
 from rna_sdk.runtime import load
@@ -111,6 +113,33 @@ def test_a_tiny_run_is_measured_and_resumed(
     capsys.readouterr()
     assert main([*command, "--size", "4"]) == 1
     assert "size 8, now 4): choose another --out, or --again" in capsys.readouterr().err
+
+
+def test_several_packages_of_ours_are_told_apart(
+    toy_views: Views, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    black = [np.zeros((16, 16, 3), np.float32)] * len(toy_views)
+    monkeypatch.setattr(our_package, "render_package", lambda *_: (black, 0.5))
+    plan = study.Plan(toy_views, None, {"val": HeldOut.of(toy_views)}, 1.0)
+    other = tmp_path / "short.rna"
+    other.symlink_to(TOY)
+    tiers = our_package.tiers_of(TOY)
+    rows = our_package.measured([TOY, other], plan, 1)
+    expected = [f"ours, {name}, {tier}" for name in ("toy", "short") for tier in tiers]
+    assert [row["title"] for row in rows] == expected
+    assert our_package.measured([TOY], plan, 1)[0]["title"] == f"ours, {tiers[0]}"
+
+
+def test_the_sphere_as_an_asset_is_that_of_the_closed_form() -> None:
+    text = (Path(lambert_sphere.__file__).parent / "sphere_asset.py").read_text()
+    made = [node for node in ast.parse(text).body if isinstance(node, ast.Assign)]
+    values = {ast.unparse(node.targets[0]): ast.unparse(node.value) for node in made}
+    place, radius, albedo = (
+        ast.literal_eval(values[name]) for name in ("(X, Y, Z)", "RADIUS", "ALBEDO")
+    )
+    np.testing.assert_array_equal(place, lambert_sphere.CENTRE)
+    assert radius == lambert_sphere.RADIUS
+    np.testing.assert_array_equal(albedo, lambert_sphere.ALBEDO)
 
 
 def test_bad_input_is_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
