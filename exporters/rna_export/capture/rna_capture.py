@@ -42,6 +42,7 @@ _OPTIONS = (  # fields of CaptureSettings
     "samples",
     "rays",
     "lights",
+    "near_lights",
     "domain",
     "parts",
     "sharpest",

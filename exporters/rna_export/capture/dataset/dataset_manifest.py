@@ -31,6 +31,7 @@ SAMPLE_FIELDS: dict[str, dict[str, int]] = {
 
 EMISSION_SHARE = 0.15  # of the training shards
 _OF_A_LIGHT = ("wi", "direct", "visible")
+_OF_LAMPS = {"inverse_distance": 1}  # of the light from the point, in sizes of the asset
 
 
 def emission_fields(kind: str) -> dict[str, int]:
@@ -117,9 +118,10 @@ class CaptureManifest(DatasetModel):
     def fields(self, kind: str) -> dict[str, int]:
         """Fields of a sample of a kind of part: see SAMPLE_FIELDS.
 
-        Where rays pass through parts, the visibility has a colour: 255 times it.
+        Where rays pass through parts, the visibility has a colour: 255 times it. Where lights are
+        near, samples hold how near.
         """
-        fields = SAMPLE_FIELDS[kind]
+        fields = {**SAMPLE_FIELDS[kind], **(_OF_LAMPS if self.settings.near_lights else {})}
         return {**fields, "visible": 3} if self.transmits else fields
 
     def write(self, path: Path) -> None:
