@@ -10,7 +10,6 @@ import trimesh
 
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.capture.rays.asset_scene import AssetScene
-from rna_export.capture.rays.captured_light import Sun
 from rna_export.capture.rays.view_rays import sample_view_rays
 from rna_sdk.errors import CaptureError
 from tests.exporters.conftest import OpenWorker, SaveBlend
@@ -101,7 +100,7 @@ def check_hits(worker: BlenderWorker) -> None:
         missed = traced.missed
     else:
         ours, wi = AssetScene([worker.export_curves()]), unit(1, 2, 3)
-        rays = sample_view_rays(ours, Sun(wi), 2048, "sphere", np.random.default_rng(0))
+        rays = sample_view_rays(ours, wi, 2048, "sphere", np.random.default_rng(0))
         points = ours.shade_points(rays.origins, rays.directions)
         rendered = worker.render_rays(rays.origins, rays.directions, wi, 1, 1)
         hit = rendered.alpha > 0.999

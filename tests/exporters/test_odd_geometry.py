@@ -7,7 +7,6 @@ import pytest
 
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.geometry.exported_parts import exported_parts
-from rna_export.capture.rays.captured_light import Sun
 from rna_export.capture.rays.traced_rays import TracedRays
 from rna_export.capture.rays.view_rays import sample_view_rays
 from rna_sdk.errors import CaptureError
@@ -71,8 +70,8 @@ add(*square({radius / 4}, z={radius / 4}))
     exported = exported_parts(worker, CaptureSettings())
     assert_same_holes(worker, exported)
     scene, rng, wi = scene_of(exported), np.random.default_rng(1), unit(0.2, 1.0, 0.4)
-    rays = sample_view_rays(scene, Sun(wi), 512, "sphere", rng)
-    traced = TracedRays.of(scene, worker, rays, Sun(wi), 16, 1, rng, opaque_cutouts=False)
+    rays = sample_view_rays(scene, wi, 512, "sphere", rng)
+    traced = TracedRays.of(scene, worker, rays, wi, 16, 1, rng, opaque_cutouts=False)
     assert traced.kept[traced.points.hit].mean() > 0.97
     leaf = traced.kept & (traced.points.transmittance[:, 0] > 0.0)
     assert traced.rendered.alpha[leaf].mean() == pytest.approx(0.5, abs=0.02)

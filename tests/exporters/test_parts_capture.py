@@ -12,7 +12,6 @@ from rna_export.capture.capture_run import CaptureWorkers, begin, finish
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.rays.asset_scene import AssetScene, part_counts
-from rna_export.capture.rays.captured_light import Sun
 from rna_export.capture.rays.view_rays import _aimed, outside_rays, sample_view_rays
 from rna_sdk.errors import CaptureError
 from tests.exporters.meshes import moved, sphere
@@ -78,7 +77,7 @@ def test_a_part_in_none_of_the_images_is_named(tmp_path: Path) -> None:
 def test_a_thin_part_gets_its_share_of_rays(domain: str) -> None:
     """Three spikes of a thousandth of the ball's width: chords alone would hit them 0.1%."""
     scene = AssetScene([sphere(4), spikes(3, radius=0.001)])
-    rays = sample_view_rays(scene, Sun(WI), 2000, domain, np.random.default_rng(0))
+    rays = sample_view_rays(scene, WI, 2000, domain, np.random.default_rng(0))
     part = scene.part_hit(rays.origins, rays.directions)
     assert len(rays) == 2000
     assert np.mean(part == 1) == pytest.approx(0.25, abs=0.02)
@@ -87,7 +86,7 @@ def test_a_thin_part_gets_its_share_of_rays(domain: str) -> None:
 
 def test_a_part_that_no_camera_outside_sees_leaves_those_rays_to_the_others() -> None:
     scene = AssetScene([sphere(3), sphere(2, radius=0.1)])
-    rays = sample_view_rays(scene, Sun(WI), 1000, "sphere", np.random.default_rng(0))
+    rays = sample_view_rays(scene, WI, 1000, "sphere", np.random.default_rng(0))
     assert len(rays) == 1000
     inside = scene.part_hit(rays.origins, rays.directions) == 1
     assert inside.mean() < 0.1 and np.linalg.norm(rays.origins[inside], axis=1).max() < 1.0

@@ -10,7 +10,6 @@ import pytest
 
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.capture.rays.asset_scene import AssetScene
-from rna_export.capture.rays.captured_light import Sun
 from rna_export.capture.rays.view_rays import sample_view_rays
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves
@@ -150,7 +149,7 @@ def test_alembic_strands(
 
 def brightness(worker: BlenderWorker) -> float:
     ours, wi = AssetScene([worker.export_curves()]), unit(1, 2, 3)
-    rays = sample_view_rays(ours, Sun(wi), 1024, "sphere", np.random.default_rng(0))
+    rays = sample_view_rays(ours, wi, 1024, "sphere", np.random.default_rng(0))
     return float(worker.render_rays(rays.origins, rays.directions, wi, 4, 1).radiance.mean())
 
 

@@ -16,7 +16,6 @@ from rna_export.capture.check.disagreement import ELSEWHERE, EXTRA, MISSING, TUR
 from rna_export.capture.check.self_check import PICTURE, SelfCheck, picture_side
 from rna_export.capture.opened_source import refuse_nothing
 from rna_export.capture.rays.asset_scene import AssetScene
-from rna_export.capture.rays.captured_light import Sun
 from rna_export.capture.rays.traced_rays import TracedRays
 from rna_export.capture.rays.view_rays import ViewRays, sample_view_rays
 from rna_export.make.rna_make import _kept_picture
@@ -92,8 +91,8 @@ def checked(exported: AssetScene, rendered: AssetScene, turn: float = 0.0) -> Se
     check, cycles = SelfCheck(exported, SAMPLES, normals=True), Cycles(rendered, turn)
     check.render_chords(cycles, WI, 2048, "sphere", 0)
     rng = np.random.default_rng(1)
-    rays = sample_view_rays(exported, Sun(WI), 1024, "sphere", rng)
-    check.add(TracedRays.of(exported, cycles, rays, Sun(WI), SAMPLES, 0, rng, False, True))
+    rays = sample_view_rays(exported, WI, 1024, "sphere", rng)
+    check.add(TracedRays.of(exported, cycles, rays, WI, SAMPLES, 0, rng, False, True))
     check.render_picture(cycles, "test.blend")
     return check
 
@@ -218,6 +217,6 @@ def test_a_ray_that_neither_meets_is_no_disagreement() -> None:
     away = ViewRays(np.full((8, 3), 9.0, np.float32), np.tile(np.float32([0, 0, 1]), (8, 1)))
     check = SelfCheck(scene, SAMPLES, normals=True)
     rng = np.random.default_rng(0)
-    check.add(TracedRays.of(scene, Cycles(scene), away, Sun(WI), SAMPLES, 0, rng, False))
+    check.add(TracedRays.of(scene, Cycles(scene), away, WI, SAMPLES, 0, rng, False))
     assert check.note() is None
     assert (check.rays, check.kept) == (8, 0)

@@ -82,13 +82,6 @@ class CaptureSettings(DatasetModel):
     validation_samples: int = Field(
         512, ge=2, le=_MAX_SAMPLES, description="their paths per pixel, in two independent halves"
     )
-    near_lights: float = Field(
-        0.0,
-        ge=0,
-        le=1,
-        description="share of the lights that are lamps within 10 sizes of the asset; only to "
-        "compare, packages hold no model of them",
-    )
     lights_per_shard: int = Field(
         32,
         gt=0,

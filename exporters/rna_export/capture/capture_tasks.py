@@ -17,7 +17,6 @@ from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.sample_files import joined, write_parts
 from rna_export.capture.rays.asset_scene import AssetScene, PartRows, ShadePoints
 from rna_export.capture.rays.capture_directions import directions_in, light_direction
-from rna_export.capture.rays.captured_light import Light, Sun, is_near, lamp_near
 from rna_export.capture.rays.traced_rays import TracedRays
 from rna_export.capture.rays.view_rays import ViewRays, sample_view_rays
 from rna_render import Camera
@@ -68,10 +67,9 @@ class TrainingShard:
         scene = _posed(dataset, scene, worker, light)
         wi = light_direction(light, settings.seed, domain.wi)
         rng = np.random.default_rng([settings.seed, 1, light])
-        chosen = _placed(scene, settings, light, wi)
-        rays = sample_view_rays(scene, chosen, settings.rays, domain.wo, rng)
+        rays = sample_view_rays(scene, wi, settings.rays, domain.wo, rng)
         seed = int(rng.integers(2**31))
-        return _capture(dataset, scene, worker, rays, chosen, settings.samples, seed, rng)
+        return _capture(dataset, scene, worker, rays, wi, settings.samples, seed, rng)
 
 
 @dataclass(frozen=True)
@@ -99,7 +97,8 @@ class ValidationHalf:
         rng = np.random.default_rng([settings.seed, 2, self.view])
         domain = dataset.manifest.domain
         wi = directions_in(domain.wi, rng.random((1, 2)))[0]
-        light = None if self.emission else _placed(scene, settings, self.view, wi)
+        if self.emission:
+            wi = None
         rays, hit = _validation_rays(scene, settings, domain.wo, self.view, rng)
         samples = settings.validation_samples // 2
         noise = np.random.default_rng([settings.seed, 3 + self.emission, self.view, self.half])
@@ -108,7 +107,7 @@ class ValidationHalf:
         for first in range(0, len(hit), _RAYS_A_RENDER):
             pixel = hit[first : first + _RAYS_A_RENDER]
             extra = {"pixel": pixel.astype(np.int32)}
-            arguments = rays[pixel], light, samples, seed, rng, extra
+            arguments = rays[pixel], wi, samples, seed, rng, extra
             pieces.append(_capture(dataset, scene, worker, *arguments))
         write_parts(self.path(dataset), _all_rows(pieces))
 
@@ -170,13 +169,6 @@ def _posed(dataset: Dataset, scene: AssetScene, worker: BlenderWorker, turn: int
     return scene.in_pose(turn % manifest.pose_count)
 
 
-def _placed(scene: AssetScene, settings: CaptureSettings, number: int, wi: np.ndarray) -> Light:
-    """The light of this number, in direction wi (3,) from the asset's middle."""
-    if not is_near(number, settings.near_lights):
-        return Sun(wi)
-    return lamp_near(scene, wi, np.random.default_rng([settings.seed, 8, number]))
-
-
 def _all_rows(pieces: list[Samples]) -> Samples:
     return {part: joined([piece[part] for piece in pieces]) for part in pieces[0]}
 
@@ -186,7 +178,7 @@ def _capture(
     scene: AssetScene,
     worker: BlenderWorker,
     rays: ViewRays,
-    light: Light | None,
+    wi: np.ndarray | None,
     samples: int,
     seed: int,
     rng: np.random.Generator,
@@ -196,42 +188,39 @@ def _capture(
 
     Those of a pose are recorded at rest: their points, and directions turned with these.
 
-    light: None: of what the asset emits. rng: chooses which rays go on behind what lets light
-    through.
+    wi: towards the light; None: of what the asset emits, without a light. rng: chooses which rays
+    go on behind what lets light through.
     """
     cutouts = dataset.manifest.opaque_cutouts
-    traced = TracedRays.of(scene, worker, rays, light, samples, seed, rng, cutouts)
+    traced = TracedRays.of(scene, worker, rays, wi, samples, seed, rng, cutouts)
     points = traced.points
     of_ray = {
         "wo": -rays.directions,
         "radiance": traced.radiance,
         "direct": traced.rendered.direct,
-        **_of_light(scene, points, light),
+        **_of_light(scene, points, wi),
         **(extra or {}),
     }
     return {
-        part.name: _kept(on, traced.kept, of_ray, (*_fields(part, light), *(extra or {})))
+        part.name: _kept(on, traced.kept, of_ray, (*_fields(part, wi), *(extra or {})))
         for part, on in zip(dataset.parts, points.on, strict=True)
     }
 
 
-def _fields(part: DatasetPart, light: Light | None) -> Iterable[str]:
-    return emission_fields(part.kind) if light is None else part.fields
+def _fields(part: DatasetPart, wi: np.ndarray | None) -> Iterable[str]:
+    return emission_fields(part.kind) if wi is None else part.fields
 
 
-def _of_light(scene: AssetScene, points: ShadePoints, light: Light | None) -> dict[str, np.ndarray]:
+def _of_light(
+    scene: AssetScene, points: ShadePoints, wi: np.ndarray | None
+) -> dict[str, np.ndarray]:
     """Fields of samples that describe their light; none for the asset's emission."""
-    if light is None:
+    if wi is None:
         return {}
-    x = points.position
-    rows = light.directions(x)
-    visible = scene.visible(points, rows, light.distances(x))
+    rows = np.ascontiguousarray(np.broadcast_to(wi.astype(np.float32), points.position.shape))
+    visible = scene.visible(points, rows)
     scale = 255 if scene.transmits else 1
-    return {
-        "wi": rows,
-        "visible": np.round(scale * visible.astype(np.float32)).astype(np.uint8),
-        "inverse_distance": light.inverse_distances(x),
-    }
+    return {"wi": rows, "visible": np.round(scale * visible.astype(np.float32)).astype(np.uint8)}
 
 
 def _kept(

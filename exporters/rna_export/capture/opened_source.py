@@ -16,7 +16,6 @@ from rna_export.capture.estimate.pilot import LIGHTS, Pilot, measure_pilot
 from rna_export.capture.geometry.exported_parts import ExportedParts, exported_parts
 from rna_export.capture.rays.asset_scene import AssetScene
 from rna_export.capture.rays.capture_directions import light_direction
-from rna_export.capture.rays.captured_light import Sun
 from rna_export.capture.rays.traced_rays import TracedRays
 from rna_export.capture.rays.view_check import check_seen
 from rna_export.capture.rays.view_rays import sample_view_rays
@@ -120,10 +119,9 @@ def _speed(
             continue
         start, before = time.perf_counter(), worker.processor_seconds()
         rng = np.random.default_rng(k)
-        sun, samples = Sun(wi), settings.samples
-        rays = sample_view_rays(check.scene, sun, settings.rays, domain.wo, rng)
+        rays = sample_view_rays(check.scene, wi, settings.rays, domain.wo, rng)
         traced = TracedRays.of(
-            check.scene, worker, rays, sun, samples, k, rng, opaque_cutouts, check.normals
+            check.scene, worker, rays, wi, settings.samples, k, rng, opaque_cutouts, check.normals
         )
         seconds.append(time.perf_counter() - start)
         after = worker.processor_seconds()

@@ -42,7 +42,6 @@ _OPTIONS = (  # fields of CaptureSettings
     "samples",
     "rays",
     "lights",
-    "near_lights",
     "domain",
     "parts",
     "sharpest",

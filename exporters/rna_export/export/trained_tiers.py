@@ -47,17 +47,11 @@ def trained_tiers(trained: Sequence[Trained], dataset: Dataset) -> list[TrainedT
     for one in trained:
         if not one.preset.model.packageable:
             found = f"the {one.preset_name} checkpoint of {one.part} is a model to compare with"
-            raise ExportError(f"{found}, expected {_expected(one)}")
+            raise ExportError(f"{found}, expected one with planes whose decoder gives colours")
         _check_capture(one, dataset)
     presets = dict.fromkeys(one.preset_name for one in trained)
     names = [part.name for part in dataset.parts]
     return [TrainedTier(preset, _of_preset(preset, trained, names)) for preset in presets]
-
-
-def _expected(other: Trained) -> str:
-    if other.preset.model.near_lights:
-        return "one that is captured without --near-lights"
-    return "one with planes whose decoder gives colours"
 
 
 def _of_preset(preset: str, trained: Sequence[Trained], names: list[str]) -> tuple[Trained, ...]:

@@ -60,11 +60,6 @@ class ModelConfig(BaseModel):
         description="what the decoder's outputs are: colours, or parameters of a known material, "
         "whose shadows are black; all but colours only to compare, packages have none",
     )
-    near_lights: bool = Field(
-        False,
-        description="one more input of the decoder, how near the light is; only to compare, "
-        "packages have none",
-    )
     emission_inputs: tuple[str, ...] = Field(
         (), description="blocks of the decoder of emission; none where the asset emits nothing"
     )
@@ -72,7 +67,7 @@ class ModelConfig(BaseModel):
     @property
     def packageable(self) -> bool:
         """Whether the format can hold it."""
-        return self.texture == "triplane" and self.material == "learned" and not self.near_lights
+        return self.texture == "triplane" and self.material == "learned"
 
     @property
     def colour_sums(self) -> tuple[tuple[int, ...], tuple[int, ...]]:

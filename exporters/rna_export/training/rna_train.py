@@ -146,7 +146,7 @@ def _run(args: argparse.Namespace) -> None:
             written.append(f"wrote {best}, {out / 'curves.png'}, {out / 'sheet.png'}")
             begun = monotonic()
     print("\n".join([*(f"note: {note}" for note in dataset.manifest.notes), *written]))
-    if args.preset == ANALYTIC_NAME or dataset.manifest.settings.near_lights:
+    if args.preset == ANALYTIC_NAME:
         return
     package = f"{dataset.manifest.name}.rna"
     print(f"next: {command_line('rna-export', _to_export(args.out, dataset), '--out', package)}")

@@ -71,8 +71,6 @@ def train(
     if run.dataset.manifest.emitters:
         inputs = INPUTS[run.dataset.kind]
         run = replace(run, preset=run.preset.with_model(emission_inputs=inputs))
-    if run.dataset.manifest.settings.near_lights:
-        run = replace(run, preset=run.preset.with_model(near_lights=True))
     run.out.mkdir(parents=True, exist_ok=True)
     saved = _continued(run.out / "last.ckpt", run)
     done = saved["step"] if saved else 0

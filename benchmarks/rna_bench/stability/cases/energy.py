@@ -12,7 +12,6 @@ from rna_export.capture.blender_process.capture_worker import scene_of
 from rna_export.capture.dataset.validation_view import is_lit
 from rna_export.capture.rays.asset_scene import AssetScene, ShadePoints
 from rna_export.capture.rays.capture_directions import sphere
-from rna_export.capture.rays.captured_light import Sun
 from rna_export.capture.rays.view_rays import sample_view_rays
 
 MOST, SHARE = 1.01, 0.01  # the mark: at most that share of the points above
@@ -33,7 +32,7 @@ def measure(fixtures: Fixtures) -> list[Row]:
 def furnace(answers: Answers, scene: AssetScene, count: int) -> list[Row]:
     """The integral of T over wi at points that random views see: radiance in a white furnace."""
     rng = np.random.default_rng(21)
-    rays = sample_view_rays(scene, Sun(np.array([0.0, 1.0, 0.0], np.float32)), count, "sphere", rng)
+    rays = sample_view_rays(scene, np.array([0.0, 1.0, 0.0], np.float32), count, "sphere", rng)
     points = scene.shade_points(rays.origins, rays.directions)
     total, seen = integral(answers, scene, points, -rays.directions, rng)
     axis = points.on[0].fields.get("normal", points.geometric_normal)  # every ray hits

@@ -19,7 +19,6 @@ from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.validation_view import is_lit, queries_of
 from rna_export.capture.rays.asset_scene import AssetScene
 from rna_export.capture.rays.capture_directions import frame, light_direction
-from rna_export.capture.rays.captured_light import Sun
 from rna_export.capture.rays.view_rays import sample_view_rays
 from rna_export.metrics import psnr
 
@@ -109,7 +108,7 @@ def _from_cycles(fixtures: Fixtures, dataset: DatasetPart, source: Source) -> di
 def _light(scene: AssetScene, worker: BlenderWorker, number: int) -> dict[str, np.ndarray]:
     wi = light_direction(number, 991, "sphere")
     rng = np.random.default_rng([991, number])
-    rays = sample_view_rays(scene, Sun(wi), _TEST_RAYS, "sphere", rng)
+    rays = sample_view_rays(scene, wi, _TEST_RAYS, "sphere", rng)
     return _rendered(scene, worker, rays.origins, rays.directions, wi)
 
 

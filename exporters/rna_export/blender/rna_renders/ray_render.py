@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +14,7 @@ _LOBES = ("diffuse", "glossy", "transmission")
 _NEAR = 1e-6  # the least that Blender allows; the ray camera takes it back
 _FAR = 1e12
 
-SUN, LAMP = "rna sun", "rna lamp"
+SUN = "rna sun"
 
 _lighting: dict[str, Any] = {}  # emission: of the materials; clamps: of radiance under the sun
 
@@ -54,7 +53,7 @@ def render_rays(request: dict[str, Any]) -> None:
     camera.cycles_custom["near"] = _NEAR
     camera.clip_end = _FAR if request["reach"] is None else _NEAR + request["reach"]
     camera.update_tag()
-    light(request["wi"], request.get("lamp"))
+    light(request["wi"])
     _render(request)
 
 
@@ -91,19 +90,15 @@ def emit(on: bool) -> None:
     _lighting["emission"].switch(on)
 
 
-def light(wi: list[float] | None, lamp: dict[str, Any] | None = None) -> None:
-    """The sun in direction `wi`, or a point light, or else the asset's own light, unclamped."""
-    cycles, sun, point = bpy.context.scene.cycles, bpy.data.objects[SUN], bpy.data.objects[LAMP]
-    own = wi is None and lamp is None
-    emit(own)
-    sun.hide_render, point.hide_render = wi is None, lamp is None
-    clamps = (0.0, 0.0) if own else _lighting["clamps"]
+def light(wi: list[float] | None) -> None:
+    """The sun in direction `wi`, or, for None, the asset's own light alone and unclamped."""
+    cycles, sun = bpy.context.scene.cycles, bpy.data.objects[SUN]
+    emit(wi is None)
+    sun.hide_render = wi is None
+    clamps = (0.0, 0.0) if wi is None else _lighting["clamps"]
     cycles.sample_clamp_direct, cycles.sample_clamp_indirect = clamps
     if wi is not None:
         sun.rotation_quaternion = mathutils.Vector(wi).to_track_quat("Z", "Y")
-    if lamp is not None:
-        point.location = lamp["position"]
-        point.data.energy = 4.0 * math.pi * lamp["intensity"]
 
 
 def _render(request: dict[str, Any]) -> None:
@@ -121,9 +116,6 @@ def _set_up_lamp(scene: bpy.types.Scene) -> None:
     lamp = bpy.data.objects.new(SUN, sun)
     lamp.rotation_mode = "QUATERNION"
     scene.collection.objects.link(lamp)
-    point = bpy.data.lights.new(LAMP, "POINT")
-    point.shadow_soft_size = 0.0
-    scene.collection.objects.link(bpy.data.objects.new(LAMP, point))
 
 
 def _camera(name: str, kind: str) -> bpy.types.Camera:

@@ -291,14 +291,12 @@ class BlenderWorker:
         seed: int,
         reach: float | None = None,
         normals: bool = False,
-        lamp: tuple[np.ndarray, float] | None = None,
     ) -> RenderedRays:
         """Radiance along rays: the asset lit from `wi` with irradiance 1, or its emission alone.
 
         `origins`, `directions`: (n, 3) float32, object space, +Y up; `wi`: (3,) towards the light,
         or None for what the asset emits. `reach`: how far the rays go. `normals`: whether to
-        answer them. `lamp`: a point light
-        in the sun's place, its position (3,) and its intensity.
+        answer them.
         """
         n = len(origins)
         width = min(n, max(1, math.isqrt(n)))
@@ -309,13 +307,7 @@ class BlenderWorker:
         }
         _write_rays(paths["origins"], to_blender(origins), width, height)
         _write_rays(paths["directions"], to_blender(directions), width, height)
-        request: dict[str, Any] = {k: str(p) for k, p in paths.items()} | {
-            "reach": reach,
-            "normals": normals,
-        }
-        if lamp is not None:
-            position = to_blender(np.asarray(lamp[0], np.float64)).tolist()
-            request["lamp"] = {"position": position, "intensity": lamp[1]}
+        request = {k: str(p) for k, p in paths.items()} | {"reach": reach, "normals": normals}
         self._render("renderRays", request, wi, samples, seed, width, height)
         passes = _read_render(paths["out"], *self._needed())
         for path in paths.values():

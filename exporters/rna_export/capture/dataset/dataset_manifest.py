@@ -31,7 +31,6 @@ SAMPLE_FIELDS: dict[str, dict[str, int]] = {
 
 EMISSION_SHARE = 0.15  # of the training shards
 _OF_A_LIGHT = ("wi", "direct", "visible")
-_OF_LAMPS = {"inverse_distance": 1}  # of the light from the point, in sizes of the asset
 
 
 def emission_fields(kind: str) -> dict[str, int]:
@@ -118,10 +117,9 @@ class CaptureManifest(DatasetModel):
     def fields(self, kind: str) -> dict[str, int]:
         """Fields of a sample of a kind of part: see SAMPLE_FIELDS.
 
-        Where rays pass through parts, the visibility has a colour: 255 times it. Where lights are
-        near, samples hold how near.
+        Where rays pass through parts, the visibility has a colour: 255 times it.
         """
-        fields = {**SAMPLE_FIELDS[kind], **(_OF_LAMPS if self.settings.near_lights else {})}
+        fields = SAMPLE_FIELDS[kind]
         return {**fields, "visible": 3} if self.transmits else fields
 
     def write(self, path: Path) -> None:

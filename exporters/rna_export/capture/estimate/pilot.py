@@ -12,7 +12,6 @@ from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.estimate.query_cost import query_seconds
 from rna_export.capture.rays.asset_scene import AssetScene
 from rna_export.capture.rays.capture_directions import frame, light_direction
-from rna_export.capture.rays.captured_light import Sun
 from rna_export.capture.rays.traced_rays import TracedRays
 from rna_export.capture.rays.view_rays import ViewRays, outside_rays
 from rna_sdk.kernel_threads import kernel_threads, limit_kernel_threads
@@ -66,16 +65,14 @@ def measure_pilot(
     count = min(_RAYS, settings.rays)
     rng, answers = np.random.default_rng(settings.seed), []
     for k in range(lights):
-        sun = Sun(light_direction(k, settings.seed, domain.wi))
+        wi = light_direction(k, settings.seed, domain.wi)
         rays = _hitting(scene, count, domain.wo, rng)
         near = _moved(rays, 2.0 * scene.radius / _PIXELS, rng)
         answers.append(
             [
                 # The same layers of what lets light through are met in each turn.
                 _luminance(
-                    TracedRays.of(
-                        scene, worker, one, sun, samples, 3 * k + turn, layers(k), cutouts
-                    )
+                    TracedRays.of(scene, worker, one, wi, samples, 3 * k + turn, layers(k), cutouts)
                 )
                 for turn, one in enumerate([rays, rays, near])
             ]
@@ -86,7 +83,7 @@ def measure_pilot(
         path_us=1e6 * path_seconds,
         path_variance=path,
         pixel_variance=pixel,
-        ray_us=1e6 * _ray_seconds(scene, rays, sun),
+        ray_us=1e6 * _ray_seconds(scene, rays, wi),
         query_us=1e6 * query_seconds(kind),
     )
 
@@ -131,10 +128,10 @@ def _moved(rays: ViewRays, width: float, rng: np.random.Generator) -> ViewRays:
     return ViewRays((rays.origins + x * s + y * t).astype(np.float32), rays.directions)
 
 
-def _ray_seconds(scene: AssetScene, rays: ViewRays, sun: Sun) -> float:
+def _ray_seconds(scene: AssetScene, rays: ViewRays, wi: np.ndarray) -> float:
     """Processor time of a shadow ray from where the rays hit, on one thread."""
     points = scene.shade_points(rays.origins, rays.directions)
-    towards = sun.directions(points.position)
+    towards = np.ascontiguousarray(np.broadcast_to(wi.astype(np.float32), points.position.shape))
     threads = kernel_threads()
     limit_kernel_threads(1)
     try:

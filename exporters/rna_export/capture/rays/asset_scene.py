@@ -69,7 +69,6 @@ class AssetScene:
         transmits: whether rays pass through any part.
         shapes: of the parts, in order.
         centre: (3,) float32, of the bounding box; radius: of the sphere around it.
-        size: the box's longest side.
     """
 
     def __init__(
@@ -100,7 +99,6 @@ class AssetScene:
         corners = np.concatenate([shape.points for shape in self.shapes])
         low, high = corners.min(axis=0), corners.max(axis=0)
         self.centre = ((low + high) / 2).astype(np.float32)
-        self.size = float((high - low).max())
         self.radius = max(shape.reach(self.centre) for shape in self.shapes)
         area = np.array([shape.area for shape in self.shapes])
         self._by_area = area / area.sum()
@@ -184,20 +182,15 @@ class AssetScene:
         """The asset in one of its poses; 0 for this one."""
         return self if number == 0 else self.poses[number - 1]
 
-    def visible(
-        self, points: ShadePoints, wi: np.ndarray, reach: np.ndarray | None = None
-    ) -> np.ndarray:
+    def visible(self, points: ShadePoints, wi: np.ndarray) -> np.ndarray:
         """The visibility of the transport contract along wi (n, 3) at each point.
-
-        reach: (n,) float32, distances to the light; None for a distant one.
 
         (n,) bool; where the asset transmits, (n, 3) float32.
         """
         shape, dtype = ((len(points.part), 3), np.float32) if self.transmits else (len(wi), bool)
         free = np.zeros(shape, dtype)
         for part, on in enumerate(points.on):
-            far = np.inf if reach is None else reach[on.rows]
-            free[on.rows] = self._scene.visible(part, on.points, wi[on.rows], far)
+            free[on.rows] = self._scene.visible(part, on.points, wi[on.rows])
         return free
 
     def sample_points(
@@ -215,13 +208,13 @@ class AssetScene:
     def highlight_views(
         self, points: ShadePoints, wi: np.ndarray, rng: np.random.Generator
     ) -> tuple[np.ndarray, np.ndarray]:
-        """View directions at which light from wi (n, 3) makes highlights on the points.
+        """View directions at which light from wi (3,) makes highlights on the points.
 
         Returns the rows (k,) that have one, and the unit directions (k, 3).
         """
         rows, views = [], []
         for shape, on in zip(self.shapes, points.on, strict=True):
-            of_part, wo = shape.highlight_views(on.points, wi[on.rows], rng)
+            of_part, wo = shape.highlight_views(on.points, wi, rng)
             rows.append(on.rows[of_part])
             views.append(wo)
         every = np.concatenate(rows)

@@ -60,12 +60,12 @@ class FiberShape:
     def highlight_views(
         self, points: PartPoints, wi: np.ndarray, rng: np.random.Generator
     ) -> tuple[np.ndarray, np.ndarray]:
-        """About the cone of the mirror images of wi (k, 3): all azimuths.
+        """About the cone of wi's mirror images (Marschner et al. 2003): all azimuths.
 
         Inclinations spread by 0.02 to 0.5 in their sine.
         """
         assert isinstance(points, FiberPoints)
         rows = np.arange(len(points))
         spread = 0.02 * 25.0 ** rng.random(len(rows)) * rng.standard_normal(len(rows))
-        sine = np.clip(-np.sum(points.tangent * wi, axis=1) + spread, -0.999, 0.999)
+        sine = np.clip(-(points.tangent @ wi) + spread, -0.999, 0.999)
         return rows, around(points.tangent, sine, 2.0 * np.pi * rng.random(len(rows)))

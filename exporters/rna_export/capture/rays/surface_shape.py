@@ -56,14 +56,11 @@ class SurfaceShape:
     def highlight_views(
         self, points: PartPoints, wi: np.ndarray, rng: np.random.Generator
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Mirrors of wi (k, 3) about half vectors of GGX.
-
-        Alpha from that of the sharpest lobe to 0.8.
-        """
+        """Mirrors of wi about half vectors of GGX, alpha from that of the sharpest lobe to 0.8."""
         assert isinstance(points, SurfacePoints)
-        lit = np.flatnonzero(np.sum(points.mapped * wi, axis=1) > 0.02)
+        lit = np.flatnonzero(points.mapped @ wi > 0.02)
         width = self._narrowest * (_WIDEST / self._narrowest) ** rng.random(len(lit))
         u = rng.random(len(lit))
         cosine = np.sqrt((1.0 - u) / (1.0 + (width**2 - 1.0) * u))
         h = around(points.mapped[lit], cosine, 2.0 * np.pi * rng.random(len(lit)))
-        return lit, reflect(wi[lit], h)
+        return lit, reflect(np.broadcast_to(wi, h.shape), h)

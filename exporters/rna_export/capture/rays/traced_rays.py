@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, replace
-from functools import partial
-from typing import Any
+from dataclasses import dataclass
 
 import numpy as np
 
 from rna_export.capture.blender_process.blender_worker import BlenderWorker, RenderedRays
 from rna_export.capture.rays.asset_scene import AssetScene, ShadePoints
-from rna_export.capture.rays.captured_light import Lamp, Light
 from rna_export.capture.rays.view_rays import ViewRays
 
 HIT = 0.999  # least alpha of an opaque hit
@@ -23,9 +19,9 @@ _LEAST_OWN = 0.05  # of what is seen at a point: of less, the noise would be too
 class TracedRays:
     """Rays, one row each.
 
-    points: where they hit our scene. rendered: Cycles' answer along them, under irradiance 1 at
-    each point. radiance: (n, 3) float32 of the points' own: without what lies behind a point that
-    transmits. kept: (n,) bool, which make a sample.
+    points: where they hit our scene. rendered: Cycles' answer along them. radiance: (n, 3) float32
+    of the points' own: without what lies behind a point that transmits. kept: (n,) bool, which make
+    a sample.
     """
 
     rays: ViewRays
@@ -40,7 +36,7 @@ class TracedRays:
         scene: AssetScene,
         worker: BlenderWorker,
         rays: ViewRays,
-        light: Light | None,
+        wi: np.ndarray | None,
         samples: int,
         seed: int,
         rng: np.random.Generator,
@@ -49,20 +45,13 @@ class TracedRays:
     ) -> TracedRays:
         """Trace rays under one light.
 
-        light: None: of what the asset emits, without a light. rng: chooses which rays go on behind
-        what lets light through. opaque_cutouts: whether rays are kept where Cycles' alpha is below
-        1. normals: whether Cycles answers them.
+        wi: towards the light; None: of what the asset emits, without a light. rng: chooses which
+        rays go on behind what lets light through. opaque_cutouts: whether rays are kept where
+        Cycles' alpha is below 1. normals: whether Cycles answers them.
         """
         points = scene.shade_points(rays.origins, rays.directions, rng)
         origins, reach = _starts(scene, points, rays)
-        options: dict[str, Any] = {
-            "samples": samples,
-            "seed": seed,
-            "reach": reach,
-            "normals": normals,
-        }
-        ask = partial(worker.render_rays, origins, rays.directions, **options)
-        rendered = _rendered(ask, light, points)
+        rendered = worker.render_rays(origins, rays.directions, wi, samples, seed, reach, normals)
         # A ray along a silhouette may hit here and miss there; such a sample would be black.
         # What lets light through has an alpha that is as noisy as its radiance.
         thin = points.transmittance.any(axis=1)
@@ -74,23 +63,6 @@ class TracedRays:
             kept &= own.max(axis=1) > _LEAST_OWN
             radiance = radiance / np.maximum(own, _LEAST_OWN)
         return cls(rays, points, rendered, radiance, kept)
-
-
-def _rendered(
-    ask: Callable[..., RenderedRays], light: Light | None, points: ShadePoints
-) -> RenderedRays:
-    """Cycles' answer along rays that hit our scene at `points`, under irradiance 1 there.
-
-    ask: Cycles, given the light. A lamp has irradiance 1 at the nearest point: Cycles' clamps cut
-    nowhere more of it than of a sun.
-    """
-    if not isinstance(light, Lamp):
-        return ask(wi=None if light is None else light.wi)
-    squared = light.distances(points.position)[:, None] ** 2
-    intensity = float(squared[points.hit].min()) if points.hit.any() else 1.0
-    rendered, scale = ask(wi=None, lamp=(light.position, intensity)), squared / intensity
-    direct = None if rendered.direct is None else scale * rendered.direct
-    return replace(rendered, radiance=scale * rendered.radiance, direct=direct)
 
 
 def _starts(

@@ -19,7 +19,6 @@ import numpy as np
 
 from rna_export.capture.rays.asset_scene import AssetScene, part_counts
 from rna_export.capture.rays.capture_directions import directions_in, frame
-from rna_export.capture.rays.captured_light import Light
 from rna_sdk.package.manifest.manifest_fields import Region
 from rna_sdk.runtime import in_region
 
@@ -52,20 +51,21 @@ Drawing = Callable[[int, "np.ndarray | None"], ViewRays]
 
 
 def sample_view_rays(
-    scene: AssetScene, light: Light | None, n: int, wo: Region, rng: np.random.Generator
+    scene: AssetScene, wi: np.ndarray | None, n: int, wo: Region, rng: np.random.Generator
 ) -> ViewRays:
     """n rays towards the asset, whose views are in the region `wo`.
 
-    light: that makes highlights; None: no light, no highlights.
+    wi: (3,) where the light comes from that makes highlights; None: no light, no highlights.
     """
     shares = _part_shares(scene, wo, rng)
     draw = _Draw(scene, wo, rng)
 
+    light = np.zeros(3, np.float32) if wi is None else wi  # without one no highlight is drawn
+
     def highlight(k: int, among: np.ndarray | None) -> ViewRays:
-        assert light is not None  # else none is drawn
         return _highlight(scene, light, draw.seen(2 * k, among), k, rng)
 
-    lit = 0 if light is None else round(n * HIGHLIGHT)
+    lit = 0 if wi is None else round(n * HIGHLIGHT)
     highlights = draw.both_ways(highlight, part_counts(lit, shares), tries=8)
     close = draw.hits(draw.close, part_counts(round(n * CLOSE), shares), tries=32)
     found = highlights.of_parts + close.of_parts
@@ -204,10 +204,10 @@ def _close(
 
 
 def _highlight(
-    scene: AssetScene, light: Light, seen: ViewRays, n: int, rng: np.random.Generator
+    scene: AssetScene, wi: np.ndarray, seen: ViewRays, n: int, rng: np.random.Generator
 ) -> ViewRays:
     hits = scene.shade_points(seen.origins, seen.directions)
-    rows, wo = scene.highlight_views(hits, light.directions(hits.position), rng)
+    rows, wo = scene.highlight_views(hits, wi, rng)
     above = np.sum(wo * hits.geometric_normal[rows], axis=1) > 0.02
     rows, wo = rows[above][:n], wo[above][:n]
     points, ng = hits.position[rows], hits.geometric_normal[rows]

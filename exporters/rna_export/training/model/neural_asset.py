@@ -16,11 +16,6 @@ from rna_export.training.presets import ModelConfig
 from rna_sdk.package import query_width
 
 
-def nearness(inverse_distance: Tensor) -> Tensor:
-    """1 / (1 + d) of the light's distance d from the point, (k,): (k, 1), 0 for a sun."""
-    return (inverse_distance / (1.0 + inverse_distance))[:, None]
-
-
 class NeuralAsset(nn.Module):
     """T(x, wo, wi) as a triplane and an MLP (the paper, section 3).
 
@@ -53,7 +48,7 @@ class NeuralAsset(nn.Module):
             self.triplane = Triplane(config.resolution, config.channels, *bounds)
         width = config.width
         layers: list[nn.Module] = []
-        columns = query_width(config.inputs, config.channels) + config.near_lights
+        columns = query_width(config.inputs, config.channels)
         for _ in range(config.hidden_layers):
             layers += [nn.Linear(columns, width), nn.ReLU()]
             columns = width
@@ -106,10 +101,7 @@ class NeuralAsset(nn.Module):
             features = grid(position, at["wo"], at["wi"], self._in_bfloat16)
         else:
             features = grid(at["uv"] if self.config.texture == "uv" else position, blur)
-        inputs = assemble(self.config.inputs, features, p, at)
-        if not self.config.near_lights:
-            return inputs
-        return torch.cat([inputs, nearness(at["inverse_distance"])], dim=1)
+        return assemble(self.config.inputs, features, p, at)
 
     def colours(self, y: Tensor) -> Tensor:
         """Radiance from y: the inverse of log(x / unit + 1), between 0 and the ceiling."""
