@@ -1,4 +1,9 @@
-"""Where light ends: at the terminator and at edges of cast shadows."""
+"""Where light ends: at the terminator and at edges of cast shadows.
+
+An edge is right where the mean radiance by the distance to it is Cycles', on both sides: then it is
+in its place, and as sharp. Errors of single pixels are larger there than elsewhere in any picture,
+as brightness changes within a pixel.
+"""
 
 from __future__ import annotations
 
@@ -13,10 +18,9 @@ from rna_bench.stability.chosen import ChosenSamples, Samples
 from rna_bench.stability.fixtures import Fixtures
 from rna_bench.stability.view_errors import relative_error
 from rna_export.capture.dataset.validation_view import ValidationView, is_lit
-from rna_export.metrics import flip
+from rna_export.metrics import display
 
-FLIP = 0.1  # the mark
-NEAR = 2  # pixels from an edge on both sides
+MISSED = 0.1  # the mark
 
 _REACH = 8  # pixels to both sides
 _TERMINATOR = np.sin(np.radians(10.0))  # |n.wi| below: the surface turns away from the light
@@ -54,10 +58,8 @@ def _hint_blind(answers: Answers) -> Answers:
 
 
 def profile(answers: Answers, views: list[ValidationView]) -> list[Row]:
-    """Errors by the distance to the nearest edge, in pixels; negative in the shadow."""
-    shaded = [picked(answers, view.samples) for view in views]
-    flips = np.concatenate([_flips(view, s) for view, s in zip(views, shaded, strict=True)])
-    radiance = np.concatenate(shaded)
+    """Means and errors by the distance to the nearest edge, in pixels; negative in the shadow."""
+    shaded = np.concatenate([picked(answers, view.samples) for view in views])
     halves = np.concatenate([view.halves for view in views], axis=1)
     placed = [signed_distance(view) for view in views]
     rows = []
@@ -66,22 +68,16 @@ def profile(answers: Answers, views: list[ValidationView]) -> list[Row]:
         for pixels in (*range(-_REACH, 0), *range(1, _REACH + 1)):
             at = distance == pixels
             if at.sum() >= 20:
-                error = absolute_error(radiance[at], halves[:, at])
-                error["flip"] = float(flips[at].mean())
-                rows.append({"edge": kind, "pixels": pixels, "samples": int(at.sum()), **error})
+                means = means_of(shaded[at], halves[:, at])
+                rows.append({"edge": kind, "pixels": pixels, "samples": int(at.sum()), **means})
     return rows
 
 
-def _flips(view: ValidationView, radiance: np.ndarray) -> np.ndarray:
-    """FLIP of the view's rows, (n,)."""
-    _, error = flip(view.image(radiance), view.image(view.reference))
-    return error.reshape(-1)[view.pixel]
-
-
-def absolute_error(radiance: np.ndarray, halves: np.ndarray) -> dict[str, float]:
-    """Root mean square error of displayed radiance without noise, and the reference's mean."""
-    mean = float(np.clip(np.pi * halves, 0.0, 1.0).mean())
-    return {"error": relative_error(radiance, halves) * mean if mean else 0.0, "mean": mean}
+def means_of(radiance: np.ndarray, halves: np.ndarray) -> dict[str, float]:
+    """Of displayed radiance: the reference's mean, ours, the root mean square error, no noise."""
+    mean = float(display(halves).mean())
+    error = relative_error(radiance, halves) * mean if mean else 0.0
+    return {"error": error, "mean": mean, "ours": float(display(radiance).mean())}
 
 
 def signed_distance(view: ValidationView) -> dict[str, np.ndarray]:
@@ -138,39 +134,50 @@ def _grown(seed: np.ndarray, index: np.ndarray, lit: np.ndarray) -> np.ndarray:
 
 def judge(rows: list[Row]) -> Verdict:
     ours = [row for row in rows if row["model"] == "with the hint"]
-    found = {kind: flip_beside(ours, kind) for kind in ("terminator", "cast shadow")}
+    found = {kind: missed(ours, kind) for kind in ("terminator", "cast shadow")}
     told = ", ".join(f"{k} {v:.3f}" for k, v in found.items() if v is not None)
     worst = max((v for v in found.values() if v is not None), default=0.0)
-    return Verdict(worst <= FLIP, f"FLIP beside the edge: {told}")
+    return Verdict(worst <= MISSED, f"of the step from shadow to light: {told}")
 
 
-def flip_beside(rows: list[Row], edge: str) -> float | None:
-    """Mean FLIP of the pixels within `NEAR` of such an edge; None where there is none."""
-    near = [row for row in rows if row["edge"] == edge and abs(row["pixels"]) <= NEAR]
-    if not near:
+def missed(rows: list[Row], edge: str) -> float | None:
+    """Largest difference of the means at one distance, over the step from shadow to light.
+
+    None where an edge has no two sides.
+    """
+    of_edge = [row for row in rows if row["edge"] == edge]
+    lit = [row["mean"] for row in of_edge if row["pixels"] > 0]
+    shadowed = [row["mean"] for row in of_edge if row["pixels"] < 0]
+    if not lit or not shadowed:
         return None
-    return float(np.average([r["flip"] for r in near], weights=[r["samples"] for r in near]))
+    step = float(np.mean(lit) - np.mean(shadowed))
+    return float(max(abs(row["ours"] - row["mean"]) for row in of_edge) / max(step, 1e-9))
 
 
 def draw(figure: FigureBase, rows: list[Row]) -> None:
     grid = figure.subplots(2, 2, sharex=True, sharey="row")
-    shown = [(edge, y) for y in ("error", "flip") for edge in ("terminator", "cast shadow")]
-    for axes, (edge, y) in zip(grid.flat, shown, strict=True):
-        for model in dict.fromkeys(values(rows, "model")):
+    models = list(dict.fromkeys(values(rows, "model")))
+    for column, edge in enumerate(("terminator", "cast shadow")):
+        means, errors = grid[:, column]
+        for model in models:
             where = {"edge": edge, "model": model}
-            axes.plot(values(rows, "pixels", **where), values(rows, y, **where), "o-", label=model)
-        axes.axvspan(-_REACH, 0, color="black", alpha=0.08)
-        axes.set_xlabel(f"pixels from the edge, {edge}")
-        axes.set_ylabel("FLIP" if y == "flip" else "RMS error; grey: in shadow")
-        axes.label_outer()
-    axes.legend()
+            pixels = values(rows, "pixels", **where)
+            means.plot(pixels, values(rows, "ours", **where), "o-", label=f"ours, {model}")
+            errors.plot(pixels, values(rows, "error", **where), "o-")
+        means.plot(pixels, values(rows, "mean", **where), "k--", label="Cycles")
+        for axes in (means, errors):
+            axes.axvspan(-_REACH, 0, color="black", alpha=0.08)
+        errors.set_xlabel(f"pixels from the edge, {edge}")
+    grid[0, 0].set_ylabel("mean radiance; grey: in shadow")
+    grid[1, 0].set_ylabel("RMS error")
+    grid[0, 0].legend()
 
 
 CASE = Case(
     name="shadow-edges",
     title="Shadow edges",
     varies="distance to the terminator and to edges of cast shadows; with and without the hint",
-    mark="FLIP at most 0.1 within 2 pixels of an edge",
+    mark="mean radiance at each distance to an edge within a tenth of the step that is Cycles'",
     advice="The hint makes edges sharp; a host that leaves it out gets smeared shadows.",
     measure=measure,
     judge=judge,
