@@ -168,10 +168,10 @@ def draw(figure: FigureBase, rows: list[Row]) -> None:
             flips.plot(pixels, values(rows, "flip", **where), "o-")
         means.plot(pixels, values(rows, "mean", **where), "k--", label="Cycles")
         for axes in (means, flips):
-            axes.axvspan(-_REACH, 0, color="black", alpha=0.08)
+            axes.axvspan(-_REACH, 0, color="black", alpha=0.08, label="in shadow")
         flips.axhline(FLIP, color="grey", linewidth=0.8)
         flips.set_xlabel(f"pixels from the edge, {edge}")
-    grid[0, 0].set_ylabel("mean radiance; grey: in shadow")
+    grid[0, 0].set_ylabel("mean radiance")
     grid[1, 0].set_ylabel("FLIP")
     grid[0, 0].legend()
 
