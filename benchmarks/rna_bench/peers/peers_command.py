@@ -150,7 +150,7 @@ def _plan(args: argparse.Namespace) -> Any:
 
 
 def _read(folder: Path, split: str, limit: int | None) -> Any:
-    from rna_bench.peers.lambert_sphere import sphere_views
+    from rna_bench.peers.sphere.lambert_sphere import sphere_views
     from rna_bench.peers.views_reader import read_views
 
     if str(folder) != SPHERE:

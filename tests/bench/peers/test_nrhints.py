@@ -10,7 +10,6 @@ import torch
 from torch import Tensor
 from torch.nn.functional import normalize
 
-from rna_bench.peers.lambert_sphere import sphere_views
 from rna_bench.peers.learned_method import Targets
 from rna_bench.peers.methods import METHODS, Setting
 from rna_bench.peers.neus import importance_samples, inverse_cdf, opacities, transmittances
@@ -24,6 +23,7 @@ from rna_bench.peers.nrhints.nrhints import (
     GeometryLosses,
     NRHints,
 )
+from rna_bench.peers.sphere.lambert_sphere import sphere_views
 
 RADIUS = 0.6
 

@@ -13,15 +13,16 @@ import torch
 
 from rna_bench.checkout import TOY
 from rna_bench.cli import main
-from rna_bench.peers import lambert_sphere, our_package, peers_command, study
+from rna_bench.peers import our_package, peers_command, study
 from rna_bench.peers.analytic_known import KnownMaterial
 from rna_bench.peers.known_geometry import KnownGeometry
-from rna_bench.peers.lambert_sphere import sphere_views
 from rna_bench.peers.method import Budget
 from rna_bench.peers.methods import METHODS, Setting
 from rna_bench.peers.nrhints import nrhints
 from rna_bench.peers.nrhints.nrhints_known import KnownNRHints
 from rna_bench.peers.scoring import HeldOut
+from rna_bench.peers.sphere import lambert_sphere
+from rna_bench.peers.sphere.lambert_sphere import sphere_views
 from rna_bench.peers.views import Views
 from rna_sdk.errors import TrainingError
 from rna_sdk.runtime import load

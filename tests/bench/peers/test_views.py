@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from rna_bench.peers.lambert_sphere import ALBEDO, CENTRE, RADIUS, sphere_views
 from rna_bench.peers.scoring import HeldOut, reduced
+from rna_bench.peers.sphere.lambert_sphere import ALBEDO, CENTRE, RADIUS, sphere_views
 from rna_bench.peers.views_plan import INTENSITY, ViewsPlan
 from rna_bench.peers.views_reader import read_views, splits_of
 from rna_render import write_exr
