@@ -1,6 +1,6 @@
 """The Lambertian sphere of `rna-bench peers sphere` as an asset, for methods that know geometry.
 
-    rna-make benchmarks/rna_bench/peers/sphere/sphere_asset.py --out sphere.rna --minutes 4
+    rna-make benchmarks/rna_bench/peers/sphere/sphere_asset.py --out sphere.rna --minutes 3
 
 Its place and colour are those of `lambert_sphere.py`, which has +Y up. Runs inside Blender.
 """
