@@ -8,7 +8,8 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from rna_export.capture.blender_process import blender_env
-from rna_export.capture.blender_process.blender_worker import BlenderWorker, Source
+from rna_export.capture.blender_process.blender_worker import BlenderWorker
+from rna_export.capture.blender_process.source import Source
 from rna_export.machine import default_workers
 from rna_sdk.errors import CaptureError
 

@@ -10,8 +10,8 @@ import numpy as np
 import OpenEXR
 import pytest
 
-from rna_export.capture.blender_process import blender_worker as worker
-from rna_export.capture.blender_process.blender_worker import _read_render
+from rna_export.capture.blender_process import exchanged_files
+from rna_export.capture.blender_process.exchanged_files import read_render
 from rna_export.pictures import write_picture
 from rna_export.training.checkpoint import save_checkpoint
 from rna_export.training.model.neural_asset import NeuralAsset
@@ -37,13 +37,13 @@ def test_an_image_of_blender_that_is_not_whole(
     header = {"compression": OpenEXR.NO_COMPRESSION, "type": OpenEXR.scanlineimage}
     with OpenEXR.File(header, channels) as file:
         file.write(str(path))
-    assert set(_read_render(path)) == {f"Combined.{c}" for c in "RGBA"}
+    assert set(read_render(path)) == {f"Combined.{c}" for c in "RGBA"}
     with pytest.raises(CaptureError, match=r"out\.exr: .* is not whole: it has no Position"):
-        _read_render(path, "Position")
+        read_render(path, "Position")
     path.write_bytes(path.read_bytes()[:9000])
-    monkeypatch.setattr(worker, "_LITTLE", 1 << 62)  # as if no space were left
+    monkeypatch.setattr(exchanged_files, "_LITTLE", 1 << 62)  # as if no space were left
     with pytest.raises(CaptureError, match=r"out\.exr: .* is not whole: No space left on device"):
-        _read_render(path)
+        read_render(path)
 
 
 def test_a_checkpoint_and_a_picture(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

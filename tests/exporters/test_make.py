@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rna_export.capture.blender_process.blender_worker import Source
+from rna_export.capture.blender_process.source import Source
 from rna_export.capture.capture_run import CaptureWorkers
 from rna_export.capture.capture_tasks import Task, TrainingShard
 from rna_export.capture.dataset.dataset_folder import Dataset

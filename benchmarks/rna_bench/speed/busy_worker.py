@@ -145,7 +145,8 @@ def evaluation() -> Iterator[Task]:
 def capture() -> Iterator[Task]:
     """Rays of the quickstart's source in Cycles, one worker a core, as captures have them."""
     from rna_export.capture.blender_process import blender_env
-    from rna_export.capture.blender_process.blender_worker import BlenderWorker, Source
+    from rna_export.capture.blender_process.blender_worker import BlenderWorker
+    from rna_export.capture.blender_process.source import Source
     from rna_export.machine import default_workers
 
     source, python = Source(ROOT / "examples" / "quickstart" / "toy.py"), blender_env.find_python()

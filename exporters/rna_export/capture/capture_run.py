@@ -15,8 +15,9 @@ from tqdm import tqdm
 
 import rna_sdk
 from rna_export.capture.blender_process import blender_env
-from rna_export.capture.blender_process.blender_worker import BlenderWorker, Source
+from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.capture.blender_process.capture_worker import CaptureJob, CaptureWorker, opened
+from rna_export.capture.blender_process.source import Source
 from rna_export.capture.capture_tasks import Task, TrainingShard, all_tasks
 from rna_export.capture.check.self_check import PICTURE, WORTH_A_NOTE, SelfCheck
 from rna_export.capture.dataset.collect import Collector

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from rna_export.capture.blender_process.blender_worker import Source
+from rna_export.capture.blender_process.source import Source
 from rna_export.capture.capture_run import CaptureWorkers
 from rna_export.fit.goal import Goal
 from rna_render.scene import SceneFile

@@ -6,11 +6,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from rna_export.capture.blender_process.blender_worker import (
-    BlenderWorker,
-    MaterialTextures,
-    ScenePart,
-)
+from rna_export.capture.blender_process.blender_process import ScenePart
+from rna_export.capture.blender_process.blender_worker import BlenderWorker
+from rna_export.capture.blender_process.material_textures import MaterialTextures
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.dataset.dataset_manifest import CapturedPart
 from rna_export.capture.geometry.mesh_cleanup import welded, with_last

@@ -1,0 +1,163 @@
+"""A Blender process with an opened source: start, JSON lines protocol, stop, restart."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import subprocess
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Self
+
+from rna_export.capture.blender_process.source import Source
+from rna_sdk.errors import CaptureError
+from rna_work.processor_time import process_seconds
+
+_LINES = 5  # of Blender's output, in an error
+_WORKER = Path(__file__).parents[2] / "blender" / "worker.py"
+
+
+@dataclass(frozen=True)
+class ScenePart:
+    """The objects of an opened source that become a part of the asset."""
+
+    name: str
+    kind: str  # "surface" or "fiber"
+    owner: str | None  # the top object that it is; None: whatever is of the kind
+
+
+class BlenderProcess:
+    """Stock Blender in a process of its own, holding one opened source; for a `with` statement.
+
+    Attributes:
+        source: what is opened.
+        opened: Blender's answer to that.
+        parts: what the source consists of.
+
+    Raises `CaptureError` when Blender cannot start, cannot load the source or fails at a request.
+    """
+
+    def __init__(self, python: Path, source: Source, folder: Path, threads: int, name: str = "0"):
+        self._python, self.source, self._threads = python, source, threads
+        self._folder, self._name = folder, name
+        self._frame = source.rest_frame  # that the source shows; None for the one it opens with
+        self._process: subprocess.Popen[str] | None = None
+        self._spent = 0.0  # processor time of processes that have ended, s
+
+    def __enter__(self) -> Self:
+        self._folder.mkdir(parents=True, exist_ok=True)
+        self._start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def _start(self) -> None:
+        self._log = (self._folder / f"worker-{self._name}.log").open("w", encoding="utf-8")
+        self._process = self._launch()
+        try:
+            self.opened = self._ask(
+                op="open",
+                source=str(self.source.path.resolve()),
+                arguments=list(self.source.arguments),
+                threads=self._threads,
+                clampDirect=self.source.clamp_direct,
+                clampIndirect=self.source.clamp_indirect,
+                front=self.source.front,
+                up=self.source.up,
+                parts=self.source.parts,
+                frame=self._frame,
+            )
+            self._frame = self.opened["frame"]
+            self.parts = tuple(ScenePart(**part) for part in self.opened["parts"])
+        except BaseException:
+            self.close()
+            raise
+
+    def _launch(self) -> subprocess.Popen[str]:
+        """A process that has opened nothing yet."""
+        return subprocess.Popen(
+            [str(self._python), str(_WORKER)],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=self._log,
+            encoding="utf-8",
+            errors="replace",  # Blender prints names of files as their bytes are
+            process_group=0,  # Ctrl-C is for us; half a render would look like a whole one
+        )
+
+    def kill(self) -> None:
+        """Kill the process, if it runs: calls from other threads then raise CaptureError."""
+        if self._process is not None:
+            self._process.kill()
+
+    def processor_seconds(self) -> float | None:
+        """Processor time of all its processes so far, s; None where the system does not tell."""
+        process = self._process
+        if process is None or process.poll() is not None:
+            return self._spent
+        now = process_seconds(process.pid)
+        return None if now is None else self._spent + now
+
+    def close(self) -> None:
+        """End the process; safe to call twice."""
+        process = self._running()
+        if process.poll() is None:
+            self._spent += process_seconds(process.pid) or 0.0
+        self.kill()
+        process.wait()
+        for stream in (process.stdin, process.stdout, self._log):
+            if stream is not None:
+                with contextlib.suppress(OSError):  # a request that never reached it; a full disk
+                    stream.close()
+
+    def _running(self) -> subprocess.Popen[str]:
+        assert self._process is not None  # since __enter__
+        return self._process
+
+    def restart(self) -> None:
+        """A fresh process with the same source: Blender's memory grows over many renders."""
+        self.close()
+        self._start()
+
+    def _ask(self, **request: Any) -> dict[str, Any]:
+        process = self._running()
+        assert process.stdin is not None and process.stdout is not None  # pipes
+        try:
+            process.stdin.write(json.dumps(request) + "\n")
+            process.stdin.flush()
+            for line in process.stdout:
+                if line.startswith("RNA "):
+                    answer: dict[str, Any] = json.loads(line[4:])
+                    if not answer["ok"]:
+                        raise CaptureError(f"{self.source.path}: Blender says: {answer['error']}")
+                    return answer
+                self._log.write(line)
+        except BrokenPipeError:
+            pass
+        raise CaptureError(
+            f"{self.source.path}: the Blender worker ended without an answer to "
+            f"{request['op']!r}; its last output: {self._last_words()}"
+        )
+
+    def _last_words(self) -> str:
+        self._log.flush()
+        lines = Path(self._log.name).read_text("utf-8", errors="replace").split("\n")
+        return " / ".join([line.strip() for line in lines if line.strip()][-_LINES:]) or "none"
+
+    @property
+    def kind(self) -> str:
+        """Kind of the opened source's parts: "surface", "fiber" or "both"."""
+        kinds = {part.kind for part in self.parts}
+        return kinds.pop() if len(kinds) == 1 else "both"
+
+    def frame_span(self) -> tuple[int, int, float]:
+        """First and last frame of the source's scene, and frames a second."""
+        answer = self._ask(op="frameSpan")
+        return answer["first"], answer["last"], answer["rate"]
+
+    def show_frame(self, frame: int) -> None:
+        """Go to another frame of the source, for what is exported and rendered then."""
+        if frame != self._frame:
+            self._frame = frame
+            self._ask(op="showFrame", frame=frame)
