@@ -57,6 +57,7 @@ GROUPS: dict[str, tuple[Command, ...]] = {
     "accuracy": (
         Command("presets", "accuracy.preset_scores", resumes=True),
         Command("int8-tiers", "accuracy.int8_tiers"),
+        Command("strand-error", "accuracy.strand_error"),
         Command("emission", "accuracy.emission_scenes"),
         Command("lobes", "lobes.lobes_command"),
         Command("poses", "accuracy.poses"),
