@@ -10,7 +10,6 @@ from pathlib import Path
 from time import monotonic
 from typing import Any
 
-import numpy as np
 from tqdm import tqdm
 
 import rna_sdk
@@ -18,6 +17,7 @@ from rna_export.capture.blender_process import blender_env
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.capture.blender_process.capture_worker import CaptureJob, CaptureWorker, opened
 from rna_export.capture.blender_process.source import Source
+from rna_export.capture.capture_plan import parts_lines, plan_lines
 from rna_export.capture.capture_tasks import Task, TrainingShard, all_tasks
 from rna_export.capture.check.self_check import PICTURE, WORTH_A_NOTE, SelfCheck
 from rna_export.capture.dataset.collect import Collector
@@ -27,15 +27,11 @@ from rna_export.capture.estimate.gain import table_of, told
 from rna_export.capture.estimate.pilot import LIGHTS, Pilot
 from rna_export.capture.geometry.captured_poses import captured_poses
 from rna_export.capture.opened_source import OpenedSource
-from rna_export.capture.rays.capture_directions import light_direction
 from rna_export.capture.time_plan import LEAST_LIGHTS, TimeLimit, planned, shrunk
 from rna_render.scene import SceneFile
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.cpu import processor_key
 from rna_sdk.errors import CaptureError
-from rna_sdk.package import Curves, Mesh
-from rna_sdk.package.manifest.manifest_fields import Region
-from rna_sdk.runtime import in_region
 from rna_work.backend import Backend
 from rna_work.cluster.store import Store
 from rna_work.executors import Executor, Needs, this_machine
@@ -44,7 +40,6 @@ from rna_work.progress import Progress
 from rna_work.sources import Carried
 from rna_work.timeouts import Timeouts
 
-_COUNTED = 4096
 _RESOURCE = "rna_blender"  # of a cluster's nodes that have Blender
 _ATTEMPTS = 2  # Blender may die of its own; a second failure is ours
 
@@ -163,7 +158,7 @@ def begin(
     for note in manifest.notes:
         say(f"note: {note}")
     dataset = Dataset.create(out, manifest, geometries, exported.textures, poses, exported.sources)
-    say(_plan(dataset, geometries, rate))
+    say(plan_lines(dataset, geometries, rate))
     return dataset
 
 
@@ -271,60 +266,3 @@ def _found(checks: Mapping[str, SelfCheck], out: Path) -> list[str]:
         if (note := check.note()) is not None:
             notes.append(f"{begin}{note}" + (f"; {path} marks it" if check is shown else ""))
     return notes
-
-
-def _plan(dataset: Dataset, geometries: Mapping[str, Mesh | Curves], rate: float) -> str:
-    settings = dataset.manifest.settings
-    paths = sum(task.paths_to_trace(dataset) for task in all_tasks(dataset))
-    samples = settings.lights * settings.rays
-    return (
-        f"{parts_lines(dataset.manifest.name, geometries)}"
-        f"{_domain_line(dataset.manifest)}"
-        f"{_poses_line(dataset.manifest)}"
-        f"training: {settings.lights:,} lights x {settings.rays:,} view rays = "
-        f"{samples / 1e6:.2f} M samples of {settings.samples} paths\n"
-        f"validation: {settings.validation_views} images of {settings.validation_resolution}"
-        f"x{settings.validation_resolution}, {settings.validation_samples} paths a pixel\n"
-        f"about {paths / rate / 60.0:.1f} minutes at {rate / 1e6:.2f} M paths/s, "
-        f"{samples * 4 * _widest(dataset) / 1e6:,.0f} MB"
-    )
-
-
-def parts_lines(name: str, geometries: Mapping[str, Mesh | Curves]) -> str:
-    """What an asset is made of: a line, or one a part, each with its end."""
-    sizes = {part: _size(geometry) for part, geometry in geometries.items()}
-    if len(sizes) == 1:
-        return f"{name}: {next(iter(sizes.values()))}\n"
-    lines = (f"  {part}: {size}\n" for part, size in sizes.items())
-    return f"{name}, {len(sizes)} parts:\n{''.join(lines)}"
-
-
-def _widest(dataset: Dataset) -> int:
-    """Columns of the samples that have the most."""
-    return max(sum(part.fields.values()) for part in dataset.parts)
-
-
-def _domain_line(manifest: CaptureManifest) -> str:
-    """The remaining share of directions with --for; empty without it."""
-    if manifest.scene_domain is None:
-        return ""
-    domain = manifest.scene_domain
-    return f"of all directions: {_share(domain.wo)} of views, {_share(domain.wi)} of lights\n"
-
-
-def _poses_line(manifest: CaptureManifest) -> str:
-    """The poses by frame; empty for the rest frame alone."""
-    frames = ", ".join(map(str, manifest.poses))
-    return f"rays take turns at {manifest.pose_count} poses: frames {frames}\n" if frames else ""
-
-
-def _share(region: Region) -> str:
-    """Fraction of the sphere, counted on evenly spread directions."""
-    spread = np.array([light_direction(k, 0, "sphere") for k in range(_COUNTED)])
-    return f"{in_region(region, spread).mean():.1%}"
-
-
-def _size(geometry: Mesh | Curves) -> str:
-    if isinstance(geometry, Curves):
-        return f"{len(geometry.offsets) - 1:,} strands, {len(geometry.points):,} points"
-    return f"{len(geometry.triangles):,} triangles"

@@ -9,7 +9,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from time import monotonic
 
-from rna_export.capture.capture_run import parts_lines, say_dropped
+from rna_export.capture.capture_plan import parts_lines
+from rna_export.capture.capture_run import say_dropped
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.export.extras import add_extras
 from rna_export.export.package_build import build_package
