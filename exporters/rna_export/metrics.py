@@ -177,6 +177,29 @@ def flip(
     return float(mean), np.asarray(error).reshape(image.shape[:2])
 
 
+def reduced(image: np.ndarray, factor: int) -> np.ndarray:
+    """Means of blocks of `factor` x `factor` pixels of an image (h, w, 3).
+
+    Rows and columns that do not fill a block are left out.
+    """
+    height, width = (side // factor for side in image.shape[:2])
+    whole = image[: height * factor, : width * factor]
+    blocks = whole.reshape(height, factor, width, factor, 3)
+    return np.asarray(blocks.mean(axis=(1, 3)))
+
+
+def psnr_of_pixels(
+    image: np.ndarray, reference: np.ndarray, factor: int, covered: int, exposure: float = 1.0
+) -> float:
+    """PSNR of images (h, w, 3) whose pixels are each the mean of `factor` x `factor` of these.
+
+    covered: pixels of the given images that show the asset, whose area the error is divided by.
+    """
+    a, b = reduced(image, factor), reduced(reference, factor)
+    error = float(_squared_error(a, b, exposure).sum())
+    return _decibels(error * factor**2 / (3 * covered))
+
+
 def to_png(radiance: np.ndarray, exposure: float = 1.0) -> np.ndarray:
     """Radiance image (h, w, 3) at irradiance 1 as uint8 sRGB under irradiance pi."""
     return (255.0 * encode_srgb(display(radiance, exposure)) + 0.5).astype(np.uint8)

@@ -19,8 +19,9 @@ from rna_export.psnr_words import psnr_in_words
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.training_run import Run, train
 from rna_export.training.training_summary import closing_lines as training_lines
-from rna_export.training.validation import exposure, mean_psnr
+from rna_export.training.validation import exposure, mean_psnr, mean_psnr_of_pixels, shade
 from tests.exporters.synthetic import make_dataset, tiny
+from tests.exporters.two_parts import make, spikes
 
 
 def trained(part: DatasetPart, folder: Path) -> Path:
@@ -85,6 +86,19 @@ def test_an_export_says_it_again_with_the_notes_of_the_capture(tmp_path: Path) -
     assert sum(line.startswith("warning: 40 of 40,000 steps") for line in lines) == 1
     with Image.open(sheet_of(package)) as sheet:
         assert sheet.width == 4 * 6 * 24  # enlarged
+
+
+def test_strands_are_told_in_pixels_of_several_rays(tmp_path: Path) -> None:
+    dataset = make(tmp_path / "spikes.rays", {"asset": spikes(400, radius=0.05)})
+    preset = tiny(kind="fiber")
+    best = train(Run(dataset.only, preset, "small", tmp_path / "run"), say=lambda _: None)
+    model, views = load_checkpoint(best), dataset.whole_views()
+    in_pixels = mean_psnr_of_pixels([shade(model.model, v.parts[0]) for v in views], views)
+    told = f" dB a ray, {in_pixels:.1f} dB in pixels of 16 ({psnr_in_words(in_pixels)})"
+    assert told in training_lines(best, dataset.only)[0]
+    package = tmp_path / "spikes.rna"
+    manifest = build_package([model], dataset, package, None, "CC0-1.0", lambda _: None)
+    assert told in closing_lines(package, manifest, [model], dataset)[0]
 
 
 def test_a_black_reference_is_a_warning_and_no_record(tmp_path: Path) -> None:

@@ -8,7 +8,7 @@ import numpy as np
 
 from rna_bench.accuracy.strand_light import strand_light
 from rna_export.capture.dataset.validation_view import ValidationView
-from rna_export.metrics import IRRADIANCE, display, psnr_without_noise
+from rna_export.metrics import IRRADIANCE, display, psnr_without_noise, reduced
 from rna_export.training.model.neural_asset import NeuralAsset
 
 SIZES = (1, 2, 4, 8)
@@ -51,14 +51,7 @@ def pixel_errors(view: ValidationView, ours: np.ndarray, sizes: tuple[int, ...])
     images = [view.image(radiance) for radiance in (ours, *view.halves)]
     errors = []
     for size in sizes:
-        shown, one, other = (display(_reduced(image, size)).astype(np.float64) for image in images)
+        shown, one, other = (display(reduced(image, size)).astype(np.float64) for image in images)
         product = float(((shown - one) * (shown - other)).sum())
         errors.append(max(product, 1e-12) * size**2 / ours.size)
     return errors
-
-
-def _reduced(image: np.ndarray, size: int) -> np.ndarray:
-    """Means of blocks; what does not fill a block at the right and bottom edge is left out."""
-    n = len(image) // size
-    blocks = image[: n * size, : n * size].reshape(n, size, n, size, 3)
-    return np.asarray(blocks.mean(axis=(1, 3)))

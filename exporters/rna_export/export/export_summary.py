@@ -13,6 +13,7 @@ from rna_export.effort import Effort
 from rna_export.metrics import plain
 from rna_export.pictures import sheet_of
 from rna_export.psnr_words import psnr_in_words
+from rna_export.told_psnr import told_psnr
 from rna_export.training.checkpoint import Trained
 from rna_export.training.validation import mean_psnr, reference_warnings, write_sheet
 from rna_sdk.package import Manifest
@@ -29,6 +30,7 @@ def closing_lines(
     trained: the models of all parts and presets of the package.
     """
     views, lines = dataset.whole_views(), []
+    strands_alone = all(part.kind == "fiber" for part in dataset.parts)
     efforts = {
         preset: Effort.of([one for one in trained if one.preset_name == preset], dataset)
         for preset in dict.fromkeys(one.preset_name for one in trained)
@@ -36,11 +38,13 @@ def closing_lines(
     for tier in manifest.tiers:
         effort = next(e for p, e in efforts.items() if f"{tier.name}-".startswith(f"{p}-"))
         score = "no PSNR is recorded"
+        asset = load(package, tier=tier.name)
         if tier.validation is not None:
-            found = tier.validation
-            score = f"PSNR {found.psnr:.2f} dB ({psnr_in_words(found.psnr)}), FLIP {found.flip:.4f}"
+            shaded = [_shaded(asset, view) for view in views] if strands_alone else []
+            psnr = told_psnr(tier.validation.psnr, shaded, views, strands_alone)
+            score = f"PSNR {psnr}, FLIP {tier.validation.flip:.4f}"
         lines.append(f"{tier.name}: {score}; {effort}")
-        lines += _emission_line(tier.name, load(package, tier=tier.name), dataset)
+        lines += _emission_line(tier.name, asset, dataset)
     asset = load(package)
     write_sheet(sheet_of(package), [_shaded(asset, view) for view in views], views)
     lines += reference_warnings(views)

@@ -12,7 +12,7 @@ from rna_export.capture.dataset.asset_arguments import Arguments, rows_of
 from rna_export.capture.dataset.validation_view import CapturedImage, WholeView, all_queries
 from rna_export.export.trained_tiers import TrainedTier
 from rna_export.machine import seconds_of
-from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION, flip, plain, psnr
+from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION, flip, plain, psnr, reduced
 from rna_export.training.validation import exposure, mean_psnr, score, shade
 from rna_sdk.cpu import processor
 from rna_sdk.errors import ExportError
@@ -142,15 +142,7 @@ def flip_at_heights(
         if height < _SMALLEST and factor > 1:
             break
         errors = [
-            flip(_reduced(ours, factor), _reduced(theirs, factor), e)[0] for ours, theirs in images
+            flip(reduced(ours, factor), reduced(theirs, factor), e)[0] for ours, theirs in images
         ]
         result.append(FlipAtHeight(height=height, flip=float(np.mean(errors))))
     return tuple(result)
-
-
-def _reduced(image: np.ndarray, factor: int) -> np.ndarray:
-    """Means of blocks of `factor` x `factor` pixels."""
-    height, width = (side // factor for side in image.shape[:2])
-    whole = image[: height * factor, : width * factor]
-    blocks = whole.reshape(height, factor, width, factor, 3)
-    return np.asarray(blocks.mean(axis=(1, 3)))

@@ -17,12 +17,16 @@ from rna_export.metrics import (
     flip,
     plain,
     psnr,
+    psnr_of_pixels,
     psnr_without_noise,
     relative_mse,
     to_png,
 )
 from rna_export.pictures import comparison_sheet, enlarged, pictures_of, write_picture
 from rna_export.training.model.neural_asset import NeuralAsset
+
+RAYS_ALONG_A_PIXEL = 4
+"""Of pixels in which strands are seen as pictures show them: several strands in each."""
 
 _ROWS = 65536
 
@@ -110,6 +114,19 @@ def mean_psnr(radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> flo
     """Mean PSNR of shaded rows against the captured ones: the cheapest score."""
     pairs, e = zip(radiance, views, strict=True), exposure(views)
     return float(np.mean([psnr(shaded, view.reference, e) for shaded, view in pairs]))
+
+
+def mean_psnr_of_pixels(radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> float:
+    """Mean PSNR of pixels of `RAYS_ALONG_A_PIXEL` squared rays, where images have one ray each."""
+    e, size = exposure(views), RAYS_ALONG_A_PIXEL
+    return float(
+        np.mean(
+            [
+                psnr_of_pixels(v.image(r), v.image(v.reference), size, len(r), e)
+                for r, v in zip(radiance, views, strict=True)
+            ]
+        )
+    )
 
 
 def mean_flip(radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> float:
