@@ -15,7 +15,6 @@ from rna_bench.stability.answers import Answers, of_model, picked
 from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.chosen import ChosenSamples, Samples
 from rna_bench.stability.fixtures import Fixtures
-from rna_bench.stability.view_errors import relative_error
 from rna_export.capture.dataset.validation_view import ValidationView, is_lit
 from rna_export.metrics import display, flip
 
@@ -58,11 +57,11 @@ def _hint_blind(answers: Answers) -> Answers:
 
 
 def profile(answers: Answers, views: list[ValidationView]) -> list[Row]:
-    """Means and errors by the distance to the nearest edge, in pixels; negative in the shadow."""
+    """Mean radiance and FLIP by the distance to the nearest edge, pixels; negative in shadow."""
     shaded = [picked(answers, view.samples) for view in views]
     flips = np.concatenate([_flips(view, s) for view, s in zip(views, shaded, strict=True)])
-    radiance = np.concatenate(shaded)
-    halves = np.concatenate([view.halves for view in views], axis=1)
+    ours = display(np.concatenate(shaded)).mean(axis=1)
+    cycles = display(np.concatenate([view.reference for view in views])).mean(axis=1)
     placed = [signed_distance(view) for view in views]
     rows = []
     for kind in ("terminator", "cast shadow"):
@@ -70,7 +69,8 @@ def profile(answers: Answers, views: list[ValidationView]) -> list[Row]:
         for pixels in (*range(-_REACH, 0), *range(1, _REACH + 1)):
             at = distance == pixels
             if at.sum() >= 20:
-                means = {**means_of(radiance[at], halves[:, at]), "flip": float(flips[at].mean())}
+                shown = {"mean": cycles, "ours": ours, "flip": flips}
+                means = {name: float(each[at].mean()) for name, each in shown.items()}
                 rows.append({"edge": kind, "pixels": pixels, "samples": int(at.sum()), **means})
     return rows
 
@@ -79,13 +79,6 @@ def _flips(view: ValidationView, radiance: np.ndarray) -> np.ndarray:
     """FLIP of the view's rows, (n,)."""
     _, error = flip(view.image(radiance), view.image(view.reference))
     return error.reshape(-1)[view.pixel]
-
-
-def means_of(radiance: np.ndarray, halves: np.ndarray) -> dict[str, float]:
-    """Of displayed radiance: the reference's mean, ours, the root mean square error, no noise."""
-    mean = float(display(halves).mean())
-    error = relative_error(radiance, halves) * mean if mean else 0.0
-    return {"error": error, "mean": mean, "ours": float(display(radiance).mean())}
 
 
 def signed_distance(view: ValidationView) -> dict[str, np.ndarray]:
