@@ -9,8 +9,8 @@ the model's, of lit and of shadowed pixels, and of pixels that are the mean of 2
 
 With --source, Cycles renders 1,024 points of strands in 8 views each under 12 lights, and the error
 of scattered light is divided into what belongs to a point, to a point in one view, to a point under
-one light, and to all three together. Planes can hold the first; no light of a whole asset can be
-told the last.
+one light, and to all three together. Finer planes could learn the first; the last is light that
+comes by way of the very next strands.
 """
 
 from __future__ import annotations

@@ -9,14 +9,16 @@ import numpy as np
 from rna_bench.accuracy.crossed_variance import crossed_parts
 from rna_bench.accuracy.strand_light import strand_light
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
-from rna_export.capture.rays.asset_scene import AssetScene
+from rna_export.capture.rays.asset_scene import AssetScene, ShadePoints
 from rna_export.capture.rays.capture_directions import directions_in
 from rna_export.capture.rays.view_rays import ViewRays, outside_rays
 from rna_export.metrics import IRRADIANCE
 from rna_export.training.model.neural_asset import NeuralAsset
+from rna_sdk.errors import CaptureError
 
 POINTS, VIEWS, LIGHTS = 1024, 8, 12
-_TRIED = 64  # directions from a point, of which those are taken that leave the asset
+_DRAWS = 64  # of chords
+_DIRECTIONS = 64  # from a point, of which those are taken that leave the asset
 _FACING = 0.05  # least cosine between a view and the normal
 _SAME = 1e-4  # of the asset's radius: how near to the point a ray must hit
 
@@ -26,21 +28,27 @@ class SeenPoints(NamedTuple):
 
     rays: ViewRays
     queries: dict[str, np.ndarray]  # but for wi
-    shade: Any  # ShadePoints
+    shade: ShadePoints
 
 
 def seen_points(scene: AssetScene, rng: np.random.Generator, points: int) -> SeenPoints:
-    """Points of strands that can be seen from outside in VIEWS random directions or more."""
+    """Up to so many points of strands that are seen from outside in VIEWS random directions.
+
+    Raises CaptureError where there is none.
+    """
     found: list[tuple[np.ndarray, np.ndarray]] = []
-    while len(found) < points:
-        chords = outside_rays(scene, 4 * points, "sphere", rng)
+    for _ in range(_DRAWS):
+        chords = outside_rays(scene, points, "sphere", rng)
         hits = scene.shade_points(chords.origins, chords.directions)
-        for row in np.flatnonzero(hits.hit):
-            x, n = hits.position[row], hits.geometric_normal[row]
-            wo = _open_directions(scene, x, n, rng)
+        for row in np.flatnonzero(hits.hit).tolist():
+            x, wo = hits.position[row], _open_directions(scene, hits, row, rng)
             if len(wo) == VIEWS:
                 found.append((np.repeat(x[None], VIEWS, axis=0), wo))
-    x, wo = (np.concatenate(each[:points]) for each in zip(*found[:points], strict=True))
+        if len(found) >= points:
+            break
+    if not found:
+        raise CaptureError(f"found no point that is seen from outside in {VIEWS} directions")
+    x, wo = (np.concatenate(each) for each in zip(*found[:points], strict=True))
     rays = ViewRays(x + np.float32(2.0 * scene.radius) * wo, np.ascontiguousarray(-wo))
     shade = scene.shade_points(rays.origins, rays.directions)
     near = np.linalg.norm(shade.position - x, axis=1) < _SAME * scene.radius
@@ -51,10 +59,11 @@ def seen_points(scene: AssetScene, rng: np.random.Generator, points: int) -> See
 
 
 def _open_directions(
-    scene: AssetScene, x: np.ndarray, n: np.ndarray, rng: np.random.Generator
+    scene: AssetScene, hits: ShadePoints, row: int, rng: np.random.Generator
 ) -> np.ndarray:
-    """Up to VIEWS directions (k, 3) in which a point is seen from outside."""
-    wo = directions_in("sphere", rng.random((_TRIED, 2))).astype(np.float32)
+    """Up to VIEWS directions (k, 3) in which a hit is seen from outside."""
+    x, n = hits.position[row], hits.geometric_normal[row]
+    wo = directions_in("sphere", rng.random((_DIRECTIONS, 2))).astype(np.float32)
     wo = wo[wo @ n > _FACING]
     at, normals = (np.repeat(v[None], len(wo), axis=0) for v in (x, n))
     return np.asarray(wo[np.isinf(scene.free_distance(at, normals, wo))][:VIEWS])
