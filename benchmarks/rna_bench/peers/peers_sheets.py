@@ -80,7 +80,7 @@ def _drawn(
     grid = chart.subplots(2 * len(cells), columns, squeeze=False)
     for pair, (split, k) in enumerate(cells):
         held = plan.held_out[split]
-        images = [("reference, Cycles", held.views.rgba[k, ..., :3], "")]
+        images = [("reference", held.views.rgba[k, ..., :3], "")]
         images += [(_of_ours(row), row["images"][split][k], _psnr(row, split, k)) for row in ours]
         for row in shown:
             image = rendered(out, row["method"], row["seed"], split)[k]
