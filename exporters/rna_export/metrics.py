@@ -35,6 +35,9 @@ DARK = 0.25
 scores are taken at the exposure that shows this percentile so. At any other, a model scores by the
 asset's darkness."""
 
+RAYS_ALONG_A_PIXEL = 4
+"""Of pixels in which strands are seen as pictures show them: several strands in each."""
+
 _BLACK = 1e-4  # displayed level below which nothing is to be seen at any exposure
 _ONE_COLOUR = 2.0 / 255.0  # displayed difference
 _LEAST_ERROR = 1e-12  # mean squared: 120 dB, float32's rounding

@@ -5,12 +5,10 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-import torch
 
 from rna_export.training.model.neural_asset import NeuralAsset
+from rna_export.training.validation import in_batches
 from rna_sdk.errors import CaptureError
-
-_ROWS = 65536
 
 
 class StrandLight(NamedTuple):
@@ -20,7 +18,6 @@ class StrandLight(NamedTuple):
     scattered: np.ndarray
 
 
-@torch.no_grad()
 def strand_light(
     model: NeuralAsset, queries: dict[str, np.ndarray], visible: np.ndarray
 ) -> StrandLight:
@@ -30,10 +27,6 @@ def strand_light(
     """
     if not model.config.separates_direct:
         raise CaptureError("found a model that does not tell direct light from scattered light")
-    parts = [np.zeros((0, 3, 3), np.float32)]
-    for first in range(0, len(visible), _ROWS):
-        rows = {k: torch.from_numpy(v[first : first + _ROWS]) for k, v in queries.items()}
-        parts.append(model.colours(model(rows)).numpy())
-    direct, lit, shadowed = np.concatenate(parts).swapaxes(0, 1)
+    direct, lit, shadowed = in_batches(model, queries, model.colours).swapaxes(0, 1)
     is_lit = visible.astype(bool)[:, None]
     return StrandLight(np.where(is_lit, direct, 0.0), np.where(is_lit, lit, shadowed))

@@ -12,10 +12,14 @@ from rna_export.capture.dataset.validation_view import WholeView
 from rna_export.effort import Effort
 from rna_export.metrics import plain
 from rna_export.pictures import sheet_of
-from rna_export.psnr_words import psnr_in_words
-from rna_export.told_psnr import told_psnr
+from rna_export.psnr_words import told_psnr
 from rna_export.training.checkpoint import Trained
-from rna_export.training.validation import mean_psnr, reference_warnings, write_sheet
+from rna_export.training.validation import (
+    mean_psnr,
+    mean_psnr_of_pixels,
+    reference_warnings,
+    write_sheet,
+)
 from rna_sdk.package import Manifest
 from rna_sdk.runtime import Asset, load
 
@@ -40,8 +44,10 @@ def closing_lines(
         score = "no PSNR is recorded"
         asset = load(package, tier=tier.name)
         if tier.validation is not None:
-            shaded = [_shaded(asset, view) for view in views] if strands_alone else []
-            psnr = told_psnr(tier.validation.psnr, shaded, views, strands_alone)
+            in_pixels = None
+            if strands_alone:
+                in_pixels = mean_psnr_of_pixels([_shaded(asset, view) for view in views], views)
+            psnr = told_psnr(tier.validation.psnr, in_pixels)
             score = f"PSNR {psnr}, FLIP {tier.validation.flip:.4f}"
         lines.append(f"{tier.name}: {score}; {effort}")
         lines += _emission_line(tier.name, asset, dataset)
@@ -62,8 +68,7 @@ def _emission_line(name: str, asset: Asset, dataset: Dataset) -> list[str]:
                 rows.append(view.shaded_by(own))
     if not views or plain([view.reference for view in views]) == "black":
         return []
-    db = mean_psnr(rows, views)
-    return [f"{name}: PSNR of emission {db:.2f} dB ({psnr_in_words(db)})"]
+    return [f"{name}: PSNR of emission {told_psnr(mean_psnr(rows, views))}"]
 
 
 def _shaded(asset: Asset, view: WholeView) -> np.ndarray:

@@ -6,11 +6,10 @@ from pathlib import Path
 
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.effort import Effort
-from rna_export.psnr_words import psnr_in_words
-from rna_export.told_psnr import told_psnr
+from rna_export.psnr_words import told_psnr
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.loss_curves import read_curves
-from rna_export.training.validation import reference_warnings, shade
+from rna_export.training.validation import mean_psnr_of_pixels, reference_warnings, shade
 
 
 def closing_lines(best: Path, part: DatasetPart) -> list[str]:
@@ -20,10 +19,10 @@ def closing_lines(best: Path, part: DatasetPart) -> list[str]:
     views = part.validation_views()
     if rows:
         row = max(rows, key=lambda row: row["psnr"])
-        name, strands = trained.preset_name, part.kind == "fiber"
-        shaded = [shade(trained.model, view) for view in views] if strands else []
-        lines.append(f"{name}: PSNR {told_psnr(row['psnr'], shaded, views, strands)}; {effort}")
+        name, in_pixels = trained.preset_name, None
+        if part.kind == "fiber":
+            in_pixels = mean_psnr_of_pixels([shade(trained.model, view) for view in views], views)
+        lines.append(f"{name}: PSNR {told_psnr(row['psnr'], in_pixels)}; {effort}")
         if "emission_psnr" in row:
-            db = row["emission_psnr"]
-            lines.append(f"{name}: PSNR of emission {db:.2f} dB ({psnr_in_words(db)})")
+            lines.append(f"{name}: PSNR of emission {told_psnr(row['emission_psnr'])}")
     return [*lines, *reference_warnings(views), *effort.warnings]

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 import torch
+from torch import Tensor
 
 from rna_export.capture.dataset.validation_view import CapturedImage, EmissionView, ValidationView
 from rna_export.metrics import (
+    RAYS_ALONG_A_PIXEL,
     NoiselessPsnr,
     emission_exposure,
     exposure_of,
@@ -24,9 +26,6 @@ from rna_export.metrics import (
 )
 from rna_export.pictures import comparison_sheet, enlarged, pictures_of, write_picture
 from rna_export.training.model.neural_asset import NeuralAsset
-
-RAYS_ALONG_A_PIXEL = 4
-"""Of pixels in which strands are seen as pictures show them: several strands in each."""
 
 _ROWS = 65536
 
@@ -56,19 +55,29 @@ def shade_emission(model: NeuralAsset, view: EmissionView) -> np.ndarray:
     return emission.radiance(emission(planes, at)).cpu().numpy()
 
 
-@torch.no_grad()
 def answer(model: NeuralAsset, queries: dict[str, np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
     """Radiance where the light is visible, and where it is shadowed, (n, 3) float32 each.
 
     queries: as `ValidationView.queries` has them, n rows.
     """
-    device, parts = model.ceiling.device, [np.zeros((0, 2, 3), np.float32)]
+    both = in_batches(model, queries, model.transport)
+    return both[:, 0], both[:, 1]
+
+
+@torch.no_grad()
+def in_batches(
+    model: NeuralAsset, queries: dict[str, np.ndarray], of: Callable[[Tensor], Tensor]
+) -> np.ndarray:
+    """What `of` makes of the model's output y, (n, k, 3) float32, with some queries at a time.
+
+    queries: as `ValidationView.queries` has them, n rows. of: `NeuralAsset.colours` or `transport`.
+    """
+    device, colours = model.ceiling.device, len(model.colour_sums[0])
+    parts = [of(torch.zeros(0, colours, 3, device=device))]
     for first in range(0, len(queries["position"]), _ROWS):
         rows = {k: np.ascontiguousarray(v[first : first + _ROWS]) for k, v in queries.items()}
-        at = {name: torch.from_numpy(v).to(device) for name, v in rows.items()}
-        parts.append(model.transport(model(at)).cpu().numpy())
-    both = np.concatenate(parts)
-    return both[:, 0], both[:, 1]
+        parts.append(of(model({k: torch.from_numpy(v).to(device) for k, v in rows.items()})))
+    return np.asarray(torch.cat(parts).cpu().numpy())
 
 
 def exposure(views: Sequence[CapturedImage]) -> float:
