@@ -59,9 +59,11 @@ def _hint_blind(answers: Answers) -> Answers:
 def profile(answers: Answers, views: list[ValidationView]) -> list[Row]:
     """Mean radiance and FLIP by the distance to the nearest edge, pixels; negative in shadow."""
     shaded = [picked(answers, view.samples) for view in views]
-    flips = np.concatenate([_flips(view, s) for view, s in zip(views, shaded, strict=True)])
-    ours = display(np.concatenate(shaded)).mean(axis=1)
-    cycles = display(np.concatenate([view.reference for view in views])).mean(axis=1)
+    shown = {
+        "mean": display(np.concatenate([view.reference for view in views])).mean(axis=1),
+        "ours": display(np.concatenate(shaded)).mean(axis=1),
+        "flip": np.concatenate([_flips(v, s) for v, s in zip(views, shaded, strict=True)]),
+    }
     placed = [signed_distance(view) for view in views]
     rows = []
     for kind in ("terminator", "cast shadow"):
@@ -69,7 +71,6 @@ def profile(answers: Answers, views: list[ValidationView]) -> list[Row]:
         for pixels in (*range(-_REACH, 0), *range(1, _REACH + 1)):
             at = distance == pixels
             if at.sum() >= 20:
-                shown = {"mean": cycles, "ours": ours, "flip": flips}
                 means = {name: float(each[at].mean()) for name, each in shown.items()}
                 rows.append({"edge": kind, "pixels": pixels, "samples": int(at.sum()), **means})
     return rows
