@@ -1,6 +1,6 @@
 """Illumination of the surroundings by an emissive asset, against Cycles with the original.
 
-    rna-bench emission lamp.rna examples/recipes/lamp.py --bounces 12 \
+    rna-bench emission lamp.rna examples/recipes/lamp.py --bounces 12 \\
         --out benchmarks/results/emission-lamp.json --picture docs/images/emission-lamp.jpg
 
 Two scenes on a grey ground, with a red wall beside the asset: a dark room, and a dim sky.

@@ -1,6 +1,6 @@
 """Train presets on one dataset for equal time and compare them on its validation images.
 
-    rna-bench presets toy.rays --minutes 4 --presets small paper-small \
+    rna-bench presets toy.rays --minutes 4 --presets small paper-small \\
         --runs runs/toy --out benchmarks/results/quality-toy.json
 
 Trainings run sequentially in separate processes; use an otherwise idle machine.

@@ -1,6 +1,6 @@
 """Where the error of hair and fur is: by kind of light, size of pixels, points, views and lights.
 
-    rna-bench strand-error curls.rays runs/curls/best.ckpt --source examples/fibers/curly_ball.py \
+    rna-bench strand-error curls.rays runs/curls/best.ckpt --source examples/fibers/curly_ball.py \\
         --out strand-error-curls.json
 
 Of each validation image: PSNR without noise as it is, with Cycles' direct light in the place of

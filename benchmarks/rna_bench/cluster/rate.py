@@ -1,6 +1,6 @@
 """Rate of captures and frames on a local Ray cluster, over that of local process pools.
 
-    rna-bench cluster-rate examples/quickstart/toy.py examples/quickstart/scene.yaml \
+    rna-bench cluster-rate examples/quickstart/toy.py examples/quickstart/scene.yaml \\
         --out benchmarks/results/cluster-rate.json
 
 Both alternate in one run, as often as time permits, timed from when every worker has finished one

@@ -1,6 +1,6 @@
 """rna-fit against the full grid: cost of the model found, and training time.
 
-    rna-bench fit toy.rays bench/toy --min-psnr 30 33 --max-error 0.05 \
+    rna-bench fit toy.rays bench/toy --min-psnr 30 33 --max-error 0.05 \\
         --work fits/toy --out benchmarks/results/fit-toy.json
 
 The grid is that of a finished `rna-bench frontier`; both costs that are compared are its own. A

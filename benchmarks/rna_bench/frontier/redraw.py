@@ -1,6 +1,6 @@
 """Draw frontiers from their committed JSON: one row per asset, shorter trainings as hollow markers.
 
-    rna-bench frontier-chart benchmarks/results/frontier-toy.json \
+    rna-bench frontier-chart benchmarks/results/frontier-toy.json \\
         --out docs/images/frontier-toy.svg
 
 Reports of one asset share a row.

@@ -1,6 +1,6 @@
 """Queries/s and images on a GPU and on the CPU, with flop and bytes per query for a roofline.
 
-    rna-bench gpu examples/quickstart/toy.rna examples/fibers/curly_ball.rna \
+    rna-bench gpu examples/quickstart/toy.rna examples/fibers/curly_ball.rna \\
         --scenes examples/quickstart/scene.yaml --out benchmarks/results/gpu.json
 
 One run, alternating; medians. `gpu` and `cpu` evaluate numpy arrays; `resident` are queries that
