@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -20,11 +21,32 @@ _WANTED = (
 """Limits that are raised to what the adapter has; all others stay at WebGPU's guaranteed values."""
 
 
+@dataclass(frozen=True)
+class Groups:
+    """Workgroups of a dispatch, (x, y, z): where they are in a buffer of the GPU, or numbers.
+
+    Attributes:
+        source: a buffer of usage INDIRECT, or the three numbers.
+        offset: bytes from the buffer's start.
+    """
+
+    source: Any
+    offset: int = 0
+
+    def dispatch(self, step: Any) -> None:
+        """Dispatch them in a compute pass."""
+        if isinstance(self.source, tuple):
+            step.dispatch_workgroups(*self.source)
+        else:
+            step.dispatch_workgroups_indirect(self.source, self.offset)
+
+
 class Device:
     """An open GPU, its limits and a cache of compiled pipelines.
 
     Attributes:
         name: readable name of the adapter and its backend.
+        is_software: whether it is a driver that computes on the CPU.
         wgpu: the device of the `wgpu` package.
         limits: limits of the device, by WebGPU's hyphenated names.
     """
@@ -32,6 +54,7 @@ class Device:
     def __init__(self, adapter: Any) -> None:
         """adapter: a `wgpu.GPUAdapter`. Raises GpuError: the adapter has no device."""
         self.name = f"{adapter.info.get('device') or 'GPU'} ({adapter.info.get('backend_type')})"
+        self.is_software = adapter.info.get("adapter_type") == "CPU"
         limits = {name: adapter.limits[name] for name in _WANTED}
         try:
             self.wgpu = adapter.request_device_sync(required_limits=limits)
@@ -134,15 +157,15 @@ class Device:
         with self.working():
             return np.frombuffer(self.wgpu.queue.read_buffer(buffer, 0, size), np.uint8)
 
-    def groups(self, threads: int, size: int = 64) -> tuple[int, int, int]:
-        """Workgroup counts (x, y, z) for `threads` invocations in workgroups of `size`.
+    def groups(self, threads: int, size: int = 64) -> Groups:
+        """Workgroups of `size` for `threads` invocations.
 
         Two-dimensional, because one dimension is limited (65,535 by default).
         """
         count = max(-(-threads // size), 1)
         most = self.limits["max-compute-workgroups-per-dimension"]
         rows = -(-count // most)
-        return -(-count // rows), rows, 1
+        return Groups((-(-count // rows), rows, 1))
 
 
 def open_device(prefer: str | None = None) -> Device:

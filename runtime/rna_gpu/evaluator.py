@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from dataclasses import dataclass
 from typing import Any
 
@@ -9,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_gpu.decoder_packing import PackedDecoder
-from rna_gpu.device import Device
+from rna_gpu.device import Device, Groups
 from rna_gpu.part_buffers import weights_file
 from rna_gpu.records.part import ROW
 from rna_gpu.shaders import compose
@@ -19,6 +20,9 @@ _WORK = 1 << 31
 """Multiply-adds of a dispatch: some 10 ms of a small GPU, so that a desktop stays usable."""
 
 _LARGEST_BATCH = 1 << 18  # rows: 16 MiB of them
+
+_SHORT_S = 0.02
+"""Time of a dispatch that is far from disturbing a desktop."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,7 +87,7 @@ class Evaluator:
         with self._device.working():
             encoder = self._device.wgpu.create_command_encoder()
             step = encoder.begin_compute_pass()
-            self.record(step, self.bind(rows), most)
+            self.record(step, self.bind(rows), self._device.groups(most))
             step.end()
             self._device.wgpu.queue.submit([encoder.finish()])
 
@@ -91,12 +95,35 @@ class Evaluator:
         """Bind group 1 of the shader, for `record`."""
         return self._bind(1, [rows.rows, rows.results, rows.count])
 
-    def record(self, step: Any, bound: Any, most: int) -> None:
-        """Add the evaluation of up to `most` rows to a compute pass."""
+    def record(self, step: Any, bound: Any, groups: Groups) -> None:
+        """Add the evaluation of rows to a compute pass; groups: workgroups of 64 of them."""
         step.set_pipeline(self._pipeline)
         step.set_bind_group(0, self._part)
         step.set_bind_group(1, bound)
-        step.dispatch_workgroups(*self._device.groups(most))
+        groups.dispatch(step)
+
+    def short(self, most: int) -> int:
+        """Rows, no more than `most`, of a dispatch that this device ends within `_SHORT_S`.
+
+        Raises:
+            GpuError: buffers for so many rows do not fit.
+        """
+        rows = min(self.batch, most)
+        while not self._device.is_software and rows < most and 2 * self._seconds(rows) < _SHORT_S:
+            rows = min(2 * rows, most)
+        return rows
+
+    def _seconds(self, count: int) -> float:
+        rows = self.new_rows(count)
+        numbers = np.random.default_rng(0).uniform(0.1, 1.0, (count, ROW.dtype.itemsize // 4))
+        self._device.write(rows.rows, numbers.astype(np.float32))
+        self._device.write(rows.count, np.array([count], np.uint32))
+        for _ in range(2):  # the first one compiles
+            start = time.perf_counter()
+            self.dispatch(rows, count)
+            self._device.read(rows.results, _COLOUR_BYTES)
+            seconds = time.perf_counter() - start
+        return seconds
 
     def new_rows(self, capacity: int) -> GpuRows:
         """Buffers for the given number of rows.

@@ -57,7 +57,7 @@ def traced(
     step.set_bind_group(0, bind(0, []))
     step.set_bind_group(1, bind(1, [device.upload(rays, "STORAGE", what="rays"), hits]))
     step.set_bind_group(2, bind(2, scene))
-    step.dispatch_workgroups(*device.groups(len(rays)))
+    device.groups(len(rays)).dispatch(step)
     step.end()
     device.wgpu.queue.submit([encoder.finish()])
     return device.read(hits, len(rays) * HIT.itemsize).view(HIT)

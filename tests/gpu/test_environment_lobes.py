@@ -148,6 +148,6 @@ def _dispatch(device: Device, pipeline: object, groups: tuple[list, ...]) -> Non
             entries = [{"binding": i, "resource": {"buffer": b}} for i, b in enumerate(buffers)]
             layout = pipeline.get_bind_group_layout(k)
             step.set_bind_group(k, device.wgpu.create_bind_group(layout=layout, entries=entries))
-        step.dispatch_workgroups(*device.groups(COUNT))
+        device.groups(COUNT).dispatch(step)
         step.end()
         device.wgpu.queue.submit([encoder.finish()])

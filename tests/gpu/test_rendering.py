@@ -43,6 +43,24 @@ def test_the_image_of_the_cpu_with_other_numbers(
     assert_same_law(found, expected)
 
 
+@pytest.mark.parametrize("text", [EVERYTHING, GLOW], ids=["everything", "glow"])
+def test_samples_that_are_rendered_together(
+    text: str,
+    scene: Callable[..., tuple[SceneFile, World]],
+    device: Device,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    write_files(tmp_path)
+    scene_file, world = scene(text, resolution=(24, 16), samples=7)
+    alone = on_gpu(scene_file, world, lambda: device).channels()
+    monkeypatch.setattr(rendering.GpuRenderer, "samples", 4)
+    together = on_gpu(scene_file, world, lambda: device)
+    assert together.samples == 7
+    for name, plane in together.channels().items():
+        np.testing.assert_allclose(plane, alone[name], rtol=2e-5, atol=2e-5, err_msg=name)
+
+
 def test_a_lost_device_is_replaced(
     scene: Callable[..., tuple[SceneFile, World]],
     capsys: pytest.CaptureFixture[str],
@@ -50,22 +68,27 @@ def test_a_lost_device_is_replaced(
 ) -> None:
     scene_file, world = scene(GLOW, resolution=(16, 12), samples=3)
     opened: list[Device] = []
-    samples: list[int] = []
+    samples: list[range] = []
     whole = rendering.Wavefront.render
 
     def open_it() -> Device:
         opened.append(open_device())
         return opened[-1]
 
-    def render(self: rendering.Wavefront, pixels: np.ndarray, sample: int) -> Layers:
-        samples.append(sample)
-        if samples == [0, 1]:
+    def render(self: rendering.Wavefront, pixels: np.ndarray, some: range) -> Layers:
+        samples.append(some)
+        if len(samples) == 2:
             opened[0].wgpu.destroy()
-        return whole(self, pixels, sample)
+        return whole(self, pixels, some)
 
     monkeypatch.setattr(rendering.Wavefront, "render", render)
+    monkeypatch.setattr(rendering.GpuRenderer, "samples", 1)
     found = on_gpu(scene_file, world, open_it)
-    assert len(opened) == 2 and found.samples == 3 and samples == [0, 1, 1, 2]
+    assert (
+        len(opened) == 2
+        and found.samples == 3
+        and [k for some in samples for k in some] == [0, 1, 1, 2]
+    )
     assert "going on with sample 2" in capsys.readouterr().err
     undisturbed = on_gpu(scene_file, world, lambda: opened[1])
     assert np.array_equal(found.channels()["R"], undisturbed.channels()["R"])

@@ -144,17 +144,17 @@ def test_a_group_of_lights_is_a_layer():
     for red in (1.0, 3.0):
         sample = layers(1, 1)
         sample.groups[:] = red, 0, 5
-        film.add(sample)
+        film.add([sample])
     read = {name: plane.item() for name, plane in film.channels().items()}
     assert [read[f"light.key.{c}"] for c in "RGB"] == [2, 0, 5]
 
 
 def test_channels_other_than_colour_are_means_over_hits():
     film = Film((1, 1), ("key",))
-    film.add(layers(0, 0, normal=(0, 0, 0), rgba=(8, 0, 0, 0)))
-    film.add(layers(1, 3, (1, 0, 0), (2, 0, 0), 1.0, (0, 4, 0, 1)))
-    film.add(layers(1, 2, (0, 1, 0), (4, 0, 0), 0.0, (0, 0, 0, 1)))
-    film.add(layers(0, 0, normal=(0, 0, 0)))
+    film.add([layers(0, 0, normal=(0, 0, 0), rgba=(8, 0, 0, 0))])
+    film.add([layers(1, 3, (1, 0, 0), (2, 0, 0), 1.0, (0, 4, 0, 1))])
+    film.add([layers(1, 2, (0, 1, 0), (4, 0, 0), 0.0, (0, 0, 0, 1))])
+    film.add([layers(0, 0, normal=(0, 0, 0))])
     read = {name: plane.item() for name, plane in film.channels().items()}
     assert [read[c] for c in "RGBA"] == [2, 1, 0, 0.5]
     assert read["assetId"] == 3 and read["visibility"] == 0.5 and read["position.X"] == 3
@@ -167,7 +167,7 @@ def test_a_picture_that_is_not_finite_is_not_written(tmp_path, layer, value):
     film = Film((3, 2), ("key",))
     sample = Layers.empty(6, 1, np.float32)
     getattr(sample, layer)[4, 0] = value
-    film.add(sample)
+    film.add([sample])
     camera = {"position": [0, 0, 1], "look_at": [0, 0, 0], "vertical_fov_deg": 40}
     scene = Scene.model_validate({"camera": camera, "ground": {}})
     output = Output(tmp_path / "out.exr", tmp_path / "out.png")

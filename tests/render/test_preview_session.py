@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from rna_render.image.film import Layers
 from rna_render.paths.integrator_factory import make_integrator
 from rna_render.paths.render import render
 from rna_render.paths.sampling import Sampler
@@ -122,7 +123,8 @@ def test_a_first_look_by_lobes_fades_into_the_samples(scene_file):
     noise = [np.std(picture[on_asset, 0] - seen[-1][1][on_asset, 0]) for _, picture in seen]
     one = Session(lit, world, lighting_choices(scene_file.path))
     alone = one._sample(1, make_integrator(scene, world), 32 * 24, Sampler(0, 0))
-    by_rays = alone.beauty.reshape(24, 32, 4)[on_asset, 0] - seen[-1][1][on_asset, 0]
+    by_rays = Layers.concatenate(alone).beauty.reshape(24, 32, 4)
+    by_rays = by_rays[on_asset, 0] - seen[-1][1][on_asset, 0]
     assert max(noise) < 0.75 * np.std(by_rays)
 
 
@@ -227,7 +229,7 @@ def test_a_change_interrupts_a_sample_between_bands(scene_file, world, monkeypat
         """An integrator whose view is changed while it renders its 34th band of 64 pixels."""
 
         def __init__(self, scene, world):
-            self.groups, self.at_once = (), None
+            self.groups, self.at_once, self.band, self.samples = (), None, 1 << 16, 1
             self._integrator, self.resolution = make_integrator(scene, world), scene.resolution
             self.bands, self._lock = 0, threading.Lock()
             integrators.append(self)

@@ -76,7 +76,7 @@ def test_small_bands_of_threads_that_switch_all_the_time(
         monkeypatch.setattr(rna_render.paths.bands, "kernel_threads", lambda count=threads: count)
         renderer = make_integrator(scene_file.resolved, world)
         bands = rendered_bands(renderer, 40 * 28, [Sampler(0, 0)], most=64)
-        images.append(np.concatenate([band.beauty for band, _ in bands]))
+        images.append(np.concatenate([band.beauty for band, _, _ in bands]))
     assert all(np.array_equal(image, images[0], equal_nan=True) for image in images[1:])
 
 

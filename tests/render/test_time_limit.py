@@ -50,7 +50,7 @@ def test_a_measurement_counts_for_the_whole_image(monkeypatch: pytest.MonkeyPatc
     rendered = []
 
     class Slow:
-        groups, at_once = (), None
+        groups, at_once, band, samples = (), None, 1 << 16, 1
 
         def render(self, pixels: np.ndarray, sampler: Sampler) -> Layers:
             rendered.append(pixels)

@@ -8,6 +8,7 @@ are on the GPU and whose results stay there. Arithmetic counts multiply-adds of 
 and those of the bilinear lookups; bytes are those of texels, row and result, without caches.
 Weights are read once a workgroup at best, and once a query at worst: both are given. Seconds of an
 image are those of its samples, without loading; the first image on the GPU compiles the shaders.
+The CPU renders CPU_SAMPLES a pixel, whose seconds count as many times as more are asked for.
 """
 
 from __future__ import annotations
@@ -27,10 +28,12 @@ from rna_bench.results import publish
 from rna_bench.speed.query_batches import random_queries
 from rna_gpu import Device, GpuAsset, GpuFiber, GpuSurface
 from rna_gpu.scene.rendering import GpuRenderer
-from rna_render import Integrator, load_world, make_integrator, render
-from rna_render.scene import read_scene
+from rna_render import load_world, make_integrator, render
+from rna_render.paths.bands import BandRenderer
+from rna_render.scene import Scene, read_scene
 
 DISPATCHES = 32  # of one reading of the resident rate
+CPU_SAMPLES = 2
 TEXELS = 12  # that a query reads
 ROW, RESULT, GROUP = 64, 32, 64  # bytes, bytes, threads
 
@@ -109,17 +112,18 @@ def resident_rate(gpu: GpuSurface | GpuFiber, runs: int) -> float:
 def image_seconds(path: Path, size: dict[str, Any], runs: int) -> dict[str, Any]:
     """Seconds of a scene's image: the first on the GPU, and the median of later ones on both."""
     scene_file = read_scene(path).with_changes(**size)
-    world = load_world(scene_file)
-    renderers: dict[str, GpuRenderer | Integrator] = {
-        "gpu": GpuRenderer(scene_file, world),
-        "cpu": make_integrator(scene_file.resolved, world),
+    scene, world = scene_file.resolved, load_world(scene_file)
+    short = scene.model_copy(update={"samples": CPU_SAMPLES})
+    renderers: dict[str, tuple[Scene, BandRenderer, float]] = {
+        "gpu": (scene, GpuRenderer(scene_file, world), 1.0),
+        "cpu": (short, make_integrator(short, world), scene.samples / CPU_SAMPLES),
     }
     seconds: dict[str, list[float]] = {name: [] for name in renderers}
     for _ in range(runs + 1):
-        for name, renderer in renderers.items():
+        for name, (each, renderer, times) in renderers.items():
             start = time.perf_counter()
-            render(scene_file.resolved, renderer)
-            seconds[name].append(time.perf_counter() - start)
+            render(each, renderer)
+            seconds[name].append((time.perf_counter() - start) * times)
     medians = {name: float(np.median(values[1:])) for name, values in seconds.items()}
     return {
         "scene": path.parent.name,

@@ -29,6 +29,8 @@ FRAME = Record(
     Field("branch", "<u4", (), "number of the ray that went on from the first point"),
     Field("branches", "<u4", (), "of those rays; 1 before them"),
     Field("neural_part", "<u4"),
+    Field("list", "<u4", (), "start in `live` of the list of paths that the step is for"),
+    Field("next_list", "<u4", (), "likewise, of those that go on from there"),
     Field("table_size", "<u4", (), "of albedo"),
     Field("objects", "<u4", (), "this and the rest: starts of the sections of `table`"),
     Field("surfaces", "<u4"),
@@ -99,6 +101,14 @@ SUMS = Record(
     Field("behind", "<f4", (4,), "a catcher"),
 )
 """What `sums` holds of a path; then for each group of lights its share of beauty and of behind."""
+
+FILM = Record(
+    "Film",
+    Field("squares", "<f4", (3,), "of beauty, of each sample by itself"),
+    Field("catcher", "<f4", (), "how many samples hit a shadow catcher"),
+    Field("sums", SUMS, (), "hit: how many samples hit what scatters; number: the first of them"),
+)
+"""The sum of several samples of a pixel; then that of what `sums` holds of groups of lights."""
 
 ALL_DIRECTIONS, HEMISPHERE = 0xFFFFFFFF, 0xFFFFFFFE  # in place of a number of cones of a domain
 

@@ -11,16 +11,16 @@ from rna_gpu.shaders import compose
 from rna_sdk.errors import GpuError
 
 STRIDE = 256  # bytes: what offsets of uniforms are multiples of
-_STORAGE_BUFFERS = 10  # that a step binds
+_STORAGE_BUFFERS = 11  # that a step binds
 _READ = "read-only-storage"
-_PATH = ("uniform", "storage", "storage", "storage", _READ, _READ)
+_PATH = ("uniform", "storage", "storage", "storage", _READ, _READ, "storage")
 
 
 class Bindings:
     """Layouts of the groups of bindings, and pipelines by the names of their entry points.
 
-    Group 0 holds the step's numbers, paths and tables; group 1 the rows of queries, or pixels;
-    group 2 the geometry.
+    Group 0 holds the step's numbers, paths, tables and lists of paths; group 1 the rows of queries,
+    pixels or the film; group 2 the geometry.
     """
 
     def __init__(self, device: Device, frame_bytes: int) -> None:
@@ -31,7 +31,8 @@ class Bindings:
             raise GpuError(f"{device.name}: rendering takes {needed}, found {found}")
         self._device, self._frame_bytes = device, frame_bytes
         self.path, self.empty = device.layout(*_PATH), device.layout()
-        self.pixels, self.rows = device.layout(_READ), device.layout(*["storage"] * 5)
+        self.pixels, self.film = device.layout(_READ), device.layout("storage")
+        self.rows = device.layout(*["storage"] * 5)
         self.scene = device.layout(*[_READ] * 5)
 
     def pipeline(self, name: str, *layouts: Any, file: str = "") -> Any:

@@ -69,6 +69,7 @@ class Probe:
         buffers = [uniform, device.upload(paths, "STORAGE", what="hits"), results]
         buffers.append(device.buffer(16, "STORAGE", what="queries"))
         buffers += [device.upload(values, "STORAGE", what="tables") for values in self._tables]
+        buffers.append(device.buffer(16, "STORAGE", what="lists of paths"))
         groups = [made.group(made.path, buffers, uniform), made.group(made.empty, [])]
         groups.append(made.group(made.scene, self._scene))
         with device.working():
@@ -77,7 +78,7 @@ class Probe:
             run.set_pipeline(made.pipeline(entry, made.empty, made.scene, file="probe"))
             for k, group in enumerate(groups):
                 run.set_bind_group(k, group, [] if k else [0])
-            run.dispatch_workgroups(*device.groups(len(paths)))
+            device.groups(len(paths)).dispatch(run)
             run.end()
             device.wgpu.queue.submit([encoder.finish()])
         found = device.read(results, 16 * len(paths)).view(np.float32).reshape(-1, 4)

@@ -25,6 +25,10 @@ from rna_sdk.errors import DeviceLostError
 LOSSES = 3
 """So many lost devices of a scene are replaced; the band under way is rendered again."""
 
+_MOST_SAMPLES = 16
+"""Samples at once: reading them costs what reading one does, and their sums in float32 are exact
+enough. Software drivers take one: there reading costs little, and a stop waits for the band."""
+
 
 class GpuRenderer:
     """Renders a scene: rna_render.paths.bands.BandRenderer.
@@ -32,6 +36,7 @@ class GpuRenderer:
     Attributes:
         groups: names of the groups of lights.
         at_once: 1, since a GPU does one thing after the other.
+        band: pixels that it renders at once.
     """
 
     at_once = 1
@@ -54,10 +59,16 @@ class GpuRenderer:
         self._open = open_it or _DEVICE.get
         self._lock, self._losses = Lock(), 0
         self._start()
-        self.groups = self._gpu.groups
+        self.groups, self.band = self._gpu.groups, self._gpu.band
+
+    @property
+    def samples(self) -> int:
+        """Of the same pixels that it renders at once, at most."""
+        one = self._cameras or self._gpu.is_software  # a motion is that of one sample
+        return 1 if one else _MOST_SAMPLES
 
     def render(self, pixels: NDArray[np.uint32], sampler: Sampler) -> Layers:
-        """One sample of the given pixels, (n,).
+        """The sum of `sampler.count` samples of the given pixels, (n,).
 
         Raises:
             DeviceLostError: the device was lost more than LOSSES times.
@@ -76,7 +87,8 @@ class GpuRenderer:
     def _rendered(self, pixels: NDArray[np.uint32], sampler: Sampler) -> Layers:
         while True:
             try:
-                layers = self._gpu.render(pixels, sampler.sample)
+                samples = range(sampler.sample, sampler.sample + sampler.count)
+                layers = self._gpu.render(pixels, samples)
                 if self._watched:
                     self._count_outside()
                 return layers

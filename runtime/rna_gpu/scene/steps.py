@@ -20,15 +20,27 @@ from rna_render.paths.sampling import BRANCHES, LIGHTS_AT_A_VERTEX
 from rna_render.scene import Scene
 from rna_trace import CAMERA_RAY, INDIRECT_RAY, SHADOW_RAY
 
+LISTS = 3
+_BAND, _SEEN, _OTHER = range(LISTS)
+"""Lists of paths: all of the band; those that the camera sees hit something, which every branch
+starts from; and one more, since from each point to the next the paths that go on are listed in
+_BAND and _OTHER by turns."""
+
 
 @dataclass(frozen=True)
 class Step:
-    """A dispatch: a pipeline and a row of the frames; or the evaluation of a part; or "clear", of
-    the number of queries, "keep" and "restore", of paths at the points that the camera sees."""
+    """What is recorded together.
+
+    name: of a pipeline; or "transport", "emitter": evaluation of a part; or "clear", of the number
+        of queries; or "keep", "restore": copies of the paths at the points that the camera sees.
+    frame: row of the frames. list, after: lists of paths that it reads, and that "compact" writes.
+    """
 
     name: str
     frame: int = 0
     part: int = -1
+    list: int = _BAND
+    after: int = _BAND
 
 
 class Steps:
@@ -60,6 +72,7 @@ class Steps:
             + records.TRANSMITS * tables.transmits
         )
         self._split = {"branch": 0, "branches": 1}
+        self._list = _BAND
         depth, self._branches = (scene.max_depth, BRANCHES) if scatters else (1, 1)
         self.stages = self._planned(depth, self._branches)
         self.frames: NDArray[Any] = np.zeros(len(self._rows), records.FRAME.dtype)
@@ -67,8 +80,10 @@ class Steps:
             for name, value in values.items():
                 row[name] = value
 
-    def fill(self, scene: Scene, tables: SceneTables, clamp: float | None, sums: int) -> None:
-        """Write what all steps have in common."""
+    def fill(
+        self, scene: Scene, tables: SceneTables, clamp: float | None, sums: int, words: int
+    ) -> None:
+        """Write what all steps have in common. words: of a list of paths, uint32."""
         camera = Camera(scene.camera, scene.resolution)
         common = {
             "camera": camera.position,
@@ -85,10 +100,12 @@ class Steps:
         }
         for name, value in common.items():
             self.frames[name] = value
+        for name in ("list", "next_list"):
+            self.frames[name] *= words
 
     def _planned(self, max_depth: int, branches: int) -> list[list[Step]]:
         first = [self._step("camera"), self._step("closest", rays=CAMERA_RAY)]
-        stages = [[*first, *self._collected(0)]]
+        stages = [[*first, *self._collected(0, _SEEN)]]
         stages += [self._direct(1, *chosen) for chosen in self._samples(1)]
         if branches > 1:
             stages.append([Step("keep")])
@@ -96,8 +113,10 @@ class Steps:
             self._split = {"branch": branch, "branches": branches}
             if branch:
                 stages.append([Step("restore")])
+            self._list = _SEEN
             stages += self._continued(max_depth)
-        return stages
+        self._list = _BAND
+        return [*stages, [self._step("accumulate")]]
 
     def _continued(self, max_depth: int) -> list[list[Step]]:
         """What follows the samples of lights at the first points."""
@@ -112,7 +131,8 @@ class Steps:
             stage.append(self._step("closest", depth=depth, rays=INDIRECT_RAY))
             for_beta = self._flags | records.FOR_BETA
             stage += self._queries("transport", self._every, depth=depth, flags=for_beta)
-            stages.append([*stage, *self._collected(depth)])
+            after = _BAND if self._list == _OTHER else _OTHER
+            stages.append([*stage, *self._collected(depth, after)])
         return stages
 
     def _direct(self, depth: int, light: int, number: int, times: int) -> list[Step]:
@@ -125,10 +145,14 @@ class Steps:
             steps += self._queries("emitter", self._emitting, **at, flags=flags)
         return [*steps, *self._queries("transport", self._every, **at)]
 
-    def _collected(self, depth: int) -> list[Step]:
+    def _collected(self, depth: int, after: int) -> list[Step]:
+        """after: the list of the paths that go on."""
         flags = self._flags | records.FOR_EMISSION
-        emission = self._queries("emitter", self._emitting, depth=depth, flags=flags)
-        return [self._step("collect", depth=depth), *emission]
+        steps = [self._step("collect", depth=depth)]
+        steps += self._queries("emitter", self._emitting, depth=depth, flags=flags)
+        steps.append(self._step("compact", next_list=after))
+        self._list = after
+        return steps
 
     def _queries(self, what: str, numbers: Sequence[int], **values: int) -> list[Step]:
         steps = []
@@ -138,8 +162,9 @@ class Steps:
         return steps
 
     def _step(self, name: str, **values: int) -> Step:
-        self._rows.append({"flags": self._flags, **self._split, **values})
-        return Step(name, len(self._rows) - 1)
+        self._rows.append({"flags": self._flags, "list": self._list, **self._split, **values})
+        after = values.get("next_list", _BAND)
+        return Step(name, len(self._rows) - 1, list=self._list, after=after)
 
     def _samples(self, depth: int) -> list[tuple[int, int, int]]:
         """Samples of lights at a point of that depth: light, number of the sample, how many."""

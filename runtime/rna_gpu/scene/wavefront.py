@@ -13,17 +13,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_gpu.asset import GpuPart
-from rna_gpu.device import Device
+from rna_gpu.device import Device, Groups
 from rna_gpu.evaluator import GpuRows
-from rna_gpu.records.scene import FRAME, PATH, QUERIES, SUMS
+from rna_gpu.records.scene import FILM, FRAME, PATH, QUERIES, SUMS
 from rna_gpu.scene.bindings import STRIDE, Bindings, upload_geometry
 from rna_gpu.scene.scene_tables import SceneTables
-from rna_gpu.scene.steps import Step, Steps
+from rna_gpu.scene.steps import LISTS, Step, Steps
 from rna_render import Layers
 from rna_render.lights import Light
 from rna_render.scene import Scene
 
-_MOST_PATHS = 1 << 17
+_MOST_PATHS = 1 << 18
+"""Of a band. More are no faster: the film of a larger band is read more slowly, into new pages."""
+
+_HEADER = 16  # bytes at the start of a list of paths, and of the count of rows
+_NOTHING = 0, 0, 1, 1, 0  # no rows; from the second number on an empty list
 _OWN_SUMS = SUMS.dtype.itemsize // 16  # vec4f a path, then two for each group of lights
 
 
@@ -33,6 +37,7 @@ class Wavefront:
     Attributes:
         groups: names of the groups of lights.
         band: pixels that are rendered at once, at most.
+        is_software: whether the device is a driver that computes on the CPU.
     """
 
     def __init__(
@@ -50,38 +55,58 @@ class Wavefront:
         Raises:
             GpuError: the scene does not fit.
         """
-        self._device, self._parts = device, parts
+        self._device, self._parts, self.is_software = device, parts, device.is_software
         self._bindings = Bindings(device, FRAME.dtype.itemsize)
         self.groups = sorted({light.group for light in lights} - {""})
-        batches = [part.transport.batch for part in parts]
         width, height = scene.resolution
-        self.band = min(_MOST_PATHS, width * height, *batches)
         self._sums = _OWN_SUMS + 2 * len(self.groups)
+        self._film_record = np.dtype(
+            [("own", FILM.dtype), ("groups", "<f4", (2 * len(self.groups), 4))]
+        )
+        largest = max(QUERIES.dtype.itemsize, self._film_record.itemsize)
+        most = min(
+            _MOST_PATHS, width * height, device.limits["max-storage-buffer-binding-size"] // largest
+        )
+        self.band = min([part.transport.short(most) for part in parts], default=most)
+        self._words = _HEADER // 4 + self.band
         self._steps = Steps(scene, tables, lights, parts, scatters)
-        self._steps.fill(scene, tables, clamp, self._sums)
+        self._steps.fill(scene, tables, clamp, self._sums, self._words)
         self._upload(tables)
         self._compile(tables)
 
-    def render(self, pixels: NDArray[np.uint32], sample: int) -> Layers:
-        """One sample of the given pixels, (n,) with n at most `band`.
+    def render(self, pixels: NDArray[np.uint32], samples: Sequence[int]) -> Layers:
+        """The sum of these samples of the given pixels, (n,) with n at most `band`.
 
         Raises:
             DeviceLostError: the device went away.
         """
-        device, count, frames = self._device, len(pixels), self._steps.frames
+        device, count = self._device, len(pixels)
+        device.write(self._pixels, pixels)
+        size = count * self._film_record.itemsize
+        with device.working():
+            encoder = device.wgpu.create_command_encoder()
+            encoder.clear_buffer(self._film, 0, size)
+            device.wgpu.queue.submit([encoder.finish()])
+        for sample in samples:
+            self._add_sample(count, sample)
+        return _layers(device.read(self._film, size).view(self._film_record))
+
+    def _add_sample(self, count: int, sample: int) -> None:
+        """Add a sample of the `count` pixels to the film."""
+        device, frames = self._device, self._steps.frames
         frames["paths"], frames["sample"] = count, sample
         padded = np.zeros((len(frames), STRIDE), np.uint8)
         padded[:, : FRAME.dtype.itemsize] = frames.view(np.uint8).reshape(len(padded), -1)
         device.write(self._uniform, padded)
-        device.write(self._pixels, pixels)
+        groups = np.array([-(-count // 64), 1, 1, count], np.uint32)
+        device.write(self._live, groups)
+        device.write(self._groups, groups)
         with device.working():
             for stage in self._steps.stages:  # one submission each: no long work at a time
                 encoder = device.wgpu.create_command_encoder()
                 for step in stage:
                     self._record(encoder, step, count)
                 device.wgpu.queue.submit([encoder.finish()])
-        data = device.read(self._path_sums, count * self._sums * 16)
-        return _layers(data.view(np.float32).reshape(count, self._sums, 4))
 
     def outside_domains(self) -> NDArray[np.uint32]:
         """(parts, 4): queries of each part that is watched since the last call, those from outside
@@ -92,26 +117,41 @@ class Wavefront:
         return found.reshape(-1, 4)
 
     def _record(self, encoder: Any, step: Step, count: int) -> None:
+        copy = encoder.copy_buffer_to_buffer
         if step.name == "clear":
-            encoder.clear_buffer(self._rows.count)
-            return
-        if step.name in ("keep", "restore"):
-            ways = self._paths, self._kept_paths
-            source, target = ways if step.name == "keep" else reversed(ways)
-            size = count * PATH.dtype.itemsize
-            encoder.copy_buffer_to_buffer(source, 0, target, 0, size)
-            return
+            copy(self._nothing, 0, self._rows.count, 0, _HEADER)
+        elif step.name == "keep":
+            copy(self._paths, 0, self._kept_paths, 0, count * PATH.dtype.itemsize)
+        elif step.name == "restore":
+            copy(self._kept_paths, 0, self._paths, 0, count * PATH.dtype.itemsize)
+        elif step.name == "gather":
+            self._dispatch(encoder, step, count)
+            copy(self._rows.count, 4, self._groups, _HEADER * LISTS, 12)
+        elif step.name == "compact":
+            after = 4 * self._words * step.after
+            copy(self._nothing, 4, self._live, after, _HEADER)
+            self._dispatch(encoder, step, count)
+            copy(self._live, after, self._groups, _HEADER * step.after, 12)
+        else:
+            self._dispatch(encoder, step, count)
+
+    def _dispatch(self, encoder: Any, step: Step, count: int) -> None:
         run = encoder.begin_compute_pass()
+        if step.name in ("camera", "accumulate"):
+            groups = self._device.groups(count)
+        else:
+            takes_rows = step.name in ("transport", "emitter", "apply")
+            groups = Groups(self._groups, _HEADER * (LISTS if takes_rows else step.list))
         if step.name in ("transport", "emitter"):
             evaluator = getattr(self._parts[step.part], step.name)
-            evaluator.record(run, self._bound[step.name, step.part], count)
+            evaluator.record(run, self._bound[step.name, step.part], groups)
         else:
-            pipeline, groups = self._pipelines[step.name]
+            pipeline, bound = self._pipelines[step.name]
             run.set_pipeline(pipeline)
             run.set_bind_group(0, self._path_group, [step.frame * STRIDE])
-            for k, group in enumerate(groups, 1):
+            for k, group in enumerate(bound, 1):
                 run.set_bind_group(k, group)
-            run.dispatch_workgroups(*self._device.groups(count))
+            groups.dispatch(run)
         run.end()
 
     def _upload(self, tables: SceneTables) -> None:
@@ -121,17 +161,21 @@ class Wavefront:
         self._paths, self._kept_paths = (
             device.buffer(count * PATH.dtype.itemsize, "STORAGE", what="paths") for _ in range(2)
         )
-        self._path_sums = device.buffer(count * self._sums * 16, "STORAGE", what="sums")
+        self._film = device.buffer(count * self._film_record.itemsize, "STORAGE", what="film")
+        self._live = device.buffer(4 * LISTS * self._words, "STORAGE", what="lists of paths")
+        self._groups = device.buffer(_HEADER * (LISTS + 1), "INDIRECT", what="workgroups")
+        self._nothing = device.upload(np.array(_NOTHING, np.uint32), what="empty lists")
         self._path_buffers = [
             self._uniform,
             self._paths,
-            self._path_sums,
+            device.buffer(count * self._sums * 16, "STORAGE", what="sums"),
             device.buffer(count * QUERIES.dtype.itemsize, "STORAGE", what="queries"),
             device.upload(tables.table, "STORAGE", what="tables"),
             device.upload(tables.images, "STORAGE", what="images"),
+            self._live,
         ]
         self._scene_buffers = upload_geometry(device, tables.geometry)
-        sizes = count * 64, count * 32, 4, count * 4, max(16 * len(self._parts), 16)
+        sizes = count * 64, count * 32, _HEADER, count * 4, max(16 * len(self._parts), 16)
         names = "rows", "results", "count of rows", "paths of rows", "counts of queries"
         self._row_buffers = [
             device.buffer(size, "STORAGE", what=name)
@@ -149,33 +193,38 @@ class Wavefront:
     def _compile(self, tables: SceneTables) -> None:
         made = self._bindings
         self._path_group = made.group(made.path, self._path_buffers, self._uniform)
-        nothing = made.group(made.empty, [])
+        none = made.group(made.empty, [])
         geometry = made.group(made.scene, self._scene_buffers)
-        pixels = made.group(made.pixels, [self._pixels])
+        pixels, film = made.group(made.pixels, [self._pixels]), made.group(made.film, [self._film])
         queries = made.group(made.rows, self._row_buffers)
-        self._pipelines = {"camera": (made.pipeline("camera", made.pixels), [pixels])}
+        self._pipelines = {
+            "camera": (made.pipeline("camera", made.pixels), [pixels]),
+            "compact": (made.pipeline("compact"), []),
+            "accumulate": (made.pipeline("accumulate", made.film), [film]),
+        }
         for name in ("closest", "collect", "direct", "scatter"):
             pipeline = made.pipeline(name, made.empty, made.scene)
-            self._pipelines[name] = pipeline, [nothing, geometry]
+            self._pipelines[name] = pipeline, [none, geometry]
         for name in ("gather", "apply"):
             self._pipelines[name] = made.pipeline(name, made.rows, file="rows"), [queries]
 
 
-def _layers(sums: NDArray[np.float32]) -> Layers:
-    """sums: (n, slots, 4), those of SUMS, then two of each group of lights."""
-    own = np.ascontiguousarray(sums[:, :_OWN_SUMS]).reshape(-1).view(SUMS.dtype)
-    by_group = sums[:, _OWN_SUMS:, :3]
+def _layers(film: NDArray[Any]) -> Layers:
+    """film: (n,) of FILM, and of vec4f, two for each group of lights."""
+    own, by_group = film["own"], film["groups"][..., :3]
+    sums = own["sums"]
     return Layers(
-        beauty=own["beauty"],
+        beauty=sums["beauty"],
         groups=by_group[:, 0::2],
-        hit=(own["hit"] == 1.0).astype(np.float32),
-        normal_world=own["normal"],
-        position_world=own["position"],
-        motion=np.zeros((len(own), 2), np.float32),
-        light_samples=own["light_samples"],
-        caught=own["caught"],
-        behind_catcher=own["behind"],
+        hit=sums["hit"],
+        normal_world=sums["normal"],
+        position_world=sums["position"],
+        motion=np.zeros((len(film), 2), np.float32),
+        light_samples=sums["light_samples"],
+        caught=sums["caught"],
+        behind_catcher=sums["behind"],
         groups_behind=by_group[:, 1::2],
-        catcher=(own["hit"] == 2.0).astype(np.float32),
-        asset=own["number"].astype(np.uint32),
+        catcher=own["catcher"],
+        squares=own["squares"],
+        asset=sums["number"].astype(np.uint32),
     )

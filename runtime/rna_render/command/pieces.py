@@ -118,11 +118,11 @@ class PieceWorker(SceneWorker):
         film, sample = Film((len(pixels), 1), self._renderer.groups), list[Layers]()
         some = SomePixels(self._renderer, pixels)
         with closing(rendered_bands(some, len(pixels), samplers)) as bands:
-            for band, last in bands:
+            for band, samples, last in bands:
                 if self.stop.is_set():
                     raise SceneError(f"{piece} was stopped")
                 sample.append(band)
                 if last:
-                    film.add(Layers.concatenate(sample))
+                    film.add(sample, samples)
                     sample.clear()
         return film

@@ -7,6 +7,8 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
+from rna_render.image import film_kernels
+
 
 @dataclass
 class Layers:
@@ -28,7 +30,9 @@ class Layers:
     behind_catcher: (n, 4) float, as beauty, the visible background where a catcher is hit.
     groups_behind: (n, g, 3) float, as groups, the same.
     catcher: (n,) float, coverage by shadow catchers.
-    asset: (n,) uint32, number of the object, from 1; 0 for none.
+    squares: (n, 3) float64, squares of the RGB of beauty, of each sample by itself.
+    asset: (n,) uint32, number of the object, from 1; 0 for none. Of several samples that of the
+        first that hit one.
     """
 
     beauty: np.ndarray
@@ -42,6 +46,7 @@ class Layers:
     behind_catcher: np.ndarray
     groups_behind: np.ndarray
     catcher: np.ndarray
+    squares: np.ndarray
     asset: np.ndarray
 
     @classmethod
@@ -63,11 +68,13 @@ class Layers:
         floats: dict[str, np.ndarray] = {
             name: np.zeros((count, *shape), dtype) for name, shape in shapes.items()
         }
-        return cls(**floats, asset=np.zeros(count, np.uint32))
+        return cls(**floats, squares=np.zeros((count, 3)), asset=np.zeros(count, np.uint32))
 
     @classmethod
     def concatenate(cls, bands: Sequence[Layers]) -> Layers:
         """The bands, one after the other."""
+        if len(bands) == 1:
+            return bands[0]
         names = [field.name for field in fields(cls)]
         return cls(*(np.concatenate([getattr(band, name) for band in bands]) for name in names))
 
@@ -84,48 +91,47 @@ class Film:
         self.groups = tuple(groups)
         count = self.width * self.height
         self._sum = Layers.empty(count, len(groups), np.float64)
-        self._squares = np.zeros((count, 3))
 
-    def add(self, sample: Layers) -> None:
-        """Add one sample of every pixel."""
-        total = self._sum
+    def add(self, bands: Sequence[Layers], samples: int = 1) -> None:
+        """Add one sample of every pixel, or the sum of several: bands, one after the other."""
+        start = 0
+        for band in bands:
+            self._add(slice(start, start := start + len(band.hit)), band)
+        self.samples += samples
+
+    def _add(self, pixels: slice, band: Layers) -> None:
         for field in fields(Layers):
-            if field.name != "asset":
-                np.add(
-                    getattr(total, field.name),
-                    getattr(sample, field.name),
-                    out=getattr(total, field.name),
-                )
-        self._squares += np.square(sample.beauty[:, :3], dtype=np.float64)
-        # The id of the first sample that hit anything: ids have no mean.
-        np.copyto(total.asset, sample.asset, where=total.asset == 0)
-        self.samples += 1
+            values = getattr(band, field.name)
+            total = getattr(self._sum, field.name)[pixels]
+            if field.name == "asset":
+                film_kernels.keep_first(total, values)  # numbers have no mean
+            elif values.size:
+                film_kernels.add(*(v.reshape(len(v), -1) for v in (total, values)))
 
     def put(self, start: int, part: Film) -> None:
         """Take over all samples of some pixels from `start` on, of which another film is made."""
         end = start + part.width * part.height
         for field in fields(Layers):
             getattr(self._sum, field.name)[start:end] = getattr(part._sum, field.name)
-        self._squares[start:end] = part._squares
         self.samples = part.samples
 
     def arrays(self) -> dict[str, np.ndarray]:
         """State from which `of_arrays` restores a film of the same pixels."""
         layers = {field.name: getattr(self._sum, field.name) for field in fields(Layers)}
-        return {**layers, "squares": self._squares, "samples": np.array([self.samples])}
+        return {**layers, "samples": np.array([self.samples])}
 
     @classmethod
     def of_arrays(cls, arrays: dict[str, np.ndarray], groups: Sequence[str]) -> Film:
         """The film of a row of pixels, from its `arrays`."""
-        film = cls((len(arrays["squares"]), 1), groups)
+        film = cls((len(arrays["asset"]), 1), groups)
         film._sum = Layers(**{field.name: arrays[field.name] for field in fields(Layers)})
-        film._squares, film.samples = arrays["squares"], int(arrays["samples"][0])
+        film.samples = int(arrays["samples"][0])
         return film
 
     def not_finite(self) -> np.ndarray:
         """Pixels with a value that is NaN or infinite, in row-major order: (k,) int64."""
         layers = [getattr(self._sum, field.name) for field in fields(Layers)]
-        bad = [~np.isfinite(v.reshape(len(self._squares), -1)).all(1) for v in layers if v.size]
+        bad = [~np.isfinite(v.reshape(len(v), -1)).all(1) for v in layers if v.size]
         return np.flatnonzero(np.any(bad, axis=0))
 
     def channels(self) -> dict[str, np.ndarray]:
@@ -144,7 +150,7 @@ class Film:
         length = np.linalg.norm(total.normal_world, axis=1, keepdims=True)
         normal = total.normal_world / np.where(length > 0.0, length, 1.0)
         mean = total.beauty / count
-        spread = np.maximum(self._squares / count - np.square(mean[:, :3]), 0.0)
+        spread = np.maximum(total.squares / count - np.square(mean[:, :3]), 0.0)
         named = [
             ("RGBA", "", mean + self._shadows(lit) / count),
             ("RGB", "variance.", spread / max(count - 1, 1)),

@@ -8,10 +8,11 @@ and for Python.
 
 from __future__ import annotations
 
-from collections.abc import Generator, Iterable, Sequence
+from collections.abc import Generator, Iterable, Iterator, Sequence
 from contextlib import closing
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
+from itertools import islice
 from typing import Protocol
 
 import numpy as np
@@ -22,8 +23,8 @@ from rna_sdk.kernel_threads import kernel_threads, limit_kernel_threads
 from rna_work.pool import Pool
 from rna_work.threads import Threads
 
-# Rays in a band: at most BAND, so that a stop is noticed soon, and no fewer than SMALL_BAND if the
-# image has them, so that each step has more to do than to start.
+# Rays in a band of the CPU: at most BAND, so that a stop is noticed soon. Of any renderer no fewer
+# than SMALL_BAND if the image has them, so that each step has more to do than to start.
 BAND = 1 << 16
 SMALL_BAND = 1 << 13
 
@@ -32,9 +33,10 @@ _Band = tuple[np.ndarray, Sampler, bool]
 
 
 class BandRenderer(Protocol):
-    """Renders one sample of some pixels; rna_render.paths.integrator.Integrator does.
+    """Renders samples of some pixels; rna_render.paths.integrator.Integrator does.
 
     groups: names of the groups of lights. at_once: so many bands at a time; None for any number.
+    band: pixels of a band, at most. samples: of the same pixels that it takes at once, at most.
     """
 
     @property
@@ -43,27 +45,39 @@ class BandRenderer(Protocol):
     @property
     def at_once(self) -> int | None: ...
 
-    def render(self, pixels: np.ndarray, sampler: Sampler) -> Layers: ...
+    @property
+    def band(self) -> int: ...
+
+    @property
+    def samples(self) -> int: ...
+
+    def render(self, pixels: np.ndarray, sampler: Sampler) -> Layers:
+        """The sum of `sampler.count` samples."""
 
 
 def rendered_bands(
     renderer: BandRenderer, count: int, samplers: Iterable[Sampler], most: int | None = None
-) -> Generator[tuple[Layers, bool], None, None]:
-    """The bands of each sample in turn, and whether each is the last one of its sample.
+) -> Generator[tuple[Layers, int, bool], None, None]:
+    """The bands of each sample in turn, of how many samples each is, and whether it is their last.
 
-    count: pixels of the image. most: pixels of a band, BAND if None. As many bands are under way
-    as numba has threads for the caller, and as many wait, so that no thread idles while the caller
-    takes what is finished; a caller that stops early waits for those under way, and the rest is
-    not begun.
+    count: pixels of the image. most: pixels of a band, the renderer's if None. As many bands are
+    under way as numba has threads for the caller, and as many wait, so that no thread idles while
+    the caller takes what is finished; a caller that stops early waits for those under way, and the
+    rest is not begun.
     """
     threads = min(kernel_threads(), renderer.at_once or kernel_threads())
-    bands = _bands(count, threads, most or BAND)
-    work = ((band, sampler, band is bands[-1]) for sampler in samplers for band in bands)
+    bands = _bands(count, threads, most or renderer.band)
+    work = (
+        (band, sampler, band is bands[-1])
+        for sampler in _together(renderer, iter(samplers))
+        for band in bands
+    )
     make = partial(_BandWorker, renderer)
     pool: Pool[_Band, Layers] = Pool(Threads(threads), make, ahead=1)
     with pool, closing(pool.run(work, ordered=True)) as outcomes:
         for outcome in outcomes:
-            yield outcome.value(), outcome.item[2]
+            _, sampler, last = outcome.item
+            yield outcome.value(), sampler.count, last
 
 
 @dataclass(frozen=True)
@@ -86,6 +100,18 @@ class _BandWorker:
 
     def kill(self) -> None:
         """A band is rendered to its end, which is soon."""
+
+
+def _together(renderer: BandRenderer, samplers: Iterator[Sampler]) -> Iterator[Sampler]:
+    """The samplers, which are consecutive, several in one of them if the renderer takes several.
+
+    There are ever more of them, so that the first samples are seen soon. How many does not depend
+    on time, and neither do sums.
+    """
+    for first in samplers:
+        most = min(max(3 * first.sample, 1), renderer.samples)
+        others = sum(1 for _ in islice(samplers, most - 1))
+        yield replace(first, count=1 + others)
 
 
 def _bands(count: int, threads: int, most: int) -> list[np.ndarray]:

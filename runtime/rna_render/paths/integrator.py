@@ -20,6 +20,7 @@ import numpy as np
 
 from rna_render.image.film import Layers
 from rna_render.lights import InfiniteLight, Light
+from rna_render.paths.bands import BAND
 from rna_render.paths.light_sampling import LightChoice, LightSampling, caught_light
 from rna_render.paths.lobe_lighting import LobeLighting
 from rna_render.paths.path_arrays import Found, Paths, Rays
@@ -64,7 +65,7 @@ class Integrator:
     of these lights, to use the lobes of assets; None for rays alone.
     """
 
-    at_once = None
+    at_once, band, samples = None, BAND, 1
 
     def __init__(
         self,
@@ -136,6 +137,7 @@ class Integrator:
             if last:
                 break
             vertices = self._vertices(Role.SCATTER, rays)
+        band.squares = np.square(band.beauty[:, :3], dtype=np.float64)
         return band
 
     def _camera_rays(self, pixels: np.ndarray, sampler: Sampler) -> Rays:

@@ -22,7 +22,8 @@ def render(
     """Render `scene.samples` samples of every pixel, or fewer if `stop` or `quality` says so.
 
     stop: asked after every band; the sample under way is then dropped. progress: told after every
-    band how many pixels it had. on_sample: given the film after every sample but the last.
+    band how many pixels it had, times its samples. on_sample: given the film after every sample
+    but the last; where the renderer takes several at once, after these.
     """
     film = Film(scene.resolution, renderer.groups)
     samplers: Iterator[Sampler] = (Sampler(scene.seed, number) for number in range(scene.samples))
@@ -30,11 +31,11 @@ def render(
         samplers = in_time(samplers, scene.quality.seconds, lambda: film.samples)
     sample: list[Layers] = []
     with closing(rendered_bands(renderer, film.width * film.height, samplers)) as bands:
-        for band, last in bands:
+        for band, samples, last in bands:
             sample.append(band)
-            progress(len(band.hit))
+            progress(len(band.hit) * samples)
             if last:
-                film.add(Layers.concatenate(sample))
+                film.add(sample, samples)
                 sample.clear()
                 if film.samples < scene.samples:
                     on_sample(film)

@@ -34,11 +34,13 @@ DIMENSIONS_A_VERTEX = 3 + LIGHTS_AT_A_VERTEX
 class Sampler:
     """The random numbers of one sample of every pixel.
 
-    seed: of the whole image. sample: number of this sample, from 0.
+    seed: of the whole image. sample: number of this sample, from 0. count: samples that are
+    rendered together, this one and those after it, where a renderer takes several at once.
     """
 
     seed: int
     sample: int
+    count: int = 1
 
     def square(
         self,

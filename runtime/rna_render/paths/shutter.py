@@ -16,7 +16,9 @@ class ShutterRenderer:
 
     def __init__(self, renderers: Sequence[BandRenderer]) -> None:
         self._renderers = renderers
-        self.groups, self.at_once = renderers[0].groups, renderers[0].at_once
+        first = renderers[0]
+        self.groups, self.at_once, self.band = first.groups, first.at_once, first.band
+        self.samples = 1
 
     def render(self, pixels: np.ndarray, sampler: Sampler) -> Layers:
         """One sample of the given pixels, (n,) uint32."""

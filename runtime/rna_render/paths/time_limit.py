@@ -15,9 +15,6 @@ from rna_render.paths.sampling import Sampler
 # Below this many samples a pixel noise is worse than what a cheaper tier costs.
 ENOUGH_SAMPLES = 16
 
-# Pixels that a measurement takes, if the image has them: enough to keep all threads busy.
-_MEASURED = 1 << 15
-
 
 def in_time(
     samplers: Iterable[Sampler], seconds: float, finished: Callable[[], int]
@@ -39,8 +36,11 @@ def in_time(
 
 
 def seconds_a_sample(renderer: BandRenderer, count: int) -> float:
-    """Time of one sample per pixel of an image of `count` pixels, measured on some of them."""
-    chosen = np.linspace(0, count - 1, min(count, _MEASURED)).astype(np.uint32)
+    """Time of one sample per pixel of an image of `count` pixels, measured on some of them.
+
+    Half a band, if the image has as many: enough to keep all threads busy.
+    """
+    chosen = np.linspace(0, count - 1, min(count, renderer.band // 2)).astype(np.uint32)
     sparse = SomePixels(renderer, chosen)
     _seconds(sparse, min(len(chosen), 256))  # compiles, and warms caches
     return _seconds(sparse, len(chosen)) * count / len(chosen)
@@ -51,7 +51,12 @@ class SomePixels:
 
     def __init__(self, renderer: BandRenderer, chosen: np.ndarray) -> None:
         self._renderer, self._chosen = renderer, chosen
-        self.groups, self.at_once = renderer.groups, renderer.at_once
+        self.groups, self.at_once, self.band = renderer.groups, renderer.at_once, renderer.band
+
+    @property
+    def samples(self) -> int:
+        """As the renderer's own, which may change."""
+        return self._renderer.samples
 
     def render(self, pixels: np.ndarray, sampler: Sampler) -> Layers:
         return self._renderer.render(self._chosen[pixels], sampler)

@@ -295,15 +295,15 @@ class Session:
 
     def _sample(
         self, revision: int, integrator: Integrator, count: int, sampler: Sampler
-    ) -> Layers | None:
+    ) -> list[Layers] | None:
         """One sample of every pixel; None if the view has changed: small bands notice soon."""
         sample = []
         with closing(rendered_bands(integrator, count, [sampler], SMALL_BAND)) as bands:
-            for band, _ in bands:
+            for band, _, _ in bands:
                 if self._is_old(revision):
                     return None
                 sample.append(band)
-        return Layers.concatenate(sample)
+        return sample
 
     def _is_old(self, revision: int) -> bool:
         with self._changed:

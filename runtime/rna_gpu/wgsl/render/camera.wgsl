@@ -22,6 +22,7 @@ fn camera(
     path.state = ALIVE;
     path.own = NONE;
     paths[k] = path;
+    atomicStore(&live[frame.list + LIST_HEADER + k], k);
     queries[k].at_point.part = NONE;
     for (var slot = 0u; slot < frame.sums; slot++) {
         sums[frame.sums * k + slot] = vec4f(0.0);

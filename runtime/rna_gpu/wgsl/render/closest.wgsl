@@ -1,10 +1,8 @@
 // The closest hit of each path's ray; with it, whether an asset is in its own way.
 
 @compute @workgroup_size(64)
-fn closest(
-    @builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>,
-) {
-    let k = path_number(id, groups);
+fn closest(@builtin(global_invocation_id) id: vec3<u32>) {
+    let k = live_path(id.x);
     if k >= frame.paths || paths[k].state == DEAD {
         return;
     }

@@ -84,10 +84,8 @@ fn behind_catcher(k: u32, path: Path) {
 }
 
 @compute @workgroup_size(64)
-fn collect(
-    @builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>,
-) {
-    let k = path_number(id, groups);
+fn collect(@builtin(global_invocation_id) id: vec3<u32>) {
+    let k = live_path(id.x);
     if k >= frame.paths || paths[k].state == DEAD {
         return;
     }

@@ -134,10 +134,8 @@ fn is_own_light(light: u32, v: Vertex) -> bool {
 }
 
 @compute @workgroup_size(64)
-fn direct(
-    @builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>,
-) {
-    let k = path_number(id, groups);
+fn direct(@builtin(global_invocation_id) id: vec3<u32>) {
+    let k = live_path(id.x);
     if k >= frame.paths || paths[k].state == DEAD {
         return;
     }

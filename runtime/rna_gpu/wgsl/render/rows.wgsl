@@ -2,8 +2,14 @@
 
 @group(1) @binding(0) var<storage, read_write> rows: array<RnaRow>;
 @group(1) @binding(1) var<storage, read_write> results: array<vec4f>;
-@group(1) @binding(2) var<storage, read_write> row_count: atomic<u32>;
+@group(1) @binding(2) var<storage, read_write> row_count: RowCount;
 @group(1) @binding(3) var<storage, read_write> path_of_row: array<u32>;
+
+struct RowCount {
+    rows: atomic<u32>,
+    groups: atomic<u32>, // workgroups that take all of them, which are dispatched
+    one: vec2<u32>,
+}
 
 // The query of a path that a step is about.
 fn query_of(k: u32) -> Query {
@@ -18,10 +24,8 @@ fn bits_of(v: vec3f) -> vec3<u32> {
 }
 
 @compute @workgroup_size(64)
-fn gather(
-    @builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>,
-) {
-    let k = path_number(id, groups);
+fn gather(@builtin(global_invocation_id) id: vec3<u32>) {
+    let k = live_path(id.x);
     if k >= frame.paths || paths[k].state == DEAD {
         return;
     }
@@ -29,7 +33,10 @@ fn gather(
     if query.part != frame.neural_part {
         return;
     }
-    let row = atomicAdd(&row_count, 1u);
+    let row = atomicAdd(&row_count.rows, 1u);
+    if row % 64u == 0u {
+        atomicAdd(&row_count.groups, 1u);
+    }
     rows[row] = RnaRow(
         bits_of(query.x), bitcast<u32>(query.h), bits_of(query.axis), 0u, bits_of(query.wo), 0u,
         bits_of(query.wi), 0u,
@@ -61,11 +68,9 @@ fn apply_light(k: u32, emitted: vec3f) {
 }
 
 @compute @workgroup_size(64)
-fn apply(
-    @builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>,
-) {
-    let row = path_number(id, groups);
-    if row >= atomicLoad(&row_count) {
+fn apply(@builtin(global_invocation_id) id: vec3<u32>) {
+    let row = id.x;
+    if row >= atomicLoad(&row_count.rows) {
         return;
     }
     let k = path_of_row[row];

@@ -1,10 +1,8 @@
 // The ray that continues each path, in a direction of its body's choice.
 
 @compute @workgroup_size(64)
-fn scatter(
-    @builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>,
-) {
-    let k = path_number(id, groups);
+fn scatter(@builtin(global_invocation_id) id: vec3<u32>) {
+    let k = live_path(id.x);
     if k >= frame.paths || paths[k].state == DEAD {
         return;
     }

@@ -26,7 +26,7 @@ const FOR_EMISSION: u32 = 8u;
 const FOR_LIGHT: u32 = 16u;
 const TRANSMITS: u32 = 32u;
 
-struct Frame { // 144 bytes
+struct Frame { // 160 bytes
     camera: vec3f, // 0
     width: u32, // 12
     corner: vec3f, // 16; direction through the image's top left corner
@@ -47,13 +47,15 @@ struct Frame { // 144 bytes
     branch: u32, // 100; number of the ray that went on from the first point
     branches: u32, // 104; of those rays; 1 before them
     neural_part: u32, // 108
-    table_size: u32, // 112; of albedo
-    objects: u32, // 116; this and the rest: starts of the sections of `table`
-    surfaces: u32, // 120
-    lights: u32, // 124
-    albedo: u32, // 128
-    domains: u32, // 132
-    textures: u32, // 136
+    list: u32, // 112; start in `live` of the list of paths that the step is for
+    next_list: u32, // 116; likewise, of those that go on from there
+    table_size: u32, // 120; of albedo
+    objects: u32, // 124; this and the rest: starts of the sections of `table`
+    surfaces: u32, // 128
+    lights: u32, // 132
+    albedo: u32, // 136
+    domains: u32, // 140
+    textures: u32, // 144
 }
 
 struct Path { // 96 bytes
