@@ -10,6 +10,7 @@ import pytest
 import rna_gpu
 from rna_gpu import Device, GpuFiber, GpuSurface, conformance_reader
 from rna_gpu.decoder_packing import pack_decoder
+from rna_gpu.evaluator import Evaluator
 from rna_gpu.shaders import compose
 from rna_sdk import runtime
 from rna_sdk.conformance.kit import Kit, load_kit
@@ -85,6 +86,20 @@ def test_results_that_stay_on_the_gpu(device: Device) -> None:
     expected = np.stack(gpu.evaluate(x, n, wo, wi), axis=1)
     assert np.array_equal(found[:90, :, :3], expected[:90])
     assert not found[90:].any()  # rows beyond the count are left alone
+
+
+@pytest.mark.parametrize(("queries_per_second", "times"), [(1e6, 1), (1e7, 1), (2e7, 2), (1e9, 4)])
+def test_dispatches_grow_until_they_take_20_ms(
+    device: Device, monkeypatch: pytest.MonkeyPatch, queries_per_second: float, times: int
+) -> None:
+    gpu = rna_gpu.load(TOY, device=device)
+    assert isinstance(gpu, GpuSurface)
+    batch, most = gpu.transport.batch, 4 * gpu.transport.batch
+    assert gpu.transport.short(most) == batch  # software drivers are not measured
+    monkeypatch.setattr(device, "is_software", False)
+    monkeypatch.setattr(Evaluator, "_seconds", lambda self, rows: rows / queries_per_second)
+    assert gpu.transport.short(most) == times * batch
+    assert gpu.transport.short(100) == 100
 
 
 def test_one_line_says_what_is_wrong(device: Device) -> None:
