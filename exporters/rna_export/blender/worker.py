@@ -20,7 +20,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 import bpy
 from rna_geometry import curves_export, mesh_export, scene_parts
 from rna_geometry.rendered_geometry import as_rendered
-from rna_materials import material_override, surface_textures
+from rna_materials import material_override, smoothest, surface_textures
 from rna_renders import ray_render, render_settings, scene_render, white_card
 from rna_sources import read_files, shown_frame, source_scene
 
@@ -47,6 +47,7 @@ def open_scene(request: dict[str, Any]) -> dict[str, Any]:
         "notes": printable(notes),
         "blender": source_scene.blender_version(),
         "emitters": printable(emitters),
+        "smoothest": as_rendered(smoothest.smoothest),
         "files": read_files.files_of(request["source"]),
         "frame": bpy.context.scene.frame_current,
     }

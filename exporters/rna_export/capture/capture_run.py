@@ -19,6 +19,7 @@ from rna_export.capture.blender_process.capture_worker import CaptureJob, Captur
 from rna_export.capture.blender_process.source import Source
 from rna_export.capture.capture_plan import parts_lines, plan_lines
 from rna_export.capture.capture_tasks import Task, TrainingShard, all_tasks
+from rna_export.capture.check.narrow_highlights import narrow_highlights
 from rna_export.capture.check.self_check import PICTURE, WORTH_A_NOTE, SelfCheck
 from rna_export.capture.dataset.collect import Collector
 from rna_export.capture.dataset.dataset_folder import Dataset
@@ -151,7 +152,12 @@ def begin(
         generator=f"rna-capture {rna_sdk.__version__}",
         opaque_cutouts=exported.has_opaque_cutouts,
         emitters=tuple(opened["emitters"]),
-        notes=(*opened["notes"], *exported.notes, *_found(checks, out)),
+        notes=(
+            *opened["notes"],
+            *narrow_highlights(opened["smoothest"], settings.sharpest),
+            *exported.notes,
+            *_found(checks, out),
+        ),
         processors=(processor_key(),),
         scene_domain=asset.limited,
     )

@@ -19,7 +19,7 @@ _NAMED = 3
 def problems() -> list[str]:
     """Problems of the materials, one sentence each, with the name of the material."""
     found, bare = [], []
-    for material, item in _shown_materials():
+    for material, item in shown_materials():
         if material is None:
             bare.append(item)
         elif material.node_tree is not None:
@@ -27,7 +27,7 @@ def problems() -> list[str]:
     return found + _of_bare(bare)
 
 
-def _shown_materials() -> Iterator[tuple[bpy.types.Material | None, str]]:
+def shown_materials() -> Iterator[tuple[bpy.types.Material | None, str]]:
     """Each material once, or None with each object that has a slot without one."""
     seen = set()
     for instance in shown_objects.instances():
@@ -55,11 +55,11 @@ def _of_material(material: bpy.types.Material) -> list[str]:
         return ["it has no material output for Cycles; renders show it black"]
     if not any(output.inputs[name].is_linked for name in ("Surface", "Volume")):
         return ["nothing is connected to its output; renders show it black"]
-    nodes = _nodes_before(output)
+    nodes = nodes_before(output)
     return list(dict.fromkeys(what for node in nodes if (what := _of_node(node)) is not None))
 
 
-def _nodes_before(output: bpy.types.Node) -> Iterator[bpy.types.Node]:
+def nodes_before(output: bpy.types.Node) -> Iterator[bpy.types.Node]:
     """All nodes that a node depends on, including those inside groups, without muted ones."""
     todo, seen = [output], set()
     while todo:
