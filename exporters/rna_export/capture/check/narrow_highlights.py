@@ -18,6 +18,6 @@ def narrow_highlights(smoothest: tuple[str, float] | None, sharpest: float) -> S
     material, roughness = smoothest
     return [
         f"material {material!r} has highlights of roughness {roughness:.2g}, which views of "
-        f"--sharpest {sharpest:g} seldom meet, so they will be wrong; "
+        f"--sharpest {sharpest:g} seldom meet, so they will be off; "
         f"--sharpest {max(roughness, _LEAST):.2g} looks for them"
     ]
