@@ -15,6 +15,7 @@ from rna_export.make.plan import (
     Length,
     OpenPlan,
     TimedPlan,
+    capture_share,
     verdict,
 )
 
@@ -89,6 +90,28 @@ def test_without_a_goal_the_time_has_one_round() -> None:
     captured = plan.capture_seconds(0, 600.0)
     assert captured == pytest.approx(CAPTURE * (600.0 - 30.0))
     assert plan.last_phase(600.0 - captured, 1).minutes == pytest.approx(captured / 60.0, abs=0.01)
+
+
+@pytest.mark.parametrize(
+    ("minutes", "widths", "share"),
+    [
+        (2, [64], 0.5),
+        (10, [64], 0.5),
+        (15, [64], 2 / 3),
+        (20, [64], 0.75),
+        (60, [64], 0.75),
+        (20, [64, 256], 0.5),
+        (200, [64, 256], 0.75),
+    ],
+)
+def test_training_has_five_minutes_then_capture_gets_more(
+    minutes: float, widths: list[int], share: float
+) -> None:
+    assert capture_share(60.0 * minutes, widths) == pytest.approx(share)
+    plan = TimedPlan(1000, 16, 60.0 * minutes, has_goal=False, capture=share)
+    captured = plan.capture_seconds(0, 60.0 * minutes)
+    left = 60.0 * plan.last_phase(60.0 * minutes - captured, 1).minutes
+    assert captured == pytest.approx(share * (captured + left), rel=1e-3)
 
 
 @pytest.mark.parametrize("steps", [100_000, None])

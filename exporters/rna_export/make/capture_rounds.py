@@ -11,7 +11,6 @@ from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.time_plan import TimeLimit
 from rna_export.make.make_options import MakeOptions
 from rna_export.make.make_progress import Stage
-from rna_export.make.plan import CAPTURE
 from rna_export.make.state import Round
 
 _SHARD = 16  # lights, where rounds grow; a worker begins anew after 12 shards
@@ -22,7 +21,8 @@ def open_rays(options: MakeOptions, begun: float, say_gain: Callable[[str], None
 
     begun: when those began, of `time.monotonic`. say_gain: told what the asset is expected to gain.
     """
-    limit = None if options.minutes is None else TimeLimit(options.minutes, begun, CAPTURE)
+    share, minutes = options.capture_share, options.minutes
+    limit = None if minutes is None else TimeLimit(minutes, begun, share)
     small = {} if options.fixes_lights else {"lights_per_shard": _SHARD}
     settings = {**small, **options.settings}
     return begin(

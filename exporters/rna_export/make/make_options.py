@@ -9,6 +9,8 @@ from typing import Any
 from rna_export.capture.blender_process.source import Source
 from rna_export.capture.capture_run import CaptureWorkers
 from rna_export.fit.goal import Goal
+from rna_export.make.plan import CAPTURE, capture_share
+from rna_export.training.presets import PRESETS
 from rna_render.scene import SceneFile
 
 
@@ -28,6 +30,14 @@ class MakeOptions:
     device: str
     workers: CaptureWorkers
     picture: Path | None = None  # of the model in training, rewritten
+
+    @property
+    def capture_share(self) -> float:
+        """Share of the minutes for capture."""
+        if self.goal is not None or self.minutes is None:
+            return CAPTURE
+        widths = [PRESETS["surface"][name].model.width for name in self.presets]
+        return capture_share(60.0 * self.minutes, widths)
 
     @property
     def fixes_lights(self) -> bool:

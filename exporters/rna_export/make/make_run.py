@@ -115,7 +115,8 @@ class Make:
         shard = dataset.manifest.settings.lights_per_shard
         if options.minutes is not None:
             seconds, tiers = 60.0 * options.minutes, len(options.presets)
-            return TimedPlan(lights, shard, seconds, tiers, options.goal is not None)
+            share, has_goal = options.capture_share, options.goal is not None
+            return TimedPlan(lights, shard, seconds, tiers, has_goal, share)
         if options.fixes_lights:
             return FixedPlan(lights, options.steps)
         kinds = {part.kind for part in dataset.parts}

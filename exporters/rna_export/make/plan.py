@@ -39,10 +39,21 @@ _MORE = 0.5  # lights of a round over all before it, and at most over the usual 
 _TIMED_ROUNDS = 4
 _SHORT_SECONDS, _SHORT_ROUNDS = 240.0, 2  # each start of Blender costs seconds
 CAPTURE = 0.5
-"""Share of the time for capture, all rounds together."""
+"""Share of the time for capture, all rounds together, if they end at an error."""
+_MOST_CAPTURE = 0.75  # in one round
+_TRAINING_SECONDS = 300.0  # of 64 neurons' width, after which more lights gain more
 _BETWEEN = 0.15  # share for trainings between captures, if there are several
 _SLACK = 1.3  # lights planned over those expected: the clock ends a capture, not the plan
 _EXPORT_SECONDS, _EXPORT_SHARE = 30.0, 0.05  # kept for the package, a tier: the lesser of both
+
+
+def capture_share(seconds: float, widths: Sequence[int]) -> float:
+    """Share of the time for capture in a single round: a half at least.
+
+    seconds: in all. widths: neurons of a hidden layer, of each preset to train.
+    """
+    training = _TRAINING_SECONDS * sum(widths) / 64
+    return min(max(1.0 - training / seconds, CAPTURE), _MOST_CAPTURE)
 
 
 class Length(BaseModel):
@@ -116,7 +127,7 @@ class TimedPlan:
     """Rounds that fill a time: each stage gets its share of what is left.
 
     seconds: in all. lights: that fit into the share of it that is for capture. tiers: to export.
-    has_goal: whether a round may end it earlier.
+    has_goal: whether a round may end it earlier. capture: share of the time for capture.
     """
 
     lights: int
@@ -124,6 +135,7 @@ class TimedPlan:
     seconds: float
     tiers: int = 1
     has_goal: bool = True
+    capture: float = CAPTURE
     end: ClassVar[Verdict] = "time is up"
 
     @property
@@ -139,14 +151,14 @@ class TimedPlan:
 
     def capture_seconds(self, round_: int, left: float) -> float:
         """Time limit of a round's capture."""
-        own = CAPTURE / self.rounds
+        own = self.capture / self.rounds
         return self._usable(left) * own / self._ahead(round_)
 
     def phase(self, round_: int, left: float) -> Length | None:
         """A round's training; None after the last capture."""
         if round_ == self.rounds - 1:
             return None
-        share = self._between / (self._ahead(round_) - CAPTURE / self.rounds)
+        share = self._between / (self._ahead(round_) - self.capture / self.rounds)
         return _minutes(self._usable(left) * share)
 
     def last_phase(self, left: float, models: int) -> Length:
@@ -159,7 +171,7 @@ class TimedPlan:
 
     def _ahead(self, round_: int) -> float:
         """Shares of the stages from a round's capture on."""
-        return 1.0 - round_ * (CAPTURE / self.rounds + self._between)
+        return 1.0 - round_ * (self.capture / self.rounds + self._between)
 
     @property
     def _between(self) -> float:
