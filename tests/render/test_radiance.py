@@ -224,7 +224,7 @@ def test_a_stopped_render_is_the_mean_of_its_finished_samples(ball):
 
 def test_a_sample_that_was_stopped_half_way_is_dropped(ball, monkeypatch):
     one = image([(ball, {})], [SKY], samples=1)
-    monkeypatch.setattr("rna_render.paths.bands.BAND", 100)
+    monkeypatch.setattr("rna_render.paths.integrator.Integrator.band", 100)
     scene, world = stage([(ball, {})], [SKY], samples=64)
     bands = []
     film = render(scene, make_integrator(scene, world), lambda: len(bands) == 3, bands.append)

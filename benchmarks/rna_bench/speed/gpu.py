@@ -28,8 +28,7 @@ from rna_bench.results import publish
 from rna_bench.speed.query_batches import random_queries
 from rna_gpu import Device, GpuAsset, GpuFiber, GpuSurface
 from rna_gpu.scene.rendering import GpuRenderer
-from rna_render import load_world, make_integrator, render
-from rna_render.paths.bands import BandRenderer
+from rna_render import Integrator, load_world, make_integrator, render
 from rna_render.scene import Scene, read_scene
 
 DISPATCHES = 32  # of one reading of the resident rate
@@ -114,7 +113,7 @@ def image_seconds(path: Path, size: dict[str, Any], runs: int) -> dict[str, Any]
     scene_file = read_scene(path).with_changes(**size)
     scene, world = scene_file.resolved, load_world(scene_file)
     short = scene.model_copy(update={"samples": CPU_SAMPLES})
-    renderers: dict[str, tuple[Scene, BandRenderer, float]] = {
+    renderers: dict[str, tuple[Scene, GpuRenderer | Integrator, float]] = {
         "gpu": (scene, GpuRenderer(scene_file, world), 1.0),
         "cpu": (short, make_integrator(short, world), scene.samples / CPU_SAMPLES),
     }
