@@ -8,7 +8,7 @@ are on the GPU and whose results stay there. Arithmetic counts multiply-adds of 
 and those of the bilinear lookups; bytes are those of texels, row and result, without caches.
 Weights are read once a workgroup at best, and once a query at worst: both are given. Seconds of an
 image are those of its samples, without loading; the first image on the GPU compiles the shaders.
-The CPU renders CPU_SAMPLES a pixel, whose seconds count as many times as more are asked for.
+The CPU renders 2 samples a pixel; its seconds are scaled to all of them.
 """
 
 from __future__ import annotations

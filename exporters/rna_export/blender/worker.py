@@ -38,7 +38,9 @@ def open_scene(request: dict[str, Any]) -> dict[str, Any]:
     render_settings.own()
     material_override.apply()
     notes += source_scene.keep_only_the_asset()
-    parts = as_rendered(lambda: scene_parts.find_parts(request["parts"]))
+    parts, smooth = as_rendered(
+        lambda: (scene_parts.find_parts(request["parts"]), smoothest.smoothest())
+    )
     clamps = request["clampDirect"], request["clampIndirect"]
     has_hair = any(part["kind"] == "fiber" for part in parts)
     emitters = ray_render.configure(request["threads"], *clamps, separate_direct=has_hair)
@@ -47,7 +49,7 @@ def open_scene(request: dict[str, Any]) -> dict[str, Any]:
         "notes": printable(notes),
         "blender": source_scene.blender_version(),
         "emitters": printable(emitters),
-        "smoothest": as_rendered(smoothest.smoothest),
+        "smoothest": smooth,
         "files": read_files.files_of(request["source"]),
         "frame": bpy.context.scene.frame_current,
     }

@@ -51,12 +51,8 @@ class SomePixels:
 
     def __init__(self, renderer: BandRenderer, chosen: np.ndarray) -> None:
         self._renderer, self._chosen = renderer, chosen
-        self.groups, self.at_once, self.band = renderer.groups, renderer.at_once, renderer.band
-
-    @property
-    def samples(self) -> int:
-        """As the renderer's own, which may change."""
-        return self._renderer.samples
+        self.groups, self.at_once = renderer.groups, renderer.at_once
+        self.band, self.samples = renderer.band, renderer.samples
 
     def render(self, pixels: np.ndarray, sampler: Sampler) -> Layers:
         return self._renderer.render(self._chosen[pixels], sampler)

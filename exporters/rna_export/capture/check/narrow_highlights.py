@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-_NARROWER = 0.5  # of `sharpest`: below, what is learnt of a highlight is off by a third or more
-_LEAST = 0.02  # narrower ones are not learnt
+_NARROWER = 0.5  # of `sharpest`: peaks are off by 13% at 0.7 of it, by 44% at 0.36
+_LEAST = 0.02  # the narrowest that was measured
 
 
 def narrow_highlights(smoothest: tuple[str, float] | None, sharpest: float) -> Sequence[str]:
