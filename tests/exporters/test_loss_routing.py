@@ -7,6 +7,8 @@ import torch
 
 from rna_export.capture.dataset.dataset_manifest import SAMPLE_FIELDS
 from rna_export.training.optimization.fitting import Fitting
+from rna_export.training.optimization.losses import sample_loss
+from rna_export.training.optimization.samples import columns
 from rna_export.training.presets import PRESETS
 from tests.exporters.synthetic import tiny
 
@@ -21,7 +23,7 @@ def gradient_of_the_outputs(kind: str, preset: str, visible: float) -> tuple[flo
     fitting = Fitting(tiny(preset, kind, loss="log"), BOUNDS, 1.0, 1.0, fields)
     rows = torch.rand(64, sum(fields.values()))
     rows[:, -1] = visible
-    fitting.loss(rows, 0.0).backward()
+    sample_loss(fitting.model, columns(rows, fields), 4.0).backward()
     gradient = fitting.model.decoder[-1].weight.grad.abs()
     return gradient[:-3].max().item(), gradient[-3:].max().item()
 
@@ -61,11 +63,15 @@ def test_shadows_count_as_often_as_their_weight(weight: float) -> None:
     """A batch of light and shadow: its loss is the mean of both, weighted."""
     torch.manual_seed(0)
     fields = SAMPLE_FIELDS["surface"]
-    preset = tiny("paper-small", "surface", shadow_weight=weight)
+    preset = tiny("paper-small", "surface")
     fitting = Fitting(preset, BOUNDS, 10.0, 1.0, fields)
     rows = torch.rand(64, sum(fields.values()))
     rows[:, -1] = (torch.arange(64) % 4 == 0).float()
-    lit, shadowed = (fitting.loss(rows[rows[:, -1] == v], 0.0) for v in (1.0, 0.0))
+
+    def loss(rows: torch.Tensor) -> torch.Tensor:
+        return sample_loss(fitting.model, columns(rows, fields), 4.0, "log", weight)
+
+    lit, shadowed = (loss(rows[rows[:, -1] == v]) for v in (1.0, 0.0))
     expected = (lit + 3.0 * weight * shadowed) / (1.0 + 3.0 * weight)
-    assert torch.allclose(fitting.loss(rows, 0.0), expected, rtol=1e-5)
+    assert torch.allclose(loss(rows), expected, rtol=1e-5)
     assert not torch.allclose(lit, shadowed, rtol=0.1)

@@ -101,9 +101,10 @@ def test_bfloat16_is_for_wide_decoders_where_the_processor_has_it(
     expected: bool,
 ) -> None:
     monkeypatch.setattr(fitting, "multiplies_bfloat16", lambda: has_instructions)
+    monkeypatch.setattr(torch.cuda, "is_bf16_supported", lambda: has_instructions)
     preset = PRESETS["surface"]["small"].with_model(width=width).with_training(products=products)
-    assert fitting.multiplies_in_bfloat16(preset, "cpu") == expected
-    assert not fitting.multiplies_in_bfloat16(preset, "cuda")
+    for device in ("cpu", "cuda"):
+        assert fitting.multiplies_in_bfloat16(preset, device) == expected
 
 
 def test_only_steps_are_in_bfloat16() -> None:

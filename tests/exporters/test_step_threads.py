@@ -141,7 +141,7 @@ def test_narrow_products_are_those_of_torch_and_repeat() -> None:
     before, sizes = kernel_threads(), (3, 6, 9, 12)
     try:
         narrow = [Product(n, 64, b, torch.float32) for n in (128, 512, 1024) for b in sizes]
-        assert products_repeat(narrow, before)
+        assert products_repeat(narrow, [], before)
     finally:
         use_threads(before)
 
@@ -159,4 +159,4 @@ def test_products_that_differ_are_found(monkeypatch: pytest.MonkeyPatch) -> None
 
     monkeypatch.setattr(product_kernels, "weight_gradient", shared_sum)
     monkeypatch.setattr(product_kernels, "use_threads", use)
-    assert not products_repeat([Product(2048, 64, 64, torch.float32)], 7)
+    assert not products_repeat([Product(2048, 64, 64, torch.float32)], [], 7)

@@ -81,7 +81,7 @@ def trainer() -> Iterator[Task]:
     bounds = torch.tensor([[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]])
     fitting = Fitting(preset, bounds, 1.5, 0.5, table.fields)
     batches = iter(table)
-    with StepThreads.of(fitting.model, (batch, batch)) as threads:
+    with StepThreads.of(fitting, (batch, batch)) as threads:
 
         def step() -> float:
             threads.run(partial(fitting.step, next(batches), 0.5))

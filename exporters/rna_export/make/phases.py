@@ -68,7 +68,7 @@ class Phase:
 
     def _preset(self, kind: str) -> Preset:
         """The preset of this length."""
-        preset = PRESETS[kind][self.preset]
+        preset = PRESETS[kind][self.preset].on_device(self.device)
         return (
             preset if self.length.steps is None else preset.with_training(steps=self.length.steps)
         )

@@ -9,7 +9,15 @@ from pathlib import Path
 from time import monotonic
 from typing import TYPE_CHECKING
 
-from rna_export.training.presets import ANALYTIC_NAME, LOSSES, PRESETS, Preset, named_preset
+from rna_export.training.presets import (
+    ANALYTIC_NAME,
+    BATCH,
+    LOSSES,
+    OPTIMIZERS,
+    PRESETS,
+    Preset,
+    named_preset,
+)
 from rna_export.training.training_options import add_device, chosen_device
 from rna_sdk.console import command_line, command_parser, run_command
 from rna_sdk.errors import TrainingError
@@ -79,6 +87,18 @@ def parser() -> argparse.ArgumentParser:
         help="weight of samples in shadow in the loss; 10 in configurations of the paper's code "
         "(float, default: the preset's, 1)",
     )
+    p.add_argument(
+        "--optimizer",
+        choices=OPTIMIZERS,
+        help="of the decoder's matrices; all else has Adam (default: the preset's, muon for ours, "
+        "adam for the paper's)",
+    )
+    p.add_argument(
+        "--batch",
+        type=int,
+        help="samples a step; rates stay as they are (int, default: "
+        f"{BATCH['cpu']:,} on the CPU, {BATCH['cuda']:,} on a GPU)",
+    )
     lengths = sorted({preset.training.steps for preset in PRESETS["surface"].values()})
     usual = " or ".join(f"{steps:,}" for steps in lengths)
     length = p.add_mutually_exclusive_group()
@@ -107,7 +127,7 @@ def main(argv: list[str] | None = None) -> int:
     """Entry point; returns the exit status."""
     options = parser()
     args = options.parse_args(argv)
-    for name in ("minutes", "steps", "cut", "shadow_weight"):
+    for name in ("minutes", "steps", "cut", "shadow_weight", "batch"):
         value = getattr(args, name)
         if value is not None and not 0 < value < math.inf:
             option = name.replace("_", "-")
@@ -139,7 +159,7 @@ def _run(args: argparse.Namespace) -> None:
             out = folders[part.name]
             if len(dataset.parts) > 1:
                 print(f"part {part.name}, {part.kind}:")
-            preset = _chosen(args, part.kind)
+            preset = _chosen(args, part.kind, device)
             run = Run(part, preset, args.preset, out, args.seed, minutes[part.name], begun, device)
             best = train(run)
             print("\n".join(closing_lines(best, part)))
@@ -156,11 +176,12 @@ def _to_export(out: Path, dataset: Dataset) -> Path:
     return out / "best.ckpt" if len(dataset.parts) == 1 else out
 
 
-def _chosen(args: argparse.Namespace, kind: str) -> Preset:
+def _chosen(args: argparse.Namespace, kind: str, device: str) -> Preset:
     """The named preset, with what the options change of it."""
-    preset = named_preset(kind, args.preset)
-    if args.steps is not None:
-        preset = preset.with_training(steps=args.steps)
+    preset = named_preset(kind, args.preset).on_device(device)
+    for name in ("steps", "batch", "optimizer"):
+        if (value := getattr(args, name)) is not None:
+            preset = preset.with_training(**{name: value})
     if args.shadow_weight is not None:
         if preset.model.separates_direct:
             raise TrainingError(

@@ -31,6 +31,15 @@ def add_trainings(parser: argparse.ArgumentParser) -> None:
     add_store_option(parser, "checkpoints")
 
 
+def device_name(device: str) -> str:
+    """What the user knows a device of PyTorch by."""
+    if device == "cpu":
+        return "the CPU"
+    import torch
+
+    return f"the GPU ({torch.cuda.get_device_name()})"
+
+
 def chosen_device(device: str) -> str:
     """`cpu` or `cuda` for these or `auto`. Raises `TrainingError` for a GPU that is not there."""
     import torch

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -17,6 +18,7 @@ from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.training.checkpoint import load_progress, save_checkpoint
 from rna_export.training.loss_curves import Curves
 from rna_export.training.model.emission import INPUTS
+from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.optimization import emission_batches
 from rna_export.training.optimization.emission_batches import EmissionBatches
 from rna_export.training.optimization.fitting import Fitting
@@ -26,10 +28,12 @@ from rna_export.training.optimization.samples import SampleTable
 from rna_export.training.optimization.step_threads import StepThreads
 from rna_export.training.presets import Preset
 from rna_export.training.report import Report
+from rna_export.training.training_options import device_name
 from rna_sdk.errors import TrainingError
 
 _SO_FAR = "best-so-far.ckpt"  # until the run is finished
 _ROUNDING = 1e-9
+_OPTIMIZERS = {"adam": "Adam", "muon": "Muon and Adam"}
 
 
 @dataclass(frozen=True)
@@ -87,9 +91,10 @@ def train(
     batches = batch, batch // emission_batches.SHARE
     with (
         bars(initial=done, total=run.preset.training.steps, unit="step", mininterval=0.5) as bar,
-        StepThreads.of(fitting.model, batches) as threads,
+        StepThreads.of(fitting, batches) as threads,
     ):
-        found = _fit(run, fitting, table, pace, done, bar, threads)
+        with _memory_told(run, fitting.model):
+            found = _fit(run, fitting, table, pace, done, bar, threads)
     if found is not None:
         say(str(found))
     if so_far.is_file():
@@ -97,6 +102,29 @@ def train(
     if not best.is_file():
         raise TrainingError(f"{best}: the run is finished, and this file is gone; delete {run.out}")
     return best
+
+
+@contextmanager
+def _memory_told(run: Run, model: NeuralAsset) -> Iterator[None]:
+    """Raises TrainingError where the GPU's memory is too small for a step, with what would fit."""
+    free = torch.cuda.mem_get_info()[0] if run.device == "cuda" else 0
+    try:
+        yield
+    except torch.OutOfMemoryError:
+        batch, fits = run.preset.training.batch, int(free / _bytes_a_sample(model))
+        most = 2 ** max(0, min(fits, batch // 2).bit_length() - 1)
+        raise TrainingError(
+            f"--batch {batch}: a step needs more than the GPU's {free / 1e9:.1f} GB of free "
+            f"memory, expected a batch of about {most} or less; the same command with another "
+            "--out and that --batch fits"
+        ) from None
+
+
+def _bytes_a_sample(model: NeuralAsset) -> float:
+    """Memory of a sample in a step, about: values and gradients of texels and layers."""
+    layers = [m for m in model.modules() if isinstance(m, torch.nn.Linear)]
+    numbers = sum(m.in_features + 2 * m.out_features for m in layers)
+    return 4.0 * (2 * numbers + 4 * 12 * model.config.channels)
 
 
 def is_of_training(folder: Path) -> bool:
@@ -228,7 +256,8 @@ def _plan(run: Run, samples: int) -> str:
     return (
         f"{run.preset_name}: {model.hidden_layers} x {model.width}, planes 3 x "
         f"{model.resolution}^2 x {model.channels}, inputs {', '.join(model.inputs)}\n"
-        f"{samples / 1e6:.2f} M samples, {_length(run, samples)}, {loss}"
+        f"{samples / 1e6:.2f} M samples, {_length(run, samples)}, {loss}, "
+        f"{_OPTIMIZERS[training.optimizer]} on {device_name(run.device)}"
     )
 
 

@@ -38,13 +38,13 @@ class EmissionDecoder(nn.Module):
         self.register_buffer("ceiling", torch.tensor(100.0))
         self.register_buffer("unit", torch.tensor(1.0))
 
-    def queries(self, triplane: Triplane, at: Points, blur: float = 1.0) -> Tensor:
+    def queries(self, triplane: Triplane, at: Points, blur: float | Tensor = 1.0) -> Tensor:
         """The decoder's queries, (k, K)."""
         position = at["position"]
         p = ((position - triplane.low) / (triplane.high - triplane.low)).clamp(0.0, 1.0)
         return assemble(self.inputs, triplane(position, blur), p, at)
 
-    def forward(self, triplane: Triplane, at: Points, blur: float = 1.0) -> Tensor:
+    def forward(self, triplane: Triplane, at: Points, blur: float | Tensor = 1.0) -> Tensor:
         """y, (k, 3)."""
         return through(self.decoder, self.queries(triplane, at, blur))
 

@@ -81,7 +81,7 @@ class NeuralAsset(nn.Module):
         assert self.emission is not None and isinstance(self.triplane, Triplane)
         return self.emission, self.triplane
 
-    def forward(self, at: Points, blur: float = 1.0) -> Tensor:
+    def forward(self, at: Points, blur: float | Tensor = 1.0) -> Tensor:
         """y = log(x / unit + 1) of each colour, (k, 1 to 3, 3)."""
         y = through(self.decoder, self.queries(at, blur), self._in_bfloat16)
         if self.config.material != "learned":
@@ -93,7 +93,7 @@ class NeuralAsset(nn.Module):
     def _in_bfloat16(self) -> bool:
         return self.multiplies_in_bfloat16 and torch.is_grad_enabled()
 
-    def queries(self, at: Points, blur: float = 1.0) -> Tensor:
+    def queries(self, at: Points, blur: float | Tensor = 1.0) -> Tensor:
         """The decoder's queries, (k, K)."""
         grid, position = self.triplane, at["position"]
         p = ((position - grid.low) / (grid.high - grid.low)).clamp(0.0, 1.0)

@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 import torch
-import torch.nn.functional as F
 from torch import Tensor, nn
 
 from rna_export.training.optimization import plane_kernels
@@ -33,16 +32,17 @@ class Triplane(nn.Module):
         self.register_buffer("low", low.float())
         self.register_buffer("high", high.float())
 
-    def forward(self, position: Tensor, blur: float = 1.0) -> Tensor:
+    def forward(self, position: Tensor, blur: float | Tensor = 1.0) -> Tensor:
         """Features (n, C) at positions (n, 3); `blur` is a footprint in texels, 1 for none.
 
         Positions get no gradient.
         """
         p = (position - self.low) / (self.high - self.low)
-        if self.planes.device.type == "cpu":
+        if not isinstance(blur, Tensor) and self.planes.device.type == "cpu":
             features: Tensor = _Gather.apply(self.planes, p, blur)  # type: ignore[no-untyped-call]
             return features
-        return gathered(blurred(self.planes, blur) if blur > 1.0 else self.planes, p)
+        is_blurred = isinstance(blur, Tensor) or blur > 1.0
+        return gathered(blurred(self.planes, blur) if is_blurred else self.planes, p)
 
     @torch.no_grad()
     def smooth(self, share: float) -> None:
@@ -75,25 +75,23 @@ def gathered(planes: Tensor, p: Tensor) -> Tensor:
         rows += [corner, corner + 1, corner + resolution, corner + resolution + 1]
         u, v = fraction[:, a], fraction[:, b]
         weights += [(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v]
-    return F.embedding_bag(
-        torch.stack(rows, dim=1),
-        planes.reshape(-1, channels),
-        per_sample_weights=torch.stack(weights, dim=1),
-        mode="sum",
-    )
+    texels = planes.reshape(-1, channels).index_select(0, torch.stack(rows, dim=1).flatten())
+    weighed = texels.view(len(p), -1, channels) * torch.stack(weights, dim=1)[..., None]
+    return weighed.sum(dim=1)
 
 
-def blurred(planes: Tensor, footprint: float) -> Tensor:
+def blurred(planes: Tensor, footprint: float | Tensor) -> Tensor:
     """Planes (3, R, R, C) under a Gaussian of standard deviation (footprint - 1) / 2 texels.
 
-    Normalised where the kernel leaves the plane. In plain PyTorch, as `gathered`.
+    Normalised where the kernel leaves the plane. In plain PyTorch, as `gathered`; a footprint in a
+    tensor is read on its device alone.
     """
-    resolution = planes.shape[1]
-    kernel, normalisation = _blur(resolution, footprint)
-    radius = len(kernel) // 2
-    matrix = sum(np.eye(resolution, k=d - radius) * kernel[d] for d in range(len(kernel)))
-    matrix = torch.from_numpy((matrix * normalisation[:, None]).astype(np.float32))
-    matrix = matrix.to(planes.device)
+    texels = torch.arange(planes.shape[1], device=planes.device)
+    distance = (texels[:, None] - texels[None, :]).abs()
+    sigma = (torch.as_tensor(footprint, device=planes.device) - 1.0) / 2.0
+    matrix = torch.exp(-0.5 * (distance / sigma.clamp(min=1e-3)).square())
+    matrix = matrix * (distance <= (2.5 * sigma).round().clamp(min=1.0))
+    matrix = matrix / matrix.sum(dim=1, keepdim=True)
     return torch.einsum("ab,kbcf,dc->kadf", matrix, planes, matrix)
 
 

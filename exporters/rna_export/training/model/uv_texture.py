@@ -26,7 +26,7 @@ class UvTexture(nn.Module):
         self.register_buffer("low", low.float())
         self.register_buffer("high", high.float())
 
-    def forward(self, uv: Tensor, blur: float = 1.0) -> Tensor:
+    def forward(self, uv: Tensor, blur: float | Tensor = 1.0) -> Tensor:
         """Features (n, C) at uv (n, 2)."""
         grid = (2.0 * uv - 1.0)[None, :, None]
         found = F.grid_sample(self.texels, grid, padding_mode="border", align_corners=False)

@@ -31,8 +31,10 @@ class EmissionBatches:
         table = SampleTable(part.emission_samples(), batch // SHARE, seed, device, done)
         return cls(table, iter(table))
 
-    def loss(self, emission: EmissionDecoder, triplane: Triplane, blur: float) -> Tensor:
-        """Loss of the next batch; relative, so that noise does not bias it."""
-        at = columns(next(self.rows), self.table.fields)
+    def loss(
+        self, rows: Tensor, emission: EmissionDecoder, triplane: Triplane, blur: float | Tensor
+    ) -> Tensor:
+        """Loss of a batch; relative, so that noise does not bias it."""
+        at = columns(rows, self.table.fields)
         y = emission(triplane, at, blur)
         return unbiased_l2(y, at["radiance"], emission.unit)

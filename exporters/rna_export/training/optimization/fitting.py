@@ -12,8 +12,10 @@ from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.model.triplane import Triplane
 from rna_export.training.optimization.emission_batches import EmissionBatches
 from rna_export.training.optimization.losses import sample_loss
-from rna_export.training.optimization.plane_adam import PlaneAdam
+from rna_export.training.optimization.muon import Muon
+from rna_export.training.optimization.optimizers import optimizers_of, set_rates
 from rna_export.training.optimization.samples import columns
+from rna_export.training.optimization.step_graphs import StepGraphs
 from rna_export.training.presets import Preset, TrainingConfig
 from rna_sdk.cpu import multiplies_bfloat16
 
@@ -48,57 +50,78 @@ class Fitting:
             emitting.unit.fill_(emission.table.usual_radiance)
         self.model.to(device)
         self.model.multiplies_in_bfloat16 = multiplies_in_bfloat16(preset, device)
-        self._optimizers = _optimizers(self.model, preset.training)
-        self._first_rates = [o.param_groups[0]["lr"] for o in self._optimizers]
+        self._optimizers = optimizers_of(self.model, preset.training)
+        self._done = 0  # steps
+        is_cuda = device == "cuda"
+        self._graphs = StepGraphs(self._descend) if is_cuda else None
+        # Of the blur, in texels; what a graph reads is a tensor.
+        self._footprint: float | Tensor = torch.ones((), device=device) if is_cuda else 1.0
 
     def step(self, rows: Tensor, progress: float) -> Tensor:
         """One step on a batch of rows (n, columns); returns the loss, still on the device.
 
         progress: how much of the run is done, 0 to 1.
         """
-        for optimizer, first in zip(self._optimizers, self._first_rates, strict=True):
-            optimizer.param_groups[0]["lr"] = first * rate(self._config, progress)
-        loss = self.loss(rows, progress)
+        factor = rate(self._config, progress)
+        set_rates(self._optimizers, factor)
+        is_ending = progress >= 1.0 - self._config.unbiased_share
+        kind = "unbiased" if is_ending else self._config.loss, self._blur(progress)
+        batches = [rows] if self._emission is None else [rows, next(self._emission.rows)]
+        run = self._descend if self._graphs is None else self._graphs.run
+        loss = run(kind, *batches)
+        self._done += 1
+        self._smooth(factor)
+        return loss
+
+    def _blur(self, progress: float) -> bool:
+        """Set the footprint of the blur; whether there is any.
+
+        It falls from the preset's to 1 over the first fifth: the paper, section 4.2.
+        """
+        footprint = 1.0 + (self._config.blur - 1.0) * max(0.0, 1.0 - 5.0 * progress)
+        if isinstance(self._footprint, Tensor):
+            self._footprint.fill_(footprint)
+        else:
+            self._footprint = footprint
+        return footprint > 1.0
+
+    def _descend(
+        self, kind: tuple[str, bool], rows: Tensor, emission_rows: Tensor | None = None
+    ) -> Tensor:
+        """A step of all optimizers down the gradient of the batches' loss, which it returns.
+
+        kind: the loss of transport, and whether planes are blurred.
+        """
+        name, is_blurred = kind
+        blur, weight = self._footprint if is_blurred else 1.0, self._config.shadow_weight
+        loss = sample_loss(self.model, columns(rows, self._fields), blur, name, weight)
+        if self._emission is not None and emission_rows is not None:
+            loss = loss + self._emission.loss(emission_rows, *self.model.emitting, blur)
         loss.backward()
         for optimizer in self._optimizers:
             optimizer.step()
             optimizer.zero_grad()
-        self._smooth()
         return loss.detach()
 
-    def _smooth(self) -> None:
+    def _smooth(self, factor: float) -> None:
         """Diffusion of planes, several steps' worth at a time: it passes over all texels."""
-        planes = self.model.triplane
-        if not (self._config.smoothing and isinstance(planes, Triplane)):
+        planes, config = self.model.triplane, self._config
+        if not (config.smoothing and isinstance(planes, Triplane)):
             return
-        of_decoders, of_features = self._optimizers
-        steps = int(next(iter(of_decoders.state.values()))["step"])
-        if steps % _SMOOTHED_TOGETHER == 0:
-            share = self._config.smoothing * of_features.param_groups[0]["lr"] * _SMOOTHED_TOGETHER
+        if self._done % _SMOOTHED_TOGETHER == 0:
+            share = config.smoothing * config.plane_learning_rate * factor * _SMOOTHED_TOGETHER
             planes.smooth(min(share, 0.25))
 
-    @property
-    def learning_rate(self) -> float:
-        """Learning rate of the decoder in the last step."""
-        return float(self._optimizers[0].param_groups[0]["lr"])
-
-    def loss(self, rows: Tensor, progress: float) -> Tensor:
-        """Loss of a batch, plus that of the next emission batch."""
-        # From `blur` texels to 1 over the first fifth: the paper, section 4.2.
-        blur = 1.0 + (self._config.blur - 1.0) * max(0.0, 1.0 - 5.0 * progress)
-        at = columns(rows, self._fields)
-        is_ending = progress >= 1.0 - self._config.unbiased_share
-        kind = "unbiased" if is_ending else self._config.loss
-        loss = sample_loss(self.model, at, blur, kind, self._config.shadow_weight)
-        if self._emission is None:
-            return loss
-        return loss + self._emission.loss(*self.model.emitting, blur)
+    def stacks(self) -> list[Tensor]:
+        """Like those of matrices that a step orthogonalises: see `Muon`."""
+        return [s for o in self._optimizers if isinstance(o, Muon) for s in o.stacks()]
 
     def state(self) -> dict[str, Any]:
         """State of model and optimizers for a checkpoint."""
         return {
             "model": self.model.state_dict(),
             "optimizers": [optimizer.state_dict() for optimizer in self._optimizers],
+            "steps": self._done,
         }
 
     def load(self, state: dict[str, Any]) -> None:
@@ -106,12 +129,14 @@ class Fitting:
         self.model.load_state_dict(state["model"])
         for optimizer, saved in zip(self._optimizers, state["optimizers"], strict=True):
             optimizer.load_state_dict(saved)
+        self._done = state["steps"]
 
 
 def multiplies_in_bfloat16(preset: Preset, device: str) -> bool:
     """What `TrainingConfig.products` comes to here."""
-    wide = preset.model.width >= _WIDE
-    return preset.training.products == "auto" and wide and device == "cpu" and multiplies_bfloat16()
+    if preset.training.products == "float32" or preset.model.width < _WIDE:
+        return False
+    return torch.cuda.is_bf16_supported() if device == "cuda" else multiplies_bfloat16()
 
 
 def rate(config: TrainingConfig, progress: float) -> float:
@@ -119,16 +144,3 @@ def rate(config: TrainingConfig, progress: float) -> float:
     if config.schedule == "halving":
         return 0.5 ** min(int(5.0 * progress), 4)
     return 0.5 * (1.0 + math.cos(math.pi * progress)) + 1e-3
-
-
-def _optimizers(model: NeuralAsset, config: TrainingConfig) -> list[torch.optim.Optimizer]:
-    """Optimizers of the decoders and of the features."""
-    decoders = [*model.decoder.parameters()]
-    if model.emission is not None:
-        decoders += model.emission.parameters()
-    of_decoders = torch.optim.Adam(decoders, lr=config.learning_rate, fused=True)
-    features = [*model.triplane.parameters()]
-    if isinstance(model.triplane, Triplane) and features[0].device.type == "cpu":
-        return [of_decoders, PlaneAdam(features[0], lr=config.plane_learning_rate)]
-    of_features = torch.optim.Adam(features, lr=config.plane_learning_rate, fused=True)
-    return [of_decoders, of_features]

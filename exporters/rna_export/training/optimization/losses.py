@@ -20,7 +20,11 @@ MOST_DARKENED = 0.05
 
 
 def sample_loss(
-    model: NeuralAsset, at: Points, blur: float, loss: str = "log", shadow_weight: float = 1.0
+    model: NeuralAsset,
+    at: Points,
+    blur: float | Tensor,
+    loss: str = "log",
+    shadow_weight: float = 1.0,
 ) -> Tensor:
     """The loss of a batch of samples, of the outputs alone that match their visibility.
 

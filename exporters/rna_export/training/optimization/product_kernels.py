@@ -10,6 +10,7 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
+from rna_export.training.optimization.muon import orthogonalised
 from rna_export.training.optimization.training_threads import use_threads
 from rna_sdk.compiled import compiled
 
@@ -46,20 +47,23 @@ class Product(NamedTuple):
     dtype: torch.dtype
 
 
-def products_repeat(products: Iterable[Product], most: int) -> bool:
-    """Whether layers forwards and backwards have the same bits with one thread and with `most`.
+def products_repeat(products: Iterable[Product], stacks: Iterable[Tensor], most: int) -> bool:
+    """Whether a step's products have the same bits with one thread and with `most`.
 
-    BLAS may share a sum among threads; where it does so depends on sizes and processor. Leaves
-    `most` threads in use.
+    BLAS may share a sum among threads; where it does so depends on sizes and processor. products:
+    of layers, forwards and backwards. stacks: like those that Muon orthogonalises. Leaves `most`
+    threads in use.
     """
     generator, factors = torch.Generator().manual_seed(0), []
     for n, a, b, dtype in dict.fromkeys(products):
         sizes = (n, a), (n, b), (b, a), (b,)
         factors.append([torch.randn(size, generator=generator).to(dtype) for size in sizes])
+    directions = [torch.randn(s.shape, generator=generator).to(s.dtype) for s in stacks]
     found = []
     for count in (1, most):
         use_threads(count)
-        found.append([p for each in factors for p in _products(*each)])
+        layers = [p for each in factors for p in _products(*each)]
+        found.append([*layers, *map(orthogonalised, directions)])
     return all(torch.equal(one, other) for one, other in zip(*found, strict=True))
 
 

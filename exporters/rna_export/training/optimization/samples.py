@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import itertools
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from functools import cached_property
 
 import numpy as np
@@ -14,6 +15,8 @@ from torch.utils.data import IterableDataset
 
 _DIM = 0.02  # of the mean of what an asset emits
 _GATHERED = 32  # batches at once: random rows of a large table come from memory one by one
+_MOST_GATHERED = 2**22  # rows
+_MOST_ON_CARD = 0.6  # of a card's free memory, for the table; the rest is for steps
 
 
 class SampleTable(IterableDataset[Tensor]):
@@ -21,8 +24,9 @@ class SampleTable(IterableDataset[Tensor]):
 
     `done` batches are left out at the start: a stopped run saw them.
 
-    Yields (batch, columns) float32, the fields of `samples` side by side, in their order;
-    `columns` finds them again.
+    Yields (batch, columns) float32 on the device, the fields of `samples` side by side, in their
+    order; `columns` finds them again. A table that takes most of a GPU's free memory stays in the
+    host's, and batches are loaded from there while the ones before are used.
     """
 
     def __init__(
@@ -40,7 +44,8 @@ class SampleTable(IterableDataset[Tensor]):
         for name, width in self.fields.items():
             table[:, first : first + width] = samples[name].reshape(n, width)
             first += width
-        self.rows = torch.from_numpy(table).to(device)
+        self._device = torch.device(device)
+        self.rows = _placed(torch.from_numpy(table), self._device)
         self._batch, self._seed, self._done = min(batch, n), seed, done
 
     def shuffled(self, batch: int, seed: int, done: int) -> SampleTable:
@@ -77,16 +82,48 @@ class SampleTable(IterableDataset[Tensor]):
         return len(self.rows)
 
     def __iter__(self) -> Iterator[Tensor]:
-        generator = torch.Generator().manual_seed(self._seed)
-        whole = len(self.rows) // self._batch * self._batch  # of an epoch
-        epochs, done = divmod(self._done * self._batch, whole)
-        for epoch in itertools.count():
-            order = torch.randperm(len(self.rows), generator=generator).to(self.rows.device)
-            if epoch < epochs:
-                continue
-            left = order[done if epoch == epochs else 0 : whole]
-            for gathered in left.split(_GATHERED * self._batch):
-                yield from self.rows[gathered].split(self._batch)
+        is_there = self.rows.device.type == self._device.type
+        for rows in self._gathered() if is_there else self._loaded():
+            yield from rows.split(self._batch)
+
+    def _gathered(self) -> Iterator[Tensor]:
+        return (self.rows[order] for order in self._orders())
+
+    def _orders(self) -> Iterator[Tensor]:
+        """Numbers of the rows of the next batches, on the rows' device."""
+        device, count = self.rows.device, len(self.rows)
+        whole = count // self._batch * self._batch  # of an epoch
+        together = max(1, min(_GATHERED, _MOST_GATHERED // self._batch)) * self._batch
+        first, done = divmod(self._done * self._batch, whole)
+        generator = torch.Generator(device)
+        for epoch in itertools.count(first):
+            (of_epoch,) = np.random.SeedSequence((self._seed, epoch)).generate_state(1)
+            generator.manual_seed(int(of_epoch))
+            order = torch.randperm(count, generator=generator, device=device)[done:whole]
+            done = 0
+            yield from order.split(together)
+
+    def _loaded(self) -> Iterator[Tensor]:
+        """Rows of the host's on the device; the next ones are on their way."""
+
+        def load(order: Tensor) -> Tensor:
+            return self.rows[order].pin_memory().to(self._device, non_blocking=True)
+
+        orders = self._orders()
+        with ThreadPoolExecutor(1) as loader:
+            coming = loader.submit(load, next(orders))
+            for order in orders:
+                rows, coming = coming.result(), loader.submit(load, order)
+                yield rows
+
+
+def _placed(table: Tensor, device: torch.device) -> Tensor:
+    """The table on the device, if most of its memory stays free; else where it is."""
+    if device.type == "cuda":
+        free, _ = torch.cuda.mem_get_info(device)
+        if table.nbytes > _MOST_ON_CARD * free:
+            return table
+    return table.to(device)
 
 
 def _median(values: Tensor) -> float:

@@ -18,6 +18,7 @@ from torch import nn
 
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.model.triplane import Triplane
+from rna_export.training.optimization.fitting import Fitting
 from rna_export.training.optimization.product_kernels import Product, products_repeat
 from rna_export.training.optimization.training_threads import threads_in_use, use_threads
 
@@ -54,17 +55,18 @@ class StepThreads:
         self._is_trial, self._is_warm = False, False
 
     @classmethod
-    def of(cls, model: NeuralAsset, batches: tuple[int, int]) -> StepThreads:
+    def of(cls, fitting: Fitting, batches: tuple[int, int]) -> StepThreads:
         """Of the calling thread's number, for steps of a model.
 
         batches: rows of a step, of transport and of emission. On a GPU, or where results would
         depend on the number, it stays as it is.
         """
-        most = threads_in_use()
+        most, model = threads_in_use(), fitting.model
         kernels = isinstance(model.triplane, Triplane) and model.ceiling.device.type == "cpu"
-        if most == 1 or not kernels or not products_repeat(_products(model, batches), most):
+        if most == 1 or not kernels:
             return cls(1)
-        return cls(most)
+        repeat = products_repeat(_products(model, batches), fitting.stacks(), most)
+        return cls(most if repeat else 1)
 
     def __enter__(self) -> StepThreads:
         self._take(1)  # the cheaper mistake

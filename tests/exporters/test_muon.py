@@ -1,0 +1,116 @@
+"""Muon against its definition and PyTorch's, and what of a model it takes."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+import torch
+
+from rna_export.training.model.neural_asset import NeuralAsset
+from rna_export.training.optimization.muon import Muon, orthogonalised
+from rna_export.training.optimization.optimizers import muon_matrices, optimizers_of, set_rates
+from rna_export.training.presets import PRESETS
+
+BOUNDS = torch.tensor([[-1.0] * 3, [1.0] * 3])
+SHAPES = (32, 32), (32, 18), (32, 50), (20, 7)
+
+
+def random(shape: tuple[int, ...], seed: int = 0) -> torch.Tensor:
+    return torch.randn(shape, generator=torch.Generator().manual_seed(seed))
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+def test_singular_values_become_one(shape: tuple[int, int]) -> None:
+    matrix = random((1, *shape))
+    u, s, vh = torch.linalg.svd(orthogonalised(matrix)[0], full_matrices=False)
+    assert 0.6 < s[s > 0.3].min() and s.max() < 1.3
+    assert (s > 0.6).float().mean() > 0.9  # but for what was next to nothing
+    old_u, _, old_vh = torch.linalg.svd(matrix[0], full_matrices=False)
+    assert torch.allclose(u @ s.diag() @ vh, orthogonalised(matrix)[0], atol=1e-5)
+    along = (old_u.T @ orthogonalised(matrix)[0] @ old_vh.T).diag()
+    assert torch.allclose(along.sort().values, s.sort().values, atol=1e-3)
+
+
+def test_columns_of_zeros_change_nothing() -> None:
+    matrix = random((1, 32, 18))
+    padded = torch.nn.functional.pad(matrix, (0, 14))
+    found = orthogonalised(padded)
+    assert torch.allclose(found[:, :, :18], orthogonalised(matrix), atol=1e-4)
+    assert not found[:, :, 18:].any()
+
+
+def test_steps_are_those_of_torch() -> None:
+    """PyTorch's, which iterates in bfloat16 over one matrix at a time."""
+    start = [random(shape, k) for k, shape in enumerate(SHAPES)]
+    ours = [m.clone().requires_grad_() for m in start]
+    twins = [m.clone().requires_grad_() for m in start]
+    optimizers = Muon(ours, 0.1), torch.optim.Muon(twins, 0.1, weight_decay=0.0)
+    for k in range(6):
+        for matrices in (ours, twins):
+            for i, matrix in enumerate(matrices):
+                matrix.grad = random(matrix.shape, 10 * k + i)
+        for optimizer in optimizers:
+            optimizer.step()
+    for one, twin, first in zip(ours, twins, start, strict=True):
+        assert (one - twin).norm() < 0.05 * (one - first).norm()
+
+
+def test_tall_matrices_take_longer_steps() -> None:
+    matrices = [torch.zeros(shape, requires_grad=True) for shape in ((32, 8), (32, 32))]
+    for matrix in matrices:
+        matrix.grad = random(matrix.shape)
+    Muon(matrices, 0.1).step()
+    tall, square = (torch.linalg.svdvals(m.detach()).median().item() for m in matrices)
+    assert tall / square == pytest.approx(math.sqrt(32 / 8), rel=0.4)
+
+
+def test_it_goes_on_from_its_state() -> None:
+    matrices = [torch.ones(8, 8, requires_grad=True) for _ in range(2)]
+    optimizers = [Muon([m], 0.1) for m in matrices]
+    for k in range(6):
+        if k == 3:
+            matrices[1] = matrices[1].detach().clone().requires_grad_()
+            saved = optimizers[1].state_dict()
+            optimizers[1] = Muon([matrices[1]], 0.1)
+            optimizers[1].load_state_dict(saved)
+        for matrix, optimizer in zip(matrices, optimizers, strict=True):
+            matrix.grad = random((8, 8), k)
+            optimizer.step()
+    assert torch.equal(*matrices)
+
+
+@pytest.mark.parametrize("preset", ["tiny", "small", "hq"])
+@pytest.mark.parametrize("kind", PRESETS)
+def test_it_takes_all_matrices_but_the_last(kind: str, preset: str) -> None:
+    chosen = PRESETS[kind][preset].with_model(resolution=4, emission_inputs=("features", "wo"))
+    model = NeuralAsset(chosen.model, BOUNDS)
+    names = {id(p): name for name, p in model.named_parameters()}
+    taken = {names[id(m)] for m in muon_matrices(model, chosen.training)}
+    layers = chosen.model.hidden_layers
+    decoder = {f"decoder.{2 * k}.weight" for k in range(layers)}
+    assert taken == decoder | {f"emission.decoder.{2 * k}.weight" for k in range(2)}
+    groups = [g for o in optimizers_of(model, chosen.training) for g in o.param_groups]
+    owned = [names[id(p)] for group in groups for p in group["params"]]
+    assert sorted(owned) == sorted(names.values())  # each once
+
+
+@pytest.mark.parametrize("preset", ["paper-small", "paper-hq"])
+def test_the_papers_models_have_adam(preset: str) -> None:
+    chosen = PRESETS["surface"][preset].with_model(resolution=4)
+    model = NeuralAsset(chosen.model, BOUNDS)
+    assert not muon_matrices(model, chosen.training)
+    assert muon_matrices(model, chosen.with_training(optimizer="muon").training)
+
+
+def test_rates_may_be_tensors() -> None:
+    """As in a CUDA graph, which reads what they hold when it is launched."""
+    matrices = [torch.zeros(8, 8, requires_grad=True) for _ in range(2)]
+    rates = 0.1, torch.tensor(0.1)
+    for matrix, lr in zip(matrices, rates, strict=True):
+        optimizer = Muon([matrix], lr)
+        optimizer.param_groups[0]["initial_lr"] = 0.1
+        set_rates([optimizer], 0.5)
+        matrix.grad = random((8, 8))
+        optimizer.step()
+    assert torch.equal(*matrices) and float(rates[1]) == pytest.approx(0.05)
