@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import os
 from typing import Any
 
 import numba
 from numba.np.ufunc import get_num_threads, set_num_threads, threading_layer
 
+from rna_sdk.cpu import core_count
 from rna_sdk.errors import RnaError
 
 _SAFE_LAYERS = ("tbb", "omp", "safe", "threadsafe")
@@ -24,6 +26,8 @@ def launch_kernel_threads() -> None:
     """
     if str(_config.THREADING_LAYER).lower() not in _SAFE_LAYERS:
         _config.THREADING_LAYER = "threadsafe"
+    if not _is_launched() and "NUMBA_NUM_THREADS" not in os.environ:
+        _config.NUMBA_NUM_THREADS = core_count()  # numba's own number knows no container's quota
     try:
         get_num_threads()
     except ValueError:
@@ -36,6 +40,14 @@ def launch_kernel_threads() -> None:
             "numba already runs its 'workqueue' threads, which are not thread-safe; set the "
             "environment variable NUMBA_THREADING_LAYER=threadsafe before the program starts"
         )
+
+
+def _is_launched() -> bool:
+    try:
+        threading_layer()
+    except ValueError:
+        return False
+    return True
 
 
 def kernel_threads() -> int:

@@ -10,7 +10,7 @@ from pathlib import Path
 from rna_export.capture.blender_process import blender_env
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.capture.blender_process.source import Source
-from rna_export.machine import default_workers
+from rna_sdk.cpu import core_count
 from rna_sdk.errors import CaptureError
 
 
@@ -25,7 +25,7 @@ def cycles(source: Path, arguments: tuple[str, ...] = ()) -> Iterator[BlenderWor
     with (
         tempfile.TemporaryDirectory(prefix="rna-bench-") as scratch,
         BlenderWorker(
-            blender_env.find_python(), Source(source, arguments), Path(scratch), default_workers()
+            blender_env.find_python(), Source(source, arguments), Path(scratch), core_count()
         ) as worker,
     ):
         yield worker

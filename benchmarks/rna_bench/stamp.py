@@ -28,7 +28,7 @@ def stamp(arguments: Sequence[str]) -> dict[str, Any]:
     arguments: those after `rna-bench`. Absolute paths are shortened, since results are shared: to
     what they are in the repository, else to their last part.
     """
-    from rna_sdk.cpu import processor
+    from rna_sdk.cpu import core_count, processor
 
     return {
         "command": shlex.join(["rna-bench", *map(_shortened, arguments)]),
@@ -36,7 +36,7 @@ def stamp(arguments: Sequence[str]) -> dict[str, Any]:
         "date": datetime.now(UTC).isoformat(timespec="seconds"),
         "cpu": processor(),
         "cpu_features": cpu_features(),
-        "cores": len(os.sched_getaffinity(0)),
+        "cores": core_count(),
         "load": [round(load, 2) for load in os.getloadavg()],
         "system": f"{platform.system()} {platform.machine()}, Python {platform.python_version()}",
     }

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import os
 import time
 from collections.abc import Callable
 
@@ -15,11 +14,6 @@ _SPINNING = 0.2  # s, longer than idle threads of the product spin
 
 # Parameters of mallopt(3), from malloc.h.
 _M_TRIM_THRESHOLD, _M_TOP_PAD, _M_MMAP_THRESHOLD, _M_ARENA_MAX = -1, -2, -3, -8
-
-
-def default_workers() -> int:
-    """One a core."""
-    return len(os.sched_getaffinity(0))
 
 
 def matrix_product() -> Callable[[], float]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import json
 import math
-import os
 import sys
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -16,6 +15,7 @@ from rna_sdk.conformance.kit import LEVELS, Kit, find_kit, load_kit
 from rna_sdk.conformance.program import Command, Program, claimed_levels
 from rna_sdk.conformance.scoring import Score, cases, score
 from rna_sdk.console import command_parser, run_command, split_script_arguments
+from rna_sdk.cpu import core_count
 from rna_sdk.errors import ConformanceError
 
 MEASURED = ("evaluate", "environment", "normals")
@@ -72,7 +72,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument(
         "--jobs",
         type=int,
-        default=os.cpu_count() or 1,
+        default=core_count(),
         metavar="N",
         help="concurrent runs of COMMAND (int, default: one per core)",
     )

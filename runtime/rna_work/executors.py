@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
@@ -11,6 +10,7 @@ from pathlib import Path
 from typing import Literal, Protocol, TypeVar
 from uuid import uuid4
 
+from rna_sdk.cpu import core_count
 from rna_sdk.errors import WorkError
 from rna_work.backend import Backend
 from rna_work.processes import Processes
@@ -119,7 +119,7 @@ class ThisMachine:
 
 def this_machine() -> ThisMachine:
     """Its cores that this process may use."""
-    return ThisMachine(len(os.sched_getaffinity(0)))
+    return ThisMachine(core_count())
 
 
 def open_executor(address: str | None) -> AbstractContextManager[Executor]:

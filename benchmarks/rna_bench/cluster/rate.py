@@ -10,7 +10,6 @@ item: start-up of Ray, Blender and compilation is excluded.
 from __future__ import annotations
 
 import argparse
-import os
 import shutil
 import statistics
 import tempfile
@@ -33,6 +32,7 @@ from rna_render.command.frame_worker import Frame, FrameJob, FrameWorker
 from rna_render.image.output import Output
 from rna_render.scene import Scene, read_scene
 from rna_render.world.scene_sources import carried_scene
+from rna_sdk.cpu import core_count
 from rna_work.executors import Executor, open_executor
 from rna_work.pool import Pool
 
@@ -117,7 +117,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def run(args: argparse.Namespace) -> None:
     started, longest = time.monotonic(), 0.0
-    workers = len(os.sched_getaffinity(0))
+    workers = core_count()
     source = Source.captured(args.source, (), CaptureSettings())
     rounds: list[dict[str, float]] = []
     with open_executor(None) as here, open_executor("local") as there:

@@ -20,8 +20,8 @@ from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.sample_files import read_part
 from rna_export.capture.dataset.validation_view import ValidationView
-from rna_export.machine import default_workers
 from rna_export.trials.scores import ModelScores, judge, write_strips
+from rna_sdk.cpu import core_count
 
 _NOISE = 7  # names noise that neither half of the references has
 
@@ -60,7 +60,7 @@ def render_curve(dataset: DatasetPart, source: Path, seconds: float, folder: Pat
         manifest = dataset.manifest
         opened = Source.captured(source.resolve(), manifest.arguments, manifest.settings)
         python = blender_env.find_python()
-        with BlenderWorker(python, opened, Path(scratch), default_workers()) as worker:
+        with BlenderWorker(python, opened, Path(scratch), core_count()) as worker:
             for samples in _doubling(taken, seconds, dataset.manifest.settings.validation_samples):
                 copy = _at(dataset, samples, Path(scratch) / str(samples))
                 _render(copy, views[:1], worker)  # a new sample count starts Blender anew
@@ -76,7 +76,7 @@ def render_curve(dataset: DatasetPart, source: Path, seconds: float, folder: Pat
         scores, flips = judge(radiance, views)
         write_strips(folder / f"cycles-{samples}", radiance, views, flips)
         result.append(CyclesPoint(samples=samples, ns=samples * ns_a_path, scores=scores))
-    return CyclesCurve(threads=default_workers(), ns_a_path=ns_a_path, points=tuple(result))
+    return CyclesCurve(threads=core_count(), ns_a_path=ns_a_path, points=tuple(result))
 
 
 def _doubling(taken: dict[int, float], seconds: float, reference: int) -> Iterator[int]:

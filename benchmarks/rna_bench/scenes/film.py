@@ -19,10 +19,10 @@ from rna_export.capture.blender_process import blender_env
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.capture.blender_process.source import Source
 from rna_export.compare.cycles_scene import cycles_scene
-from rna_export.machine import default_workers
 from rna_render import Camera, Denoiser, load_world, make_integrator, render
 from rna_render.scene import Scene, SceneFile, frame_scene, read_scene
 from rna_render.world.world_loading import Loaded
+from rna_sdk.cpu import core_count
 from rna_sdk.errors import SceneError
 
 _QUALITY = 82  # of the film's WebP
@@ -53,10 +53,10 @@ def _kept(out: Path, frame: int) -> Path:
 
 def _render(args: argparse.Namespace, scene_file: SceneFile, frames: list[int]) -> None:
     source = Source(args.source, tuple(args.script_arguments))
-    ours = _Ours(scene_file, None if args.noisy else Denoiser(default_workers()))
+    ours = _Ours(scene_file, None if args.noisy else Denoiser(core_count()))
     ours.render(frames[0])  # kernels are compiled, files are read
     with tempfile.TemporaryDirectory() as folder:
-        at = blender_env.find_or_set_up(), source, Path(folder), default_workers()
+        at = blender_env.find_or_set_up(), source, Path(folder), core_count()
         with BlenderWorker(*at) as worker:
             first = worker.frame_span()[0] if args.first is None else args.first
             cycles = _Cycles(worker, scene_file.resolved, args.cycles_samples, not args.noisy)

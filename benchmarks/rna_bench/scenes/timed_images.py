@@ -9,8 +9,8 @@ import numpy as np
 
 from rna_bench.scenes.beside_cycles import CyclesScene, OurScene
 from rna_export.compare.comparison_run import Timed
-from rna_export.machine import default_workers
 from rna_render import Denoiser
+from rna_sdk.cpu import core_count
 from rna_sdk.errors import SceneError
 
 Arrays = dict[str, np.ndarray]
@@ -24,7 +24,7 @@ _FIRST_SEED = 100  # of Cycles; the references have smaller ones
 def find_denoiser() -> Denoiser | None:
     """Open Image Denoise on all cores, or None where it is not installed."""
     try:
-        return Denoiser(default_workers())
+        return Denoiser(core_count())
     except SceneError:
         return None
 

@@ -24,14 +24,14 @@ from rna_bench.bench_options import add_out
 from rna_bench.checkout import ROOT
 from rna_bench.results import publish
 from rna_bench.speed.busy_worker import WORK
-from rna_export.machine import default_workers
+from rna_sdk.cpu import core_count
 from rna_sdk.errors import RnaError
 
 _LOOP = "while True: pass"
 
 
 def run(args: argparse.Namespace) -> None:
-    cores, rows = default_workers(), {}
+    cores, rows = core_count(), {}
     for name in args.work:
         try:
             rows[name] = measure(name, args.loops, args.seconds, cores)

@@ -147,7 +147,7 @@ def capture() -> Iterator[Task]:
     from rna_export.capture.blender_process import blender_env
     from rna_export.capture.blender_process.blender_worker import BlenderWorker
     from rna_export.capture.blender_process.source import Source
-    from rna_export.machine import default_workers
+    from rna_sdk.cpu import core_count
 
     source, python = Source(ROOT / "examples" / "quickstart" / "toy.py"), blender_env.find_python()
     rng = np.random.default_rng(0)
@@ -158,7 +158,7 @@ def capture() -> Iterator[Task]:
     with tempfile.TemporaryDirectory() as scratch, ExitStack() as stack:
         blenders = [
             stack.enter_context(BlenderWorker(python, source, Path(scratch), 1, str(k)))
-            for k in range(default_workers())
+            for k in range(core_count())
         ]
 
         def task(seconds: float) -> float:

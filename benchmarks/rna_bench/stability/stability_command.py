@@ -11,7 +11,7 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from rna_export.machine import default_workers
+from rna_sdk.cpu import core_count
 from rna_sdk.errors import CaptureError
 from rna_work.cluster.cluster_option import add_cluster_option
 from rna_work.executors import open_executor
@@ -79,7 +79,7 @@ def add_options(p: argparse.ArgumentParser) -> None:
     p.add_argument(
         "--workers",
         type=int,
-        default=default_workers(),
+        default=core_count(),
         help="Blender processes (int, default: one per core, here %(default)s)",
     )
     add_cluster_option(p)

@@ -1,5 +1,7 @@
 """The capture worker: runs inside Blender's Python, with `bpy` and numpy and nothing else of ours.
 
+    python worker.py THREADS
+
 Requests come as one JSON object a line on standard input; each is answered by one line on
 standard output that begins with `RNA `. Whatever else Blender prints there is not for us.
 """
@@ -17,12 +19,17 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-import bpy
-from rna_geometry import curves_export, mesh_export, scene_parts
-from rna_geometry.rendered_geometry import as_rendered
-from rna_materials import material_override, smoothest, surface_textures
-from rna_renders import ray_render, render_settings, scene_render, white_card
-from rna_sources import read_files, shown_frame, source_scene
+from few_cores import few_cores
+
+THREADS = int(sys.argv[1])
+
+with few_cores(THREADS):
+    import bpy
+    from rna_geometry import curves_export, mesh_export, scene_parts
+    from rna_geometry.rendered_geometry import as_rendered
+    from rna_materials import material_override, smoothest, surface_textures
+    from rna_renders import ray_render, render_settings, scene_render, white_card
+    from rna_sources import read_files, shown_frame, source_scene
 
 _PR_SET_PDEATHSIG = 1  # prctl(2)
 
@@ -43,7 +50,7 @@ def open_scene(request: dict[str, Any]) -> dict[str, Any]:
     )
     clamps = request["clampDirect"], request["clampIndirect"]
     has_hair = any(part["kind"] == "fiber" for part in parts)
-    emitters = ray_render.configure(request["threads"], *clamps, separate_direct=has_hair)
+    emitters = ray_render.configure(THREADS, *clamps, separate_direct=has_hair)
     return {
         "parts": parts,
         "notes": printable(notes),

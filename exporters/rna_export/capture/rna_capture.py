@@ -18,8 +18,9 @@ from rna_export.capture.blender_process import blender_env, source_help
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.frame_options import FRAME_SETTINGS, add_frames
 from rna_export.capture.orientation import AXES, joined_axes
-from rna_export.machine import default_workers, keep_freed_memory
+from rna_export.machine import keep_freed_memory
 from rna_sdk.console import command_line, command_parser, run_command, split_script_arguments
+from rna_sdk.cpu import core_count
 from rna_sdk.errors import CaptureError
 from rna_sdk.file_kinds import not_a
 from rna_sdk.owned_folder import owned
@@ -139,8 +140,7 @@ def add_workers(p: argparse.ArgumentParser) -> None:
     p.add_argument(
         "--workers",
         type=int,
-        help="single-threaded Blender processes (int, default: one per core, here "
-        f"{default_workers()})",
+        help=f"single-threaded Blender processes (int, default: one per core, here {core_count()})",
     )
     add_cluster_option(p)
     add_store_option(p, "rays")

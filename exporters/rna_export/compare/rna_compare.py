@@ -96,7 +96,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     from rna_export.compare.comparison_page import is_report, write_page
     from rna_export.compare.comparison_run import Pair, compare
     from rna_export.compare.origin import Origin
-    from rna_export.machine import default_workers
+    from rna_sdk.cpu import core_count
     from rna_sdk.errors import CaptureError
     from rna_sdk.runtime import load
 
@@ -120,7 +120,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
         "samples": args.samples,
         "cyclesSamples": args.cycles_samples,
         "resolution": args.resolution,
-        "threads": default_workers(),
+        "threads": core_count(),
     }
 
     def done(pairs: list[Pair]) -> None:
@@ -138,7 +138,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     with (
         owned(args.out, "rna-compare", is_report),
         tempfile.TemporaryDirectory(prefix="rna-compare-") as scratch,
-        BlenderWorker(python, source, Path(scratch), default_workers()) as worker,
+        BlenderWorker(python, source, Path(scratch), core_count()) as worker,
     ):
         compare(
             asset,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Sequence
 
 import numpy as np
@@ -14,7 +13,7 @@ from rna_export.export.trained_tiers import TrainedTier
 from rna_export.machine import seconds_of
 from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION, flip, plain, psnr, reduced
 from rna_export.training.validation import exposure, mean_psnr, score, shade
-from rna_sdk.cpu import processor
+from rna_sdk.cpu import core_count, processor
 from rna_sdk.errors import ExportError
 from rna_sdk.package import Cost, FlipAtHeight, Tier, Validation
 from rna_sdk.runtime import Asset, FiberAsset, SurfaceAsset
@@ -116,7 +115,7 @@ def _cost(asset: Asset, trained: TrainedTier, views: list[WholeView]) -> Cost:
         multiply_adds=round(float(np.average(multiply_adds, weights=rows))),
         ns_per_query=float(np.average(ns, weights=rows)),
         threads=asset.threads,
-        machine=f"{processor()}, {len(os.sched_getaffinity(0))} cores",
+        machine=f"{processor()}, {core_count()} cores",
     )
 
 

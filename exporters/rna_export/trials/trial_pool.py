@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import os
 from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
@@ -13,6 +12,7 @@ from pathlib import Path
 from rna_export.trials.trial import Trial
 from rna_export.trials.trial_record import Record
 from rna_export.trials.trial_worker import Job, TrialWorker
+from rna_sdk.cpu import core_count
 from rna_sdk.errors import TrainingError
 from rna_work.backend import Backend
 from rna_work.cluster.store import Store
@@ -62,7 +62,7 @@ class TrialWorkers:
         if executor.far:
             memory = 0 if dataset is None else memory_for(dataset)
             return cls(workers, 1, device, executor, store, memory)
-        cores = len(os.sched_getaffinity(0))
+        cores = core_count()
         count = workers or (1 if device == "cuda" else cores)
         return cls(count, max(1, cores // count), device, executor, store)
 

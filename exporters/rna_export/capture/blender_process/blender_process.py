@@ -60,7 +60,6 @@ class BlenderProcess:
                 op="open",
                 source=str(self.source.path.resolve()),
                 arguments=list(self.source.arguments),
-                threads=self._threads,
                 clampDirect=self.source.clamp_direct,
                 clampIndirect=self.source.clamp_indirect,
                 front=self.source.front,
@@ -77,7 +76,7 @@ class BlenderProcess:
     def _launch(self) -> subprocess.Popen[str]:
         """A process that has opened nothing yet."""
         return subprocess.Popen(
-            [str(self._python), str(_WORKER)],
+            [str(self._python), str(_WORKER), str(self._threads)],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=self._log,

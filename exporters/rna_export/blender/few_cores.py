@@ -1,0 +1,29 @@
+"""Blender's thread pools as small as the number of threads that it is asked to use."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+
+@contextmanager
+def few_cores(count: int) -> Iterator[None]:
+    """In this context the process has `count` of its cores, afterwards all of them again.
+
+    Pools of threads that start in it have as many threads. TBB's has one for each core of the
+    affinity mask, whatever Cycles is told, and those without work spin: on 16 cores a render of one
+    thread takes up to 16. The mask is given back, since a process that stays bound shares its core
+    with whatever else is bound to it, such as the first worker of another capture. Systems without
+    affinity (macOS, Windows) go without: TBB has no setting for it outside of C++.
+    """
+    if not hasattr(os, "sched_setaffinity"):
+        yield
+        return
+    cores = os.sched_getaffinity(0)
+    os.sched_setaffinity(0, set(sorted(cores)[:count]))
+    try:
+        yield
+    finally:
+        for thread in os.listdir("/proc/self/task"):
+            os.sched_setaffinity(int(thread), cores)
