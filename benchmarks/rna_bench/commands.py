@@ -49,7 +49,7 @@ GROUPS: dict[str, tuple[Command, ...]] = {
     "speed of queries": (
         Command("evaluate", "speed.evaluate"),
         Command("evaluate-against", "speed.evaluate_against"),
-        Command("busy", "speed.busy"),
+        Command("cores", "speed.cores"),
         Command("motion", "speed.motion"),
         Command("c-host", "speed.c_host_speed"),
         Command("gpu", "speed.gpu", extra="gpu"),

@@ -15,6 +15,7 @@ class _Times:
     parent: int
     own: float  # s
     of_ended_children: float  # s
+    threads: int
 
 
 def thread_seconds(thread: int | None) -> float | None:
@@ -31,19 +32,31 @@ def process_seconds(process: int | None) -> float | None:
 
     process: its identifier.
     """
+    found = _tree(process)
+    return sum(times.own + times.of_ended_children for times in found.values()) if found else None
+
+
+def process_threads(process: int) -> int:
+    """Number of threads of a process and of all it has started; 0 where the system tells none."""
+    return sum(times.threads for times in _tree(process).values())
+
+
+def _tree(process: int | None) -> dict[int | None, _Times]:
+    """Times of a process and of its descendants, by their identifiers."""
     first = _times(_PROC / str(process))
     if first is None:
-        return None
+        return {}
     children = defaultdict(list)
     for entry in os.listdir(_PROC):
-        if entry.isdigit() and (found := _times(_PROC / entry)) is not None:
-            children[found.parent].append((int(entry), found))
-    total, pending = 0.0, [(process, first)]
+        if entry.isdigit() and (times := _times(_PROC / entry)) is not None:
+            children[times.parent].append((int(entry), times))
+    found: dict[int | None, _Times] = {}
+    pending: list[tuple[int | None, _Times]] = [(process, first)]
     while pending:
-        number, found = pending.pop()
-        total += found.own + found.of_ended_children
+        number, times = pending.pop()
+        found[number] = times
         pending += children[number or 0]
-    return total
+    return found
 
 
 def _times(folder: Path) -> _Times | None:
@@ -52,6 +65,6 @@ def _times(folder: Path) -> _Times | None:
         fields = (folder / "stat").read_text(errors="replace").rpartition(")")[2].split()
         ticks = os.sysconf("SC_CLK_TCK")
         own, ended = (sum(map(int, fields[k : k + 2])) / ticks for k in (11, 13))
-        return _Times(int(fields[1]), own, ended)
+        return _Times(int(fields[1]), own, ended, int(fields[17]))
     except (OSError, ValueError, IndexError):
         return None  # it has ended, or the system has no such files

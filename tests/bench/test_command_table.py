@@ -19,7 +19,7 @@ NEEDED = {"gpu": "wgpu", "mitsuba": "mitsuba", "cluster": "ray"}
 PROGRAMS = {
     "cli.py",
     "blender_stage.py",
-    "busy_worker.py",
+    "core_worker.py",
     "evaluate_worker.py",
     "fuzz_scenes.py",
 }

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 
 import numpy as np
 import torch
@@ -92,7 +93,8 @@ def fit_lobes(
 
     advance: told shares of all that is done.
 
-    Steps take one thread; a second one makes points meanwhile, in a fixed order.
+    Steps take one thread; a second one, where the caller has it, makes points meanwhile. Points
+    and their order are the same either way.
     """
     rng, draw = np.random.default_rng(seed), np.random.default_rng(seed + 1)
     optimizer = torch.optim.Adam(model.parameters(), lr=_RATE)
@@ -101,10 +103,11 @@ def fit_lobes(
     use_threads(1)
     try:
         with ThreadPoolExecutor(1) as maker:
-            coming = maker.submit(make_rows, views, queries, _NEW, rng)
+            made = partial(make_rows, views, queries, _NEW, rng)
+            coming = maker.submit(made).result if threads > 1 else made
             while done < 1.0:
-                kept.add(coming.result())
-                coming = maker.submit(make_rows, views, queries, _NEW, rng)
+                kept.add(coming())
+                coming = maker.submit(made).result if threads > 1 else made
                 steps += 1
                 rate = 0.5 * (1.0 + math.cos(math.pi * done)) + 1e-3
                 for group in optimizer.param_groups:

@@ -1,9 +1,9 @@
-"""Does one kind of work for as long as it is asked to; `busy.py` asks.
+"""Does one kind of work for as long as it is asked to; `cores.py` asks.
 
-    python -m rna_bench.speed.busy_worker NAME
+    python -m rna_bench.speed.core_worker NAME THREADS
 
-For each line that comes in, a number of seconds, it writes a line of JSON: `rate`, a second. It is
-warm before the first one counts.
+It writes a line when it is ready. For each line that comes in, a number of seconds, it writes a
+line of JSON: `rate`, a second. It is warm before the first one counts.
 """
 
 from __future__ import annotations
@@ -28,6 +28,7 @@ WORK = {
     "rna-run": "samples of a pixel/s",
     "evaluate": "queries/s",
     "capture": "paths/s",
+    "lobes": "steps/s",
 }
 """Kind of work -> what is counted."""
 
@@ -41,14 +42,22 @@ _RAYS, _PATHS = 4096, 16
 
 
 def main() -> None:
-    (name,) = sys.argv[1:]
-    makers = {"trainer": trainer, "rna-run": renderer, "evaluate": evaluation, "capture": capture}
-    with makers[name]() as task:
+    name, threads = sys.argv[1], int(sys.argv[2])
+    makers = {
+        "trainer": trainer,
+        "rna-run": renderer,
+        "evaluate": evaluation,
+        "capture": capture,
+        "lobes": lobes,
+    }
+    with makers[name](threads) as task:
         task(_WARM)
+        print("ready", flush=True)
         for asked in sys.stdin:
             begun = time.perf_counter()
             done = task(float(asked))
             print(json.dumps({"rate": done / (time.perf_counter() - begun)}), flush=True)
+            print("ready", flush=True)
 
 
 def repeated(once: Callable[[], float]) -> Task:
@@ -64,7 +73,7 @@ def repeated(once: Callable[[], float]) -> Task:
 
 
 @contextmanager
-def trainer() -> Iterator[Task]:
+def trainer(threads: int) -> Iterator[Task]:
     """Steps of `small` on random samples, as `rna-train` does them."""
     import torch
 
@@ -72,6 +81,7 @@ def trainer() -> Iterator[Task]:
     from rna_export.training.optimization.fitting import Fitting
     from rna_export.training.optimization.samples import SampleTable
     from rna_export.training.optimization.step_threads import StepThreads
+    from rna_export.training.optimization.training_threads import use_threads
     from rna_export.training.presets import PRESETS
 
     keep_freed_memory()
@@ -81,10 +91,11 @@ def trainer() -> Iterator[Task]:
     bounds = torch.tensor([[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]])
     fitting = Fitting(preset, bounds, 1.5, 0.5, table.fields)
     batches = iter(table)
-    with StepThreads.of(fitting, (batch, batch)) as threads:
+    use_threads(threads)
+    with StepThreads.of(fitting, (batch, batch)) as steps:
 
         def step() -> float:
-            threads.run(partial(fitting.step, next(batches), 0.5))
+            steps.run(partial(fitting.step, next(batches), 0.5))
             return 1.0
 
         yield repeated(step)
@@ -106,12 +117,14 @@ def _samples() -> dict[str, np.ndarray]:
 
 
 @contextmanager
-def renderer() -> Iterator[Task]:
+def renderer(threads: int) -> Iterator[Task]:
     """The quickstart's scene, a sample of every pixel at a time."""
     os.environ.setdefault("OMP_WAIT_POLICY", "passive")  # as rna-run does
     from rna_render import load_world, make_integrator, render
     from rna_render.scene import read_scene
+    from rna_sdk.kernel_threads import limit_kernel_threads
 
+    limit_kernel_threads(threads)
     scene_file = read_scene(QUICKSTART)
     world = load_world(scene_file)
     scene = scene_file.resolved.model_copy(update={"samples": 1, "quality": None})
@@ -126,12 +139,12 @@ def renderer() -> Iterator[Task]:
 
 
 @contextmanager
-def evaluation() -> Iterator[Task]:
-    """Random queries of the quickstart's asset on all cores."""
+def evaluation(threads: int) -> Iterator[Task]:
+    """Random queries of the quickstart's asset."""
     from rna_bench.one_part import load_one_part
     from rna_bench.speed.query_batches import random_queries
 
-    asset = load_one_part(TOY)
+    asset = load_one_part(TOY, threads=threads)
     rows = random_queries(asset, _ROWS)
 
     def batch() -> float:
@@ -142,12 +155,11 @@ def evaluation() -> Iterator[Task]:
 
 
 @contextmanager
-def capture() -> Iterator[Task]:
-    """Rays of the quickstart's source in Cycles, one worker a core, as captures have them."""
+def capture(threads: int) -> Iterator[Task]:
+    """Rays of the quickstart's source in Cycles, one worker a thread, as captures have them."""
     from rna_export.capture.blender_process import blender_env
     from rna_export.capture.blender_process.blender_worker import BlenderWorker
     from rna_export.capture.blender_process.source import Source
-    from rna_sdk.cpu import core_count
 
     source, python = Source(ROOT / "examples" / "quickstart" / "toy.py"), blender_env.find_python()
     rng = np.random.default_rng(0)
@@ -158,7 +170,7 @@ def capture() -> Iterator[Task]:
     with tempfile.TemporaryDirectory() as scratch, ExitStack() as stack:
         blenders = [
             stack.enter_context(BlenderWorker(python, source, Path(scratch), 1, str(k)))
-            for k in range(core_count())
+            for k in range(threads)
         ]
 
         def task(seconds: float) -> float:
@@ -171,14 +183,39 @@ def capture() -> Iterator[Task]:
                     blenders[k].render_rays(*rays, wi, _PATHS, int(done[k]))
                     done[k] += _RAYS * _PATHS
 
-            threads = [Thread(target=work, args=(k,)) for k in range(len(blenders))]
-            for thread in threads:
-                thread.start()
-            for thread in threads:
-                thread.join()
+            workers = [Thread(target=work, args=(k,)) for k in range(len(blenders))]
+            for one in workers:
+                one.start()
+            for one in workers:
+                one.join()
             return sum(done)
 
         yield task
+
+
+@contextmanager
+def lobes(threads: int) -> Iterator[Task]:
+    """Steps of a training of lobes, as `rna-export --environment` does them."""
+    from rna_export.environment.lobe_fit import fit_lobes
+    from rna_export.environment.lobe_model import LobeModel
+    from rna_export.environment.lobe_queries import QueryRows
+    from rna_export.environment.view_points import part_views
+    from rna_export.training.optimization.pace import TimePace
+    from rna_export.training.optimization.training_threads import use_threads
+    from rna_sdk.package import Package
+    from rna_sdk.runtime import load
+
+    use_threads(threads)
+    asset = load(TOY, threads=1)
+    (views,) = part_views(asset)
+    with Package.open(TOY) as package:
+        queries = QueryRows(package, asset.tier.name, 0, views.visibility_columns)
+    model = LobeModel(queries.columns)
+
+    def task(seconds: float) -> float:
+        return fit_lobes(model, views, queries, [TimePace(seconds, time.monotonic())])
+
+    yield task
 
 
 def _unit(vectors: np.ndarray) -> np.ndarray:

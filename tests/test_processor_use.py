@@ -1,0 +1,59 @@
+"""One thread takes one core: no pool of a library is as large as the machine."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import REPOSITORY
+
+MOST = 1.1  # processor seconds a second
+
+pytestmark = pytest.mark.skipif(
+    len(os.sched_getaffinity(0)) < 2, reason="on one core nothing can take a second one"
+)
+
+
+def cores_taken(name: str) -> float:
+    """By one thread of a kind of work of `rna-bench cores`."""
+    code = (
+        "from rna_bench.speed.cores import measure; "
+        f"print(measure({name!r}, [1], [], 4.0)['threads'][0]['cores_a_thread'])"
+    )
+    paths = os.pathsep.join([str(REPOSITORY), str(REPOSITORY / "benchmarks")])
+    environment = {**os.environ, "PYTHONPATH": paths}
+    command = [sys.executable, "-c", code]
+    return float(subprocess.run(command, check=True, capture_output=True, env=environment).stdout)
+
+
+@pytest.mark.parametrize(
+    "work",
+    [
+        "trainer",
+        "rna-run",
+        "evaluate",
+        "lobes",
+        pytest.param("capture", marks=pytest.mark.blender),
+    ],
+)
+def test_one_thread_takes_one_core(work: str) -> None:
+    assert cores_taken(work) <= MOST
+
+
+@pytest.mark.blender
+def test_a_worker_has_all_cores_once_its_pools_are_small(tmp_path: Path) -> None:
+    """Bound to one for good, the first workers of two commands would share it."""
+    from rna_export.capture.blender_process.blender_env import find_python
+    from rna_export.capture.blender_process.blender_worker import BlenderWorker
+    from rna_export.capture.blender_process.source import Source
+
+    source = Source(REPOSITORY / "examples" / "quickstart" / "toy.py")
+    with BlenderWorker(find_python(), source, tmp_path, threads=1) as worker:
+        assert worker.render_card() > 0.0
+        assert worker._process is not None
+        for thread in os.listdir(f"/proc/{worker._process.pid}/task"):
+            assert os.sched_getaffinity(int(thread)) == os.sched_getaffinity(0)
