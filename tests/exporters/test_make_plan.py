@@ -57,6 +57,14 @@ def test_rounds_grow_and_end_in_full_length() -> None:
     assert plan.last_phase(math.inf, 2) == Length(steps=40_000)
 
 
+def test_a_gpu_leaves_more_time_for_capture() -> None:
+    assert capture_share(300.0, [64], "cuda") > capture_share(300.0, [64], "cpu")
+    plans = [TimedPlan(2000, 16, 600.0, overlaps=overlaps) for overlaps in (False, True)]
+    apart, beside = ([p.capture_seconds(k, 300.0) for k in range(4)] for p in plans)
+    assert apart[0] == beside[0]
+    assert all(a > b for a, b in zip(apart[1:], beside[1:], strict=True))  # of the same time left
+
+
 def test_a_round_adds_a_shard_at_least() -> None:
     assert OpenPlan(8, 16, 100).lights_of(0, 0) == 16
     assert OpenPlan(8, 16, 100).lights_of(1, 16) == 32

@@ -37,7 +37,12 @@ class MakeOptions:
         if self.goal is not None or self.minutes is None:
             return CAPTURE
         widths = [PRESETS["surface"][name].model.width for name in self.presets]
-        return capture_share(60.0 * self.minutes, widths)
+        return capture_share(60.0 * self.minutes, widths, self.device)
+
+    @property
+    def overlaps(self) -> bool:
+        """Whether captures and trainings go on at the same time: those of a GPU need no cores."""
+        return self.device == "cuda"
 
     @property
     def fixes_lights(self) -> bool:

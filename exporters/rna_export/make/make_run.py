@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import math
 import shutil
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from time import monotonic
 
@@ -18,12 +20,14 @@ from rna_export.export.precision import Precision
 from rna_export.fit.goal import Goal
 from rna_export.make.capture_rounds import Rays, open_rays, rays_folder
 from rna_export.make.make_options import MakeOptions
-from rna_export.make.make_progress import Clock, Progress
+from rna_export.make.make_progress import Clock, Progress, Stage
 from rna_export.make.phases import Phase, phase_folder, score, trained_in
 from rna_export.make.plan import FixedPlan, OpenPlan, Plan, TimedPlan, Verdict, verdict
 from rna_export.make.state import Last, Round, RunSettings, Score, State, load_state
+from rna_export.make.trainer import Trainer
 from rna_export.training.checkpoint import Trained
 from rna_export.training.presets import PRESETS
+from rna_export.training.training_options import device_name
 from rna_export.training.validation import reference_warnings
 from rna_sdk.package import Manifest
 
@@ -63,6 +67,8 @@ class Make:
             minutes = f"after {self._state.seconds / 60:.1f} min"
             say(f"resuming {options.work} {minutes}, in round {len(self._state.rounds)}")
         self._spent_before = self._state.seconds
+        self._trainer = Trainer(options.overlaps)
+        self._seconds = dict.fromkeys(("capture", "training"), 0.0)
         dataset = Dataset(rays_folder(options))
         for note in dataset.manifest.notes:
             say(f"note: {note}")
@@ -83,13 +89,19 @@ class Make:
             stage.done()
             for line in reference_warnings(self._rays.dataset.whole_views()):
                 self._progress.say(line)
-            while (why := self._verdict()) is None:
-                self._round()
+            with self._trainer:
+                for number, round_ in enumerate(self._state.rounds):
+                    if round_.is_captured and round_.score is None:
+                        self._train(number, round_)
+                while (why := self._verdict()) is None:
+                    self._round()
+                self._trainer.wait()
             self._progress.say(f"{why} after round {len(self._state.rounds)}")
             say_dropped(self._rays.dataset, self._progress.say)
             for preset in self._by_cost:
                 if preset != self._lead or why != "goal met":
                     self._last_phase(preset)
+            self._progress.say(self._told_times())
         finally:
             self._progress.close()
             self._save()
@@ -116,7 +128,7 @@ class Make:
         if options.minutes is not None:
             seconds, tiers = 60.0 * options.minutes, len(options.presets)
             share, has_goal = options.capture_share, options.goal is not None
-            return TimedPlan(lights, shard, seconds, tiers, has_goal, share)
+            return TimedPlan(lights, shard, seconds, tiers, has_goal, share, options.overlaps)
         if options.fixes_lights:
             return FixedPlan(lights, options.steps)
         kinds = {part.kind for part in dataset.parts}
@@ -124,9 +136,9 @@ class Make:
         return OpenPlan(lights, shard, options.steps or usual)
 
     def _round(self) -> None:
-        """The round that is not finished, or a new one."""
+        """The round that is not captured, or a new one, and its training."""
         rounds = self._state.rounds
-        if not rounds or rounds[-1].score is not None:
+        if not rounds or rounds[-1].is_captured:
             before = rounds[-1].lights if rounds else 0
             lights = self._plan.lights_of(len(rounds), before)
             rounds.append(Round(lights=lights))
@@ -135,24 +147,33 @@ class Make:
             self._save()
         number, round_ = len(rounds) - 1, rounds[-1]
         stage = self._progress.stage(f"round {number + 1}: rendering light in Cycles", _RAYS)
-        if not round_.is_captured:
+        with self._timed("capture"):
             self._rays.capture(round_, self._plan.capture_seconds(number, self._left()), stage)
-            self._save()
+        self._save()
         stage.done()
-        round_.phase = round_.phase or self._plan.phase(number, self._left())
-        if round_.phase is not None:
-            self._save()
-            self._short_phase(number, round_)
+        self._train(number, round_)
 
-    def _short_phase(self, number: int, round_: Round) -> None:
+    def _train(self, number: int, round_: Round) -> None:
+        """The training of a round, if the plan has one; a GPU's goes on beside the next capture."""
+        round_.phase = round_.phase or self._plan.phase(number, self._left())
+        if round_.phase is None:
+            return
+        self._save()
+        stage = self._progress.stage(f"round {number + 1}: training {self._lead}", _PHASE)
+        shards = self._rays.dataset.finished_shards()
+        self._trainer.run(partial(self._short_phase, number, round_, shards, stage))
+
+    def _short_phase(
+        self, number: int, round_: Round, shards: Sequence[Path], stage: Stage
+    ) -> None:
         """The training of the leading preset in a round."""
         assert round_.phase is not None
         work, lead = self._options.work, self._lead
-        stage = self._progress.stage(f"round {number + 1}: training {lead}", _PHASE)
         folder = phase_folder(work, lead, number)
         dataset, seed, device = self._rays.dataset, self._options.seed, self._options.device
         phase = Phase(dataset, lead, round_.phase, folder, seed, device, self._options.picture)
-        phase.run(dataset.finished_shards(), stage)
+        with self._timed("training"):
+            phase.run(shards, stage)
         stage.done()
         round_.score = score(trained_in(folder, dataset), dataset)
         self._save()
@@ -172,7 +193,8 @@ class Make:
             folder = phase_folder(self._options.work, preset, None)
             dataset, seed, device = self._rays.dataset, self._options.seed, self._options.device
             phase = Phase(dataset, preset, last.phase, folder, seed, device, self._options.picture)
-            phase.run(dataset.finished_shards(), stage)
+            with self._timed("training"):
+                phase.run(dataset.finished_shards(), stage)
             last.score = score(trained_in(folder, dataset), dataset)
             self._save()
             self._progress.say(f"last training: {preset} has {_told(last.score)}")
@@ -204,6 +226,25 @@ class Make:
 
     def _spent(self) -> float:
         return self._spent_before + monotonic() - self._begun
+
+    @contextmanager
+    def _timed(self, what: str) -> Iterator[None]:
+        """Adds the block's seconds to what is told at the end."""
+        begun = monotonic()
+        try:
+            yield
+        finally:
+            self._seconds[what] += monotonic() - begun
+
+    def _told_times(self) -> str:
+        """What this run used, how long, and what took longest."""
+        capture, training = self._seconds["capture"] / 60, self._seconds["training"] / 60
+        workers, device = self._options.workers, device_name(self._options.device)
+        return (
+            f"time: {capture:.1f} min of Cycles with {workers.backend().width()} workers, "
+            f"{training:.1f} min of training on {device}; the bottleneck is "
+            + ("Cycles" if capture > training else "training")
+        )
 
     def _save(self) -> None:
         self._state.seconds = self._spent()

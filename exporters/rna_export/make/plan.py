@@ -40,20 +40,22 @@ _TIMED_ROUNDS = 4
 _SHORT_SECONDS, _SHORT_ROUNDS = 240.0, 2  # each start of Blender costs seconds
 CAPTURE = 0.5
 """Share of the time for capture, all rounds together, if they end at an error."""
-_MOST_CAPTURE = 0.75  # in one round
-_TRAINING_SECONDS = 300.0  # of 64 neurons' width, after which more lights gain more
+_MOST_CAPTURE = {"cpu": 0.75, "cuda": 0.85}
+_TRAINING_SECONDS = {"cpu": 300.0, "cuda": 60.0}
+"""Device -> of 64 neurons' width, after which more lights gain more."""
 _BETWEEN = 0.15  # share for trainings between captures, if there are several
 _SLACK = 1.3  # lights planned over those expected: the clock ends a capture, not the plan
 _EXPORT_SECONDS, _EXPORT_SHARE = 30.0, 0.05  # kept for the package, a tier: the lesser of both
 
 
-def capture_share(seconds: float, widths: Sequence[int]) -> float:
+def capture_share(seconds: float, widths: Sequence[int], device: str = "cpu") -> float:
     """Share of the time for capture in a single round: a half at least.
 
-    seconds: in all. widths: neurons of a hidden layer, of each preset to train.
+    seconds: in all. widths: neurons of a hidden layer, of each preset to train. device: of
+    trainings.
     """
-    training = _TRAINING_SECONDS * sum(widths) / 64
-    return min(max(1.0 - training / seconds, CAPTURE), _MOST_CAPTURE)
+    training = _TRAINING_SECONDS[device] * sum(widths) / 64
+    return min(max(1.0 - training / seconds, CAPTURE), _MOST_CAPTURE[device])
 
 
 class Length(BaseModel):
@@ -127,7 +129,8 @@ class TimedPlan:
     """Rounds that fill a time: each stage gets its share of what is left.
 
     seconds: in all. lights: that fit into the share of it that is for capture. tiers: to export.
-    has_goal: whether a round may end it earlier. capture: share of the time for capture.
+    has_goal: whether a round may end it earlier. capture: share of the time for capture. overlaps:
+    whether the training after a capture goes on beside the next one.
     """
 
     lights: int
@@ -136,6 +139,7 @@ class TimedPlan:
     tiers: int = 1
     has_goal: bool = True
     capture: float = CAPTURE
+    overlaps: bool = False
     end: ClassVar[Verdict] = "time is up"
 
     @property
@@ -171,7 +175,8 @@ class TimedPlan:
 
     def _ahead(self, round_: int) -> float:
         """Shares of the stages from a round's capture on."""
-        return 1.0 - round_ * (self.capture / self.rounds + self._between)
+        between = 0.0 if self.overlaps else self._between
+        return 1.0 - round_ * (self.capture / self.rounds + between)
 
     @property
     def _between(self) -> float:

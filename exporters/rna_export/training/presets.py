@@ -154,8 +154,8 @@ class Preset(BaseModel):
         return self.model_copy(update={"training": self.training.model_copy(update=fields)})
 
     def on_device(self, device: str) -> Preset:
-        """This preset with the batch that is usual on "cpu" or "cuda"."""
-        return self.with_training(batch=BATCH[device])
+        """This preset, on "cuda" with the batch that is usual there."""
+        return self.with_training(batch=BATCH["cuda"]) if device == "cuda" else self
 
 
 BATCH = {"cpu": 2048, "cuda": 16_384}
