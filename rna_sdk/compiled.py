@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 import warnings
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from functools import cache, cached_property
 from hashlib import sha256
 from inspect import unwrap
@@ -20,6 +21,21 @@ from numba.core.ccallback import CFunc
 from rna_sdk.kernel_threads import launch_kernel_threads
 
 Kernel = TypeVar("Kernel", bound=Callable[..., object])
+
+_watchers: list[Callable[[], None]] = []
+
+
+@contextmanager
+def watched_compilations(watcher: Callable[[], None]) -> Iterator[None]:
+    """A context in which `watcher` is called for each kernel that was not in the cache on disk.
+
+    It is called once the kernel is compiled, by the thread that needed it.
+    """
+    _watchers.append(watcher)
+    try:
+        yield
+    finally:
+        _watchers.remove(watcher)
 
 
 def compiled(
@@ -124,6 +140,8 @@ class _SourcesCache(FunctionCache):
 
     def save_overload(self, signature: Any, data: Any) -> None:
         """Keeps the code, unless the disk is full or the folder can no longer be written."""
+        for watcher in _watchers:
+            watcher()
         try:
             super().save_overload(signature, data)  # type: ignore[no-untyped-call]
         except OSError:

@@ -228,6 +228,13 @@ def _check_usage(parser: argparse.ArgumentParser, options: argparse.Namespace) -
 
 
 def _run(options: argparse.Namespace) -> int:
+    from rna_render.command.compilation import compilations_told
+
+    with compilations_told():
+        return _shown(options)
+
+
+def _shown(options: argparse.Namespace) -> int:
     from rna_render.command.sequence import frame_numbers, render_sequence
     from rna_render.command.terminal import tell_size
     from rna_render.image.denoise import Denoiser

@@ -1,0 +1,39 @@
+"""Says that kernels are compiled: without it a first render shows nothing for half a minute."""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from rna_sdk.compiled import watched_compilations
+
+_APART = 1.0  # s between lines that replace one another
+_WORTH_TELLING = 10  # kernels: fewer take no more than a second or two
+
+
+@contextmanager
+def compilations_told() -> Iterator[None]:
+    """A context whose compilations are counted on standard error.
+
+    On a terminal the count is renewed in place, else told once. At the end comes the time that
+    they took.
+    """
+    count, begun, last, told = 0, 0.0, 0.0, 0.0
+    is_terminal = sys.stderr.isatty()
+
+    def watch() -> None:
+        nonlocal count, begun, last, told
+        now = last = time.monotonic()
+        begun, count = begun or now, count + 1
+        if count >= _WORTH_TELLING and (is_terminal or not told) and now - told > _APART:
+            told = now
+            start, end = ("\r", "") if is_terminal else ("", "\n")
+            print(f"{start}compiling kernels, once: {count}", end=end, file=sys.stderr, flush=True)
+
+    with watched_compilations(watch):
+        yield
+    if told:
+        seconds = f"{last - begun:.0f} s"
+        print(f"compiled {count} kernels in {seconds}; the next start finds them", file=sys.stderr)

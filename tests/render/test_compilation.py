@@ -1,0 +1,68 @@
+"""What is said while kernels are compiled, and that a second start says nothing."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from rna_render.command import compilation
+from rna_render.command.compilation import compilations_told
+from rna_sdk import compiled as compiled_module
+from rna_sdk.compiled import watched_compilations
+
+CODE = """
+import numpy as np
+from rna_sdk.compiled import compiled, watched_compilations
+count = []
+with watched_compilations(lambda: count.append(1)):
+    from rna_sdk.runtime.kernels.vectors import dot
+    dot(*2 * [(np.float32(1), np.float32(2), np.float32(3))])
+print(len(count))
+"""
+
+
+def test_what_is_in_the_cache_is_not_counted(tmp_path: Path) -> None:
+    environment = {**os.environ, "NUMBA_CACHE_DIR": str(tmp_path)}
+    command = [sys.executable, "-c", CODE]
+    counts = [
+        int(subprocess.run(command, env=environment, check=True, capture_output=True).stdout)
+        for _ in range(2)
+    ]
+    assert counts[0] >= 1 and counts[1] == 0
+
+
+def compile_so_many(count: int) -> None:
+    for _ in range(count):
+        for watcher in compiled_module._watchers:
+            watcher()
+
+
+def test_a_count_and_a_time_are_told(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(compilation, "_APART", -1.0)
+    with compilations_told():
+        compile_so_many(25)
+    told = capsys.readouterr().err
+    assert (
+        told
+        == "compiling kernels, once: 10\ncompiled 25 kernels in 0 s; the next start finds them\n"
+    )
+
+
+def test_few_are_not_worth_a_line(capsys: pytest.CaptureFixture[str]) -> None:
+    with compilations_told():
+        compile_so_many(9)
+    assert capsys.readouterr().err == ""
+
+
+def test_a_watcher_is_gone_after_its_context() -> None:
+    seen: list[int] = []
+    with watched_compilations(lambda: seen.append(1)):
+        compile_so_many(1)
+    compile_so_many(1)
+    assert seen == [1]
