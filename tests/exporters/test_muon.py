@@ -114,3 +114,22 @@ def test_rates_may_be_tensors() -> None:
         matrix.grad = random((8, 8))
         optimizer.step()
     assert torch.equal(*matrices) and float(rates[1]) == pytest.approx(0.05)
+
+
+def test_momentum_of_units_that_are_dead_ends_at_zero() -> None:
+    """Subnormal numbers made steps three times as slow after 1,500 of them."""
+    matrix = torch.zeros(16, 16, requires_grad=True)
+    optimizer = Muon([matrix], 0.01)
+    for k in range(1600):
+        matrix.grad = random((16, 16), k)
+        if k > 0:
+            matrix.grad[3] = 0.0
+        optimizer.step()
+    momentum = optimizer.state[matrix]["momentum"]
+    assert not momentum[3].any() and momentum[2].all()
+
+
+def test_what_is_negligible_in_a_matrix_is_zero() -> None:
+    matrix = random((1, 16, 16))
+    matrix[0, 3] *= 1e-12
+    assert not orthogonalised(matrix)[0, 3].any()
