@@ -56,6 +56,7 @@ def short_grid(kind: str, steps: int = SHORT_STEPS) -> list[Trial]:
         ours(kind, 128, 2),
     ]
     paper = [paper_model(kind, 4, 64), paper_model(kind, 4, 512), nrhints(kind)]
+    paper += [with_our_optimizer(trial) for trial in paper]
     return _with_steps([*shapes, *paper, *ablations(kind, (64,))], steps)
 
 
@@ -102,6 +103,13 @@ def nrhints(kind: str) -> Trial:
         inputs=inputs, width=256, resolution=1, channels=304, texture="network"
     ).with_training(learning_rate=5e-4, plane_learning_rate=5e-4, schedule="cosine")
     return _trial("opponent", preset, "nrhints").model_copy(update={"cost_as": "paper-hq"})
+
+
+def with_our_optimizer(trial: Trial) -> Trial:
+    """A model of others under Muon: what it gains by that is not its own, nor ours."""
+    preset = trial.preset.with_training(optimizer="muon")
+    named = {"name": f"{trial.name}-muon", "family": "ablation", "tables": ("our-optimizer",)}
+    return trial.model_copy(update={"preset": preset, **named})
 
 
 def ablations(kind: str, widths: tuple[int, ...]) -> list[Trial]:

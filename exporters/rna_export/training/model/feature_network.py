@@ -8,6 +8,7 @@ Shadow and Highlight Hints", 2023, github.com/iamNCJ/NRHints, `SDFNetConfig` and
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import torch
 from torch import Tensor, nn
@@ -42,6 +43,11 @@ class FeatureNetwork(nn.Module):
         self.layers = nn.ModuleList(weight_norm(nn.Linear(*size)) for size in sizes)
         self.register_buffer("low", low.float())
         self.register_buffer("high", high.float())
+
+    def hidden_matrices(self) -> list[Tensor]:
+        """Directions of the weights of all layers but the last."""
+        layers: list[Any] = [*self.layers]
+        return [layer.parametrizations.weight.original1 for layer in layers[:-1]]
 
     def forward(self, position: Tensor, wo: Tensor, wi: Tensor, bfloat16: bool = False) -> Tensor:
         """Features (n, C) of points and directions, (n, 3) each; bfloat16: as in `of_position`."""

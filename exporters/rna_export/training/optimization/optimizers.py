@@ -8,6 +8,7 @@ from typing import Any
 import torch
 from torch import Tensor, nn
 
+from rna_export.training.model.feature_network import FeatureNetwork
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.model.triplane import Triplane
 from rna_export.training.optimization.muon import Muon
@@ -22,9 +23,10 @@ def optimizers_of(model: NeuralAsset, config: TrainingConfig) -> list[torch.opti
     """
     device = model.ceiling.device
     matrices = muon_matrices(model, config)
-    features: list[Tensor] = [*model.triplane.parameters()]
-    apart = {id(p) for p in [*matrices, *features]}
-    others: list[Tensor] = [p for p in model.parameters() if id(p) not in apart]
+    taken = {id(p) for p in matrices}
+    features: list[Tensor] = [p for p in model.triplane.parameters() if id(p) not in taken]
+    taken |= {id(p) for p in features}
+    others: list[Tensor] = [p for p in model.parameters() if id(p) not in taken]
     found: list[torch.optim.Optimizer] = [_adam(others, config.learning_rate, device)]
     if matrices:
         lr = _rate(config.muon_learning_rate, device)
@@ -39,7 +41,7 @@ def optimizers_of(model: NeuralAsset, config: TrainingConfig) -> list[torch.opti
 
 
 def muon_matrices(model: NeuralAsset, config: TrainingConfig) -> list[Tensor]:
-    """What Muon takes: the matrices of decoders, but for those of their last layers.
+    """What Muon takes: the matrices of networks, but for those of their last layers.
 
     Jordan et al. leave the layers that read out, and all vectors, to Adam.
     """
@@ -49,7 +51,10 @@ def muon_matrices(model: NeuralAsset, config: TrainingConfig) -> list[Tensor]:
     if model.emission is not None:
         decoders.append(model.emission.decoder)
     layers = (layer for decoder in decoders for layer in [*decoder][:-1])
-    return [layer.weight for layer in layers if isinstance(layer, nn.Linear)]
+    found: list[Tensor] = [layer.weight for layer in layers if isinstance(layer, nn.Linear)]
+    if isinstance(model.triplane, FeatureNetwork):
+        found += model.triplane.hidden_matrices()
+    return found
 
 
 def set_rates(optimizers: Iterable[torch.optim.Optimizer], factor: float) -> None:
