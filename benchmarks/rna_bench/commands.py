@@ -50,6 +50,7 @@ GROUPS: dict[str, tuple[Command, ...]] = {
         Command("evaluate", "speed.evaluate"),
         Command("evaluate-against", "speed.evaluate_against"),
         Command("cores", "speed.cores"),
+        Command("command-threads", "speed.command_threads"),
         Command("motion", "speed.motion"),
         Command("c-host", "speed.c_host_speed"),
         Command("gpu", "speed.gpu", extra="gpu"),

@@ -18,6 +18,7 @@ from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.capture.blender_process.capture_worker import CaptureJob, CaptureWorker, opened
 from rna_export.capture.blender_process.source import Source
 from rna_export.capture.capture_plan import parts_lines, plan_lines
+from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.capture_tasks import Task, TrainingShard, all_tasks
 from rna_export.capture.check.narrow_highlights import narrow_highlights
 from rna_export.capture.check.self_check import PICTURE, WORTH_A_NOTE, SelfCheck
@@ -42,6 +43,7 @@ from rna_work.sources import Carried
 from rna_work.timeouts import Timeouts
 
 _RESOURCE = "rna_blender"  # of a cluster's nodes that have Blender
+_SHARDS_A_WORKER = 4  # at least: the last ones leave the other workers idle
 _ATTEMPTS = 2  # Blender may die of its own; a second failure is ours
 
 
@@ -139,6 +141,7 @@ def begin(
         usual, settings = settings, planned(settings, limit, opening, rate, given)
         if note := shrunk(usual, settings):
             say(note)
+    settings = shared_out(settings, workers.backend().width())
     manifest = CaptureManifest(
         name=source.path.stem,
         parts=exported.captured(),
@@ -166,6 +169,17 @@ def begin(
     dataset = Dataset.create(out, manifest, geometries, exported.textures, poses, exported.sources)
     say(plan_lines(dataset, geometries, rate))
     return dataset
+
+
+def shared_out(settings: CaptureSettings, workers: int) -> CaptureSettings:
+    """The settings with smaller shards where there would be too few of them for the workers.
+
+    A light's samples do not depend on its shard.
+    """
+    fair = settings.lights // (_SHARDS_A_WORKER * workers)
+    return settings.model_copy(
+        update={"lights_per_shard": max(1, min(settings.lights_per_shard, fair))}
+    )
 
 
 def finish(
