@@ -5,12 +5,15 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
 
 from rna_render.command import compilation
 from rna_render.command.compilation import compilations_told
+from rna_render.command.compile_ahead import compiling_ahead
 from rna_sdk import compiled as compiled_module
 from rna_sdk.compiled import watched_compilations
 
@@ -45,6 +48,7 @@ def test_a_count_and_a_time_are_told(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(compilation, "_APART", -1.0)
+    monkeypatch.setattr(compilation, "core_count", lambda: 1)
     with compilations_told():
         compile_so_many(25)
     told = capsys.readouterr().err
@@ -66,3 +70,23 @@ def test_a_watcher_is_gone_after_its_context() -> None:
         compile_so_many(1)
     compile_so_many(1)
     assert seen == [1]
+
+
+def test_the_renderers_kernels_are_compiled_ahead(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The process renders, and does not outlive what it is for."""
+    command = [sys.executable, "-m", "rna_render.command.compile_ahead"]
+    subprocess.run(command, check=True, capture_output=True)
+    with compiling_ahead():
+        pass
+    started: list[int] = []
+
+    @contextmanager
+    def ahead() -> Iterator[None]:
+        started.append(1)
+        yield
+
+    monkeypatch.setattr(compilation, "compiling_ahead", ahead)
+    monkeypatch.setattr(compilation, "core_count", lambda: 2)
+    with compilations_told():
+        compile_so_many(30)
+    assert started == [1]

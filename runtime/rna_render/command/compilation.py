@@ -1,13 +1,15 @@
-"""Says that kernels are compiled: without it a first render shows nothing for half a minute."""
+"""Kernels of a first render: told, since it shows nothing meanwhile, and compiled in parallel."""
 
 from __future__ import annotations
 
 import sys
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 
+from rna_render.command.compile_ahead import compiling_ahead
 from rna_sdk.compiled import watched_compilations
+from rna_sdk.cpu import core_count
 
 _APART = 1.0  # s between lines that replace one another
 _WORTH_TELLING = 10  # kernels: fewer take no more than a second or two
@@ -18,7 +20,7 @@ def compilations_told() -> Iterator[None]:
     """A context whose compilations are counted on standard error.
 
     On a terminal the count is renewed in place, else told once. At the end comes the time that
-    they took.
+    they took. Where there is a second core, `compile_ahead` helps from the first lines on.
     """
     count, begun, last, told = 0, 0.0, 0.0, 0.0
     is_terminal = sys.stderr.isatty()
@@ -27,12 +29,14 @@ def compilations_told() -> Iterator[None]:
         nonlocal count, begun, last, told
         now = last = time.monotonic()
         begun, count = begun or now, count + 1
+        if count == _WORTH_TELLING and core_count() > 1:
+            ahead.enter_context(compiling_ahead())
         if count >= _WORTH_TELLING and (is_terminal or not told) and now - told > _APART:
             told = now
             start, end = ("\r", "") if is_terminal else ("", "\n")
             print(f"{start}compiling kernels, once: {count}", end=end, file=sys.stderr, flush=True)
 
-    with watched_compilations(watch):
+    with ExitStack() as ahead, watched_compilations(watch):
         yield
     if told:
         seconds = f"{last - begun:.0f} s"
