@@ -44,11 +44,11 @@ def test_little_work_is_told_and_warned_of(tmp_path: Path) -> None:
     best = trained(part, tmp_path / "run")
     score, warning = training_lines(best, part)
     assert score.startswith("small: PSNR ") and score.endswith(
-        "; 40 of 40,000 steps, 24 of 2,000 lights"
+        "; 40 of 20,000 steps, 24 of 2,000 lights"
     )
     assert psnr_in_words(float(score.split()[2])) in score
     assert warning.startswith(
-        "warning: 40 of 40,000 steps and 24 of 2,000 lights, less than a tenth"
+        "warning: 40 of 20,000 steps and 24 of 2,000 lights, less than a tenth"
     )
     with Image.open(tmp_path / "run" / "sheet.png") as sheet:
         assert sheet.width == 4 * 6 * 24  # enlarged
@@ -81,9 +81,9 @@ def test_an_export_says_it_again_with_the_notes_of_the_capture(tmp_path: Path) -
     (tier,) = manifest.tiers
     assert tier.validation is not None
     assert f"PSNR {tier.validation.psnr:.2f} dB ({psnr_in_words(tier.validation.psnr)})" in lines[0]
-    assert "40 of 40,000 steps, 24 of 2,000 lights" in lines[0]
+    assert "40 of 20,000 steps, 24 of 2,000 lights" in lines[0]
     assert lines[-1] == "note: texture wood.png: no such file; black"
-    assert sum(line.startswith("warning: 40 of 40,000 steps") for line in lines) == 1
+    assert sum(line.startswith("warning: 40 of 20,000 steps") for line in lines) == 1
     with Image.open(sheet_of(package)) as sheet:
         assert sheet.width == 4 * 6 * 24  # enlarged
 

@@ -104,15 +104,15 @@ def test_without_a_goal_the_time_has_one_round() -> None:
     ("minutes", "widths", "share"),
     [
         (2, [64], 0.5),
-        (10, [64], 0.5),
-        (15, [64], 2 / 3),
-        (20, [64], 0.75),
+        (4, [64], 0.5),
+        (5, [64], 0.6),
+        (8, [64], 0.75),
         (60, [64], 0.75),
         (20, [64, 256], 0.5),
         (200, [64, 256], 0.75),
     ],
 )
-def test_training_has_five_minutes_then_capture_gets_more(
+def test_training_has_two_minutes_then_capture_gets_more(
     minutes: float, widths: list[int], share: float
 ) -> None:
     assert capture_share(60.0 * minutes, widths) == pytest.approx(share)

@@ -41,7 +41,7 @@ _SHORT_SECONDS, _SHORT_ROUNDS = 240.0, 2  # each start of Blender costs seconds
 CAPTURE = 0.5
 """Share of the time for capture, all rounds together, if they end at an error."""
 _MOST_CAPTURE = {"cpu": 0.75, "cuda": 0.85}
-_TRAINING_SECONDS = {"cpu": 300.0, "cuda": 60.0}
+_TRAINING_SECONDS = {"cpu": 120.0, "cuda": 60.0}
 """Device -> of 64 neurons' width, after which more lights gain more."""
 _BETWEEN = 0.15  # share for trainings between captures, if there are several
 _SLACK = 1.3  # lights planned over those expected: the clock ends a capture, not the plan

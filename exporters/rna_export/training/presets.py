@@ -227,9 +227,9 @@ def _ours(
 
 PRESETS = {
     kind: {
-        "tiny": _ours(kind, 32, 40_000, 4e-3, hidden_layers=2, planes=_TINY_PLANES),
-        "small": _ours(kind, 64, 40_000, 4e-3),
-        "hq": _ours(kind, 256, 40_000, 2e-3),
+        "tiny": _ours(kind, 32, 20_000, 4e-3, hidden_layers=2, planes=_TINY_PLANES),
+        "small": _ours(kind, 64, 20_000, 4e-3),
+        "hq": _ours(kind, 256, 20_000, 2e-3),
         "paper-small": _paper(kind, 64),
         "paper-hq": _paper(kind, 512),
     }

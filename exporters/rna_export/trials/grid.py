@@ -7,7 +7,7 @@ from itertools import product
 from rna_export.training.presets import PRESETS, Preset
 from rna_export.trials.trial import Family, Trial, name_of
 
-FULL_STEPS, SHORT_STEPS = 40_000, 5_000
+FULL_STEPS, SHORT_STEPS = 20_000, 5_000
 """Steps per training: those of our presets, and what takes 40 minutes on 2 cores."""
 
 PAPER_ARCHITECTURES = (
