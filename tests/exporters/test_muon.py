@@ -9,7 +9,12 @@ import torch
 
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.optimization.muon import Muon, orthogonalised
-from rna_export.training.optimization.optimizers import muon_matrices, optimizers_of, set_rates
+from rna_export.training.optimization.optimizers import (
+    load_states,
+    muon_matrices,
+    optimizers_of,
+    set_rates,
+)
 from rna_export.training.presets import PRESETS
 from rna_export.trials.grid import nrhints, with_our_optimizer
 
@@ -148,3 +153,12 @@ def test_nrhints_network_has_it_for_its_features_too() -> None:
         for p in g["params"]
     ]
     assert sorted(map(id, owned)) == sorted(map(id, model.parameters()))
+
+
+def test_rates_stay_the_same_tensors_when_a_run_goes_on() -> None:
+    """A checkpoint is read into the host's memory; a GPU's optimizer wants its rate there."""
+    matrices = [torch.zeros(8, 8, requires_grad=True) for _ in range(2)]
+    rate = torch.tensor(0.1)
+    first, second = Muon(matrices[:1], torch.tensor(0.3)), Muon(matrices[1:], rate)
+    load_states([second], [first.state_dict()])
+    assert second.param_groups[0]["lr"] is rate

@@ -13,7 +13,7 @@ from rna_export.training.model.triplane import Triplane
 from rna_export.training.optimization.emission_batches import EmissionBatches
 from rna_export.training.optimization.losses import sample_loss
 from rna_export.training.optimization.muon import Muon
-from rna_export.training.optimization.optimizers import optimizers_of, set_rates
+from rna_export.training.optimization.optimizers import load_states, optimizers_of, set_rates
 from rna_export.training.optimization.samples import columns
 from rna_export.training.optimization.step_graphs import StepGraphs
 from rna_export.training.presets import Preset, TrainingConfig
@@ -127,8 +127,7 @@ class Fitting:
     def load(self, state: dict[str, Any]) -> None:
         """Go on from a `state`."""
         self.model.load_state_dict(state["model"])
-        for optimizer, saved in zip(self._optimizers, state["optimizers"], strict=True):
-            optimizer.load_state_dict(saved)
+        load_states(self._optimizers, state["optimizers"])
         self._done = state["steps"]
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 import torch
@@ -65,6 +65,15 @@ def set_rates(optimizers: Iterable[torch.optim.Optimizer], factor: float) -> Non
             group["lr"].fill_(rate)
         else:
             group["lr"] = rate
+
+
+def load_states(optimizers: Sequence[torch.optim.Optimizer], states: Sequence[Any]) -> None:
+    """Go on from `state_dict`s. Rates stay the objects that they are, on their device."""
+    rates = [group["lr"] for group in _groups(optimizers)]
+    for optimizer, state in zip(optimizers, states, strict=True):
+        optimizer.load_state_dict(state)
+    for group, rate in zip(_groups(optimizers), rates, strict=True):
+        group["lr"] = rate
 
 
 def _adam(parameters: list[Tensor], rate: float, device: torch.device) -> torch.optim.Adam:
