@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
+import os
+
 import torch
 
 from rna_sdk.kernel_threads import kernel_threads, limit_kernel_threads
+
+# MKL, which reads this at its first product, then sums in an order that does not depend on the
+# number of threads: on Intel's processors it would share the rows of a sum among them.
+os.environ.setdefault("MKL_CBWR", "AUTO,STRICT")
 
 
 def use_threads(count: int) -> int:
