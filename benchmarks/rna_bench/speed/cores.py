@@ -1,6 +1,6 @@
 """Throughput of capture, training, rendering and queries by number of threads.
 
-    rna-bench cores --out benchmarks/results/cores.json --picture docs/images/cores.svg
+    rna-bench cores --out benchmarks/results/cores.json --picture cores.svg
 
 Prints a table, and JSON: rates with 1, 2, 4, ... threads up to one a core, over as many times the
 rate of one thread; processor seconds over wall seconds and threads, where more than 1 shows a pool
