@@ -15,6 +15,7 @@ _PAPER_ARCHITECTURE_PSNR = (27.47, 27.36, 28.77, 31.02, 32.68, 33.07, 33.80, 34.
 _PAPER_CHANNELS_PSNR = (33.51, 34.09, 34.40, 34.33)
 
 _ABLATIONS = {
+    "our-optimizer": "with our optimizer",
     "no-hint": "without the visibility hint",
     "no-h": "without h",
     "no-learned-normal": "without the learned normal",

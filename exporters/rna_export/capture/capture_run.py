@@ -43,7 +43,7 @@ from rna_work.sources import Carried
 from rna_work.timeouts import Timeouts
 
 _RESOURCE = "rna_blender"  # of a cluster's nodes that have Blender
-_SHARDS_A_WORKER = 4  # at least: the last ones leave the other workers idle
+_SHARDS = 32  # at least, where there are as many lights
 _ATTEMPTS = 2  # Blender may die of its own; a second failure is ours
 
 
@@ -141,7 +141,7 @@ def begin(
         usual, settings = settings, planned(settings, limit, opening, rate, given)
         if note := shrunk(usual, settings):
             say(note)
-    settings = shared_out(settings, workers.backend().width())
+    settings = shared_out(settings)
     manifest = CaptureManifest(
         name=source.path.stem,
         parts=exported.captured(),
@@ -171,12 +171,12 @@ def begin(
     return dataset
 
 
-def shared_out(settings: CaptureSettings, workers: int) -> CaptureSettings:
-    """The settings with smaller shards where there would be too few of them for the workers.
+def shared_out(settings: CaptureSettings) -> CaptureSettings:
+    """The settings with smaller shards where there would be too few of them for many workers.
 
-    A light's samples do not depend on its shard.
+    However many there are: a dataset does not depend on the machine.
     """
-    fair = settings.lights // (_SHARDS_A_WORKER * workers)
+    fair = settings.lights // _SHARDS
     return settings.model_copy(
         update={"lights_per_shard": max(1, min(settings.lights_per_shard, fair))}
     )
