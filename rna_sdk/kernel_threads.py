@@ -8,7 +8,7 @@ from typing import Any
 import numba
 from numba.np.ufunc import get_num_threads, set_num_threads, threading_layer
 
-from rna_sdk.cpu import core_count
+from rna_sdk.cores import core_count
 from rna_sdk.errors import RnaError
 
 _SAFE_LAYERS = ("tbb", "omp", "safe", "threadsafe")

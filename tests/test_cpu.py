@@ -8,8 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from rna_sdk import cpu
-from rna_sdk.cpu import core_count, thread_count
+from rna_sdk import cores as cores_module
+from rna_sdk.cores import core_count
+from rna_sdk.cpu import thread_count
 
 
 def written(root: Path, files: dict[str, str]) -> Path:
@@ -77,7 +78,7 @@ GROUPS: dict[str, tuple[dict[str, str], float]] = {
 @pytest.mark.parametrize("case", GROUPS)
 def test_the_quota_is_found(case: str, tmp_path: Path) -> None:
     files, expected = GROUPS[case]
-    assert cpu._quota(written(tmp_path, files)) == expected
+    assert cores_module._quota(written(tmp_path, files)) == expected
 
 
 @pytest.mark.parametrize(("quota", "cores"), [(math.inf, 8), (3.0, 3), (1.5, 2), (0.2, 1), (99, 8)])
@@ -85,6 +86,6 @@ def test_the_lesser_of_affinity_and_quota_counts(
     monkeypatch: pytest.MonkeyPatch, quota: float, cores: int
 ) -> None:
     monkeypatch.setattr(os, "sched_getaffinity", lambda _: set(range(8)))
-    monkeypatch.setattr(cpu, "_quota", lambda _: quota)
+    monkeypatch.setattr(cores_module, "_quota", lambda _: quota)
     assert core_count() == thread_count(None) == cores
     assert thread_count(5) == 5

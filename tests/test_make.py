@@ -29,7 +29,7 @@ add(*square(1.4, z=1.3), pane)
 """
 SMALL = (
     "--rays 256 --samples 2 --validation-views 2 --validation-resolution 32 "
-    "--validation-samples 16 --steps 120 --presets tiny small --keep"
+    "--validation-samples 16 --steps 160 --presets tiny small --keep"
 ).split()
 
 
@@ -73,7 +73,8 @@ def test_a_make_killed_in_each_of_its_stages_ends_with_a_package(tmp_path: Path)
     assert "stopped falling" in said
     with Package.open(out) as package:
         assert [tier.name for tier in package.manifest.tiers] == ["tiny", "small"]
-        assert all(tier.validation.psnr > 20.0 for tier in package.manifest.tiers)
+        psnr = [tier.validation.psnr for tier in package.manifest.tiers]
+        assert min(psnr) > 20.0, psnr
     rna_sdk.runtime.load(out)
 
 

@@ -29,6 +29,7 @@ OUR_TOOLS = {
         "atomic_file",
         "compiled",
         "console",
+        "cores",
         "cpu",
         "file_kinds",
         "kernel_threads",

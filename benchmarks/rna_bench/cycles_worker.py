@@ -10,7 +10,7 @@ from pathlib import Path
 from rna_export.capture.blender_process import blender_env
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.capture.blender_process.source import Source
-from rna_sdk.cpu import core_count
+from rna_sdk.cores import core_count
 from rna_sdk.errors import CaptureError
 
 

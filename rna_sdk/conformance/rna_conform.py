@@ -15,7 +15,7 @@ from rna_sdk.conformance.kit import LEVELS, Kit, find_kit, load_kit
 from rna_sdk.conformance.program import Command, Program, claimed_levels
 from rna_sdk.conformance.scoring import Score, cases, score
 from rna_sdk.console import command_parser, run_command, split_script_arguments
-from rna_sdk.cpu import core_count
+from rna_sdk.cores import core_count
 from rna_sdk.errors import ConformanceError
 
 MEASURED = ("evaluate", "environment", "normals")

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Literal, Protocol, TypeVar
 from uuid import uuid4
 
-from rna_sdk.cpu import core_count
+from rna_sdk.cores import core_count
 from rna_sdk.errors import WorkError
 from rna_work.backend import Backend
 from rna_work.processes import Processes

@@ -25,7 +25,7 @@ def imports(path: object) -> set[str]:
 def test_it_lies_below_renderer_and_exporter() -> None:
     ours = {name for path in FOLDER.rglob("*.py") for name in imports(path) if name[:4] == "rna_"}
     above = {name for name in ours if not name.startswith("rna_work.")}
-    below = ("atomic_file", "console", "cpu", "errors", "regular_file")
+    below = ("atomic_file", "console", "cores", "errors", "regular_file")
     assert above == {f"rna_sdk.{name}" for name in below}
 
 

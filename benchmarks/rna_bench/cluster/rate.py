@@ -32,7 +32,7 @@ from rna_render.command.frame_worker import Frame, FrameJob, FrameWorker
 from rna_render.image.output import Output
 from rna_render.scene import Scene, read_scene
 from rna_render.world.scene_sources import carried_scene
-from rna_sdk.cpu import core_count
+from rna_sdk.cores import core_count
 from rna_work.executors import Executor, open_executor
 from rna_work.pool import Pool
 

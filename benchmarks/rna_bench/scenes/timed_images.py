@@ -10,7 +10,7 @@ import numpy as np
 from rna_bench.scenes.beside_cycles import CyclesScene, OurScene
 from rna_export.compare.comparison_run import Timed
 from rna_render import Denoiser
-from rna_sdk.cpu import core_count
+from rna_sdk.cores import core_count
 from rna_sdk.errors import SceneError
 
 Arrays = dict[str, np.ndarray]

@@ -24,7 +24,7 @@ from typing import Any
 from rna_bench.bench_options import add_out
 from rna_bench.checkout import QUICKSTART, ROOT, TOY
 from rna_bench.results import publish
-from rna_sdk.cpu import core_count
+from rna_sdk.cores import core_count
 from rna_sdk.errors import RnaError
 from rna_work.processor_time import process_threads
 

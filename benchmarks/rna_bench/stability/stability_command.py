@@ -11,7 +11,7 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from rna_sdk.cpu import core_count
+from rna_sdk.cores import core_count
 from rna_sdk.errors import CaptureError
 from rna_work.cluster.cluster_option import add_cluster_option
 from rna_work.executors import open_executor

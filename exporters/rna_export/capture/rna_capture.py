@@ -20,7 +20,7 @@ from rna_export.capture.frame_options import FRAME_SETTINGS, add_frames
 from rna_export.capture.orientation import AXES, joined_axes
 from rna_export.machine import keep_freed_memory
 from rna_sdk.console import command_line, command_parser, run_command, split_script_arguments
-from rna_sdk.cpu import core_count
+from rna_sdk.cores import core_count
 from rna_sdk.errors import CaptureError
 from rna_sdk.file_kinds import not_a
 from rna_sdk.owned_folder import owned

@@ -96,7 +96,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     from rna_export.compare.comparison_page import is_report, write_page
     from rna_export.compare.comparison_run import Pair, compare
     from rna_export.compare.origin import Origin
-    from rna_sdk.cpu import core_count
+    from rna_sdk.cores import core_count
     from rna_sdk.errors import CaptureError
     from rna_sdk.runtime import load
 

@@ -13,7 +13,8 @@ from rna_export.export.trained_tiers import TrainedTier
 from rna_export.machine import seconds_of
 from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION, flip, plain, psnr, reduced
 from rna_export.training.validation import exposure, mean_psnr, score, shade
-from rna_sdk.cpu import core_count, processor
+from rna_sdk.cores import core_count
+from rna_sdk.cpu import processor
 from rna_sdk.errors import ExportError
 from rna_sdk.package import Cost, FlipAtHeight, Tier, Validation
 from rna_sdk.runtime import Asset, FiberAsset, SurfaceAsset

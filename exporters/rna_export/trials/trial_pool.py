@@ -12,7 +12,7 @@ from pathlib import Path
 from rna_export.trials.trial import Trial
 from rna_export.trials.trial_record import Record
 from rna_export.trials.trial_worker import Job, TrialWorker
-from rna_sdk.cpu import core_count
+from rna_sdk.cores import core_count
 from rna_sdk.errors import TrainingError
 from rna_work.backend import Backend
 from rna_work.cluster.store import Store
