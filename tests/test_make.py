@@ -103,7 +103,7 @@ def test_lights_and_steps_make_the_package_of_the_three_commands(tmp_path: Path)
     for module, *options in (
         ("capture.rna_capture", source, "--out", rays, *capture, "--", 0.4),
         *(
-            ("training.rna_train", rays, "--preset", r.name, "--steps", 120, "--out", r)
+            ("training.rna_train", rays, "--preset", r.name, *training[:2], "--out", r)
             for r in runs
         ),
         ("export.rna_export", *runs, "--out", apart, *export),

@@ -53,7 +53,7 @@ def test_a_capture_has_the_same_bits(
     expected, found = contents(here), contents(there)
     assert [name for name in found if found[name] != expected.get(name)] == []
     assert found.keys() == expected.keys()
-    assert len(list(there.glob("train/*"))) == 4
+    assert len(list(there.glob("train/*"))) == 32
 
 
 def test_frames_have_the_same_bits(ray_address: str, tmp_path: Path) -> None:
