@@ -18,7 +18,6 @@ from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.capture.blender_process.capture_worker import CaptureJob, CaptureWorker, opened
 from rna_export.capture.blender_process.source import Source
 from rna_export.capture.capture_plan import parts_lines, plan_lines
-from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.capture_tasks import Task, TrainingShard, all_tasks
 from rna_export.capture.check.narrow_highlights import narrow_highlights
 from rna_export.capture.check.self_check import PICTURE, WORTH_A_NOTE, SelfCheck
@@ -43,7 +42,6 @@ from rna_work.sources import Carried
 from rna_work.timeouts import Timeouts
 
 _RESOURCE = "rna_blender"  # of a cluster's nodes that have Blender
-_SHARDS = 32  # at least, where there are as many lights
 _ATTEMPTS = 2  # Blender may die of its own; a second failure is ours
 
 
@@ -137,11 +135,12 @@ def begin(
             worker.show_frame(frame)
             posed = asset.posed(list(positions.values()))
             checks[f"frame {frame}: "], _ = asset.checked(posed)
-    if limit is not None:
+    if limit is None:
+        settings = settings.shared_out()
+    else:
         usual, settings = settings, planned(settings, limit, opening, rate, given)
         if note := shrunk(usual, settings):
             say(note)
-    settings = shared_out(settings)
     manifest = CaptureManifest(
         name=source.path.stem,
         parts=exported.captured(),
@@ -169,17 +168,6 @@ def begin(
     dataset = Dataset.create(out, manifest, geometries, exported.textures, poses, exported.sources)
     say(plan_lines(dataset, geometries, rate))
     return dataset
-
-
-def shared_out(settings: CaptureSettings) -> CaptureSettings:
-    """The settings with smaller shards where there would be too few of them for many workers.
-
-    However many there are: a dataset does not depend on the machine.
-    """
-    fair = settings.lights // _SHARDS
-    return settings.model_copy(
-        update={"lights_per_shard": max(1, min(settings.lights_per_shard, fair))}
-    )
 
 
 def finish(

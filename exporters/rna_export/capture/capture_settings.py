@@ -11,6 +11,7 @@ MAX_LIGHTS = 1_000_000
 MAX_FRAME = 1_048_574
 """That Blender knows."""
 _MAX_POSES = 32
+_SHARDS = 32  # at least, where there are as many lights
 _MAX_RAYS, _MAX_SAMPLES, _MAX_VIEWS, _MAX_SIDE = 1 << 24, 1 << 20, 1000, 8192
 CLAMP_DIRECT, CLAMP_INDIRECT = 20.0, 10.0  # of radiance; the paper, section 4.1
 
@@ -96,6 +97,14 @@ class CaptureSettings(DatasetModel):
         if len(set(frames)) < len(frames) or any(abs(frame) > MAX_FRAME for frame in frames):
             raise ValueError(f"expected frames of Blender's, each once, up to {MAX_FRAME:,}")
         return frames
+
+    def shared_out(self) -> CaptureSettings:
+        """These settings with smaller shards where there would be too few for many workers.
+
+        However many there are: a dataset does not depend on the machine.
+        """
+        shard = max(1, min(self.lights_per_shard, self.lights // _SHARDS))
+        return self.model_copy(update={"lights_per_shard": shard})
 
     @property
     def validation_paths(self) -> int:

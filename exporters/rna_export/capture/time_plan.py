@@ -14,7 +14,6 @@ LEAST_LIGHTS = 16
 _SHARE = 0.25  # of the time, for the validation images
 _LEAST_RESOLUTION, _LEAST_SAMPLES = 48, 16
 _DAY = 24 * 60  # minutes
-_LEAST_SHARD = 8  # lights; a shard that is under way when the time is up is rendered to its end
 
 
 @dataclass(frozen=True)
@@ -40,7 +39,7 @@ def planned(
     """The settings with as many lights as there is time for at `rate` paths a second.
 
     Validation images that took more than a quarter of it are made smaller, but for what was
-    `given`, and so are shards, of which there are ten at least.
+    `given`.
 
     opening: seconds until a worker can render. Raises `CaptureError` when fewer than 16 lights are
     left.
@@ -55,8 +54,7 @@ def planned(
             f"--minutes {limit.minutes:g} leaves time for {max(lights, 0)} lights after the start "
             f"and the validation images, expected at least {LEAST_LIGHTS}: {do}"
         )
-    shard = min(settings.lights_per_shard, max(_LEAST_SHARD, lights // 10))
-    return settings.model_copy(update={"lights": lights, "lights_per_shard": shard})
+    return settings.model_copy(update={"lights": lights}).shared_out()
 
 
 def _fitting(

@@ -13,7 +13,7 @@ from rna_export.make.make_options import MakeOptions
 from rna_export.make.make_progress import Stage
 from rna_export.make.state import Round
 
-_SHARD = 16  # lights, where rounds grow; a worker begins anew after 12 shards
+_SHARD = 16  # lights, where rounds grow
 
 
 def open_rays(options: MakeOptions, begun: float, say_gain: Callable[[str], None]) -> Dataset:

@@ -21,7 +21,7 @@ from rna_sdk.kernel_threads import limit_kernel_threads
 from rna_work.cluster.store import Store
 from rna_work.sources import Carried
 
-_TASKS_A_PROCESS = 12  # then a fresh Blender: its memory grows over many renders
+_RAYS_A_PROCESS = 12 << 17  # then a fresh Blender: its memory grows over many renders
 _opening = threading.Lock()
 
 
@@ -46,7 +46,7 @@ class CaptureWorker:
 
     def __init__(self, job: CaptureJob, name: str) -> None:
         self._job, self._name = job, name
-        self._done = 0
+        self._rays = 0  # of the process, about
         self._blender: BlenderWorker | None = None
         self._temporary: Path | None = None
 
@@ -79,11 +79,12 @@ class CaptureWorker:
         assert blender is not None  # since __enter__
         if path.is_file():
             return processor_key()
-        if self._done and self._done % _TASKS_A_PROCESS == 0:
+        if self._rays >= _RAYS_A_PROCESS:
             blender.restart()
+            self._rays = 0
         path.parent.mkdir(exist_ok=True)
         task.run(self._dataset, self._scene, blender)
-        self._done += 1
+        self._rays += task.paths_to_trace(self._dataset) // self._dataset.manifest.settings.samples
         if self._job.store is not None:
             self._job.store.put(path, stored_name(task, self._dataset))
             path.unlink()
