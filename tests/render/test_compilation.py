@@ -72,9 +72,11 @@ def test_a_watcher_is_gone_after_its_context() -> None:
     assert seen == [1]
 
 
-def test_the_renderers_kernels_are_compiled_ahead(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_renderers_kernels_are_compiled_ahead(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """The process renders, and does not outlive what it is for."""
-    command = [sys.executable, "-m", "rna_render.command.compile_ahead"]
+    command = [sys.executable, "-m", "rna_render.command.compile_ahead", str(tmp_path)]
     subprocess.run(command, check=True, capture_output=True)
     with compiling_ahead():
         pass

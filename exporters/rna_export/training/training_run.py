@@ -115,8 +115,7 @@ def _memory_told(run: Run, model: NeuralAsset) -> Iterator[None]:
         most = 2 ** max(0, min(fits, batch // 2).bit_length() - 1)
         raise TrainingError(
             f"--batch {batch}: a step needs more than the GPU's {free / 1e9:.1f} GB of free "
-            f"memory, expected a batch of about {most} or less; the same command with another "
-            "--out and that --batch fits"
+            f"memory, expected a batch of about {most} or less"
         ) from None
 
 

@@ -1,10 +1,10 @@
 """Compiles the renderer's kernels in a process of its own, beside a first render that needs them.
 
-    python -m rna_render.command.compile_ahead
+    python -m rna_render.command.compile_ahead FOLDER
 
-It renders a triangle, so that the kernels of rays, lights and film are in the cache on disk when
-the render comes to them: meanwhile that one compiles those of its assets. One process compiles one
-kernel at a time, whatever its threads.
+It renders a triangle, whose files it writes into the folder. So the kernels of rays, lights and
+film are in the cache on disk when the render comes to them: meanwhile that one compiles those of
+its assets. One process compiles one kernel at a time, whatever its threads.
 """
 
 from __future__ import annotations
@@ -47,13 +47,14 @@ samples: 1
 @contextmanager
 def compiling_ahead() -> Iterator[None]:
     """A context beside which such a process runs; at its end the process is ended."""
-    command = [sys.executable, "-m", "rna_render.command.compile_ahead"]
     quiet = subprocess.DEVNULL
-    with subprocess.Popen(command, stdin=quiet, stdout=quiet, stderr=quiet) as process:
-        try:
-            yield
-        finally:
-            process.kill()
+    with tempfile.TemporaryDirectory(prefix="rna-run-") as folder:
+        command = [sys.executable, "-m", "rna_render.command.compile_ahead", folder]
+        with subprocess.Popen(command, stdin=quiet, stdout=quiet, stderr=quiet) as process:
+            try:
+                yield
+            finally:
+                process.kill()
 
 
 def main() -> None:
@@ -62,12 +63,12 @@ def main() -> None:
     from rna_sdk.kernel_threads import limit_kernel_threads
 
     limit_kernel_threads(1)
-    with tempfile.TemporaryDirectory() as folder:
-        (Path(folder) / "triangle.ply").write_text(_TRIANGLE)
-        path = Path(folder) / "scene.yaml"
-        path.write_text(_SCENE)
-        scene_file = read_scene(path)
-        render(scene_file.resolved, make_integrator(scene_file.resolved, load_world(scene_file)))
+    folder = Path(sys.argv[1])
+    path = folder / "scene.yaml"
+    (folder / "triangle.ply").write_text(_TRIANGLE)
+    path.write_text(_SCENE)
+    scene_file = read_scene(path)
+    render(scene_file.resolved, make_integrator(scene_file.resolved, load_world(scene_file)))
 
 
 if __name__ == "__main__":
