@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import os
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
+from rna_bench.speed.cores import measure
 from tests.conftest import REPOSITORY
 
 MOST = 1.1  # processor seconds a second
@@ -16,18 +15,6 @@ MOST = 1.1  # processor seconds a second
 pytestmark = pytest.mark.skipif(
     len(os.sched_getaffinity(0)) < 2, reason="on one core nothing can take a second one"
 )
-
-
-def cores_taken(name: str) -> float:
-    """By one thread of a kind of work of `rna-bench cores`."""
-    code = (
-        "from rna_bench.speed.cores import measure; "
-        f"print(measure({name!r}, [1], [], 4.0)['threads'][0]['cores_a_thread'])"
-    )
-    paths = os.pathsep.join([str(REPOSITORY), str(REPOSITORY / "benchmarks")])
-    environment = {**os.environ, "PYTHONPATH": paths}
-    command = [sys.executable, "-c", code]
-    return float(subprocess.run(command, check=True, capture_output=True, env=environment).stdout)
 
 
 @pytest.mark.parametrize(
@@ -41,7 +28,8 @@ def cores_taken(name: str) -> float:
     ],
 )
 def test_one_thread_takes_one_core(work: str) -> None:
-    assert cores_taken(work) <= MOST
+    (row,) = measure(work, [1], [], 4.0)["threads"]
+    assert row["cores_a_thread"] <= MOST
 
 
 @pytest.mark.blender

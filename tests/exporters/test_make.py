@@ -84,7 +84,7 @@ class Cycles:
 def make(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Callable[..., tuple[Made, Cycles]]:
     """Runs a make of tiny models in `<tmp_path>/work`."""
     for name, width in (("tiny", 16), ("small", 24)):
-        preset = tiny(name, steps=80).with_model(width=width)
+        preset = tiny(name, steps=80, optimizer="adam").with_model(width=width)
         monkeypatch.setitem(PRESETS["surface"], name, preset)
     monkeypatch.setattr(plan_module, "LEAST_GAIN_DB", 6.0)  # three rounds or four
     monkeypatch.setattr(Curves, "draw", lambda _: None)
@@ -153,7 +153,7 @@ def whole(
 
 def test_each_round_adds_rays(whole: tuple[Made, Cycles]) -> None:
     made, cycles = whole
-    assert cycles.shards >= 4
+    assert cycles.shards > 4
     samples = made.dataset.only.training_samples()
     assert len(samples["visible"]) == cycles.shards * SHARD * RAYS
 

@@ -136,9 +136,9 @@ def test_steps_give_the_same_bits_with_any_number_of_threads(loss: str) -> None:
 
 def test_narrow_products_are_those_of_torch_and_repeat() -> None:
     generator = torch.Generator().manual_seed(0)
-    gradient, value = (torch.randn(500, k, generator=generator) for k in (6, 16))
-    expected = gradient.t() @ value
-    torch.testing.assert_close(weight_gradient(gradient, value), expected, rtol=1e-5, atol=1e-4)
+    gradient, value = (torch.randn(64, k, generator=generator) for k in (6, 16))
+    exact = (gradient.double().t() @ value.double()).float()  # BLAS sums in orders of its own
+    torch.testing.assert_close(weight_gradient(gradient, value), exact)
     before, sizes = kernel_threads(), (3, 6, 9, 12)
     try:
         narrow = [Product(n, 64, b, torch.float32) for n in (128, 512, 1024) for b in sizes]
