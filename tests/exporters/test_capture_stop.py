@@ -14,6 +14,7 @@ import pytest
 from rna_export.capture.blender_process import capture_worker
 from rna_export.capture.blender_process.capture_worker import CaptureWorker
 from rna_export.capture.blender_process.source import Source
+from rna_export.capture.capture_settings import CaptureSettings
 from rna_sdk.errors import CaptureError
 from rna_work.pool import Pool
 from rna_work.sources import InPlace
@@ -42,6 +43,10 @@ class Blender:
         self.killed.set()
 
 
+SETTINGS = CaptureSettings.usual("surface")
+DATASET = SimpleNamespace(manifest=SimpleNamespace(settings=SETTINGS))
+
+
 @dataclass(eq=False)
 class Task:
     """Runs until its worker is killed, or fails of its own the first `failures` times."""
@@ -53,6 +58,9 @@ class Task:
 
     def path(self, dataset: object) -> Path:
         return self.folder / "shard"
+
+    def paths_to_trace(self, dataset: object) -> int:
+        return SETTINGS.lights_per_shard * SETTINGS.rays * SETTINGS.samples
 
     def run(self, dataset: object, scene: object, worker: Blender) -> None:
         self.runs += 1
@@ -67,7 +75,7 @@ class Task:
 def blender(monkeypatch: pytest.MonkeyPatch) -> Blender:
     blender = Blender()
     monkeypatch.setattr(capture_worker, "BlenderWorker", lambda *_, **__: blender)
-    monkeypatch.setattr(capture_worker, "opened", lambda *_: (None, None))
+    monkeypatch.setattr(capture_worker, "opened", lambda *_: (DATASET, None))
     monkeypatch.setattr(capture_worker, "blender_env", SimpleNamespace(find_or_set_up=Path))
     return blender
 
