@@ -35,6 +35,7 @@ OUR_TOOLS = {
         "kernel_threads",
         "lazy_face",
         "local_server",
+        "memory",
         "outputs",
         "owned_folder",
         "regular_file",
