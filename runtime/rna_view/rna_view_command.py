@@ -42,7 +42,7 @@ def _serve(site: Site, options: argparse.Namespace) -> None:
     with PageServer(site, options.host, options.port) as server:
         print(f"{options.source} at {server.url}\nCtrl-C ends it", flush=True)
         if not server.is_local:
-            print("other machines use WebGL2: browsers disable WebGPU over plain HTTP", flush=True)
+            print("browsers of other machines have WebGPU over HTTPS alone", flush=True)
         if not options.no_browser:
             webbrowser.open(server.url)
         try:

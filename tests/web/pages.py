@@ -19,7 +19,6 @@ from rna_view.page_server import PageServer
 from rna_view.site_files import Site
 from tests.render.chromium import INSTALL, SOFTWARE_GPU, Page, find_chromium, open_page
 
-APIS = ("webgpu", "webgl2")
 TIMEOUT = 300.0
 """Seconds: SwiftShader compiles shaders for long on a busy machine."""
 
@@ -51,12 +50,18 @@ def served_folder(folder: Path, handler: type[Plain] = Plain) -> Iterator[str]:
 
 
 @contextmanager
-def viewer(site: Site, query: str = "", width: int = 320, height: int = 200) -> Iterator[Page]:
+def viewer(
+    site: Site,
+    query: str = "",
+    width: int = 320,
+    height: int = 200,
+    gpu: tuple[str, ...] = SOFTWARE_GPU,
+) -> Iterator[Page]:
     """The page of a site, its engine begun."""
     chromium = find_chromium()
     if chromium is None:
         pytest.skip(INSTALL)
-    with served(site) as server, open_page(chromium, width, height, SOFTWARE_GPU) as page:
+    with served(site) as server, open_page(chromium, width, height, gpu) as page:
         page.call("Page.navigate", url=f"{server.url}?{query}")
         page.wait_for(
             "globalThis.rnaViewer?.begun && rnaViewer.begun.then(() => true, () => true)", TIMEOUT

@@ -15,7 +15,7 @@ from tests.web.pages import notice, served_folder, wait_for_picture
 pytestmark = pytest.mark.chromium
 
 TIMEOUT = 60.0
-QUERY = "api=webgl2&rounds=1&dpr=1"
+QUERY = "rounds=1&dpr=1"
 ODD_NAMES = ("Chair #2.rna", "50% off.rna", "ü ❤.rna", "a&b=c+d.rna")
 
 

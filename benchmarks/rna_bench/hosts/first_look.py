@@ -112,7 +112,7 @@ def in_chromium(
     if chromium is None:
         raise RnaError(INSTALL)
     with served(site) as server, open_page(chromium, *resolution, SOFTWARE_GPU) as page:
-        address = f"{server.url}?api=webgpu&dpr=1&ui=0&rounds={samples}{query}"
+        address = f"{server.url}?dpr=1&ui=0&rounds={samples}{query}"
         page.call("Page.navigate", url=address)
         page.wait_for("globalThis.rnaViewer?.viewer?.hasShown", TIMEOUT_S)
         page.call("Page.navigate", url=f"{address}&again=1")

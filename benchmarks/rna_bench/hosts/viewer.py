@@ -2,7 +2,7 @@
 
     rna-bench viewer examples/quickstart/scene.yaml --repeats 3 --out benchmarks/results/viewer.json
 
-WebGPU and WebGL2 run in a page each (`?bench=1`), in Chromium on SwiftShader, which it brings;
+The page (`?bench=1`) runs in Chromium on SwiftShader, which it brings;
 rna_gpu runs the same WGSL of the decoder on the GPU or driver that wgpu finds (lavapipe); then the
 CPU runtime. All once a run, in turn; medians.
 
@@ -31,7 +31,6 @@ from rna_view.site_files import site_for
 from tests.render.chromium import INSTALL, SOFTWARE_GPU, find_chromium, open_page
 from tests.web.pages import served
 
-APIS = {"webgpu": "WebGPU on SwiftShader", "webgl2": "WebGL2 on SwiftShader"}
 TIMEOUT_S = 600.0
 
 
@@ -54,7 +53,7 @@ def run(args: argparse.Namespace) -> None:
     device = rna_gpu.open_device()
     readings: dict[str, dict[str, list[float]]] = {}
     for _ in range(args.repeats):
-        pages = {APIS[api]: in_chromium(args.scene, api, args.resolution) for api in APIS}
+        pages = {"WebGPU on SwiftShader": in_chromium(args.scene, args.resolution)}
         rates = measure(scene_file.asset_path(0), device, args.rows, 1, None)
         both = rates["queries_per_second"]
         rate = samples_per_second(scene, integrator)
@@ -76,13 +75,13 @@ def run(args: argparse.Namespace) -> None:
     publish(report, args)
 
 
-def in_chromium(scene: Path, api: str, resolution: tuple[int, int]) -> dict[str, float]:
+def in_chromium(scene: Path, resolution: tuple[int, int]) -> dict[str, float]:
     """The page's own measurements; it is opened twice, the second time from the cache."""
     chromium = find_chromium()
     if chromium is None:
         raise RnaError(INSTALL)
     with served(site_for(scene)) as server, open_page(chromium, *resolution, SOFTWARE_GPU) as page:
-        address = f"{server.url}?api={api}&dpr=1&ui=0"
+        address = f"{server.url}?dpr=1&ui=0"
         for more in ("", "&bench=1"):
             page.call("Page.navigate", url=address + more)
             page.wait_for("globalThis.rnaViewer?.viewer?.hasShown", TIMEOUT_S)

@@ -9,7 +9,7 @@ import { Package } from "../package/package.js";
 import { BlobSource, nameOf, UrlSource } from "../package/source.js";
 import { wrappedDegrees } from "../ui/elements.js";
 import { linearColour } from "./backdrop.js";
-import { LastingEngine, lineOf } from "./lasting_engine.js";
+import { LastingEngine } from "./lasting_engine.js";
 import { Lighting } from "./lighting.js";
 import { Orbit, viewFrom } from "./orbit.js";
 import { beforeFilmic } from "./view_transform.js";
@@ -207,6 +207,7 @@ export class Stage extends LastingEngine {
   }
 
   async _show(opened, tier, isNew, signal) {
+    if (!(await this.begun)) return;
     const shown = await opened.load(tier, { wantsLobes: this.settings.firstLook !== "off" });
     opened.forget();
     performance.mark("package");
@@ -237,7 +238,7 @@ export class Stage extends LastingEngine {
     this.viewer.start();
   }
 
-  /** Hands the asset to the engine, and to another one where it does not fit; false if there is none any more. */
+  /** Hands the asset to the engine, and to the next one where that is lost meanwhile; false if there is none any more. */
   async _upload(arrays, { parts }) {
     while ((await this.begun) && this.engine) {
       const { engine } = this;
@@ -245,10 +246,7 @@ export class Stage extends LastingEngine {
         await engine.setAsset(arrays, parts);
         if (engine === this.engine) return true;
       } catch (error) {
-        if (engine !== this.engine) continue;
-        if (!this.canFallBack) throw error;
-        this.shown = null;
-        this.replace("webgl2", lineOf(error));
+        if (engine === this.engine) throw error;
       }
     }
     return false;

@@ -1,6 +1,6 @@
 // What the page's address asks for, as attributes of the element. What cannot be used is told and left out.
 //   ?asset=toy.rna  &tier=small  &env=studio.hdr  &scene=scene.json  &ui=0  &view=filmic  &bench=1
-//   &api=webgpu|webgl2  &rounds=64  &dpr=1  &jitter=0 (rays through the middles of pixels, for comparisons)  &look=0 (no first look)
+//   &rounds=64  &dpr=1  &jitter=0 (rays through the middles of pixels, for comparisons)  &look=0 (no first look)
 
 import { fileAddress } from "../package/file_address.js";
 
@@ -13,7 +13,7 @@ const number = (low, high, whole) => (value) => {
 };
 
 const CHECKS = {
-  asset: anything, tier: anything, env: anything, scene: anything, api: anything,  // whoever opens them tells
+  asset: anything, tier: anything, env: anything, scene: anything,  // whoever opens them tells
   ui: oneOf("0", "1"), bench: oneOf("0", "1"), jitter: oneOf("0", "1"), look: oneOf("0", "1"), view: oneOf("srgb", "filmic"),
   rounds: number(1, 1e6, true), dpr: number(0.1, 8, false),
 };
@@ -22,7 +22,7 @@ const CHECKS = {
 export const ATTRIBUTES = {
   asset: (value) => ["src", fileAddress(value)], env: (value) => ["environment", fileAddress(value)],
   scene: (value) => ["scene", fileAddress(value)], tier: (value) => ["tier", value], view: (value) => ["view-transform", value],
-  api: (value) => ["api", value], rounds: (value) => ["samples", value], dpr: (value) => ["pixel-ratio", value],
+  rounds: (value) => ["samples", value], dpr: (value) => ["pixel-ratio", value],
   jitter: (value) => ["jitter", value], look: (value) => ["first-look", value === "0" ? "off" : "auto"],
 };
 

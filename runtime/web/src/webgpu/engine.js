@@ -11,8 +11,6 @@ const BAND_PIXELS = 1 << 17;
 const FORMS = ["transport", "emission", "environment"];  // FORM_TRANSPORT and so on of band.wgsl
 
 export class WebGPUEngine {
-  static label = "WebGPU";
-
   static async open(canvas) {
     const engine = new WebGPUEngine(), device = await openDevice();
     Object.assign(engine, { canvas, device, parts: [], lost: false, bandPixels: BAND_PIXELS });
