@@ -5,98 +5,23 @@ from __future__ import annotations
 import json
 import shutil
 import subprocess
-from collections.abc import Iterator
-from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 import pytest
 
-from rna_view.site_files import ELEMENT, viewer_file
 from tests.conftest import REPOSITORY
-from tests.package.builders import make_tier, make_tiny_fiber_package, make_tiny_package
-from tests.render.chromium import INSTALL, SOFTWARE_GPU, Page, find_chromium, open_page
-from tests.web.pages import Plain, served_folder
+from tests.package.builders import make_tiny_package
+from tests.web.element_pages import SMALL, Static, line, loads, show
+from tests.web.pages import TIMEOUT
 from tests.web.test_page import write_image
 
-TIMEOUT = 300.0
 ELEMENT_SOURCES = REPOSITORY / "runtime" / "web" / "src" / "element"
-PAGE = """<!doctype html>
-<script>
-  globalThis.heard = [];
-  const names = ["load", "error", "camera-change", "light-change", "poster-dismissed"];
-  for (const name of names) document.addEventListener(name, ({ target, detail }) => {
-    if (target.localName === "rna-viewer") heard.push({ name, id: target.id, ...detail });
-  }, true);
-  const count = (name, id) => heard.filter((one) => one.name === name && one.id === id).length;
-</script>
-<script defer src="rna-viewer.js"></script>
-<style>
-  body { margin: 0; }
-  rna-viewer { width: 64px; height: 40px; background-color: rgb(255, 255, 255); }
-</style>
-BODY
-<div style="height: 3000px"></div>
-"""
-SMALL = 'samples="1" pixel-ratio="1"'
 AGAIN = "one.stage.engine && one.stage.engine !== before && one.stage.viewer?.stats.rounds"
 TWO = f"""
 <rna-viewer id="one" src="tiny.rna" alt="A tiny thing" camera-controls {SMALL}></rna-viewer>
 <rna-viewer id="two" src="fibers.rna" sun="10deg 20deg 3" {SMALL}></rna-viewer>
 """
-
-
-class _Static(Plain):
-    """Any web server; `asked` has the paths."""
-
-    asked: ClassVar[list[str]] = []
-
-    def do_GET(self) -> None:
-        self.asked.append(self.path)
-        super().do_GET()
-
-
-@pytest.fixture(scope="module")
-def folder(tmp_path_factory) -> Path:
-    folder = tmp_path_factory.mktemp("theirs")
-    (folder / ELEMENT).write_bytes(viewer_file(ELEMENT))
-    make_tiny_package(folder / "tiny.rna", make_tier("small"), make_tier("hq", resolution=256))
-    make_tiny_fiber_package(folder / "fibers.rna")
-    (folder / "bad.rna").write_bytes(b"this is no package")
-    return folder
-
-
-@pytest.fixture(scope="module")
-def url(folder) -> Iterator[str]:
-    with served_folder(folder, _Static) as address:
-        yield address
-
-
-@pytest.fixture(scope="module")
-def page() -> Iterator[Page]:
-    chromium = find_chromium()
-    if chromium is None:
-        pytest.skip(INSTALL)
-    with open_page(chromium, 200, 200, SOFTWARE_GPU) as page:
-        yield page
-
-
-def show(page: Page, folder: Path, url: str, body: str) -> None:
-    """A page with this body, its element defined."""
-    (folder / "page.html").write_text(PAGE.replace("BODY", body))
-    page.call("Page.navigate", url="about:blank")
-    page.call("Page.navigate", url=url + "page.html")
-    page.wait_for("globalThis.customElements?.get('rna-viewer') && globalThis.one", TIMEOUT)
-
-
-def loads(page: Page, element: str, times: int = 1) -> None:
-    page.wait_for(f"count('load', '{element}') >= {times}", TIMEOUT)
-
-
-def line(page: Page, element: str = "one") -> str | None:
-    return page.evaluate(
-        f"(({{ place }}) => place.hidden ? null : place.textContent)({element}.notices)"
-    )
 
 
 @pytest.mark.skipif(shutil.which("node") is None, reason="needs Node")
@@ -232,13 +157,13 @@ def test_what_is_below_the_fold_waits(page, folder, url):
     """Nothing is fetched for it; what leaves the page lets its GPU go, and comes back as it was."""
     late = f'<rna-viewer id="one" src="tiny.rna" {SMALL}></rna-viewer>'
     closed = f'<rna-viewer id="two" src="fibers.rna" reveal="manual" {SMALL}></rna-viewer>'
-    _Static.asked.clear()
+    Static.asked.clear()
     show(page, folder, url, f'{closed}<div style="height: 2000px"></div>{late}')
     page.evaluate("new Promise((resolve) => setTimeout(resolve, 200))")
-    assert not any(path.endswith(".rna") for path in _Static.asked)
+    assert not any(path.endswith(".rna") for path in Static.asked)
     page.evaluate("one.scrollIntoView(), 0")
     loads(page, "one")
-    assert next(path for path in _Static.asked if path.endswith(".rna")) == "/tiny.rna"
+    assert next(path for path in Static.asked if path.endswith(".rna")) == "/tiny.rna"
     gone = """globalThis.kept = one, globalThis.before = one.stage.engine;
         kept.cameraOrbit = "50deg 60deg 3m";
         document.body.prepend(kept);
@@ -246,15 +171,15 @@ def test_what_is_below_the_fold_waits(page, folder, url):
         later.then(() => { kept.remove(); return kept.stage.engine === before; })"""
     assert page.evaluate(gone), "an element that moves within its page keeps its GPU"
     page.wait_for("before.closed && kept.stage.engine === null", TIMEOUT)
-    asked = len(_Static.asked)
+    asked = len(Static.asked)
     page.evaluate("document.body.prepend(kept), scrollTo(0, 0)")
     page.wait_for("kept.stage.viewer?.stats.rounds >= 1", TIMEOUT)
     assert page.evaluate("kept.cameraOrbit") == "50deg 60deg 3m"
-    assert len(_Static.asked) == asked
+    assert len(Static.asked) == asked
     page.evaluate("two.dismissPoster(), 0")
     loads(page, "two")
     assert page.evaluate("count('poster-dismissed', 'two')") == 1
-    assert len(_Static.asked) > asked
+    assert len(Static.asked) > asked
 
 
 @pytest.mark.chromium
