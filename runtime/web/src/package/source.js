@@ -26,9 +26,14 @@ export class UrlSource {
   static async open(url, progress = () => {}, signal, name = nameOf(url)) {
     const source = new UrlSource();
     Object.assign(source, { url, progress, signal, fetched: 0, name });
-    const answer = await source._ask({ Range: `bytes=0-${HEAD - 1}` });
+    let answer = await source._ask({ Range: `bytes=0-${HEAD - 1}` });
     const total = /\/(\d+)$/.exec(answer.headers.get("Content-Range") ?? "");
     source.ranged = answer.status === 206 && total !== null;
+    if (answer.status === 206 && !source.ranged) {
+      // Of another site, whose server does not expose Content-Range to scripts: the size is not known.
+      await answer.body?.cancel();
+      answer = await source._ask({});
+    }
     const length = Number(answer.headers.get("Content-Length")) || 0;
     source.expected = source.ranged ? HEAD : length;
     const most = source.ranged ? HEAD : LARGEST_WHOLE;
