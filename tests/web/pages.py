@@ -42,7 +42,7 @@ class Plain(SimpleHTTPRequestHandler):
 
 
 class Ranges(Plain):
-    """A static host as most are: ranges, all origins allowed, no header exposed to their scripts."""
+    """A host as most are: it has ranges, allows all origins, exposes no header to them."""
 
     def send_head(self) -> Any:
         span = re.fullmatch(r"bytes=(\d+)-(\d+)", self.headers.get("Range", ""))

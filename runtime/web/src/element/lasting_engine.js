@@ -97,7 +97,8 @@ export class LastingEngine extends EventTarget {
   }
 
   /** The picture as it is now: a Blob. */
-  screenshot(type = "image/png", quality = undefined) {
+  async screenshot(type = "image/png", quality = undefined) {
+    await this.viewer.pictured();
     this.viewer.show();
     return new Promise((resolve) => this.canvas.toBlob(resolve, type, quality));
   }

@@ -197,11 +197,11 @@ export class WebGPUEngine {
     this._run((pass) => dispatch(pass, this.kernels.smooth, this.groups.look, this.span.pixels));
   }
 
-  /** firstLook: its share in what is shown, 1 where there are no samples. */
-  show({ rounds, firstLook, exposure, backdrop, filmic, spread }) {
+  /** firstLook: its share in what is shown, 1 where there are no samples. rowsAhead: from the top, with one sample more. */
+  show({ rounds, firstLook, rowsAhead, exposure, backdrop, filmic, spread }) {
     const { width, height } = this.target, { canvas, device } = this;
     device.queue.writeBuffer(this.showRecord, 0, packed("Show", {
-      size: [canvas.width, canvas.height], picture: [width, height], backdrop, rounds, exposure, filmic: Number(filmic), spread, first_look: firstLook,
+      size: [canvas.width, canvas.height], picture: [width, height], backdrop, rounds, rows_ahead: rowsAhead, exposure, filmic: Number(filmic), spread, first_look: firstLook,
     }));
     const encoder = device.createCommandEncoder();
     const view = this.context.getCurrentTexture().createView();

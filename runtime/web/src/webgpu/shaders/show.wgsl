@@ -9,6 +9,7 @@ struct Show {
     filmic: f32,    // 1 for the filmic view transform, 0 for none
     spread: f32,    // of noise, in values of the screen; 0 to leave it
     first_look: f32, // share of the first look in what is shown, 0 to 1
+    rows_ahead: f32, // from the top, which have one sample more than `rounds`
 }
 
 @group(0) @binding(0) var<uniform> shown: Show;
@@ -27,7 +28,7 @@ fn picture_at(x: f32, y: f32) -> vec4f {
     if shown.first_look >= 1.0 {
         return first_look[k];
     }
-    let mean = sums[k] / shown.rounds;
+    let mean = sums[k] / (shown.rounds + f32(f32(place.y) < shown.rows_ahead));
     if shown.first_look <= 0.0 {
         return mean;
     }
