@@ -2,6 +2,7 @@
 import { Box3, BufferAttribute, BufferGeometry, Group, InstancedMesh, Mesh, Sphere, Vector2, Vector3 } from "three/webgpu";
 import { keepPipelines } from "./kept_pipelines.js";
 import { MARK, RnaMaterial, SharedBuffers } from "./material.js";
+import { hasWebGPU } from "./stand_in.js";
 import { chooseTier } from "./tiers.js";
 
 const DEFAULTS = { visibility: "rays", environmentSamples: 4, areaSamples: 2, maxError: 0.05 };
@@ -108,7 +109,7 @@ export class RnaAsset extends Group {
     Object.assign(mesh, { name: part.name, castShadow: true, receiveShadow: true });
     mesh.onBeforeRender = (renderer) => {
       this.height = renderer.getRenderTarget()?.height ?? renderer.getDrawingBufferSize(size).y;
-      this.content.renderers.add(renderer);
+      if (hasWebGPU(renderer)) this.content.renderers.add(renderer);
     };
     return mesh;
   }

@@ -5,6 +5,7 @@ import { fragmentOf, towardsViewer } from "./fragment.js";
 import { RnaLighting, shadowPosition } from "./lighting.js";
 import { partSource } from "./shader_source.js";
 import { instanceColumns } from "./spaces.js";
+import { hasWebGPU, STAND_IN, standInNode } from "./stand_in.js";
 
 /** What the name of each function that three.js calls begins with. */
 export const MARK = "rna_three_";
@@ -36,6 +37,7 @@ export class RnaMaterial extends NodeMaterial {
     Object.assign(this, { lights: true, side: kind === "fiber" ? FrontSide : DoubleSide, isRnaMaterial: true, options, kind });
     // As three.js' own have it: without a `null` here it leaves scene.environmentRotation out.
     Object.assign(this, { envMap: null, envMapIntensity: 1, envMapRotation: new Euler() });
+    Object.assign(this, STAND_IN);
     this.receivedShadowPositionNode = shadowPosition;
     this.stored = [];
     const [xy, yz, zx] = planes.map((plane) => this._store(plane, 1));
@@ -69,6 +71,13 @@ export class RnaMaterial extends NodeMaterial {
   /** Materials have buffers of their own, which three.js keeps with the program. */
   customProgramCacheKey() {
     return `${super.customProgramCacheKey()} ${this.uuid}`;
+  }
+
+  setup(builder) {
+    const { fragmentNode } = this;
+    if (!hasWebGPU(builder.renderer)) this.fragmentNode = standInNode();
+    super.setup(builder);
+    this.fragmentNode = fragmentNode;
   }
 
   setupLightingModel() {
