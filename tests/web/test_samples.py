@@ -40,6 +40,6 @@ def test_pictures_while_samples_are_under_way(page, folder, url):
     loads(page, "one")
     page.evaluate("one.stage.setDenoise(false), one.stage.viewer.converged().then(() => 0)")
     first, half, whole = np.reshape(page.evaluate(TAKEN), (3, 40, 64, 4)).astype(int)
-    assert np.sum(whole[:20, :, :3] < 250) > 200  # the asset is in the rows that have two samples
+    assert np.sum(whole[:20, :, :3] < 250) > 150  # the asset is in the rows that have two samples
     assert np.max(np.abs(half - whole)) <= 1
-    assert np.sum(first[:, :, :3] < 250) > 200 and np.all(first[0, 0] == 255)  # coarse, not blank
+    assert np.sum(first[:, :, :3] < 250) > 150 and np.all(first[0, 0] == 255)  # coarse, not blank

@@ -2,6 +2,7 @@
 import { nameOf } from "../package/source.js";
 import { Notices, readableBytes } from "../ui/elements.js";
 import { cameraText, flag, lightText, propertyOf, READERS } from "./attributes.js";
+import { linearColour } from "./backdrop.js";
 import { attach } from "./shadow.js";
 import { spokenView } from "./spoken.js";
 import { Stage } from "./stage.js";
@@ -17,7 +18,7 @@ export class RnaViewer extends HTMLElement {
   constructor() {
     super();
     const root = attach(this), part = (id) => root.getElementById(id);
-    this.parts = { view: part("view"), poster: part("poster"), image: root.querySelector("img"), loading: part("loading"), bar: part("bar"), bytes: part("bytes"), status: part("status") };
+    this.parts = { view: part("view"), poster: part("poster"), image: root.querySelector("img"), loading: part("loading"), bar: part("bar"), bytes: part("bytes"), status: part("status"), tint: part("tint") };
     this.settings = Object.fromEntries(Object.keys(READERS).map((name) => [propertyOf(name), null]));
     this.notices = new Notices(part("notice"));
     this.stage = new Stage(this.parts.view, this.notices, this.settings);
@@ -33,6 +34,7 @@ export class RnaViewer extends HTMLElement {
     this.observer.observe(this);
     this.stillness.addEventListener("change", this.onstillness = () => this._turn());
     this._turn();
+    this._tint();
     this._begin();
   }
 
@@ -104,6 +106,7 @@ export class RnaViewer extends HTMLElement {
   _seen(isNear) {
     this.isNear = isNear;
     this.stage.rest(!isNear);
+    this._tint();  // where it was not displayed, no transition told of a change
     this._begin();
   }
 
@@ -164,6 +167,11 @@ export class RnaViewer extends HTMLElement {
     else this.stage.chooseImage(environment ?? "studio");
   }
 
+  /** The background colour as it is now: that of the page's theme, which may change. */
+  _tint() {
+    this.stage.setBackdrop(linearColour(getComputedStyle(this.parts.tint).backgroundColor));
+  }
+
   _turn() {
     const { autoRotate, autoRotateDelay, rotationPerSecond } = this.settings;
     Object.assign(this.turntable, { delay: autoRotateDelay ?? 3000, speed: rotationPerSecond ?? 30 });
@@ -172,6 +180,7 @@ export class RnaViewer extends HTMLElement {
 
   _listen() {
     const { stage, parts } = this, on = (name, action) => stage.addEventListener(name, action);
+    parts.tint.addEventListener("transitionend", () => this._tint());
     on("engine", () => this._describe());
     on("progress", ({ got, all }) => this._showProgress(got, all));
     on("poster", ({ blob }) => this.settings.poster || this._showImage(blob && URL.createObjectURL(blob)));

@@ -1,6 +1,7 @@
 // What is inside the element: canvas, poster, progress, a line for what goes wrong; and how it looks.
 
 export const CONTENT = `
+<i id="tint"></i>
 <div id="view" part="view"></div>
 <slot></slot>
 <div id="poster"><slot name="poster"><img part="poster" alt="" hidden></slot></div>
@@ -24,7 +25,7 @@ const STYLE = `
 }
 :host([hidden]), [hidden] { display: none !important; }
 #view, canvas, #poster, #poster img, ::slotted([slot="poster"]) { position: absolute; inset: 0; width: 100%; height: 100%; }
-#view { background-color: inherit; }
+#tint { position: absolute; background-color: inherit; transition: background-color 1ms; }
 canvas { display: block; }
 canvas:focus-visible { outline: 2px solid #fff; outline-offset: -2px; }
 :host([camera-controls]) canvas { cursor: grab; }

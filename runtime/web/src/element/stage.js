@@ -8,7 +8,6 @@ import { fileAddress } from "../package/file_address.js";
 import { Package } from "../package/package.js";
 import { BlobSource, nameOf, UrlSource } from "../package/source.js";
 import { wrappedDegrees } from "../ui/elements.js";
-import { linearColour } from "./backdrop.js";
 import { LastingEngine } from "./lasting_engine.js";
 import { Lighting } from "./lighting.js";
 import { Orbit, viewFrom } from "./orbit.js";
@@ -128,7 +127,6 @@ export class Stage extends LastingEngine {
       this.uploaded = this.lighting.tables();
       this.engine.setEnvironment(this.uploaded);
     }
-    this.viewer.backdrop = linearColour(this.place);
     this.viewer.lights = lights;
     this.viewer.firstLights = this.engine.hasLobes ? this.lighting.firstLights() : null;
     this.viewer.ground = this._ground(irradiance);
@@ -187,6 +185,11 @@ export class Stage extends LastingEngine {
   /** view: srgb or filmic, as in a scene file. */
   setView(view) {
     this._setLook({ view }, this.ground);
+  }
+
+  /** What is behind the asset: linearColour. */
+  setBackdrop(backdrop) {
+    this._setLook({ backdrop }, this.ground);
   }
 
   setDenoise(on) {
@@ -282,8 +285,9 @@ export class Stage extends LastingEngine {
   }
 
   _ground(irradiance) {
-    if (!this.ground || !this.box) return null;
-    const { view, exposure } = this.look, { backdrop } = this.viewer;
+    const { view, exposure, backdrop } = this.look;
+    this.notices.say(this.ground && !backdrop ? "ground: expected an opaque background-color" : null, true, "ground");
+    if (!this.ground || !backdrop || !this.box) return null;
     const colour = view === "filmic" ? beforeFilmic(backdrop) : backdrop;
     const { min, max } = this.box, size = Math.hypot(...max.map((high, k) => high - min[k]));
     return {

@@ -21,7 +21,7 @@ export class WebGPUEngine {
     device.addEventListener("uncapturederror", ({ error }) => { engine.error ??= error; });
     engine.context = canvas.getContext("webgpu");
     const format = navigator.gpu.getPreferredCanvasFormat();
-    engine.context.configure({ device, format, alphaMode: "opaque", usage: GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.COPY_SRC });
+    engine.context.configure({ device, format, alphaMode: "premultiplied", usage: GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.COPY_SRC });
     engine.pipelines = new Pipelines(device);
     engine.compiled = engine._compile(format);
     engine.compiled.catch(() => {});  // setAsset tells
