@@ -23,8 +23,6 @@ export class LastingEngine extends EventTarget {
 
   /** The engine and an empty picture; packages that load meanwhile wait for it. The result tells whether there is one. */
   begin() {
-    const { samples, jitter } = this.settings;
-    Object.assign(this.look, samples && { rounds: samples }, jitter !== null && { jitter });
     return this.replace();
   }
 

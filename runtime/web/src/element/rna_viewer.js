@@ -11,6 +11,7 @@ import { Turntable } from "./turntable.js";
 const BUILT_IN = ["studio", "white"];  // environments
 const NEAR = "50% 0px";  // of the window, around it: where an element is loaded and draws
 const SPEAK_MS = 500;    // after the last movement
+const ADDRESSES = { src: "asset", environment: "light", scene: "scene" };  // and what a failure is about
 
 export class RnaViewer extends HTMLElement {
   static observedAttributes = Object.keys(READERS);
@@ -24,7 +25,7 @@ export class RnaViewer extends HTMLElement {
     this.stage = new Stage(this.parts.view, this.notices, this.settings);
     this.turntable = new Turntable(this.stage);
     this.stillness = matchMedia("(prefers-reduced-motion: reduce)");
-    Object.assign(this, { loaded: false, observer: null, isNear: false, isDismissed: false, isBegun: false, asked: null });
+    Object.assign(this, { loaded: false, observer: null, isNear: false, isDismissed: false, isBegun: false, asked: null, failures: new Set() });
     this._listen();
   }
 
@@ -52,7 +53,9 @@ export class RnaViewer extends HTMLElement {
   }
 
   attributeChangedCallback(name, before, text) {
-    if (before === text) return;
+    const isTriedAgain = this.failures.delete(ADDRESSES[name]);
+    if (before === text && !isTriedAgain) return;
+    if (name === "src") this.asked = null;
     const property = propertyOf(name);
     try {
       this.settings[property] = text === null ? null : READERS[name](text);
@@ -117,7 +120,10 @@ export class RnaViewer extends HTMLElement {
     if (name === "poster") this._showImage(settings.poster);
     if (name === "scene" && this.isBegun) this._openScene();
     if (name === "environment" && this.isBegun) this._light();
-    if (name === "tier" && stage.opened && settings.tier) stage.switchTier(settings.tier);
+    if (name === "tier" && stage.opened) stage.switchTier(settings.tier);
+    if (name === "first-look" && stage.shown) stage.switchTier(stage.shown.name);
+    if (name === "samples") stage.setSampling({ rounds: settings.samples ?? 256 });
+    if (name === "jitter") stage.setSampling({ jitter: settings.jitter ?? 1 });
     if (["camera-orbit", "camera-target", "field-of-view"].includes(name)) stage.placeCamera();
     if (["sun", "light-rotation", "environment-intensity"].includes(name)) stage.placeLights();
     if (name === "ground") stage.setGround(settings.ground ?? stage.scene?.ground ?? false);
@@ -153,7 +159,7 @@ export class RnaViewer extends HTMLElement {
 
   async _openScene() {
     const asked = (this.askedScene = this.settings.scene);
-    if (asked === null) return;
+    if (asked === null) return this.stage.leaveScene();
     const scene = await this.stage.openScene(asked);
     if (asked !== this.askedScene) return;
     if (this.settings.src) this._begin();
@@ -185,6 +191,7 @@ export class RnaViewer extends HTMLElement {
     on("progress", ({ got, all }) => this._showProgress(got, all));
     on("poster", ({ blob }) => this.settings.poster || this._showImage(blob && URL.createObjectURL(blob)));
     on("package", () => this._describe());
+    on("loading", () => this.failures.delete("asset"));
     on("load", () => {
       this.loaded = true;
       if (this.settings.reveal !== "manual" || this.isDismissed) this._hidePoster();
@@ -194,6 +201,7 @@ export class RnaViewer extends HTMLElement {
     });
     on("ended", () => { parts.loading.hidden = true; });
     on("failed", ({ error, about }) => {
+      this.failures.add(about);
       if (about === "engine") parts.poster.hidden = false;
       this._fire("error", { type: about, message: error.message, code: error.code ?? null, sourceError: error });
     });

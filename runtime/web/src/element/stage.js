@@ -44,7 +44,7 @@ export class Stage extends LastingEngine {
       const opened = await Package.open(source);
       signal.throwIfAborted();
       await this._offerPoster(opened);
-      await this._show(opened, this.settings.tier, true, signal);
+      await this._show(opened, this._known(opened, this.settings.tier), true, signal);
     } catch (error) {
       if (!signal.aborted) this.failed(error, "asset");
     } finally {
@@ -55,16 +55,23 @@ export class Stage extends LastingEngine {
     }
   }
 
-  /** Another tier of the package that is open. */
+  /** Another tier of the package that is open, or the same with what the settings want of it; null: the first. */
   async switchTier(name) {
     try {
       this.notices.say(null, false, "asset");
-      await this._show(this.opened, name, false);
+      await this._show(this.opened, this._known(this.opened, name), false);
     } catch (error) {
       this.failed(error, "asset");
     } finally {
       this.tell("ended");
     }
+  }
+
+  /** The name of a tier that the package has, else null and a line. */
+  _known({ manifest }, name) {
+    const names = manifest.tiers.map((tier) => tier.name), isThere = name === null || names.includes(name);
+    this.notices.say(isThere ? null : `tier: expected ${names.join(" or ")}, found ${JSON.stringify(name)}`, true, "tier");
+    return isThere ? name : null;
   }
 
   /** Camera, lights and asset of a scene, as rna-view hands them over; null if it cannot be read. */
@@ -86,6 +93,11 @@ export class Stage extends LastingEngine {
       this.failed(error, "scene");
       return null;
     }
+  }
+
+  leaveScene() {
+    this.scene = null;
+    this.reset();
   }
 
   /** Lights the asset with an image; one that comes before the asset is waited for. */
@@ -194,6 +206,12 @@ export class Stage extends LastingEngine {
 
   setDenoise(on) {
     this._setLook({ denoise: on });
+  }
+
+  /** values: rounds, jitter. */
+  setSampling(values) {
+    this._setLook(values);
+    this.viewer?.restart();
   }
 
   setGround(on) {

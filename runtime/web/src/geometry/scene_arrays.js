@@ -11,7 +11,7 @@ const PRIMITIVE = records.RnaPrimitive, NODE = records.RnaNode;
  * nodes: one of the only instance, then those of the hierarchy. primitives: RnaPrimitive, in the order of the leaves.
  * points: x, y, z, and u or the radius. normals: n, v, of meshes' points. table, images: of the surfaces (SurfaceTable).
  * where: of a primitive's number its place in `primitives`; numbers count through all parts, of which `parts[k].first` is
- * the first of part k. extent: the largest coordinate. harmonics: of points, 16 bytes each, where parts have lobes, else null.
+ * the first of part k, and `parts[k].point` its first point. extent: the largest coordinate.
  */
 export function sceneArrays(parts) {
   const counts = parts.map(countsOf);
@@ -23,16 +23,14 @@ export function sceneArrays(parts) {
     boxes: new Float32Array(6 * total("primitives")),
     surfaces: new SurfaceTable(), parts: [], extent: 0, strands: 0,
   };
-  arrays.harmonics = parts.some(({ environment }) => environment?.harmonics) ? new Int8Array(16 * total("points")) : null;
   let at = { primitive: 0, point: 0 };
   // Meshes first, so that only their points have normals.
   const order = [...parts.keys()].sort((a, b) => (parts[a].kind === "fiber") - (parts[b].kind === "fiber"));
   for (const k of order) {
     const part = parts[k];
-    arrays.parts[k] = { first: at.primitive, fiber: part.kind === "fiber" };
+    arrays.parts[k] = { first: at.primitive, point: at.point, fiber: part.kind === "fiber" };
     if (part.kind === "fiber") addCurves(arrays, part.curves, k, at);
     else addMesh(arrays, part, k, at);
-    if (part.environment?.harmonics) arrays.harmonics.set(part.environment.harmonics, 16 * at.point);
     at = { primitive: at.primitive + counts[k].primitives, point: at.point + counts[k].points };
   }
   const { nodes, order: leaves } = buildHierarchy(arrays.boxes, 1);

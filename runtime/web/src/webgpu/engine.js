@@ -81,7 +81,7 @@ export class WebGPUEngine {
     this.raySources = rayKernels({ hasSegments: arrays.strands > 0, hasTextures: arrays.hasTextures });
     const { hit, light } = this.raySources;
     const hasLobes = parts.every(({ environment }) => environment);
-    this.lobeLight = hasLobes ? await LobeLight.make(this, arrays) : null;
+    this.lobeLight = hasLobes ? await LobeLight.make(this, arrays, parts) : null;
     const [traced, lit, ...made] = await Promise.all([
       pipelines.get(hit, "trace_pixels", this.rayLayout), pipelines.get(light, "light_pixels", this.rayLayout),
       ...parts.map((part) => this._makePart(part)),
