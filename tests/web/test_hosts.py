@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import re
+import shutil
 from collections.abc import Iterator
 
 import pytest
 
 from tests.web.element_pages import SMALL, line, loads, show
-from tests.web.pages import Ranges, served_folder
+from tests.web.pages import TIMEOUT, Ranges, served_folder
+from tests.web.test_page import TOY
 
 pytestmark = pytest.mark.chromium
 
@@ -26,3 +29,36 @@ def test_ranges_of_another_origin_that_hides_their_size(page, folder, url, elsew
     loads(page, "one")
     assert line(page) is None
     assert page.evaluate("one.stage.opened.source.ranged") is False
+
+
+FETCHES = """(() => {
+    const plain = fetch;
+    Object.assign(globalThis, { told: [], spans: [] });
+    globalThis.fetch = async (address, asked) => {
+        const span = { range: asked.headers.Range, begun: performance.now() };
+        spans.push(span);
+        const answer = await plain(address, asked);
+        span.end = performance.now();
+        return answer;
+    };
+    one.addEventListener("progress", ({ detail }) => told.push(detail.totalProgress));
+    one.src = "toy.rna";
+})()"""
+
+
+def test_progress_goes_up_and_ranges_are_asked_for_together(page, folder, elsewhere):
+    """Of the toy, with a poster and lobes: two requests for the directory, then all others."""
+    shutil.copy(TOY, folder)
+    show(page, folder, elsewhere, f'<rna-viewer id="one" loading="eager" {SMALL}></rna-viewer>')
+    page.wait_for("one.stage.engine", TIMEOUT)
+    page.evaluate(FETCHES)
+    loads(page, "one")
+    told, spans = page.evaluate("told"), page.evaluate("spans")
+    on_the_way = [value for value in told if value < 1]
+    assert told == sorted(told) and told[-1] == 1
+    assert len(set(on_the_way)) > 2 and max(on_the_way) > 0.9
+    first, second, *others = spans
+    assert re.fullmatch(r"bytes=0-\d+", first["range"])
+    assert int(second["range"].split("-")[1]) == TOY.stat().st_size - 1
+    assert len(others) > 1
+    assert max(one["begun"] for one in others) < min(one["end"] for one in others)
