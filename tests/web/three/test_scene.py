@@ -95,25 +95,33 @@ def test_raycaster_meets_the_asset(page):
     assert hits[0] > 0 and hits[1] == 0
 
 
+TWO_TIERS_SEEN = """
+    const asset = await new rna.RnaLoader().loadAsync("surface-float32.rna");
+    const [small, hq] = asset.content.data.tiers, { sphere } = asset.content;
+    const rows = [{ height: 64, flip: 0.2 }, { height: 8, flip: 0.01 }];
+    Object.assign(small, { work: 1, validation: { flip: 0.2, flipAtHeight: rows } });
+    Object.assign(hq, { work: 2, validation: { flip: 0.01 } });
+    asset.scale.setScalar(0.2 / sphere.radius);
+    const seen = async (radii, more = {}) => {
+      const middle = sphere.center.clone().multiply(asset.scale);
+      const position = middle.clone().addScalar((0.2 * radii) / Math.sqrt(3)).toArray();
+      const view = { position, lookAt: middle.toArray(), ...more };
+      return [await picture(asset, 96, 60, view), asset.shown];
+    };
+"""
+
+
 def test_a_distant_asset_takes_the_cheaper_tier(page):
-    """Heights and errors as a package records them; the size is that of the picture before."""
+    """Heights and errors as a package records them; the height is that of the picture before."""
     shown = run(
         page,
-        """
-        const asset = await new rna.RnaLoader().loadAsync("surface-float32.rna");
-        const [small, hq] = asset.content.data.tiers, { sphere } = asset.content;
-        const rows = [{ height: 64, flip: 0.2 }, { height: 8, flip: 0.01 }];
-        Object.assign(small, { work: 1, validation: { flip: 0.2, flipAtHeight: rows } });
-        Object.assign(hq, { work: 2, validation: { flip: 0.01 } });
-        asset.scale.setScalar(0.2 / sphere.radius);
-        const seen = async (radii) => {
-          const middle = sphere.center.clone().multiply(asset.scale);
-          const position = middle.clone().addScalar((0.2 * radii) / Math.sqrt(3)).toArray();
-          const view = { position, lookAt: middle.toArray() };
-          await picture(asset, 96, 60, view);
-          return [await picture(asset, 96, 60, view), asset.shown];
-        };
-        const found = [await seen(4), await seen(40), await seen(4)];
+        TWO_TIERS_SEEN
+        + """
+        const found = [];
+        for (const radii of [4, 40, 4]) {
+          await seen(radii);
+          found.push(await seen(radii));
+        }
         asset.tier = "small";
         found.push(await seen(4));
         asset.dispose();
@@ -122,6 +130,28 @@ def test_a_distant_asset_takes_the_cheaper_tier(page):
         """,
     )
     assert shown == [["hq", "small", "hq", "small"], True, False]
+
+
+def test_shadow_maps_do_not_choose_the_tier(page):
+    """A map of 1024 rows, whose camera is orthographic; from the first picture on."""
+    shown = run(
+        page,
+        TWO_TIERS_SEEN
+        + """
+        const drawn = new Set(), shown = [];
+        const [mesh] = asset.meshes, { onBeforeRender } = mesh;
+        mesh.onBeforeRender = (...given) => {
+          drawn.add(given[4].uuid);
+          onBeforeRender(...given);
+        };
+        const light = test.shadowingSun();
+        for (let k = 0; k < 3; k++) shown.push((await seen(40, { lights: [light] }))[1]);
+        asset.dispose();
+        light.dispose();
+        return [shown, drawn.size, light.shadow.map !== null];
+        """,
+    )
+    assert shown == [["small"] * 3, 1, True]
 
 
 def test_dispose_leaves_no_memory(page):

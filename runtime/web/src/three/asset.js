@@ -6,6 +6,7 @@ import { hasWebGPU } from "./stand_in.js";
 import { chooseTier } from "./tiers.js";
 
 const DEFAULTS = { visibility: "rays", environmentSamples: 4, areaSamples: 2, maxError: 0.05 };
+const HEIGHT = 1080;  // of a first picture in a worker, pixels
 const centre = /*@__PURE__*/ new Vector3(), eye = /*@__PURE__*/ new Vector3(), size = /*@__PURE__*/ new Vector2();
 
 /** What copies of an asset share. */
@@ -42,7 +43,7 @@ export class RnaAsset extends Group {
     this.content = data instanceof Content ? data : new Content(data, { ...DEFAULTS, ...options });
     this.content.users += 1;
     const { name, parts, tiers, notes, manifest } = this.content.data;
-    Object.assign(this, { isRnaAsset: true, type: "RnaAsset", name, tier: "auto", manifest, height: Infinity });
+    Object.assign(this, { isRnaAsset: true, type: "RnaAsset", name, tier: "auto", manifest, height: (globalThis.innerHeight ?? HEIGHT) * (globalThis.devicePixelRatio ?? 1) });
     // three.js calls `update` of objects with these once a picture, as of its own THREE.LOD; of those with isGroup it does not.
     Object.assign(this, { isLOD: true, autoUpdate: true, isGroup: false });
     this.shown = tiers[0].name;
@@ -59,8 +60,9 @@ export class RnaAsset extends Group {
     return this.children.filter(({ material }) => material?.isRnaMaterial);
   }
 
-  /** Chooses the tier; the size is that of the picture before. */
+  /** Chooses the tier; the picture's height is that of the one before, at first the window's. */
   update(camera) {
+    if (isShadowPass(rootOf(this))) return;
     const wanted = this.tier === "auto" ? chooseTier(this.content.data.tiers, this.content.options.maxError, this.pixels(camera)) : this.tier;
     if (wanted === this.shown) return;
     const materials = this.content.materialsOf(wanted);
@@ -70,10 +72,10 @@ export class RnaAsset extends Group {
 
   /** Height in the image of the sphere about the asset. */
   pixels(camera) {
-    if (!camera.isPerspectiveCamera || this.height === Infinity) return Infinity;
     const { sphere } = this.content, radius = sphere.radius * this.matrixWorld.getMaxScaleOnAxis();
     const distance = centre.copy(sphere.center).applyMatrix4(this.matrixWorld).distanceTo(eye.setFromMatrixPosition(camera.matrixWorld));
-    return (radius / Math.max(distance, radius)) * camera.projectionMatrix.elements[5] * this.height;
+    const away = camera.isOrthographicCamera ? 1 : Math.max(distance, radius);
+    return (radius / away) * camera.projectionMatrix.elements[5] * this.height;
   }
 
   /** An InstancedMesh of each part, in the tier that is shown, whose geometry and decoders it shares. */
@@ -107,13 +109,17 @@ export class RnaAsset extends Group {
   _mesh(part, k, material) {
     const mesh = new Mesh(this.content.geometries[k], material);
     Object.assign(mesh, { name: part.name, castShadow: true, receiveShadow: true });
-    mesh.onBeforeRender = (renderer) => {
-      this.height = renderer.getRenderTarget()?.height ?? renderer.getDrawingBufferSize(size).y;
+    mesh.onBeforeRender = (renderer, scene) => {
+      if (!isShadowPass(scene)) this.height = renderer.getRenderTarget()?.height ?? renderer.getDrawingBufferSize(size).y;
       if (hasWebGPU(renderer)) this.content.renderers.add(renderer);
     };
     return mesh;
   }
 }
+
+const rootOf = (object) => (object.parent ? rootOf(object.parent) : object);
+/** Whether three.js draws a shadow map just now, with a camera of its own. */
+const isShadowPass = (scene) => scene.overrideMaterial?.isShadowPassMaterial === true;
 
 function geometryOf({ position, normal, primitive, index }) {
   const geometry = new BufferGeometry();
