@@ -111,6 +111,92 @@ TWO_TIERS_SEEN = """
 """
 
 
+def test_clones_have_what_the_page_added(page):
+    """And each is disposed of once, however often it is asked for."""
+    found = run(
+        page,
+        TWO_TIERS_SEEN
+        + """
+        const [mesh] = asset.meshes;
+        const mark = new THREE.Object3D(), label = new THREE.Object3D();
+        asset.add(Object.assign(label, { name: "label" }));
+        mesh.add(Object.assign(mark, { name: "mark" }));
+        asset.userData.article = 7;
+        Object.assign(mesh, { renderOrder: 5, userData: { k: 2 } }).layers.set(1);
+        mesh.position.y = 2;
+        asset.tier = "hq";
+        const scene = new THREE.Scene();
+        scene.add(asset);
+        const [copy] = scene.clone().children, [own] = copy.meshes, bare = asset.clone(false);
+        const names = ({ children }) => children.map(({ name }) => name);
+        const facts = [
+          names(copy).at(-1), names(own), copy.userData, own.userData, own.renderOrder,
+          own.layers.mask, own.position.y, copy.tier, bare.children.length, own.children.length,
+        ];
+        mesh.layers.set(0);
+        mesh.position.y = 0;
+        const [before] = await seen(4), material = mesh.material.clone();
+        mesh.material = material;
+        const [after] = await seen(4);
+        copy.dispose();
+        copy.dispose();
+        bare.dispose();
+        const left = asset.content.users.size;
+        asset.dispose();
+        return [facts, left, material.type, material.stored.length, before === after];
+        """,
+    )
+    facts = ["label", ["mark"], {"article": 7}, {"k": 2}, 5, 2, 2]
+    assert found[0] == [*facts, "hq", 1, 1]
+    assert found[1:] == [1, "RnaMaterial", 0, True]
+
+
+def test_what_cannot_be_is_said_at_once(page):
+    said = run(
+        page,
+        """
+        const asset = await new rna.RnaLoader().loadAsync("surface-float32.rna");
+        const said = (action) => { try { action(); } catch (error) { return error.message; } };
+        const options = [{ visibility: "ray" }, { environmentSamples: -3 }, { nonsense: 1 }];
+        return [
+          ...options.map((given) => said(() => new rna.RnaLoader().setOptions(given))),
+          said(() => { asset.tier = "nope"; }), asset.tier,
+        ];
+        """,
+    )
+    assert said[0] == 'visibility: expected "rays" or "shadow-map", found "ray"'
+    assert said[1] == "environmentSamples: expected a whole number from 1 to 64, found -3"
+    assert said[2].startswith("rna-three has no option nonsense; there are visibility")
+    assert said[3].endswith('found "nope"') and said[4] == "auto"
+
+
+def test_loader_in_a_worker(page):
+    """It has no document; three.js' own loaders work there, too."""
+    asset = run(
+        page,
+        """
+        const source = `import { RnaLoader } from "rna-three";
+          const asset = await new RnaLoader().loadAsync(name);
+          postMessage([asset.name, asset.meshes.length]);`;
+        const map = JSON.parse(document.querySelector("[type=importmap]").textContent).imports;
+        const at = (name) => JSON.stringify(new URL(map[name], document.baseURI).href);
+        const module = await (await fetch(map["rna-three"])).text();
+        const whole = ["three/webgpu", "three/tsl"].reduce(
+          (text, name) => text.replaceAll(JSON.stringify(name), at(name)), module);
+        const blob = (text) => URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
+        const name = JSON.stringify(new URL("surface-tiny.rna", document.baseURI).href);
+        const worker = new Worker(
+          blob(source.replace('"rna-three"', JSON.stringify(blob(whole))).replace("name", name)),
+          { type: "module" });
+        return new Promise((resolve, reject) => {
+          worker.onmessage = ({ data }) => resolve(data);
+          worker.onerror = ({ message }) => reject(message);
+        });
+        """,
+    )
+    assert asset[1] == 1
+
+
 def test_a_distant_asset_takes_the_cheaper_tier(page):
     """Heights and errors as a package records them; the height is that of the picture before."""
     shown = run(

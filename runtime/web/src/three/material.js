@@ -34,6 +34,7 @@ export class RnaMaterial extends NodeMaterial {
   /** options: those of RnaAsset. part: planes and decoders of a part in a tier. */
   constructor(shared, kind, { planes, transport, emission }, options) {
     super();
+    this.given = [shared, kind, { planes, transport, emission }, options];
     Object.assign(this, { lights: true, side: kind === "fiber" ? FrontSide : DoubleSide, isRnaMaterial: true, options, kind });
     // As three.js' own have it: without a `null` here it leaves scene.environmentRotation out.
     Object.assign(this, { envMap: null, envMapIntensity: 1, envMapRotation: new Euler() });
@@ -96,6 +97,11 @@ export class RnaMaterial extends NodeMaterial {
       instanceColumns.forEach((column, k) => column.assign(matrix.element(k).xyz));
     }
     return result;
+  }
+
+  /** Shares the buffers, of which the asset's own material disposes. */
+  clone() {
+    return Object.assign(new this.constructor(...this.given).copy(this), { stored: [] });
   }
 
   dispose() {
