@@ -62,3 +62,28 @@ def test_progress_goes_up_and_ranges_are_asked_for_together(page, folder, elsewh
     assert int(second["range"].split("-")[1]) == TOY.stat().st_size - 1
     assert len(others) > 1
     assert max(one["begun"] for one in others) < min(one["end"] for one in others)
+
+
+PAGE_NOT_FOUND = "<!DOCTYPE html>\n<html><title>404</title><p>There is no such page.</p></html>"
+POINTER = f"""version https://git-lfs.github.com/spec/v1
+oid sha256:{"0" * 64}
+size 4100000
+"""
+
+
+@pytest.mark.parametrize(
+    ("content", "found"),
+    [(PAGE_NOT_FOUND, "an HTML page"), (POINTER, "a pointer of Git LFS")],
+    ids=["html", "lfs"],
+)
+def test_what_stands_in_the_place_of_a_file_is_said(page, folder, url, content, found):
+    wrong = {"src": "other.rna", "environment": "other.hdr", "scene": "other.json"}
+    for name in wrong.values():
+        (folder / name).write_text(content)
+    show(page, folder, url, f'<rna-viewer id="one" loading="eager" {SMALL}></rna-viewer>')
+    for number, (name, address) in enumerate(wrong.items(), 1):
+        page.evaluate(f"one.setAttribute('{name}', '{address}'), 0")
+        page.wait_for(f"count('error', 'one') === {number}", TIMEOUT)
+        message = page.evaluate("heard.at(-1).message")
+        assert message.startswith(address) and found in message
+    assert page.evaluate("heard.find(({ type }) => type === 'asset').code") == "ZIP_NOT_ZIP"

@@ -5,6 +5,7 @@ import { evenImage } from "../light/environment.js";
 import { readImage } from "../light/image_files.js";
 import { NotSupported } from "../package/errors.js";
 import { fileAddress } from "../package/file_address.js";
+import { otherFile } from "../package/other_files.js";
 import { Package } from "../package/package.js";
 import { BlobSource, nameOf, UrlSource } from "../package/source.js";
 import { wrappedDegrees } from "../ui/elements.js";
@@ -79,7 +80,7 @@ export class Stage extends LastingEngine {
   /** Camera, lights and asset of a scene, as rna-view hands them over; null if it cannot be read. */
   async openScene(url) {
     try {
-      const scene = JSON.parse(new TextDecoder().decode(await fetched(url)));
+      const scene = readScene(await fetched(url), url);
       const { radiance, image } = scene.environment ?? {};
       const beside = (name) => new URL(fileAddress(name), new URL(url, document.baseURI)).href;
       if (scene.asset) scene.asset = beside(scene.asset);
@@ -314,6 +315,14 @@ export class Stage extends LastingEngine {
       height: min[1] - 1e-4 * size, x: (min[0] + max[0]) / 2, z: (min[2] + max[2]) / 2, size: 2 * size,
       colour: colour.map((value, c) => (irradiance[c] > 0 ? value / irradiance[c] / 2 ** exposure : 0)),
     };
+  }
+}
+
+function readScene(buffer, url) {
+  try {
+    return JSON.parse(new TextDecoder().decode(buffer));
+  } catch (error) {
+    throw new NotSupported(`${url}: expected a scene.json, found ${otherFile(new Uint8Array(buffer)) ?? error.message}`);
   }
 }
 
