@@ -11,7 +11,7 @@ from pathlib import Path
 
 from rna_sdk.console import command_parser, run_command
 from rna_view.page_server import PageServer
-from rna_view.site_export import ELEMENT_LINE, EMBED, SERVE_NOTE, export_site
+from rna_view.site_export import ELEMENT_LINE, EMBED, LIGHT, SERVE_NOTE, export_site
 from rna_view.site_files import Site, site_for
 
 
@@ -30,10 +30,11 @@ def _run(options: argparse.Namespace) -> None:
         size = sum(path.stat().st_size for path in written) / 1e6
         print(f"wrote {options.export}: {len(written)} files, {size:.2f} MB; {SERVE_NOTE}")
         print(f"try it: python3 -m http.server --bind 127.0.0.1 --directory {options.export}")
-        address = "https://example.org/site/"
-        print(f"embed it: {EMBED.format(address=address, title=escape(options.source.stem))}")
-        attributes = site.written_attributes(address)
-        print(f"or as an element: {ELEMENT_LINE.format(address=address, attributes=attributes)}")
+        names = {"address": "https://example.org/site/", "title": escape(options.source.stem)}
+        attributes = site.written_attributes(names["address"])
+        attributes += "" if "scene" in site.attributes else LIGHT
+        print(f"embed it: {EMBED.format(**names)}")
+        print(f"or as an element: {ELEMENT_LINE.format(**names, attributes=attributes)}")
         return
     _serve(site, options)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 import subprocess
 from typing import Any
@@ -10,6 +11,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from rna_view.rna_view_command import main as rna_view
+from rna_view.site_export import LIGHT
+from rna_view.site_files import ELEMENT, viewer_file
 from tests.conftest import REPOSITORY
 from tests.package.builders import make_tiny_package
 from tests.web.element_pages import SMALL, Static, line, loads, show
@@ -141,15 +145,39 @@ def test_two_elements_on_a_page(page, folder, url):
 
 @pytest.mark.chromium
 def test_the_page_of_the_documentation(page, folder, url):
+    """With the export's script and a package, and nothing else, beside it."""
     text = (REPOSITORY / "docs" / "element.md").read_text()
-    (folder / "page.html").write_text(text.split("```html\n")[1].split("```")[0])
+    written = text.split("```html\n")[1].split("```")[0]
+    assert set(re.findall(r'(?:src|poster|environment|scene)="([^"]+)"', written)) == {
+        ELEMENT,
+        "toy.rna",
+    }
+    (folder / "page.html").write_text(written)
     make_tiny_package(folder / "toy.rna")
     write_image(folder / "studio.hdr", np.full((4, 8, 3), 0.25, np.float32))
     page.call("Page.navigate", url=url + "page.html")
     viewer = "document.querySelector('rna-viewer')"
     page.wait_for(f"{viewer}?.loaded", TIMEOUT)
-    assert page.evaluate(f"{viewer}.stage.lighting.tables().floats[0]") == 0.25
+    assert page.evaluate(f"{viewer}.stage.viewer.ground !== null")
+    page.evaluate(f"{viewer}.environment = 'studio.hdr', 0")
+    page.wait_for(f"{viewer}.stage.lighting.tables().floats[0] === 0.25", TIMEOUT)
     assert page.evaluate(f"{viewer}.notices.place.hidden")
+
+
+@pytest.mark.chromium
+def test_the_line_that_export_prints(page, folder, url, capsys):
+    """On a page of its own, with the light and the ground of the exported page."""
+    package = make_tiny_package(folder / 'a "b".rna')
+    assert rna_view([str(package), "--export", str(folder / "site")]) == 0
+    printed = capsys.readouterr().out.split("or as an element: ")[1].splitlines()[0]
+    written = printed.replace("https://example.org/site/", "site/")
+    (folder / "page.html").write_text(f"<!doctype html>{written}")
+    page.call("Page.navigate", url=url + "page.html")
+    viewer = "document.querySelector('rna-viewer')"
+    page.wait_for(f"{viewer}?.loaded", TIMEOUT)
+    assert page.evaluate(f"[{viewer}.alt, {viewer}.sun]") == [package.stem, "40deg 45deg 2"]
+    assert page.evaluate(f"{viewer}.stage.viewer.ground !== null")
+    assert f"{LIGHT}>" in viewer_file("index.html").decode()
 
 
 @pytest.mark.chromium
