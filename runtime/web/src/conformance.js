@@ -22,7 +22,7 @@ export class Reader {
   async load(text, tier) {
     const opened = await Package.open(new BlobSource(new Blob([bytesOf(text)]), "package"));
     this.shown = await opened.load(tier);
-    this.arrays = sceneArrays(this.shown.parts);
+    this.arrays = await sceneArrays(this.shown.parts);
     await this.engine.setAsset(this.arrays, this.shown.parts);
     this.engine.resize(1, 1);
   }

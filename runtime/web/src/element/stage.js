@@ -137,6 +137,7 @@ export class Stage extends LastingEngine {
   /** Something about the light changed. */
   changed(moving = false) {
     if (!this.viewer) return;
+    if (this.engine.hasLobes && !this.lighting.isPrepared) return void this.lighting.prepare().then(() => this.changed(moving));
     const { lights, irradiance } = this.lighting.lights();
     if (lights.some(({ kind }) => kind === "environment") && this.uploaded !== this.lighting.tables()) {
       this.uploaded = this.lighting.tables();
@@ -247,7 +248,9 @@ export class Stage extends LastingEngine {
     if (!this.viewer || (!isNew && this.opened !== opened)) return;
     if (isNew) this.viewer.hasShown = false;
     this.viewer.pause();
-    const arrays = isNew ? sceneArrays(shown.parts) : this.arrays;
+    const arrays = isNew ? await sceneArrays(shown.parts) : this.arrays;
+    if (shown.parts.every(({ environment }) => environment)) await this.lighting.prepare();
+    signal?.throwIfAborted();
     performance.mark("hierarchy");
     if (!(await this._upload(arrays, shown))) return;
     performance.mark("asset");
