@@ -6,6 +6,7 @@ import shutil
 from collections.abc import Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from tests.render.chromium import Page
@@ -17,6 +18,7 @@ pytestmark = pytest.mark.chromium
 KIT = REPOSITORY / "spec" / "conformance" / "packages"
 TINY = KIT / "surface-tiny.rna"
 TWO_TIERS = KIT / "surface-float32.rna"
+STRANDS = KIT / "fiber-float16.rna"
 SIZE = [96, 60]
 
 
@@ -25,7 +27,7 @@ def page(tmp_path_factory) -> Iterator[Page]:
     """A page with the module, a renderer and packages beside it."""
     folder = tmp_path_factory.mktemp("scene")
     installed(folder)
-    for path in (TOY, TINY, TWO_TIERS, Path(__file__).parent / "page.html"):
+    for path in (TOY, TINY, TWO_TIERS, STRANDS, Path(__file__).parent / "page.html"):
         shutil.copy(path, folder)
     with opened(folder, "page.html", *SIZE) as page:
         page.wait_for("!!globalThis.test", TIMEOUT)
@@ -79,20 +81,45 @@ def test_abort_rejects(page):
     assert aborted == "AbortError"
 
 
-def test_raycaster_meets_the_asset(page):
-    hits = run(
+@pytest.mark.parametrize("name", ["surface-float32.rna", "fiber-float16.rna"])
+def test_raycaster_meets_the_asset(page, name):
+    """Where three.js' own search meets what is drawn; of instances, too; not where it was."""
+    found = run(
         page,
-        """
-        const asset = await new rna.RnaLoader().loadAsync("surface-tiny.rna");
-        const from = asset.content.sphere.center.clone().add(new THREE.Vector3(0, 0, 10));
-        const ray = new THREE.Raycaster(from, new THREE.Vector3(0, 0, -1));
-        const found = ray.intersectObject(asset).length;
+        f"""
+        const asset = await new rna.RnaLoader().loadAsync("{name}"), [mesh] = asset.meshes;
+        const [many] = asset.instanced(2), {{ center, radius }} = asset.content.sphere;
+        const away = new THREE.Matrix4().makeTranslation(100 * radius, 0, 0);
+        many.setMatrixAt(0, away);
+        many.setMatrixAt(1, new THREE.Matrix4());
+        asset.updateMatrixWorld();
+        const rays = [];
+        for (let k = 0; k < 400; k++) {{
+          const from = new THREE.Vector3(Math.cos(2.4 * k), Math.sin(2.4 * k), 2 - k / 100);
+          const target = new THREE.Vector3(Math.sin(k), Math.cos(3 * k), 0);
+          const direction = target.multiplyScalar(radius / 2).addScaledVector(from, -3 * radius);
+          const origin = center.clone().addScaledVector(from, 3 * radius);
+          const ray = new THREE.Raycaster(origin, direction.normalize()), theirs = [];
+          THREE.Mesh.prototype.raycast.call(mesh, ray, theirs);
+          theirs.sort((a, b) => a.distance - b.distance);
+          const [ours] = ray.intersectObject(mesh), [other] = ray.intersectObject(many);
+          rays.push([theirs[0]?.distance, ours?.distance, other?.distance].map((one) => one ?? 0));
+          if (ours && other?.instanceId !== 1) throw new Error("another instance");
+        }}
         asset.position.x = 100;
         asset.updateMatrixWorld();
-        return [found, ray.intersectObject(asset).length];
+        const ray = new THREE.Raycaster(center.clone().setZ(10), new THREE.Vector3(0, 0, -1));
+        return [rays, radius, ray.intersectObject(asset).length];
         """,
     )
-    assert hits[0] > 0 and hits[1] == 0
+    theirs, ours, instance = np.transpose(found[0])
+    assert found[2] == 0 and np.sum(ours > 0) > 20
+    assert np.array_equal(ours, instance)
+    if name.startswith("surface"):
+        assert ours == pytest.approx(theirs, abs=1e-4 * found[1])
+    else:  # the box about a strand is wider than the strand
+        assert np.all(theirs[ours > 0] > 0)
+        assert np.all(ours[ours > 0] > theirs[ours > 0] - 1e-4 * found[1])
 
 
 TWO_TIERS_SEEN = """

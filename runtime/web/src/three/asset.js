@@ -1,8 +1,9 @@
 // An asset in a scene: a mesh for each part; each picture takes the tier that is good enough for its size.
-import { Box3, BufferAttribute, BufferGeometry, Group, InstancedMesh, Mesh, Sphere, Vector2, Vector3 } from "three/webgpu";
+import { Box3, BufferAttribute, BufferGeometry, Group, InstancedMesh, Matrix4, Mesh, Sphere, Vector2, Vector3 } from "three/webgpu";
 import { keepPipelines } from "./kept_pipelines.js";
 import { MARK, RnaMaterial, SharedBuffers } from "./material.js";
 import { optionsOf } from "./options.js";
+import { PartRays } from "./raycast.js";
 import { hasWebGPU } from "./stand_in.js";
 import { chooseTier } from "./tiers.js";
 
@@ -12,10 +13,14 @@ const centre = /*@__PURE__*/ new Vector3(), eye = /*@__PURE__*/ new Vector3(), s
 /** What copies of an asset share. */
 class Content {
   constructor(data, options) {
-    Object.assign(this, { data, options, users: new Set(), materials: new Map(), renderers: new Set() });
+    Object.assign(this, { data, options, users: new Set(), materials: new Map(), renderers: new Set(), rays: [] });
     this.buffers = new SharedBuffers(data.geometry);
     this.geometries = data.parts.map(geometryOf);
     this.sphere = new Box3(new Vector3(...data.box.min), new Vector3(...data.box.max)).getBoundingSphere(new Sphere());
+  }
+
+  raysOf(k) {
+    return (this.rays[k] ??= new PartRays(this.data.geometry, this.data.parts[k]));
   }
 
   materialsOf(tier) {
@@ -90,8 +95,16 @@ export class RnaAsset extends Group {
 
   /** An InstancedMesh of each part, in the tier that is shown, whose geometry and decoders it shares. */
   instanced(count) {
-    return this.meshes.map(({ geometry, material, name, castShadow, receiveShadow, onBeforeRender }) =>
-      Object.assign(new InstancedMesh(geometry, material, count), { name, castShadow, receiveShadow, onBeforeRender }));
+    return this.meshes.map(({ geometry, material, name, castShadow, receiveShadow, onBeforeRender }, k) => {
+      const mesh = new InstancedMesh(geometry, material, count), place = new Matrix4();
+      mesh.raycast = (raycaster, hits) => {
+        for (let instanceId = 0; instanceId < mesh.count; instanceId++) {
+          mesh.getMatrixAt(instanceId, place);
+          this.content.raysOf(k).raycast(mesh, place.premultiply(mesh.matrixWorld), raycaster, hits, { instanceId });
+        }
+      };
+      return Object.assign(mesh, { name, castShadow, receiveShadow, onBeforeRender });
+    });
   }
 
   /** With what was added to it; shares the geometry and the decoders; each is disposed of by itself. */
@@ -118,6 +131,7 @@ export class RnaAsset extends Group {
   _mesh(part, k, material) {
     const mesh = new Mesh(this.content.geometries[k], material);
     Object.assign(mesh, { name: part.name, castShadow: true, receiveShadow: true });
+    mesh.raycast = (raycaster, hits) => this.content.raysOf(k).raycast(mesh, mesh.matrixWorld, raycaster, hits);
     mesh.onBeforeRender = (renderer, scene) => {
       if (!isShadowPass(scene)) this.height = renderer.getRenderTarget()?.height ?? renderer.getDrawingBufferSize(size).y;
       if (hasWebGPU(renderer)) this.content.renderers.add(renderer);
