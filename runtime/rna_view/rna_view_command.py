@@ -22,7 +22,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _run(options: argparse.Namespace) -> None:
-    site = site_for(options.source, options.tier, options.env)
+    site = site_for(options.source, options.env)
     for note in site.notes:
         print(f"note: {note}", file=sys.stderr)
     if options.export is not None:
@@ -40,10 +40,8 @@ def _run(options: argparse.Namespace) -> None:
 
 
 def _serve(site: Site, options: argparse.Namespace) -> None:
-    with PageServer(site, options.host, options.port) as server:
+    with PageServer(site, options.port) as server:
         print(f"{options.source} at {server.url}\nCtrl-C ends it", flush=True)
-        if not server.is_local:
-            print("browsers of other machines have WebGPU over HTTPS alone", flush=True)
         if not options.no_browser:
             webbrowser.open(server.url)
         try:
@@ -57,7 +55,6 @@ def _parser() -> argparse.ArgumentParser:
         "rna-view", "View an .rna package or a scene file in the browser.", "rna-view asset.rna"
     )
     parser.add_argument("source", type=Path, metavar="FILE", help="package or scene file (path)")
-    parser.add_argument("--tier", help="initial tier (name, default: the package's first)")
     parser.add_argument(
         "--env", type=Path, help="environment map, .hdr or .exr (path, default: built in)"
     )
@@ -66,9 +63,6 @@ def _parser() -> argparse.ArgumentParser:
         type=Path,
         metavar="FOLDER",
         help="write a static site to this folder instead of serving it (path, default: serve)",
-    )
-    parser.add_argument(
-        "--host", default="127.0.0.1", help="address to listen on (text, default: 127.0.0.1)"
     )
     parser.add_argument("--port", type=int, default=0, help="port (int, default: a free port)")
     parser.add_argument(

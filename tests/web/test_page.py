@@ -35,7 +35,7 @@ def package(tmp_path_factory) -> Path:
 @pytest.fixture(scope="module")
 def page(package) -> Iterator[Page]:
     """The page with the package, three samples a picture."""
-    with viewer(site_for(package), "rounds=3&dpr=1", 160, 120) as page:
+    with viewer(site_for(package), "samples=3&pixel-ratio=1", 160, 120) as page:
         wait_for_picture(page, 3)
         yield page
 
@@ -270,7 +270,7 @@ def test_package_of_30_megabytes_is_read_in_ranges(tmp_path):
     path = make_tiny_package(tmp_path / "large.rna", *tiers)
     size = path.stat().st_size
     assert size > 30e6
-    with viewer(site_for(path), "rounds=1&dpr=1", 96, 64) as page:
+    with viewer(site_for(path), "samples=1&pixel-ratio=1", 96, 64) as page:
         wait_for_picture(page, 1)
         assert page.evaluate("rnaViewer.opened.source.fetched") < 1e6
         page.evaluate("rnaViewer.switchTier('large')")

@@ -28,7 +28,7 @@ DATA_URL = """rnaViewer.screenshot().then((blob) => new Promise((resolve) => {
 
 @pytest.fixture(scope="module")
 def page() -> Iterator[Page]:
-    with viewer(site_for(TOY), "rounds=1&look=0&dpr=1&ui=0", 96, 60) as page:
+    with viewer(site_for(TOY), "samples=1&first-look=off&pixel-ratio=1&ui=0", 96, 60) as page:
         wait_for_picture(page, 1)
         yield page
 

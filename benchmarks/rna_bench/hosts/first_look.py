@@ -3,7 +3,7 @@
     rna-bench first-look scene.yaml --out benchmarks/results/first-look.json
 
 The scene's asset has lobes (RNA_environment). Two pages of the viewer in headless Chromium on
-SwiftShader, WebGPU: one with the first look, one without (`?look=0`), which also gives the
+SwiftShader, WebGPU: one with the first look, one without (`?first-look=off`), which also gives the
 converged picture. FLIP of what is on the canvas, the filter of first samples included, to that
 picture; milliseconds from opening the page, the bundle in the cache.
 
@@ -71,7 +71,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def run(args: argparse.Namespace) -> None:
     site, load = site_for(args.scene), os.getloadavg()[0]
-    without = in_chromium(site, args.resolution, args.samples, "&look=0")
+    without = in_chromium(site, args.resolution, args.samples, "&first-look=off")
     with_look = in_chromium(site, args.resolution, 8, "")
     if not with_look[0]["first"]:
         raise RnaError(f"{args.scene}: the asset has no lobes, found no RNA_environment in it")
@@ -112,7 +112,7 @@ def in_chromium(
     if chromium is None:
         raise RnaError(INSTALL)
     with served(site) as server, open_page(chromium, *resolution, SOFTWARE_GPU) as page:
-        address = f"{server.url}?dpr=1&ui=0&rounds={samples}{query}"
+        address = f"{server.url}?pixel-ratio=1&ui=0&samples={samples}{query}"
         page.call("Page.navigate", url=address)
         page.wait_for("globalThis.rnaViewer?.viewer?.hasShown", TIMEOUT_S)
         page.call("Page.navigate", url=f"{address}&again=1")

@@ -81,7 +81,7 @@ def in_chromium(scene: Path, resolution: tuple[int, int]) -> dict[str, float]:
     if chromium is None:
         raise RnaError(INSTALL)
     with served(site_for(scene)) as server, open_page(chromium, *resolution, SOFTWARE_GPU) as page:
-        address = f"{server.url}?dpr=1&ui=0"
+        address = f"{server.url}?pixel-ratio=1&ui=0"
         for more in ("", "&bench=1"):
             page.call("Page.navigate", url=address + more)
             page.wait_for("globalThis.rnaViewer?.viewer?.hasShown", TIMEOUT_S)
