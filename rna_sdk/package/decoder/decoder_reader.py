@@ -168,7 +168,7 @@ class _Chain:
                 raise self._outside(f"scales {step} and {again}", "one scale")
             node = self._next("Gemm")
             if len(node.inputs) != 3:
-                raise self._outside(f"Gemm of {len(node.inputs)} operands", "3")
+                raise self._outside(f"Gemm of {len(node.inputs)} operands", "3", node)
             weights, biases = self._dequantized(node, 1, axis=1), self._dequantized(node, 2, axis=0)
             outputs = self._columns_of(weights)
             scales, shape = _Operand(_FLOAT32, (outputs,)), (self._width, outputs)
@@ -192,8 +192,10 @@ class _Chain:
             self._at += 1
         return "nothing"
 
-    def _outside(self, found: object, expected: object) -> OutsideFormat:
-        return OutsideFormat(f"/graph/node/{self._at}", found, expected)
+    def _outside(self, found: object, expected: object, node: Node | None = None) -> OutsideFormat:
+        """About a node that was read, or else the next one."""
+        at = self._at if node is None else self._nodes.index(node)
+        return OutsideFormat(f"/graph/node/{at}", found, expected)
 
     def _take(self, operator: str, *operands: _Operand) -> list[Numbers]:
         """Constants of the next node, which is this one, of the value and such constants."""
@@ -218,7 +220,8 @@ class _Chain:
         name = node.inputs[operand]
         maker = self._dequantizers.pop(name, None)
         if maker is None or maker.axis != axis or self._readers[name] != 1:
-            raise self._outside(f"{name!r}", f"a DequantizeLinear of constants along axis {axis}")
+            expected = f"a DequantizeLinear of constants along axis {axis}"
+            raise self._outside(f"Gemm of {name!r}", expected, node)
         return maker.inputs
 
     def _columns_of(self, names: Sequence[str]) -> int:
@@ -234,16 +237,17 @@ class _Chain:
     ) -> list[Numbers]:
         """The constants of these names, which are such operands."""
         if len(names) != len(operands):
-            raise self._outside(f"{node.operator} of {len(names)} constants", len(operands))
-        found = []
+            found = f"{node.operator} of {len(names)} constants"
+            raise self._outside(found, len(operands), node)
+        arrays = []
         for name, operand in zip(names, operands, strict=True):
             tensor = self._constants.get(name)
             if tensor is None or not operand.fits(tensor):
                 shown = f"type {tensor.dtype} {list(tensor.dims)}" if tensor else "no constant"
-                raise self._outside(f"{node.operator} of {name!r}, {shown}", operand)
+                raise self._outside(f"{node.operator} of {name!r}, {shown}", operand, node)
             self._unread.discard(name)
-            found.append(tensor.values())
-        return found
+            arrays.append(tensor.values())
+        return arrays
 
 
 def _columns(values: tuple[Value, ...], side: str) -> int:

@@ -23,8 +23,7 @@ DTYPES: dict[int, np.dtype[Any]] = {
 
 _DEFAULT_DOMAINS = ("", "ai.onnx")
 _OF_MODEL = fields.ModelProto.TRAINING_INFO, fields.ModelProto.FUNCTIONS
-_OTHER_DATA = (*range(3, 8), 10, 11, fields.TensorProto.EXTERNAL_DATA)
-"""Fields of TensorProto that hold values, or say where they are, in another way than raw_data."""
+_OTHER_DATA = *fields.TensorProto.OTHER_DATA, fields.TensorProto.EXTERNAL_DATA
 
 
 class OutsideFormat(Exception):
