@@ -21,7 +21,6 @@ from rna_sdk.package.decoder.onnx_model import (
     Node,
     OutsideFormat,
     Tensor,
-    Value,
     read_model,
 )
 from rna_sdk.package.decoder.profile_decoder import ProfileDecoder, ProfileLayer
@@ -95,11 +94,10 @@ class _Chain:
         self._dequantizers: dict[str, Node] = {}
         self._at = 0
         self._value = INPUT_NAME
-        self._width = _columns(model.inputs, "input")
-        self._outputs = _columns(model.outputs, "output")
-        self._output = model.outputs[0].name
-        if model.inputs[0].name != INPUT_NAME:
-            raise OutsideFormat("/graph/input/0/name", repr(model.inputs[0].name), repr(INPUT_NAME))
+        self._width, self._outputs = model.input.columns, model.output.columns
+        self._output = model.output.name
+        if model.input.name != INPUT_NAME:
+            raise OutsideFormat("/graph/input", repr(model.input.name), repr(INPUT_NAME))
         made = [INPUT_NAME, *(node.output for node in model.nodes)]
         made += [tensor.name for tensor in model.initializers]
         if twice := sorted(name for name, count in Counter(made).items() if count > 1 or not name):
@@ -142,7 +140,7 @@ class _Chain:
             raise self._outside(self._peek(), "nothing behind the last node")
         if self._value != self._output or self._readers[self._value]:
             found = f"{self._value!r}, read {self._readers[self._value]} times"
-            raise OutsideFormat("/graph/output/0", found, f"{self._output!r}, read by no node")
+            raise OutsideFormat("/graph/output", found, f"{self._output!r}, read by no node")
         if unread := sorted(self._unread | set(self._dequantizers)):
             raise OutsideFormat(f"/graph/{unread[0]}", "read by no layer", "no other constants")
 
@@ -248,13 +246,3 @@ class _Chain:
             self._unread.discard(name)
             arrays.append(tensor.values())
         return arrays
-
-
-def _columns(values: tuple[Value, ...], side: str) -> int:
-    """Columns of the one input or output of the graph."""
-    if len(values) == 1 and values[0].dtype == _FLOAT32 and len(values[0].dims) == 2:
-        rows, columns = values[0].dims
-        if rows is None and columns:
-            return columns
-    found = [f"{value.name} type {value.dtype} {list(value.dims)}" for value in values]
-    raise OutsideFormat(f"/graph/{side}", found, "one value of float32 [N, columns], N symbolic")
