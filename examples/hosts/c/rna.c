@@ -118,7 +118,6 @@ RnaStatus rna_evaluate(const RnaAsset *asset, int tier, int part, size_t n, cons
     if (!asset || !rna_tier(asset, tier) || !rna_part(asset, part)) return RNA_BAD_ARGUMENT;
     const TierPart *with = &asset->tier[tier].part[part];
     const RnaPart *of = &asset->part[part].public;
-    if (!can_run(&with->transport)) return RNA_UNSUPPORTED_DECODER;
     if (n == 0) return RNA_OK;
     if (!positions || !axes || !wo || !wi || !visible || !shadowed || (of->kind == RNA_FIBER && !h))
         return RNA_BAD_ARGUMENT;
@@ -132,7 +131,6 @@ RnaStatus rna_emission(const RnaAsset *asset, int tier, int part, size_t n, cons
     if (!asset || !rna_tier(asset, tier) || !rna_part(asset, part)) return RNA_BAD_ARGUMENT;
     const TierPart *with = &asset->tier[tier].part[part];
     const RnaPart *of = &asset->part[part].public;
-    if (of->emits && !can_run(&with->emission)) return RNA_UNSUPPORTED_DECODER;
     if (n == 0) return RNA_OK;
     if (!positions || !axes || !wo || !emission || (of->kind == RNA_FIBER && !h)) return RNA_BAD_ARGUMENT;
     if (!of->emits) {
@@ -171,7 +169,6 @@ const char *rna_status_text(RnaStatus status) {
     switch (status) {
     case RNA_OK: return "done";
     case RNA_BAD_ARGUMENT: return "an array is missing, or the tier or part does not exist";
-    case RNA_UNSUPPORTED_DECODER: return "the decoder is no chain of the decoder profile: it needs an ONNX engine";
     default: return "out of memory";
     }
 }

@@ -1,4 +1,4 @@
-/* RNA 1.1 packages in C: open, check, evaluate.  C11, the C library alone; rna.c is all to compile.
+/* RNA 2.0 packages in C: open, check, evaluate.  C11, the C library alone; rna.c is all to compile.
  *
  *     RnaReport report;
  *     RnaAsset *asset = rna_open("toy.rna", &report);
@@ -44,14 +44,12 @@ typedef enum RnaKind { RNA_SURFACE, RNA_FIBER } RnaKind;
 
 typedef enum RnaStatus {
     RNA_OK,
-    RNA_BAD_ARGUMENT,        /* a NULL array, or no such tier or part */
-    RNA_UNSUPPORTED_DECODER, /* legal, but no chain of the profile's operators: needs an ONNX engine */
+    RNA_BAD_ARGUMENT, /* a NULL array, or no such tier or part */
     RNA_OUT_OF_MEMORY
 } RnaStatus;
 
 typedef struct RnaTier {
     const char *name;
-    bool runs;            /* whether rna_evaluate and rna_emission can run its decoders */
     bool is_int8;         /* the arithmetic of the decoders, where it is that of all parts */
     double multiply_adds; /* a query; int8 ones count half when tiers are compared.  Below 0: unknown */
     double flip;          /* mean error on images the training never saw.  Below 0: unknown */

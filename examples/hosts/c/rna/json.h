@@ -203,9 +203,7 @@ static bool take_number(JsonText *text, Json *value) {
 }
 
 static int compare_keys(const void *a, const void *b) {
-    Span x = (*(Json *const *)a)->key, y = (*(Json *const *)b)->key;
-    int order = memcmp(x.at, y.at, x.size < y.size ? x.size : y.size);
-    return order ? order : (x.size > y.size) - (x.size < y.size);
+    return compare_spans((*(Json *const *)a)->key, (*(Json *const *)b)->key);
 }
 
 static bool keys_are_unique(JsonText *text, const Json *object) {

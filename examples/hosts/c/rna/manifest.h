@@ -5,51 +5,32 @@
 #include "container.h"
 #include "manifest_rules.h"
 
-/* Of one part in short, the manifest is the part, and each tier its tier part. */
-static bool is_short(const Json *root) { return !member(root, "parts"); }
-
-static const Json *first_part(const Json *root) {
-    return is_short(root) ? root : member(root, "parts")->first;
-}
-
-static const Json *first_tier_part(const Json *root, const Json *tier) {
-    return is_short(root) ? tier : member(tier, "parts")->first;
-}
-
-/* The part behind this one; NULL behind the last. */
-static const Json *next_part(const Json *root, const Json *part) { return is_short(root) ? NULL : part->next; }
-
-/* Whether the version in the manifest is a later one. */
-static bool is_newer(const Json *version, long major, long minor) {
-    long its_major, its_minor;
-    if (!take_version(version->string, &its_major, &its_minor)) return false;
-    return its_major > major || (its_major == major && its_minor > minor);
-}
-
-static bool kind_is_known(const Json *object, const char *where, RnaReport *report) {
-    const Json *kind = member(object, "kind");
-    return !kind || is_string(kind, "surface") || is_string(kind, "fiber") ||
-           refuse(report, "KIND_UNSUPPORTED", where, "surface or fiber", "something else");
+/* Whether the version is that of this text.  What is no version is a wrong value. */
+static bool check_version(const Json *version, RnaReport *report) {
+    long major, minor;
+    if (!version || version->type != JSON_STRING || !is_version(version->string) ||
+        is_string(version, "2.0"))
+        return true;
+    take_version(version->string, &major, &minor);
+    return refuse(report, major < 2 ? "VERSION_TOO_OLD" : "VERSION_TOO_NEW", "/minReaderVersion", "2.0", "%s",
+                  (const char *)version->string.at);
 }
 
 /* What must hold before the members of this version mean anything. */
 static bool manifest_is_readable(const Json *root, RnaReport *report) {
     if (!is_string(member(root, "format"), "rna"))
         return refuse(report, "FORMAT_UNKNOWN", "/format", "\"rna\"", "something else");
-    const Json *version = member(root, "minReaderVersion"), *parts = member(root, "parts");
-    if (version && version->type == JSON_STRING && is_version(version->string) && is_newer(version, 1, 1))
-        return refuse(report, "VERSION_TOO_NEW", "/minReaderVersion", "at most 1.1", "%s",
-                      (const char *)version->string.at);
-    if (!parts && !kind_is_known(root, "/kind", report)) return false;
-    if (parts && parts->type == JSON_ARRAY)
-        for (const Json *part = parts->first; part; part = part->next)
-            if (!kind_is_known(part, "/parts", report)) return false;
-    const Json *required = member(root, "extensionsRequired");
-    if (required && required->type == JSON_ARRAY)
-        for (const Json *name = required->first; name; name = name->next)
-            if (name->type == JSON_STRING)
-                return refuse(report, "EXTENSION_REQUIRED", "/extensionsRequired", "a known extension", "%s",
-                              (const char *)name->string.at);
+    if (!check_version(member(root, "minReaderVersion"), report)) return false;
+    const Json *parts = member(root, "parts"), *required = member(root, "extensionsRequired");
+    for (const Json *part = parts ? parts->first : NULL; part; part = part->next) {
+        const Json *kind = member(part, "kind");
+        if (kind && !is_string(kind, "surface") && !is_string(kind, "fiber"))
+            return refuse(report, "KIND_UNSUPPORTED", "/parts", "surface or fiber", "something else");
+    }
+    for (const Json *name = required ? required->first : NULL; name; name = name->next)
+        if (name->type == JSON_STRING)
+            return refuse(report, "EXTENSION_REQUIRED", "/extensionsRequired", "a known extension", "%s",
+                          (const char *)name->string.at);
     return true;
 }
 
@@ -99,12 +80,6 @@ static void collect_textures(const Json *part, const char *place, const char *na
     }
 }
 
-static void collect_of_part(const Json *part, const char *place, References *list) {
-    add_reference(list, part, place, "geometry");
-    collect_textures(part, place, "transmittance", list);
-    collect_textures(part, place, "normalMaps", list);
-}
-
 static void collect_of_tier_part(const Json *part, const char *place, References *list) {
     const Json *emission = member(part, "emission");
     char where[48];
@@ -115,18 +90,18 @@ static void collect_of_tier_part(const Json *part, const char *place, References
 }
 
 static void collect_references(const Json *root, References *list) {
-    const bool flat = is_short(root);
-    char place[32] = "";
+    char place[40];
     int i = 0, t = 0;
-    for (const Json *part = first_part(root); part; part = next_part(root, part)) {
-        if (!flat) snprintf(place, sizeof place, "/parts/%d", i++);
-        collect_of_part(part, place, list);
+    for (const Json *part = member(root, "parts")->first; part; part = part->next) {
+        snprintf(place, sizeof place, "/parts/%d", i++);
+        add_reference(list, part, place, "geometry");
+        collect_textures(part, place, "transmittance", list);
+        collect_textures(part, place, "normalMaps", list);
     }
     for (const Json *tier = member(root, "tiers")->first; tier; tier = tier->next, t++) {
         i = 0;
-        for (const Json *part = first_tier_part(root, tier); part; part = next_part(root, part)) {
-            int size = snprintf(place, sizeof place, "/tiers/%d", t);
-            if (!flat) snprintf(place + size, sizeof place - (size_t)size, "/parts/%d", i++);
+        for (const Json *part = member(tier, "parts")->first; part; part = part->next) {
+            snprintf(place, sizeof place, "/tiers/%d/parts/%d", t, i++);
             collect_of_tier_part(part, place, list);
         }
     }
@@ -160,7 +135,6 @@ static void check_inputs(const Json *decoder, unsigned uses, RnaReport *report) 
 
 /* Each tier has the parts, and of each part, all tiers emit or none. */
 static bool check_tier_parts(const Json *root, RnaReport *report) {
-    if (is_short(root)) return true;
     const Json *tiers = member(root, "tiers");
     for (const Json *tier = tiers->first; tier; tier = tier->next) {
         const Json *parts = member(tier, "parts"), *first = member(tiers->first, "parts")->first;
@@ -176,22 +150,13 @@ static bool check_tier_parts(const Json *root, RnaReport *report) {
 
 static void check_blocks(const Json *root, RnaReport *report) {
     for (const Json *tier = member(root, "tiers")->first; tier; tier = tier->next) {
-        const Json *of = first_tier_part(root, tier);
-        for (const Json *part = first_part(root); part;
-             part = next_part(root, part), of = next_part(root, of)) {
+        const Json *of = member(tier, "parts")->first;
+        for (const Json *part = member(root, "parts")->first; part; part = part->next, of = of->next) {
             unsigned kind = is_string(member(part, "kind"), "fiber") ? FOR_FIBER : FOR_SURFACE;
             check_inputs(of, kind, report);
             if (member(of, "emission")) check_inputs(member(of, "emission"), kind | FOR_EMISSION, report);
         }
     }
-}
-
-/* What is newer than 1.0 is there by right. */
-static bool check_age(const Json *root, const char *what, const char *where, RnaReport *report) {
-    const Json *version = member(root, "minReaderVersion");
-    return is_newer(version, 1, 0) ||
-           refuse(report, "VERSION_TOO_OLD", where, "a minReaderVersion of 1.1 at least", "%s with %s", what,
-                  (const char *)version->string.at);
 }
 
 static void check_extensions(const Json *root, RnaReport *report) {
@@ -207,12 +172,11 @@ static const Json *read_manifest(Span data, JsonText *text, RnaReport *report) {
     const Json *root = parse_json(data, "manifest.json", "MANIFEST_NOT_JSON", text, report);
     if (!root || !manifest_is_readable(root, report)) return NULL;
     Schema schema = {report, "FIELD_UNKNOWN", "FIELD_MISSING", "FIELD_VALUE", .only_first = false};
-    check_members(&schema, is_short(root) ? SHORT_MANIFEST : MANIFEST, root);
+    check_members(&schema, MANIFEST, root);
     if (schema.issues || !check_tier_parts(root, report)) return NULL;
     int errors = report->errors;
     References *references = calloc(1, sizeof *references);
     if (!references) refuse(report, "FILE_UNREADABLE", "byte 0", "memory for it", "not enough");
-    if (!is_short(root)) check_age(root, "parts", "/parts", report);
     check_extensions(root, report);
     check_blocks(root, report);
     if (references) {
