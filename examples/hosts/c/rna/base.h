@@ -40,9 +40,9 @@ enum {
     MAX_POINTS = 1 << 26,
     MAX_STRANDS = 1 << 25,
     MAX_DECODER = 1 << 26,
-    MAX_WIDTH = 8192,           /* of a layer */
-    MAX_CONSTANTS = 1 << 24,    /* weights and biases of a decoder */
-    MAX_QUERY_VALUES = 1 << 16, /* outputs of all layers */
+    MAX_NODES = 4096,
+    MAX_WIDTH = 8192,           /* outputs of a layer */
+    MAX_QUERY_VALUES = 1 << 16, /* outputs of all layers, and of the decoder */
     MAX_QUERY_WORK = 1 << 24,   /* multiply-adds */
     MAX_WIRE_FIELDS = 1 << 18   /* of a decoder's protobuf messages */
 };

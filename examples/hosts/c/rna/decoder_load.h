@@ -8,7 +8,7 @@
 /* What makes a value: a constant of the model, or a node; the queries have neither. */
 typedef struct Value {
     Span name;
-    const OnnxTensor *tensor;
+    OnnxTensor *tensor;
     OnnxNode *node;
 } Value;
 
@@ -21,7 +21,7 @@ typedef struct Builder {
     Decoder *decoder;
     Span value; /* what the chain has made so far */
     int width;
-    uint64_t constants, results, work;
+    uint64_t results, work; /* of a query */
     const char *code, *found; /* what is wrong, once something is */
 } Builder;
 
@@ -95,7 +95,7 @@ static float float_at(const OnnxTensor *tensor, size_t i) {
 
 /* The constant of this name, of this type and shape; NULL where it is another. */
 static const OnnxTensor *constant(Builder *b, Span name, uint64_t type, size_t rank, int rows, int columns) {
-    const OnnxTensor *tensor = find_value(b, name).tensor;
+    OnnxTensor *tensor = find_value(b, name).tensor;
     const uint64_t sides[] = {(uint64_t)(rank == 2 ? rows : columns), (uint64_t)columns};
     size_t count = 1, item = type == ONNX_FLOAT || type == ONNX_INT32 ? 4 : 1;
     bool fits = tensor && tensor->type == type && tensor->rank == rank;
@@ -106,9 +106,10 @@ static const OnnxTensor *constant(Builder *b, Span name, uint64_t type, size_t r
     }
     for (size_t i = 0; type == ONNX_FLOAT && i < count; i++)
         if (!isfinite(float_at(tensor, i))) {
-            stop(b, "DECODER_RESULT", "a constant that is not finite");
+            stop(b, "DECODER_RESULT", "a constant that is NaN or infinite");
             return NULL;
         }
+    tensor->used = true;
     return tensor;
 }
 
@@ -128,24 +129,17 @@ static bool take_row(Builder *b, Span name, int width, float **values) {
     return true;
 }
 
-/* Counts a product of the layer's sizes. */
-static bool spend(Builder *b, const Layer *layer) {
-    b->constants += (uint64_t)(layer->inputs + 1) * (uint64_t)layer->outputs;
-    b->work += (uint64_t)layer->inputs * (uint64_t)layer->outputs;
-    b->results += (uint64_t)layer->outputs;
-    bool within = layer->inputs <= MAX_WIDTH && layer->outputs <= MAX_WIDTH && b->constants <= MAX_CONSTANTS &&
-                  b->results <= MAX_QUERY_VALUES && b->work <= MAX_QUERY_WORK;
-    return within || stop(b, "DECODER_COST", "more values or multiply-adds");
-}
-
 /* Packs a weight [b->width, outputs], of int8 or float32. */
 static bool take_weights(Builder *b, Layer *layer, Span name, bool is_int8) {
     const OnnxTensor *weight = find_value(b, name).tensor;
-    bool fits = weight && weight->rank == 2 && weight->dims[1] > 0 && weight->dims[1] <= INT32_MAX;
-    if (!fits) return outside(b, "a layer without weights");
+    bool fits = weight && weight->rank == 2 && weight->dims[1] > 0 && weight->dims[1] <= MAX_WIDTH;
+    if (!fits) return outside(b, "a layer of other than 1 to 8192 outputs");
     layer->inputs = b->width;
-    layer->outputs = (int)fmin((double)weight->dims[1], MAX_WIDTH + 1);
-    if (!spend(b, layer)) return false;
+    layer->outputs = (int)weight->dims[1];
+    b->work += (uint64_t)layer->inputs * weight->dims[1];
+    if (layer != &b->decoder->matrix) b->results += weight->dims[1];
+    if (b->results > MAX_QUERY_VALUES || b->work > MAX_QUERY_WORK)
+        return stop(b, "DECODER_COST", "more values or multiply-adds of a query than 2^16 or 2^24");
     weight = constant(b, name, is_int8 ? ONNX_INT8 : ONNX_FLOAT, 2, layer->inputs, layer->outputs);
     if (!weight) return false;
     size_t inputs = (size_t)layer->inputs, outputs = (size_t)layer->outputs;
@@ -265,8 +259,10 @@ static bool build_decoder(Builder *b) {
             return false;
     }
     if (!take_layers(b) || !take_end(b)) return false;
-    for (size_t i = 0; i < b->model.node_count; i++)
-        if (!b->model.nodes[i].used) return outside(b, "a node that the chain does not have");
+    bool all = true;
+    for (size_t i = 0; i < b->model.node_count; i++) all &= b->model.nodes[i].used;
+    for (size_t i = 0; i < b->model.tensor_count; i++) all &= b->model.tensors[i].used;
+    if (!all) return outside(b, "a node or a constant that the chain does not have");
     return (span_is(b->value, b->interface->output) && b->width == b->interface->outputs) ||
            outside(b, "a last node that does not make the output");
 }
@@ -311,7 +307,7 @@ static void read_decoder(Span data, const Interface *interface, Decoder *decoder
         return;
     }
     Builder b = {.interface = interface, .decoder = decoder, .value = text_span("queries"),
-                 .width = interface->columns};
+                 .width = interface->columns, .results = (uint64_t)interface->outputs};
     Wire wire = {0};
     read_onnx(&wire, data, interface, &b.model);
     if (wire.broken) outside(&b, wire.broken);

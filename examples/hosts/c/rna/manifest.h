@@ -12,7 +12,7 @@ static bool check_version(const Json *version, RnaReport *report) {
         is_string(version, "2.0"))
         return true;
     take_version(version->string, &major, &minor);
-    return refuse(report, major < 2 ? "VERSION_TOO_OLD" : "VERSION_TOO_NEW", "/minReaderVersion", "2.0", "%s",
+    return refuse(report, major < 2 ? "VERSION_TOO_OLD" : "VERSION_TOO_NEW", "/version", "2.0", "%s",
                   (const char *)version->string.at);
 }
 
@@ -20,7 +20,7 @@ static bool check_version(const Json *version, RnaReport *report) {
 static bool manifest_is_readable(const Json *root, RnaReport *report) {
     if (!is_string(member(root, "format"), "rna"))
         return refuse(report, "FORMAT_UNKNOWN", "/format", "\"rna\"", "something else");
-    if (!check_version(member(root, "minReaderVersion"), report)) return false;
+    if (!check_version(member(root, "version"), report)) return false;
     const Json *parts = member(root, "parts"), *required = member(root, "extensionsRequired");
     for (const Json *part = parts ? parts->first : NULL; part; part = part->next) {
         const Json *kind = member(part, "kind");

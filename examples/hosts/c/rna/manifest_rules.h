@@ -171,8 +171,7 @@ static const Rule PROVENANCE[] = {{"source", TEXT, REQUIRED},
                                   {0}};
 static const Rule AN_EXTENSION = {"", NAME};
 static const Rule MANIFEST[] = {{"format", CHOICE, REQUIRED, .choices = "rna"},
-                                {"version", VERSION, REQUIRED},
-                                {"minReaderVersion", VERSION, REQUIRED},
+                                {"version", CHOICE, REQUIRED, .choices = "2.0"},
                                 {"generator", TEXT, REQUIRED},
                                 {"name", TEXT, REQUIRED, 1},
                                 {"parts", LIST, REQUIRED, 1, RNA_MAX_PARTS, &A_PART, .also = parts_are_unique},

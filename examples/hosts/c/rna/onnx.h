@@ -19,6 +19,7 @@ typedef struct OnnxTensor {
     Span name, raw;
     uint64_t type, dims[2];
     size_t rank;
+    bool used;
 } OnnxTensor;
 
 typedef struct OnnxNode {
@@ -122,6 +123,7 @@ static void read_onnx(Wire *wire, Span data, const Interface *interface, OnnxMod
     if (!is_interface(wire, bytes_field(wire, &graph, 11), "queries", interface->columns) ||
         !is_interface(wire, bytes_field(wire, &graph, 12), interface->output, interface->outputs))
         return;
+    if (graph.count[1] > MAX_NODES) breaks(wire, "more than 4096 nodes");
     model->nodes = calloc(graph.count[1] + 1, sizeof *model->nodes);
     model->tensors = calloc(graph.count[5] + 1, sizeof *model->tensors);
     if (!model->nodes || !model->tensors) breaks(wire, "more nodes than the memory holds");
