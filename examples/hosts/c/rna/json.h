@@ -21,6 +21,7 @@ typedef struct Json {
     double number;
     struct Json *first, *next; /* items or members, and the next sibling */
     size_t count;
+    bool marked; /* of an entry's record: a path names it */
 } Json;
 
 /* A parsed text.  Its strings and values are in two blocks of memory. */

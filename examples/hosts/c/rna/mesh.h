@@ -249,13 +249,13 @@ static bool read_mesh(Span file, RnaMesh *mesh, void **block, const char *entry,
     Span json = {0}, blob = {0};
     if (!split_glb(file, &json, &blob, entry, report)) return false;
     JsonText text;
-    Schema schema = {report, "GEOMETRY_PROFILE", "GEOMETRY_PROFILE", "GEOMETRY_PROFILE", true};
+    Schema schema = {report, "GEOMETRY_PROFILE", "GEOMETRY_PROFILE", "GEOMETRY_PROFILE", .only_first = true};
     schema.length = (size_t)snprintf(schema.where, sizeof schema.where / 2, "%s#", entry);
     if (schema.length >= sizeof schema.where / 2) schema.length = sizeof schema.where / 2 - 1;
     const Json *gltf = parse_json(json, entry, "GEOMETRY_CONTAINER", &text, report);
     bool good = gltf != NULL;
-    bool quantised = good && (member(gltf, "extensionsUsed") || member(gltf, "extensionsRequired"));
-    if (good) check_members(&schema, quantised ? QUANTISED_GLTF : GLTF, gltf);
+    schema.option = member(gltf, "extensionsUsed") || member(gltf, "extensionsRequired");
+    if (good) check_members(&schema, GLTF, gltf);
     good = good && schema.issues == 0;
     if (good) {
         uint64_t declared = integer_of(member(gltf, "buffers")->first, "byteLength");
@@ -264,7 +264,7 @@ static bool read_mesh(Span file, RnaMesh *mesh, void **block, const char *entry,
                           (unsigned long long)declared);
         blob.size = (size_t)declared;
     }
-    good = good && build_mesh(gltf, quantised, blob, mesh, block, entry, report);
+    good = good && build_mesh(gltf, schema.option, blob, mesh, block, entry, report);
     free_json(&text);
     return good;
 }

@@ -6,15 +6,6 @@
 
 #define SHORT_VECTOR 1e-6
 
-static bool read_map(Span file, RnaNormalMap *map, const char *entry, RnaReport *report) {
-    Texture texture;
-    if (!read_texels(file, "normals", 2, 2, "NORMAL_MAP_TEXTURE", entry, &texture, report)) return false;
-    map->width = texture.width;
-    map->height = texture.height;
-    map->texels = texture.texels;
-    return true;
-}
-
 static double dot_of(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /* Brings v to unit length; false, and v as it was, where it is no longer than `least`. */
@@ -55,7 +46,6 @@ static bool directions_of(const RnaMesh *mesh, const uint32_t corner[3], double 
 /* Bends n, the plain normal of a hit, by the map. */
 static void bend_normal(const RnaNormalMap *map, const RnaMesh *mesh, const uint32_t corner[3],
                         const double b[3], double n[3]) {
-    const Texture texture = {map->width, map->height, 2, map->texels};
     double t[3], along_v[3], across[3], uv[2], q[3], bent[3];
     if (!directions_of(mesh, corner, t, along_v)) return;
     double size = sqrt(dot_of(t, t)), along_n = dot_of(t, n);
@@ -67,7 +57,7 @@ static void bend_normal(const RnaNormalMap *map, const RnaMesh *mesh, const uint
     }
     double up = dot_of(across, along_v) > 0 ? -1 : 1;
     coordinates_at(mesh, corner, b, uv);
-    sample_texture(&texture, uv, q);
+    sample_texture(&map->texture, uv, q);
     double x = (255 * q[0] - 127) / 127, y = (255 * q[1] - 127) / 127, z = sqrt(fmax(0, 1 - x * x - y * y));
     for (int k = 0; k < 3; k++) bent[k] = x * t[k] + up * y * across[k] + z * n[k];
     if (made_unit(bent, SHORT_VECTOR)) memcpy(n, bent, sizeof bent);

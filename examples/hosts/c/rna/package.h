@@ -90,7 +90,9 @@ static void read_normal_maps(Container *zip, const Json *json, Part *part, RnaRe
         const Entry *entry = intact_entry(zip, item, "texture");
         map->first = range.first;
         map->count = range.count;
-        if (entry) read_map(entry_data(zip, entry), map, entry->name, report);
+        if (entry)
+            read_texels(entry_data(zip, entry), "normals", 2, 2, "NORMAL_MAP_TEXTURE", entry->name,
+                        &map->texture, report);
         if (!part->public.mesh ||
             !check_range(range, start, &part->mesh, "NORMAL_MAP_RANGE", part->public.name, report))
             return;
