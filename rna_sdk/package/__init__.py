@@ -14,11 +14,9 @@ from rna_sdk.lazy_face import lazy_face
 if TYPE_CHECKING:
     from rna_sdk.errors import PackageError
     from rna_sdk.package.blocks import INPUT_BLOCKS, query_width
-    from rna_sdk.package.decoder.profile_decoder import (
-        ProfileDecoder,
-        ProfileLayer,
-        read_profile_decoder,
-    )
+    from rna_sdk.package.decoder.decoder_reader import decoder_from_bytes
+    from rna_sdk.package.decoder.decoder_writer import decoder_to_bytes
+    from rna_sdk.package.decoder.profile_decoder import ProfileDecoder, ProfileLayer
     from rna_sdk.package.geometry.curves import Curves
     from rna_sdk.package.geometry.geometry_files import quantise
     from rna_sdk.package.geometry.mesh import Mesh
@@ -89,11 +87,12 @@ __all__ = [
     "TransmittanceRecord",
     "Unpacked",
     "Validation",
+    "decoder_from_bytes",
+    "decoder_to_bytes",
     "float_planes",
     "quantise",
     "quantised_harmonics",
     "query_width",
-    "read_profile_decoder",
     "tier_ranges",
     "validate",
     "write_package",

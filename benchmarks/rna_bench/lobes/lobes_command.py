@@ -25,7 +25,7 @@ from rna_export.environment.environment_training import BAR, filling, parts_with
 from rna_export.environment.lobe_error import generated_environments, grid_of, lobe_pictures
 from rna_render import read_environment
 from rna_sdk.errors import RnaError
-from rna_sdk.package import EnvironmentValidation, Package, read_profile_decoder
+from rna_sdk.package import EnvironmentValidation, Package, decoder_from_bytes
 from rna_sdk.package.manifest.extensions import Environment
 from rna_sdk.runtime import load
 
@@ -68,7 +68,7 @@ def _parts(path: Path) -> list[dict[str, Any]]:
             lobes = package.environment(k)
             if lobes is None:
                 continue
-            layers = read_profile_decoder(lobes.decoder, lobes.record.decoder).layers
+            layers = decoder_from_bytes(lobes.decoder, lobes.record.decoder).layers
             own = lobes.record.decoder, lobes.record.visibility
             sizes = [package.manifest.entries[name].size for name in own if name is not None]
             found.append(

@@ -7,7 +7,7 @@ import time
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.package import Package
+from rna_sdk.package import Package, decoder_from_bytes
 from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS
 from rna_sdk.runtime.engine.batch import Batch
 from rna_sdk.runtime.engine.decoder_sessions import Decoder
@@ -31,7 +31,9 @@ def step_times(
     part, own = package.manifest.parts[0], package.tier(name).parts[0]
     whole = QueryFiller(package.planes(name), part.bounds, own, part.kind)
     fillers = [whole.laying_out(("features",)), whole]
-    decoder = Decoder(package.decoder(name), fillers[-1].largest_query)
+    decoder = Decoder(
+        decoder_from_bytes(package.decoder(name), own.decoder), fillers[-1].largest_query
+    )
     (gather, _, _), (filled, decoded, copied) = (_passed(f, decoder, batch) for f in fillers)
     steps = gather, filled - gather, decoded, copied
     return {step: round(float(ns), 1) for step, ns in zip(STEPS, steps, strict=True)}

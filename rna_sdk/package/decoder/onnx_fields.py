@@ -40,19 +40,8 @@ class NodeProto:
 class AttributeProto:
     NAME = 1
     I = 3  # noqa: E741
-    T = 5
-    G = 6
-    FLOATS = 7
     INTS = 8
-    STRINGS = 9
-    TENSORS = 10
-    GRAPHS = 11
-    TP = 14
-    TYPE_PROTOS = 15
     TYPE = 20
-    REF_ATTR_NAME = 21
-    SPARSE_TENSOR = 22
-    SPARSE_TENSORS = 23
 
 
 class TensorProto:
@@ -95,8 +84,6 @@ class DataType:
     INT8 = 3
     INT32 = 6
     INT64 = 7
-    BOOL = 9
-    FLOAT16 = 10
 
 
 class AttributeType:

@@ -1,4 +1,4 @@
-"""ONNX messages as protobuf bytes, for graphs that the runtime makes itself.
+"""ONNX graphs as protobuf bytes, without the onnx package.
 
 Wire format: https://protobuf.dev/programming-guides/encoding.
 """
@@ -14,9 +14,12 @@ from numpy.typing import NDArray
 from rna_sdk.package.decoder import onnx_fields as fields
 
 Attributes = Mapping[str, int | Sequence[int]]
+Operand = str | float | np.generic | NDArray[Any]
+
+_IR_VERSION, _OPSET = 8, 17
 
 
-class GraphBuilder:
+class GraphWriter:
     """Nodes and constants in order; values and constants get names by number."""
 
     def __init__(self) -> None:
@@ -26,69 +29,63 @@ class GraphBuilder:
     def node(
         self,
         operator: str,
-        *inputs: str | float | np.generic | NDArray[Any],
+        *inputs: Operand,
         output: str = "",
         domain: str = "",
         **attributes: int | Sequence[int],
     ) -> str:
-        """A node; numbers (float32) and arrays among its inputs become constants.
+        """Add a node; numbers (float32) and arrays among its inputs become constants.
 
         Returns the name of its result: `output`, or one by number.
         """
-        names = [one if isinstance(one, str) else self._constant(one) for one in inputs]
+        names = [one if isinstance(one, str) else self.constant(one) for one in inputs]
         output = output or f"v{len(self._nodes)}"
-        self._nodes.append(node(operator, names, output, attributes, domain))
+        self._nodes.append(_node(operator, names, output, attributes, domain))
         return output
 
-    def _constant(self, number: Any) -> str:
+    def constant(self, number: float | np.generic | NDArray[Any]) -> str:
+        """Add a constant, float32 if it is a Python number; its name."""
         array = np.float32(number) if isinstance(number, float) else number
         name = f"c{len(self._constants)}"
-        self._constants.append(tensor(name, np.asarray(array)))
+        self._constants.append(_tensor(name, np.asarray(array)))
         return name
 
-    def model(
-        self, source: bytes, result: bytes, opsets: Iterable[tuple[str, int]], producer: str = ""
-    ) -> bytes:
-        """The ModelProto from one `value` to another."""
-        parts = self._nodes, self._constants, [source], [result]
-        return model(*parts, opsets, ir_version=8, producer=producer)
+    def model(self, source: bytes, result: bytes, domain: str = "", producer: str = "") -> bytes:
+        """The ModelProto from one `value` to another.
+
+        domain: of further operators, version 1.
+        """
+        graph = [_chunk(fields.GraphProto.NODE, node) for node in self._nodes]
+        graph += [_chunk(fields.GraphProto.NAME, b"decoder")]
+        graph += [_chunk(fields.GraphProto.INITIALIZER, tensor) for tensor in self._constants]
+        graph += [_chunk(fields.GraphProto.INPUT, source), _chunk(fields.GraphProto.OUTPUT, result)]
+        parts = [_integer(fields.ModelProto.IR_VERSION, _IR_VERSION)]
+        parts += [_chunk(fields.ModelProto.PRODUCER_NAME, producer.encode())] if producer else []
+        parts += [_chunk(fields.ModelProto.GRAPH, b"".join(graph))]
+        for opset in [("", _OPSET), *([(domain, 1)] if domain else [])]:
+            parts.append(_chunk(fields.ModelProto.OPSET_IMPORT, _opset(*opset)))
+        return b"".join(parts)
 
 
-def model(
-    nodes: Iterable[bytes],
-    tensors: Iterable[bytes],
-    inputs: Iterable[bytes],
-    outputs: Iterable[bytes],
-    opsets: Iterable[tuple[str, int]],
-    ir_version: int,
-    name: str = "decoder",
-    producer: str = "",
+def value(name: str, dims: Sequence[int | str], dtype: str = "float32") -> bytes:
+    """A ValueInfoProto of a tensor; a dimension is a size or a symbol."""
+    shape = b"".join(_chunk(fields.TensorShapeProto.DIM, _dimension(dim)) for dim in dims)
+    element = _integer(fields.TensorTypeProto.ELEM_TYPE, _TYPES[dtype])
+    tensor_type = element + _chunk(fields.TensorTypeProto.SHAPE, shape)
+    named = _chunk(fields.ValueInfoProto.NAME, name.encode())
+    return named + _chunk(
+        fields.ValueInfoProto.TYPE, _chunk(fields.TypeProto.TENSOR_TYPE, tensor_type)
+    )
+
+
+def _node(
+    operator: str, inputs: Iterable[str], output: str, attributes: Attributes, domain: str
 ) -> bytes:
-    """A ModelProto of one graph. nodes, tensors, inputs, outputs: what functions below give."""
-    graph = [_chunk(fields.GraphProto.NODE, node) for node in nodes]
-    graph += [_chunk(fields.GraphProto.NAME, name.encode())]
-    graph += [_chunk(fields.GraphProto.INITIALIZER, tensor) for tensor in tensors]
-    graph += [_chunk(fields.GraphProto.INPUT, value) for value in inputs]
-    graph += [_chunk(fields.GraphProto.OUTPUT, value) for value in outputs]
-    parts = [_integer(fields.ModelProto.IR_VERSION, ir_version)]
-    parts += [_chunk(fields.ModelProto.PRODUCER_NAME, producer.encode())] if producer else []
-    parts += [_chunk(fields.ModelProto.GRAPH, b"".join(graph))]
-    parts += [_chunk(fields.ModelProto.OPSET_IMPORT, _opset(*opset)) for opset in opsets]
-    return b"".join(parts)
-
-
-def node(
-    operator: str,
-    inputs: Iterable[str],
-    output: str,
-    attributes: Attributes | None = None,
-    domain: str = "",
-) -> bytes:
-    """A NodeProto with one output; attributes are integers or lists of them."""
+    """A NodeProto; attributes are integers or lists of them."""
     parts = [_chunk(fields.NodeProto.INPUT, name.encode()) for name in inputs]
     parts += [_chunk(fields.NodeProto.OUTPUT, output.encode())]
     parts += [_chunk(fields.NodeProto.OP_TYPE, operator.encode())]
-    for name, values in (attributes or {}).items():
+    for name, values in attributes.items():
         parts.append(_chunk(fields.NodeProto.ATTRIBUTE, _attribute(name, values)))
     parts += [_chunk(fields.NodeProto.DOMAIN, domain.encode())] if domain else []
     return b"".join(parts)
@@ -103,24 +100,13 @@ def _attribute(name: str, values: int | Sequence[int]) -> bytes:
     return named + b"".join(_integer(fields.AttributeProto.INTS, value) for value in values) + kind
 
 
-def tensor(name: str, values: NDArray[Any]) -> bytes:
+def _tensor(name: str, values: NDArray[Any]) -> bytes:
     """A TensorProto that holds `values`, of a dtype in _TYPES."""
     dims = b"".join(_integer(fields.TensorProto.DIMS, size) for size in values.shape)
     little_endian = values.astype(values.dtype.newbyteorder("<")).tobytes()
     data_type = _integer(fields.TensorProto.DATA_TYPE, _TYPES[values.dtype.name])
     named = _chunk(fields.TensorProto.NAME, name.encode())
     return dims + data_type + named + _chunk(fields.TensorProto.RAW_DATA, little_endian)
-
-
-def value(name: str, dims: Sequence[int | str], dtype: str = "float32") -> bytes:
-    """A ValueInfoProto of a tensor; a dimension is a size or a symbol."""
-    shape = b"".join(_chunk(fields.TensorShapeProto.DIM, _dimension(dim)) for dim in dims)
-    element = _integer(fields.TensorTypeProto.ELEM_TYPE, _TYPES[dtype])
-    tensor_type = element + _chunk(fields.TensorTypeProto.SHAPE, shape)
-    named = _chunk(fields.ValueInfoProto.NAME, name.encode())
-    return named + _chunk(
-        fields.ValueInfoProto.TYPE, _chunk(fields.TypeProto.TENSOR_TYPE, tensor_type)
-    )
 
 
 _TYPES = {
