@@ -118,7 +118,7 @@ static void load_vector(const unsigned char *bytes, double v[3]) {
     for (int k = 0; k < 3; k++) v[k] = values[k];
 }
 
-/* What is asked of a hit record: `result` of three numbers; false where there is no such triangle or segment. */
+/* What is asked of a hit record, three numbers; false where there is no such triangle or segment. */
 typedef bool Ask(const RnaAsset *asset, const Tracer *tracer, const unsigned char *record, float result[3]);
 
 static uint32_t word_at(const unsigned char *bytes) {
@@ -153,7 +153,8 @@ static bool ask_visibility(const RnaAsset *asset, const Tracer *tracer, const un
 }
 
 /* The mapped normal (section 4.5). */
-static bool ask_normal(const RnaAsset *asset, const Tracer *tracer, const unsigned char *record, float result[3]) {
+static bool ask_normal(const RnaAsset *asset, const Tracer *tracer, const unsigned char *record,
+                       float result[3]) {
     const RnaPart *part = part_of(asset, tracer, record);
     double b[3];
     if (!part || !part->mesh) return false;
@@ -173,7 +174,7 @@ static int answer_hits(const RnaAsset *asset, Ask *ask, const char *hits, const 
     for (size_t i = 0; !problem && i < n; i++)
         if (!ask(asset, tracer, records + HIT_BYTES * i, results + 3 * i))
             problem = "a triangle or segment that is not there";
-    if (!problem && !write_file(out, results, n * 3 * sizeof *results)) problem = "the results cannot be written";
+    if (!problem && !write_file(out, results, n * 3 * sizeof *results)) problem = "results cannot be written";
     trace_free(tracer);
     free(records);
     free(results);

@@ -133,8 +133,9 @@ static bool read_quantised_curves(Span file, const Json *header, RnaCurves *curv
 static bool read_curves(Span file, RnaCurves *curves, void **block, const char *entry, RnaReport *report) {
     JsonText text;
     const Json *header = read_header(file, entry, &CURVE_CODES, &text, report);
-    bool good = header && (member(header, "steps") ? read_quantised_curves(file, header, curves, block, entry, report)
-                                                   : read_plain_curves(file, header, curves, entry, report));
+    bool quantised = header && member(header, "steps");
+    bool good = header && (quantised ? read_quantised_curves(file, header, curves, block, entry, report)
+                                     : read_plain_curves(file, header, curves, entry, report));
     free_json(&text);
     return good;
 }

@@ -119,6 +119,11 @@ static bool take_scalar(Builder *b, Span name, float *value) {
     return tensor != NULL;
 }
 
+static bool take_clip(Builder *b, float *low, float *high) {
+    const OnnxNode *node = take_node(b, "Clip", 2);
+    return node && take_scalar(b, node->input[1], low) && take_scalar(b, node->input[2], high);
+}
+
 /* `width` values, and room to the next multiple of OUTPUTS; *values: the caller frees it in any case. */
 static bool take_row(Builder *b, Span name, int width, float **values) {
     const OnnxTensor *tensor = constant(b, name, ONNX_FLOAT, 1, 1, width);
@@ -161,9 +166,8 @@ static bool take_weights(Builder *b, Layer *layer, Span name, bool is_int8) {
 /* The node that dequantizes constants along `axis` into an operand of a Gemm; NULL where it is none. */
 static const OnnxNode *take_dequantized(Builder *b, Span name, uint64_t axis) {
     OnnxNode *node = find_value(b, name).node;
-    bool fits = is_operator(node, "DequantizeLinear", 2) && node->has_axis && node->axis == axis && !node->used &&
-                node < &b->model.nodes[b->at];
-    if (!fits) {
+    bool fits = is_operator(node, "DequantizeLinear", 2) && node->has_axis && node->axis == axis;
+    if (!fits || node->used || node >= &b->model.nodes[b->at]) {
         outside(b, "an operand of Gemm that is no DequantizeLinear of constants");
         return NULL;
     }
@@ -176,10 +180,10 @@ static bool take_step(Builder *b, float *step) {
     float again;
     const OnnxNode *first = take_node(b, "QuantizeLinear", 2);
     const OnnxNode *second = first ? take_node(b, "DequantizeLinear", 2) : NULL;
-    if (!second || !take_scalar(b, first->input[1], step) || !take_scalar(b, second->input[1], &again)) return false;
+    if (!second || !take_scalar(b, first->input[1], step)) return false;
     const OnnxTensor *zero = constant(b, first->input[2], ONNX_UINT8, 0, 1, 1);
     const OnnxTensor *zero_again = zero ? constant(b, second->input[2], ONNX_UINT8, 0, 1, 1) : NULL;
-    if (!zero_again) return false;
+    if (!zero_again || !take_scalar(b, second->input[1], &again)) return false;
     return (*step == again && zero->raw.at[0] == 0 && zero_again->raw.at[0] == 0) ||
            outside(b, "a scale of its own, or a zero point");
 }
@@ -229,8 +233,7 @@ static bool take_layers(Builder *b) {
 static bool take_end(Builder *b) {
     Decoder *decoder = b->decoder;
     float zero, one;
-    const OnnxNode *clip = take_node(b, "Clip", 2);
-    if (!clip || !take_scalar(b, clip->input[1], &zero) || !take_scalar(b, clip->input[2], &decoder->top)) return false;
+    if (!take_clip(b, &zero, &decoder->top)) return false;
     const OnnxNode *subtract = take_node(b, "Exp", 0) ? take_node(b, "Sub", 1) : NULL;
     if (!subtract || !take_scalar(b, subtract->input[1], &one)) return false;
     if (zero != 0 || one != 1) return outside(b, "another Clip than from 0, or another Sub than of 1");
@@ -249,9 +252,7 @@ static bool take_end(Builder *b) {
 static bool build_decoder(Builder *b) {
     Decoder *decoder = b->decoder;
     decoder->columns = decoder->widest = b->width;
-    const OnnxNode *clip = take_node(b, "Clip", 2);
-    if (!clip || !take_scalar(b, clip->input[1], &decoder->low) || !take_scalar(b, clip->input[2], &decoder->high))
-        return false;
+    if (!take_clip(b, &decoder->low, &decoder->high)) return false;
     if (b->interface->is_int8) {
         const OnnxNode *gain = take_node(b, "Mul", 1), *offset = gain ? take_node(b, "Add", 1) : NULL;
         if (!offset || !take_row(b, gain->input[1], b->width, &decoder->gain) ||
@@ -283,7 +284,8 @@ static bool check_results(Builder *b) {
             x[k * ROWS + r] = r < PROBE_COUNT ? PROBES[r] : (float)random * 0x1p-31f - 1; /* -1 to 1 */
         }
     const float *results = good ? run_decoder(decoder, x, y) : NULL;
-    for (int i = 0; good && i < b->interface->outputs * ROWS; i++) good = results[i] >= 0 && results[i] <= FLT_MAX;
+    for (int i = 0; good && i < b->interface->outputs * ROWS; i++)
+        good = results[i] >= 0 && results[i] <= FLT_MAX;
     free(x);
     free(y);
     return good || stop(b, "DECODER_RESULT", "results that are not finite, or below 0");

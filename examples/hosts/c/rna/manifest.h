@@ -24,8 +24,8 @@ static bool check_version(const Json *version, RnaReport *report) {
     if (!version || version->type != JSON_STRING || !is_version(version->string) || is_string(version, "2.0"))
         return true;
     const char *text = (const char *)version->string.at;
-    return refuse(report, memcmp(text, "1.", 2) ? "VERSION_TOO_NEW" : "VERSION_TOO_OLD", "/version", "2.0", "%s",
-                  text);
+    const char *code = memcmp(text, "1.", 2) ? "VERSION_TOO_NEW" : "VERSION_TOO_OLD";
+    return refuse(report, code, "/version", "2.0", "%s", text);
 }
 
 /* What must hold before the members of this version mean anything. */
@@ -62,7 +62,8 @@ static bool is_of_extension(const Json *root, Span path) {
 }
 
 /* Marks the entry that the member `name` of `object`, which stands at `place`, names. */
-static void mark_entry(const Json *root, const Json *object, const char *place, const char *name, RnaReport *report) {
+static void mark_entry(const Json *root, const Json *object, const char *place, const char *name,
+                       RnaReport *report) {
     const Json *path = member(object, name);
     Json *entry = member(root, "entries")->first;
     while (entry && !same_span(entry->key, path->string)) entry = entry->next;

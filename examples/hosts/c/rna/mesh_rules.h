@@ -39,7 +39,8 @@ static void is_quantised(Schema *schema, const Json *normalized) {
 }
 
 static void stride_is_known(Schema *schema, const Json *stride) {
-    if (stride->number != 4 && stride->number != 8) break_rule(schema, schema->value, "4 or 8", "%g", stride->number);
+    if (stride->number != 4 && stride->number != 8)
+        break_rule(schema, schema->value, "4 or 8", "%g", stride->number);
 }
 
 static void scale_is_uniform(Schema *schema, const Json *scale) {

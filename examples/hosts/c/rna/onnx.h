@@ -53,14 +53,16 @@ static OnnxTensor read_tensor(Wire *wire, Span bytes) {
                          .type = integer_field(wire, &message, 2),
                          .raw = bytes_field(wire, &message, 9)};
     bool elsewhere = integer_field(wire, &message, 14) != 0;
-    for (size_t i = 0; i < sizeof ELSEWHERE / sizeof *ELSEWHERE; i++) elsewhere |= message.count[ELSEWHERE[i]] > 0;
+    for (size_t i = 0; i < sizeof ELSEWHERE / sizeof *ELSEWHERE; i++)
+        elsewhere |= message.count[ELSEWHERE[i]] > 0;
     if (elsewhere) breaks(wire, "a constant whose values are not in raw_data");
     Span rest = message.bytes;
     Field field;
     while (next_of(wire, &rest, 1, &field)) {
         uint64_t size;
         if (field.is_integer) add_dimension(wire, &tensor, field.integer);
-        while (field.bytes.size && take_varint(wire, &field.bytes, &size) && add_dimension(wire, &tensor, size)) {}
+        while (field.bytes.size && take_varint(wire, &field.bytes, &size))
+            if (!add_dimension(wire, &tensor, size)) break;
     }
     return tensor;
 }
@@ -69,7 +71,8 @@ static bool is_default_domain(Span domain) { return domain.size == 0 || span_is(
 
 static void read_axis(Wire *wire, Span bytes, OnnxNode *node) {
     const Message message = read_message(wire, bytes);
-    if (!span_is(text_field(wire, &message, 1), "axis") || message.count[3] != 1) breaks(wire, "another attribute than axis");
+    if (!span_is(text_field(wire, &message, 1), "axis") || !message.count[3])
+        breaks(wire, "another attribute than axis");
     node->has_axis = true;
     node->axis = integer_field(wire, &message, 3);
 }
@@ -81,7 +84,7 @@ static OnnxNode read_node(Wire *wire, Span bytes) {
     Field field;
     while (next_of(wire, &rest, 1, &field)) {
         if (node.inputs == 3 || field.is_integer || !is_utf8(field.bytes)) breaks(wire, "a node of other inputs");
-        else node.input[node.inputs++] = field.bytes;
+        if (!wire->broken) node.input[node.inputs++] = field.bytes;
     }
     if (!is_default_domain(text_field(wire, &message, 7))) breaks(wire, "an operator of another domain");
     if (message.count[5]) read_axis(wire, bytes_field(wire, &message, 5), &node);
@@ -100,7 +103,8 @@ static bool is_interface(Wire *wire, Span bytes, const char *name, int width) {
     for (int k = 0; next_of(wire, &rest, 1, &field); k++) {
         const Message dimension = read_message(wire, field.bytes);
         text_field(wire, &dimension, 2); /* the name of a symbolic one, which engines read */
-        fits &= (dimension.count[1] > 0) == (k == 1) && integer_field(wire, &dimension, 1) == (k ? (uint64_t)width : 0);
+        fits &= (dimension.count[1] > 0) == (k == 1);
+        fits &= integer_field(wire, &dimension, 1) == (k ? (uint64_t)width : 0);
     }
     return fits || breaks(wire, name);
 }
@@ -119,7 +123,8 @@ static void read_onnx(Wire *wire, Span data, const Interface *interface, OnnxMod
     const Message whole = read_message(wire, data);
     const Message graph = read_message(wire, bytes_field(wire, &whole, 7));
     if (wire->broken || !check_versions(wire, &whole)) return;
-    if (whole.count[20] || whole.count[25] || graph.count[15]) breaks(wire, "functions, training or sparse tensors");
+    if (whole.count[20] || whole.count[25] || graph.count[15])
+        breaks(wire, "functions, training or sparse tensors");
     if (!is_interface(wire, bytes_field(wire, &graph, 11), "queries", interface->columns) ||
         !is_interface(wire, bytes_field(wire, &graph, 12), interface->output, interface->outputs))
         return;
@@ -129,9 +134,11 @@ static void read_onnx(Wire *wire, Span data, const Interface *interface, OnnxMod
     if (!model->nodes || !model->tensors) breaks(wire, "more nodes than the memory holds");
     Span rest = graph.bytes;
     Field field;
-    while (next_of(wire, &rest, 1, &field)) model->nodes[model->node_count++] = read_node(wire, field.bytes);
+    while (next_of(wire, &rest, 1, &field))
+        model->nodes[model->node_count++] = read_node(wire, field.bytes);
     rest = graph.bytes;
-    while (next_of(wire, &rest, 5, &field)) model->tensors[model->tensor_count++] = read_tensor(wire, field.bytes);
+    while (next_of(wire, &rest, 5, &field))
+        model->tensors[model->tensor_count++] = read_tensor(wire, field.bytes);
 }
 
 #endif

@@ -103,6 +103,7 @@ class Reader {
   packed(bytes) {
     const numbers = [];
     for (let at = 0, number; at < bytes.length;) {
+      if (++this.fields > MOST_FIELDS) this.outside("too many numbers");
       [number, at] = this.varint(bytes, at);
       numbers.push(number);
     }
