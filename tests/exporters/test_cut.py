@@ -168,7 +168,6 @@ def test_a_package_of_pieces(cut: Cut, tmp_path: Path, capsys: pytest.CaptureFix
     assert isinstance(asset, CompositeAsset)
     with Package.open(out) as package:
         assert [part.name for part in package.manifest.parts] == ["asset_0", "asset_1"]
-        assert package.manifest.min_reader_version == "1.1"
     one = load_checkpoint(cut.out / "asset_1" / "best.ckpt")
     assert (one.part, one.cut) == ("asset_1", 2)
 

@@ -113,7 +113,6 @@ def test_poster_replaces_the_one_before(tiny: Path, tmp_path: Path) -> None:
         poster = extension(package.manifest, Poster)
         assert (poster.width, poster.height) == (5, 4)
         assert package.poster() == png(5, 4)
-        assert package.manifest.min_reader_version == "1.0"
     assert validate(out) == []
 
 

@@ -6,10 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import onnx
 from matplotlib.figure import FigureBase
-from onnx import TensorProto, numpy_helper
-from onnx.reference import ReferenceEvaluator
 
 from rna_bench.one_part import load_one_part
 from rna_bench.scenes.beside_cycles import OurScene
@@ -22,7 +19,7 @@ from rna_bench.stability.view_errors import joined_views
 from rna_export.capture.dataset.asset_arguments import evaluate_arguments
 from rna_export.capture.dataset.validation_view import queries_of
 from rna_export.metrics import psnr_without_noise
-from rna_sdk.package import Package, float_planes
+from rna_sdk.package import Package, decoder_from_bytes, float_planes
 from rna_sdk.reference.queries import fiber_queries_reference, queries_reference
 from rna_sdk.runtime import Asset
 
@@ -58,21 +55,8 @@ def in_float64(path: Path, asset: Asset, queries: Queries) -> tuple[np.ndarray, 
         reference = fiber_queries_reference if "tangent" in queries else queries_reference
         rows = evaluate_arguments(queries)
         at = reference(planes, asset.bounds, tier.parts[0].inputs, *rows)
-        evaluator: Any = ReferenceEvaluator(_doubled(decoder))  # whose types do not fit its results
-        (transport,) = evaluator.run(None, {"queries": np.float64(at)})
+        transport = decoder_from_bytes(decoder, tier.parts[0].decoder).run(np.float64(at))
     return transport[:, :3], transport[:, 3:]
-
-
-def _doubled(decoder: memoryview) -> onnx.ModelProto:
-    """The graph with float64 in place of float32."""
-    model = onnx.load_from_string(bytes(decoder))
-    for tensor in model.graph.initializer:
-        value = numpy_helper.to_array(tensor)
-        if value.dtype == np.float32:
-            tensor.CopyFrom(numpy_helper.from_array(value.astype(np.float64), tensor.name))
-    for value in (*model.graph.input, *model.graph.output):
-        value.type.tensor_type.elem_type = TensorProto.DOUBLE
-    return model
 
 
 def odd_inputs(answers: Answers, queries: Queries) -> list[Row]:
