@@ -1,138 +1,8 @@
-/* A decoder from an ONNX model: the one form that decoders have, checked and packed (section 6.2). */
+/* A decoder from an ONNX model: layers checked and packed (section 6.2). */
 #ifndef RNA_DECODER_LOAD_H
 #define RNA_DECODER_LOAD_H
 
-#include "decoder.h"
-#include "onnx.h"
-
-/* What makes a value: a constant of the model, or a node; the queries have neither. */
-typedef struct Value {
-    Span name;
-    OnnxTensor *tensor;
-    OnnxNode *node;
-} Value;
-
-/* A model on its way to a Decoder. */
-typedef struct Builder {
-    OnnxModel model;
-    Value *values; /* in the order of their names */
-    size_t count, at; /* of the values; the next node */
-    const Interface *interface;
-    Decoder *decoder;
-    Span value; /* what the chain has made so far */
-    int width;
-    uint64_t results, work; /* of a query */
-    const char *code, *found; /* what is wrong, once something is */
-} Builder;
-
-/* Notes what is wrong.  Returns false, so that a step can end with it. */
-static bool stop(Builder *b, const char *code, const char *found) {
-    if (!b->code) b->code = code, b->found = found;
-    return false;
-}
-
-static bool outside(Builder *b, const char *found) { return stop(b, "DECODER_PROFILE", found); }
-
-static int compare_values(const void *a, const void *b) {
-    return compare_spans(((const Value *)a)->name, ((const Value *)b)->name);
-}
-
-/* Sorts what the model has by name; each has a name of its own. */
-static bool name_values(Builder *b) {
-    OnnxModel *model = &b->model;
-    b->values = calloc(1 + model->tensor_count + model->node_count, sizeof *b->values);
-    if (!b->values) return stop(b, "FILE_UNREADABLE", "not enough memory");
-    b->values[b->count++] = (Value){.name = text_span("queries")};
-    for (size_t i = 0; i < model->tensor_count; i++)
-        b->values[b->count++] = (Value){model->tensors[i].name, &model->tensors[i], NULL};
-    for (size_t i = 0; i < model->node_count; i++)
-        b->values[b->count++] = (Value){model->nodes[i].output, NULL, &model->nodes[i]};
-    qsort(b->values, b->count, sizeof *b->values, compare_values);
-    for (size_t i = 0; i < b->count; i++)
-        if (b->values[i].name.size == 0 || (i && same_span(b->values[i].name, b->values[i - 1].name)))
-            return outside(b, "a value without a name, or made twice");
-    return true;
-}
-
-static Value find_value(const Builder *b, Span name) {
-    const Value key = {.name = name};
-    const Value *found = bsearch(&key, b->values, b->count, sizeof key, compare_values);
-    return found ? *found : key;
-}
-
-static bool is_operator(const OnnxNode *node, const char *operator, size_t inputs) {
-    return node && span_is(node->operator, operator) && node->inputs == inputs;
-}
-
-/* The next node of the chain; NULL behind the last.  Those that dequantize constants stand anywhere before
- * their Gemm. */
-static OnnxNode *next_node(Builder *b) {
-    for (; b->at < b->model.node_count; b->at++) {
-        OnnxNode *node = &b->model.nodes[b->at];
-        if (!span_is(node->operator, "DequantizeLinear") || !find_value(b, node->input[0]).tensor) return node;
-    }
-    return NULL;
-}
-
-/* Takes the next node, which is this operator of the value and `constants` more; NULL where it is not. */
-static const OnnxNode *take_node(Builder *b, const char *operator, size_t constants) {
-    OnnxNode *node = next_node(b);
-    if (!is_operator(node, operator, constants + 1) || node->has_axis || !same_span(node->input[0], b->value)) {
-        outside(b, operator);
-        return NULL;
-    }
-    node->used = true;
-    b->value = node->output;
-    b->at++;
-    return node;
-}
-
-static float float_at(const OnnxTensor *tensor, size_t i) {
-    float value;
-    memcpy(&value, tensor->raw.at + 4 * i, sizeof value);
-    return value;
-}
-
-/* The constant of this name, of this type and shape; NULL where it is another. */
-static const OnnxTensor *constant(Builder *b, Span name, uint64_t type, size_t rank, int rows, int columns) {
-    OnnxTensor *tensor = find_value(b, name).tensor;
-    const uint64_t sides[] = {(uint64_t)(rank == 2 ? rows : columns), (uint64_t)columns};
-    size_t count = 1, item = type == ONNX_FLOAT || type == ONNX_INT32 ? 4 : 1;
-    bool fits = tensor && tensor->type == type && tensor->rank == rank;
-    for (size_t k = 0; k < rank; k++, count *= (size_t)sides[k - 1]) fits = fits && tensor->dims[k] == sides[k];
-    if (!fits || tensor->raw.size != count * item) {
-        outside(b, "a constant of another type or shape");
-        return NULL;
-    }
-    for (size_t i = 0; type == ONNX_FLOAT && i < count; i++)
-        if (!isfinite(float_at(tensor, i))) {
-            stop(b, "DECODER_RESULT", "a constant that is NaN or infinite");
-            return NULL;
-        }
-    tensor->used = true;
-    return tensor;
-}
-
-static bool take_scalar(Builder *b, Span name, float *value) {
-    const OnnxTensor *tensor = constant(b, name, ONNX_FLOAT, 0, 1, 1);
-    if (tensor) *value = float_at(tensor, 0);
-    return tensor != NULL;
-}
-
-static bool take_clip(Builder *b, float *low, float *high) {
-    const OnnxNode *node = take_node(b, "Clip", 2);
-    return node && take_scalar(b, node->input[1], low) && take_scalar(b, node->input[2], high);
-}
-
-/* `width` values, and room to the next multiple of OUTPUTS; *values: the caller frees it in any case. */
-static bool take_row(Builder *b, Span name, int width, float **values) {
-    const OnnxTensor *tensor = constant(b, name, ONNX_FLOAT, 1, 1, width);
-    if (!tensor) return false;
-    *values = calloc((size_t)rounded_up(width, OUTPUTS), sizeof **values);
-    if (!*values) return stop(b, "FILE_UNREADABLE", "not enough memory");
-    for (size_t i = 0; i < (size_t)width; i++) (*values)[i] = float_at(tensor, i);
-    return true;
-}
+#include "decoder_chain.h"
 
 /* Packs a weight [b->width, outputs], of int8 or float32. */
 static bool take_weights(Builder *b, Layer *layer, Span name, bool is_int8) {
@@ -149,9 +19,8 @@ static bool take_weights(Builder *b, Layer *layer, Span name, bool is_int8) {
     if (!weight) return false;
     size_t inputs = (size_t)layer->inputs, outputs = (size_t)layer->outputs;
     size_t padded = (size_t)rounded_up(layer->outputs, OUTPUTS);
-    layer->weights = aligned(sizeof(float) * inputs * padded);
-    if (!layer->weights) return stop(b, "FILE_UNREADABLE", "not enough memory");
-    memset(layer->weights, 0, sizeof(float) * inputs * padded);
+    layer->weights = allocate(b, inputs * padded, sizeof *layer->weights);
+    if (!layer->weights) return false;
     for (size_t k = 0; k < inputs; k++)
         for (size_t j = 0; j < outputs; j++) {
             size_t from = k * outputs + j;
@@ -198,8 +67,8 @@ static bool take_int8_layer(Builder *b, Layer *layer) {
     const OnnxTensor *whole = constant(b, bias->input[0], ONNX_INT32, 1, 1, layer->outputs);
     const OnnxTensor *unit = whole ? constant(b, bias->input[1], ONNX_FLOAT, 1, 1, layer->outputs) : NULL;
     if (!unit) return false;
-    layer->whole_bias = calloc((size_t)rounded_up(layer->outputs, OUTPUTS), sizeof *layer->whole_bias);
-    if (!layer->whole_bias) return stop(b, "FILE_UNREADABLE", "not enough memory");
+    layer->whole_bias = allocate(b, (size_t)rounded_up(layer->outputs, OUTPUTS), sizeof *layer->whole_bias);
+    if (!layer->whole_bias) return false;
     for (size_t i = 0; i < (size_t)layer->outputs; i++) {
         layer->unit[i] *= layer->step;
         layer->whole_bias[i] = (int32_t)u32_at(whole->raw.at + 4 * i);
@@ -218,15 +87,14 @@ static bool take_float_layer(Builder *b, Layer *layer) {
 
 static bool take_layers(Builder *b) {
     Decoder *decoder = b->decoder;
-    decoder->layers = calloc(b->model.node_count + 1, sizeof *decoder->layers);
-    if (!decoder->layers) return stop(b, "FILE_UNREADABLE", "not enough memory");
-    bool last = false;
+    decoder->layers = allocate(b, b->model.node_count + 1, sizeof *decoder->layers);
+    bool last = decoder->layers == NULL;
     while (!last) {
         Layer *layer = &decoder->layers[decoder->count++];
         if (!(b->interface->is_int8 ? take_int8_layer : take_float_layer)(b, layer)) return false;
         last = b->interface->is_int8 ? is_operator(next_node(b), "Clip", 3) : !layer->relu;
     }
-    return true;
+    return !b->code;
 }
 
 /* Exp, Sub, and Mul of a number or MatMul of a matrix. */
@@ -243,9 +111,8 @@ static bool take_end(Builder *b) {
         return multiply && take_scalar(b, multiply->input[1], &decoder->unit);
     }
     const OnnxNode *product = take_node(b, "MatMul", 1);
-    decoder->matrix.bias = calloc((size_t)rounded_up(b->interface->outputs, OUTPUTS), sizeof(float));
-    if (!decoder->matrix.bias) return stop(b, "FILE_UNREADABLE", "not enough memory");
-    return product && take_weights(b, &decoder->matrix, product->input[1], false);
+    decoder->matrix.bias = allocate(b, (size_t)rounded_up(b->interface->outputs, OUTPUTS), sizeof(float));
+    return product && decoder->matrix.bias && take_weights(b, &decoder->matrix, product->input[1], false);
 }
 
 /* Follows the one chain from the queries to the output. */
