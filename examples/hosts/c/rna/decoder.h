@@ -91,12 +91,16 @@ static void run_layer(const Layer *layer, const float *restrict x, float *restri
         }
 }
 
-/* Rounds to nearest, ties to even, for |x| below 2^22. */
+/* Rounds to nearest, ties to even, for |x| below 2^22; what is larger stays so. */
 static float rounded(float x) { return (x + 12582912.0f) - 12582912.0f; }
+
+static void quantize(float x[ROWS], float step) {
+    for (int r = 0; r < ROWS; r++) x[r] = clamp(rounded(x[r] / step), 0, 255);
+}
 
 /* Sums of integers, exact: in float32 over up to EXACT_INPUTS inputs, in int32 over all. */
 static void run_int8_layer(const Layer *layer, float *restrict x, float *restrict y) {
-    for (int k = 0; k < layer->inputs * ROWS; k++) x[k] = rounded(clamp(x[k] / layer->step, 0, 255));
+    for (int k = 0; k < layer->inputs; k++) quantize(x + k * ROWS, layer->step);
     for (int j = 0; j < layer->outputs; j += OUTPUTS)
         for (int g = 0; g < ROWS; g += GROUP) {
             float sums[OUTPUTS][GROUP];
@@ -136,21 +140,31 @@ static float exponential(float x) {
     return x == x ? p * power * 2.0f : x;
 }
 
-/* Clips x, one value; NaN stays, to be found in the end. */
-static float clipped(float x, float low, float high) {
-    x = x < low ? low : x;
-    return x > high ? high : x;
+/* NaN stays, to be found in the end. */
+static void clip(float x[ROWS], float low, float high) {
+    for (int r = 0; r < ROWS; r++) {
+        float raised = x[r] < low ? low : x[r];
+        x[r] = raised > high ? high : raised;
+    }
+}
+
+static void scale(float x[ROWS], float gain, float offset) {
+    for (int r = 0; r < ROWS; r++) x[r] = x[r] * gain + offset;
+}
+
+/* From logarithms to colours.  Two loops: compilers make each of them vectors. */
+static void expand(float x[ROWS], float unit) {
+    for (int r = 0; r < ROWS; r++) x[r] = exponential(x[r]);
+    for (int r = 0; r < ROWS; r++) x[r] = (x[r] - 1) * unit;
 }
 
 /* Runs ROWS queries; returns the results, [outputs][ROWS], which are in `a` or `b`.  a: the queries,
  * [columns][ROWS].  Both have room for `widest` columns. */
 static const float *run_decoder(const Decoder *decoder, float *a, float *b) {
-    for (int k = 0; k < decoder->columns; k++)
-        for (int r = 0; r < ROWS; r++) {
-            float *x = &a[k * ROWS + r];
-            *x = clipped(*x, decoder->low, decoder->high);
-            if (decoder->gain) *x = *x * decoder->gain[k] + decoder->offset[k];
-        }
+    for (int k = 0; k < decoder->columns; k++) {
+        clip(a + k * ROWS, decoder->low, decoder->high);
+        if (decoder->gain) scale(a + k * ROWS, decoder->gain[k], decoder->offset[k]);
+    }
     int width = decoder->columns;
     for (int i = 0; i < decoder->count; i++) {
         const Layer *layer = &decoder->layers[i];
@@ -163,8 +177,10 @@ static const float *run_decoder(const Decoder *decoder, float *a, float *b) {
         b = swap;
         width = layer->outputs;
     }
-    for (int k = 0; k < width * ROWS; k++)
-        a[k] = (exponential(clipped(a[k], 0, decoder->top)) - 1) * decoder->unit;
+    for (int k = 0; k < width; k++) {
+        clip(a + k * ROWS, 0, decoder->top);
+        expand(a + k * ROWS, decoder->unit);
+    }
     if (!decoder->matrix.weights) return a;
     run_layer(&decoder->matrix, a, b);
     return b;
