@@ -101,7 +101,9 @@ def test_writer_refuses_the_other_geometry(
 ) -> None:
     tier = make_tier(inputs=inputs)
     manifest = make_manifest(tier, kind=kind)
-    with pytest.raises(PackageError, match=f"GEOMETRY_CONTAINER at /parts/0/geometry.*a {kind} part"):
+    with pytest.raises(
+        PackageError, match=f"GEOMETRY_CONTAINER at /parts/0/geometry.*a {kind} part"
+    ):
         write_package(tmp_path / "x.rna", manifest, [geometry], {"small": make_tier_data(tier)})
     assert list(tmp_path.iterdir()) == []
 

@@ -1,4 +1,4 @@
-"""A package with all that is new in 1.1, from its file to the image."""
+"""A package of two parts with emission, holes and glass, from its file to the image."""
 
 from __future__ import annotations
 

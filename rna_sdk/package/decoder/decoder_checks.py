@@ -33,6 +33,7 @@ def check_decoder(data: memoryview, own: PartDecoder) -> list[Issue]:
     ):
         if found > limit:
             refuse(Code.DECODER_COST, own.entry, f"{found} {what} a query", f"at most {limit}")
+    _check_finite(decoder, own.entry)
     _check_results(decoder, own)
     return _warnings(decoder, own.entry)
 
@@ -51,6 +52,15 @@ def _check_declared(decoder: ProfileDecoder, own: PartDecoder) -> None:
     ):
         if found != expected:
             refuse(Code.DECODER_PROFILE, f"{own.entry}#/graph/{where}", found, expected)
+
+
+def _check_finite(decoder: ProfileDecoder, name: str) -> None:
+    numbers = [decoder.low, decoder.high, decoder.gain, decoder.offset]
+    numbers += [decoder.top, decoder.unit, decoder.matrix]
+    for layer in decoder.layers:
+        numbers += [layer.weight, layer.bias, layer.step, layer.scale]
+    if not all(np.isfinite(one).all() for one in numbers if one is not None):
+        refuse(Code.DECODER_RESULT, name, "a constant that is NaN or infinite", "finite ones")
 
 
 def _check_results(decoder: ProfileDecoder, own: PartDecoder) -> None:

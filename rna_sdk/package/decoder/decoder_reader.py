@@ -21,7 +21,6 @@ from rna_sdk.package.decoder.onnx_model import (
     Node,
     OutsideFormat,
     Tensor,
-    Value,
     read_model,
 )
 from rna_sdk.package.decoder.profile_decoder import ProfileDecoder, ProfileLayer
@@ -95,11 +94,10 @@ class _Chain:
         self._dequantizers: dict[str, Node] = {}
         self._at = 0
         self._value = INPUT_NAME
-        self._width = _columns(model.inputs, "input")
-        self._outputs = _columns(model.outputs, "output")
-        self._output = model.outputs[0].name
-        if model.inputs[0].name != INPUT_NAME:
-            raise OutsideFormat("/graph/input/0/name", repr(model.inputs[0].name), repr(INPUT_NAME))
+        self._width, self._outputs = model.input.columns, model.output.columns
+        self._output = model.output.name
+        if model.input.name != INPUT_NAME:
+            raise OutsideFormat("/graph/input", repr(model.input.name), repr(INPUT_NAME))
         made = [INPUT_NAME, *(node.output for node in model.nodes)]
         made += [tensor.name for tensor in model.initializers]
         if twice := sorted(name for name, count in Counter(made).items() if count > 1 or not name):
@@ -142,7 +140,7 @@ class _Chain:
             raise self._outside(self._peek(), "nothing behind the last node")
         if self._value != self._output or self._readers[self._value]:
             found = f"{self._value!r}, read {self._readers[self._value]} times"
-            raise OutsideFormat("/graph/output/0", found, f"{self._output!r}, read by no node")
+            raise OutsideFormat("/graph/output", found, f"{self._output!r}, read by no node")
         if unread := sorted(self._unread | set(self._dequantizers)):
             raise OutsideFormat(f"/graph/{unread[0]}", "read by no layer", "no other constants")
 
@@ -168,7 +166,7 @@ class _Chain:
                 raise self._outside(f"scales {step} and {again}", "one scale")
             node = self._next("Gemm")
             if len(node.inputs) != 3:
-                raise self._outside(f"Gemm of {len(node.inputs)} operands", "3")
+                raise self._outside(f"Gemm of {len(node.inputs)} operands", "3", node)
             weights, biases = self._dequantized(node, 1, axis=1), self._dequantized(node, 2, axis=0)
             outputs = self._columns_of(weights)
             scales, shape = _Operand(_FLOAT32, (outputs,)), (self._width, outputs)
@@ -192,8 +190,10 @@ class _Chain:
             self._at += 1
         return "nothing"
 
-    def _outside(self, found: object, expected: object) -> OutsideFormat:
-        return OutsideFormat(f"/graph/node/{self._at}", found, expected)
+    def _outside(self, found: object, expected: object, node: Node | None = None) -> OutsideFormat:
+        """About a node that was read, or else the next one."""
+        at = self._at if node is None else self._nodes.index(node)
+        return OutsideFormat(f"/graph/node/{at}", found, expected)
 
     def _take(self, operator: str, *operands: _Operand) -> list[Numbers]:
         """Constants of the next node, which is this one, of the value and such constants."""
@@ -218,7 +218,8 @@ class _Chain:
         name = node.inputs[operand]
         maker = self._dequantizers.pop(name, None)
         if maker is None or maker.axis != axis or self._readers[name] != 1:
-            raise self._outside(f"{name!r}", f"a DequantizeLinear of constants along axis {axis}")
+            expected = f"a DequantizeLinear of constants along axis {axis}"
+            raise self._outside(f"Gemm of {name!r}", expected, node)
         return maker.inputs
 
     def _columns_of(self, names: Sequence[str]) -> int:
@@ -234,23 +235,14 @@ class _Chain:
     ) -> list[Numbers]:
         """The constants of these names, which are such operands."""
         if len(names) != len(operands):
-            raise self._outside(f"{node.operator} of {len(names)} constants", len(operands))
-        found = []
+            found = f"{node.operator} of {len(names)} constants"
+            raise self._outside(found, len(operands), node)
+        arrays = []
         for name, operand in zip(names, operands, strict=True):
             tensor = self._constants.get(name)
             if tensor is None or not operand.fits(tensor):
                 shown = f"type {tensor.dtype} {list(tensor.dims)}" if tensor else "no constant"
-                raise self._outside(f"{node.operator} of {name!r}, {shown}", operand)
+                raise self._outside(f"{node.operator} of {name!r}, {shown}", operand, node)
             self._unread.discard(name)
-            found.append(tensor.values())
-        return found
-
-
-def _columns(values: tuple[Value, ...], side: str) -> int:
-    """Columns of the one input or output of the graph."""
-    if len(values) == 1 and values[0].dtype == _FLOAT32 and len(values[0].dims) == 2:
-        rows, columns = values[0].dims
-        if rows is None and columns:
-            return columns
-    found = [f"{value.name} type {value.dtype} {list(value.dims)}" for value in values]
-    raise OutsideFormat(f"/graph/{side}", found, "one value of float32 [N, columns], N symbolic")
+            arrays.append(tensor.values())
+        return arrays

@@ -23,8 +23,7 @@ DTYPES: dict[int, np.dtype[Any]] = {
 
 _DEFAULT_DOMAINS = ("", "ai.onnx")
 _OF_MODEL = fields.ModelProto.TRAINING_INFO, fields.ModelProto.FUNCTIONS
-_OTHER_DATA = (*range(3, 8), 10, 11, fields.TensorProto.EXTERNAL_DATA)
-"""Fields of TensorProto that hold values, or say where they are, in another way than raw_data."""
+_OTHER_DATA = *fields.TensorProto.OTHER_DATA, fields.TensorProto.EXTERNAL_DATA
 
 
 class OutsideFormat(Exception):
@@ -71,12 +70,11 @@ class Node:
 
 
 @dataclass(frozen=True)
-class Value:
-    """A graph input or output. `dtype` 0: no tensor; a dim of None: symbolic."""
+class Side:
+    """The graph's input or output, float32 [N, columns], N symbolic."""
 
     name: str
-    dtype: int
-    dims: tuple[int | None, ...]
+    columns: int
 
 
 @dataclass(frozen=True)
@@ -85,8 +83,8 @@ class Model:
 
     nodes: tuple[Node, ...]
     initializers: tuple[Tensor, ...]
-    inputs: tuple[Value, ...]
-    outputs: tuple[Value, ...]
+    input: Side
+    output: Side
 
 
 def read_model(data: memoryview) -> Model:
@@ -102,16 +100,11 @@ def read_model(data: memoryview) -> Model:
     if any(map(model.has, _OF_MODEL)) or graph.has(fields.GraphProto.SPARSE_INITIALIZER):
         raise OutsideFormat("", "functions, training information or sparse tensors", "none")
     return Model(
-        nodes=tuple(map(_node, *_numbered(graph, fields.GraphProto.NODE))),
+        nodes=tuple(_node(k, one) for k, one in enumerate(graph.messages(fields.GraphProto.NODE))),
         initializers=tuple(map(_tensor, graph.messages(fields.GraphProto.INITIALIZER))),
-        inputs=tuple(map(_value, graph.messages(fields.GraphProto.INPUT))),
-        outputs=tuple(map(_value, graph.messages(fields.GraphProto.OUTPUT))),
+        input=_side(graph.message(fields.GraphProto.INPUT), "/graph/input"),
+        output=_side(graph.message(fields.GraphProto.OUTPUT), "/graph/output"),
     )
-
-
-def _numbered(message: Message, number: int) -> tuple[range, list[Message]]:
-    found = message.messages(number)
-    return range(len(found)), found
 
 
 def _check_versions(model: Message) -> None:
@@ -164,19 +157,17 @@ def _node(number: int, node: Message) -> Node:
     )
 
 
-def _value(value: Message) -> Value:
+def _side(value: Message, where: str) -> Side:
+    name = value.text(fields.ValueInfoProto.NAME)
     tensor = value.message(fields.ValueInfoProto.TYPE).message(fields.TypeProto.TENSOR_TYPE)
-    dims = tensor.message(fields.TensorTypeProto.SHAPE).messages(fields.TensorShapeProto.DIM)
-    return Value(
-        name=value.text(fields.ValueInfoProto.NAME),
-        dtype=tensor.integer(fields.TensorTypeProto.ELEM_TYPE),
-        dims=tuple(map(_size, dims)),
-    )
-
-
-def _size(dim: Message) -> int | None:
-    """None for one that is free; its name, which engines read, is UTF-8 or refused."""
-    dim.text(fields.DimensionProto.DIM_PARAM)
-    if not dim.has(fields.DimensionProto.DIM_VALUE):
-        return None
-    return dim.integer(fields.DimensionProto.DIM_VALUE)
+    dtype = tensor.integer(fields.TensorTypeProto.ELEM_TYPE)
+    shape = []
+    for dim in tensor.message(fields.TensorTypeProto.SHAPE).messages(fields.TensorShapeProto.DIM):
+        symbol = dim.text(fields.DimensionProto.DIM_PARAM)
+        sized = dim.has(fields.DimensionProto.DIM_VALUE)
+        shape.append(dim.integer(fields.DimensionProto.DIM_VALUE) if sized else symbol or "N")
+    match shape:
+        case [str(), int(columns)] if columns > 0 and dtype == fields.DataType.FLOAT:
+            return Side(name, columns)
+    found = f"{name!r} type {dtype} {shape}"
+    raise OutsideFormat(where, found, "one of float32 [N, columns], N symbolic")

@@ -370,11 +370,6 @@ def decoder_garbage(entries: Entries) -> bytes:
 
 
 @case("DECODER_PROFILE")
-def decoder_empty(entries: Entries) -> bytes:
-    return with_entry(entries, DECODER, b"")
-
-
-@case("DECODER_PROFILE")
 def decoder_truncated(entries: Entries) -> bytes:
     return with_entry(entries, DECODER, entries[DECODER][:-20])
 
@@ -400,18 +395,6 @@ def decoder_with_a_size_named_in_no_utf8(entries: Entries) -> bytes:
 @case("DECODER_PROFILE")
 def decoder_opset_too_new(entries: Entries) -> bytes:
     return with_decoder(entries, lambda m: setattr(m.opset_import[0], "version", 22))
-
-
-@case("DECODER_PROFILE")
-def decoder_ir_too_new(entries: Entries) -> bytes:
-    return with_decoder(entries, lambda m: setattr(m, "ir_version", 11))
-
-
-@case("DECODER_PROFILE")
-def decoder_imports_a_custom_domain(entries: Entries) -> bytes:
-    return with_decoder(
-        entries, lambda m: m.opset_import.append(helper.make_opsetid("com.microsoft", 1))
-    )
 
 
 @case("DECODER_PROFILE")
@@ -459,11 +442,6 @@ def decoder_with_other_columns(entries: Entries) -> bytes:
 
 
 @case("DECODER_PROFILE")
-def decoder_with_two_inputs(entries: Entries) -> bytes:
-    return with_decoder(entries, lambda m: m.graph.input.append(m.graph.input[0]))
-
-
-@case("DECODER_PROFILE")
 def decoder_with_a_fixed_batch(entries: Entries) -> bytes:
     def edit(model: onnx.ModelProto) -> None:
         model.graph.input[0].type.tensor_type.shape.dim[0].dim_value = 1
@@ -491,16 +469,6 @@ def decoder_with_another_activation(entries: Entries) -> bytes:
     def edit(model: onnx.ModelProto) -> None:
         node = next(node for node in model.graph.node if node.op_type == "Relu")
         node.op_type = "Tanh"
-
-    return with_decoder(entries, edit)
-
-
-@case("DECODER_PROFILE")
-def decoder_with_products_of_all_pairs_of_queries(entries: Entries) -> bytes:
-    def edit(model: onnx.ModelProto) -> None:
-        node = next(node for node in model.graph.node if node.op_type == "Gemm")
-        node.input[1] = "queries"
-        node.attribute.append(helper.make_attribute("transB", 1))
 
     return with_decoder(entries, edit)
 
@@ -534,11 +502,6 @@ def decoder_without_clamps(entries: Entries) -> bytes:
         model.graph.node[-1].output[0] = "transport"
 
     return with_decoder(entries, edit)
-
-
-@case("DECODER_PROFILE")
-def decoder_of_another_precision(entries: Entries) -> bytes:
-    return with_profile(entries, random_decoder(), "int8")
 
 
 @case("DECODER_PROFILE")
