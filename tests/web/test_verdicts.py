@@ -7,6 +7,7 @@ import shutil
 import struct
 import subprocess
 
+import numpy as np
 import pytest
 
 from rna_bench.readers.fuzz_readers import WEB_READER
@@ -14,6 +15,7 @@ from rna_sdk.conformance.kit import find_kit, load_kit
 from rna_sdk.package import Code
 from rna_sdk.package.issues import Severity
 from tests.conftest import REPOSITORY
+from tests.hosts.packages import broken_constants, make_profile_tier, write_profile_package
 from tests.package.builders import make_tiny_package, read_entries
 from tests.package.corpus import content_cases
 from tests.package.lobes import with_lobes
@@ -29,7 +31,7 @@ pytestmark = pytest.mark.skipif(shutil.which("node") is None, reason="needs Node
 
 
 def verdicts(*packages: bytes) -> list[str]:
-    """ "accepted", the code of a refusal, or NOT_SUPPORTED, of each."""
+    """ "accepted", or the code of the refusal, of each."""
     return judged(*packages)[0]
 
 
@@ -53,7 +55,7 @@ def test_broken_packages_of_the_kit() -> None:
         if case.code is not None
         and Code[case.code].severity is Severity.ERROR
         and case.package.name not in NOT_SEEN
-        and verdict not in (case.code, "NOT_SUPPORTED")
+        and verdict != case.code
     ]
     assert wrong == []
 
@@ -63,6 +65,16 @@ def test_decoder_of_countless_layers_with_one_weight(tmp_path) -> None:
     entries = read_entries(make_tiny_package(tmp_path / "tiny.rna"))
     package = content_cases.decoder_of_countless_layers_with_one_weight(entries)
     assert verdicts(package) == ["DECODER_COST"]
+
+
+@pytest.mark.parametrize("precision", ["float32", "int8"])
+def test_constants_that_are_not_finite_are_refused(precision, tmp_path) -> None:
+    """Every one, also where a later Clip or QuantizeLinear hides it."""
+    tier = make_profile_tier("small", "surface", decoder_precision=precision)
+    entries = read_entries(write_profile_package(tmp_path / "good.rna", tier))
+    packages = [*broken_constants(entries, np.nan), *broken_constants(entries, np.inf)]
+    assert len(packages) >= 16
+    assert verdicts(*packages) == ["DECODER_RESULT"] * len(packages)
 
 
 def test_packages_with_lobes_have_no_warnings(tmp_path) -> None:
