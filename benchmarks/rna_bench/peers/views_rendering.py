@@ -111,7 +111,7 @@ def _render(
         "intensity": [INTENSITY * radius**2] * 3,
     }
     still = [np.eye(4).tolist()]
-    scene = {"assets": still, "meshes": [], "lights": [light], "bounces": None, "emission": False}
+    scene = {"assets": still, "meshes": [], "lights": [light], "bounces": None}
     camera = PeerCamera(to_world, FOV_X, (plan.resolution, plan.resolution))
     samples, seed = plan.samples_of(split), 1000 * SPLITS.index(split) + number
     rgba, points = worker.render_scene(scene, to_world, camera.fov_y, samples, seed, *camera.size)

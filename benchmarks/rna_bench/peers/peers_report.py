@@ -1,11 +1,10 @@
-"""The report of `rna-bench peers`: JSON, curves, sheets like the paper's and a page."""
+"""The report of `rna-bench peers`: JSON, curves and sheets like the paper's."""
 
 from __future__ import annotations
 
 from pathlib import Path
 from typing import Any
 
-from rna_bench.bench_pages import write_html
 from rna_bench.peers.peers_sheets import TITLES, told_share, write_sheets
 from rna_bench.peers.scoring import DEFINITIONS
 from rna_bench.peers.study import Plan
@@ -16,7 +15,7 @@ from rna_export.metrics import FLIP_DEFINITION
 Row = dict[str, Any]
 
 
-def write_page(
+def write_report(
     out: Path,
     stamp: dict[str, Any] | None,
     settings: dict[str, Any],
@@ -24,7 +23,7 @@ def write_page(
     rows: list[Row],
     ours: list[Row],
 ) -> None:
-    """Write `peers.json`, `curves.svg`, sheets and `index.html`, with the images in `out`."""
+    """Write `peers.json`, `curves.svg` and sheets, with the images in `out`."""
     report = {**settings, "definitions": DEFINITIONS, "methods": rows}
     report["ours"] = [{k: v for k, v in row.items() if k != "images"} for row in ours]
     report["train_views"] = len(plan.train)
@@ -32,12 +31,7 @@ def write_page(
     write_results(out / "peers.json", stamp, report)
     save_chart(_curves(plan, rows, ours), out / "curves.svg")
     sheets = write_sheets(out, plan, rows, ours)
-    table = [(row, row["points"][-1], told_share(row["points"][-1])) for row in rows]
-    values = {"name": settings["views"], "stamp": stamp, "settings": settings, "ours": ours}
-    values["sheets"] = sheets
-    titles = {split: TITLES[split] for split in plan.held_out}
-    write_html(out / "index.html", "peers.html", table=table, titles=titles, **values)
-    print(f"wrote {out / 'index.html'}, {out / 'peers.json'}, {', '.join(sheets)}")
+    print(f"wrote {', '.join(str(out / name) for name in ('peers.json', 'curves.svg', *sheets))}")
 
 
 def _curves(plan: Plan, rows: list[Row], ours: list[Row]) -> Any:
