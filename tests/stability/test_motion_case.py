@@ -7,7 +7,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_bench.one_part import load_one_part
 from rna_bench.stability import moved_references
 from rna_bench.stability.cases import motion
 from rna_bench.stability.fixtures import ASSETS, Fixtures, Subject
@@ -16,9 +15,8 @@ from rna_bench.stability.moved_references import Views, references
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.capture.blender_process.source import Source
 from rna_export.capture.geometry.mesh_cleanup import clean_mesh
-from rna_sdk.package import Curves, Tier, write_package
+from rna_sdk.package import Tier, write_package
 from rna_sdk.runtime import SurfaceAsset, load
-from rna_trace import part_geometry
 from tests.conftest import REPOSITORY
 from tests.package.builders import make_manifest, make_part_data, make_tier_part
 
@@ -32,13 +30,10 @@ def toy() -> SurfaceAsset:
     return asset
 
 
-@pytest.mark.parametrize("path", ["quickstart/toy.rna", "fibers/curly_ball.rna"])
-def test_a_turned_asset_looks_as_it_does_at_rest(path: str) -> None:
+def test_a_turned_asset_looks_as_it_does_at_rest(toy: SurfaceAsset) -> None:
     """All turned: shape, rays and light."""
-    asset = load_one_part(REPOSITORY / "examples" / path, threads=1)
-    geometry = part_geometry(asset)
-    positions = geometry.points if isinstance(geometry, Curves) else geometry.positions
-    rest, turned = MovedAsset(asset, positions), MovedAsset(asset, positions @ TURN.T)
+    positions = toy.mesh.positions
+    rest, turned = MovedAsset(toy, positions), MovedAsset(toy, positions @ TURN.T)
     views = Views.around([positions])
     origins, directions = (rays[::23] for rays in views.rays(0))
     before = rest.see(origins, directions, views.wi[0])
@@ -46,31 +41,15 @@ def test_a_turned_asset_looks_as_it_does_at_rest(path: str) -> None:
     after = turned.see(origins @ TURN.T, directions @ TURN.T, light)
     assert np.isin(before.ray, after.ray).mean() > 0.97 and len(before.ray) > 50
     np.testing.assert_allclose(turned.turned_deg(), 90.0, atol=0.5)
-    np.testing.assert_allclose(turned.stretch(), 1.0, atol=2e-3)
     assert rest.turned_deg().max() < 0.1
     error = np.abs(before.radiance.mean(axis=0) - after.radiance.mean(axis=0))
     assert (error < 0.02 * before.radiance.mean()).all()
 
 
-def test_assets_are_measured_by_choice(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    row = {"where": "moved", "angle_deg": motion.AT_DEG, "error": 3.0, "at_rest": 2.0}
-    monkeypatch.setattr(motion, "rows_of", lambda _, name: [{"asset": name, **row}])
-    (row,) = motion.measure(Fixtures(tmp_path, Subject(), 10, 1, moving=("tail",)))
-    assert row["asset"] == "tail"
-    assert motion.judge([row]).found.endswith("tail 1.50; figure not measured; slab not measured")
-
-
-def test_stretch_counts_longer_and_shorter(toy: SurfaceAsset) -> None:
-    wide = MovedAsset(toy, toy.mesh.positions * np.float32([1.0, 1.5, 1.0]))
-    flat = MovedAsset(toy, toy.mesh.positions * np.float32([1.0, 0.5, 1.0]))
-    assert wide.stretch().max() == pytest.approx(1.5, rel=1e-3)
-    assert flat.stretch().max() == pytest.approx(2.0, rel=1e-3)
-
-
 def test_rays_of_images_are_numbered_on(toy: SurfaceAsset) -> None:
     asset, views = MovedAsset(toy, toy.mesh.positions), Views.around([toy.mesh.positions])
     seen = [asset.see(*views.rays(k), views.wi[k]) for k in (0, 1)]
-    both = joined(seen, [views.pixels] * 2)
+    both = joined(seen, views.pixels)
     assert (both.ray[: len(seen[0].ray)] == seen[0].ray).all()
     assert (both.ray[len(seen[0].ray) :] == seen[1].ray + views.pixels).all()
 
@@ -117,4 +96,4 @@ def test_cycles_and_we_see_the_same_bent_slab(
     assert 28.0 < bent.asset.turned_deg().max() < 32.0
     rows = motion.by_angle(rest, bent, 60.0)
     assert {"moved", "whole"} <= {row["where"] for row in rows}
-    assert all(np.isfinite(row["error"]) for row in rows if row["where"] != "touching")
+    assert all(np.isfinite(row["error"]) for row in rows)

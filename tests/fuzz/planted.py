@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import shutil
-import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
 from tests.conftest import REPOSITORY
+from tests.fuzz.packages import WEB_READER, build
 from tests.hosts.c_host import SOURCES
-
-WEB_READER = REPOSITORY / "runtime" / "web" / "src" / "package"
 
 
 @dataclass(frozen=True)
@@ -71,24 +69,22 @@ WEB_BUGS = {
 }
 
 
-def build_planted_fuzzer(folder: Path) -> Path:
-    """The C host's fuzzer with all C_BUGS, of which the number in PLANTED is switched on."""
+def build_planted(folder: Path) -> Path:
+    """c_host.c with all C_BUGS, of which the number in PLANTED is switched on."""
     sources = shutil.copytree(SOURCES, folder / "c", ignore=shutil.ignore_patterns("build"))
     for bug in (bug for bugs in C_BUGS.values() for bug in bugs):
         bug.plant(sources)
     Bug("rna/base.h", "/* Limits of section 11. */", _SWITCH).plant(sources)
-    flags = ["CFLAGS=-O0", f"BUILD={folder}", f"{folder}/fuzz"]
-    subprocess.run(["make", "-s", "-C", str(sources), *flags], check=True)
-    return folder / "fuzz"
+    return build(folder, sources)
 
 
 def planted_web_reader(folder: Path, bugs: list[Bug]) -> Path:
     """The viewer's reader with these faults."""
     package = folder / "runtime" / "web" / "src" / "package"
     shutil.copytree(WEB_READER, package)
-    schema = folder / "spec" / "schema" / "manifest.schema.json"
-    schema.parent.mkdir(parents=True)
-    shutil.copy(REPOSITORY / "spec" / "schema" / schema.name, schema)
+    (folder / "spec" / "schema").mkdir(parents=True)
+    for name in ("blocks.json", "schema/manifest.schema.json"):
+        shutil.copy(REPOSITORY / "spec" / name, folder / "spec" / name)
     for bug in bugs:
         bug.plant(package)
     return package

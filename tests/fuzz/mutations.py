@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import json
+import re
 import struct
 from collections.abc import Callable
 from typing import Any
@@ -19,12 +20,20 @@ NUMBERS = [
     "9223372036854775807", "1e18", "60000000", "3.5",
 ]  # fmt: skip
 WORDS = ['""', "null", "true", "[]", "{}", '"a\\u0000b"', '"../../x"', "[[[[[[]]]]]]"]
+STRICT = [  # of the texts of packages, whose JSON is strict
+    "1e400", "1e-400", "64", "65", "4096", "4097", "9007199254740993", "18446744073709551616",
+    "3.5e38", "1e-40", "01", "1.", ".5", "1e", "[0]", "[0,3]", "[1,1,3]", "[1.5,1.5]", '{"a":1}',
+    '"\\ud800"', '"\\ud83d\\ude00"', '"\\q"', '"float16"', '"int8"', '"float32"', '"fiber"',
+    '"surface"', '"1.0"', '"1.1"', '"01.0"', '"F32"', '"U32"', '"VEC3"', '"SCALAR"', '"U8"',
+    '"U16"', '"I16"', '"I32"', "5122", "5123", "5125", '"KHR_mesh_quantization"', '"hemisphere"',
+    '"features"', '"h"', '"learned_normal"', '[{"axis":[0,1,0],"halfAngle":0.5}]', 80 * "[",
+]  # fmt: skip
 FLOATS = np.array([np.nan, np.inf, -np.inf, 1e30, -1e30, 1e18, 3e38, 1e-45, 0, -1, 0.5], np.float32)
 
 
 def mutate(data: bytes, suffix: str, rng: np.random.Generator) -> bytes:
     """The file with a change that suits its kind, or a few."""
-    changes = _CHANGES.get(suffix, [_change_bytes])
+    changes = _CHANGES.get(suffix, [change_bytes])
     for _ in range(rng.geometric(0.7)):
         change = changes[rng.integers(len(changes))]
         data = change(data, rng)
@@ -34,7 +43,7 @@ def mutate(data: bytes, suffix: str, rng: np.random.Generator) -> bytes:
 Change = Callable[[bytes, np.random.Generator], bytes]
 
 
-def _change_bytes(data: bytes, rng: np.random.Generator) -> bytes:
+def change_bytes(data: bytes, rng: np.random.Generator) -> bytes:
     """Bytes set, removed, repeated, or a word of 32 bits replaced; or the file is cut."""
     if not data:
         return b"\0"
@@ -57,6 +66,30 @@ def _change_bytes(data: bytes, rng: np.random.Generator) -> bytes:
         case 5:
             return data[:at] + bytes([data[at] ^ (1 << rng.integers(8))]) + data[at + 1 :]
     return data[:at] + rng.bytes(length) + data[at + length :]
+
+
+_TOKEN = re.compile(rb'"[^"]*"|-?[0-9][0-9.eE+-]*')
+_VALUES = [text.encode() for text in (*NUMBERS, *WORDS, *STRICT)] + [b'"\xc3\x28"', b'"\xed\xa0\x80"']
+
+
+def change_text(data: bytes, rng: np.random.Generator) -> bytes:
+    """A string or number of a strict text becomes another one; or members and bytes change."""
+    tokens = [found.span() for found in _TOKEN.finditer(data)]
+    kind = rng.integers(16)
+    if not tokens or kind < 1:
+        return change_bytes(data, rng)
+    if kind < 4:
+        return _change_json(data, rng)
+    start, end = tokens[rng.integers(len(tokens))]
+    if kind < 7:
+        other = slice(*tokens[rng.integers(len(tokens))])
+        return data[:start] + data[other] + data[end:]
+    if kind < 11 and data[start:end].isdigit():  # sizes that nearly fit
+        number = int(data[start:end])
+        near = [number + 1, max(number - 1, 0), 2 * number, 3 * number, 4 * number, number // 2]
+        near += [number + 3, number + 4, number + 12, number + 64]
+        return data[:start] + str(near[rng.integers(len(near))]).encode() + data[end:]
+    return data[:start] + _VALUES[rng.integers(len(_VALUES))] + data[end:]
 
 
 def _change_number(data: bytes, rng: np.random.Generator) -> bytes:
@@ -91,12 +124,22 @@ def _change_line(data: bytes, rng: np.random.Generator) -> bytes:
     return b"\n".join(lines)
 
 
+def change_word(data: bytes, rng: np.random.Generator) -> bytes:
+    """A word of 32 bits becomes an odd float, or another word of the data."""
+    if len(data) < 4:
+        return change_bytes(data, rng)
+    at = 4 * int(rng.integers(len(data) // 4))
+    to = 4 * int(rng.integers(len(data) // 4))
+    odd = FLOATS[rng.integers(len(FLOATS))].tobytes()
+    return data[:at] + (odd if rng.integers(2) else data[to : to + 4]) + data[at + 4 :]
+
+
 def _change_json(data: bytes, rng: np.random.Generator) -> bytes:
     """A value anywhere in a JSON document is replaced, removed or repeated."""
     try:
         document = json.loads(data)
     except ValueError:
-        return _change_bytes(data, rng)
+        return change_bytes(data, rng)
     places = list(_places(document))
     if not places:
         return data
@@ -134,7 +177,7 @@ def _change_buffer(data: bytes, rng: np.random.Generator) -> bytes:
         buffer = json.loads(data)["buffers"][0]
         blob = base64.b64decode(buffer["uri"].removeprefix(PREFIX))
     except (ValueError, LookupError, AttributeError, TypeError):
-        return _change_bytes(data, rng)
+        return change_bytes(data, rng)
     changed = bytearray(blob)
     for _ in range(rng.integers(1, 4)):
         if len(changed) >= 4:
@@ -144,12 +187,12 @@ def _change_buffer(data: bytes, rng: np.random.Generator) -> bytes:
     return data.replace(old.encode(), new.encode())
 
 
-_TEXT: list[Change] = [_change_number, _change_number, _change_line, _change_bytes]
+_TEXT: list[Change] = [_change_number, _change_number, _change_line, change_bytes]
 _CHANGES: dict[str, list[Change]] = {
-    ".gltf": [_change_json, _change_json, _change_buffer, _change_bytes],
-    ".glb": [_change_bytes, _change_number],
+    ".gltf": [_change_json, _change_json, _change_buffer, change_bytes],
+    ".glb": [change_bytes, _change_number],
     ".obj": _TEXT,
     ".ply": _TEXT,
     ".yaml": _TEXT,
-    ".hdr": [_change_bytes, _change_bytes, _change_number],
+    ".hdr": [change_bytes, change_bytes, _change_number],
 }
