@@ -69,7 +69,10 @@ def change_bytes(data: bytes, rng: np.random.Generator) -> bytes:
 
 
 _TOKEN = re.compile(rb'"[^"]*"|-?[0-9][0-9.eE+-]*')
-_VALUES = [text.encode() for text in (*NUMBERS, *WORDS, *STRICT)] + [b'"\xc3\x28"', b'"\xed\xa0\x80"']
+_VALUES = [text.encode() for text in (*NUMBERS, *WORDS, *STRICT)] + [
+    b'"\xc3\x28"',
+    b'"\xed\xa0\x80"',
+]
 
 
 def change_text(data: bytes, rng: np.random.Generator) -> bytes:

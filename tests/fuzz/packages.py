@@ -21,7 +21,7 @@ import subprocess
 import sys
 import tempfile
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -49,8 +49,8 @@ C_FLAGS = [
     *("-DRNA_EXACT_ENTRIES", "-D_POSIX_C_SOURCE=200809L"),  # each entry in a block of its own size
 ]
 _HITS = 4
-_NOT_OF_THE_C_HOST = {"EXTENSION_REQUIRED", "EXTENSION_UNKNOWN"}
-"""Codes where the C host has not looked at what the extension holds."""
+_NOT_OF_THE_C_HOST = {"EXTENSION_REQUIRED", "EXTENSION_UNKNOWN", "DECODER_PROFILE"}
+"""Codes where the C host has not looked at what the extension holds, or does not run the decoder."""
 
 
 @dataclass
@@ -91,7 +91,7 @@ class Mutations:
         return stream(data for _, data in self.each())
 
 
-def stream(packages: Iterator[bytes]) -> bytes:
+def stream(packages: Iterable[bytes]) -> bytes:
     """The packages, each behind its size in four bytes."""
     return b"".join(struct.pack("<I", len(data)) + data for data in packages)
 
@@ -107,17 +107,22 @@ def build(folder: Path, sources: Path = SOURCES) -> Path:
 
 def run_c_host(mutations: Mutations, folder: Path) -> Tally:
     """Through the C host, whose program is built into the folder where it is not there."""
-    program, tally = folder / "c_host", Tally()
+    tally, (verdicts, error) = Tally(), _of_c_host(mutations, folder)
+    for codes in verdicts:
+        tally.judge(codes)
+    if error:
+        tally.failures.append(f"{mutations.first + len(verdicts)}: {error[-3000:]}")
+    return tally
+
+
+def _of_c_host(mutations: Mutations, folder: Path) -> tuple[list[list[str]], str]:
+    """Codes of each mutation as far as the program came, and at what it ended, if not at the end."""
+    program = folder / "c_host"
     if not program.is_file():
         build(folder)
     done = subprocess.run([program], input=mutations.stream(), capture_output=True)
-    lines = done.stdout.decode().splitlines()
-    for line in lines:
-        tally.judge(line.split())
-    if done.returncode:
-        error = done.stderr.decode(errors="replace")[-3000:]
-        tally.failures.append(f"{mutations.first + len(lines)}: {error}")
-    return tally
+    error = done.stderr.decode(errors="replace") if done.returncode else ""
+    return [line.split() for line in done.stdout.decode().splitlines()], error
 
 
 def run_viewer(mutations: Mutations, folder: Path) -> Tally:
@@ -166,13 +171,8 @@ READERS: dict[str, Reader] = {"c-host": run_c_host, "python": run_python, "viewe
 
 
 def _verdicts_of_c_host(mutations: Mutations, folder: Path) -> dict[int, list[str]]:
-    """Number -> codes, as far as the program came."""
-    program = folder / "c_host"
-    if not program.is_file():
-        build(folder)
-    done = subprocess.run([program], input=mutations.stream(), capture_output=True)
-    lines = done.stdout.decode().splitlines()
-    return {mutations.first + k: line.split() for k, line in enumerate(lines)}
+    """Number -> codes."""
+    return dict(enumerate(_of_c_host(mutations, folder)[0], mutations.first))
 
 
 def _accepts(codes: list[str]) -> bool:

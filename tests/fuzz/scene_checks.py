@@ -1,4 +1,4 @@
-"""What `fuzz_scenes` asks of a file: it is read and usable, or refused in one line."""
+"""What `scenes.py` asks of a file: it is read and usable, or refused in one line."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from typing import Any
 
 import numpy as np
 
-from rna_bench.readers.scene_seeds import ENVIRONMENTS, MESHES, SCENES, TEXTURES
 from rna_render import MeshObject, World, load_world, read_environment, read_mesh_object
 from rna_render.lights import EquirectangularImage
 from rna_render.materials import SRGB, Texture, read_alpha, read_texels
 from rna_render.scene import DiffuseModel, read_scene
 from rna_render.world.placements import Placement, mesh_light
 from rna_sdk.errors import RnaError
+from tests.fuzz.scene_seeds import ENVIRONMENTS, MESHES, SCENES, TEXTURES
 
 MOST_ASKED = 48
 LONGEST_MESSAGE = 1000

@@ -1,4 +1,4 @@
-"""Small valid files of every kind that a scene reads, for `fuzz_scenes` to mutate."""
+"""Small valid files of every kind that a scene reads, for `scenes.py` to mutate."""
 
 from __future__ import annotations
 
