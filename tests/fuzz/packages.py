@@ -50,7 +50,7 @@ C_FLAGS = [
 ]
 _HITS = 4
 _NOT_OF_THE_C_HOST = {"EXTENSION_REQUIRED", "EXTENSION_UNKNOWN", "DECODER_PROFILE"}
-"""Codes where the C host has not looked at what the extension holds, or does not run the decoder."""
+"""Codes where the C host has not looked into the extension, or does not run the decoder."""
 
 
 @dataclass
@@ -116,7 +116,7 @@ def run_c_host(mutations: Mutations, folder: Path) -> Tally:
 
 
 def _of_c_host(mutations: Mutations, folder: Path) -> tuple[list[list[str]], str]:
-    """Codes of each mutation as far as the program came, and at what it ended, if not at the end."""
+    """Codes of each mutation as far as the program came, and the error that it ended with."""
     program = folder / "c_host"
     if not program.is_file():
         build(folder)

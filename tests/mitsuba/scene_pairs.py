@@ -11,9 +11,12 @@ import numpy as np
 import yaml
 
 import rna_mitsuba
-from rna_bench.checkout import CURLS, TOY
 from rna_render import load_world, make_integrator, render, write_exr
 from rna_render.scene import read_scene
+from tests.conftest import REPOSITORY
+
+TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
+CURLS = REPOSITORY / "examples" / "fibers" / "curly_ball.rna"
 
 T = mi.ScalarTransform4f
 

@@ -32,8 +32,7 @@ def test_assets_whose_boxes_overlap_shadow_each_other_alone(tmp_path: Path) -> N
     import mitsuba as mi
 
     import rna_mitsuba
-    from rna_bench.checkout import TOY
-    from tests.mitsuba.scene_pairs import Pair, sun
+    from tests.mitsuba.scene_pairs import TOY, Pair, sun
 
     light = (-0.6, 0.5, 0.7), (2.5, 2.4, 2.2)
     place = {"translation": (0.22, 0.14, 0.18)}

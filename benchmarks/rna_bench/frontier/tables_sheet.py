@@ -51,7 +51,7 @@ def _show(column: np.ndarray, title: str, pictures: list[np.ndarray]) -> None:
 
 
 def _cut(strip: Path, number: int, size: int) -> np.ndarray:
-    """A view (size, size, 3) uint8 of a trial's strip; errors, which are grey, in FLIP's colours."""
+    """A view (size, size, 3) uint8 of a strip; errors, which are grey, in FLIP's colours."""
     with Image.open(strip) as image:
         pixels = np.asarray(image)
     if pixels.ndim == 2:

@@ -44,7 +44,7 @@ def judge(measured: MeasuredScene) -> dict[str, Any]:
 
 @dataclass(frozen=True)
 class Shown:
-    """A picture of the sheet, (h, w, 3) uint8; flip: the map of its FLIP, None for the reference."""
+    """A picture of the sheet, (h, w, 3) uint8; flip: its FLIP map, None for the reference."""
 
     caption: str
     picture: np.ndarray

@@ -153,12 +153,6 @@ class Fixtures:
             return self.subject.package
         return self._packed(self.base, self.dataset, self.dataset.manifest.name)
 
-    def package_of(self, dataset: DatasetPart) -> OnePart:
-        """The package of one of the suite's own assets, `small`, loaded."""
-        trained = self.train("small", dataset, self.preset(dataset.kind))
-        path = self._packed(trained, dataset, dataset.dataset.folder.stem)
-        return load_one_part(path, threads=1)
-
     def _packed(self, trained: Trained, dataset: DatasetPart, name: str) -> Path:
         out = self._folder / f"{name}.rna"
         if not out.is_file():

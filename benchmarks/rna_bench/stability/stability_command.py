@@ -28,7 +28,6 @@ CASE_NAMES = (
     "luck",
     "numbers",
     "energy",
-    "motion",
 )
 
 
