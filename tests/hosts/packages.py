@@ -71,7 +71,7 @@ def broken_constants(entries: Entries, number: float) -> Iterator[bytes]:
             yield with_entry(entries, DECODER, model.SerializeToString())
 
 
-def write_plain_fuzz_packages(folder: Path) -> list[Path]:
+def _write_plain(folder: Path) -> list[Path]:
     """Write packages of 5 to 10 KB below `folder`: kinds, planes and decoders."""
     paths = []
     for kind in ("surface", "fiber"):
@@ -89,8 +89,8 @@ def write_plain_fuzz_packages(folder: Path) -> list[Path]:
     return paths
 
 
-def write_new_fuzz_packages(folder: Path) -> list[Path]:
-    """Write packages of 6 to 20 KB below `folder` with all that a package may have.
+def _write_rich(folder: Path) -> list[Path]:
+    """Write packages of 6 to 20 KB below `folder` with all else that the format has.
 
     Parts with emission, holes and glass; normal maps; both with quantised geometry; proxies, a
     stand-in and a poster; entries that are coded.
@@ -108,13 +108,9 @@ def write_new_fuzz_packages(folder: Path) -> list[Path]:
     ]
 
 
-FUZZ_SEEDS = {"1.0": write_plain_fuzz_packages, "1.1": write_new_fuzz_packages}
-"""Packages to mutate, by the version of the format whose contents they have."""
-
-
 def write_fuzz_packages(folder: Path) -> list[Path]:
     """Write all packages to mutate below `folder`."""
-    return [path for write in FUZZ_SEEDS.values() for path in write(folder)]
+    return [*_write_plain(folder), *_write_rich(folder)]
 
 
 def write_quantised(path: Path) -> Path:

@@ -2,25 +2,19 @@
 
 from __future__ import annotations
 
-import json
 import shutil
-import struct
-import subprocess
 
 import numpy as np
 import pytest
 
-from rna_bench.readers.fuzz_readers import WEB_READER
 from rna_sdk.conformance.kit import find_kit, load_kit
 from rna_sdk.package import Code
 from rna_sdk.package.issues import Severity
-from tests.conftest import REPOSITORY
+from tests.fuzz.packages import stream, viewer_verdicts
 from tests.hosts.packages import broken_constants, make_profile_tier, write_profile_package
 from tests.package.builders import make_tiny_package, read_entries
 from tests.package.corpus import content_cases
 from tests.package.lobes import with_lobes
-
-PROGRAM = REPOSITORY / "benchmarks" / "rna_bench" / "readers" / "fuzz_viewer.mjs"
 
 NOT_SEEN = {
     "proxy_that_is_no_mesh.rna",  # the viewer reads no proxies
@@ -37,10 +31,7 @@ def verdicts(*packages: bytes) -> list[str]:
 
 def judged(*packages: bytes) -> tuple[list[str], list[list[str]]]:
     """The verdicts, and each package's warnings."""
-    stream = b"".join(struct.pack("<I", len(data)) + data for data in packages)
-    command = ["node", str(PROGRAM), str(WEB_READER), "--verdicts"]
-    done = subprocess.run(command, input=stream, capture_output=True, check=True, timeout=300)
-    found = json.loads(done.stdout)
+    found = viewer_verdicts(stream(packages))
     assert found["failures"] == []
     return found["verdicts"], found["warnings"]
 

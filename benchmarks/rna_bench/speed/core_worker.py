@@ -142,13 +142,14 @@ def renderer(threads: int) -> Iterator[Task]:
 def evaluation(threads: int) -> Iterator[Task]:
     """Random queries of the quickstart's asset."""
     from rna_bench.one_part import load_one_part
-    from rna_bench.speed.query_batches import random_queries
+    from rna_bench.speed.query_batches import random_points
 
     asset = load_one_part(TOY, threads=threads)
-    rows = random_queries(asset, _ROWS)
+    (low, high), (positions, *directions) = asset.bounds, random_points(_ROWS)
+    inside = (low + (positions + 1) / 2 * (high - low)).astype(np.float32)
 
     def batch() -> float:
-        asset.evaluate(*rows)
+        asset.evaluate(inside, *directions)
         return float(_ROWS)
 
     yield repeated(batch)
