@@ -93,7 +93,7 @@ def viewer_file(name: str) -> bytes:
     return (files("rna_view") / "site" / name).read_bytes()
 
 
-def site_for(source: Path, tier: str | None = None, environment: Path | None = None) -> Site:
+def site_for(source: Path, environment: Path | None = None) -> Site:
     """The page for a package or a scene file.
 
     Raises:
@@ -113,8 +113,6 @@ def site_for(source: Path, tier: str | None = None, environment: Path | None = N
     else:
         wrong = not_a("package", source) or "expected a .rna package or a .yaml scene file"
         raise ViewError(f"{source}: {wrong}")
-    if tier is not None:
-        site.attributes["tier"] = tier
     if environment is not None:
         if not environment.is_file():
             raise ViewError(f"{environment}: no such file")

@@ -41,14 +41,18 @@ export class Package {
 
   /** Bytes of the file that showing the tier takes. */
   bytesOf(name) {
-    return this._ranges([...new Set([...this._entriesOf(this.tier(name)), ...entriesOf(this.environment ?? [])])]).reduce((sum, [start, end]) => sum + end - start, 0);
+    return this._ranges(this._needed(name, true)).reduce((sum, [start, end]) => sum + end - start, 0);
+  }
+
+  /** Begins to fetch all that the poster and the tier take. */
+  prefetch(name, wantsLobes) {
+    this._fetch([...(this.poster ? [this.poster.image] : []), ...this._needed(name, wantsLobes)]);
   }
 
   /** The parts of a tier, read and checked: geometry, planes, decoders, textures. wantsLobes: with those of the parts. */
   async load(name, { wantsLobes = false } = {}) {
-    const tier = this.tier(name), names = this._entriesOf(tier);
-    await this._fetch(names);
-    const data = new Map();
+    const tier = this.tier(name), names = this._entriesOf(tier), data = new Map();
+    this._fetch(this._needed(name, wantsLobes));
     for (const entry of names) data.set(entry, await this._data(entry));
     const parts = this.manifest.parts.map((part, k) => this._part(part, tier.parts[k], k, data));
     if (wantsLobes && this.environment) await this._addEnvironment(parts, tier, data);
@@ -58,7 +62,6 @@ export class Package {
   /** Adds what the parts have for whole environments. */
   async _addEnvironment(parts, tier, data) {
     const names = entriesOf(this.environment).filter((name) => !data.has(name));
-    await this._fetch(names);
     for (const name of names) data.set(name, await this._data(name));
     this.environment.forEach((own, k) => { parts[k].environment = this._environment(parts[k], own, tier.parts[k], data); });
   }
@@ -76,7 +79,7 @@ export class Package {
   /** The poster's PNG, or null. */
   async posterImage() {
     if (!this.poster) return null;
-    await this._fetch([this.poster.image]);
+    this._fetch([this.poster.image]);
     return new Blob([await this._data(this.poster.image)], { type: "image/png" });
   }
 
@@ -122,6 +125,11 @@ export class Package {
     return [...new Set(names)];
   }
 
+  /** Entries that showing the tier takes. */
+  _needed(name, wantsLobes) {
+    return [...new Set([...this._entriesOf(this.tier(name)), ...entriesOf((wantsLobes && this.environment) || [])])];
+  }
+
   /** Byte ranges that hold the entries, neighbours together. */
   _ranges(names) {
     const spans = names.map((name) => this.directory.get(name)).sort((a, b) => a.header - b.header);
@@ -134,26 +142,23 @@ export class Package {
     return ranges;
   }
 
-  async _fetch(names) {
-    const missing = names.filter((name) => !this.cache.has(name));
-    this.source.expected = this.source.ranged
-      ? this.source.fetched + this._ranges(missing).reduce((sum, [start, end]) => sum + end - start, 0)
-      : this.source.size;
-    for (const [start, end] of this._ranges(missing)) {
-      const bytes = await this.source.read(start, end);
-      for (const name of missing) {
-        const entry = this.directory.get(name);
-        if (entry.header >= start && entry.end <= end) {
-          this.cache.set(name, bytes.subarray(entry.header - start, entry.end - start));
-        }
-      }
+  /** Begins to fetch those that are not there yet, all at once. */
+  _fetch(names) {
+    const missing = names.filter((name) => !this.cache.has(name)), ranges = this._ranges(missing);
+    if (!missing.length) return;
+    this.source.expect(ranges);
+    for (const [start, end] of ranges) {
+      const bytes = this.source.read(start, end), isInside = (entry) => entry.header >= start && entry.end <= end;
+      const inside = missing.filter((name) => isInside(this.directory.get(name)));
+      for (const name of inside) this.cache.set(name, { bytes, start });
+      bytes.catch(() => inside.forEach((name) => this.cache.delete(name)));  // whoever waits for them tells
     }
   }
 
   async _stored(name) {
-    const entry = this.directory.get(name);
-    const bytes = this.cache.get(name) ?? await this.source.read(entry.header, entry.end);
-    return entryData(entry, bytes);
+    const entry = this.directory.get(name), { bytes, start } = this.cache.get(name) ?? {};
+    const own = bytes ? (await bytes).subarray(entry.header - start, entry.end - start) : await this.source.read(entry.header, entry.end);
+    return entryData(entry, own);
   }
 
   /** The entry as the rest of the spec knows it: checked, decoded where it is coded. */
