@@ -7,9 +7,9 @@ from itertools import pairwise
 
 import numpy as np
 
-from rna_render.lights.base import ShapeLight
+from rna_render.lights.base import LightSamples, ShapeLight
 from rna_render.lights.directions import luminance
-from rna_render.lights.mesh import TriangleLight
+from rna_render.lights.kinds.mesh import TriangleLight
 from rna_render.materials.mesh_object import EMISSION_FLOOR, points_of_a_triangle
 from rna_sdk.package import Curves
 from rna_sdk.runtime import DeformedCurves, DeformedMesh, Transform, offset_across
@@ -97,8 +97,8 @@ class AssetLight(ShapeLight):
         factor: on all that it emits.
     """
 
-    delta = False
-    group = ""
+    kind = TriangleLight.kind
+    NUMBERS = TriangleLight.NUMBERS
 
     def __init__(
         self, emission: AssetEmission, world_from_object: np.ndarray, factor: float = 1.0
@@ -108,7 +108,8 @@ class AssetLight(ShapeLight):
         self._scale, self._place = np.float32(transform.scale), transform.matrix[:3, 3]
         rotation = transform.matrix[:3, :3] / transform.scale
         self._rotation = rotation.astype(np.float32)
-        self.row = emission.placed_row(rotation, self._place, transform.scale)
+        at = {"rotation": rotation, "place": self._place, "scale": transform.scale}
+        super().__init__("", colour=1.0, **at)
 
     def power(self, scene_radius: float) -> float:
         size = scene_radius / float(self._scale)
@@ -119,8 +120,10 @@ class AssetLight(ShapeLight):
         """Of AssetEmission."""
         return self._emission.cumulative
 
-    def sent(self, place: np.ndarray, d_world: np.ndarray) -> np.ndarray:
-        return self.factor * self._emission.sent(place, d_world @ self._rotation)
+    def _fill(self, x_world: np.ndarray, u: np.ndarray, samples: LightSamples) -> None:
+        place = self._emission.fill_directions(self.numbers, x_world, u, samples)
+        sent = self._emission.sent(place, samples.wi_world @ self._rotation)
+        samples.radiance[:] = self.factor * sent
 
     def eval_hit(
         self, x_world: np.ndarray, d_world: np.ndarray, hits: ClosestHits, ng_world: np.ndarray
