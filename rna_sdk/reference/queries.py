@@ -11,7 +11,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-# spec/RNA.md, "Input blocks": refractive index of fibers; how far the features bend the learned normal.
+# spec/RNA.md, "Input blocks": index of refraction of fibers, and how far features bend a normal.
 ETA = 1.55
 BEND = 0.1
 

@@ -12,31 +12,12 @@ from uuid import uuid4
 
 from rna_sdk.cores import core_count
 from rna_sdk.errors import WorkError
-from rna_work.backend import Backend
+from rna_work.backend import Backend, Needs
 from rna_work.processes import Processes
 from rna_work.sources import Carried, InPlace
 from rna_work.threads import HERE, Caller, Threads
 
 Answer = TypeVar("Answer")
-
-
-@dataclass(frozen=True)
-class Needs:
-    """Resources of a worker.
-
-    local: what holds it there, where there is no cluster.
-    """
-
-    local: Literal["threads", "processes"]
-    cpus: float = 1.0
-    gpus: float = 0.0
-    memory: int = 0  # bytes
-    resource: str | None = None  # of a cluster: only nodes that have it, if any node does
-
-    def __str__(self) -> str:
-        gpus = f", {self.gpus:g} GPU" if self.gpus else ""
-        memory = f", {self.memory / 1e9:.1f} GB" if self.memory else ""
-        return f"{self.cpus:g} CPU{gpus}{memory}"
 
 
 class Executor(Protocol):

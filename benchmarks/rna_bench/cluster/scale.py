@@ -17,7 +17,8 @@ from typing import Any
 
 from rna_bench.bench_options import add_out
 from rna_bench.results import publish
-from rna_work.executors import Needs, open_executor
+from rna_work.backend import Needs
+from rna_work.executors import open_executor
 from rna_work.pool import Pool
 
 _SHARD_SECONDS = 60.0  # what a shard of a capture takes, about

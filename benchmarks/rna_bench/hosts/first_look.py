@@ -31,7 +31,8 @@ from PIL import Image
 from rna_bench.bench_options import add_out
 from rna_bench.results import publish
 from rna_sdk.errors import RnaError
-from rna_view.site_files import Site, site_for
+from rna_view.site_files import Site
+from rna_view.site_source import site_for
 from tests.render.chromium import INSTALL, SOFTWARE_GPU, find_chromium, open_page
 from tests.web.pages import served
 

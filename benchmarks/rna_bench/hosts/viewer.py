@@ -27,7 +27,7 @@ from rna_bench.speed.gpu import measure
 from rna_render import Integrator, load_world, make_integrator, render
 from rna_render.scene import read_scene
 from rna_sdk.errors import RnaError
-from rna_view.site_files import site_for
+from rna_view.site_source import site_for
 from tests.render.chromium import INSTALL, SOFTWARE_GPU, find_chromium, open_page
 from tests.web.pages import served
 
