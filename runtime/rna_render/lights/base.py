@@ -7,8 +7,7 @@ of the scene, directions towards itself, and what arrives from there.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
@@ -28,8 +27,7 @@ def light_numbers(*members: tuple[str, int | tuple[int, ...]]) -> np.dtype[Any]:
     return np.dtype([("colour", "<f8", 3), *((name, "<f8", shape) for name, shape in members)])
 
 
-@dataclass(frozen=True, slots=True)
-class LightSamples:
+class LightSamples(NamedTuple):
     """One direction towards a light from each of n points.
 
     wi_world: (n, 3) float32, unit.
