@@ -50,7 +50,7 @@ def test_a_lantern_is_rendered(scene_file):
     channels = render(scene_file.scene, make_integrator(scene_file.scene, world)).channels()
     assert np.isfinite(rgb(channels)).all() and rgb(channels).max() > 0
     assert set(np.unique(channels["assetId"])) == {0, 1, 2}
-    assert len(list(cost_lines(scene_file, world))) == 2
+    assert len(list(cost_lines([a.path for a in scene_file.resolved.assets], world))) == 2
 
 
 LAMP = """

@@ -114,7 +114,7 @@ def image_seconds(path: Path, size: dict[str, Any], runs: int) -> dict[str, Any]
     scene, world = scene_file.resolved, load_world(scene_file)
     short = scene.model_copy(update={"samples": CPU_SAMPLES})
     renderers: dict[str, tuple[Scene, GpuRenderer | Integrator, float]] = {
-        "gpu": (scene, GpuRenderer(scene_file, world), 1.0),
+        "gpu": (scene, GpuRenderer(scene, world), 1.0),
         "cpu": (short, make_integrator(short, world), scene.samples / CPU_SAMPLES),
     }
     seconds: dict[str, list[float]] = {name: [] for name in renderers}

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
-from rna_render.command.devices import CPU, open_renderer
+from rna_render.command.devices import CPU
 from rna_render.command.frame_worker import SceneWorker
 from rna_render.command.kept_pieces import KeptPieces, Piece, missing_pieces
 from rna_render.image.film import Film, Layers
@@ -112,7 +112,7 @@ class PieceWorker(SceneWorker):
         scene = self.scene_file.scene
         if self._renderer is None:
             world = self.load(self.scene_file, [scene])
-            self._renderer = open_renderer(self.device, self.scene_file, world)
+            self._renderer = self.renderer(self.scene_file, world)
         pixels = np.arange(piece.start, piece.stop, dtype=np.uint32)
         samplers = (Sampler(scene.seed, number) for number in range(scene.samples))
         film, sample = Film((len(pixels), 1), self._renderer.groups), list[Layers]()
