@@ -57,8 +57,8 @@ class MovedAsset:
     def see(self, origins: np.ndarray, directions: np.ndarray, wi: np.ndarray) -> Seen:
         """Light along rays, (n, 3) float32, from a sun in direction wi, (3,), of irradiance 1."""
         hits = self._scene.intersect(origins, directions)
-        ray = np.flatnonzero(hits.part >= 0)
-        where = hits.primitive[ray], hits.u[ray], hits.v[ray], hits.normals[ray]
+        ray = np.flatnonzero(hits.geometry >= 0)
+        where = hits.primitive[ray], hits.u[ray], hits.v[ray], hits.ng[ray]
         points = self._scene.points(0, *where)
         wo = np.ascontiguousarray(-directions[ray])
         light = np.tile(wi.astype(np.float32), (len(ray), 1))

@@ -8,7 +8,6 @@ import time
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
-from typing import cast
 
 from tqdm import tqdm
 
@@ -65,7 +64,7 @@ def tell_tiers(quality: QualityModel | None, world: World) -> None:
     if quality is not None and quality.has_limit and assets:
         told = _counted(assets)
         if world.indirect:
-            told += f"; of indirect radiance: {_counted(cast(list[Asset], world.indirect))}"
+            told += f"; of indirect radiance: {_counted(world.indirect)}"
         print(f"tiers of {len(assets)} assets: {told}", file=sys.stderr)
 
 

@@ -23,8 +23,7 @@ from rna_render.lights import InfiniteLight, Light
 from rna_render.paths.bands import BAND
 from rna_render.paths.light_sampling import LightChoice, LightSampling, caught_light
 from rna_render.paths.lobe_lighting import LobeLighting
-from rna_render.paths.path_arrays import Found, Paths, Rays
-from rna_render.paths.point_kinds import KINDS, LOBED, STRAND, point_kinds
+from rna_render.paths.path_arrays import KINDS, LOBED, STRAND, Found, Paths, Rays, point_kinds
 from rna_render.paths.sampling import (
     BRANCHES,
     PIXEL_DIMENSION,

@@ -16,13 +16,18 @@ from rna_render.lights.base import PlacedLight
 from rna_render.materials import MeshObject
 from rna_render.world.neural_sampling import LobeMixture
 from rna_render.world.placements import SceneObject
-from rna_sdk.runtime import DeformedCurves, DeformedMesh, RestPoints, offset_across
+from rna_sdk.runtime import (
+    Asset,
+    DeformedCurves,
+    DeformedMesh,
+    FiberAsset,
+    RestPoints,
+    SurfaceAsset,
+    offset_across,
+)
 from rna_trace import surface
 from rna_trace.asset_parts import (
-    Asset,
-    FiberPart,
     Shape,
-    SurfacePart,
     part_geometry,
     part_normal_maps,
     part_transmittance,
@@ -178,7 +183,7 @@ class _MeshPoints(_NeuralPoints):
 
     def __init__(
         self,
-        asset: SurfacePart,
+        asset: SurfaceAsset,
         scene: PartsScene,
         part: int,
         at: SurfacePoints,
@@ -204,7 +209,7 @@ class _StrandPoints(_NeuralPoints):
 
     def __init__(
         self,
-        asset: FiberPart,
+        asset: FiberAsset,
         scene: PartsScene,
         part: int,
         at: FiberPoints,

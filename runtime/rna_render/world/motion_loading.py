@@ -14,7 +14,8 @@ from rna_render.world.next_frame import NextFrame
 from rna_render.world.placements import emission_of
 from rna_sdk.motion import Motion
 from rna_sdk.package import Package
-from rna_trace.asset_parts import Asset, Shape, part_geometry
+from rna_sdk.runtime import Asset
+from rna_trace.asset_parts import Shape, part_geometry
 
 Shapes = Sequence[Shape]
 

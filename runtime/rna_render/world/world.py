@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import cast
 
 import numpy as np
 from numba import prange
@@ -202,7 +201,7 @@ class World:
     def assets(self) -> list[Asset]:
         """Those of `objects` that are assets."""
         others = MeshObject | PlacedLight
-        return [cast(Asset, placed) for placed in self.objects if not isinstance(placed, others)]
+        return [placed for placed in self.objects if not isinstance(placed, others)]
 
     @property
     def _no_shift(self) -> np.ndarray:

@@ -21,7 +21,7 @@ from rna_render.world.placements import Placement, emission_of, mesh_light, plac
 from rna_render.world.tier_choice import Tiers
 from rna_render.world.world import World
 from rna_sdk.errors import MotionError, QueryError, SceneError
-from rna_trace.asset_parts import Asset
+from rna_sdk.runtime import Asset
 
 
 class Loaded:

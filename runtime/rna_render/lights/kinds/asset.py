@@ -12,12 +12,17 @@ from rna_render.lights.directions import luminance
 from rna_render.lights.kinds.mesh import TriangleLight
 from rna_render.materials.mesh_object import EMISSION_FLOOR, points_of_a_triangle
 from rna_sdk.package import Curves
-from rna_sdk.runtime import DeformedCurves, DeformedMesh, Transform, offset_across
-from rna_trace.asset_parts import (
+from rna_sdk.runtime import (
     Asset,
-    FiberPart,
+    DeformedCurves,
+    DeformedMesh,
+    FiberAsset,
+    SurfaceAsset,
+    Transform,
+    offset_across,
+)
+from rna_trace.asset_parts import (
     Shape,
-    SurfacePart,
     part_geometry,
     part_mesh,
     part_normal_maps,
@@ -140,7 +145,7 @@ class AssetLight(ShapeLight):
 class _MeshEmitter:
     """A part with a mesh. wo: (n, 3) float32, unit, object space; the rest as in ClosestHits."""
 
-    def __init__(self, part: SurfacePart, shape: Shape | None) -> None:
+    def __init__(self, part: SurfaceAsset, shape: Shape | None) -> None:
         self.part, self.mesh = part, part_mesh(part, shape)
         self._shape = shape if isinstance(shape, DeformedMesh) else None
         self._transmittance: Transmittance | None = part_transmittance(part, shape)
@@ -202,7 +207,7 @@ def _joined(meshes: list[_MeshEmitter]) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _strand_emission(
-    part: FiberPart, shape: Shape | None, hits: ClosestHits, n: np.ndarray, wo: np.ndarray
+    part: FiberAsset, shape: Shape | None, hits: ClosestHits, n: np.ndarray, wo: np.ndarray
 ) -> np.ndarray:
     """Radiance of strands towards wo: (n, 3) float32. n: outward normals; object space."""
     curves = part_geometry(part, shape)
