@@ -7,7 +7,7 @@ from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Literal, Protocol, TypeVar
+from typing import Protocol, TypeVar
 from uuid import uuid4
 
 from rna_sdk.cores import core_count
@@ -15,7 +15,7 @@ from rna_sdk.errors import WorkError
 from rna_work.backend import Backend, Needs
 from rna_work.processes import Processes
 from rna_work.sources import Carried, InPlace
-from rna_work.threads import HERE, Caller, Threads
+from rna_work.threads import HERE, Threads
 
 Answer = TypeVar("Answer")
 
@@ -35,17 +35,11 @@ class Executor(Protocol):
     def gpus(self) -> float:
         """Number of GPUs."""
 
-    def whole_machines(
-        self,
-        threads: int | None,
-        local: Literal["threads", "caller"] = "threads",
-        needs_gpu: bool = False,
-    ) -> tuple[Backend, int]:
+    def whole_machines(self, threads: int | None, needs_gpu: bool = False) -> tuple[Backend, int]:
         """Slots for workers with the given threads (None: all of a machine), and their number.
 
-        local: what holds the only one on this machine, without a cluster: a thread of its own, or
-        the one that takes the outcomes. needs_gpu: machines of a cluster with a GPU alone;
-        raises WorkError where it knows of none.
+        On this machine, without a cluster, there is one. needs_gpu: machines of a cluster with a
+        GPU alone; raises WorkError where it knows of none.
         """
 
     def carry(self, path: Path, others: Sequence[Path] = (), fixed: Sequence[Path] = ()) -> Carried:
@@ -80,14 +74,8 @@ class ThisMachine:
 
         return torch.cuda.device_count()
 
-    def whole_machines(
-        self,
-        threads: int | None,
-        local: Literal["threads", "caller"] = "threads",
-        needs_gpu: bool = False,
-    ) -> tuple[Backend, int]:
-        backend = Threads(1) if local == "threads" else Caller()
-        return backend, min(threads or self.cores, self.cores)
+    def whole_machines(self, threads: int | None, needs_gpu: bool = False) -> tuple[Backend, int]:
+        return Threads(1), min(threads or self.cores, self.cores)
 
     def carry(self, path: Path, others: Sequence[Path] = (), fixed: Sequence[Path] = ()) -> Carried:
         return InPlace(path)

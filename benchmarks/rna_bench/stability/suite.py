@@ -98,7 +98,7 @@ def _measure(
 ) -> None:
     """Measure cases and write their rows. Raises the first failure, after the others are done."""
     check_shared(executor, folder)
-    backend, cores = executor.whole_machines(None, local="caller")
+    backend, cores = executor.whole_machines(None)
     make = partial(_CaseWorker, fixtures.with_workers(cores) if executor.far else fixtures)
     failures = []
     pool: Pool[Case, list[Row]] = Pool(backend, make, tell=say)

@@ -155,16 +155,23 @@ class PlacedLight(ShapeLight):
     def power(self, scene_radius: float) -> float:
         return float(np.pi * self.area * luminance(self.colour))
 
+    def _fill(self, x_world: np.ndarray, u: np.ndarray, samples: LightSamples) -> None:
+        self._fill_directions(x_world, u, samples)
+        samples.radiance[samples.pdf > 0.0] = self.colour
+
     def eval_hit(
         self, x_world: np.ndarray, d_world: np.ndarray, hits: ClosestHits, ng_world: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
         x_world = vectors("x_world", x_world)
-        radiance, pdf = np.empty_like(x_world), np.empty(len(x_world), np.float32)
-        self._fill_hits(x_world, vectors("d_world", d_world, len(x_world)), radiance, pdf)
+        radiance, pdf = np.zeros_like(x_world), np.empty(len(x_world), np.float32)
+        self._fill_densities(x_world, vectors("d_world", d_world, len(x_world)), pdf)
+        radiance[pdf > 0.0] = self.colour
         return radiance, pdf
 
     @abstractmethod
-    def _fill_hits(
-        self, x_world: np.ndarray, d_world: np.ndarray, radiance: np.ndarray, pdf: np.ndarray
-    ) -> None:
-        """Fill in `eval_hit`."""
+    def _fill_directions(self, x_world: np.ndarray, u: np.ndarray, samples: LightSamples) -> None:
+        """Fill in `sample`, but for the radiance; pdf is 0 where the dark side is sampled."""
+
+    @abstractmethod
+    def _fill_densities(self, x_world: np.ndarray, d_world: np.ndarray, pdf: np.ndarray) -> None:
+        """Fill in the densities of `eval_hit`; 0 where rays meet the dark side."""

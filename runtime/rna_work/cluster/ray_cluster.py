@@ -102,7 +102,7 @@ class RayCluster:
         return Travelling.of(path, others)
 
     def whole_machines(
-        self, threads: int | None, local: str = "", needs_gpu: bool = False
+        self, threads: int | None, needs_gpu: bool = False
     ) -> tuple[RayWorkers, int]:
         gpus = 1.0 if needs_gpu else 0.0
         nodes = [node for node in alive_nodes() if node["Resources"].get("GPU", 0) >= gpus]

@@ -27,14 +27,11 @@ class DiskLight(PlacedLight):
         centre, normal = np.zeros((1, 3), np.float32), np.array([[0, 0, 1]], np.float32)
         self.scene = DiscScene(centre, normal, np.array([model.radius], np.float32))
 
-    def _fill(self, x_world: np.ndarray, u: np.ndarray, samples: LightSamples) -> None:
-        out = samples.wi_world, samples.distance, samples.radiance, samples.pdf
-        _sample(self.numbers, x_world, u, *out)
+    def _fill_directions(self, x_world: np.ndarray, u: np.ndarray, samples: LightSamples) -> None:
+        _sample(self.numbers, x_world, u, samples.wi_world, samples.distance, samples.pdf)
 
-    def _fill_hits(
-        self, x_world: np.ndarray, d_world: np.ndarray, radiance: np.ndarray, pdf: np.ndarray
-    ) -> None:
-        _evaluate(self.numbers, x_world, d_world, radiance, pdf)
+    def _fill_densities(self, x_world: np.ndarray, d_world: np.ndarray, pdf: np.ndarray) -> None:
+        _densities(self.numbers, x_world, d_world, pdf)
 
 
 make = DiskLight
@@ -70,7 +67,6 @@ def _sample(
     u: np.ndarray,
     wi_world: np.ndarray,
     distance: np.ndarray,
-    radiance: np.ndarray,
     pdf: np.ndarray,
 ) -> None:
     light = numbers[0]
@@ -84,24 +80,14 @@ def _sample(
         r = np.sqrt(dx * dx + dy * dy + dz * dz)
         scale = 1.0 / r if r > 0.0 else 0.0
         wi = dx * scale, dy * scale, dz * scale
-        density = _density(light, x, wi)
         wi_world[i, 0], wi_world[i, 1], wi_world[i, 2] = wi
-        for channel in range(3):
-            radiance[i, channel] = light.colour[channel] if density > 0.0 else 0.0
-        distance[i], pdf[i] = r, density
+        distance[i], pdf[i] = r, _density(light, x, wi)
 
 
 @compiled(fastmath=())
-def _evaluate(
-    numbers: np.ndarray,
-    x_world: np.ndarray,
-    d_world: np.ndarray,
-    radiance: np.ndarray,
-    pdf: np.ndarray,
+def _densities(
+    numbers: np.ndarray, x_world: np.ndarray, d_world: np.ndarray, pdf: np.ndarray
 ) -> None:
     light = numbers[0]
     for i in range(len(x_world)):
-        density = _density(light, vector_at(x_world, i), vector_at(d_world, i))
-        for channel in range(3):
-            radiance[i, channel] = light.colour[channel] if density > 0.0 else 0.0
-        pdf[i] = density
+        pdf[i] = _density(light, vector_at(x_world, i), vector_at(d_world, i))

@@ -37,14 +37,11 @@ class RectangleLight(PlacedLight):
         positions = (corners * [*half, 0.0]).astype(np.float32)
         self.scene = TriangleScene([(positions, np.array([[0, 1, 2], [0, 2, 3]], np.uint32))])
 
-    def _fill(self, x_world: np.ndarray, u: np.ndarray, samples: LightSamples) -> None:
-        out = samples.wi_world, samples.distance, samples.radiance, samples.pdf
-        _sample(self.numbers, x_world, u, *out)
+    def _fill_directions(self, x_world: np.ndarray, u: np.ndarray, samples: LightSamples) -> None:
+        _sample(self.numbers, x_world, u, samples.wi_world, samples.distance, samples.pdf)
 
-    def _fill_hits(
-        self, x_world: np.ndarray, d_world: np.ndarray, radiance: np.ndarray, pdf: np.ndarray
-    ) -> None:
-        _evaluate(self.numbers, x_world, d_world, radiance, pdf)
+    def _fill_densities(self, x_world: np.ndarray, d_world: np.ndarray, pdf: np.ndarray) -> None:
+        _densities(self.numbers, x_world, d_world, pdf)
 
 
 make = RectangleLight
@@ -123,7 +120,6 @@ def _sample(
     u: np.ndarray,
     wi_world: np.ndarray,
     distance: np.ndarray,
-    radiance: np.ndarray,
     pdf: np.ndarray,
 ) -> None:
     light = numbers[0]
@@ -141,24 +137,14 @@ def _sample(
             scale * (a * frame[1, 0] + b * frame[1, 1] - height * frame[1, 2]),
             scale * (a * frame[2, 0] + b * frame[2, 1] - height * frame[2, 2]),
         )
-        density = _density(light, x, wi)
         wi_world[i, 0], wi_world[i, 1], wi_world[i, 2] = wi
-        for channel in range(3):
-            radiance[i, channel] = light.colour[channel] if density > 0.0 else 0.0
-        distance[i], pdf[i] = r, density
+        distance[i], pdf[i] = r, _density(light, x, wi)
 
 
 @compiled(fastmath=())
-def _evaluate(
-    numbers: np.ndarray,
-    x_world: np.ndarray,
-    d_world: np.ndarray,
-    radiance: np.ndarray,
-    pdf: np.ndarray,
+def _densities(
+    numbers: np.ndarray, x_world: np.ndarray, d_world: np.ndarray, pdf: np.ndarray
 ) -> None:
     light = numbers[0]
     for i in range(len(x_world)):
-        density = _density(light, vector_at(x_world, i), vector_at(d_world, i))
-        for channel in range(3):
-            radiance[i, channel] = light.colour[channel] if density > 0.0 else 0.0
-        pdf[i] = density
+        pdf[i] = _density(light, vector_at(x_world, i), vector_at(d_world, i))

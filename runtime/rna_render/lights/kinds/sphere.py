@@ -25,14 +25,11 @@ class SphereLight(PlacedLight):
         self.world_from_object[:3, 3] = model.position
         self.scene = SphereScene(np.zeros((1, 3), np.float32), np.array([model.radius], np.float32))
 
-    def _fill(self, x_world: np.ndarray, u: np.ndarray, samples: LightSamples) -> None:
-        out = samples.wi_world, samples.distance, samples.radiance, samples.pdf
-        _sample(self.numbers, x_world, u, *out)
+    def _fill_directions(self, x_world: np.ndarray, u: np.ndarray, samples: LightSamples) -> None:
+        _sample(self.numbers, x_world, u, samples.wi_world, samples.distance, samples.pdf)
 
-    def _fill_hits(
-        self, x_world: np.ndarray, d_world: np.ndarray, radiance: np.ndarray, pdf: np.ndarray
-    ) -> None:
-        _evaluate(self.numbers, x_world, d_world, radiance, pdf)
+    def _fill_densities(self, x_world: np.ndarray, d_world: np.ndarray, pdf: np.ndarray) -> None:
+        _densities(self.numbers, x_world, d_world, pdf)
 
 
 make = SphereLight
@@ -75,7 +72,6 @@ def _sample(
     u: np.ndarray,
     wi_world: np.ndarray,
     distance: np.ndarray,
-    radiance: np.ndarray,
     pdf: np.ndarray,
 ) -> None:
     light = numbers[0]
@@ -87,22 +83,13 @@ def _sample(
             wi = cone_direction(cx / length, cy / length, cz / length, cone, u[i, 0], u[i, 1])
             r, density = _sphere_distance(cx, cy, cz, radius, wi), _cone_pdf(cone)
         wi_world[i, 0], wi_world[i, 1], wi_world[i, 2] = wi
-        for channel in range(3):
-            radiance[i, channel] = light.colour[channel] if density > 0.0 else 0.0
         distance[i], pdf[i] = r, density
 
 
 @compiled(fastmath=())
-def _evaluate(
-    numbers: np.ndarray,
-    x_world: np.ndarray,
-    d_world: np.ndarray,
-    radiance: np.ndarray,
-    pdf: np.ndarray,
+def _densities(
+    numbers: np.ndarray, x_world: np.ndarray, d_world: np.ndarray, pdf: np.ndarray
 ) -> None:
     light = numbers[0]
     for i in range(len(x_world)):
-        density = _cone_pdf(_cone(light.centre, light.radius, vector_at(x_world, i))[4])
-        for channel in range(3):
-            radiance[i, channel] = light.colour[channel] if density > 0.0 else 0.0
-        pdf[i] = density
+        pdf[i] = _cone_pdf(_cone(light.centre, light.radius, vector_at(x_world, i))[4])
