@@ -34,14 +34,13 @@ OUR_TOOLS = {
         "file_kinds",
         "kernel_threads",
         "lazy_face",
-        "local_server",
         "outputs",
         "owned_folder",
         "regular_file",
         "size_note",
     )
 }
-"""How our own commands check arrays, read, write, are compiled, threaded, talk, and serve pages."""
+"""How our own commands check arrays, read, write, are compiled, threaded, and talk."""
 OTHER_HALF = {
     "rna_render.lights",
     "rna_render.materials",
@@ -67,7 +66,7 @@ EXPORTED = {"rna_render.lights", "rna_render.materials", "rna_render.world.neura
 trains them along directions that paths would take, and fits the material of meshes."""
 USERS = {
     "runtime/rna_gpu": OTHER_HALF,
-    "runtime/rna_view": set(),
+    "runtime/rna_view": {"rna_render.local_server"},
     "exporters/rna_export": EXPORTED,
     "benchmarks/rna_bench": MEASURED,
 }

@@ -16,9 +16,10 @@ if TYPE_CHECKING:
     from rna_trace.bilinear import REPEAT
     from rna_trace.embree.instances import CAMERA_RAY, INDIRECT_RAY, SHADOW_RAY
     from rna_trace.embree.scenes import TriangleScene
+    from rna_trace.embree.tracing import ClosestHits
     from rna_trace.fiber import FiberPoints, tangents
     from rna_trace.normal_maps import NormalMaps, texture_numbers
-    from rna_trace.parts_scene import PartHits, PartPoints, PartsScene
+    from rna_trace.parts_scene import PartPoints, PartsScene
     from rna_trace.surface import OFFSET, SurfacePoints, geometric_normals
     from rna_trace.transmittance import TransmittanceTexture
 
@@ -28,9 +29,9 @@ __all__ = [
     "OFFSET",
     "REPEAT",
     "SHADOW_RAY",
+    "ClosestHits",
     "FiberPoints",
     "NormalMaps",
-    "PartHits",
     "PartPoints",
     "PartsScene",
     "SurfacePoints",

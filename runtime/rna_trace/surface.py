@@ -14,6 +14,7 @@ from numba import prange
 
 from rna_sdk.compiled import compiled
 from rna_sdk.errors import QueryError
+from rna_trace.normal_maps import NormalMaps
 from rna_trace.rays import check_numbers, vectors
 from rna_trace.vectors import Vector, cross, dot, unit, vector_at
 
@@ -37,14 +38,6 @@ class Mesh(Protocol):
 
     @property
     def triangles(self) -> np.ndarray: ...
-
-
-class NormalMaps(Protocol):
-    """Normal maps of a mesh: rna_trace.normal_maps.NormalMaps."""
-
-    def at(
-        self, n: np.ndarray, triangle: np.ndarray, u: np.ndarray, v: np.ndarray
-    ) -> np.ndarray: ...
 
 
 def interpolate_positions(

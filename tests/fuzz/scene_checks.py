@@ -96,7 +96,7 @@ def _check_surface(mesh: MeshObject) -> None:
     n = mesh.shading_normals(triangle, u, v, ng, wo)
     _finite("shading normals", n, -1.001, 1.001)
     rng = np.random.default_rng(0)
-    wi = scattering.sample(n, ng, wo, rng.random((len(u), 3)))
+    wi, _ = scattering.sample_and_pdf(n, ng, wo, rng.random((len(u), 3)))
     _finite("sampled directions", wi, -1.01, 1.01)
     _finite("scattered light", scattering.evaluate(n, ng, wo, wi), 0)
     _finite("emitted luminance", mesh.emitted_luminance, 0)

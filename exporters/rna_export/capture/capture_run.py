@@ -33,9 +33,9 @@ from rna_render.scene import SceneFile
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.cpu import processor_key
 from rna_sdk.errors import CaptureError
-from rna_work.backend import Backend
+from rna_work.backend import Backend, Needs
 from rna_work.cluster.store import Store
-from rna_work.executors import Executor, Needs, this_machine
+from rna_work.executors import Executor, this_machine
 from rna_work.pool import Pool
 from rna_work.progress import Progress
 from rna_work.sources import Carried

@@ -192,8 +192,8 @@ class PartViews:
         d = target - origin
         d /= np.linalg.norm(d, axis=1, keepdims=True)
         hits = self._scene.intersect(origin.astype(np.float32), d.astype(np.float32))
-        row = np.flatnonzero(hits.part == self._index)
-        at = hits.primitive[row], hits.u[row], hits.v[row], hits.normals[row]
+        row = np.flatnonzero(hits.geometry == self._index)
+        at = hits.primitive[row], hits.u[row], hits.v[row], hits.ng[row]
         return row, (*at, -d[row].astype(np.float32))
 
     def _view_points(

@@ -114,7 +114,7 @@ def _triangles_at(
         way = np.tile(np.array([0.0, 0.0, -z], np.float32), (n, 1))
         found.append(scene.intersect(start, way))
     above, below = found
-    return (above.triangle, above.u, above.v), below.triangle
+    return (above.primitive, above.u, above.v), below.primitive
 
 
 def _points(

@@ -14,10 +14,10 @@ from rna_export.trials.trial_record import Record
 from rna_export.trials.trial_worker import Job, TrialWorker
 from rna_sdk.cores import core_count
 from rna_sdk.errors import TrainingError
-from rna_work.backend import Backend
+from rna_work.backend import Backend, Needs
 from rna_work.cluster.store import Store
 from rna_work.cluster.stored import StoredFolder
-from rna_work.executors import Executor, Needs, check_shared, this_machine
+from rna_work.executors import Executor, check_shared, this_machine
 from rna_work.pool import Pool
 from rna_work.sources import Carried, InPlace
 

@@ -50,7 +50,7 @@ class Unwrapped:
         """(n, 2) float32 of points that rays along -wo hit; 0 where none is found again."""
         hits = self._scene.intersect(position + self._step * wo, -wo)
         weights = np.stack([1.0 - hits.u - hits.v, hits.u, hits.v], axis=1)
-        uv = np.einsum("nc,nck->nk", weights, self._corners[np.maximum(hits.triangle, 0)])
+        uv = np.einsum("nc,nck->nk", weights, self._corners[np.maximum(hits.primitive, 0)])
         return np.where(hits.geometry[:, None] >= 0, uv, 0.0).astype(np.float32)
 
 

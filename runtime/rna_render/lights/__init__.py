@@ -1,4 +1,4 @@
-"""Lights: what a scene file says of them (`models`), and what the integrator knows of them.
+"""Lights: what the integrator knows of them.
 
 The names below are loaded when they are asked for, so that a scene file's models need no Embree.
 """
@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 from rna_sdk.lazy_face import lazy_face
 
 if TYPE_CHECKING:
-    from rna_render.lights.asset import AssetEmission, AssetLight
     from rna_render.lights.base import (
         InfiniteLight,
         Light,
@@ -19,10 +18,11 @@ if TYPE_CHECKING:
         ShapeLight,
     )
     from rna_render.lights.directions import LUMINANCE
-    from rna_render.lights.environment import EnvironmentImageLight, EnvironmentLight
     from rna_render.lights.equirectangular import EquirectangularImage
-    from rna_render.lights.kinds import LIGHT_ROWS, ROW_NUMBERS, row_places
-    from rna_render.lights.mesh import MeshLight
+    from rna_render.lights.kinds.asset import AssetEmission, AssetLight
+    from rna_render.lights.kinds.environment import EnvironmentImageLight, EnvironmentLight
+    from rna_render.lights.kinds.mesh import MeshLight
+    from rna_render.lights.light_kinds import kinds_of_lights, make_light, number_places
     from rna_render.lights.selection import LightSelection
     from rna_render.lights.split.bright_directions import (
         SplitEnvironment,
@@ -30,12 +30,9 @@ if TYPE_CHECKING:
         split_environment,
     )
     from rna_render.lights.split.prefilter import PrefilteredEnvironment
-    from rna_render.lights.table import make_light
 
 __all__ = [
-    "LIGHT_ROWS",
     "LUMINANCE",
-    "ROW_NUMBERS",
     "AssetEmission",
     "AssetLight",
     "EnvironmentImageLight",
@@ -51,8 +48,9 @@ __all__ = [
     "ShapeLight",
     "SplitEnvironment",
     "cell_directions",
+    "kinds_of_lights",
     "make_light",
-    "row_places",
+    "number_places",
     "split_environment",
 ]
 

@@ -5,41 +5,46 @@ Ureña, Fajardo and King, An Area-Preserving Parametrization for Spherical Recta
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
-from rna_render.lights.area import AreaLight
+from rna_render.lights.base import LightSamples, PlacedLight, light_numbers
 from rna_render.lights.directions import facing_frame, flat_pdf
-from rna_render.lights.kinds import RECTANGLE, row_places
 from rna_render.scene.light_models import RectangleModel
 from rna_sdk.compiled import compiled
 from rna_trace.embree import TriangleScene
-from rna_trace.vectors import Vector
+from rna_trace.vectors import Vector, vector_at
 
 # Steradians. The solid angle is a difference of angles, exact to 1e-15; below this it is sampled
 # uniformly over the area instead, which is as good for what looks so small.
 MIN_SOLID_ANGLE = 1e-7
 
-_FRAME, _HALF = (row_places("rectangle")[name] for name in ("frame", "half"))
 
-
-class RectangleLight(AreaLight):
+class RectangleLight(PlacedLight):
     """A rectangle that faces +z in its own space, centred at the origin, its height along +y."""
+
+    kind = "rectangle"
+    NUMBERS = light_numbers(("frame", (3, 4)), ("half", 2))
 
     def __init__(self, model: RectangleModel) -> None:
         width, height = model.size
         self.world_from_object = facing_frame(model.position, model.look_at, model.up)
         half = np.array([width / 2.0, height / 2.0])
         shape = {"frame": self.world_from_object[:3], "half": half}
-        super().__init__(model, width * height, RECTANGLE, **shape)
+        super().__init__(model, width * height, **shape)
         corners = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]])
         positions = (corners * [*half, 0.0]).astype(np.float32)
         self.scene = TriangleScene([(positions, np.array([[0, 1, 2], [0, 2, 3]], np.uint32))])
 
+    def _fill_directions(self, x_world: np.ndarray, u: np.ndarray, samples: LightSamples) -> None:
+        _sample(self.numbers, x_world, u, samples.wi_world, samples.distance, samples.pdf)
 
-@compiled(fastmath=())
-def _shape(numbers: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Frame and half sides."""
-    return numbers[_FRAME : _FRAME + 12].reshape(3, 4), numbers[_HALF : _HALF + 2]
+    def _fill_densities(self, x_world: np.ndarray, d_world: np.ndarray, pdf: np.ndarray) -> None:
+        _densities(self.numbers, x_world, d_world, pdf)
+
+
+make = RectangleLight
 
 
 @compiled(fastmath=())
@@ -73,11 +78,11 @@ def _solid_angle(x0: float, x1: float, y0: float, y1: float, height: float) -> t
 
 
 @compiled(fastmath=())
-def rectangle_density(numbers: np.ndarray, x: Vector, d: Vector) -> float:
+def _density(light: Any, x: Vector, d: Vector) -> float:
     """Density of directions that meet the rectangle, 0 where they meet its dark side."""
-    frame, half = _shape(numbers)
+    frame, half = light.frame, light.half
     per_area = 1.0 / (4.0 * half[0] * half[1])
-    uniform = flat_pdf(frame[:3, 3], frame[:3, 2], False, per_area, x, d)
+    uniform = flat_pdf(frame[:, 3], frame[:, 2], False, per_area, x, d)
     if uniform == 0.0:  # from behind, too
         return 0.0
     x0, x1, y0, y1, height = _seen_from(frame, half, x)
@@ -109,20 +114,37 @@ def _point(
 
 
 @compiled(fastmath=())
-def sample_rectangle(
-    numbers: np.ndarray, x: Vector, u1: float, u2: float
-) -> tuple[Vector, float, float]:
-    """Direction, distance and density."""
-    frame, half = _shape(numbers)
-    x0, x1, y0, y1, height = _seen_from(frame, half, x)
-    a, b = 0.0, 0.0
-    if height > 0.0:
-        a, b = _point(x0, x1, y0, y1, height, u1, u2)
-    r = np.sqrt(a * a + b * b + height * height)
-    scale = 1.0 / r if r > 0.0 else 0.0
-    wi = (
-        scale * (a * frame[0, 0] + b * frame[0, 1] - height * frame[0, 2]),
-        scale * (a * frame[1, 0] + b * frame[1, 1] - height * frame[1, 2]),
-        scale * (a * frame[2, 0] + b * frame[2, 1] - height * frame[2, 2]),
-    )
-    return wi, r, rectangle_density(numbers, x, wi)
+def _sample(
+    numbers: np.ndarray,
+    x_world: np.ndarray,
+    u: np.ndarray,
+    wi_world: np.ndarray,
+    distance: np.ndarray,
+    pdf: np.ndarray,
+) -> None:
+    light = numbers[0]
+    frame, half = light.frame, light.half
+    for i in range(len(x_world)):
+        x = vector_at(x_world, i)
+        x0, x1, y0, y1, height = _seen_from(frame, half, x)
+        a, b = 0.0, 0.0
+        if height > 0.0:
+            a, b = _point(x0, x1, y0, y1, height, u[i, 0], u[i, 1])
+        r = np.sqrt(a * a + b * b + height * height)
+        scale = 1.0 / r if r > 0.0 else 0.0
+        wi = (
+            scale * (a * frame[0, 0] + b * frame[0, 1] - height * frame[0, 2]),
+            scale * (a * frame[1, 0] + b * frame[1, 1] - height * frame[1, 2]),
+            scale * (a * frame[2, 0] + b * frame[2, 1] - height * frame[2, 2]),
+        )
+        wi_world[i, 0], wi_world[i, 1], wi_world[i, 2] = wi
+        distance[i], pdf[i] = r, _density(light, x, wi)
+
+
+@compiled(fastmath=())
+def _densities(
+    numbers: np.ndarray, x_world: np.ndarray, d_world: np.ndarray, pdf: np.ndarray
+) -> None:
+    light = numbers[0]
+    for i in range(len(x_world)):
+        pdf[i] = _density(light, vector_at(x_world, i), vector_at(d_world, i))

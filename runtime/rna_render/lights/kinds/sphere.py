@@ -4,32 +4,35 @@ from __future__ import annotations
 
 import numpy as np
 
-from rna_render.lights.area import AreaLight
+from rna_render.lights.base import LightSamples, PlacedLight, light_numbers
 from rna_render.lights.directions import cone_direction
-from rna_render.lights.kinds import SPHERE, row_places
 from rna_render.scene.light_models import SphereModel
 from rna_sdk.compiled import compiled
 from rna_trace.embree import SphereScene
-from rna_trace.vectors import Vector
-
-_CENTRE, _RADIUS = (row_places("sphere")[name] for name in ("centre", "radius"))
+from rna_trace.vectors import Vector, vector_at
 
 
-class SphereLight(AreaLight):
+class SphereLight(PlacedLight):
     """Sampled uniformly over the cone of directions that it fills; dark from within."""
+
+    kind = "sphere"
+    NUMBERS = light_numbers(("centre", 3), ("radius", ()))
 
     def __init__(self, model: SphereModel) -> None:
         area = 4.0 * np.pi * model.radius**2
-        super().__init__(model, area, SPHERE, centre=model.position, radius=model.radius)
+        super().__init__(model, area, centre=model.position, radius=model.radius)
         self.world_from_object = np.eye(4)
         self.world_from_object[:3, 3] = model.position
         self.scene = SphereScene(np.zeros((1, 3), np.float32), np.array([model.radius], np.float32))
 
+    def _fill_directions(self, x_world: np.ndarray, u: np.ndarray, samples: LightSamples) -> None:
+        _sample(self.numbers, x_world, u, samples.wi_world, samples.distance, samples.pdf)
 
-@compiled(fastmath=())
-def _shape(numbers: np.ndarray) -> tuple[np.ndarray, float]:
-    """Centre and radius."""
-    return numbers[_CENTRE : _CENTRE + 3], numbers[_RADIUS]
+    def _fill_densities(self, x_world: np.ndarray, d_world: np.ndarray, pdf: np.ndarray) -> None:
+        _densities(self.numbers, x_world, d_world, pdf)
+
+
+make = SphereLight
 
 
 @compiled(fastmath=())
@@ -63,20 +66,30 @@ def _sphere_distance(cx: float, cy: float, cz: float, radius: float, wi: Vector)
 
 
 @compiled(fastmath=())
-def sample_sphere(
-    numbers: np.ndarray, x: Vector, u1: float, u2: float
-) -> tuple[Vector, float, float]:
-    """Direction, distance and density."""
-    centre, radius = _shape(numbers)
-    cx, cy, cz, length, one_minus_cosine = _cone(centre, radius, x)
-    if not length > 0.0:
-        return (0.0, 0.0, 1.0), 0.0, 0.0
-    wi = cone_direction(cx / length, cy / length, cz / length, one_minus_cosine, u1, u2)
-    return wi, _sphere_distance(cx, cy, cz, radius, wi), _cone_pdf(one_minus_cosine)
+def _sample(
+    numbers: np.ndarray,
+    x_world: np.ndarray,
+    u: np.ndarray,
+    wi_world: np.ndarray,
+    distance: np.ndarray,
+    pdf: np.ndarray,
+) -> None:
+    light = numbers[0]
+    centre, radius = light.centre, light.radius
+    for i in range(len(x_world)):
+        cx, cy, cz, length, cone = _cone(centre, radius, vector_at(x_world, i))
+        wi, r, density = (0.0, 0.0, 1.0), 0.0, 0.0
+        if length > 0.0:
+            wi = cone_direction(cx / length, cy / length, cz / length, cone, u[i, 0], u[i, 1])
+            r, density = _sphere_distance(cx, cy, cz, radius, wi), _cone_pdf(cone)
+        wi_world[i, 0], wi_world[i, 1], wi_world[i, 2] = wi
+        distance[i], pdf[i] = r, density
 
 
 @compiled(fastmath=())
-def sphere_density(numbers: np.ndarray, x: Vector) -> float:
-    """Density of directions that meet the sphere."""
-    centre, radius = _shape(numbers)
-    return _cone_pdf(_cone(centre, radius, x)[4])
+def _densities(
+    numbers: np.ndarray, x_world: np.ndarray, d_world: np.ndarray, pdf: np.ndarray
+) -> None:
+    light = numbers[0]
+    for i in range(len(x_world)):
+        pdf[i] = _cone_pdf(_cone(light.centre, light.radius, vector_at(x_world, i))[4])

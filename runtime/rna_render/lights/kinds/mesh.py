@@ -6,24 +6,16 @@ from abc import abstractmethod
 from collections.abc import Callable
 
 import numpy as np
-from numba import carray, prange  # type: ignore[attr-defined]
+from numba import prange
 
-from rna_render.lights.base import ShapeLight
+from rna_render.lights.base import LightSamples, ShapeLight, light_numbers
 from rna_render.lights.directions import Axes, flat_pdf
 from rna_render.lights.intervals import find_interval, place_within
-from rna_render.lights.kinds import TRIANGLES, LightRow, light_row, row_places
 from rna_sdk.compiled import compiled
 from rna_sdk.errors import SceneError
 from rna_trace.embree.tracing import ClosestHits
-from rna_trace.memory import pointer_f64, signed
 from rna_trace.rays import vectors
-from rna_trace.vectors import Vector
-
-_ROTATION, _PLACE, _SCALE = (
-    row_places("triangles")[name] for name in ("rotation", "place", "scale")
-)
-# Of a row's words: addresses of arrays of float64, and the number of triangles.
-_CORNERS, _NORMALS, _CUMULATIVE, _PER_AREA, _COUNT = range(5)
+from rna_trace.vectors import Vector, vector_at
 
 Emission = Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]
 
@@ -42,7 +34,8 @@ class TriangleLight(ShapeLight):
     Raises SceneError for a luminance that is negative or not finite.
     """
 
-    delta = False
+    kind = "triangles"
+    NUMBERS = light_numbers(("rotation", (3, 3)), ("place", 3), ("scale", ()))
 
     def __init__(
         self,
@@ -51,10 +44,10 @@ class TriangleLight(ShapeLight):
         luminance: np.ndarray,
         group: str = "",
     ) -> None:
+        super().__init__(group, colour=1.0, rotation=np.eye(3), scale=1.0)
         luminance = np.asarray(luminance, np.float64)
         if not (np.isfinite(luminance).all() and (luminance >= 0.0).all()):
             raise SceneError("mesh light: luminance must be finite and not negative")
-        self.group = group
         self._corners = np.asarray(positions, np.float64)[triangles]
         edges = self._corners[:, 1:] - self._corners[:, :1]
         normals = np.cross(edges[:, 0], edges[:, 1])
@@ -66,7 +59,6 @@ class TriangleLight(ShapeLight):
         self._cumulative = np.concatenate([[0.0], np.cumsum(weights)]) / total
         # Density of points per m^2: probability of the triangle by its area.
         self._per_area = luminance / total
-        self.row = self.placed_row(np.eye(3), np.zeros(3), 1.0)
 
     def power(self, scene_radius: float) -> float:
         return self._power
@@ -76,16 +68,30 @@ class TriangleLight(ShapeLight):
         """(t + 1,) float64 running shares of the triangles; (0,) where none sends light."""
         return self._cumulative if self._power > 0.0 else self._cumulative[:0]
 
-    def placed_row(self, rotation: np.ndarray, place: np.ndarray, scale: float) -> LightRow:
-        """The row of the same triangles elsewhere: scaled, then rotated, then moved."""
-        arrays = self._corners, self._normals, self._cumulative, self._per_area
-        addresses = [array.ctypes.data for array in arrays]
-        count = len(self._corners) if len(self.cumulative) else 0
-        words = [*addresses, count]
-        at = {"rotation": rotation, "place": place, "scale": scale}
-        return light_row(TRIANGLES, np.ones(3), words, **at)
+    def _fill(self, x_world: np.ndarray, u: np.ndarray, samples: LightSamples) -> None:
+        place = self.fill_directions(self.numbers, x_world, u, samples)
+        samples.radiance[:] = self.sent(place, samples.wi_world)
+
+    def fill_directions(
+        self, numbers: np.ndarray, x_world: np.ndarray, u: np.ndarray, samples: LightSamples
+    ) -> np.ndarray:
+        """Fill in all but the radiance of samples of these triangles elsewhere: scaled, then
+        rotated, then moved, as the numbers say.
+
+        Returns (n, 3) float64: triangle and barycentrics of their points, for `sent`.
+        """
+        place = np.zeros((len(x_world), 3))
+        if len(self.cumulative):
+            mesh = self._corners, self._normals, self._cumulative, self._per_area
+            out = samples.wi_world, samples.distance, samples.pdf
+            _sample(numbers, *mesh, x_world, u, *out, place)
+        return place
 
     def sent(self, place: np.ndarray, d_world: np.ndarray) -> np.ndarray:
+        """Radiance (n, 3) float32 against d, (n, 3) float32, of what stops rays along d.
+
+        place: see `fill_directions`.
+        """
         u, v = place[:, 1].astype(np.float32), place[:, 2].astype(np.float32)
         return self._sent(place[:, 0].astype(np.int32), u, v, d_world)
 
@@ -157,36 +163,42 @@ def _triangle_pdf(
 
 
 @compiled(fastmath=())
-def sample_triangles(
-    numbers: np.ndarray, words: np.ndarray, x: Vector, u1: float, u2: float
-) -> tuple[Vector, float, float, Vector]:
-    """Direction, distance, density, and triangle with barycentrics as three float64."""
-    count = signed(words[_COUNT])
-    if count == 0:
-        return (0.0, 0.0, 0.0), 0.0, 0.0, (0.0, 0.0, 0.0)
-    corners = carray(pointer_f64(words[_CORNERS]), (count, 3, 3))
-    normals = carray(pointer_f64(words[_NORMALS]), (count, 3))
-    cumulative = carray(pointer_f64(words[_CUMULATIVE]), (count + 1,))
-    per_area = carray(pointer_f64(words[_PER_AREA]), (count,))
-    rotation = numbers[_ROTATION : _ROTATION + 9].reshape(3, 3)
-    place, scale = numbers[_PLACE : _PLACE + 3], numbers[_SCALE]
-    moved = (x[0] - place[0]) / scale, (x[1] - place[1]) / scale, (x[2] - place[2]) / scale
-    x = _turned(rotation.T, moved)
-    value = u1 * cumulative[-1]
-    chosen = find_interval(cumulative, value)
-    # Uniform over a triangle: Shirley, Wang and Zimmerman, Monte Carlo Techniques for Direct
-    # Lighting Calculations (TOG 15(1), 1996), section 3.2.
-    root = np.sqrt(place_within(cumulative, chosen, value))
-    first, second = root * (1.0 - u2), root * u2
-    p0, p1, p2 = corners[chosen, 0], corners[chosen, 1], corners[chosen, 2]
-    dx = p0[0] + first * (p1[0] - p0[0]) + second * (p2[0] - p0[0]) - x[0]
-    dy = p0[1] + first * (p1[1] - p0[1]) + second * (p2[1] - p0[1]) - x[1]
-    dz = p0[2] + first * (p1[2] - p0[2]) + second * (p2[2] - p0[2]) - x[2]
-    r = np.sqrt(dx * dx + dy * dy + dz * dz)
-    inverse = 1.0 / r if r > 0.0 else 0.0
-    wi = dx * inverse, dy * inverse, dz * inverse
-    pdf = _triangle_pdf(corners, normals, per_area, chosen, x, wi)
-    return _turned(rotation, wi), r * scale, pdf, (np.float64(chosen), first, second)
+def _sample(
+    numbers: np.ndarray,
+    corners: np.ndarray,
+    normals: np.ndarray,
+    cumulative: np.ndarray,
+    per_area: np.ndarray,
+    x_world: np.ndarray,
+    u: np.ndarray,
+    wi_world: np.ndarray,
+    distance: np.ndarray,
+    pdf: np.ndarray,
+    place: np.ndarray,
+) -> None:
+    light = numbers[0]
+    rotation, origin, scale = light.rotation, light.place, light.scale
+    for i in range(len(x_world)):
+        x = vector_at(x_world, i)
+        moved = (x[0] - origin[0]) / scale, (x[1] - origin[1]) / scale, (x[2] - origin[2]) / scale
+        x = _turned(rotation.T, moved)
+        value = u[i, 0] * cumulative[-1]
+        chosen = find_interval(cumulative, value)
+        # Uniform over a triangle: Shirley, Wang and Zimmerman, Monte Carlo Techniques for Direct
+        # Lighting Calculations (TOG 15(1), 1996), section 3.2.
+        root = np.sqrt(place_within(cumulative, chosen, value))
+        first, second = root * (1.0 - u[i, 1]), root * u[i, 1]
+        p0, p1, p2 = corners[chosen, 0], corners[chosen, 1], corners[chosen, 2]
+        dx = p0[0] + first * (p1[0] - p0[0]) + second * (p2[0] - p0[0]) - x[0]
+        dy = p0[1] + first * (p1[1] - p0[1]) + second * (p2[1] - p0[1]) - x[1]
+        dz = p0[2] + first * (p1[2] - p0[2]) + second * (p2[2] - p0[2]) - x[2]
+        r = np.sqrt(dx * dx + dy * dy + dz * dz)
+        inverse = 1.0 / r if r > 0.0 else 0.0
+        wi = dx * inverse, dy * inverse, dz * inverse
+        pdf[i] = _triangle_pdf(corners, normals, per_area, chosen, x, wi)
+        wi_world[i, 0], wi_world[i, 1], wi_world[i, 2] = _turned(rotation, wi)
+        distance[i] = r * scale
+        place[i, 0], place[i, 1], place[i, 2] = chosen, first, second
 
 
 @compiled(fastmath=())

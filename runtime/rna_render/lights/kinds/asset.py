@@ -7,17 +7,22 @@ from itertools import pairwise
 
 import numpy as np
 
-from rna_render.lights.base import ShapeLight
+from rna_render.lights.base import LightSamples, ShapeLight
 from rna_render.lights.directions import luminance
-from rna_render.lights.mesh import TriangleLight
+from rna_render.lights.kinds.mesh import TriangleLight
 from rna_render.materials.mesh_object import EMISSION_FLOOR, points_of_a_triangle
 from rna_sdk.package import Curves
-from rna_sdk.runtime import DeformedCurves, DeformedMesh, Transform, offset_across
-from rna_trace.asset_parts import (
+from rna_sdk.runtime import (
     Asset,
-    FiberPart,
+    DeformedCurves,
+    DeformedMesh,
+    FiberAsset,
+    SurfaceAsset,
+    Transform,
+    offset_across,
+)
+from rna_trace.asset_parts import (
     Shape,
-    SurfacePart,
     part_geometry,
     part_mesh,
     part_normal_maps,
@@ -97,8 +102,8 @@ class AssetLight(ShapeLight):
         factor: on all that it emits.
     """
 
-    delta = False
-    group = ""
+    kind = TriangleLight.kind
+    NUMBERS = TriangleLight.NUMBERS
 
     def __init__(
         self, emission: AssetEmission, world_from_object: np.ndarray, factor: float = 1.0
@@ -108,7 +113,8 @@ class AssetLight(ShapeLight):
         self._scale, self._place = np.float32(transform.scale), transform.matrix[:3, 3]
         rotation = transform.matrix[:3, :3] / transform.scale
         self._rotation = rotation.astype(np.float32)
-        self.row = emission.placed_row(rotation, self._place, transform.scale)
+        at = {"rotation": rotation, "place": self._place, "scale": transform.scale}
+        super().__init__("", colour=1.0, **at)
 
     def power(self, scene_radius: float) -> float:
         size = scene_radius / float(self._scale)
@@ -119,8 +125,10 @@ class AssetLight(ShapeLight):
         """Of AssetEmission."""
         return self._emission.cumulative
 
-    def sent(self, place: np.ndarray, d_world: np.ndarray) -> np.ndarray:
-        return self.factor * self._emission.sent(place, d_world @ self._rotation)
+    def _fill(self, x_world: np.ndarray, u: np.ndarray, samples: LightSamples) -> None:
+        place = self._emission.fill_directions(self.numbers, x_world, u, samples)
+        sent = self._emission.sent(place, samples.wi_world @ self._rotation)
+        samples.radiance[:] = self.factor * sent
 
     def eval_hit(
         self, x_world: np.ndarray, d_world: np.ndarray, hits: ClosestHits, ng_world: np.ndarray
@@ -137,7 +145,7 @@ class AssetLight(ShapeLight):
 class _MeshEmitter:
     """A part with a mesh. wo: (n, 3) float32, unit, object space; the rest as in ClosestHits."""
 
-    def __init__(self, part: SurfacePart, shape: Shape | None) -> None:
+    def __init__(self, part: SurfaceAsset, shape: Shape | None) -> None:
         self.part, self.mesh = part, part_mesh(part, shape)
         self._shape = shape if isinstance(shape, DeformedMesh) else None
         self._transmittance: Transmittance | None = part_transmittance(part, shape)
@@ -199,7 +207,7 @@ def _joined(meshes: list[_MeshEmitter]) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _strand_emission(
-    part: FiberPart, shape: Shape | None, hits: ClosestHits, n: np.ndarray, wo: np.ndarray
+    part: FiberAsset, shape: Shape | None, hits: ClosestHits, n: np.ndarray, wo: np.ndarray
 ) -> np.ndarray:
     """Radiance of strands towards wo: (n, 3) float32. n: outward normals; object space."""
     curves = part_geometry(part, shape)
