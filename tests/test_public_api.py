@@ -34,6 +34,7 @@ OUR_TOOLS = {
         "file_kinds",
         "kernel_threads",
         "lazy_face",
+        "memory",
         "outputs",
         "owned_folder",
         "regular_file",

@@ -110,7 +110,7 @@ def test_byte_layout_is_pinned(tmp_path: Path) -> None:
     assert struct.unpack_from("<IHHHHH", path.read_bytes()) == (0x04034B50, 20, 0, 0, 0, 0x21)
 
 
-def test_planes_are_views_of_the_map(tiny: Path) -> None:
+def test_planes_are_views_of_the_file(tiny: Path) -> None:
     package = Package.open(tiny)
     planes = package.planes("small")
     base: object = planes
@@ -122,6 +122,16 @@ def test_planes_are_views_of_the_map(tiny: Path) -> None:
     again = package.planes("small")
     assert again.ctypes.data == planes.ctypes.data
     assert not package.mesh().positions.flags.owndata
+
+
+def test_a_file_that_is_written_in_place_changes_nothing(tiny: Path, tmp_path: Path) -> None:
+    path = tmp_path / "a.rna"
+    path.write_bytes(tiny.read_bytes())
+    planes = Package.open(path).planes("small")
+    path.write_bytes(bytes(path.stat().st_size))
+    np.testing.assert_array_equal(planes, make_planes())
+    path.write_bytes(b"")
+    np.testing.assert_array_equal(planes, make_planes())
 
 
 def test_views_outlive_the_package(tiny: Path) -> None:

@@ -1,6 +1,6 @@
 """The capture worker: runs inside Blender's Python, with `bpy` and numpy and nothing else of ours.
 
-    python worker.py THREADS
+    python worker.py THREADS PARENT
 
 Requests come as one JSON object a line on standard input; each is answered by one line on
 standard output that begins with `RNA `. Whatever else Blender prints there is not for us.
@@ -21,7 +21,19 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 from few_cores import few_cores
 
-THREADS = int(sys.argv[1])
+THREADS, PARENT = map(int, sys.argv[1:])
+_PR_SET_PDEATHSIG = 1  # prctl(2)
+
+
+def end_with_parent() -> None:
+    """Linux: a Blender that is at work reads no end of input; it is to end with its parent."""
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
+        if os.getppid() != PARENT:
+            sys.exit(1)
+
+
+end_with_parent()
 
 with few_cores(THREADS):
     import bpy
@@ -30,8 +42,6 @@ with few_cores(THREADS):
     from rna_materials import material_override, smoothest, surface_textures
     from rna_renders import ray_render, render_settings, scene_render, white_card
     from rna_sources import read_files, shown_frame, source_scene
-
-_PR_SET_PDEATHSIG = 1  # prctl(2)
 
 _last_opened: dict[str, Any] = {}  # the request
 
@@ -97,14 +107,7 @@ def reply(message: dict[str, Any]) -> None:
     sys.stdout.flush()
 
 
-def end_with_parent() -> None:
-    """Linux: a Blender that hangs reads no end of input; it is to end with the one that asked."""
-    if sys.platform == "linux":
-        ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
-
-
 def main() -> None:
-    end_with_parent()
     for line in sys.stdin:
         request = json.loads(line)
         try:

@@ -78,14 +78,22 @@ def save_checkpoint(
 
 
 def _saved(path: Path) -> dict[str, Any]:
-    """What is in the file, which takes no more memory than its size.
+    """What is in the file, in memory of a few times its size.
 
-    Raises ValueError where its records are compressed, as torch saves none.
+    Raises ValueError where its records are compressed, as torch saves none, or share bytes. Readers
+    of ZIP files disagree on where a directory is, so torch gets a file of the records checked here.
     """
-    with zipfile.ZipFile(path) as archive:
-        if any(record.compress_type != zipfile.ZIP_STORED for record in archive.infolist()):
+    checked = BytesIO()
+    with zipfile.ZipFile(path) as found, zipfile.ZipFile(checked, "w") as written:
+        records = found.infolist()
+        if any(record.compress_type != zipfile.ZIP_STORED for record in records):
             raise ValueError("compressed records")
-    saved: dict[str, Any] = torch.load(path, map_location="cpu", weights_only=True)
+        if sum(record.file_size for record in records) > path.stat().st_size:
+            raise ValueError("records that are larger than the file")
+        for record in records:
+            written.writestr(record.filename, found.read(record))
+    checked.seek(0)
+    saved: dict[str, Any] = torch.load(checked, map_location="cpu", weights_only=True)
     return saved
 
 

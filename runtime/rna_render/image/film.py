@@ -9,6 +9,7 @@ import numpy as np
 from numba import prange
 
 from rna_sdk.compiled import compiled
+from rna_sdk.memory import check_memory
 
 
 @dataclass
@@ -83,7 +84,8 @@ class Layers:
 class Film:
     """Sums samples. A sample enters whole or not at all, so a stopped image is a fair mean.
 
-    resolution: width and height. groups: names of the groups of lights.
+    resolution: width and height. groups: names of the groups of lights. Raises RnaError where it
+    does not fit into memory.
     """
 
     def __init__(self, resolution: tuple[int, int], groups: Sequence[str] = ()) -> None:
@@ -91,6 +93,9 @@ class Film:
         self.samples = 0
         self.groups = tuple(groups)
         count = self.width * self.height
+        pixel = Layers.empty(1, len(groups), np.float64)
+        needed = count * sum(getattr(pixel, field.name).nbytes for field in fields(Layers))
+        check_memory(needed, f"an image of {self.width} x {self.height} pixels")
         self._sum = Layers.empty(count, len(groups), np.float64)
 
     def add(self, bands: Sequence[Layers], samples: int = 1) -> None:

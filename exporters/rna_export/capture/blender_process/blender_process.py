@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import os
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
@@ -76,7 +77,7 @@ class BlenderProcess:
     def _launch(self) -> subprocess.Popen[str]:
         """A process that has opened nothing yet."""
         return subprocess.Popen(
-            [str(self._python), str(_WORKER), str(self._threads)],
+            [str(self._python), str(_WORKER), str(self._threads), str(os.getpid())],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=self._log,
