@@ -14,7 +14,7 @@ def add_environment(p: ArgumentParser) -> None:
     p.add_argument(
         "--environment",
         action="store_true",
-        help="add lobes by which a whole environment lights the asset in one query, for the first "
+        help="add lobes, from which one query gives the light of a whole environment, for the first "
         "look of viewers; trained from the package itself (default: off)",
     )
     p.add_argument(
