@@ -10,9 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from rna_sdk.lazy_face import homes
 from tests.conftest import REPOSITORY
-from tests.test_lazy_face import FACES
+from tests.test_faces import FACES, homes
 
 ROOTS = {"rna_sdk": ".", "rna_export": "exporters", "rna_bench": "benchmarks"} | dict.fromkeys(
     ("rna_work", "rna_trace", "rna_render", "rna_gpu", "rna_mitsuba", "rna_view"), "runtime"

@@ -33,7 +33,6 @@ OUR_TOOLS = {
         "cpu",
         "file_kinds",
         "kernel_threads",
-        "lazy_face",
         "memory",
         "outputs",
         "owned_folder",

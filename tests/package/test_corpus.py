@@ -10,7 +10,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_sdk.package import Code, Package, PackageError, Severity, validate
+from rna_sdk.errors import PackageError
+from rna_sdk.package import Code, Package, Severity, validate
 from rna_sdk.package.limits import MAX_FILE_BYTES
 from tests.package.builders import pack
 from tests.package.corpus import container_cases, content_cases, manifest_cases

@@ -13,8 +13,8 @@ import numpy as np
 import pytest
 import safetensors.numpy
 
-from rna_sdk.errors import QueryError
-from rna_sdk.package import Curves, Package, PackageError, validate, write_package
+from rna_sdk.errors import PackageError, QueryError
+from rna_sdk.package import Curves, Package, validate, write_package
 from rna_sdk.package.manifest.manifest_reader import parse_manifest
 from tests.package.builders import (
     FIBER_INPUTS,

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_sdk.package import EnvironmentPart, PackageError, decoder_from_bytes
+from rna_sdk.errors import PackageError
+from rna_sdk.package import EnvironmentPart, decoder_from_bytes
 from rna_sdk.package.decoder.decoder_checks import check_decoder
 from rna_sdk.package.decoder.decoder_form import (
     EMISSION,

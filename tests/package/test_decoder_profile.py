@@ -10,7 +10,8 @@ import onnx
 import pytest
 from onnx import helper, numpy_helper
 
-from rna_sdk.package import PackageError, ProfileDecoder, decoder_from_bytes, decoder_to_bytes
+from rna_sdk.errors import PackageError
+from rna_sdk.package import ProfileDecoder, decoder_from_bytes, decoder_to_bytes
 from tests.package.builders import random_decoder, random_int8_decoder
 from tests.package.onnx_reference import onnx_result
 

@@ -10,7 +10,8 @@ from typing import Any
 import jsonschema
 import pytest
 
-from rna_sdk.package import PackageError, validate
+from rna_sdk.errors import PackageError
+from rna_sdk.package import validate
 from rna_sdk.package.manifest.manifest_reader import parse_manifest
 from rna_sdk.package.manifest.schema import manifest_schema
 from tests.package.corpus.content_cases import with_gltf

@@ -8,16 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_sdk.errors import QueryError
-from rna_sdk.package import (
-    NormalMapRecord,
-    Package,
-    PackageError,
-    quantise,
-    tier_ranges,
-    validate,
-    write_package,
-)
+from rna_sdk.errors import PackageError, QueryError
+from rna_sdk.package import NormalMapRecord, Package, quantise, tier_ranges, validate, write_package
 from rna_sdk.package.command import rna_validate as cli
 from rna_sdk.package.command.rna_pack import main as pack_main
 from rna_sdk.package.manifest.manifest_reader import parse_manifest

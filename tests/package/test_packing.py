@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from rna_sdk.package import Package, PackageError, quantise, validate
+from rna_sdk.errors import PackageError
+from rna_sdk.package import Package, quantise, validate
 from rna_sdk.package.command.rna_pack import main
 from rna_sdk.package.container.zip_container import Container
 from rna_sdk.package.manifest.deflate import decode, encode

@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rna_sdk.errors import QueryError
-from rna_sdk.package import Mesh, Package, PackageError, tier_ranges, validate, write_package
+from rna_sdk.errors import PackageError, QueryError
+from rna_sdk.package import Mesh, Package, tier_ranges, validate, write_package
 from rna_sdk.package.manifest.manifest_reader import parse_manifest
 from tests.package.builders import (
     make_curves,

@@ -15,12 +15,11 @@ import pytest
 import safetensors.numpy
 import trimesh
 
-from rna_sdk.errors import QueryError, RnaError
+from rna_sdk.errors import PackageError, QueryError, RnaError
 from rna_sdk.package import (
     Cost,
     Mesh,
     Package,
-    PackageError,
     TierData,
     Validation,
     float_planes,

@@ -77,8 +77,8 @@ def parser() -> argparse.ArgumentParser:
     p.add_argument(
         "--estimate",
         action="store_true",
-        help="say how much faster than Cycles the asset will be in scenes, then exit; takes no "
-        "--out (default: off)",
+        help="print the expected speedup over Cycles in scenes, then exit; excludes --out "
+        "(default: off)",
     )
     p.add_argument(
         "--setup-blender",

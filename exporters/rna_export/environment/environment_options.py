@@ -14,8 +14,8 @@ def add_environment(p: ArgumentParser) -> None:
     p.add_argument(
         "--environment",
         action="store_true",
-        help="add lobes by which a whole environment lights the asset in one query, for the first "
-        "look of viewers; trained from the package itself (default: off)",
+        help="add lobes, from which one query gives the light of a whole environment, for the "
+        "first look of viewers; trained from the package itself (default: off)",
     )
     p.add_argument(
         "--environment-minutes",

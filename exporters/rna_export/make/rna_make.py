@@ -92,8 +92,8 @@ def parser() -> argparse.ArgumentParser:
     p.add_argument(
         "--lights",
         type=int,
-        help="capture exactly so many light directions, then train each preset once (int, default: "
-        "rounds of more and more)",
+        help="number of light directions; each preset is then trained once (int, default: rounds "
+        "with increasing numbers)",
     )
     p.add_argument(
         "--presets",

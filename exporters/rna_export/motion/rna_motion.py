@@ -50,8 +50,7 @@ def parser() -> argparse.ArgumentParser:
         "--rest-frame",
         type=int,
         metavar="N",
-        help="frame of the source that the package's shape is of (int, default: that of its "
-        "capture)",
+        help="frame of the source that has the package's shape (int, default: that of its capture)",
     )
     for name in ("front", "up"):
         add(f"--{name}", choices=AXES, metavar="AXIS", help="as for rna-capture (default: none)")

@@ -56,8 +56,7 @@ def _parser() -> argparse.ArgumentParser:
         "scene",
         metavar="FILE",
         type=Path,
-        help="scene file (YAML), or a package (.rna), which is shown on a ground in a light that "
-        "fit it",
+        help="scene file (YAML), or a package (.rna), shown on a ground under lights of its size",
     )
     add(
         "--out",
