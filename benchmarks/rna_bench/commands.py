@@ -38,7 +38,6 @@ GROUPS: dict[str, tuple[Command, ...]] = {
         Command("gain", "accuracy.gain_command"),
         Command("frontier", "frontier.frontier_command", resumes=True),
         Command("stability", "stability.stability_command", resumes=True),
-        Command("fit", "frontier.fit", resumes=True),
         Command("frontier-chart", "frontier.redraw"),
         Command("time-to-flip", "scenes.time_to_flip"),
         Command("threads", "scenes.thread_counts"),

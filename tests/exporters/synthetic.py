@@ -34,8 +34,8 @@ def hurried_packages() -> Iterator[None]:
     """Little tuning of int8 decoders and short timings, where no test looks at their results."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("rna_export.export.int8_tuning._STEPS", 8)
-        patch.setattr("rna_export.trials.cost._SECONDS", 0.005)
-        patch.setattr("rna_export.trials.cost._FEWEST", 1024)
+        patch.setattr("rna_bench.frontier.trials.cost._SECONDS", 0.005)
+        patch.setattr("rna_bench.frontier.trials.cost._FEWEST", 1024)
         yield
 
 

@@ -17,11 +17,11 @@ from rna_export.capture.capture_tasks import Task, TrainingShard
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.sample_files import write_parts
 from rna_export.capture.time_plan import TimeLimit
-from rna_export.fit.goal import Goal
 from rna_export.make import capture_rounds as rays_module
 from rna_export.make import make_run as run_module
 from rna_export.make import phases as phases_module
 from rna_export.make import plan as plan_module
+from rna_export.make.goal import Goal
 from rna_export.make.make_options import MakeOptions
 from rna_export.make.make_run import Made, Make
 from rna_export.make.state import RunSettings

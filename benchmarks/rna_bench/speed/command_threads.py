@@ -68,11 +68,6 @@ def commands(folder: Path) -> dict[str, tuple[str, list[Any], int]]:
             [_SOURCE, "--out", made, "--workers", 1, "--lights", 32, "--steps", 500, *_CAPTURE[2:]],
             cores,
         ),
-        "rna-fit --workers 1": (
-            "rna-fit",
-            [rays, "--min-psnr", 15, "--out", folder / "fit.rna", "--steps", 320, "--workers", 1],
-            cores,
-        ),
         "rna-compare": (
             "rna-compare",
             [TOY, _SOURCE, "--out", folder / "compare", "--resolution", 96, "--samples", 4],

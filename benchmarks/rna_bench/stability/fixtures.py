@@ -16,6 +16,7 @@ from uuid import uuid4
 import numpy as np
 from safetensors.numpy import load_file
 
+from rna_bench.frontier.trials.trial_packages import write_packages
 from rna_bench.one_part import OnePart, load_one_part
 from rna_bench.stability.answers import Answers, of_package
 from rna_export.capture.blender_process import blender_env
@@ -28,7 +29,6 @@ from rna_export.export.package_build import build_package
 from rna_export.training.checkpoint import Trained, load_checkpoint
 from rna_export.training.presets import PRESETS, Preset
 from rna_export.training.training_run import Run, train
-from rna_export.trials.trial_packages import write_packages
 from rna_sdk.errors import CaptureError
 from rna_work.cached import locked
 
@@ -196,7 +196,7 @@ class Fixtures:
         return out
 
     def packages_of_base(self) -> dict[str, Path]:
-        """Packages of `base`, by the precisions of `rna_export.trials.trial_packages`."""
+        """Packages of `base`, by the precisions of `rna_bench.frontier.trials.trial_packages`."""
         out = self._folder / "precisions"
         out.mkdir(parents=True, exist_ok=True)
         return write_packages(self.base, self.dataset, out)

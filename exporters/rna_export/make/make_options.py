@@ -8,7 +8,7 @@ from typing import Any
 
 from rna_export.capture.blender_process.source import Source
 from rna_export.capture.capture_run import CaptureWorkers
-from rna_export.fit.goal import Goal
+from rna_export.make.goal import Goal
 from rna_export.make.plan import CAPTURE, capture_share
 from rna_export.training.presets import PRESETS
 from rna_render.scene import SceneFile

@@ -17,8 +17,8 @@ from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.export.extras import add_extras
 from rna_export.export.package_build import build_package
 from rna_export.export.precision import Precision
-from rna_export.fit.goal import Goal
 from rna_export.make.capture_rounds import Rays, open_rays, rays_folder
+from rna_export.make.goal import Goal
 from rna_export.make.make_options import MakeOptions
 from rna_export.make.make_progress import Clock, Progress, Stage
 from rna_export.make.phases import Phase, phase_folder, score, trained_in

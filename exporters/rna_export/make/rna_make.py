@@ -37,7 +37,7 @@ from rna_sdk.owned_folder import owned
 from rna_work.executors import open_executor
 
 if TYPE_CHECKING:
-    from rna_export.fit.goal import Goal
+    from rna_export.make.goal import Goal
     from rna_export.make.make_options import MakeOptions
     from rna_export.make.make_run import Made
     from rna_sdk.package import Manifest
@@ -266,7 +266,7 @@ def _kept_picture(options: MakeOptions, out: Path) -> Path | None:
 
 
 def _goal(args: argparse.Namespace) -> Goal | None:
-    from rna_export.fit.goal import Goal
+    from rna_export.make.goal import Goal
 
     if args.max_error is not None:
         return Goal("max_error", args.max_error)
@@ -274,14 +274,27 @@ def _goal(args: argparse.Namespace) -> Goal | None:
 
 
 def _outcome(made: Made, manifest: Manifest, goal: Goal | None) -> str:
-    """Why it ended, and whether the goal is met."""
+    """Why it ended, whether the goal is met, and by which of several tiers at the least cost."""
     (lead, *_) = [t.validation for t in manifest.tiers if f"{t.name}-".startswith(f"{made.lead}-")]
     end: str = "the error stopped falling" if made.why == "stopped falling" else made.why
     if goal is not None and lead is not None and goal.met_by(lead):
-        end = f"goal met: {goal}"
+        end = f"goal met: {goal}{_cheapest(manifest, goal)}"
     elif goal is not None:
         end = f"goal not met, {end}: {goal}"
     return f"{end}; capture rounds: {made.rounds}"
+
+
+def _cheapest(manifest: Manifest, goal: Goal) -> str:
+    """The cheapest tier that meets the goal, where there are several tiers."""
+    meet = [
+        (tier.cost.ns_per_query, tier.name)
+        for tier in manifest.tiers
+        if tier.cost and tier.validation and goal.met_by(tier.validation)
+    ]
+    if len(manifest.tiers) == 1 or not meet:
+        return ""
+    ns, name = min(meet)
+    return f", cheapest by {name}: {ns:.0f} ns/query"
 
 
 if __name__ == "__main__":

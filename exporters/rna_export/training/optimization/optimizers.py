@@ -8,7 +8,6 @@ from typing import Any
 import torch
 from torch import Tensor, nn
 
-from rna_export.training.model.feature_network import FeatureNetwork
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.model.triplane import Triplane
 from rna_export.training.optimization.muon import Muon
@@ -52,9 +51,7 @@ def muon_matrices(model: NeuralAsset, config: TrainingConfig) -> list[Tensor]:
         decoders.append(model.emission.decoder)
     layers = (layer for decoder in decoders for layer in [*decoder][:-1])
     found: list[Tensor] = [layer.weight for layer in layers if isinstance(layer, nn.Linear)]
-    if isinstance(model.triplane, FeatureNetwork):
-        found += model.triplane.hidden_matrices()
-    return found
+    return found + model.feature_matrices()
 
 
 def set_rates(optimizers: Iterable[torch.optim.Optimizer], factor: float) -> None:

@@ -6,8 +6,8 @@ from pathlib import Path
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from rna_export.trials.scores import ModelScores
-from rna_export.trials.trial import Trial
+from rna_bench.frontier.trials.scores import ModelScores
+from rna_bench.frontier.trials.trial import Trial
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import TrainingError
 

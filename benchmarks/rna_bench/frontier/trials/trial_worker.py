@@ -9,10 +9,10 @@ from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from dataclasses import dataclass
 from pathlib import Path
 
+from rna_bench.frontier.trials.trial import Trial
+from rna_bench.frontier.trials.trial_record import Record
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.training.optimization.samples import SampleTable
-from rna_export.trials.trial import Trial
-from rna_export.trials.trial_record import Record
 from rna_work.cluster.store import Store
 from rna_work.cluster.stored import Mirror
 from rna_work.sources import Carried
@@ -83,7 +83,7 @@ class TrialWorker:
                 mirror.send()
 
     def _trained(self, trial: Trial, folder: Path, mirror: Mirror | None) -> Record:
-        from rna_export.trials.trial_run import run_trial
+        from rna_bench.frontier.trials.trial_run import run_trial
 
         folder.mkdir(parents=True, exist_ok=True)
         with _log(folder / "log.txt"):

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from itertools import product
 
+from rna_bench.frontier.trials.feature_network import NETWORK
+from rna_bench.frontier.trials.trial import Family, Trial, name_of
 from rna_export.training.presets import PRESETS, Preset
-from rna_export.trials.trial import Family, Trial, name_of
 
 FULL_STEPS, SHORT_STEPS = 20_000, 5_000
 """Steps per training: those of our presets, and what takes 40 minutes on 2 cores."""
@@ -100,7 +101,7 @@ def nrhints(kind: str) -> Trial:
     paper = PRESETS[kind]["paper-hq"]
     inputs = ("features", "position", *paper.model.inputs[1:])
     preset = paper.with_model(
-        inputs=inputs, width=256, resolution=1, channels=304, texture="network"
+        inputs=inputs, width=256, resolution=1, channels=304, texture=NETWORK
     ).with_training(learning_rate=5e-4, plane_learning_rate=5e-4, schedule="cosine")
     return _trial("opponent", preset, "nrhints").model_copy(update={"cost_as": "paper-hq"})
 
@@ -128,12 +129,10 @@ def ablations(kind: str, widths: tuple[int, ...]) -> list[Trial]:
         else:
             own = tuple(b for b in preset.model.inputs if b != "learned_normal")
             variants["no-learned-normal"] = preset.with_model(inputs=own)
-            for size in (512, 1024):
-                variants[f"uv{size}"] = preset.with_model(texture="uv", resolution=size)
-        for variant, changed in variants.items():
-            trial = _trial("ablation", changed, f"w{width}-{variant}", variant)
-            cost_as = None if trial.packageable else name_of(preset)
-            trials.append(trial.model_copy(update={"cost_as": cost_as}))
+        trials += [
+            _trial("ablation", changed, f"w{width}-{variant}", variant)
+            for variant, changed in variants.items()
+        ]
     return trials
 
 

@@ -14,12 +14,19 @@ import torch
 from torch import Tensor, nn
 from torch.nn.utils.parametrizations import weight_norm
 
+from rna_export.training.model.inputs import Points
+from rna_export.training.model.neural_asset import MODELS, NeuralAsset
+from rna_export.training.presets import ModelConfig
+
 _LAYERS = 8
 SKIP = 4
 """The layer that has the encoded position beside the layer before."""
 
 _POSITION_OCTAVES, _DIRECTION_OCTAVES = 6, 4
 _SCALE = 3.0  # of positions, -1 to 1 in the bounds
+
+NETWORK = "network"
+"""`ModelConfig.texture` of models with these features."""
 
 ENCODED_DIRECTIONS = 2 * 3 * 2 * _DIRECTION_OCTAVES
 """Channels that are not of the network: encodings of wo and wi."""
@@ -80,3 +87,23 @@ def octaves(x: Tensor, count: int) -> Tensor:
     """Sines and cosines of x (n, k) times 1, 2, 4, ...: (n, 2 k count)."""
     scaled = x[:, :, None] * 2.0 ** torch.arange(count, device=x.device)
     return torch.cat([torch.sin(scaled), torch.cos(scaled)], dim=2).flatten(1)
+
+
+class NetworkAsset(NeuralAsset):
+    """A neural asset with such features; no package holds it."""
+
+    triplane: FeatureNetwork
+
+    def feature_matrices(self) -> list[Tensor]:
+        return self.triplane.hidden_matrices()
+
+    def _new_features(self, config: ModelConfig, bounds: Tensor) -> nn.Module:
+        return FeatureNetwork(config.width, config.channels, *bounds)
+
+    def _features(self, at: Points, blur: float | Tensor) -> Tensor:
+        directions = at["wo"], at["wi"]
+        features: Tensor = self.triplane(at["position"], *directions, self._in_bfloat16)
+        return features
+
+
+MODELS[NETWORK] = NetworkAsset

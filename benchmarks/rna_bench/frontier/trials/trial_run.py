@@ -8,6 +8,10 @@ from pathlib import Path
 
 import numpy as np
 
+from rna_bench.frontier.trials.scores import judge, write_strips
+from rna_bench.frontier.trials.trial import Trial
+from rna_bench.frontier.trials.trial_packages import TRIAL_PRECISIONS, USUAL, write_packages
+from rna_bench.frontier.trials.trial_record import Point, Record, read_record
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.validation_view import ValidationView
 from rna_export.training.checkpoint import Trained, load_checkpoint, load_progress
@@ -15,11 +19,6 @@ from rna_export.training.loss_curves import read_curves
 from rna_export.training.optimization.samples import SampleTable
 from rna_export.training.training_run import Run, train
 from rna_export.training.validation import shade
-from rna_export.trials.scores import judge, write_strips
-from rna_export.trials.trial import Trial
-from rna_export.trials.trial_packages import TRIAL_PRECISIONS, USUAL, write_packages
-from rna_export.trials.trial_record import Point, Record, read_record
-from rna_export.trials.unwrap import UnwrappedPart
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.runtime import load
 
@@ -46,8 +45,6 @@ def run_trial(
     if record is not None and not missing_precisions(record):
         return record
     folder.mkdir(parents=True, exist_ok=True)
-    if trial.preset.model.texture == "uv":
-        dataset, table = UnwrappedPart(dataset), None
     seconds = (
         record.seconds
         if record

@@ -8,18 +8,18 @@ from pathlib import Path
 
 import pytest
 
+from rna_bench.frontier.trials import trial_run as run_module
+from rna_bench.frontier.trials.grid import nrhints
+from rna_bench.frontier.trials.trial import Trial
+from rna_bench.frontier.trials.trial_packages import TRIAL_PRECISIONS, USUAL
+from rna_bench.frontier.trials.trial_pool import TrialPool, TrialWorkers
+from rna_bench.frontier.trials.trial_record import read_record
+from rna_bench.frontier.trials.trial_run import run_trial
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.export.package_build import build_package
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.training_run import train
-from rna_export.trials import trial_run as run_module
-from rna_export.trials.grid import nrhints
-from rna_export.trials.trial import Trial
-from rna_export.trials.trial_packages import TRIAL_PRECISIONS, USUAL
-from rna_export.trials.trial_pool import TrialPool, TrialWorkers
-from rna_export.trials.trial_record import read_record
-from rna_export.trials.trial_run import run_trial
 from rna_sdk.errors import TrainingError
 from rna_sdk.runtime import load
 from tests.exporters.synthetic import hurried_packages, make_dataset, tiny

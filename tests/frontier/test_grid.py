@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 import torch
 
-from rna_export.training.model.neural_asset import NeuralAsset
-from rna_export.trials.grid import PAPER_ARCHITECTURES, full_grid, short_grid
-from rna_export.trials.trial import Trial
+from rna_bench.frontier.trials.grid import PAPER_ARCHITECTURES, full_grid, short_grid
+from rna_bench.frontier.trials.trial import Trial
+from rna_export.training.model.neural_asset import new_model
 
 KINDS = ("surface", "fiber")
 
@@ -41,24 +41,13 @@ def test_short_grid_is_part_of_the_full_one(kind: str) -> None:
     assert {t.preset.model.width for t in short_grid(kind)} == {16, 32, 64, 128, 256, 512}
 
 
-def test_models_without_a_package_have_the_cost_of_one_that_has() -> None:
-    for trials in (full_grid("surface"), short_grid("surface")):
-        names = {trial.name: trial for trial in trials}
-        textures = [t for t in trials if t.preset.model.texture == "uv"]
-        assert {trial.preset.model.resolution for trial in textures} == {512, 1024}
-        for trial in textures:
-            twin = names[trial.cost_as].preset.model
-            assert twin.width == trial.preset.model.width
-            assert twin.inputs == trial.preset.model.inputs
-
-
 @pytest.mark.parametrize("kind", KINDS)
 def test_nrhints_costs_what_paper_hq_does(kind: str) -> None:
     trials = {trial.name: trial for trial in short_grid(kind)}
     own = trials["nrhints"]
     assert not own.packageable
     counts = [
-        NeuralAsset(t.preset.model, torch.tensor([[0.0] * 3, [1.0] * 3])).multiply_adds
+        new_model(t.preset.model, torch.tensor([[0.0] * 3, [1.0] * 3])).multiply_adds
         for t in (own, trials[own.cost_as])
     ]
     assert abs(counts[0] / counts[1] - 1.0) < 0.02

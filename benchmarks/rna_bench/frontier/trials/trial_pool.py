@@ -9,9 +9,9 @@ from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 
-from rna_export.trials.trial import Trial
-from rna_export.trials.trial_record import Record
-from rna_export.trials.trial_worker import Job, TrialWorker
+from rna_bench.frontier.trials.trial import Trial
+from rna_bench.frontier.trials.trial_record import Record
+from rna_bench.frontier.trials.trial_worker import Job, TrialWorker
 from rna_sdk.cores import core_count
 from rna_sdk.errors import TrainingError
 from rna_work.backend import Backend
