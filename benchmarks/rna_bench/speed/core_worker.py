@@ -196,10 +196,10 @@ def capture(threads: int) -> Iterator[Task]:
 @contextmanager
 def lobes(threads: int) -> Iterator[Task]:
     """Steps of a training of lobes, as `rna-export --environment` does them."""
-    from rna_export.environment.lobe_fit import fit_lobes
-    from rna_export.environment.lobe_model import LobeModel
-    from rna_export.environment.lobe_queries import QueryRows
-    from rna_export.environment.view_points import part_views
+    from rna_export.lobes.lobe_fit import fit_lobes
+    from rna_export.lobes.lobe_model import LobeModel
+    from rna_export.lobes.lobe_queries import QueryRows
+    from rna_export.lobes.view_points import part_views
     from rna_export.training.optimization.pace import TimePace
     from rna_export.training.optimization.training_threads import use_threads
     from rna_sdk.package import Package

@@ -21,13 +21,13 @@ from rna_export.capture.rna_capture import (
     check_source,
     given_settings,
 )
-from rna_export.environment.environment_options import (
+from rna_export.export.credit import add_credit
+from rna_export.export.precision import add_precision, precisions_of
+from rna_export.lobes.environment_options import (
     add_environment,
     check_environment,
     lobe_minutes,
 )
-from rna_export.export.credit import add_credit
-from rna_export.export.precision import add_precision, precisions_of
 from rna_export.training.presets import PRESETS
 from rna_export.training.training_options import add_device, chosen_device
 from rna_sdk.atomic_file import write_atomically
@@ -162,8 +162,8 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     from rna_export.capture.blender_process.source import Source
     from rna_export.capture.capture_run import CaptureWorkers
     from rna_export.capture.capture_settings import CaptureSettings
-    from rna_export.environment.environment_training import add_lobes
     from rna_export.export.export_summary import closing_lines
+    from rna_export.lobes.environment_training import add_lobes
     from rna_export.machine import keep_freed_memory
     from rna_export.make.make_options import MakeOptions
     from rna_export.make.make_run import Make, export

@@ -7,8 +7,8 @@ import math
 import torch
 from torch import Tensor, nn
 
-from rna_export.environment.lobe_queries import LobeInputs, QueryRows
-from rna_export.environment.view_points import LobesAt, Rows, ViewPoints
+from rna_export.lobes.lobe_queries import LobeInputs, QueryRows
+from rna_export.lobes.view_points import LobesAt, Rows, ViewPoints
 from rna_export.training.model.layers import through
 from rna_sdk.reference.lobes import NARROW, SHIFT, SMALLEST_KAPPA, WIDE
 

@@ -11,11 +11,11 @@ import numpy as np
 import torch
 from numpy.typing import NDArray
 
-from rna_export.environment.directions import random_rotations
-from rna_export.environment.lobe_loss import LobeLoss, Targets, even_lights
-from rna_export.environment.lobe_model import LobeModel
-from rna_export.environment.lobe_queries import LobeInputs, QueryRows
-from rna_export.environment.view_points import PartViews, Rows, ViewPoints
+from rna_export.lobes.directions import random_rotations
+from rna_export.lobes.lobe_loss import LobeLoss, Targets, even_lights
+from rna_export.lobes.lobe_model import LobeModel
+from rna_export.lobes.lobe_queries import LobeInputs, QueryRows
+from rna_export.lobes.view_points import PartViews, Rows, ViewPoints
 from rna_export.training.optimization.pace import Pace
 from rna_export.training.optimization.training_threads import threads_in_use, use_threads
 from rna_render.world.neural_sampling import LobeMixture

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rna_export.environment.view_points import Rows, ViewPoints
+from rna_export.lobes.view_points import Rows, ViewPoints
 from rna_sdk.package import Package, query_width
 from rna_sdk.runtime.engine.batch import Batch
 from rna_sdk.runtime.engine.tiles import QueryFiller

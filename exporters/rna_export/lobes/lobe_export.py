@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import torch
 
-from rna_export.environment.lobe_model import LOBES, LobeModel
-from rna_export.environment.lobe_queries import QueryRows
-from rna_export.environment.view_points import PartViews
 from rna_export.export.decoder import compare_answers, export_decoder
+from rna_export.lobes.lobe_model import LOBES, LobeModel
+from rna_export.lobes.lobe_queries import QueryRows
+from rna_export.lobes.view_points import PartViews
 from rna_sdk.package import Lobes
 
 _COMPARED, _EXTREME, _FAR = 5000, 500, 10.0  # queries; factor on extreme ones

@@ -12,12 +12,12 @@ import numpy as np
 import torch
 from tqdm import tqdm
 
-from rna_export.environment.lobe_error import generated_environments, grid_of, lobe_pictures
-from rna_export.environment.lobe_export import exported_lobes
-from rna_export.environment.lobe_fit import fit_lobes
-from rna_export.environment.lobe_model import LobeModel
-from rna_export.environment.lobe_queries import QueryRows
-from rna_export.environment.view_points import LobesAt, PartViews, Rows, ViewPoints, part_views
+from rna_export.lobes.lobe_error import generated_environments, grid_of, lobe_pictures
+from rna_export.lobes.lobe_export import exported_lobes
+from rna_export.lobes.lobe_fit import fit_lobes
+from rna_export.lobes.lobe_model import LobeModel
+from rna_export.lobes.lobe_queries import QueryRows
+from rna_export.lobes.view_points import LobesAt, PartViews, Rows, ViewPoints, part_views
 from rna_export.training.optimization.pace import StepPace, TimePace
 from rna_render import read_environment
 from rna_sdk.errors import ExportError

@@ -10,8 +10,8 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
-from rna_export.environment.directions import even_directions
-from rna_export.environment.view_points import Rows
+from rna_export.lobes.directions import even_directions
+from rna_export.lobes.view_points import Rows
 from rna_sdk.compiled import compiled
 from rna_sdk.reference.lobes import SMALLEST_KAPPA
 from rna_sdk.runtime.kernels.lane_memory import load_lanes, store_lanes
