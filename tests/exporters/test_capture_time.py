@@ -12,8 +12,8 @@ import pytest
 
 from rna_export.capture import capture_run as run_module
 from rna_export.capture import time_plan
+from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.capture_worker import CaptureWorker
-from rna_export.capture.blender_process.source import Source
 from rna_export.capture.capture_run import CaptureWorkers, finish
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.capture_tasks import TrainingShard, ValidationHalf

@@ -13,9 +13,9 @@ import torch
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.training import checkpoint as checkpoint_module
 from rna_export.training.checkpoint import load_checkpoint, load_progress
-from rna_export.training.loss_curves import Curves
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.presets import ModelConfig
+from rna_export.training.report import Curves
 from rna_export.training.training_run import Run, train
 from rna_sdk.errors import ExportError, TrainingError
 from tests.exporters.synthetic import make_dataset, tiny

@@ -8,16 +8,14 @@ import torch
 
 from rna_export.export.rna_export import main
 from rna_export.lobes import environment_training
-from rna_export.lobes.directions import even_directions, random_rotations
+from rna_export.lobes.directions import even_directions, harmonics, random_rotations
 from rna_export.lobes.environment_options import lobe_minutes
 from rna_export.lobes.environment_training import add_lobes
 from rna_export.lobes.lobe_error import LobePictures, generated_environments, lobe_pictures
-from rna_export.lobes.lobe_export import exported_lobes
-from rna_export.lobes.lobe_fit import fit_lobes, make_rows
+from rna_export.lobes.lobe_fit import exported_lobes, fit_lobes, make_rows
 from rna_export.lobes.lobe_loss import EPSILON, LobeLoss, Targets, even_lights
 from rna_export.lobes.lobe_model import LOBES, LobeModel, densities
 from rna_export.lobes.lobe_queries import LobeInputs, QueryRows
-from rna_export.lobes.spherical_harmonics import harmonics
 from rna_export.lobes.view_points import Grid, part_views
 from rna_export.training.optimization.pace import StepPace
 from rna_render import write_exr

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rna_export.capture.blender_process.source import Source
+from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.capture_run import CaptureWorkers
 from rna_export.capture.capture_tasks import Task, TrainingShard
 from rna_export.capture.dataset.dataset_folder import Dataset
@@ -27,8 +27,8 @@ from rna_export.make.make_run import Made, Make
 from rna_export.make.state import RunSettings
 from rna_export.training import report as report_module
 from rna_export.training.checkpoint import load_checkpoint
-from rna_export.training.loss_curves import Curves
 from rna_export.training.presets import PRESETS
+from rna_export.training.report import Curves
 from rna_sdk.errors import TrainingError
 from tests.exporters.synthetic import RAYS, make_dataset, samples_of_light, tiny
 from tests.render.assets import unit_vectors

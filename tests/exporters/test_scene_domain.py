@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from rna_export.capture.blender_process.capture_worker import scene_of
-from rna_export.capture.blender_process.rendered_rays import RenderedRays
+from rna_export.capture.blender_process.exchanged_files import RenderedRays
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.capture_tasks import all_tasks
 from rna_export.capture.dataset.dataset_folder import Dataset

@@ -9,7 +9,7 @@ import pytest
 from safetensors.numpy import load_file
 
 from rna_export.capture.blender_process.capture_worker import scene_of
-from rna_export.capture.blender_process.rendered_rays import RenderedRays
+from rna_export.capture.blender_process.exchanged_files import RenderedRays
 from rna_export.capture.capture_run import say_dropped
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.capture_tasks import TrainingShard, ValidationHalf, all_tasks

@@ -7,9 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_export.capture.blender_process.blender_worker import BlenderWorker
+from rna_export.capture.blender_process.blender_worker import BlenderWorker, SeeThrough
 from rna_export.capture.blender_process.capture_worker import scene_of
-from rna_export.capture.blender_process.material_textures import SeeThrough
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.capture_tasks import EmissionShard, TrainingShard
 from rna_export.capture.dataset.dataset_folder import Dataset

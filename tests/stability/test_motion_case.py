@@ -13,8 +13,8 @@ from rna_bench.stability.cases import motion
 from rna_bench.stability.fixtures import ASSETS, Fixtures, Subject
 from rna_bench.stability.moved_asset import MovedAsset, joined
 from rna_bench.stability.moved_references import Views, references
+from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
-from rna_export.capture.blender_process.source import Source
 from rna_export.capture.geometry.mesh_cleanup import clean_mesh
 from rna_sdk.package import Curves, Tier, write_package
 from rna_sdk.runtime import SurfaceAsset, load

@@ -22,8 +22,8 @@ from typing import Any
 from rna_bench.bench_options import add_out
 from rna_bench.results import publish
 from rna_export.capture.blender_process import blender_env
+from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.capture_worker import CaptureJob, CaptureWorker
-from rna_export.capture.blender_process.source import Source
 from rna_export.capture.capture_run import CaptureWorkers, begin
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.capture_tasks import TrainingShard

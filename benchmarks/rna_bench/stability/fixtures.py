@@ -20,8 +20,8 @@ from rna_bench.frontier.trials.trial_packages import write_packages
 from rna_bench.one_part import OnePart, load_one_part
 from rna_bench.stability.answers import Answers, of_package
 from rna_export.capture.blender_process import blender_env
+from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
-from rna_export.capture.blender_process.source import Source
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.sample_files import write_arrays

@@ -11,8 +11,8 @@ import numpy as np
 
 from rna_bench.one_part import OnePart
 from rna_bench.stability.fixtures import Fixtures
+from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
-from rna_export.capture.blender_process.source import Source
 from rna_export.capture.geometry.followed_source import FollowedSource
 from rna_render import Camera
 from rna_render.scene import CameraModel

@@ -91,8 +91,8 @@ def main(argv: list[str] | None = None) -> int:
 
 def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     from rna_export.capture.blender_process import blender_env
+    from rna_export.capture.blender_process.blender_process import Source
     from rna_export.capture.blender_process.blender_worker import BlenderWorker
-    from rna_export.capture.blender_process.source import Source
     from rna_export.compare.comparison_page import is_report, write_page
     from rna_export.compare.comparison_run import Pair, compare
     from rna_export.compare.origin import Origin

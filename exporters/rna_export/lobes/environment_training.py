@@ -13,8 +13,7 @@ import torch
 from tqdm import tqdm
 
 from rna_export.lobes.lobe_error import generated_environments, grid_of, lobe_pictures
-from rna_export.lobes.lobe_export import exported_lobes
-from rna_export.lobes.lobe_fit import fit_lobes
+from rna_export.lobes.lobe_fit import exported_lobes, fit_lobes
 from rna_export.lobes.lobe_model import LobeModel
 from rna_export.lobes.lobe_queries import QueryRows
 from rna_export.lobes.view_points import LobesAt, PartViews, Rows, ViewPoints, part_views

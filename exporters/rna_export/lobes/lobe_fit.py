@@ -11,14 +11,16 @@ import numpy as np
 import torch
 from numpy.typing import NDArray
 
+from rna_export.export.decoder import compare_answers, export_decoder
 from rna_export.lobes.directions import random_rotations
 from rna_export.lobes.lobe_loss import LobeLoss, Targets, even_lights
-from rna_export.lobes.lobe_model import LobeModel
+from rna_export.lobes.lobe_model import LOBES, LobeModel
 from rna_export.lobes.lobe_queries import LobeInputs, QueryRows
 from rna_export.lobes.view_points import PartViews, Rows, ViewPoints
 from rna_export.training.optimization.pace import Pace
-from rna_export.training.optimization.training_threads import threads_in_use, use_threads
+from rna_export.training.optimization.product_kernels import threads_in_use, use_threads
 from rna_render.world.neural_sampling import LobeMixture
+from rna_sdk.package import Lobes
 from rna_trace import FiberPoints
 
 _ROWS, _NEW = 2048, 32  # points of a step, and those of them that no step has had
@@ -124,3 +126,26 @@ def fit_lobes(
     finally:
         use_threads(threads)
     return steps
+
+
+_COMPARED, _EXTREME, _FAR = 5000, 500, 10.0  # queries; factor on extreme ones
+
+
+def exported_lobes(model: LobeModel, views: PartViews, queries: QueryRows, tier: str) -> Lobes:
+    """The decoder in ONNX, compared with the trained one, and the visibility that it reads.
+
+    Raises ExportError where they differ.
+    """
+    decoder = export_decoder(model)
+    points = views.points(_COMPARED, np.random.default_rng(1))
+    usual = torch.from_numpy(queries.of(points).queries)
+    far = _FAR * usual[:_EXTREME]
+    extreme = torch.cat([torch.zeros_like(usual[:1]), far, -far])
+    return Lobes(
+        tier=tier,
+        lobes=LOBES,
+        inputs=queries.inputs,
+        decoder=decoder,
+        harmonics=views.visibility,
+        agreement=compare_answers(decoder, model, usual, extreme),
+    )

@@ -9,8 +9,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_export.lobes.directions import even_directions, random_directions
-from rna_export.lobes.spherical_harmonics import harmonics
+from rna_export.lobes.directions import even_directions, harmonics, random_directions
 from rna_sdk.package import Mesh
 from rna_sdk.package.geometry.vertex_visibility import Harmonics, quantised_harmonics
 from rna_sdk.package.manifest.extensions import HARMONICS

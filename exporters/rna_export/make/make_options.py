@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from rna_export.capture.blender_process.source import Source
+from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.capture_run import CaptureWorkers
 from rna_export.make.goal import Goal
 from rna_export.make.plan import CAPTURE, capture_share

@@ -159,7 +159,7 @@ def main(argv: list[str] | None = None) -> int:
 def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> None:
     check_source(args.model)
     from rna_export.capture.blender_process.blender_env import find_python
-    from rna_export.capture.blender_process.source import Source
+    from rna_export.capture.blender_process.blender_process import Source
     from rna_export.capture.capture_run import CaptureWorkers
     from rna_export.capture.capture_settings import CaptureSettings
     from rna_export.export.export_summary import closing_lines

@@ -8,8 +8,8 @@ from types import TracebackType
 
 import numpy as np
 
+from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
-from rna_export.capture.blender_process.source import Source
 from rna_export.capture.geometry.followed_source import FollowedSource
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Mesh, SourceVertices

@@ -141,7 +141,7 @@ def _of_blender(
     stack: ExitStack,
 ) -> _Frames:
     from rna_export.capture.blender_process.blender_env import find_or_set_up
-    from rna_export.capture.blender_process.source import Source
+    from rna_export.capture.blender_process.blender_process import Source
     from rna_export.motion.blender_motion import BlenderMotion, frame_numbers
 
     folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="rna-motion-"))

@@ -8,7 +8,7 @@ from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.effort import Effort
 from rna_export.psnr_words import told_psnr
 from rna_export.training.checkpoint import load_checkpoint
-from rna_export.training.loss_curves import read_curves
+from rna_export.training.report import read_curves
 from rna_export.training.validation import mean_psnr_of_pixels, reference_warnings, shade
 
 

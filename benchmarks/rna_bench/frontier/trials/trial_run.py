@@ -15,8 +15,8 @@ from rna_bench.frontier.trials.trial_record import Point, Record, read_record
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.validation_view import ValidationView
 from rna_export.training.checkpoint import Trained, load_checkpoint, load_progress
-from rna_export.training.loss_curves import read_curves
 from rna_export.training.optimization.samples import SampleTable
+from rna_export.training.report import read_curves
 from rna_export.training.training_run import Run, train
 from rna_export.training.validation import shade
 from rna_sdk.atomic_file import write_atomically

@@ -60,7 +60,7 @@ class TrialWorker:
 
     def __enter__(self) -> TrialWorker:
         from rna_export.machine import keep_freed_memory
-        from rna_export.training.optimization.training_threads import use_threads
+        from rna_export.training.optimization.product_kernels import use_threads
 
         keep_freed_memory()
         use_threads(self._threads)

@@ -1,4 +1,4 @@
-"""The evaluated scene of a render, which the viewport's may differ from."""
+"""The evaluated scene of a render, which the viewport's may differ from, and who owns its parts."""
 
 from __future__ import annotations
 
@@ -63,3 +63,20 @@ def as_rendered(work: Callable[[], Result]) -> Result:
 def depsgraph() -> bpy.types.Depsgraph:
     """The evaluated scene: a render's within `as_rendered`, else the viewport's."""
     return _Geometry.depsgraph or bpy.context.evaluated_depsgraph_get()
+
+
+SURFACES = ("MESH", "CURVE", "SURFACE", "FONT", "META")
+"""Types of objects that renders show as surfaces."""
+
+HAIR = "CURVES"
+
+
+def top_object(instance: bpy.types.DepsgraphObjectInstance) -> str:
+    """The name of the highest of an instance's object and its parents that shows something."""
+    item = (instance.parent if instance.is_instance else instance.object).original
+    top = item
+    while item.parent is not None:
+        item = item.parent
+        if item.type in (*SURFACES, HAIR):
+            top = item
+    return str(top.name)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_export.capture.geometry.size_notes import size_notes, too_coarse
+from rna_export.capture.geometry.source_notes import size_notes, too_coarse
 from rna_sdk.package import Mesh
 from tests.exporters.meshes import merged, moved, sphere, square
 
