@@ -11,13 +11,13 @@ from safetensors.numpy import load_file, save_file
 
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_part import DatasetPart
-from rna_export.effort import Effort
 from rna_export.export.export_summary import closing_lines
 from rna_export.export.package_build import build_package
 from rna_export.pictures import sheet_of
 from rna_export.psnr_words import psnr_in_words
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.training_run import Run, train
+from rna_export.training.training_summary import Effort
 from rna_export.training.training_summary import closing_lines as training_lines
 from rna_export.training.validation import exposure, mean_psnr, mean_psnr_of_pixels, shade
 from tests.exporters.synthetic import make_dataset, tiny

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 import torch
 
+from rna_export.export.package_options import lobe_minutes
 from rna_export.export.rna_export import main
 from rna_export.lobes import environment_training
 from rna_export.lobes.directions import even_directions, harmonics, random_rotations
-from rna_export.lobes.environment_options import lobe_minutes
 from rna_export.lobes.environment_training import add_lobes
 from rna_export.lobes.lobe_error import LobePictures, generated_environments, lobe_pictures
 from rna_export.lobes.lobe_fit import exported_lobes, fit_lobes, make_rows

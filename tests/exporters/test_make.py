@@ -24,7 +24,6 @@ from rna_export.make import plan as plan_module
 from rna_export.make.goal import Goal
 from rna_export.make.make_options import MakeOptions
 from rna_export.make.make_run import Made, Make
-from rna_export.make.state import RunSettings
 from rna_export.training import report as report_module
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.presets import PRESETS
@@ -101,24 +100,13 @@ def make(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Callable[..., tuple
         cycles = Cycles(stop_after)
         monkeypatch.setattr(rays_module, "begin", cycles.begin)
         monkeypatch.setattr(rays_module, "finish", cycles.finish)
-        run_settings = RunSettings(
-            source="ball.py",
-            source_sha256="0",
-            arguments=(),
-            settings=settings,
-            scene=None,
-            presets=presets,
-            goal=str(goal),
-            minutes=minutes,
-            steps=None,
-            seed=0,
-        )
         workers = CaptureWorkers(Path("python"), tmp_path / "scratch", 1)
         source = Source(tmp_path / "ball.py")
+        source.path.touch()
         options = MakeOptions(
             source, settings, None, work, presets, goal, minutes, None, 0, "cpu", workers
         )
-        return Make(options, run_settings, run_module.monotonic(), print).run(), cycles
+        return Make(options, run_module.monotonic(), print).run(), cycles
 
     return run
 

@@ -6,7 +6,7 @@ from threading import Event
 
 import pytest
 
-from rna_export.make.trainer import Trainer
+from rna_export.make.phases import Trainer
 from rna_sdk.errors import TrainingError
 
 

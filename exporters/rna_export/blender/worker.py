@@ -26,7 +26,7 @@ THREADS = int(sys.argv[1])
 with few_cores(THREADS):
     import bpy
     from rna_geometry import curves_export, mesh_export, scene_parts
-    from rna_geometry.rendered_geometry import as_rendered
+    from rna_geometry.shown_objects import as_rendered
     from rna_materials import material_check, object_materials, surface_textures
     from rna_renders import ray_render, render_settings, scene_render, white_card
     from rna_sources import read_files, shown_frame, source_scene

@@ -47,8 +47,6 @@ _OPTIONS = (  # fields of CaptureSettings
     "parts",
     "sharpest",
     "normal_texels",
-    "clamp_direct",
-    "clamp_indirect",
     "validation_views",
     "validation_resolution",
     "validation_samples",

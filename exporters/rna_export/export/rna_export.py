@@ -6,9 +6,8 @@ import argparse
 import sys
 from pathlib import Path
 
-from rna_export.export.credit import add_credit
+from rna_export.export.package_options import add_credit, add_environment, check_environment
 from rna_export.export.precision import MAX_LOSS, add_precision, precisions_of
-from rna_export.lobes.environment_options import add_environment, check_environment
 from rna_sdk.console import command_line, command_parser, run_command
 from rna_sdk.outputs import check_outputs
 
@@ -128,7 +127,7 @@ def _run(args: argparse.Namespace) -> None:
     from rna_export.export.extras import add_extras
     from rna_export.export.package_build import build_package
     from rna_export.export.standin_textures import check_analytic
-    from rna_export.export.trained_tiers import checkpoint_paths
+    from rna_export.export.tiers import checkpoint_paths
     from rna_export.lobes.environment_training import add_lobes
     from rna_export.pictures import sheet_of
     from rna_export.training.checkpoint import load_checkpoint

@@ -33,7 +33,7 @@ def random_rotations(count: int, rng: np.random.Generator) -> NDArray[np.float32
 
 
 def harmonics(directions: NDArray[np.floating]) -> NDArray[np.float32]:
-    """All 16 spherical harmonics up to degree 3, orthonormal, in unit directions (n, 3): (n, 16) float32."""
+    """All 16 spherical harmonics, orthonormal, in unit directions (n, 3): (n, 16) float32."""
     x, y, z = np.asarray(directions, np.float64).T
     terms = [
         (1.0, np.ones_like(x)),

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import hashlib
 import math
 import sys
 from pathlib import Path
@@ -21,13 +20,13 @@ from rna_export.capture.rna_capture import (
     check_source,
     given_settings,
 )
-from rna_export.export.credit import add_credit
-from rna_export.export.precision import add_precision, precisions_of
-from rna_export.lobes.environment_options import (
+from rna_export.export.package_options import (
+    add_credit,
     add_environment,
     check_environment,
     lobe_minutes,
 )
+from rna_export.export.precision import add_precision, precisions_of
 from rna_export.training.presets import PRESETS
 from rna_export.training.training_options import add_device, chosen_device
 from rna_sdk.atomic_file import write_atomically
@@ -167,7 +166,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     from rna_export.machine import keep_freed_memory
     from rna_export.make.make_options import MakeOptions
     from rna_export.make.make_run import Make, export
-    from rna_export.make.state import WRITTEN, RunSettings, is_work_folder
+    from rna_export.make.state import WRITTEN, is_work_folder
     from rna_export.pictures import sheet_of, training_picture_of
     from rna_render.scene import read_scene
 
@@ -180,18 +179,6 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     goal = _goal(args)
     lobes_take = lobe_minutes(args)
     minutes = None if args.minutes is None else args.minutes - lobes_take
-    run_settings = RunSettings(
-        source=args.model.name,
-        source_sha256=hashlib.sha256(args.model.read_bytes()).hexdigest(),
-        arguments=arguments,
-        settings=settings,
-        scene=None if args.for_scene is None else args.for_scene.read_text(),
-        presets=tuple(args.presets),
-        goal="none" if goal is None else str(goal),
-        minutes=minutes,
-        steps=args.steps,
-        seed=args.seed,
-    )
     precisions = precisions_of(args.precision, args.presets)
     source = Source.captured(args.model, arguments, CaptureSettings(**settings))
     for_scene = None if args.for_scene is None else read_scene(args.for_scene)
@@ -215,7 +202,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
                 workers=CaptureWorkers(python, scratch, args.workers, executor, args.store),
                 picture=picture,
             )
-            made = Make(options, run_settings, begun, print).run()
+            made = Make(options, begun, print).run()
         print("writing the package: measuring its error and cost, rendering its poster", flush=True)
         manifest = export(made, args.out, args.source, args.license, precisions)
         marked = _kept_picture(options, args.out)

@@ -8,8 +8,9 @@ from pathlib import Path
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field
 
+from rna_bench.matrix_product import GEMM_FLOP, matrix_product
 from rna_export.capture.dataset.asset_arguments import Arguments, rows_of
-from rna_export.machine import GEMM_FLOP, matrix_product, seconds_of
+from rna_export.machine import seconds_of
 from rna_sdk.cpu import processor, thread_count
 from rna_sdk.runtime import FiberAsset, SurfaceAsset, load
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import bpy
-from rna_geometry.rendered_geometry import HAIR, SURFACES
+from rna_geometry.shown_objects import HAIR, SURFACES
 
 
 def materials_of(item: bpy.types.Object) -> list[bpy.types.Material | None]:

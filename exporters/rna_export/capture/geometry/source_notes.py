@@ -1,4 +1,4 @@
-"""Notes on a source: sizes that its numbers cannot hold, units that look wrong, narrow highlights."""
+"""Notes on a source: sizes that its numbers cannot hold, wrong units, narrow highlights."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Options of commands that add the form `environment` to a package."""
+"""Options of commands that write a package: credit, and the form `environment`."""
 
 from __future__ import annotations
 
@@ -7,6 +7,20 @@ from pathlib import Path
 
 MINUTES = 5.0
 _SHARE = 0.25  # of the minutes that a command has in all
+
+
+def add_credit(p: ArgumentParser) -> None:
+    """Add --source and --license."""
+    p.add_argument(
+        "--source",
+        help="credit of the original model: name, author, URL (text, default: file name and "
+        "SHA-256)",
+    )
+    p.add_argument(
+        "--license",
+        default="NOASSERTION",
+        help="SPDX license expression of the asset (text, default: %(default)s)",
+    )
 
 
 def add_environment(p: ArgumentParser) -> None:
