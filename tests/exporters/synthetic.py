@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -39,6 +40,20 @@ def hurried_packages() -> Iterator[None]:
         yield
 
 
+def manifest_of(settings: CaptureSettings, **others: Any) -> CaptureManifest:
+    """Of a capture of one ball, but for `others`."""
+    ball = {
+        "name": "ball",
+        "source": "ball.py",
+        "source_sha256": "0" * 64,
+        "blender": "none",
+        "generator": "tests",
+        "parts": (BALL_PART,),
+        "opaque_cutouts": False,
+    }
+    return CaptureManifest(settings=settings, **{**ball, **others})
+
+
 def make_dataset(
     folder: Path, seed: int = 0, shards: int = 3, views: int = 2, domain: str = "sphere"
 ) -> DatasetPart:
@@ -52,16 +67,7 @@ def make_dataset(
         domain=domain,
         seed=seed,
     )
-    manifest = CaptureManifest(
-        name="ball",
-        source="ball.py",
-        source_sha256=f"{seed:064x}",
-        settings=settings,
-        blender="none",
-        generator="tests",
-        parts=(BALL_PART,),
-        opaque_cutouts=False,
-    )
+    manifest = manifest_of(settings, source_sha256=f"{seed:064x}")
     dataset = Dataset.create(folder, manifest, {"asset": sphere(3)})
     rng = np.random.default_rng(seed)
     for shard in range(shards):

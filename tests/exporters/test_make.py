@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from threading import Event
 from typing import Any
 
 import numpy as np
@@ -24,6 +25,7 @@ from rna_export.make import plan as plan_module
 from rna_export.make.goal import Goal
 from rna_export.make.make_options import MakeOptions
 from rna_export.make.make_run import Made, Make
+from rna_export.make.phases import Trainer
 from rna_export.training import report as report_module
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.presets import PRESETS
@@ -266,3 +268,38 @@ def test_a_damaged_state_is_one_line(make: Any, tmp_path: Path) -> None:
     (tmp_path / "work" / "make.json").write_text("{")
     with pytest.raises(TrainingError, match=r"make\.json"):
         make(goal=Goal("min_psnr", 5.0))
+
+
+def test_by_turns_a_training_is_over_when_it_returns() -> None:
+    done: list[int] = []
+    with Trainer(beside=False) as trainer:
+        trainer.run(lambda: done.append(1))
+        assert done == [1]
+        trainer.wait()
+
+
+def test_beside_it_goes_on_until_the_next_one() -> None:
+    done: list[int] = []
+    go_on = Event()
+
+    def first() -> None:
+        assert go_on.wait(10.0)
+        done.append(1)
+
+    with Trainer(beside=True) as trainer:
+        trainer.run(first)
+        assert done == []
+        go_on.set()
+        trainer.run(lambda: done.append(2))
+        trainer.wait()
+        assert done == [1, 2]
+
+
+@pytest.mark.parametrize("beside", [False, True])
+def test_an_error_of_a_training_is_raised_to_the_caller(beside: bool) -> None:
+    def fail() -> None:
+        raise TrainingError("diverged")
+
+    with Trainer(beside) as trainer, pytest.raises(TrainingError, match="diverged"):
+        trainer.run(fail)
+        trainer.wait()

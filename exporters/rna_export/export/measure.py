@@ -9,7 +9,7 @@ import numpy as np
 from rna_export.brightness import brightness
 from rna_export.capture.dataset.asset_arguments import Arguments, rows_of
 from rna_export.capture.dataset.validation_view import CapturedImage, WholeView, all_queries
-from rna_export.export.tiers import TrainedTier
+from rna_export.export.trained_tiers import TrainedTier
 from rna_export.machine import seconds_of
 from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION, flip, plain, psnr, reduced
 from rna_export.training.validation import exposure, mean_psnr, score, shade

@@ -15,7 +15,8 @@ from rna_export.capture.dataset.dataset_manifest import CapturedPart
 from rna_export.compare.origin import SOURCE_SHA256
 from rna_export.export.measure import check_loss, measured
 from rna_export.export.precision import MAX_LOSS, Precision
-from rna_export.export.tiers import TrainedTier, package_tiers, trained_tiers
+from rna_export.export.tiers import package_tiers
+from rna_export.export.trained_tiers import TrainedTier, trained_tiers
 from rna_export.training.checkpoint import Trained
 from rna_sdk.package import Bounds, Manifest, Part, Provenance, TierData, write_package
 from rna_sdk.package.manifest.manifest_fields import GEOMETRY_ENTRIES

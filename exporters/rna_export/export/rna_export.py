@@ -127,7 +127,7 @@ def _run(args: argparse.Namespace) -> None:
     from rna_export.export.extras import add_extras
     from rna_export.export.package_build import build_package
     from rna_export.export.standin_textures import check_analytic
-    from rna_export.export.tiers import checkpoint_paths
+    from rna_export.export.trained_tiers import checkpoint_paths
     from rna_export.lobes.environment_training import add_lobes
     from rna_export.pictures import sheet_of
     from rna_export.training.checkpoint import load_checkpoint
