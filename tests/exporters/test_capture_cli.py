@@ -126,7 +126,8 @@ def test_help_starts_with_a_sentence_and_a_command() -> None:
     assert "rna-capture helmet.gltf --out helmet.rays/" in text
     surfaces, fibers = (CaptureSettings.usual(kind).model_dump() for kind in ("surface", "fiber"))
     optional = {"front", "up", "exact_geometry", "rest_frame", "poses"}
-    for name in surfaces.keys() - {"lights_per_shard", *optional}:
+    fixed = {"lights_per_shard", "clamp_direct", "clamp_indirect"}
+    for name in surfaces.keys() - fixed - optional:
         same = surfaces[name] == fibers[name]
         told = f"default {surfaces[name]}" + ("" if same else f", for hair {fibers[name]}")
         assert told in text, name

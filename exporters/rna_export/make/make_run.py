@@ -20,7 +20,7 @@ from rna_export.export.precision import Precision
 from rna_export.make.capture_rounds import Rays, open_rays, rays_folder
 from rna_export.make.goal import Goal
 from rna_export.make.make_options import MakeOptions
-from rna_export.make.make_progress import Clock, Progress, Stage
+from rna_export.make.make_progress import Clock, Progress, Stage, quiet
 from rna_export.make.phases import Phase, Trainer, phase_folder, score, trained_in
 from rna_export.make.plan import FixedPlan, OpenPlan, Plan, TimedPlan, Verdict, verdict
 from rna_export.make.state import Last, Round, Score, State, load_state
@@ -286,9 +286,9 @@ def export(
 ) -> Manifest:
     """Write the package of what was made; precisions: of each preset's tiers."""
     manifest = build_package(
-        made.trained(), made.dataset, out, credit, license_, _quiet, precisions, max_loss=math.inf
+        made.trained(), made.dataset, out, credit, license_, quiet, precisions, max_loss=math.inf
     )
-    add_extras(out, made.dataset, None, (), False, _quiet)
+    add_extras(out, made.dataset, None, (), False, quiet)
     return manifest
 
 
@@ -299,7 +299,3 @@ def _decoder_size(preset: str) -> int:
 
 def _told(found: Score) -> str:
     return f"PSNR {found.psnr:.2f} dB, FLIP {found.flip:.4f}"
-
-
-def _quiet(_: str) -> None:
-    pass

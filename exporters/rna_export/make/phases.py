@@ -14,7 +14,7 @@ from typing import Self
 import numpy as np
 
 from rna_export.capture.dataset.dataset_folder import Dataset
-from rna_export.make.make_progress import Stage
+from rna_export.make.make_progress import Stage, quiet
 from rna_export.make.plan import Length
 from rna_export.make.state import Score
 from rna_export.training.checkpoint import Trained, load_checkpoint
@@ -62,7 +62,7 @@ class Phase:
                 after_checkpoint=partial(self._show, out),
             )
             table = SampleTable(part.samples_of(shards), device=self.device)
-            train(run, table, _quiet, stage.part(k / len(parts), 1 / len(parts)))
+            train(run, table, quiet, stage.part(k / len(parts), 1 / len(parts)))
 
     def _show(self, training: Path) -> None:
         if self.picture is not None:
@@ -105,10 +105,6 @@ def score(trained: Sequence[Trained], dataset: Dataset) -> Score:
         for view in views
     ]
     return Score(psnr=mean_psnr(radiance, views), flip=mean_flip(radiance, views))
-
-
-def _quiet(_: str) -> None:
-    pass
 
 
 class Trainer:
