@@ -13,8 +13,8 @@ from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.geometry.cut import as_cut, cut_triangles
 from rna_export.export.rna_export import main as export
 from rna_export.training.checkpoint import load_checkpoint
-from rna_export.training.loss_curves import Curves
 from rna_export.training.model.neural_asset import NeuralAsset
+from rna_export.training.report import Curves
 from rna_export.training.training_run import Run, train
 from rna_export.training.validation import answer
 from rna_sdk.errors import CaptureError

@@ -17,8 +17,8 @@ from rna_export.export.package_build import build_package
 from rna_export.export.precision import Precision, precision_word, precisions_of, stored_planes
 from rna_export.export.rna_export import main
 from rna_export.training.checkpoint import load_checkpoint
-from rna_export.training.loss_curves import Curves
 from rna_export.training.presets import PRESETS
+from rna_export.training.report import Curves
 from rna_export.training.training_run import Run, train
 from rna_sdk.errors import ExportError
 from rna_sdk.package import Int8Planes, Package, decoder_from_bytes, validate

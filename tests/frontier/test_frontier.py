@@ -15,9 +15,9 @@ from rna_bench.frontier import frontier_study as study_module
 from rna_bench.frontier.chart_points import front, last_tenth
 from rna_bench.frontier.findings import findings, sentences
 from rna_bench.frontier.frontier_chart import draw
+from rna_bench.frontier.trials.grid import full_grid
+from rna_bench.frontier.trials.trial import Trial
 from rna_export.capture.dataset.dataset_folder import Dataset
-from rna_export.trials.grid import full_grid
-from rna_export.trials.trial import Trial
 from tests.exporters.synthetic import hurried_packages, make_dataset, tiny
 
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from rna_export.trials.trial_pool import TrialWorkers
+from rna_bench.frontier.trials.trial_pool import TrialWorkers
 from rna_sdk.errors import WorkError
 from rna_work.backend import Needs
 from rna_work.executors import Executor, open_executor

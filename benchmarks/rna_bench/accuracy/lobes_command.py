@@ -21,8 +21,8 @@ from tqdm import tqdm
 
 from rna_bench.bench_options import add_out
 from rna_bench.results import publish
-from rna_export.environment.environment_training import BAR, filling, parts_with_lobes
-from rna_export.environment.lobe_error import generated_environments, grid_of, lobe_pictures
+from rna_export.lobes.environment_training import BAR, filling, parts_with_lobes
+from rna_export.lobes.lobe_error import generated_environments, grid_of, lobe_pictures
 from rna_render import read_environment
 from rna_sdk.errors import RnaError
 from rna_sdk.package import EnvironmentValidation, Package, decoder_from_bytes

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any
 
-from rna_export.trials.cost import Costs
-from rna_export.trials.trial_record import Point, Record
+from rna_bench.frontier.trials.cost import Costs
+from rna_bench.frontier.trials.trial_record import Point, Record
 
 COSTS = {"ns": "ns/query, all threads", "bytes": "bytes of the package"}
 """Costs of the chart; member of a point -> what it is."""

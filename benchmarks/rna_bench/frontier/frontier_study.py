@@ -14,18 +14,17 @@ from rna_bench.frontier.cycles_curve import CyclesCurve, render_curve
 from rna_bench.frontier.findings import findings, sentences
 from rna_bench.frontier.frontier_chart import draw
 from rna_bench.frontier.tables_sheet import draw_sheet
+from rna_bench.frontier.trials.cost import Costs, measure_costs
+from rna_bench.frontier.trials.grid import FULL_STEPS, SHORT_STEPS, full_grid, short_grid
+from rna_bench.frontier.trials.trial import Trial
+from rna_bench.frontier.trials.trial_pool import TrialPool, TrialWorkers, largest_first
+from rna_bench.frontier.trials.trial_record import Record, read_record
+from rna_bench.frontier.trials.trial_run import missing_precisions
 from rna_bench.results import write_results
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.validation_view import all_queries
 from rna_export.metrics import FLIP_DEFINITION, P99_DEFINITION, PSNR_DEFINITION
-from rna_export.trials.cost import Costs, measure_costs
-from rna_export.trials.grid import FULL_STEPS, SHORT_STEPS, full_grid, short_grid
-from rna_export.trials.trial import Trial
-from rna_export.trials.trial_pool import TrialPool, TrialWorkers, largest_first
-from rna_export.trials.trial_record import Record, read_record
-from rna_export.trials.trial_run import missing_precisions
-from rna_export.trials.unwrap import check_unwrapping
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import TrainingError
 from rna_work.executors import Executor
@@ -77,7 +76,6 @@ class Study:
         todo = [t for t in largest_first(self.chosen) if t.name not in done]
         if not todo:
             return
-        check_unwrapping(todo)
         with (
             Progress(
                 len(self.chosen), "model", "training", len(self.chosen) - len(todo)

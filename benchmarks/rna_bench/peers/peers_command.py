@@ -78,7 +78,7 @@ def run(args: argparse.Namespace) -> None:
     from rna_bench.peers.known_geometry import KnownGeometry
     from rna_bench.peers.peers_report import write_report
     from rna_bench.peers.study import run_method
-    from rna_export.training.optimization.training_threads import use_threads
+    from rna_export.training.optimization.product_kernels import use_threads
 
     use_threads(args.threads)
     plan = _plan(args)

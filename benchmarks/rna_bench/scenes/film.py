@@ -25,8 +25,8 @@ from tqdm import tqdm
 from rna_bench.results import write_results
 from rna_bench.scenes.beside_cycles import Beside, denoised
 from rna_export.capture.blender_process import blender_env
+from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
-from rna_export.capture.blender_process.source import Source
 from rna_export.compare.cycles_scene import cycles_scene
 from rna_render import Camera, Denoiser, load_world, make_integrator, render
 from rna_render.scene import Scene, SceneFile, frame_scene, read_scene

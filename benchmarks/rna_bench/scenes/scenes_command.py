@@ -61,7 +61,7 @@ def add_options(p: argparse.ArgumentParser) -> None:
     p.add_argument(
         "--resolution", type=int, nargs=2, default=[192, 144], help="width, height in pixels"
     )
-    p.add_argument("--turn", type=float, default=0.0, help="camera rotation, as in rna-compare")
+    p.add_argument("--turn", type=float, default=0.0, help="camera rotation, degrees")
     p.add_argument(
         "--again",
         action="store_true",

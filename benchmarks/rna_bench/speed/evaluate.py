@@ -21,12 +21,13 @@ from typing import Any
 import numpy as np
 
 from rna_bench.bench_options import add_out
+from rna_bench.matrix_product import GEMM_FLOP, matrix_product
 from rna_bench.one_part import OnePart, load_one_part
 from rna_bench.results import publish
 from rna_bench.speed.query_batches import Arrays, random_points, sphere_scan
 from rna_bench.speed.random_package import HIDDEN_LAYERS, INPUTS, write_random_package
 from rna_export.export.precision import PRECISIONS
-from rna_export.machine import GEMM_FLOP, matrix_product, seconds_of
+from rna_export.machine import seconds_of
 
 
 def run(args: argparse.Namespace) -> None:

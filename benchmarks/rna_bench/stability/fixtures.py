@@ -16,11 +16,12 @@ from uuid import uuid4
 import numpy as np
 from safetensors.numpy import load_file
 
+from rna_bench.frontier.trials.trial_packages import write_packages
 from rna_bench.one_part import OnePart, load_one_part
 from rna_bench.stability.answers import Answers, of_package
 from rna_export.capture.blender_process import blender_env
+from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
-from rna_export.capture.blender_process.source import Source
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.sample_files import write_arrays
@@ -28,7 +29,6 @@ from rna_export.export.package_build import build_package
 from rna_export.training.checkpoint import Trained, load_checkpoint
 from rna_export.training.presets import PRESETS, Preset
 from rna_export.training.training_run import Run, train
-from rna_export.trials.trial_packages import write_packages
 from rna_sdk.errors import CaptureError
 
 ASSETS = Path(__file__).parent / "assets"
@@ -160,7 +160,7 @@ class Fixtures:
         return out
 
     def packages_of_base(self) -> dict[str, Path]:
-        """Packages of `base`, by the precisions of `rna_export.trials.trial_packages`."""
+        """Packages of `base`, by the precisions of `rna_bench.frontier.trials.trial_packages`."""
         out = self._folder / "precisions"
         out.mkdir(parents=True, exist_ok=True)
         return write_packages(self.base, self.dataset, out)

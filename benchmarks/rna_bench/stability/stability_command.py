@@ -104,7 +104,7 @@ def run(args: argparse.Namespace) -> None:
 
 def _fixtures(args: argparse.Namespace) -> Any:
     from rna_bench.stability.fixtures import Fixtures, Subject
-    from rna_export.capture.blender_process.source import Source
+    from rna_export.capture.blender_process.blender_process import Source
     from rna_export.capture.dataset.dataset_folder import Dataset
 
     for path in (args.package, args.source):

@@ -149,3 +149,7 @@ class _Part:
 
 def _fill(bar: tqdm, n: float) -> None:
     bar.update(max(min(n, bar.total) - bar.n, 0.0))
+
+
+def quiet(_: str) -> None:
+    """Says nothing, where the bar tells enough."""
