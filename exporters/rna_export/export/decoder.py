@@ -77,7 +77,7 @@ def export_decoder(model: Answering, int8: Int8Decoder | None = None) -> bytes:
     """
     sums, unit, matrix = np.array(model.colour_sums), float(model.unit), None
     if not np.array_equal(sums, np.eye(len(sums))):
-        unit, matrix = 1.0, np.float32(unit * np.kron(sums.T, np.eye(3)))
+        unit, matrix = 1.0, (unit * np.kron(sums.T, np.eye(3))).astype(np.float32)
     decoder = ProfileDecoder(
         low=-LARGEST_INPUT,
         high=LARGEST_INPUT,

@@ -55,7 +55,7 @@ def in_float64(path: Path, asset: Asset, queries: Queries) -> tuple[np.ndarray, 
         reference = fiber_queries_reference if "tangent" in queries else queries_reference
         rows = evaluate_arguments(queries)
         at = reference(planes, asset.bounds, tier.parts[0].inputs, *rows)
-        transport = decoder_from_bytes(decoder, tier.parts[0].decoder).run(np.float64(at))
+        transport = decoder_from_bytes(decoder, tier.parts[0].decoder).run(at.astype(np.float64))
     return transport[:, :3], transport[:, 3:]
 
 
