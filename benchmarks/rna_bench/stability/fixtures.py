@@ -28,7 +28,6 @@ from rna_export.export.package_build import build_package
 from rna_export.training.checkpoint import Trained, load_checkpoint
 from rna_export.training.presets import PRESETS, Preset
 from rna_export.training.training_run import Run, train
-from rna_export.trials.trial_packages import write_packages
 from rna_sdk.errors import CaptureError
 
 ASSETS = Path(__file__).parent / "assets"
@@ -158,12 +157,6 @@ class Fixtures:
         if not out.is_file():
             build_package([trained], dataset.dataset, out, None, "unknown", print)
         return out
-
-    def packages_of_base(self) -> dict[str, Path]:
-        """Packages of `base`, by the precisions of `rna_export.trials.trial_packages`."""
-        out = self._folder / "precisions"
-        out.mkdir(parents=True, exist_ok=True)
-        return write_packages(self.base, self.dataset, out)
 
     @cached_property
     def asset(self) -> OnePart:

@@ -11,6 +11,5 @@ CASE_NAMES = (
     "noise",
     "little-data",
     "luck",
-    "numbers",
     "energy",
 )
