@@ -50,17 +50,8 @@ OTHER_HALF = {
     "rna_render.world.domain_watch",
 }
 """What rna_gpu alone may import of the renderer, for the same lights, materials and paths."""
-MEASURED = {
-    "rna_render.command.frame_worker",
-    "rna_render.image.output",
-    "rna_render.lights",
-    "rna_render.materials",
-    "rna_render.world.placements",
-    "rna_render.world.scene_sources",
-    "rna_render.world.world_loading",
-    "rna_trace.embree",
-}
-"""Insides that rna_bench alone measures or fuzzes."""
+MEASURED = {"rna_render.lights", "rna_render.world.world_loading"}
+"""Insides that rna_bench alone measures."""
 EXPORTED = {"rna_render.lights", "rna_render.materials", "rna_render.world.neural_sampling"}
 """Where the exporter measures lobes as renderers use them, with the brightest directions apart,
 trains them along directions that paths would take, and fits the material of meshes."""

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from rna_bench.cli import main
-from rna_bench.stability import stability_command
 from rna_bench.stability.case import Case, Result, Verdict
+from rna_bench.stability.cases import CASE_NAMES
 from rna_bench.stability.fixtures import Fixtures, Subject
 from rna_bench.stability.stability_report import read_results, table
 from rna_bench.stability.suite import CASES, run_cases
@@ -36,7 +36,7 @@ def counting(measured: list[int]) -> Case:
 
 
 def test_the_command_knows_every_case() -> None:
-    assert tuple(case.name for case in CASES) == stability_command.CASE_NAMES
+    assert tuple(case.name for case in CASES) == CASE_NAMES
 
 
 def test_a_finished_case_is_measured_once(tmp_path: Path) -> None:

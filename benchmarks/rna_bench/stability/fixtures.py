@@ -159,12 +159,6 @@ class Fixtures:
             build_package([trained], dataset.dataset, out, None, "unknown", print)
         return out
 
-    def packages_of_base(self) -> dict[str, Path]:
-        """Packages of `base`, by the precisions of `rna_bench.frontier.trials.trial_packages`."""
-        out = self._folder / "precisions"
-        out.mkdir(parents=True, exist_ok=True)
-        return write_packages(self.base, self.dataset, out)
-
     @cached_property
     def asset(self) -> OnePart:
         """The package, loaded."""

@@ -11,24 +11,9 @@ import argparse
 from pathlib import Path
 from typing import Any
 
+from rna_bench.stability.cases import CASE_NAMES
 from rna_sdk.cores import core_count
 from rna_sdk.errors import CaptureError
-
-# Modules of `cases`, which take seconds to import: not for --help.
-CASE_NAMES = (
-    "sharp",
-    "grazing",
-    "near-light",
-    "unseen",
-    "shadow-edges",
-    "thin",
-    "zoom",
-    "noise",
-    "little-data",
-    "luck",
-    "numbers",
-    "energy",
-)
 
 
 def add_options(p: argparse.ArgumentParser) -> None:

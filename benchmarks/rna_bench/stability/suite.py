@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from rna_bench.stability.case import Case, Result
+from rna_bench.stability.cases import CASE_NAMES
 from rna_bench.stability.fixtures import Fixtures
-from rna_bench.stability.stability_command import CASE_NAMES
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import TrainingError
 
