@@ -73,8 +73,8 @@ def render_sequence(
             _take(pool, missing, executor)
     except KeyboardInterrupt:
         print(
-            f"stopped: {_there(scene_file.scene, numbers, output)}; frames under way were not written; "
-            "the same command goes on",
+            f"stopped: {_there(scene_file.scene, numbers, output)}; frames under way were not "
+            "written; the same command goes on",
             file=sys.stderr,
         )
         return INTERRUPTED
