@@ -13,8 +13,8 @@ import numpy as np
 
 from rna_render.lights.directions import luminance
 from rna_render.scene.light_models import AreaModel
+from rna_sdk.arrays import vectors
 from rna_trace.embree.tracing import ClosestHits, GeometryScene
-from rna_trace.rays import vectors
 
 
 def light_numbers(*members: tuple[str, int | tuple[int, ...]]) -> np.dtype[Any]:

@@ -151,15 +151,15 @@ class World:
         x_world = self._to_world_points(instance, x)
         bends = seen and any(self._after)
         return Vertices(
-            ray,
-            instance,
-            parts,
-            x_world,
-            self.to_world_directions(instance, n),
-            self.to_world_directions(instance, hits.ng.take(ray, axis=0)),
-            wo_world,
-            np.where(self._passes[instance], instance, NO_INSTANCE).astype(np.int32),
-            self._to_world_points(instance, x_next) if bends else x_world,
+            ray=ray,
+            instance=instance,
+            parts=parts,
+            x_world=x_world,
+            n_world=self.to_world_directions(instance, n),
+            ng_world=self.to_world_directions(instance, hits.ng.take(ray, axis=0)),
+            wo_world=wo_world,
+            own=np.where(self._passes[instance], instance, NO_INSTANCE).astype(np.int32),
+            next_world=self._to_world_points(instance, x_next) if bends else x_world,
         )
 
     def origins(self, vertices: Vertices, row: np.ndarray, wi_world: np.ndarray) -> np.ndarray:

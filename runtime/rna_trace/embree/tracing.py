@@ -7,10 +7,11 @@ from typing import Any
 
 import numpy as np
 
+from rna_sdk.arrays import vectors
 from rna_trace.embree import kernels
 from rna_trace.embree import library as api
 from rna_trace.embree.filters import transmittance_filter
-from rna_trace.rays import per_ray, vectors
+from rna_trace.rays import per_ray
 
 
 @dataclass(frozen=True, slots=True)

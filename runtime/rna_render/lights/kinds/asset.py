@@ -11,6 +11,7 @@ from rna_render.lights.base import LightSamples, ShapeLight
 from rna_render.lights.directions import luminance
 from rna_render.lights.kinds.mesh import TriangleLight
 from rna_render.materials.mesh_object import EMISSION_FLOOR, points_of_a_triangle
+from rna_sdk.arrays import vectors
 from rna_sdk.package import Curves
 from rna_sdk.runtime import (
     Asset,
@@ -31,7 +32,6 @@ from rna_trace.asset_parts import (
 )
 from rna_trace.embree.tracing import ClosestHits
 from rna_trace.fiber import FiberPoints
-from rna_trace.rays import vectors
 from rna_trace.surface import SurfacePoints, geometric_normals, interpolate_normals
 from rna_trace.transmittance import Transmittance
 
