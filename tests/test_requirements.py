@@ -57,6 +57,13 @@ def test_no_version_with_a_known_fault_is_admitted(
     assert tuple(map(int, lowest.partition("==")[2].split("."))) >= fixed, fault
 
 
+def test_the_sdist_takes_files_of_the_top_alone() -> None:
+    """A pattern without a slash in front matches in every folder."""
+    targets = tomllib.loads((REPOSITORY / "pyproject.toml").read_text())["tool"]["hatch"]["build"]
+    patterns = targets["targets"]["sdist"]["include"]
+    assert [p for p in patterns if not (p[0] == "/" and (REPOSITORY / p[1:]).exists())] == []
+
+
 def test_a_marker_is_kept() -> None:
     assert pins(["numpy>=2.0; python_version < '3.14'"]) == ["numpy==2.0; python_version < '3.14'"]
 

@@ -160,6 +160,7 @@ def _run(args: argparse.Namespace) -> None:
             if len(dataset.parts) > 1:
                 print(f"part {part.name}, {part.kind}:")
             preset = _chosen(args, part.kind, device)
+            part.geometry()  # which export needs, and may refuse
             run = Run(part, preset, args.preset, out, args.seed, minutes[part.name], begun, device)
             best = train(run)
             print("\n".join(closing_lines(best, part)))
