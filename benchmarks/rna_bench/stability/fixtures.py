@@ -16,7 +16,6 @@ from uuid import uuid4
 import numpy as np
 from safetensors.numpy import load_file
 
-from rna_bench.frontier.trials.trial_packages import write_packages
 from rna_bench.one_part import OnePart, load_one_part
 from rna_bench.stability.answers import Answers, of_package
 from rna_export.capture.blender_process import blender_env
