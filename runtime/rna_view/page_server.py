@@ -11,8 +11,8 @@ from http import HTTPStatus
 from pathlib import Path
 from urllib.parse import unquote
 
+from rna_render.local_server import LOOPBACK, LocalHandler, LocalServer
 from rna_sdk.errors import ViewError
-from rna_sdk.local_server import LOOPBACK, LocalHandler, LocalServer
 from rna_view.site_files import VIEWER_FILES, Site, viewer_file
 
 TYPES = {

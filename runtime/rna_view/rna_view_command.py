@@ -12,7 +12,8 @@ from pathlib import Path
 from rna_sdk.console import command_parser, run_command
 from rna_view.page_server import PageServer
 from rna_view.site_export import ELEMENT_LINE, EMBED, LIGHT, SERVE_NOTE, export_site
-from rna_view.site_files import Site, site_for
+from rna_view.site_files import Site
+from rna_view.site_source import site_for
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

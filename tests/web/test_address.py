@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import pytest
 
 from rna_view.site_export import export_site
-from rna_view.site_files import site_for
+from rna_view.site_source import site_for
 from tests.package.builders import make_tiny_package
 from tests.render.chromium import INSTALL, SOFTWARE_GPU, Page, find_chromium, open_page
 from tests.web.pages import notice, served_folder, wait_for_picture

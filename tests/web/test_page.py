@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 from rna_sdk.package import query_width
-from rna_view.site_files import Site, site_for
+from rna_view.site_files import Site
+from rna_view.site_source import site_for
 from tests.conftest import REPOSITORY
 from tests.package.builders import INPUTS, make_tier, make_tiny_fiber_package, make_tiny_package
 from tests.package.lobes import even_decoder, with_lobes

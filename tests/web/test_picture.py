@@ -14,7 +14,7 @@ from rna_render.paths.world_in_time import load_world
 from rna_render.preview.picture import rgba
 from rna_render.scene.scene_file import read_scene
 from rna_render.world.camera import Camera
-from rna_view.site_files import site_for
+from rna_view.site_source import site_for
 from tests.render.specks import brightest_around
 from tests.web.pages import picture, viewer, wait_for_picture
 

@@ -12,7 +12,7 @@ import pytest
 from PIL import Image
 
 from rna_render.image.view_transform import to_display
-from rna_view.site_files import site_for
+from rna_view.site_source import site_for
 from tests.render.chromium import Page
 from tests.web.pages import TIMEOUT, picture, viewer, wait_for_picture
 

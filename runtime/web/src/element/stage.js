@@ -257,7 +257,7 @@ export class Stage extends LastingEngine {
     Object.assign(this, { opened, shown, arrays, box: arrays.box, isNew });
     if (isNew && this.scene) this.reset();
     else if (isNew) this.placeCamera();
-    const warnings = [...opened.manifest.warnings, ...shown.warnings];
+    const { warnings } = opened.manifest;
     if (warnings.length) this.notices.say(warnings.join("; "), true, "asset");
     this.tell("package", { opened, shown });
     this.viewer.stats.ms = 0;

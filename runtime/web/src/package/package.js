@@ -5,7 +5,7 @@ import { readCurves } from "./curves.js";
 import { readDecoder } from "./decoder.js";
 import { decodeEntry } from "./deflate.js";
 import { entriesOf, environmentOf, readHarmonics, VISIBILITY_COLUMNS } from "./environment_form.js";
-import { fail, NotSupported } from "./errors.js";
+import { fail } from "./errors.js";
 import { checkEntries, readManifest } from "./manifest.js";
 import { readMesh } from "./mesh.js";
 import { readPlanes } from "./planes.js";
@@ -55,22 +55,15 @@ export class Package {
     this._fetch(this._needed(name, wantsLobes));
     for (const entry of names) data.set(entry, await this._data(entry));
     const parts = this.manifest.parts.map((part, k) => this._part(part, tier.parts[k], k, data));
-    return { name: tier.name, tier, parts, warnings: wantsLobes ? await this._addEnvironment(parts, tier, data) : [] };
+    if (wantsLobes && this.environment) await this._addEnvironment(parts, tier, data);
+    return { name: tier.name, tier, parts };
   }
 
-  /** Adds what the parts have for whole environments, all or none of them; a line of what is not supported. It is an extra. */
+  /** Adds what the parts have for whole environments. */
   async _addEnvironment(parts, tier, data) {
-    if (!this.environment) return [];
-    try {
-      const names = entriesOf(this.environment).filter((name) => !data.has(name));
-      for (const name of names) data.set(name, await this._data(name));
-      const found = this.environment.map((own, k) => this._environment(parts[k], own, tier.parts[k], data));
-      found.forEach((own, k) => { parts[k].environment = own; });
-      return [];
-    } catch (error) {
-      if (!(error instanceof NotSupported)) throw error;
-      return [`no first look: ${error.message}`];
-    }
+    const names = entriesOf(this.environment).filter((name) => !data.has(name));
+    for (const name of names) data.set(name, await this._data(name));
+    this.environment.forEach((own, k) => { parts[k].environment = this._environment(parts[k], own, tier.parts[k], data); });
   }
 
   /** { inputs, lobes, harmonics or null, planes, and the decoder }. The tier's planes are taken where they are the same. */
@@ -96,11 +89,11 @@ export class Package {
   }
 
   _part(part, own, k, data) {
-    const { kind, bounds, geometry } = part, old = this.manifest.old, where = `/parts/${k}`;
+    const { kind, bounds, geometry } = part, where = `/parts/${k}`;
     const bytes = data.get(geometry);
     const result = { name: part.name, kind, bounds: roundedBounds(bounds), inputs: own.inputs };
-    if (kind === "surface") result.mesh = readMesh(bytes, geometry, old);
-    else result.curves = readCurves(bytes, geometry, old);
+    if (kind === "surface") result.mesh = readMesh(bytes, geometry);
+    else result.curves = readCurves(bytes, geometry);
     result.transmittance = (part.transmittance ?? []).map((record) => {
       const texture = readTransmittance(data.get(record.texture), record, record.texture);
       checkRecord(record, texture, result.mesh, where, "TRANSMITTANCE");
