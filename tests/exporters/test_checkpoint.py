@@ -12,11 +12,10 @@ import pytest
 import torch
 
 from rna_export.capture.dataset.dataset_part import DatasetPart
-from rna_export.training import checkpoint as checkpoint_module
 from rna_export.training.checkpoint import load_checkpoint, load_progress
-from rna_export.training.loss_curves import Curves
-from rna_export.training.model.neural_asset import NeuralAsset
+from rna_export.training.model.neural_asset import MODELS, NeuralAsset
 from rna_export.training.presets import ModelConfig
+from rna_export.training.report import Curves
 from rna_export.training.training_run import Run, train
 from rna_sdk.errors import ExportError, TrainingError
 from tests.exporters.synthetic import make_dataset, tiny
@@ -181,7 +180,7 @@ def test_a_small_file_asks_for_no_large_model(
             made.append(bounds.device.type)
             super().__init__(config, bounds)
 
-    monkeypatch.setattr(checkpoint_module, "NeuralAsset", Watched)
+    monkeypatch.setitem(MODELS, "triplane", Watched)
     saved = torch.load(checkpoint, weights_only=True)
     saved["record"]["preset"]["model"].update(change)
     torch.save(saved, tmp_path / "large.ckpt")

@@ -15,12 +15,11 @@ import pytest
 import safetensors.numpy
 import trimesh
 
-from rna_sdk.errors import QueryError, RnaError
+from rna_sdk.errors import PackageError, QueryError, RnaError
 from rna_sdk.package import (
     Cost,
     Mesh,
     Package,
-    PackageError,
     TierData,
     Validation,
     float_planes,
@@ -29,7 +28,7 @@ from rna_sdk.package import (
 )
 from rna_sdk.package.container.zip_container import Container
 from tests.package.builders import (
-    make_decoder_model,
+    make_decoder,
     make_manifest,
     make_mesh,
     make_part_data,
@@ -177,7 +176,7 @@ def test_tier_lookup_names_the_tiers(tiny: Path) -> None:
         ({"planes": make_planes(precision="float32")}, "PLANES_DTYPE"),
         ({"planes": make_planes(precision="float64")}, "PLANES_DTYPE"),
         ({"planes": make_planes(precision="int8")}, "PLANES_TENSOR"),
-        ({"decoder": make_decoder_model(columns=4).SerializeToString()}, "DECODER_INPUT"),
+        ({"decoder": make_decoder("float32", 4)}, "DECODER_PROFILE"),
     ],
 )
 def test_writer_refuses_what_does_not_fit(tmp_path: Path, change: dict, code: str) -> None:
@@ -198,7 +197,7 @@ def test_writer_wants_data_for_each_tier(tmp_path: Path) -> None:
 def test_tiers_may_share_planes(tmp_path: Path) -> None:
     shared = {"planes": "features/shared.safetensors"}
     tiers = (make_tier("a", **shared), make_tier("b", **shared))
-    decoders = [make_decoder_model(seed=s).SerializeToString() for s in (1, 2)]
+    decoders = [make_decoder("float32", seed=s) for s in (1, 2)]
     data = {t.name: [TierData(make_planes(), d)] for t, d in zip(tiers, decoders, strict=True)}
     write_package(tmp_path / "x.rna", make_manifest(*tiers), [make_mesh()], data)
     package = Package.open(tmp_path / "x.rna")
@@ -230,5 +229,5 @@ def test_unchanged_after_validation(tiny: Path) -> None:
 
 def test_manifest_in_the_file_is_camel_case(entries: dict[str, bytes]) -> None:
     manifest = json.loads(entries["manifest.json"])
-    assert list(manifest)[:3] == ["format", "version", "minReaderVersion"]
-    assert manifest["tiers"][0]["planePrecision"] == "float16"
+    assert list(manifest)[:3] == ["format", "version", "generator"]
+    assert manifest["tiers"][0]["parts"][0]["planePrecision"] == "float16"

@@ -18,7 +18,8 @@ from rna_view.page_server import PageServer
 from rna_view.rna_view_command import main
 from rna_view.scene_page import scene_site
 from rna_view.site_export import MARKER, export_site
-from rna_view.site_files import VIEWER_FILES, Site, site_for, viewer_file
+from rna_view.site_files import VIEWER_FILES, Site, viewer_file
+from rna_view.site_source import site_for
 from tests.package.builders import make_tier, make_tiny_package
 from tests.web.pages import served
 
@@ -201,7 +202,8 @@ def test_port_that_is_taken(package):
 
 def test_viewer_needs_no_renderer():
     code = (
-        "import rna_view.rna_view_command, sys; "
-        "sys.exit('rna_render' in sys.modules or 'torch' in sys.modules)"
+        "import rna_view.rna_view_command, sys; renderer = ('rna_render.', 'rna_trace', 'torch'); "
+        "found = {name for name in sys.modules if name.startswith(renderer)}; "
+        "sys.exit(found != {'rna_render.local_server'})"
     )
     subprocess.run([sys.executable, "-c", code], check=True)

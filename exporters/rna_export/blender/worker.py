@@ -38,8 +38,8 @@ end_with_parent()
 with few_cores(THREADS):
     import bpy
     from rna_geometry import curves_export, mesh_export, scene_parts
-    from rna_geometry.rendered_geometry import as_rendered
-    from rna_materials import material_override, smoothest, surface_textures
+    from rna_geometry.shown_objects import as_rendered
+    from rna_materials import material_check, object_materials, surface_textures
     from rna_renders import ray_render, render_settings, scene_render, white_card
     from rna_sources import read_files, shown_frame, source_scene
 
@@ -53,10 +53,10 @@ def open_scene(request: dict[str, Any]) -> dict[str, Any]:
     axes = request["front"], request["up"]
     notes = source_scene.load(request["source"], request["arguments"], request["frame"], *axes)
     render_settings.own()
-    material_override.apply()
+    object_materials.override()
     notes += source_scene.keep_only_the_asset()
     parts, smooth = as_rendered(
-        lambda: (scene_parts.find_parts(request["parts"]), smoothest.smoothest())
+        lambda: (scene_parts.find_parts(request["parts"]), material_check.smoothest())
     )
     clamps = request["clampDirect"], request["clampIndirect"]
     has_hair = any(part["kind"] == "fiber" for part in parts)

@@ -13,7 +13,7 @@ from pydantic import ValidationError
 from torch import Tensor
 
 from rna_export.capture.dataset.dataset_manifest import CaptureManifest, what_is_wrong
-from rna_export.training.model.neural_asset import NeuralAsset
+from rna_export.training.model.neural_asset import NeuralAsset, new_model
 from rna_export.training.presets import ModelConfig, Preset
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import ExportError, TrainingError
@@ -102,7 +102,7 @@ def _trained(saved: dict[str, Any]) -> Trained:
     preset = Preset.model_validate(record["preset"])
     bounds = torch.stack([weights["triplane.low"], weights["triplane.high"]])
     _check_weights(preset.model, bounds, weights)
-    model = NeuralAsset(preset.model, bounds)
+    model = new_model(preset.model, bounds)
     model.load_state_dict(weights)
     capture = CaptureManifest.model_validate(record["capture"])
     made = (
@@ -121,7 +121,7 @@ def _check_weights(config: ModelConfig, bounds: Tensor, weights: dict[str, Tenso
     Before the model takes memory: a few bytes can ask for planes of gigabytes.
     """
     with torch.device("meta"):
-        planned = NeuralAsset(config, bounds.to("meta")).state_dict()
+        planned = new_model(config, bounds.to("meta")).state_dict()
     for name, value in planned.items():
         found = weights.get(name)
         if not isinstance(found, Tensor) or found.shape != value.shape:

@@ -90,13 +90,13 @@ def parser() -> argparse.ArgumentParser:
     p.add_argument(
         "--optimizer",
         choices=OPTIMIZERS,
-        help="of the decoder's matrices; all else has Adam (default: the preset's, muon for ours, "
-        "adam for the paper's)",
+        help="optimizer of the decoder's matrices; all else uses Adam (default: the preset's, muon "
+        "for ours, adam for the paper's)",
     )
     p.add_argument(
         "--batch",
         type=int,
-        help="samples a step; rates stay as they are (int, default: "
+        help="samples per step; learning rates are unchanged (int, default: "
         f"{BATCH['cpu']:,} on the CPU, {BATCH['cuda']:,} on a GPU)",
     )
     lengths = sorted({preset.training.steps for preset in PRESETS["surface"].values()})
