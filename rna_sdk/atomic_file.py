@@ -1,4 +1,8 @@
-"""Atomic file writing: to a temporary name, then renamed."""
+"""Atomic file writing: to a temporary name, then renamed.
+
+Whoever writes holds a shared lock on the folder, so that what killed processes left there can be
+told from what is being written.
+"""
 
 from __future__ import annotations
 
@@ -6,6 +10,7 @@ import os
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from functools import cache
 from pathlib import Path
 
 _TEMPORARY = re.compile(r"\..+\.[0-9a-f]{12}\.part")
@@ -21,8 +26,9 @@ def atomic_file(path: Path) -> Iterator[Path]:
     """
     temporary = temporary_path(path)
     try:
-        yield temporary
-        temporary.replace(path)
+        with _locked(path.parent, alone=False):
+            yield temporary
+            temporary.replace(path)
     except BaseException as error:
         with suppress(OSError):
             temporary.unlink()
@@ -47,3 +53,28 @@ def temporary_path(path: Path) -> Path:
 def is_temporary(path: Path) -> bool:
     """Whether the name is one of `temporary_path`."""
     return _TEMPORARY.fullmatch(path.name) is not None
+
+
+@cache
+def remove_leftovers(folder: Path) -> None:
+    """Delete what killed processes left in a folder, once a process; nothing while others write."""
+    with _locked(folder, alone=True) as locked:
+        for path in filter(is_temporary, folder.iterdir() if locked else ()):
+            path.unlink(missing_ok=True)
+
+
+@contextmanager
+def _locked(folder: Path, alone: bool) -> Iterator[bool]:
+    """Whether a lock on a folder was had; not on Windows, nor on some file systems of networks."""
+    locked, descriptor = False, None
+    with suppress(OSError, ModuleNotFoundError):
+        import fcntl
+
+        descriptor = os.open(folder, os.O_RDONLY)
+        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB if alone else fcntl.LOCK_SH)
+        locked = True
+    try:
+        yield locked
+    finally:
+        if descriptor is not None:
+            os.close(descriptor)

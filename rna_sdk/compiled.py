@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import pickle
 import sys
 import warnings
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import cache, cached_property
 from hashlib import sha256
 from inspect import unwrap
@@ -15,7 +16,7 @@ from typing import Any, TypeVar
 
 import numba
 import numpy as np
-from numba.core.caching import FunctionCache
+from numba.core.caching import FunctionCache, IndexDataCacheFile
 from numba.core.ccallback import CFunc
 
 from rna_sdk.kernel_threads import launch_kernel_threads
@@ -116,6 +117,20 @@ def _warn_of_no_cache() -> None:
     warnings.warn(message, CacheWarning, stacklevel=2)
 
 
+class _HashedFile(IndexDataCacheFile):
+    """Numba's files of code, with a hash: LLVM may crash on damaged code."""
+
+    def _save_data(self, name: str, data: Any) -> None:
+        code = self._dump(data)  # type: ignore[no-untyped-call]
+        super()._save_data(name, (sha256(code).digest(), code))  # type: ignore[no-untyped-call]
+
+    def _load_data(self, name: str) -> Any:
+        digest, code = super()._load_data(name)  # type: ignore[no-untyped-call]
+        if sha256(code).digest() != digest:
+            raise ValueError(f"{name} is damaged")
+        return pickle.loads(code)
+
+
 class _SourcesCache(FunctionCache):
     """Numba's cache on disk, renewed when a source or a constant of the kernel changes.
 
@@ -123,6 +138,12 @@ class _SourcesCache(FunctionCache):
     is renewed when the kernel's own file changes, and would go on with the old copy. Numba has
     no setting for this; `tests/test_compiled.py` watches that its internals still answer to it.
     """
+
+    def __init__(self, function: Callable[..., object]) -> None:
+        super().__init__(function)  # type: ignore[no-untyped-call]
+        stamp = self._impl.locator.get_source_stamp()
+        file_type: Any = _HashedFile
+        self._cache_file = file_type(self._cache_path, self._impl.filename_base, stamp)
 
     @cached_property
     def _sources(self) -> str:
@@ -133,9 +154,12 @@ class _SourcesCache(FunctionCache):
         return (*key, self._sources)
 
     def load_overload(self, signature: Any, target_context: Any) -> Any:
+        """The code on disk; None, so that it is compiled, where that is missing or damaged."""
         try:
             return super().load_overload(signature, target_context)  # type: ignore[no-untyped-call]
-        except OSError:  # as for `save_overload`
+        except Exception:  # whatever damaged bytes make pickle raise
+            with suppress(OSError):
+                self.flush()  # type: ignore[no-untyped-call]
             return None
 
     def save_overload(self, signature: Any, data: Any) -> None:
@@ -144,7 +168,7 @@ class _SourcesCache(FunctionCache):
             watcher()
         try:
             super().save_overload(signature, data)  # type: ignore[no-untyped-call]
-        except OSError:
+        except Exception:  # a damaged index that cannot be written raises as above
             _warn_of_no_cache()
 
 

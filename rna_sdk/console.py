@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import argparse
 import shlex
+import signal
 import sys
+import threading
 import traceback
 import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from typing import Any
 
 from rna_sdk.command_parser import CommandParser
@@ -60,15 +63,15 @@ def run_command(
     """Runs `command`; returns its exit status, 0 for None.
 
     1 after an RnaError, which is printed as one line, or with its traceback if `debug`, and so
-    after an OSError, such as a full disk; INTERRUPTED after Ctrl-C, where `when_stopped` is
-    printed. A warning is one line, too. A reader of the output that ends early, such as `head`,
-    does not end the command: the rest of the output is dropped.
+    after an OSError, such as a full disk, and a MemoryError; INTERRUPTED after Ctrl-C or SIGTERM,
+    where `when_stopped` is printed. A warning is one line, too. A reader of the output that ends
+    early, such as `head`, does not end the command: the rest of the output is dropped.
 
     extra: the distribution extra that `command` needs; the error for a missing module names it.
     """
     with lasting_streams():
         try:
-            with warnings.catch_warnings():
+            with warnings.catch_warnings(), _terminated_as_interrupted():
                 warnings.showwarning = _print_warning
                 status = command() or 0
             sys.stdout.flush()
@@ -81,9 +84,31 @@ def run_command(
             return _fail(f"no module {error.name!r}: {install_hint(extra)}", debug)
         except OSError as error:
             return _fail(_told(error), debug)
+        except MemoryError as error:
+            return _fail(f"not enough memory: {error}".removesuffix(": "), debug)
         except KeyboardInterrupt:
             print(f"stopped; {when_stopped}", file=sys.stderr)
             return INTERRUPTED
+
+
+@contextmanager
+def _terminated_as_interrupted() -> Iterator[None]:
+    """SIGTERM does what Ctrl-C does, so that workers are ended and temporary files removed."""
+
+    def interrupt(_: int, frame: Any) -> None:
+        handler = signal.getsignal(signal.SIGINT)
+        if not callable(handler):  # ignored, as in the background of a shell script
+            raise KeyboardInterrupt
+        handler(signal.SIGINT, frame)
+
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = signal.signal(signal.SIGTERM, interrupt)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before)
 
 
 def _told(error: OSError) -> str:

@@ -10,9 +10,6 @@ import sys
 import tomllib
 from pathlib import Path
 
-_INSTEAD = {"torch": "2.13.0"}
-"""Versions that are taken instead of the lowest, whose only builds hold gigabytes of CUDA."""
-
 _REQUIREMENT = re.compile(r"(?P<name>[\w.-]+)>=(?P<version>[\w.]+)(?P<marker>; .+)?")
 
 
@@ -28,9 +25,7 @@ def pins(requirements: list[str]) -> list[str]:
         match = _REQUIREMENT.fullmatch(requirement)
         if match is None:
             raise ValueError(f"pyproject.toml: found {requirement!r}, expected name>=version")
-        name = match["name"]
-        version = _INSTEAD.get(name, match["version"])
-        found.append(f"{name}=={version}{match['marker'] or ''}")
+        found.append(f"{match['name']}=={match['version']}{match['marker'] or ''}")
     return sorted(found, key=str.lower)
 
 

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import os
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from rna_render.image.images import write_png
-from rna_sdk.atomic_file import atomic_file, write_atomically
+from rna_sdk.atomic_file import atomic_file, remove_leftovers, write_atomically
 from rna_sdk.errors import SceneError
+from rna_sdk.outputs import check_outputs
 from rna_sdk.runtime.engine import costs
 
 
@@ -65,3 +68,31 @@ def test_an_image_that_cannot_be_renamed_leaves_none(tmp_path: Path, no_rename: 
     with pytest.raises(SceneError, match="cannot write the image"):
         write_png(tmp_path / "a.png", np.zeros((2, 2, 3), np.float32))
     assert os.listdir(tmp_path) == []
+
+
+KILLED = """
+import os, signal, sys, time
+from pathlib import Path
+from rna_sdk.atomic_file import atomic_file
+with atomic_file(Path(sys.argv[1])) as temporary:
+    temporary.write_bytes(b"half")
+    print("writes", flush=True)
+    time.sleep(60)
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="folders cannot be locked")
+def test_what_a_killed_process_left_goes_at_the_next_start(tmp_path: Path) -> None:
+    def names() -> list[str]:
+        return sorted(path.name for path in tmp_path.iterdir())
+
+    (tmp_path / ".a.bin.part").write_bytes(b"of somebody else")
+    command = [sys.executable, "-c", KILLED, tmp_path / "a.bin"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE) as process:
+        assert process.stdout is not None and process.stdout.readline() == b"writes\n"
+        remove_leftovers(tmp_path)
+        assert len(names()) == 2  # somebody writes there
+        process.kill()
+    remove_leftovers.cache_clear()
+    check_outputs([tmp_path / "b.bin"], [])
+    assert names() == [".a.bin.part"]

@@ -129,7 +129,6 @@ def arguments_that_need(command: str, folder: Path) -> list[object]:
         "rna-capture": [asset, "--out", out],
         "rna-train": [folder, "--out", out],
         "rna-export": [folder / "best.ckpt", "--out", folder / "a.rna"],
-        "rna-fit": [folder, "--max-error", "0.1", "--out", folder / "a.rna"],
         "rna-compare": [TOY, asset, "--out", out],
         "rna-motion": [asset, TOY, "--out", folder / "a.rnam"],
         "rna-bench": ["frontier", folder, "--short", "--out", out],
@@ -142,7 +141,6 @@ EXTRAS = {
     "rna-capture": "capture",
     "rna-train": "train",
     "rna-export": "train",
-    "rna-fit": "train",
     "rna-compare": "train",
     "rna-motion": "capture",
     "rna-bench": "bench",
@@ -169,7 +167,8 @@ def test_a_missing_extra_is_one_line(command: str, extra: str, refusals: dict[st
 def test_what_the_base_can_do_it_does() -> None:
     told, valid = run(["rna-info", TOY], ["rna-validate", TOY])
     assert told.status == 0 and "PSNR 38.92 dB" in told.out
-    assert (valid.status, valid.out) == (0, f"{TOY}: valid\n")
+    said = f"{TOY}: part asset: surface, 8 lobes\n{TOY}: valid\n"
+    assert (valid.status, valid.out) == (0, said)
     assert set(COMMANDS) >= set(EXTRAS)
 
 
@@ -181,7 +180,6 @@ def test_what_the_base_can_do_it_does() -> None:
         "rna_export.make.rna_make:parser",
         "rna_export.capture.rna_capture:parser",
         "rna_export.training.rna_train:parser",
-        "rna_export.fit.rna_fit:parser",
         "rna_export.compare.rna_compare:parser",
         "rna_bench.cli:parser",
     ],

@@ -6,6 +6,7 @@ import os
 import re
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -92,6 +93,26 @@ def test_code_comes_from_disk_until_a_helper_changes(tmp_path: Path, options: st
     program = Program(tmp_path, options)
     assert [program.run(), program.run()] == [[15.0, 0, 0], [15.0, 1, 1]]
     assert [program.run(called=3.0), program.run(called=3.0)] == [[16.0, 0, 1], [16.0, 1, 1]]
+
+
+@pytest.mark.parametrize(
+    "damage",
+    [
+        lambda data: b"",
+        lambda data: data[: len(data) // 2],
+        lambda data: data[: len(data) // 2] + bytes(64) + data[len(data) // 2 + 64 :],
+    ],
+    ids=["empty", "cut", "changed"],
+)
+def test_damaged_code_is_compiled_again(tmp_path: Path, damage: Callable[[bytes], bytes]) -> None:
+    """As a power cut leaves it, or a bad disk."""
+    program = Program(tmp_path, "")
+    program.run()
+    for suffix in (".nbi", ".nbc"):
+        for path in tmp_path.rglob(f"*{suffix}"):
+            path.write_bytes(damage(path.read_bytes()))
+        assert program.run() == [15.0, 0, 0]
+    assert program.run() == [15.0, 1, 1]
 
 
 @pytest.mark.parametrize("changed", NUMBERS)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import os
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -41,10 +42,12 @@ def fails(error: BaseException, debug: bool = False) -> int:
         (OSError(errno.EROFS, "Read-only file system", "/a/b"), "/a/b: Read-only file system"),
         (PermissionError(errno.EACCES, "Permission denied", "a"), "a: Permission denied"),
         (TimeoutError("no answer"), "no answer"),
+        (MemoryError("Unable to allocate 8 TiB"), "not enough memory: Unable to allocate 8 TiB"),
+        (MemoryError(), "not enough memory"),
     ],
 )
 def test_an_error_of_the_system_is_one_line(
-    error: OSError, line: str, capsys: pytest.CaptureFixture[str]
+    error: Exception, line: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert fails(error) == 1
     assert capsys.readouterr().err == f"error: {line}\n"
@@ -71,3 +74,37 @@ def test_output_into_a_full_disk_is_one_line(tmp_path: Path) -> None:
         done = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, text=True)
     assert done.returncode == 1
     assert done.stderr == "error: standard output: No space left on device\n"
+
+
+WAITING = """
+import sys, time
+from rna_sdk.console import run_command
+def command():
+    try:
+        print("runs", flush=True)
+        time.sleep(60)
+    finally:
+        print("tidied", flush=True)
+sys.exit(run_command(command, False, "the same command resumes"))
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="there is no SIGTERM to handle")
+@pytest.mark.parametrize(
+    ("number", "background"),
+    [(signal.SIGINT, False), (signal.SIGTERM, False), (signal.SIGTERM, True)],
+)
+def test_a_command_that_is_stopped_tidies(number: int, background: bool) -> None:
+    """In the background of a shell script, Ctrl-C is ignored."""
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN if background else signal.SIG_DFL)
+    try:
+        command = [sys.executable, "-c", WAITING]
+        pipe = subprocess.PIPE
+        process = subprocess.Popen(command, stdout=pipe, stderr=pipe, text=True)
+    finally:
+        signal.signal(signal.SIGINT, before)
+    assert process.stdout is not None and process.stdout.readline() == "runs\n"
+    process.send_signal(number)
+    out, err = process.communicate(timeout=30)
+    assert (out, err) == ("tidied\n", "stopped; the same command resumes\n")
+    assert process.returncode == 130

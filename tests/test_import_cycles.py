@@ -10,9 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from rna_sdk.lazy_face import homes
 from tests.conftest import REPOSITORY
-from tests.test_lazy_face import FACES
+from tests.test_faces import FACES, homes
 
 ROOTS = {"rna_sdk": ".", "rna_export": "exporters", "rna_bench": "benchmarks"} | dict.fromkeys(
     ("rna_work", "rna_trace", "rna_render", "rna_gpu", "rna_mitsuba", "rna_view"), "runtime"
@@ -32,24 +31,24 @@ def modules() -> dict[str, Path]:
     return found
 
 
-def loaded_with(tree: ast.Module) -> Iterator[ast.stmt]:
-    """Imports that run when the module loads: not in functions, not for type checkers alone."""
-    todo: list[ast.stmt] = list(tree.body)
+def statements(tree: ast.Module, late: bool) -> Iterator[ast.stmt]:
+    """Imports, but not those for type checkers alone. late: those in functions, too."""
+    todo: list[ast.AST] = list(tree.body)
     while todo:
         node = todo.pop()
         if isinstance(node, ast.Import | ast.ImportFrom):
             yield node
         elif isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING":
             todo += node.orelse
-        elif not isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
-            todo += [child for child in ast.iter_child_nodes(node) if isinstance(child, ast.stmt)]
+        elif late or not isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
+            todo += ast.iter_child_nodes(node)
 
 
-def imports(name: str, path: Path, known: set[str]) -> set[str]:
-    """The modules of ours that a module names in its imports."""
+def imports(name: str, path: Path, known: set[str], late: bool = False) -> set[str]:
+    """The modules of ours that a module names in its imports. late: in functions, too."""
     found = set()
     package = name.split(".") if path.name == "__init__.py" else name.split(".")[:-1]
-    for node in loaded_with(ast.parse(path.read_text())):
+    for node in statements(ast.parse(path.read_text()), late):
         if isinstance(node, ast.Import):
             found |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom):
@@ -62,9 +61,9 @@ def imports(name: str, path: Path, known: set[str]) -> set[str]:
 
 
 def behind_faces(name: str, path: Path, known: set[str]) -> set[str]:
-    """As `imports`, with the modules that define the names which it takes from lazy faces."""
-    found = imports(name, path, known)
-    for node in loaded_with(ast.parse(path.read_text())):
+    """As `imports` with late ones, and the modules that define what it takes from lazy faces."""
+    found = imports(name, path, known, late=True)
+    for node in statements(ast.parse(path.read_text()), late=True):
         if isinstance(node, ast.ImportFrom) and node.module in FACES:
             home = homes(node.module)
             found |= {home[alias.name] for alias in node.names if alias.name in home}
@@ -151,6 +150,12 @@ def test_what_counts_as_an_import(text: str, expected: set[str], tmp_path: Path)
     path = tmp_path / "d.py"
     path.write_text(text)
     assert imports("a.d", path, {"a", "a.b", "a.d"}) == expected
+
+
+def test_imports_in_functions_make_cycles(tmp_path: Path) -> None:
+    path = tmp_path / "d.py"
+    path.write_text("class C:\n    def f(self):\n        if self:\n            import a.b")
+    assert imports("a.d", path, {"a.b", "a.d"}, late=True) == {"a.b"}
 
 
 def test_a_cycle_is_found() -> None:

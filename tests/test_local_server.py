@@ -9,8 +9,8 @@ from contextlib import ExitStack
 
 import pytest
 
+from rna_render.local_server import MAX_CONNECTIONS, LocalHandler, LocalServer
 from rna_render.preview.server import PreviewServer
-from rna_sdk.local_server import MAX_CONNECTIONS, LocalHandler, LocalServer
 from rna_view.page_server import PageServer
 from rna_view.site_files import Site
 

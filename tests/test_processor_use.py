@@ -36,8 +36,8 @@ def test_one_thread_takes_one_core(work: str) -> None:
 def test_a_worker_has_all_cores_once_its_pools_are_small(tmp_path: Path) -> None:
     """Bound to one for good, the first workers of two commands would share it."""
     from rna_export.capture.blender_process.blender_env import find_python
+    from rna_export.capture.blender_process.blender_process import Source
     from rna_export.capture.blender_process.blender_worker import BlenderWorker
-    from rna_export.capture.blender_process.source import Source
 
     source = Source(REPOSITORY / "examples" / "quickstart" / "toy.py")
     with BlenderWorker(find_python(), source, tmp_path, threads=1) as worker:

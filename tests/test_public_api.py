@@ -33,15 +33,14 @@ OUR_TOOLS = {
         "cpu",
         "file_kinds",
         "kernel_threads",
-        "lazy_face",
-        "local_server",
+        "memory",
         "outputs",
         "owned_folder",
         "regular_file",
         "size_note",
     )
 }
-"""How our own commands check arrays, read, write, are compiled, threaded, talk, and serve pages."""
+"""How our own commands check arrays, read, write, are compiled, threaded, and talk."""
 OTHER_HALF = {
     "rna_render.lights",
     "rna_render.materials",
@@ -51,23 +50,14 @@ OTHER_HALF = {
     "rna_render.world.domain_watch",
 }
 """What rna_gpu alone may import of the renderer, for the same lights, materials and paths."""
-MEASURED = {
-    "rna_render.command.frame_worker",
-    "rna_render.image.output",
-    "rna_render.lights",
-    "rna_render.materials",
-    "rna_render.world.placements",
-    "rna_render.world.scene_sources",
-    "rna_render.world.world_loading",
-    "rna_trace.embree",
-}
-"""Insides that rna_bench alone measures or fuzzes."""
+MEASURED = {"rna_render.lights", "rna_render.world.world_loading"}
+"""Insides that rna_bench alone measures."""
 EXPORTED = {"rna_render.lights", "rna_render.materials", "rna_render.world.neural_sampling"}
 """Where the exporter measures lobes as renderers use them, with the brightest directions apart,
 trains them along directions that paths would take, and fits the material of meshes."""
 USERS = {
     "runtime/rna_gpu": OTHER_HALF,
-    "runtime/rna_view": set(),
+    "runtime/rna_view": {"rna_render.local_server"},
     "exporters/rna_export": EXPORTED,
     "benchmarks/rna_bench": MEASURED,
 }

@@ -28,19 +28,40 @@ def imported(folder: str) -> set[str]:
 
 
 def test_the_base_requires_what_the_sdk_imports_and_no_more() -> None:
-    required = {pin.partition("==")[0] for pin in pins(PROJECT["dependencies"])}
+    required = {pin.partition("==")[0].replace("-", "_") for pin in pins(PROJECT["dependencies"])}
     parts = {"llvmlite", "pydantic_core"}  # of numba and of pydantic
     assert required == imported("rna_sdk") - set(sys.stdlib_module_names) - {"rna_sdk"} - parts
 
 
-def test_every_requirement_has_a_lowest_version() -> None:
+def test_the_lowest_versions_are_what_the_lowest_test_installs() -> None:
     command = [sys.executable, REPOSITORY / "scripts" / "lowest_versions.py"]
     said = subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()
     extras = PROJECT["optional-dependencies"].values()
     wanted = [*PROJECT["dependencies"], *(r for extra in extras for r in extra)]
     wanted = [r.replace(">=", "==") for r in wanted if not r.startswith("rna-sdk[")]
-    assert set(wanted) - set(said) == {"torch==2.6"}  # taken from a version that is small
-    assert len(said) == len(wanted) and "numpy==1.26" in said
+    assert sorted(wanted) == sorted(said) and "numpy==1.26" in said
+
+
+@pytest.mark.parametrize(
+    ("name", "fixed", "fault"),
+    [
+        ("torch", (2, 10), "CVE-2026-24747"),
+        ("pillow", (10, 3), "CVE-2023-4863 and CVE-2024-28219"),
+    ],
+)
+def test_no_version_with_a_known_fault_is_admitted(
+    name: str, fixed: tuple[int, ...], fault: str
+) -> None:
+    extras = PROJECT["optional-dependencies"].values()
+    (lowest,) = (p for extra in extras for p in pins(extra) if p.startswith(f"{name}=="))
+    assert tuple(map(int, lowest.partition("==")[2].split("."))) >= fixed, fault
+
+
+def test_the_sdist_takes_files_of_the_top_alone() -> None:
+    """A pattern without a slash in front matches in every folder."""
+    targets = tomllib.loads((REPOSITORY / "pyproject.toml").read_text())["tool"]["hatch"]["build"]
+    patterns = targets["targets"]["sdist"]["include"]
+    assert [p for p in patterns if not (p[0] == "/" and (REPOSITORY / p[1:]).exists())] == []
 
 
 def test_a_marker_is_kept() -> None:

@@ -12,8 +12,8 @@ import numpy as np
 import OpenEXR
 import pytest
 
+from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
-from rna_export.capture.blender_process.source import Source
 from rna_export.metrics import psnr
 from tests.exporters.scenes import fur, write_scene
 

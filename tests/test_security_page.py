@@ -24,3 +24,8 @@ def test_limits_are_those_of_the_code(text: str, name: str) -> None:
 
 def test_the_table_is_read() -> None:
     assert len(ROWS) == len(re.findall(r"`rna_\w+(?:\.\w+)+\.MAX_\w+`", PAGE)) > 20
+
+
+def test_the_policy_at_the_root_leads_to_the_page() -> None:
+    policy = (REPOSITORY / "SECURITY.md").read_text()
+    assert "(docs/security.md#report-a-fault)" in policy and "## Report a fault" in PAGE

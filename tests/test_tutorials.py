@@ -41,7 +41,6 @@ PARSERS = {
     "rna-capture": "rna_export.capture.rna_capture:parser",
     "rna-train": "rna_export.training.rna_train:parser",
     "rna-export": "rna_export.export.rna_export:parser",
-    "rna-fit": "rna_export.fit.rna_fit:parser",
     "rna-make": "rna_export.make.rna_make:parser",
     "rna-motion": "rna_export.motion.rna_motion:parser",
     "rna-compare": "rna_export.compare.rna_compare:parser",

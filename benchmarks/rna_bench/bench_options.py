@@ -25,10 +25,3 @@ class OptionHelp(argparse.RawDescriptionHelpFormatter):
 def add_out(parser: argparse.ArgumentParser) -> None:
     """`--out` of a command whose result is one JSON file."""
     parser.add_argument("--out", type=Path, help="JSON to write (path, default: print only)")
-
-
-def add_repeats(parser: argparse.ArgumentParser, default: int = 9) -> None:
-    """`--repeats` of alternating measurements."""
-    parser.add_argument(
-        "--repeats", type=int, default=default, help="runs, of which the median counts"
-    )

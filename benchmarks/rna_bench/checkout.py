@@ -6,6 +6,4 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 TOY = ROOT / "examples" / "quickstart" / "toy.rna"
-FOX = ROOT / "examples" / "jade" / "fox.rna"
-CURLS = ROOT / "examples" / "fibers" / "curly_ball.rna"
 QUICKSTART = ROOT / "examples" / "quickstart" / "scene.yaml"

@@ -9,7 +9,7 @@ from importlib import import_module
 from pathlib import Path
 
 from rna_bench.bench_options import OptionHelp
-from rna_bench.commands import COMMANDS, GROUPS, Command
+from rna_bench.commands import COMMANDS, Command
 from rna_bench.stamp import stamp
 from rna_sdk.command_parser import CommandParser
 from rna_sdk.console import command_parser, run_command, split_script_arguments
@@ -21,15 +21,12 @@ _EXAMPLE = "rna-bench scenes toy.rna --source toy.py --out bench/toy"
 def parser() -> argparse.ArgumentParser:
     """The parser of the name alone; its help lists all commands."""
     width = max(map(len, COMMANDS))
-    listed = "\n".join(
-        f"{group}:\n" + "".join(f"  {c.name:{width}}  {c.sentence}\n" for c in commands)
-        for group, commands in GROUPS.items()
-    )
+    listed = "".join(f"  {c.name:{width}}  {c.sentence}\n" for c in COMMANDS.values())
     p = command_parser(
         "rna-bench",
         "Benchmark assets and the SDK; each NAME is one benchmark.",
         _EXAMPLE,
-        epilog=f"{listed}\nrna-bench NAME --help shows the options of a command.",
+        epilog=f"benchmarks:\n{listed}\nrna-bench NAME --help shows the options of a command.",
     )
     p.add_argument("name", metavar="NAME", choices=COMMANDS, help="benchmark, see below")
     return p
@@ -62,7 +59,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
     kept = "finished steps are kept: run the same command again to resume"
     stopped = kept if command.resumes else "nothing was written"
-    return run_command(measure, "--debug" in own, stopped, command.extra)
+    return run_command(measure, "--debug" in own, stopped, "bench")
 
 
 def _check_out(args: argparse.Namespace) -> None:

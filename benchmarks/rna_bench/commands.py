@@ -14,13 +14,12 @@ class Command:
 
     module: its docstring is the help, first line first; it has `add_options(parser)` and
     `run(args)`, and is imported when the command is chosen. resumes: whether a stopped run goes on
-    where it was. extra: of the distribution, which the module needs.
+    where it was.
     """
 
     name: str
     module: str
     resumes: bool = False
-    extra: str = "bench"
 
     @property
     def sentence(self) -> str:
@@ -32,57 +31,20 @@ class Command:
         return docstring.splitlines()[0]
 
 
-GROUPS: dict[str, tuple[Command, ...]] = {
-    "an asset": (
+COMMANDS = {
+    command.name: command
+    for command in (
         Command("scenes", "scenes.scenes_command", resumes=True),
-        Command("gain", "accuracy.gain_command"),
-        Command("frontier", "frontier.frontier_command", resumes=True),
-        Command("stability", "stability.stability_command", resumes=True),
-        Command("fit", "frontier.fit", resumes=True),
-        Command("frontier-chart", "frontier.redraw"),
         Command("time-to-flip", "scenes.time_to_flip"),
-        Command("threads", "scenes.thread_counts"),
-        Command("film", "scenes.film_command", resumes=True),
+        Command("gain", "accuracy.gain_command"),
+        Command("film", "scenes.film", resumes=True),
+        Command("frontier", "frontier.frontier_command", resumes=True),
+        Command("frontier-chart", "frontier.redraw"),
+        Command("stability", "stability.stability_command", resumes=True),
         Command("peers", "peers.peers_command", resumes=True),
         Command("peers-data", "peers.views_command", resumes=True),
-    ),
-    "speed of queries": (
+        Command("lobes", "accuracy.lobes_command"),
         Command("evaluate", "speed.evaluate"),
-        Command("evaluate-against", "speed.evaluate_against"),
         Command("cores", "speed.cores"),
-        Command("command-threads", "speed.command_threads"),
-        Command("motion", "speed.motion"),
-        Command("c-host", "speed.c_host_speed"),
-        Command("gpu", "speed.gpu", extra="gpu"),
-    ),
-    "accuracy": (
-        Command("presets", "accuracy.preset_scores", resumes=True),
-        Command("int8-tiers", "accuracy.int8_tiers"),
-        Command("strand-error", "accuracy.strand_error"),
-        Command("emission", "accuracy.emission_scenes"),
-        Command("lobes", "lobes.lobes_command"),
-        Command("poses", "accuracy.poses"),
-        Command("lobes-scenes", "lobes.lobes_scenes"),
-    ),
-    "readers and files": (
-        Command("readers", "readers.reader_agreement"),
-        Command("fuzz", "readers.fuzz"),
-        Command("fuzz-scenes", "readers.fuzz_scenes"),
-        Command("package-bytes", "packages.sizes"),
-    ),
-    "hosts": (
-        Command("preview", "hosts.preview"),
-        Command("viewer", "hosts.viewer", extra="gpu"),
-        Command("first-look", "hosts.first_look"),
-        Command("three", "hosts.three_memory"),
-        Command("mitsuba", "hosts.mitsuba", extra="mitsuba"),
-        Command("blender", "hosts.blender"),
-    ),
-    "clusters": (
-        Command("cluster-rate", "cluster.rate", extra="cluster"),
-        Command("cluster-scale", "cluster.scale", extra="cluster"),
-    ),
+    )
 }
-"""What is measured -> its commands."""
-
-COMMANDS = {command.name: command for group in GROUPS.values() for command in group}

@@ -33,9 +33,7 @@ def answer(output, path, tier_name, number, x, axis, h, wo, wi):
     with zipfile.ZipFile(path) as archive:  # 2: a ZIP of stored entries
         manifest = json.loads(archive.read("manifest.json"))  # 3
         tier = next(tier for tier in manifest["tiers"] if tier["name"] == tier_name)
-        # One part may be in short: then its members stand in the manifest and in the tier.
-        part = manifest["parts"][number] if "parts" in manifest else manifest
-        own = tier["parts"][number] if "parts" in manifest else tier
+        part, own = manifest["parts"][number], tier["parts"][number]
         asked = own.get("emission") if output == "emission" else own
         if asked is None:
             return np.zeros((len(x), 3))
@@ -135,7 +133,7 @@ def unit(v):
 
 
 def read_decoder(model):
-    """Nodes, and constants by name. 6: field 7 of an ONNX model is a graph of both (1 and 5)."""
+    """Nodes, and constants by name. 6.2: field 7 of an ONNX model is a graph of both (1 and 5)."""
     graph, nodes, constants = dict(fields(model))[7], [], {}
     for number, message in fields(graph):
         part = dict(fields(message)) if number in (1, 5) else {}
@@ -170,7 +168,7 @@ def varint(message, at):
             return value, at
 
 
-OPERATORS = {  # 6.4: the operators of the decoder profile
+OPERATORS = {  # 6.2: the operators of the chain
     "Clip": np.clip,
     "Gemm": lambda x, weight, bias: x @ weight + bias,
     "MatMul": np.matmul,

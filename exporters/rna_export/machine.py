@@ -1,4 +1,4 @@
-"""The machine: its cores, memory and clock, and the rate that timings are compared with."""
+"""The machine: its memory and clock."""
 
 from __future__ import annotations
 
@@ -6,30 +6,8 @@ import ctypes
 import time
 from collections.abc import Callable
 
-import numpy as np
-
-_GEMM_SIZE = 2048
-GEMM_FLOP = 2 * _GEMM_SIZE**3
-_SPINNING = 0.2  # s, longer than idle threads of the product spin
-
 # Parameters of mallopt(3), from malloc.h.
 _M_TRIM_THRESHOLD, _M_TOP_PAD, _M_MMAP_THRESHOLD, _M_ARENA_MAX = -1, -2, -3, -8
-
-
-def matrix_product() -> Callable[[], float]:
-    """The machine's own 2048-cubed float32 matrix product, on all cores: GEMM_FLOP of them.
-
-    A call returns its seconds of wall time, and waits until the threads of the product, which look
-    out for more work, leave the cores to what is timed next.
-    """
-    a, b = np.random.default_rng(0).random((2, _GEMM_SIZE, _GEMM_SIZE), np.float32)
-
-    def product() -> float:
-        seconds = seconds_of(lambda: a @ b)
-        time.sleep(_SPINNING)
-        return seconds
-
-    return product
 
 
 def seconds_of(action: Callable[[], object]) -> float:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from rna_sdk.errors import ConformanceError
 
 INDEX = "kit.json"
-VERSION = 4
+VERSION = 5
 LEVELS = ("evaluate", "environment", "visibility", "normals", "validate")
 """All but the second are of the format itself; that is of an extension that no reader must know."""
 
@@ -93,7 +93,6 @@ class ValidateCase:
     """A package, whether it is valid, and the code among its issues, if there is one.
 
     Attributes:
-        needs_engine: a reader that has no ONNX engine may find it valid with DECODER_PROFILE.
         extension: an optional one that the fault is in; a reader that does not know it says so.
     """
 
@@ -101,7 +100,6 @@ class ValidateCase:
     package: Path
     valid: bool
     code: str | None
-    needs_engine: bool
     extension: str | None
 
 
@@ -169,7 +167,6 @@ def load_kit(folder: Path) -> Kit:
                 folder / record["package"],
                 record["valid"],
                 record["code"],
-                record["needsEngine"],
                 record["extension"],
             )
             for record in index["validate"]

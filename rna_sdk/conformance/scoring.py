@@ -164,8 +164,6 @@ def _visibility(program: Program, case: VisibilityCase, tolerance: float) -> Sco
 def _validate(program: Program, case: ValidateCase) -> Score:
     valid, codes = reader.validate(program, case.package)
     passed = valid == case.valid and (case.code is None or case.code in codes)
-    if case.needs_engine and valid:
-        passed = "DECODER_PROFILE" in codes
     if case.extension and not passed:
         passed = "EXTENSION_UNKNOWN" in codes or (not valid and "EXTENSION_REQUIRED" in codes)
     note = ""

@@ -12,17 +12,6 @@ Examples:
     (3, True)
 """
 
-from __future__ import annotations
+import lazy_loader
 
-from typing import TYPE_CHECKING
-
-from rna_sdk.lazy_face import lazy_face
-
-if TYPE_CHECKING:
-    from rna_sdk.errors import MotionError
-    from rna_sdk.motion.binding import Binding, bind
-    from rna_sdk.motion.motion_file import Motion, MotionFile, open_motion, write_motion
-
-__all__ = ["Binding", "Motion", "MotionError", "MotionFile", "bind", "open_motion", "write_motion"]
-
-__getattr__, __dir__ = lazy_face(__name__)
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

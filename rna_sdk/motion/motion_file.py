@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import hashlib
 import mmap
+import os
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Sequence
 from os import PathLike
@@ -44,6 +45,9 @@ _CODES = TensorCodes(
     Code.PLANES_ALIGNMENT,
 )
 """Never seen: every issue becomes a MotionError that says what was found and expected."""
+
+_MOST_READ = 1 << 26
+"""Bytes of a file that is read at once: what happens to it then does not matter."""
 
 _MOST_SCALE = 8.0
 """How many times as long, or as short, the edges of a first frame may be on average."""
@@ -83,7 +87,10 @@ class Motion(ABC):
 
 
 class MotionFile(Motion):
-    """A motion file, mapped: frames are read when they are asked for. Made by `open_motion`.
+    """A motion file, mapped if it is large. Made by `open_motion`.
+
+    It may be replaced by another file; a large one that is written in place is a MotionError at the
+    next frame, and may end the process within one.
 
     Examples:
         >>> mesh = load("toy.rna").mesh
@@ -94,9 +101,11 @@ class MotionFile(Motion):
         True
     """
 
-    def __init__(self, path: Path, rate: float, parts: Sequence[Float32]) -> None:
+    def __init__(
+        self, path: Path, rate: float, parts: Sequence[Float32], mapped: os.stat_result | None
+    ) -> None:
         super().__init__(path, len(parts[0]), rate)
-        self._parts = tuple(parts)
+        self._parts, self._mapped = tuple(parts), mapped
 
     def positions(self, frame: float) -> list[Float32]:
         """See `Motion`; between two frames, linear."""
@@ -110,6 +119,8 @@ class MotionFile(Motion):
         return result
 
     def _frame(self, number: int) -> list[Float32]:
+        if self._mapped is not None and _is_changed(self.path, self._mapped):
+            raise MotionError(f"{self.path}: was written to while it was in use")
         result = [np.array(part[number]) for part in self._parts]
         for part, positions in enumerate(result):
             check_finite(f"{self.path}: frame {number}, part {part}", positions)
@@ -135,12 +146,17 @@ def open_motion(
     """
     file = Path(path)
     try:
-        check_regular(file)
+        state = check_regular(file)
         with file.open("rb") as opened:
-            data = memoryview(mmap.mmap(opened.fileno(), 0, access=mmap.ACCESS_READ))
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or "is empty"
-        raise MotionError(f"{file}: {reason}") from error
+            data = memoryview(
+                opened.read()
+                if state.st_size <= _MOST_READ
+                else mmap.mmap(opened.fileno(), 0, access=mmap.ACCESS_READ)
+            )
+    except OSError as error:
+        raise MotionError(f"{file}: {error.strerror}") from error
+    if not data:
+        raise MotionError(f"{file}: is empty")
     try:
         arrays = _arrays(data, file, geometries, package)
     except PackageError as error:
@@ -161,7 +177,17 @@ def open_motion(
             what = "strands" if isinstance(geometry, Curves) else "triangles"
             raise MotionError(f"{file}: part {number} has other {what} than {package}")
         _check_scale(file, number, geometry, positions[0], package)
-    return MotionFile(file, rate, parts)
+    return MotionFile(file, rate, parts, state if state.st_size > _MOST_READ else None)
+
+
+def _is_changed(file: Path, state: os.stat_result) -> bool:
+    """Whether a file was written in place; another one of its name does not count."""
+    try:
+        now = file.stat()
+    except OSError:
+        return False
+    changed = (now.st_size, now.st_mtime_ns) != (state.st_size, state.st_mtime_ns)
+    return changed and os.path.samestat(now, state)
 
 
 def write_motion(

@@ -20,7 +20,7 @@ class Severity(StrEnum):
 class Code(Enum):
     """The stable issue codes. Each value is (severity, what is wrong, in one sentence).
 
-    `spec/ISSUES.md` is generated from this table. A published code keeps its meaning.
+    `spec/ISSUES.md` is generated from this table.
     """
 
     def __init__(self, severity: Severity, meaning: str) -> None:
@@ -30,7 +30,7 @@ class Code(Enum):
     # The file and its ZIP container
     FILE_UNREADABLE = (Severity.ERROR, "The file cannot be opened.")
     FILE_EMPTY = (Severity.ERROR, "The file has no bytes.")
-    FILE_TOO_LARGE = (Severity.ERROR, "The file is larger than a 1.x container can address.")
+    FILE_TOO_LARGE = (Severity.ERROR, "The file is larger than the container can address.")
     ZIP_NOT_ZIP = (Severity.ERROR, "The file is not a ZIP archive.")
     ZIP_TRUNCATED = (Severity.ERROR, "A ZIP record or its data reaches past where it must end.")
     ZIP_DIRECTORY = (Severity.ERROR, "The ZIP central directory is malformed.")
@@ -56,8 +56,8 @@ class Code(Enum):
     JSON_DUPLICATE_KEY = (Severity.ERROR, "A JSON object has the same key twice.")
     JSON_NOT_FINITE = (Severity.ERROR, "A JSON number is NaN, infinite or out of range.")
     FORMAT_UNKNOWN = (Severity.ERROR, "The manifest's format is not that of an RNA package.")
-    VERSION_TOO_NEW = (Severity.ERROR, "The package needs a newer reader.")
-    VERSION_TOO_OLD = (Severity.ERROR, "The package uses features newer than its minReaderVersion.")
+    VERSION_TOO_NEW = (Severity.ERROR, "The package is of a newer version of the format.")
+    VERSION_TOO_OLD = (Severity.ERROR, "The package is of an older version of the format.")
     KIND_UNSUPPORTED = (Severity.ERROR, "This version does not know the kind of part.")
     EXTENSION_REQUIRED = (Severity.ERROR, "The package requires an unknown extension.")
     EXTENSION_UNKNOWN = (Severity.WARNING, "The package uses an unknown extension.")
@@ -132,22 +132,9 @@ class Code(Enum):
 
     # decoders/*.onnx
     DECODER_TOO_LARGE = (Severity.ERROR, "The decoder is larger than allowed.")
-    DECODER_NOT_ONNX = (Severity.ERROR, "The decoder is not a well-formed ONNX model.")
-    DECODER_VERSION = (Severity.ERROR, "The ONNX IR version or opset is outside the pinned range.")
-    DECODER_DOMAIN = (Severity.ERROR, "The decoder uses an operator set other than the default.")
-    DECODER_OPERATOR = (Severity.ERROR, "The decoder uses an operator that is not allowed.")
-    DECODER_NESTED = (Severity.ERROR, "The decoder holds functions, training data or subgraphs.")
-    DECODER_EXTERNAL = (Severity.ERROR, "The decoder refers to data outside its own file.")
-    DECODER_TENSOR = (Severity.ERROR, "A tensor's type, rank or size is not allowed.")
-    DECODER_INPUT = (Severity.ERROR, "The inputs are not exactly `queries` float32 [N, K].")
-    DECODER_OUTPUT = (Severity.ERROR, "The outputs are not exactly the required one.")
-    DECODER_GRAPH = (Severity.ERROR, "The graph is not a list of nodes in order of use.")
-    DECODER_ROWS = (Severity.ERROR, "A product or Concat is not of whole rows of queries.")
-    DECODER_COST = (Severity.ERROR, "Constants, or a query's memory or work, exceed the limits.")
-    DECODER_PRECISION = (Severity.ERROR, "The decoder's arithmetic is not the tier's precision.")
-    DECODER_LOAD = (Severity.ERROR, "The inference engine refuses the decoder.")
+    DECODER_PROFILE = (Severity.ERROR, "The decoder is not the declared one of the format's form.")
+    DECODER_COST = (Severity.ERROR, "A query's values or multiply-adds exceed the limits.")
     DECODER_RESULT = (Severity.ERROR, "The decoder breaks the output contract on a test query.")
-    DECODER_PROFILE = (Severity.WARNING, "Hosts without an ONNX engine cannot run the decoder.")
     DECODER_SATURATION = (Severity.WARNING, "Weights in int8 can saturate a sum of two in 16 bits.")
 
 

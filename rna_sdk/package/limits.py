@@ -49,16 +49,13 @@ MAX_STRANDS = 2**25
 MAX_DECODER_BYTES = 2**26
 MAX_DECODER_NODES = 4096
 MAX_DECODER_WIDTH = 8192
-"""Largest non-batch dimension any tensor of a decoder may reach."""
-
-MAX_DECODER_CONSTANTS = 2**24
-"""Values of initializers, of tensors in attributes and of what is computed from these alone."""
+"""Most outputs of a decoder's layer."""
 
 MAX_QUERY_VALUES = 2**16
-"""Values a query that all nodes of a decoder make together."""
+"""Outputs of all layers of a decoder together."""
 
 MAX_QUERY_WORK = 2**24
-"""Multiply-adds a query; each value of another operator than a product counts as one."""
+"""Multiply-adds a query, and so the weights that a decoder holds in memory."""
 
 IR_VERSIONS = range(7, 11)
 OPSET_VERSIONS = range(13, 22)

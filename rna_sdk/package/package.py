@@ -68,10 +68,10 @@ class EnvironmentLobes:
 
 
 class Package:
-    """A valid package, memory-mapped; created by `Package.open`.
+    """A valid package, in memory; created by `Package.open`.
 
-    Returned arrays are read-only views of the file. They remain valid after `close`: the file is
-    unmapped with the last of them. The file must not be modified in place while it is mapped.
+    Returned arrays are read-only views of the file's bytes. They remain valid after `close`, and
+    whatever happens to the file.
 
     Attributes:
         manifest: the manifest, immutable.
@@ -90,7 +90,7 @@ class Package:
 
     @classmethod
     def open(cls, path: str | PathLike[str]) -> Package:
-        """Map and fully validate the file at `path`.
+        """Read and fully validate the file at `path`.
 
         Raises:
             PackageError: the file cannot be read or violates the format; see its `issues`.

@@ -13,7 +13,7 @@ from rna_sdk.package.container.strict_json import pointer
 from rna_sdk.package.container.zip_container import MANIFEST_NAME, Container
 from rna_sdk.package.decoder.decoder_checks import check_decoder
 from rna_sdk.package.decoder.decoder_form import PartDecoder
-from rna_sdk.package.geometry.geometry_files import QUANTISED_VERSION, Geometry, geometry_from_bytes
+from rna_sdk.package.geometry.geometry_files import Geometry, geometry_from_bytes
 from rna_sdk.package.geometry.mesh import Mesh
 from rna_sdk.package.geometry.source_vertices import source_vertices_from_bytes
 from rna_sdk.package.geometry.vertex_visibility import vertex_count, visibility_from_bytes
@@ -21,10 +21,9 @@ from rna_sdk.package.issues import Code, Issue, Severity
 from rna_sdk.package.manifest.deflate import decoded_entry
 from rna_sdk.package.manifest.extensions import Deflate, Environment, Proxy, Source, extension
 from rna_sdk.package.manifest.manifest_checks import manifest_warnings
-from rna_sdk.package.manifest.manifest_fields import Bounds, version_number
+from rna_sdk.package.manifest.manifest_fields import Bounds
 from rna_sdk.package.manifest.manifest_model import Manifest, NormalMapRecord, TransmittanceRecord
 from rna_sdk.package.manifest.manifest_reader import parse_manifest
-from rna_sdk.package.manifest.manifest_short import Places
 from rna_sdk.package.manifest.manifest_tiers import TierPartFields
 from rna_sdk.package.manifest.pictures import poster_issues, texture_issues
 from rna_sdk.package.textures.normal_maps import NORMALS, check_normal_maps
@@ -83,12 +82,12 @@ def inspect(path: str | PathLike[str]) -> Inspection:
     with result.collect():
         result.container = Container.open(path)
         result.container.check_crc(MANIFEST_NAME)
-        manifest, places = parse_manifest(bytes(result.container.view(MANIFEST_NAME)))
+        manifest = parse_manifest(bytes(result.container.view(MANIFEST_NAME)))
         result.manifest = manifest
         result.issues += manifest_warnings(manifest)
         intact = _check_entries(result, result.container, manifest)
         _decode_entries(result, result.container, manifest, intact)
-        _check_contents(result, result.container, manifest, places, intact)
+        _check_contents(result, result.container, manifest, intact)
     return result
 
 
@@ -134,7 +133,7 @@ def _decode_entries(
 
 
 def _check_contents(
-    result: Inspection, container: Container, manifest: Manifest, places: Places, intact: set[str]
+    result: Inspection, container: Container, manifest: Manifest, intact: set[str]
 ) -> None:
     vertices: dict[int, int] = {}  # of parts whose geometry is good
     for k, part in enumerate(manifest.parts):
@@ -143,15 +142,14 @@ def _check_contents(
                 view = container.view(part.geometry)
                 geometry = geometry_from_bytes(view, part.geometry, part.kind)
                 vertices[k] = vertex_count(geometry)
-                result.issues += _too_new(geometry, manifest, places.part(k, "geometry"))
-                result.issues += _outside(geometry, part.bounds, places.part(k, "bounds"))
+                result.issues += _outside(geometry, part.bounds, pointer("parts", k, "bounds"))
                 if isinstance(geometry, Mesh):
                     _check_source(container, manifest, k, geometry, intact)
                     result.issues += texture_issues(container, manifest, k, geometry, intact)
                     textures = _Textures(result, container, intact)
-                    where = places.part(k, "transmittance")
+                    where = pointer("parts", k, "transmittance")
                     check_records(part, geometry, textures.of_transmittance, where)
-                    where = places.part(k, "normalMaps")
+                    where = pointer("parts", k, "normalMaps")
                     check_normal_maps(part, geometry, textures.of_normals, where)
     result.issues += poster_issues(container, manifest, intact)
     _check_proxies(result, container, manifest, intact)
@@ -247,15 +245,6 @@ class _Textures:
                 return parse(self._container.view(entry))
             self._refused.add((entry, has_cutoff))
         return None
-
-
-def _too_new(geometry: Geometry, manifest: Manifest, where: str) -> list[Issue]:
-    """Whether a reader that the manifest lets in might not know the geometry's form."""
-    oldest = manifest.min_reader_version
-    if geometry.quantised is None or version_number(oldest) >= version_number(QUANTISED_VERSION):
-        return []
-    expected = f"minReaderVersion {QUANTISED_VERSION} at least"
-    return [Issue.of(Code.VERSION_TOO_OLD, where, f"{oldest}, with quantised geometry", expected)]
 
 
 def _outside(geometry: Geometry, bounds: Bounds, where: str) -> list[Issue]:

@@ -11,19 +11,15 @@ from pathlib import Path
 
 from rna_sdk.atomic_file import atomic_file
 from rna_sdk.errors import PackageError
+from rna_sdk.package.container.strict_json import pointer
 from rna_sdk.package.container.zip_container import MANIFEST_NAME
 from rna_sdk.package.container.zip_writer import write_container
 from rna_sdk.package.decoder.decoder_form import TRANSPORT
-from rna_sdk.package.geometry.geometry_files import QUANTISED_VERSION, Geometry, geometry_to_bytes
+from rna_sdk.package.geometry.geometry_files import Geometry, geometry_to_bytes
 from rna_sdk.package.issues import Code, refuse
 from rna_sdk.package.manifest.manifest_model import EntryRecord, Manifest
-from rna_sdk.package.manifest.manifest_short import Places
 from rna_sdk.package.manifest.manifest_tiers import Tier, TierPart
-from rna_sdk.package.manifest.manifest_writer import (
-    is_written_short,
-    manifest_to_json,
-    with_versions,
-)
+from rna_sdk.package.manifest.manifest_writer import manifest_to_json
 from rna_sdk.package.manifest.tier_ranges import ordered
 from rna_sdk.package.textures.normal_maps import NORMALS
 from rna_sdk.package.textures.planes import DTYPES, Planes, planes_to_bytes
@@ -56,13 +52,13 @@ def write_package(
 ) -> Manifest:
     """Write a package to `path`, atomically.
 
-    The file is written under a temporary name beside `path`, validated, and renamed. It has format
-    1.0 if the manifest needs nothing newer. Entries that the manifest names twice are stored once.
+    The file is written under a temporary name beside `path`, validated, and renamed. Entries that
+    the manifest names twice are stored once.
 
     Args:
         path: the `.rna` file to create or replace.
-        manifest: the manifest; its `entries` are computed here, and its versions raised to the
-            ones it needs. Posters and proxies are not supported; `rna-export` adds them.
+        manifest: the manifest; its `entries` are computed here. Posters and proxies are not
+            supported; `rna-export` adds them.
         geometries: one per part: a Mesh for a surface, Curves for fibers.
         data: for each tier, by name, the data of each part.
         textures: (H, W, C) uint8 of all transmittance textures and normal maps, by entry name.
@@ -84,8 +80,6 @@ def write_package(
         >>> written.tiers[0].name
         'small'
     """
-    quantised = any(geometry.quantised is not None for geometry in geometries)
-    manifest = with_versions(manifest, QUANTISED_VERSION if quantised else "1.0")
     contents = _Contents(manifest)
     contents.add_parts(geometries, textures or {})
     contents.add_tiers(data)
@@ -126,7 +120,6 @@ class _Contents:
 
     def __init__(self, manifest: Manifest) -> None:
         self._manifest = manifest
-        self._places = Places(is_written_short(manifest))
         self.entries: dict[str, bytes] = {}
 
     def add_parts(self, geometries: Sequence[Geometry], textures: Mapping[str, Texture]) -> None:
@@ -136,14 +129,14 @@ class _Contents:
             found, expected = f"{len(geometries)} geometries", f"{len(parts)}, one a part"
             refuse(Code.PARTS_DIFFER, "/parts", found, expected)
         for k, (part, geometry) in enumerate(zip(parts, geometries, strict=True)):
-            where = self._places.part(k, "geometry")
+            where = pointer("parts", k, "geometry")
             self._add(where, part.geometry, geometry_to_bytes(geometry, part.kind, where))
             for name, records, form in (
                 ("transmittance", part.transmittance, TRANSMITTANCE),
                 ("normalMaps", part.normal_maps, NORMALS),
             ):
                 for j, entry in enumerate(record.texture for record in records):
-                    where = self._places.part(k, name, j, "texture")
+                    where = pointer("parts", k, name, j, "texture")
                     if entry not in textures:
                         refuse(Code.REFERENCE_MISSING, where, "no such texture", entry)
                     self._add(where, entry, form.to_bytes(textures[entry], entry))
@@ -166,7 +159,7 @@ class _Contents:
             self._add_tier_part(i, k, part, own)
 
     def _add_tier_part(self, i: int, k: int, part: TierPart, data: TierData) -> None:
-        where = self._places.tier_part(i, k)
+        where = pointer("tiers", i, "parts", k)
         if data.planes.dtype.name not in DTYPES:
             dtype, expected = data.planes.dtype, part.plane_precision
             refuse(Code.PLANES_DTYPE, f"{where}/planePrecision", dtype, expected)

@@ -1,4 +1,4 @@
-"""Decoder inputs in plain numpy: the twin of `runtime/query_kernel.py`, for tests and for readers.
+"""Decoder inputs in plain numpy: the twin of `kernels/query_kernel.py`, for tests and for readers.
 
 The formulas of `spec/RNA.md`, "Input blocks", written as they are; in float64, rounded to
 float32 at the end.
@@ -11,8 +11,9 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.runtime.kernels.fiber_blocks import ETA
-from rna_sdk.runtime.kernels.surface_blocks import BEND
+# spec/RNA.md, "Input blocks": index of refraction of fibers, and how far features bend a normal.
+ETA = 1.55
+BEND = 0.1
 
 Float = NDArray[np.float64]
 Blocks = dict[str, Callable[[], Float]]

@@ -19,6 +19,7 @@ from rna_sdk.package import (
     Package,
     Tier,
     Transmittance,
+    decoder_from_bytes,
 )
 from rna_sdk.package.decoder.decoder_form import COLUMNS, TRANSPORT, form_named
 from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS, Rows
@@ -165,7 +166,10 @@ class AssetPart(Asset):
         self._evaluators = {
             one.form.name: TileEvaluator(
                 filler.laying_out(one.inputs),
-                Decoder(package.decoder(tier.name, part, one.form.name), filler.largest_query),
+                Decoder(
+                    decoder_from_bytes(package.decoder(tier.name, part, one.form.name), one.entry),
+                    filler.largest_query,
+                ),
                 threads,
             )
             for one in own.decoders

@@ -21,7 +21,7 @@ def load(
     max_error: float | None = None,
     pixels: float | None = None,
 ) -> SurfaceAsset | FiberAsset | CompositeAsset:
-    """Open the package at `path` for evaluation. Its planes are memory-mapped from the file.
+    """Open the package at `path` for evaluation. The file may be replaced afterwards.
 
     A package of one part is returned as a SurfaceAsset or FiberAsset, one of several parts as a
     CompositeAsset with such `parts`.

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from rna_sdk.arrays import scalars, vectors
 from rna_sdk.errors import QueryError
-from rna_sdk.package import Curves, EnvironmentLobes, Mesh, query_width
+from rna_sdk.package import Curves, EnvironmentLobes, Mesh, decoder_from_bytes, query_width
 from rna_sdk.package.decoder.query_arrays import Rows, in_order
 from rna_sdk.package.manifest.manifest_model import Part
 
@@ -83,5 +83,6 @@ class PartLobes:
 
         lobes = self._lobes
         filler = QueryFiller(lobes.planes, self._part.bounds, lobes.record, self._part.kind)
-        decoder = Decoder(lobes.decoder, filler.largest_query)
+        chain = decoder_from_bytes(lobes.decoder, lobes.record.decoder)
+        decoder = Decoder(chain, filler.largest_query)
         return TileEvaluator(filler, decoder, self._threads)

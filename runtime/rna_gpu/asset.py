@@ -14,7 +14,7 @@ from rna_gpu.evaluator import Evaluator, GpuRows
 from rna_gpu.part_buffers import part_uniform, upload_planes, upload_weights
 from rna_gpu.records.part import ROW
 from rna_sdk.errors import QueryError
-from rna_sdk.package import Package, Tier, read_profile_decoder
+from rna_sdk.package import Package, Tier, decoder_from_bytes
 from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS
 
 Rows = NDArray[np.float32]
@@ -34,7 +34,7 @@ class GpuPart:
     """
 
     def __init__(self, device: Device, package: Package, tier: Tier, part: int, name: str) -> None:
-        """Raises QueryError: a decoder outside the profile; GpuError: it does not fit."""
+        """Raises GpuError: a decoder does not fit."""
         record, own = package.manifest.parts[part], tier.parts[part]
         self.name, self.kind, self.tier_part, self.device = name, record.kind, own, device
         stored = package.planes(tier.name, part)
@@ -133,7 +133,7 @@ class GpuAsset:
 
 
 def _packed(model: memoryview, inputs: tuple[str, ...], channels: int, name: str) -> PackedDecoder:
-    return pack_decoder(read_profile_decoder(model, name), inputs, channels, name)
+    return pack_decoder(decoder_from_bytes(model, name), inputs, channels, name)
 
 
 def _rows(arrays: Mapping[str, Rows], kind: str) -> NDArray[Any]:

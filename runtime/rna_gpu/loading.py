@@ -33,7 +33,7 @@ def load(
 
     Raises:
         PackageError: the file cannot be read or violates the format.
-        QueryError: no such tier, or a decoder outside the decoder profile.
+        QueryError: no such tier.
         GpuError: no GPU, or the asset does not fit on it.
 
     Example:

@@ -9,7 +9,7 @@ from rna_mitsuba.blocks import fiber_columns, surface_columns
 from rna_mitsuba.network import Network
 from rna_mitsuba.planes import Triplane
 from rna_mitsuba.vectors import is_zero, unit
-from rna_sdk.package import Package, read_profile_decoder
+from rna_sdk.package import Package, decoder_from_bytes
 
 
 class PartEvaluator:
@@ -21,7 +21,7 @@ class PartEvaluator:
     """
 
     def __init__(self, package: Package, tier: str, part: int) -> None:
-        """Raises QueryError: a decoder is outside the decoder profile, or there is no such tier."""
+        """Raises QueryError: there is no such tier."""
         record, own = package.manifest.parts[part], package.tier(tier).parts[part]
         name = f"{record.name} in tier {tier}"
         self.is_fiber = record.kind == "fiber"
@@ -29,7 +29,7 @@ class PartEvaluator:
         self._decoders = {}
         for one in own.decoders:
             called = f"{one.form.name} of {name}"
-            model = read_profile_decoder(package.decoder(tier, part, one.form.name), called)
+            model = decoder_from_bytes(package.decoder(tier, part, one.form.name), called)
             self._decoders[one.form.name] = one.inputs, Network(model), len(one.form.results)
         self.emits = "emission" in self._decoders
 

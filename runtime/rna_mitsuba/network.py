@@ -1,4 +1,4 @@
-"""Decoders of the profile (spec/RNA.md, 6.4) in Dr.Jit, by drjit.nn's matrix-vector products."""
+"""Decoders (spec/RNA.md, 6.2) in Dr.Jit, by drjit.nn's matrix-vector products."""
 
 from __future__ import annotations
 

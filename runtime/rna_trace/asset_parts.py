@@ -1,126 +1,22 @@
-"""What the renderer needs of an asset and of its parts; rna_sdk.runtime's classes have it."""
+"""What rays need of an asset and of its parts, at rest and in motion."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Literal, Protocol
 
 import numpy as np
 
+from rna_sdk import package
 from rna_sdk.package import Curves, Mesh
-from rna_sdk.runtime import DeformedCurves, DeformedMesh
-from rna_trace.normal_maps import NormalMaps, TextureRecord, texture_numbers
+from rna_sdk.runtime import Asset, DeformedCurves, DeformedMesh, FiberAsset, SurfaceAsset
+from rna_trace.normal_maps import NormalMaps, texture_numbers
 from rna_trace.transmittance import Transmittance, TransmittanceTexture
 
 Shape = DeformedMesh | DeformedCurves
 """The geometry of a part in motion: what its `deformed` gives."""
 
 
-class TransmittanceRecord(TextureRecord, Protocol):
-    """Holes or thin glass; spec/RNA.md, 4.4. texture: (h, w, 1) or (h, w, 3) uint8."""
-
-    @property
-    def cutoff(self) -> float | None: ...
-
-    @property
-    def ior(self) -> tuple[float, float] | None: ...
-
-
-class LobedPart(Protocol):
-    """What any part knows of its lobes; its `lobes` is asked as its `evaluate` is."""
-
-    @property
-    def environment_form(self) -> object | None: ...
-
-    def mirror(self, axes: np.ndarray, wo: np.ndarray) -> np.ndarray: ...
-
-    def visibility_at(self, primitives: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray: ...
-
-
-class SurfacePart(LobedPart, Protocol):
-    """A part with a mesh: rna_sdk.runtime.SurfaceAsset."""
-
-    @property
-    def kind(self) -> Literal["surface"]: ...
-
-    @property
-    def mesh(self) -> Mesh: ...
-
-    @property
-    def emits(self) -> bool: ...
-
-    @property
-    def transmittance_records(self) -> Sequence[TransmittanceRecord]: ...
-
-    @property
-    def normal_maps(self) -> Sequence[TextureRecord]: ...
-
-    def evaluate(
-        self, positions: np.ndarray, normals: np.ndarray, wo: np.ndarray, wi: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray]: ...
-
-    def emission(
-        self, positions: np.ndarray, normals: np.ndarray, wo: np.ndarray
-    ) -> np.ndarray: ...
-
-    def lobes(
-        self,
-        positions: np.ndarray,
-        normals: np.ndarray,
-        wo: np.ndarray,
-        free: np.ndarray,
-        visibility: np.ndarray,
-    ) -> tuple[np.ndarray, np.ndarray]: ...
-
-    def deformed(self, positions: np.ndarray) -> DeformedMesh: ...
-
-
-class FiberPart(LobedPart, Protocol):
-    """A part of strands: rna_sdk.runtime.FiberAsset."""
-
-    @property
-    def kind(self) -> Literal["fiber"]: ...
-
-    @property
-    def curves(self) -> Curves: ...
-
-    @property
-    def emits(self) -> bool: ...
-
-    def evaluate(
-        self,
-        positions: np.ndarray,
-        tangents: np.ndarray,
-        h: np.ndarray,
-        wo: np.ndarray,
-        wi: np.ndarray,
-    ) -> tuple[np.ndarray, np.ndarray]: ...
-
-    def emission(
-        self, positions: np.ndarray, tangents: np.ndarray, h: np.ndarray, wo: np.ndarray
-    ) -> np.ndarray: ...
-
-    def lobes(
-        self,
-        positions: np.ndarray,
-        tangents: np.ndarray,
-        h: np.ndarray,
-        wo: np.ndarray,
-        free: np.ndarray,
-        visibility: np.ndarray,
-    ) -> tuple[np.ndarray, np.ndarray]: ...
-
-    def deformed(self, points: np.ndarray) -> DeformedCurves: ...
-
-
-AssetPart = SurfacePart | FiberPart
-
-
-class Asset(Protocol):
-    """One part or several that light each other."""
-
-    @property
-    def parts(self) -> Sequence[AssetPart]: ...
+AssetPart = SurfaceAsset | FiberAsset
 
 
 def part_geometry(part: AssetPart, shape: Shape | None = None) -> Mesh | Curves:
@@ -130,7 +26,7 @@ def part_geometry(part: AssetPart, shape: Shape | None = None) -> Mesh | Curves:
     return part_mesh(part, shape)
 
 
-def part_mesh(part: SurfacePart, shape: Shape | None = None) -> Mesh:
+def part_mesh(part: SurfaceAsset, shape: Shape | None = None) -> Mesh:
     """The mesh of a part that has one. shape: as for `part_geometry`."""
     return shape.mesh if isinstance(shape, DeformedMesh) else part.mesh
 
@@ -157,7 +53,9 @@ def part_normal_maps(part: AssetPart) -> NormalMaps | None:
     return NormalMaps(part.mesh, part.normal_maps)
 
 
-def mesh_transmittance(mesh: Mesh, records: Sequence[TransmittanceRecord]) -> Transmittance | None:
+def mesh_transmittance(
+    mesh: Mesh, records: Sequence[package.Transmittance]
+) -> Transmittance | None:
     """Transmittance of a mesh with the given records; None if there are none."""
     if not records:
         return None

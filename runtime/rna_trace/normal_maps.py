@@ -7,31 +7,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from copy import copy
-from typing import Protocol
 
 import numpy as np
 from numba import prange
 
 from rna_sdk.compiled import compiled
-from rna_sdk.package import Mesh
+from rna_sdk.package import Mesh, NormalMap, Transmittance
 from rna_trace.bilinear import REPEAT, texels_around
 from rna_trace.vectors import Vector, cross, dot, minus, plus, unit, vector_at
 
 
-class TextureRecord(Protocol):
-    """The texture of `count` triangles from `first` on; of a normal map (h, w, 2) uint8."""
-
-    @property
-    def first(self) -> int: ...
-
-    @property
-    def count(self) -> int: ...
-
-    @property
-    def texture(self) -> np.ndarray: ...
-
-
-def texture_numbers(mesh: Mesh, records: Sequence[TextureRecord]) -> np.ndarray:
+def texture_numbers(mesh: Mesh, records: Sequence[NormalMap | Transmittance]) -> np.ndarray:
     """(t,) int32, the place of each triangle's record; -1 for none."""
     number = np.full(len(mesh.triangles), -1, np.int32)
     for k, record in enumerate(records):
@@ -42,7 +28,7 @@ def texture_numbers(mesh: Mesh, records: Sequence[TextureRecord]) -> np.ndarray:
 class NormalMaps:
     """The normal maps of a mesh with texture coordinates, ready to be looked up; one at least."""
 
-    def __init__(self, mesh: Mesh, maps: Sequence[TextureRecord]) -> None:
+    def __init__(self, mesh: Mesh, maps: Sequence[NormalMap]) -> None:
         assert mesh.uvs is not None  # the format asks for them
         self._mesh = mesh.positions, mesh.uvs, mesh.triangles
         self._number = texture_numbers(mesh, maps)

@@ -3,49 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
+from rna_sdk.arrays import vectors
 from rna_sdk.package import Curves, Mesh
 from rna_trace.embree.filters import own_strand_filter, strand_transmittance_filter
 from rna_trace.embree.scenes import add_curves, add_mesh
 from rna_trace.embree.tracing import (
     NO_OWN,
     NOTHING,
+    ClosestHits,
     GeometryScene,
     Passing,
     any_hits,
-    closest_hits,
     transmitted,
 )
 from rna_trace.fiber import FiberPoints
-from rna_trace.rays import check_numbers, per_ray, vectors
-from rna_trace.surface import NormalMaps, SurfacePoints, leaving_origins
+from rna_trace.normal_maps import NormalMaps
+from rna_trace.rays import check_numbers, per_ray
+from rna_trace.surface import SurfacePoints, leaving_origins
 from rna_trace.transmittance import Transmittance, geometry_table
 
 PartPoints = SurfacePoints | FiberPoints
-
-
-@dataclass(frozen=True, slots=True)
-class PartHits:
-    """The closest hit of each ray, (n,) each; misses with -1, infinity or 0.
-
-    t: float32, distance in units of the direction's length.
-    part: int32, place of the part in the asset.
-    primitive: int32, number of the triangle, or of the segment in `Curves.segments()`.
-    u, v: float32, barycentrics: the point is (1 - u - v) p0 + u p1 + v p2. On a segment u is in
-        [0, 1] from its first point to its second, and v means nothing.
-    normals: (n, 3) float32, unit: of the triangle, counter-clockwise side; of the round cone or
-        joint, outward.
-    """
-
-    t: np.ndarray
-    part: np.ndarray
-    primitive: np.ndarray
-    u: np.ndarray
-    v: np.ndarray
-    normals: np.ndarray
 
 
 class PartsScene(GeometryScene):
@@ -90,18 +70,6 @@ class PartsScene(GeometryScene):
             self.extent = max(self.extent, extent)
         self._scene.commit()
 
-    def intersect(
-        self,
-        origins: np.ndarray,
-        directions: np.ndarray,
-        tnear: np.ndarray | float = 0.0,
-        tfar: np.ndarray | float = np.inf,
-    ) -> PartHits:
-        """The closest hit of each ray within [tnear, tfar]; arguments as for `occluded`."""
-        found = closest_hits(self._scene, origins, directions, tnear, tfar)
-        at = found.geometry, found.primitive, found.u, found.v
-        return PartHits(found.t, *at, found.ng)
-
     def points(
         self,
         part: int,
@@ -110,7 +78,7 @@ class PartsScene(GeometryScene):
         v: np.ndarray,
         normals: np.ndarray,
     ) -> PartPoints:
-        """The points of hits on one part; arrays are rows of PartHits.
+        """The points of hits on one part; arrays are rows of ClosestHits.
 
         Raises QueryError for a primitive that is not there, or arrays of different length.
         """
@@ -120,12 +88,14 @@ class PartsScene(GeometryScene):
         assert isinstance(geometry, Mesh)
         return SurfacePoints.of(geometry, primitive, u, v, self._normal_maps[part])
 
-    def hit_transmittance(self, hits: PartHits, directions: np.ndarray) -> np.ndarray:
+    def hit_transmittance(self, hits: ClosestHits, directions: np.ndarray) -> np.ndarray:
         """Transmittance of each hit along rays (n, 3) float32: (n, 3) float32; 1 for misses."""
-        result = np.where((hits.part < 0)[:, None], np.float32(1.0), np.zeros((1, 3), np.float32))
-        facing = np.sum(directions * hits.normals, axis=1) < 0.0
+        result = np.where(
+            (hits.geometry < 0)[:, None], np.float32(1.0), np.zeros((1, 3), np.float32)
+        )
+        facing = np.sum(directions * hits.ng, axis=1) < 0.0
         for part, table in enumerate(self._transmittance):
-            row = np.flatnonzero(hits.part == part)
+            row = np.flatnonzero(hits.geometry == part)
             if table is not None and len(row):
                 at = (a[row] for a in (hits.primitive, hits.u, hits.v, directions, facing))
                 result[row] = table.at(*at)

@@ -45,26 +45,18 @@ class Points(ABC):
         """
 
     @abstractmethod
-    def sample(self, row: np.ndarray, u: np.ndarray) -> np.ndarray:
-        """Directions wi, about as often as light from there matters: (k, 3) float32, unit.
-
-        row: (k,) which points. u: (k, 3) float64 in [0, 1).
-        """
-
-    @abstractmethod
-    def pdf(self, row: np.ndarray, wi: np.ndarray) -> np.ndarray:
-        """Density of `sample` in wi, per steradian: (k,) float32."""
-
     def transport_and_pdf(
         self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Results of `transport` and `pdf`, for bodies that have both at the price of one."""
-        return *self.transport(row, wi, distance), self.pdf(row, wi)
+        """Results of `transport`, and the density of `sample_and_pdf` in wi."""
 
+    @abstractmethod
     def sample_and_pdf(self, row: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Result of `sample`, and its density."""
-        wi = self.sample(row, u)
-        return wi, self.pdf(row, wi)
+        """Directions wi, about as often as light from there matters, and their density.
+
+        row: (k,) which points. u: (k, 3) float64 in [0, 1). Returns (k, 3) float32, unit, and (k,)
+        float32, per steradian.
+        """
 
 
 class Role(Enum):

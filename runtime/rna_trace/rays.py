@@ -4,10 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from rna_sdk.arrays import vectors
 from rna_sdk.errors import QueryError
-
-__all__ = ["check_numbers", "per_ray", "vectors"]
 
 
 def check_numbers(what: str, numbers: np.ndarray, count: int) -> None:

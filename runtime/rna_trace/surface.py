@@ -12,9 +12,11 @@ from typing import Protocol
 import numpy as np
 from numba import prange
 
+from rna_sdk.arrays import vectors
 from rna_sdk.compiled import compiled
 from rna_sdk.errors import QueryError
-from rna_trace.rays import check_numbers, vectors
+from rna_trace.normal_maps import NormalMaps
+from rna_trace.rays import check_numbers
 from rna_trace.vectors import Vector, cross, dot, unit, vector_at
 
 # An origin moves off the surface by this part of the largest coordinate in its space: some thirty
@@ -37,14 +39,6 @@ class Mesh(Protocol):
 
     @property
     def triangles(self) -> np.ndarray: ...
-
-
-class NormalMaps(Protocol):
-    """Normal maps of a mesh: rna_trace.normal_maps.NormalMaps."""
-
-    def at(
-        self, n: np.ndarray, triangle: np.ndarray, u: np.ndarray, v: np.ndarray
-    ) -> np.ndarray: ...
 
 
 def interpolate_positions(

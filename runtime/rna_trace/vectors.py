@@ -80,3 +80,14 @@ def tangents_of(n: Vector) -> tuple[Vector, Vector]:
     c = -1.0 / (sign + z)
     d = x * y * c
     return (1.0 + sign * x * x * c, sign * d, -sign * x), (d, sign + y * y * c, -y)
+
+
+@compiled(inline=True, fastmath=())
+def along(axis: Vector, a: float, b: float, c: float) -> Vector:
+    """a, b along the unit vectors across the unit `axis`, and c along it."""
+    s, t = tangents_of(axis)
+    return (
+        a * s[0] + b * t[0] + c * axis[0],
+        a * s[1] + b * t[1] + c * axis[1],
+        a * s[2] + b * t[2] + c * axis[2],
+    )

@@ -11,8 +11,8 @@ from http import HTTPStatus
 from pathlib import Path
 from urllib.parse import unquote
 
+from rna_render.local_server import LOOPBACK, LocalHandler, LocalServer
 from rna_sdk.errors import ViewError
-from rna_sdk.local_server import LOOPBACK, LocalHandler, LocalServer
 from rna_view.site_files import VIEWER_FILES, Site, viewer_file
 
 TYPES = {
@@ -34,12 +34,12 @@ _PIECE = 1 << 20
 
 
 class PageServer(LocalServer):
-    """Listens from the start, answers while `serve_forever` runs.
+    """Listens on this machine from the start, answers while `serve_forever` runs.
 
     port: 0 for any that is free. Raises ViewError if the address cannot be used.
     """
 
-    def __init__(self, site: Site, host: str = LOOPBACK, port: int = 0) -> None:
+    def __init__(self, site: Site, port: int = 0) -> None:
         # The viewer's own files last: none of the site's takes their place.
         self.contents: dict[str, Path | bytes] = {
             **site.contents,
@@ -47,9 +47,9 @@ class PageServer(LocalServer):
             "index.html": site.index(),
         }
         try:
-            super().__init__(host, port, _Handler)
+            super().__init__(LOOPBACK, port, _Handler)
         except OSError as error:
-            raise ViewError(f"cannot listen on {host}:{port}: {error.strerror}") from error
+            raise ViewError(f"cannot listen on port {port}: {error.strerror}") from error
 
 
 class _Handler(LocalHandler):

@@ -11,8 +11,9 @@ from pathlib import Path
 
 from rna_sdk.console import command_parser, run_command
 from rna_view.page_server import PageServer
-from rna_view.site_export import ELEMENT_LINE, EMBED, SERVE_NOTE, export_site
-from rna_view.site_files import Site, site_for
+from rna_view.site_export import ELEMENT_LINE, EMBED, LIGHT, SERVE_NOTE, export_site
+from rna_view.site_files import Site
+from rna_view.site_source import site_for
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -22,7 +23,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _run(options: argparse.Namespace) -> None:
-    site = site_for(options.source, options.tier, options.env)
+    site = site_for(options.source, options.env)
     for note in site.notes:
         print(f"note: {note}", file=sys.stderr)
     if options.export is not None:
@@ -30,19 +31,18 @@ def _run(options: argparse.Namespace) -> None:
         size = sum(path.stat().st_size for path in written) / 1e6
         print(f"wrote {options.export}: {len(written)} files, {size:.2f} MB; {SERVE_NOTE}")
         print(f"try it: python3 -m http.server --bind 127.0.0.1 --directory {options.export}")
-        address = "https://example.org/site/"
-        print(f"embed it: {EMBED.format(address=address, title=escape(options.source.stem))}")
-        attributes = site.written_attributes(address)
-        print(f"or as an element: {ELEMENT_LINE.format(address=address, attributes=attributes)}")
+        names = {"address": "https://example.org/site/", "title": escape(options.source.stem)}
+        attributes = site.written_attributes(names["address"])
+        attributes += "" if "scene" in site.attributes else LIGHT
+        print(f"embed it: {EMBED.format(**names)}")
+        print(f"or as an element: {ELEMENT_LINE.format(**names, attributes=attributes)}")
         return
     _serve(site, options)
 
 
 def _serve(site: Site, options: argparse.Namespace) -> None:
-    with PageServer(site, options.host, options.port) as server:
+    with PageServer(site, options.port) as server:
         print(f"{options.source} at {server.url}\nCtrl-C ends it", flush=True)
-        if not server.is_local:
-            print("other machines use WebGL2: browsers disable WebGPU over plain HTTP", flush=True)
         if not options.no_browser:
             webbrowser.open(server.url)
         try:
@@ -56,7 +56,6 @@ def _parser() -> argparse.ArgumentParser:
         "rna-view", "View an .rna package or a scene file in the browser.", "rna-view asset.rna"
     )
     parser.add_argument("source", type=Path, metavar="FILE", help="package or scene file (path)")
-    parser.add_argument("--tier", help="initial tier (name, default: the package's first)")
     parser.add_argument(
         "--env", type=Path, help="environment map, .hdr or .exr (path, default: built in)"
     )
@@ -65,9 +64,6 @@ def _parser() -> argparse.ArgumentParser:
         type=Path,
         metavar="FOLDER",
         help="write a static site to this folder instead of serving it (path, default: serve)",
-    )
-    parser.add_argument(
-        "--host", default="127.0.0.1", help="address to listen on (text, default: 127.0.0.1)"
     )
     parser.add_argument("--port", type=int, default=0, help="port (int, default: a free port)")
     parser.add_argument(

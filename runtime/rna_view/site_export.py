@@ -21,9 +21,11 @@ EMBED = (
 """A line for another page, at any width."""
 ELEMENT_LINE = (
     '<script defer src="{address}rna-viewer.js"></script>'
-    "<rna-viewer{attributes} camera-controls></rna-viewer>"
+    '<rna-viewer{attributes} alt="{title}" camera-controls></rna-viewer>'
 )
 """The same without a frame: the page's own element."""
+LIGHT = ' sun="40deg 45deg 2" ground'
+"""Attributes that the page's element has where there is no scene file."""
 MARKER = "rna-view.json"
 """Says that a folder is an export of this command, and which of its files are the site's own."""
 

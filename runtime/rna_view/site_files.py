@@ -11,7 +11,6 @@ from importlib.resources import files
 from pathlib import Path
 
 from rna_sdk.errors import ViewError
-from rna_sdk.file_kinds import kind_of, not_a
 from rna_sdk.package import Package
 
 ELEMENT = "rna-viewer.js"
@@ -91,32 +90,3 @@ class Site:
 def viewer_file(name: str) -> bytes:
     """A file of the viewer."""
     return (files("rna_view") / "site" / name).read_bytes()
-
-
-def site_for(source: Path, tier: str | None = None, environment: Path | None = None) -> Site:
-    """The page for a package or a scene file.
-
-    Raises:
-        ViewError: a file that is not there, or of another kind.
-        RnaError: of a scene file or a package, what is wrong with it.
-    """
-    if not source.is_file():
-        raise ViewError(f"{source}: no such file")
-    kind = kind_of(source)
-    if kind == "scene":
-        from rna_view.scene_page import scene_site  # which needs the renderer
-
-        site = scene_site(source)
-    elif kind == "package":
-        site = Site()
-        site.attributes["src"] = site.add_package(source)
-    else:
-        wrong = not_a("package", source) or "expected a .rna package or a .yaml scene file"
-        raise ViewError(f"{source}: {wrong}")
-    if tier is not None:
-        site.attributes["tier"] = tier
-    if environment is not None:
-        if not environment.is_file():
-            raise ViewError(f"{environment}: no such file")
-        site.attributes["environment"] = site.add_image(environment)
-    return site

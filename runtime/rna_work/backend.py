@@ -1,11 +1,33 @@
-"""What a pool asks of threads, processes and Ray: slots, each of which holds one worker."""
+"""What a worker needs, and what a pool asks of threads, processes and Ray: slots, each of which
+holds one worker.
+"""
 
 from __future__ import annotations
 
 from concurrent.futures import Future
-from typing import Any, Protocol
+from dataclasses import dataclass
+from typing import Any, Literal, Protocol
 
 from rna_work.workers import MakeWorker
+
+
+@dataclass(frozen=True)
+class Needs:
+    """Resources of a worker.
+
+    local: what holds it there, where there is no cluster.
+    """
+
+    local: Literal["threads", "processes"]
+    cpus: float = 1.0
+    gpus: float = 0.0
+    memory: int = 0  # bytes
+    resource: str | None = None  # of a cluster: only nodes that have it, if any node does
+
+    def __str__(self) -> str:
+        gpus = f", {self.gpus:g} GPU" if self.gpus else ""
+        memory = f", {self.memory / 1e9:.1f} GB" if self.memory else ""
+        return f"{self.cpus:g} CPU{gpus}{memory}"
 
 
 class Slot(Protocol):

@@ -7,36 +7,17 @@ from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Literal, Protocol, TypeVar
+from typing import Protocol, TypeVar
 from uuid import uuid4
 
 from rna_sdk.cores import core_count
 from rna_sdk.errors import WorkError
-from rna_work.backend import Backend
+from rna_work.backend import Backend, Needs
 from rna_work.processes import Processes
 from rna_work.sources import Carried, InPlace
-from rna_work.threads import HERE, Caller, Threads
+from rna_work.threads import HERE, Threads
 
 Answer = TypeVar("Answer")
-
-
-@dataclass(frozen=True)
-class Needs:
-    """Resources of a worker.
-
-    local: what holds it there, where there is no cluster.
-    """
-
-    local: Literal["threads", "processes"]
-    cpus: float = 1.0
-    gpus: float = 0.0
-    memory: int = 0  # bytes
-    resource: str | None = None  # of a cluster: only nodes that have it, if any node does
-
-    def __str__(self) -> str:
-        gpus = f", {self.gpus:g} GPU" if self.gpus else ""
-        memory = f", {self.memory / 1e9:.1f} GB" if self.memory else ""
-        return f"{self.cpus:g} CPU{gpus}{memory}"
 
 
 class Executor(Protocol):
@@ -54,17 +35,11 @@ class Executor(Protocol):
     def gpus(self) -> float:
         """Number of GPUs."""
 
-    def whole_machines(
-        self,
-        threads: int | None,
-        local: Literal["threads", "caller"] = "threads",
-        needs_gpu: bool = False,
-    ) -> tuple[Backend, int]:
+    def whole_machines(self, threads: int | None, needs_gpu: bool = False) -> tuple[Backend, int]:
         """Slots for workers with the given threads (None: all of a machine), and their number.
 
-        local: what holds the only one on this machine, without a cluster: a thread of its own, or
-        the one that takes the outcomes. needs_gpu: machines of a cluster with a GPU alone;
-        raises WorkError where it knows of none.
+        On this machine, without a cluster, there is one. needs_gpu: machines of a cluster with a
+        GPU alone; raises WorkError where it knows of none.
         """
 
     def carry(self, path: Path, others: Sequence[Path] = (), fixed: Sequence[Path] = ()) -> Carried:
@@ -99,14 +74,8 @@ class ThisMachine:
 
         return torch.cuda.device_count()
 
-    def whole_machines(
-        self,
-        threads: int | None,
-        local: Literal["threads", "caller"] = "threads",
-        needs_gpu: bool = False,
-    ) -> tuple[Backend, int]:
-        backend = Threads(1) if local == "threads" else Caller()
-        return backend, min(threads or self.cores, self.cores)
+    def whole_machines(self, threads: int | None, needs_gpu: bool = False) -> tuple[Backend, int]:
+        return Threads(1), min(threads or self.cores, self.cores)
 
     def carry(self, path: Path, others: Sequence[Path] = (), fixed: Sequence[Path] = ()) -> Carried:
         return InPlace(path)

@@ -1,4 +1,4 @@
-"""Workers in threads of this process, or in the thread that asks."""
+"""Workers in threads of this process."""
 
 from __future__ import annotations
 
@@ -79,40 +79,3 @@ class ThreadSlot:
             future.set_result(worker.run(item))
         except BaseException as error:
             future.set_exception(error)
-
-
-@dataclass(frozen=True)
-class Caller:
-    """One worker in the thread that takes the outcomes, which waits for each item."""
-
-    losses = 1
-
-    def width(self) -> int:
-        return 1
-
-    def slot(self, make: MakeWorker, name: str) -> CallerSlot:
-        return CallerSlot(make, name)
-
-
-class CallerSlot:
-    """A worker that runs an item when it is given."""
-
-    def __init__(self, make: MakeWorker, name: str) -> None:
-        self.name = name
-        self._worker = make(name).__enter__()
-        self.ready: Future[str] = Future()
-        self.ready.set_result(HERE)
-
-    def give(self, item: Any) -> Future[Any]:
-        future: Future[Any] = Future()
-        try:
-            future.set_result(self._worker.run(item))
-        except Exception as error:
-            future.set_exception(error)
-        return future
-
-    def processor_seconds(self) -> None:
-        """Not known: nobody asks while an item runs."""
-
-    def close(self, kill: bool) -> None:
-        self._worker.__exit__(None, None, None)

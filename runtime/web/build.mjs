@@ -35,7 +35,7 @@ for (const [name, { own, more }] of Object.entries(PAGES)) {
     format: "iife",
     target: "es2022",
     legalComments: "eof",
-    loader: { ".glsl": "text", ".wgsl": "text" },
+    loader: { ".wgsl": "text" },
     plugins: [plugin],
     logLevel: "warning",
   });

@@ -15,14 +15,7 @@ from rna_bench.commands import COMMANDS, Command
 from tests.conftest import REPOSITORY
 
 PACKAGE = REPOSITORY / "benchmarks" / "rna_bench"
-NEEDED = {"gpu": "wgpu", "mitsuba": "mitsuba", "cluster": "ray"}
-PROGRAMS = {
-    "cli.py",
-    "blender_stage.py",
-    "core_worker.py",
-    "evaluate_worker.py",
-    "fuzz_scenes.py",
-}
+PROGRAMS = {"cli.py", "core_worker.py"}
 
 
 def imported(path: Path) -> set[str]:
@@ -37,8 +30,6 @@ def imported(path: Path) -> set[str]:
 
 @pytest.mark.parametrize("command", COMMANDS.values(), ids=COMMANDS)
 def test_help_tells_what_is_measured_and_every_default(command: Command) -> None:
-    if command.extra in NEEDED:
-        pytest.importorskip(NEEDED[command.extra])
     parser = parser_of(command)
     told = parser.format_help()
     assert command.sentence in told and command.sentence.endswith((".", "?"))
@@ -81,7 +72,7 @@ def test_documents_name_commands_that_exist() -> None:
         for page in pages
         for name in re.findall(r"rna-bench ([a-z][a-z0-9-]*)", page.read_text())
     }
-    assert len(named) > 20 and named <= set(COMMANDS)
+    assert len(named) > 8 and named <= set(COMMANDS)
     assert not any("python benchmarks/" in page.read_text() for page in pages)
 
 

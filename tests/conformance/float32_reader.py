@@ -54,9 +54,7 @@ def evaluate(
     with zipfile.ZipFile(package) as archive:
         manifest = json.loads(archive.read("manifest.json"))
         tier = next(tier for tier in manifest["tiers"] if tier["name"] == tier_name)
-        part, own = manifest, tier
-        if "parts" in manifest:
-            part, own = manifest["parts"][number], tier["parts"][number]
+        part, own = manifest["parts"][number], tier["parts"][number]
         asked = own.get(output, own)
         planes = minimal.read_planes(archive.read(own["planes"])).astype(F)
         nodes, constants = minimal.read_decoder(archive.read(asked["decoder"]))

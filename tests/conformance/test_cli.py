@@ -50,19 +50,6 @@ def test_a_validator_to_which_everything_is_valid_fails(
     assert "surface-float32" not in out
 
 
-def test_without_an_engine_the_profile_is_what_counts(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    """A reader to which everything is valid, with that warning."""
-    words = shell_reader(tmp_path)
-    script = Path(words[1])
-    script.write_text(script.read_text().replace("exit 0", "echo DECODER_PROFILE"))
-    assert cli.main(["--json", *words]) == 1
-    scores = {score["package"]: score for score in json.loads(capsys.readouterr().out)}
-    assert scores["decoder_that_mixes_rows"]["passed"]
-    assert not scores["decoder_opset_too_new"]["passed"]
-
-
 def test_an_optional_extension_need_not_be_known(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -16,7 +16,7 @@ SET_FOR_EACH_RENDER = {
     "use_pass_transmission_color",
 }
 
-TAKEN_APART = {  # by source_scene, camera_visibility, material_override, render_only
+TAKEN_APART = {  # by source_scene, camera_visibility, object_materials, render_only
     "Scene": "view_layers",
     "ViewLayer": "material_override aovs layer_collection",
     "LayerCollection": "holdout indirect_only hide_viewport",

@@ -11,8 +11,8 @@ from typing import Any, ClassVar
 
 import pytest
 
+from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
-from rna_export.capture.blender_process.source import Source
 from rna_sdk.errors import CaptureError
 from tests.exporters.scenes import write_scene
 

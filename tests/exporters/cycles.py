@@ -90,7 +90,7 @@ def through(scene: AssetScene, rays: ViewRays) -> np.ndarray:
     for _ in range(16):
         hits = parts.intersect(rays.origins, rays.directions, near)
         left *= parts.hit_transmittance(hits, rays.directions).mean(axis=1)
-        met = hits.part >= 0
+        met = hits.geometry >= 0
         near = np.where(met, np.nextafter(hits.t, np.float32(np.inf)) * np.float32(1 + 1e-6), near)
         near = np.where(met & (left > 0.0), near, np.float32(1e30))
     return left

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -34,9 +35,23 @@ def hurried_packages() -> Iterator[None]:
     """Little tuning of int8 decoders and short timings, where no test looks at their results."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("rna_export.export.int8_tuning._STEPS", 8)
-        patch.setattr("rna_export.trials.cost._SECONDS", 0.005)
-        patch.setattr("rna_export.trials.cost._FEWEST", 1024)
+        patch.setattr("rna_bench.frontier.trials.cost._SECONDS", 0.005)
+        patch.setattr("rna_bench.frontier.trials.cost._FEWEST", 1024)
         yield
+
+
+def manifest_of(settings: CaptureSettings, **others: Any) -> CaptureManifest:
+    """Of a capture of one ball, but for `others`."""
+    ball = {
+        "name": "ball",
+        "source": "ball.py",
+        "source_sha256": "0" * 64,
+        "blender": "none",
+        "generator": "tests",
+        "parts": (BALL_PART,),
+        "opaque_cutouts": False,
+    }
+    return CaptureManifest(settings=settings, **{**ball, **others})
 
 
 def make_dataset(
@@ -52,16 +67,7 @@ def make_dataset(
         domain=domain,
         seed=seed,
     )
-    manifest = CaptureManifest(
-        name="ball",
-        source="ball.py",
-        source_sha256=f"{seed:064x}",
-        settings=settings,
-        blender="none",
-        generator="tests",
-        parts=(BALL_PART,),
-        opaque_cutouts=False,
-    )
+    manifest = manifest_of(settings, source_sha256=f"{seed:064x}")
     dataset = Dataset.create(folder, manifest, {"asset": sphere(3)})
     rng = np.random.default_rng(seed)
     for shard in range(shards):

@@ -13,7 +13,6 @@ import torch.nn.functional as F
 from rna_export.export.rna_export import main as export_main
 from rna_export.export.standin_textures import textures_of
 from rna_export.training.checkpoint import load_checkpoint
-from rna_export.training.loss_curves import Curves
 from rna_export.training.model.analytic import (
     COAT_F0,
     GltfMaterial,
@@ -27,6 +26,7 @@ from rna_export.training.optimization.fitting import Fitting
 from rna_export.training.optimization.losses import sample_loss
 from rna_export.training.optimization.samples import SampleTable
 from rna_export.training.presets import ANALYTIC, PRESETS
+from rna_export.training.report import Curves
 from rna_export.training.rna_train import main as train_main
 from rna_render.materials import Scattering
 from rna_sdk.errors import ExportError

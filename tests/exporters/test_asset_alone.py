@@ -9,10 +9,11 @@ from rna_export.capture.blender_process.capture_worker import scene_of
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.capture_tasks import TrainingShard
 from rna_export.capture.dataset.dataset_folder import Dataset
-from rna_export.capture.dataset.dataset_manifest import CapturedPart, CaptureManifest
+from rna_export.capture.dataset.dataset_manifest import CapturedPart
 from rna_export.capture.geometry.mesh_cleanup import clean_mesh
 from tests.exporters.conftest import OpenWorker
 from tests.exporters.cycles import trace, unit
+from tests.exporters.synthetic import manifest_of
 
 pytestmark = pytest.mark.blender
 BELOW = unit(0, -1, 0)
@@ -102,14 +103,6 @@ def one_light_dataset(folder, worker) -> Dataset:
     low, high = mesh.positions.min(axis=0), mesh.positions.max(axis=0)
     bounds = tuple(low.tolist()), tuple(high.tolist())
     part = CapturedPart(name="asset", kind="surface", bounds=bounds)
-    manifest = CaptureManifest(
-        name="test",
-        source="test.py",
-        source_sha256="0" * 64,
-        settings=CaptureSettings(samples=4, rays=512, lights=1, domain="hemisphere"),
-        blender=worker.opened["blender"],
-        generator="test",
-        parts=(part,),
-        opaque_cutouts=True,
-    )
+    settings = CaptureSettings(samples=4, rays=512, lights=1, domain="hemisphere")
+    manifest = manifest_of(settings, parts=(part,), opaque_cutouts=True)
     return Dataset.create(folder, manifest, {"asset": mesh})

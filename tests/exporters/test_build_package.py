@@ -13,7 +13,7 @@ from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.export.rna_export import main
 from rna_export.metrics import flip, psnr
 from rna_export.training.checkpoint import load_checkpoint
-from rna_export.training.loss_curves import Curves
+from rna_export.training.report import Curves
 from rna_export.training.training_run import Run, train
 from rna_export.training.validation import score, shade
 from rna_sdk.package import Package, validate

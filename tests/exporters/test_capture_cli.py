@@ -12,10 +12,9 @@ import pytest
 from rna_export.capture.blender_process import blender_env
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.dataset.dataset_folder import Dataset
-from rna_export.capture.dataset.dataset_manifest import CaptureManifest
 from rna_export.capture.rna_capture import main
 from rna_sdk.errors import CaptureError
-from tests.exporters.synthetic import BALL_PART
+from tests.exporters.synthetic import manifest_of
 from tests.render.assets import sphere
 
 
@@ -35,15 +34,9 @@ def some_python(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.fixture
 def begun(source: Path, tmp_path: Path) -> Path:
     """A dataset begun from `source` with the default settings."""
-    manifest = CaptureManifest(
-        name="asset",
-        source=source.name,
-        source_sha256=hashlib.sha256(source.read_bytes()).hexdigest(),
-        settings=CaptureSettings(lights=64),
-        blender="4.5",
-        generator="test",
-        parts=(BALL_PART,),
-        opaque_cutouts=False,
+    sha256 = hashlib.sha256(source.read_bytes()).hexdigest()
+    manifest = manifest_of(
+        CaptureSettings(lights=64), name="asset", source=source.name, source_sha256=sha256
     )
     return Dataset.create(tmp_path / "begun.rays", manifest, {"asset": sphere(1)}).folder
 
@@ -133,7 +126,8 @@ def test_help_starts_with_a_sentence_and_a_command() -> None:
     assert "rna-capture helmet.gltf --out helmet.rays/" in text
     surfaces, fibers = (CaptureSettings.usual(kind).model_dump() for kind in ("surface", "fiber"))
     optional = {"front", "up", "exact_geometry", "rest_frame", "poses"}
-    for name in surfaces.keys() - {"lights_per_shard", *optional}:
+    fixed = {"lights_per_shard", "clamp_direct", "clamp_indirect"}
+    for name in surfaces.keys() - fixed - optional:
         same = surfaces[name] == fibers[name]
         told = f"default {surfaces[name]}" + ("" if same else f", for hair {fibers[name]}")
         assert told in text, name

@@ -12,8 +12,8 @@ from typing import Any
 import pytest
 
 from rna_export.capture.blender_process import capture_worker
+from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.capture_worker import CaptureWorker
-from rna_export.capture.blender_process.source import Source
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_sdk.errors import CaptureError
 from rna_work.pool import Pool

@@ -1,4 +1,4 @@
-"""`--minutes` of a capture: what is planned for them, and that they are kept."""
+"""Shards of a capture; `--minutes`: what is planned for them, and that they are kept."""
 
 from __future__ import annotations
 
@@ -12,18 +12,17 @@ import pytest
 
 from rna_export.capture import capture_run as run_module
 from rna_export.capture import time_plan
+from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.capture_worker import CaptureWorker
-from rna_export.capture.blender_process.source import Source
 from rna_export.capture.capture_run import CaptureWorkers, finish
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.capture_tasks import TrainingShard, ValidationHalf
 from rna_export.capture.dataset.dataset_folder import Dataset
-from rna_export.capture.dataset.dataset_manifest import CaptureManifest
 from rna_export.capture.dataset.sample_files import write_parts
 from rna_export.capture.time_plan import TimeLimit, planned, shrunk
 from rna_sdk.errors import CaptureError
 from rna_work import pool
-from tests.exporters.synthetic import BALL_PART
+from tests.exporters.synthetic import manifest_of
 from tests.render.assets import sphere
 
 SURFACE_RATE, FIBER_RATE = 0.15e6, 0.03e6  # paths a second of two slow cores
@@ -102,16 +101,7 @@ def test_too_few_minutes_are_refused(clock: Clock) -> None:
 
 @pytest.fixture
 def dataset(tmp_path: Path) -> Dataset:
-    manifest = CaptureManifest(
-        name="ball",
-        parts=(BALL_PART,),
-        source="ball.py",
-        source_sha256="",
-        settings=CaptureSettings(lights=320, validation_views=1),
-        blender="none",
-        generator="tests",
-        opaque_cutouts=False,
-    )
+    manifest = manifest_of(CaptureSettings(lights=320, validation_views=1))
     return Dataset.create(tmp_path / "ball.rays", manifest, {"asset": sphere(1)})
 
 
@@ -153,3 +143,10 @@ def test_a_slow_capture_ends_in_time(
     assert (said == []) == (shards == 10)
     finish(again, source, workers, TimeLimit(1.0, clock.now), said.append)
     assert again.manifest.shards == shards
+
+
+@pytest.mark.parametrize(("lights", "shard"), [(3520, 32), (1024, 32), (512, 16), (64, 2), (3, 1)])
+def test_there_are_32_shards_where_there_are_lights(lights: int, shard: int) -> None:
+    settings = CaptureSettings.usual("surface", lights=lights)
+    assert settings.shared_out().lights_per_shard == shard
+    assert settings.shared_out().lights == lights

@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import os
 import re
+import struct
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
@@ -11,11 +12,10 @@ import pytest
 import torch
 
 from rna_export.capture.dataset.dataset_part import DatasetPart
-from rna_export.training import checkpoint as checkpoint_module
 from rna_export.training.checkpoint import load_checkpoint, load_progress
-from rna_export.training.loss_curves import Curves
-from rna_export.training.model.neural_asset import NeuralAsset
+from rna_export.training.model.neural_asset import MODELS, NeuralAsset
 from rna_export.training.presets import ModelConfig
+from rna_export.training.report import Curves
 from rna_export.training.training_run import Run, train
 from rna_sdk.errors import ExportError, TrainingError
 from tests.exporters.synthetic import make_dataset, tiny
@@ -180,7 +180,7 @@ def test_a_small_file_asks_for_no_large_model(
             made.append(bounds.device.type)
             super().__init__(config, bounds)
 
-    monkeypatch.setattr(checkpoint_module, "NeuralAsset", Watched)
+    monkeypatch.setitem(MODELS, "triplane", Watched)
     saved = torch.load(checkpoint, weights_only=True)
     saved["record"]["preset"]["model"].update(change)
     torch.save(saved, tmp_path / "large.ckpt")
@@ -210,3 +210,28 @@ def test_compressed_records_are_refused(
         for name in plain.namelist():
             archive.writestr(name, plain.read(name))
     refuses(packed)
+
+
+def test_torch_reads_the_records_that_were_checked(
+    checkpoint: Path, tmp_path: Path, refuses: Callable[[Path], None]
+) -> None:
+    """Two directories: torch finds that of the compressed records, Python that which denies it."""
+    with zipfile.ZipFile(checkpoint) as plain:
+        names = plain.namelist()
+        with zipfile.ZipFile(tmp_path / "two.ckpt", "w", zipfile.ZIP_DEFLATED) as archive:
+            for name in names:
+                grown = b"\0" * (64 << 20) if name.endswith("/data/0") else b""
+                archive.writestr(name, plain.read(name) + grown)
+    data = (tmp_path / "two.ckpt").read_bytes()
+    end = data.rindex(b"PK\5\6")
+    size, start = struct.unpack("<II", data[end + 12 : end + 20])
+    denying, entry = bytearray(data[start : start + size]), 0
+    while entry < size:
+        denying[entry + 10 : entry + 12] = b"\0\0"  # "stored"
+        entry += 46 + sum(struct.unpack("<HHH", denying[entry + 28 : entry + 34]))
+    (tmp_path / "two.ckpt").write_bytes(data[:end] + denying + data[end:])
+    with zipfile.ZipFile(tmp_path / "two.ckpt") as seen:
+        assert {record.compress_type for record in seen.infolist()} == {zipfile.ZIP_STORED}
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(torch, "load", lambda *_, **__: pytest.fail("torch was asked"))
+        refuses(tmp_path / "two.ckpt")

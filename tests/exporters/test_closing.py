@@ -6,18 +6,19 @@ from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
+import pytest
 from PIL import Image
 from safetensors.numpy import load_file, save_file
 
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_part import DatasetPart
-from rna_export.effort import Effort
 from rna_export.export.export_summary import closing_lines
 from rna_export.export.package_build import build_package
-from rna_export.pictures import sheet_of
+from rna_export.pictures import COLUMNS, comparison_sheet, enlarged, sheet_of
 from rna_export.psnr_words import psnr_in_words
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.training_run import Run, train
+from rna_export.training.training_summary import Effort
 from rna_export.training.training_summary import closing_lines as training_lines
 from rna_export.training.validation import exposure, mean_psnr, mean_psnr_of_pixels, shade
 from tests.exporters.synthetic import make_dataset, tiny
@@ -122,3 +123,17 @@ def test_a_dark_asset_has_the_scores_of_a_bright_one(tmp_path: Path) -> None:
     assert exposure(views) > 10.0
     off = [np.full_like(v.reference, v.reference.mean()) for v in views]
     assert abs(mean_psnr(off, views) - expected) < 15.0  # not 40 dB more
+
+
+@pytest.mark.parametrize(("width", "times"), [(56, 3), (127, 2), (128, 1), (320, 1)])
+def test_small_pictures_of_a_sheet_are_enlarged(width: int, times: int) -> None:
+    dot = (200, 0, 0)
+    pictures = [np.full((20, width, 3), value, np.uint8) for value in (40, 80, 120, 160)]
+    pictures[0][3, 5] = dot
+    sheet = np.asarray(comparison_sheet([(pictures, "caption"), (pictures, "caption")]))
+    assert sheet.shape[1] == len(COLUMNS) * width * times >= 4 * 128
+    assert np.count_nonzero((sheet == dot).all(axis=2)) == 2 * times**2
+    for value in (80, 120):
+        assert np.count_nonzero((sheet == value).all(axis=2)) >= 2 * 20 * width * times**2
+    square = enlarged(pictures[0])[3 * times : 4 * times, 5 * times : 6 * times]
+    assert square.shape[:2] == (times, times) and (square == dot).all()

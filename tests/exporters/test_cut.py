@@ -13,8 +13,8 @@ from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.geometry.cut import as_cut, cut_triangles
 from rna_export.export.rna_export import main as export
 from rna_export.training.checkpoint import load_checkpoint
-from rna_export.training.loss_curves import Curves
 from rna_export.training.model.neural_asset import NeuralAsset
+from rna_export.training.report import Curves
 from rna_export.training.training_run import Run, train
 from rna_export.training.validation import answer
 from rna_sdk.errors import CaptureError
@@ -168,7 +168,6 @@ def test_a_package_of_pieces(cut: Cut, tmp_path: Path, capsys: pytest.CaptureFix
     assert isinstance(asset, CompositeAsset)
     with Package.open(out) as package:
         assert [part.name for part in package.manifest.parts] == ["asset_0", "asset_1"]
-        assert package.manifest.min_reader_version == "1.1"
     one = load_checkpoint(cut.out / "asset_1" / "best.ckpt")
     assert (one.part, one.cut) == ("asset_1", 2)
 

@@ -111,6 +111,62 @@ def test_a_damaged_file_is_named(dataset: Dataset, damage: Callable[[Path], None
         dataset.only.validation_views()
 
 
+def _more(scale: float) -> Callable[[np.ndarray], np.ndarray]:
+    return lambda values: (values.astype(np.float64) * scale).astype(values.dtype)
+
+
+@pytest.mark.parametrize(
+    ("folder", "name", "change"),
+    [
+        ("train", "asset/wo", lambda v: v[:, :2]),
+        ("train", "asset/radiance", lambda v: v[:, 0]),
+        ("train", "asset/visible", lambda v: np.stack([v, v], axis=1)),
+        ("train", "asset/position", _more(1e20)),
+        ("train", "asset/position", _more(3.0)),
+        ("train", "asset/radiance", _more(1e30)),
+        ("validation", "asset/pixel", lambda v: v + 24 * 24),
+        ("validation", "asset/pixel", lambda v: v - 1000),
+        ("validation", "asset/pixel", lambda v: v.astype(np.float32)),
+        ("geometry", "triangles", lambda v: v + np.uint32(100_000)),
+        ("geometry", "positions", _more(1e20)),
+    ],
+)
+def test_arrays_of_strangers_are_refused_in_one_line(
+    dataset: Dataset, folder: str, name: str, change: Callable[[np.ndarray], np.ndarray]
+) -> None:
+    for path in (dataset.folder / folder).iterdir():
+        arrays = load_file(path)
+        write_arrays(path, {**arrays, name: change(arrays[name])})
+    read = {
+        "train": dataset.only.training_samples,
+        "validation": dataset.only.validation_views,
+        "geometry": dataset.only.geometry,
+    }[folder]
+    with pytest.raises(CaptureError, match=r"\.safetensors: damaged \(") as refused:
+        read()
+    assert "\n" not in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    "bounds",
+    [
+        [[-1e300, -1, -1], [1, 1, 1]],
+        [[1, 1, 1], [1, 1, 1]],
+        [[1, -1, -1], [-1, 1, 1]],
+        [[float("nan"), -1, -1], [1, 1, 1]],
+        [[1e9, 0, 0], [1e9 + 1, 1, 1]],
+    ],
+)
+def test_bounds_that_are_no_box_are_refused(dataset: Dataset, bounds: list[list[float]]) -> None:
+    path = dataset.folder / "manifest.json"
+    manifest = json.loads(path.read_text())
+    manifest["parts"][0]["bounds"] = bounds
+    path.write_text(json.dumps(manifest))
+    with pytest.raises(CaptureError, match=r"manifest\.json: parts\.0: .*found bounds") as refused:
+        Dataset(dataset.folder)
+    assert "\n" not in str(refused.value)
+
+
 def test_halves_of_other_pixels_are_refused(dataset: Dataset) -> None:
     path = dataset.validation_path(0, 1)
     rows = load_file(path).items()

@@ -18,7 +18,6 @@ from rna_export.export.decoder import (
     extreme_queries,
     random_queries,
 )
-from rna_export.export.graph import OPSET
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.presets import PRESETS
 from rna_sdk.errors import ExportError
@@ -67,7 +66,7 @@ def test_the_interface_is_the_formats() -> None:
     assert (queries.name, transport.name) == ("queries", "transport")
     assert queries.type.tensor_type.shape.dim[1].dim_value == columns
     assert transport.type.tensor_type.shape.dim[1].dim_value == 6
-    assert [(o.domain, o.version) for o in proto.opset_import] == [("", OPSET)]
+    assert [(o.domain, o.version) for o in proto.opset_import] == [("", 17)]
     assert not any(t.external_data for t in proto.graph.initializer)
 
 

@@ -11,7 +11,7 @@ from PIL import Image
 
 from rna_export.export.poster_rendering import png_of
 from rna_export.export.proxy import proxy_of
-from rna_export.export.standin import standin_material
+from rna_export.export.standin_textures import standin_material
 from rna_sdk.package import Mesh
 
 

@@ -14,7 +14,7 @@ from rna_bench.checkout import ROOT
 from rna_bench.cli import main as bench
 from rna_export.capture import capture_run
 from rna_export.capture.blender_process import blender_env
-from rna_export.capture.blender_process.rendered_rays import RenderedRays
+from rna_export.capture.blender_process.exchanged_files import RenderedRays
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.estimate import gain as gain_module
 from rna_export.capture.estimate.gain import (

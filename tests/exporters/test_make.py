@@ -6,29 +6,30 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from threading import Event
 from typing import Any
 
 import numpy as np
 import pytest
 
-from rna_export.capture.blender_process.source import Source
+from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.capture_run import CaptureWorkers
 from rna_export.capture.capture_tasks import Task, TrainingShard
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.sample_files import write_parts
 from rna_export.capture.time_plan import TimeLimit
-from rna_export.fit.goal import Goal
 from rna_export.make import capture_rounds as rays_module
 from rna_export.make import make_run as run_module
 from rna_export.make import phases as phases_module
 from rna_export.make import plan as plan_module
+from rna_export.make.goal import Goal
 from rna_export.make.make_options import MakeOptions
 from rna_export.make.make_run import Made, Make
-from rna_export.make.state import RunSettings
+from rna_export.make.phases import Trainer
 from rna_export.training import report as report_module
 from rna_export.training.checkpoint import load_checkpoint
-from rna_export.training.loss_curves import Curves
 from rna_export.training.presets import PRESETS
+from rna_export.training.report import Curves
 from rna_sdk.errors import TrainingError
 from tests.exporters.synthetic import RAYS, make_dataset, samples_of_light, tiny
 from tests.render.assets import unit_vectors
@@ -101,24 +102,13 @@ def make(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Callable[..., tuple
         cycles = Cycles(stop_after)
         monkeypatch.setattr(rays_module, "begin", cycles.begin)
         monkeypatch.setattr(rays_module, "finish", cycles.finish)
-        run_settings = RunSettings(
-            source="ball.py",
-            source_sha256="0",
-            arguments=(),
-            settings=settings,
-            scene=None,
-            presets=presets,
-            goal=str(goal),
-            minutes=minutes,
-            steps=None,
-            seed=0,
-        )
         workers = CaptureWorkers(Path("python"), tmp_path / "scratch", 1)
         source = Source(tmp_path / "ball.py")
+        source.path.touch()
         options = MakeOptions(
             source, settings, None, work, presets, goal, minutes, None, 0, "cpu", workers
         )
-        return Make(options, run_settings, run_module.monotonic(), print).run(), cycles
+        return Make(options, run_module.monotonic(), print).run(), cycles
 
     return run
 
@@ -278,3 +268,38 @@ def test_a_damaged_state_is_one_line(make: Any, tmp_path: Path) -> None:
     (tmp_path / "work" / "make.json").write_text("{")
     with pytest.raises(TrainingError, match=r"make\.json"):
         make(goal=Goal("min_psnr", 5.0))
+
+
+def test_by_turns_a_training_is_over_when_it_returns() -> None:
+    done: list[int] = []
+    with Trainer(beside=False) as trainer:
+        trainer.run(lambda: done.append(1))
+        assert done == [1]
+        trainer.wait()
+
+
+def test_beside_it_goes_on_until_the_next_one() -> None:
+    done: list[int] = []
+    go_on = Event()
+
+    def first() -> None:
+        assert go_on.wait(10.0)
+        done.append(1)
+
+    with Trainer(beside=True) as trainer:
+        trainer.run(first)
+        assert done == []
+        go_on.set()
+        trainer.run(lambda: done.append(2))
+        trainer.wait()
+        assert done == [1, 2]
+
+
+@pytest.mark.parametrize("beside", [False, True])
+def test_an_error_of_a_training_is_raised_to_the_caller(beside: bool) -> None:
+    def fail() -> None:
+        raise TrainingError("diverged")
+
+    with Trainer(beside) as trainer, pytest.raises(TrainingError, match="diverged"):
+        trainer.run(fail)
+        trainer.wait()

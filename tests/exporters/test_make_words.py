@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import io
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
 from rna_export.make import make_progress as progress_module
+from rna_export.make import rna_make
+from rna_export.make.goal import Goal
 from rna_export.make.make_progress import Clock, Progress
 from rna_export.make.phases import copy_sheet
 from rna_export.make.starter import write_starter
@@ -61,3 +64,24 @@ def test_a_starter_scene_is_written_once(tmp_path: Path) -> None:
     assert read_scene(scene).scene == read_scene(package).scene
     scene.write_text("mine")
     assert write_starter(package) is None and scene.read_text() == "mine"
+
+
+def test_the_cheapest_tier_that_meets_the_goal_is_named() -> None:
+    def tier(name: str, psnr: float, ns: float) -> SimpleNamespace:
+        return SimpleNamespace(
+            name=name,
+            validation=SimpleNamespace(psnr=psnr, flip=0.04),
+            cost=SimpleNamespace(ns_per_query=ns),
+        )
+
+    tiers = [tier("hq", 38.0, 900.0), tier("small", 36.5, 150.0), tier("small-int8", 35.9, 80.0)]
+    made = SimpleNamespace(lead="hq", why="goal met", rounds=2)
+
+    def told(goal: Goal, *shown: SimpleNamespace) -> str:
+        return rna_make._outcome(made, SimpleNamespace(tiers=shown), goal)
+
+    goal = Goal("min_psnr", 36.0)
+    assert told(goal, *tiers).startswith(f"goal met: {goal}, cheapest by small: 150 ns/query; ")
+    assert told(goal, tiers[0]).startswith(f"goal met: {goal}; ")
+    assert "cheapest by small-int8" in told(Goal("max_error", 0.05), *tiers)
+    assert told(Goal("min_psnr", 39.0), *tiers).startswith("goal not met")

@@ -16,7 +16,6 @@ from rna_export.training.optimization.optimizers import (
     set_rates,
 )
 from rna_export.training.presets import PRESETS
-from rna_export.trials.grid import nrhints, with_our_optimizer
 
 BOUNDS = torch.tensor([[-1.0] * 3, [1.0] * 3])
 SHAPES = (32, 32), (32, 18), (32, 50), (20, 7)
@@ -139,20 +138,6 @@ def test_what_is_negligible_in_a_matrix_is_zero() -> None:
     matrix = random((1, 16, 16))
     matrix[0, 3] *= 1e-12
     assert not orthogonalised(matrix)[0, 3].any()
-
-
-def test_nrhints_network_has_it_for_its_features_too() -> None:
-    chosen = with_our_optimizer(nrhints("surface")).preset
-    model = NeuralAsset(chosen.model, BOUNDS)
-    matrices = muon_matrices(model, chosen.training)
-    assert len(matrices) == 4 + 8 and all(m.ndim == 2 for m in matrices)
-    owned = [
-        p
-        for o in optimizers_of(model, chosen.training)
-        for g in o.param_groups
-        for p in g["params"]
-    ]
-    assert sorted(map(id, owned)) == sorted(map(id, model.parameters()))
 
 
 def test_rates_stay_the_same_tensors_when_a_run_goes_on() -> None:

@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from rna_export.capture.check.narrow_highlights import narrow_highlights
+from rna_export.capture.geometry.source_notes import narrow_highlights
 from tests.exporters.conftest import OpenWorker
 
 MATERIAL = """

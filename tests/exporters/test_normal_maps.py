@@ -12,9 +12,9 @@ from rna_export.capture.blender_process.capture_worker import scene_of
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.capture_tasks import TrainingShard
 from rna_export.capture.dataset.dataset_folder import Dataset
-from rna_export.capture.dataset.dataset_manifest import CaptureManifest
 from rna_export.capture.geometry.exported_parts import exported_parts
 from tests.exporters.conftest import OpenWorker
+from tests.exporters.synthetic import manifest_of
 
 pytestmark = pytest.mark.blender
 
@@ -118,16 +118,8 @@ def test_samples_have_the_normal_that_cycles_shades_with(
     settings = CaptureSettings(lights=8, lights_per_shard=8, rays=512, samples=16)
     exported = exported_parts(worker, settings)
     assert exported.notes == [] and len(exported.maps["asset"]) == 1
-    manifest = CaptureManifest(
-        name="squares",
-        source="squares.py",
-        source_sha256="0" * 64,
-        settings=settings,
-        blender=worker.opened["blender"],
-        generator="test",
-        parts=exported.captured(),
-        opaque_cutouts=exported.has_opaque_cutouts,
-    )
+    cutouts = exported.has_opaque_cutouts
+    manifest = manifest_of(settings, parts=exported.captured(), opaque_cutouts=cutouts)
     dataset = Dataset.create(tmp_path / "rays", manifest, exported.geometries, exported.textures)
     TrainingShard(0).run(dataset, scene_of(dataset), worker)
     at = dataset.only.training_samples()

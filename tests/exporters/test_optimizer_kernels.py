@@ -12,7 +12,7 @@ from torch import nn
 from rna_export.training.model.layers import through
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.optimization import fitting
-from rna_export.training.optimization.plane_adam import PlaneAdam
+from rna_export.training.optimization.optimizers import PlaneAdam
 from rna_export.training.presets import PRESETS
 
 

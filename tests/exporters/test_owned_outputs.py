@@ -20,7 +20,6 @@ from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.rna_capture import main as capture
 from rna_export.compare.rna_compare import main as compare
 from rna_export.export.rna_export import main as export
-from rna_export.fit.rna_fit import main as fit
 from rna_export.make.rna_make import main as make
 from rna_export.training import report
 from rna_export.training import training_run as training_run
@@ -67,7 +66,6 @@ FOREIGN = [
     (capture, "s.obj --out ."),
     (capture, "s.obj --out scratch"),
     (train, "DATASET --out ."),
-    (fit, "DATASET --max-error 0.1 --out new.rna --work ."),
     (compare, "t.rna s.obj --out ."),
     (view, "t.rna --export ."),
 ]
@@ -102,9 +100,6 @@ REPLACES = [
     (train, "DATASET --out DATASET"),
     (export, "best.ckpt --out best.ckpt"),
     (export, "best.ckpt --poster p.png --out p.png"),
-    (fit, "DATASET --max-error 0.1 --out DATASET"),
-    (fit, "DATASET --max-error 0.1 --out new.rna --work DATASET"),
-    (fit, "DATASET --max-error 0.1 --out new.fit"),
     (compare, "t.rna s.obj --out t.rna"),
     (pack, "t.rna --out t.rna"),
     (pack, "t.rna --poster p.png --out p.png"),
@@ -137,7 +132,6 @@ def test_no_command_replaces_what_it_reads(
         (capture, "rna-capture", "s.obj --out s.rays", "s.rays"),
         (make, "rna-make", "s.obj --out s.rna", "s.make"),
         (train, "rna-train", "DATASET --out runs/s", "runs/s"),
-        (fit, "rna-fit", "DATASET --max-error 0.1 --out s.rna", "s.fit"),
         (compare, "rna-compare", "t.rna s.obj --out c", "c"),
     ],
 )

@@ -12,8 +12,8 @@ from rna_export.export.rna_export import main as export
 from rna_export.metrics import psnr
 from rna_export.training import training_run as run_module
 from rna_export.training.checkpoint import load_checkpoint
-from rna_export.training.loss_curves import Curves
 from rna_export.training.part_runs import shared_minutes
+from rna_export.training.report import Curves
 from rna_export.training.rna_train import main as train
 from rna_sdk.package import Package
 from rna_sdk.runtime import load

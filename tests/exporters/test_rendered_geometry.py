@@ -95,13 +95,13 @@ answer(found)
 """
 
 OVERRIDDEN = """
-from rna_materials import material_override
+from rna_materials import object_materials
 bpy.ops.mesh.primitive_cube_add()
 leaf = bpy.data.materials.new("leaf")
 bpy.context.object.data.materials.append(leaf)
 bpy.ops.mesh.primitive_cube_add()
 bpy.context.view_layer.material_override = bpy.data.materials.new("clay")
-material_override.apply()
+object_materials.override()
 answer([[slot.material.name for slot in item.material_slots] for item in bpy.data.objects])
 """
 

@@ -8,11 +8,9 @@ import numpy as np
 import pytest
 
 from rna_export.capture.blender_process.capture_worker import scene_of
-from rna_export.capture.blender_process.rendered_rays import RenderedRays
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.capture_tasks import all_tasks
 from rna_export.capture.dataset.dataset_folder import Dataset
-from rna_export.capture.dataset.dataset_manifest import CaptureManifest
 from rna_export.capture.rays.asset_scene import AssetScene
 from rna_export.capture.scene_domain import MARGIN, scene_domain
 from rna_render.command.rna_run import main as render
@@ -22,7 +20,8 @@ from rna_sdk.package import Domain
 from rna_sdk.package.manifest.manifest_fields import Region
 from rna_sdk.runtime import in_region
 from tests.exporters.meshes import ring, sphere
-from tests.exporters.synthetic import BALL_PART
+from tests.exporters.synthetic import manifest_of
+from tests.exporters.two_parts import Teacher
 from tests.render.packages import write_lambert_package
 
 BALL = AssetScene([sphere(3)])
@@ -138,27 +137,11 @@ def test_a_scene_without_the_asset_is_refused(tmp_path: Path) -> None:
         scene_domain(read_scene(tmp_path / "scene.yaml"), "ball", BALL)
 
 
-class Teacher:
-    """White, wherever asked."""
-
-    def render_rays(self, origins, directions, wi, samples, seed, reach=None, normals=False):
-        return RenderedRays(np.ones_like(origins), np.ones(len(origins)), origins, None)
-
-
 def test_every_sample_of_a_capture_is_in_the_domain(tmp_path: Path) -> None:
     lamp = "{type: point, position: [4, 4, 0], intensity: [1, 1, 1]}"
     limited = domain(tmp_path, f"{SUN}, {lamp}")
-    manifest = CaptureManifest(
-        name="ring",
-        source="ring.py",
-        source_sha256="0" * 64,
-        settings=CaptureSettings(rays=300, lights=12, validation_resolution=24),
-        blender="none",
-        generator="tests",
-        parts=(BALL_PART,),
-        opaque_cutouts=False,
-        scene_domain=limited,
-    )
+    settings = CaptureSettings(rays=300, lights=12, validation_resolution=24)
+    manifest = manifest_of(settings, scene_domain=limited)
     dataset = Dataset.create(tmp_path / "ring.rays", manifest, {"asset": ring()})
     assert dataset.manifest.domain == limited  # also after it went through the file
     scene = scene_of(dataset)

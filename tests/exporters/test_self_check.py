@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from rna_export.capture.blender_process.rendered_rays import RenderedRays
-from rna_export.capture.blender_process.source import Source
+from rna_export.capture.blender_process.blender_process import Source
+from rna_export.capture.blender_process.exchanged_files import RenderedRays
 from rna_export.capture.check.disagreement import ELSEWHERE, EXTRA, MISSING, TURNED
 from rna_export.capture.check.self_check import PICTURE, SelfCheck, picture_side
 from rna_export.capture.opened_source import refuse_nothing

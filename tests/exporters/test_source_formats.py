@@ -11,8 +11,8 @@ import trimesh
 
 from rna_export.blender.rna_sources.source_formats import SOURCE_FORMATS
 from rna_export.capture.blender_axes import from_blender, to_blender
+from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
-from rna_export.capture.blender_process.source import Source
 from rna_export.capture.orientation import rotation
 from rna_sdk.errors import CaptureError
 from tests.exporters.conftest import OpenWorker

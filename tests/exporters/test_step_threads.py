@@ -11,11 +11,11 @@ from rna_export.training.optimization.fitting import Fitting
 from rna_export.training.optimization.product_kernels import (
     Product,
     products_repeat,
+    use_threads,
     weight_gradient,
 )
 from rna_export.training.optimization.samples import SampleTable
 from rna_export.training.optimization.step_threads import StepThreads
-from rna_export.training.optimization.training_threads import use_threads
 from rna_export.training.presets import PRESETS
 from rna_sdk.kernel_threads import kernel_threads
 

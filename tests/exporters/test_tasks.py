@@ -9,18 +9,17 @@ import pytest
 from safetensors.numpy import load_file
 
 from rna_export.capture.blender_process.capture_worker import scene_of
-from rna_export.capture.blender_process.rendered_rays import RenderedRays
+from rna_export.capture.blender_process.exchanged_files import RenderedRays
 from rna_export.capture.capture_run import say_dropped
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.capture_tasks import TrainingShard, ValidationHalf, all_tasks
 from rna_export.capture.dataset.dataset_folder import Dataset
-from rna_export.capture.dataset.dataset_manifest import CaptureManifest
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.rays.capture_directions import light_direction
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Mesh
 from tests.exporters.meshes import ring, sphere
-from tests.exporters.synthetic import BALL_PART
+from tests.exporters.synthetic import manifest_of
 
 
 class Teacher:
@@ -37,16 +36,8 @@ class Teacher:
 
 
 def make(folder: Path, mesh: Mesh, cutouts: bool = False, **settings: object) -> DatasetPart:
-    manifest = CaptureManifest(
-        name="test",
-        source="test.py",
-        source_sha256="0" * 64,
-        settings=CaptureSettings(**{"rays": 200, "lights": 5, "lights_per_shard": 2, **settings}),
-        blender="none",
-        generator="tests",
-        parts=(BALL_PART,),
-        opaque_cutouts=cutouts,
-    )
+    few = {"rays": 200, "lights": 5, "lights_per_shard": 2, **settings}
+    manifest = manifest_of(CaptureSettings(**few), opaque_cutouts=cutouts)
     return Dataset.create(folder, manifest, {"asset": mesh}).only
 
 

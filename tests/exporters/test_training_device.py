@@ -11,9 +11,9 @@ import torch
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.training import training_options
 from rna_export.training.checkpoint import load_checkpoint
-from rna_export.training.loss_curves import Curves
 from rna_export.training.optimization.fitting import Fitting
 from rna_export.training.presets import BATCH, PRESETS
+from rna_export.training.report import Curves
 from rna_export.training.rna_train import main
 from rna_export.training.training_options import device_name
 from rna_export.training.training_run import Run, train

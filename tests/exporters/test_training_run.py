@@ -15,9 +15,9 @@ from PIL import Image
 
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.training.checkpoint import load_checkpoint
-from rna_export.training.loss_curves import Curves
 from rna_export.training.optimization.fitting import Fitting
 from rna_export.training.optimization.samples import SampleTable
+from rna_export.training.report import Curves
 from rna_export.training.rna_train import main
 from rna_export.training.training_run import Run, padded_bounds, train
 from rna_export.training.validation import score, shade

@@ -13,12 +13,11 @@ import torch
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.training import training_run as run_module
 from rna_export.training.checkpoint import load_checkpoint
-from rna_export.training.loss_curves import Curves
 from rna_export.training.optimization import fitting as fitting_module
 from rna_export.training.optimization import pace as pace_module
 from rna_export.training.optimization.fitting import Fitting
 from rna_export.training.optimization.pace import TimePace
-from rna_export.training.report import Report
+from rna_export.training.report import Curves, Report
 from rna_export.training.training_run import Run, train
 from rna_sdk.errors import TrainingError
 from tests.exporters.synthetic import make_dataset, tiny

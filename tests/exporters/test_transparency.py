@@ -7,15 +7,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_export.capture.blender_process.blender_worker import BlenderWorker
+from rna_export.capture.blender_process.blender_worker import BlenderWorker, SeeThrough
 from rna_export.capture.blender_process.capture_worker import scene_of
-from rna_export.capture.blender_process.material_textures import SeeThrough
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.capture_tasks import EmissionShard, TrainingShard
 from rna_export.capture.dataset.dataset_folder import Dataset
-from rna_export.capture.dataset.dataset_manifest import CaptureManifest
 from rna_export.capture.geometry.exported_parts import exported_parts
 from tests.exporters.conftest import OpenWorker
+from tests.exporters.synthetic import manifest_of
 
 pytestmark = pytest.mark.blender
 
@@ -186,13 +185,8 @@ def captured(worker: BlenderWorker, folder: Path) -> Dataset:
     """One shard of a few lights."""
     exported = exported_parts(worker, CaptureSettings())
     lights = {"lights": 6, "lights_per_shard": 6, "rays": 1024, "samples": 16}
-    manifest = CaptureManifest(
-        name="test",
-        source="test.py",
-        source_sha256="0" * 64,
-        settings=CaptureSettings(**lights, domain="hemisphere"),
-        blender=worker.opened["blender"],
-        generator="test",
+    manifest = manifest_of(
+        CaptureSettings(**lights, domain="hemisphere"),
         parts=exported.captured(),
         emitters=tuple(worker.opened["emitters"]),
         opaque_cutouts=exported.has_opaque_cutouts,

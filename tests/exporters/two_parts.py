@@ -7,13 +7,14 @@ from pathlib import Path
 import numpy as np
 
 from rna_export.capture.blender_process.capture_worker import scene_of
-from rna_export.capture.blender_process.rendered_rays import RenderedRays
+from rna_export.capture.blender_process.exchanged_files import RenderedRays
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.capture_tasks import all_tasks
 from rna_export.capture.dataset.dataset_folder import Dataset
-from rna_export.capture.dataset.dataset_manifest import CapturedPart, CaptureManifest
+from rna_export.capture.dataset.dataset_manifest import CapturedPart
 from rna_sdk.package import Curves, Mesh
 from tests.exporters.meshes import sphere
+from tests.exporters.synthetic import manifest_of
 from tests.render.assets import unit_vectors
 
 
@@ -50,16 +51,7 @@ def make(folder: Path, geometries: dict[str, Mesh | Curves]) -> Dataset:
     settings = CaptureSettings(
         rays=300, lights=4, lights_per_shard=2, validation_views=2, validation_resolution=48
     )
-    manifest = CaptureManifest(
-        name="two",
-        parts=tuple(parts),
-        source="two.py",
-        source_sha256="0" * 64,
-        settings=settings,
-        blender="none",
-        generator="tests",
-        opaque_cutouts=False,
-    )
+    manifest = manifest_of(settings, name="two", source="two.py", parts=tuple(parts))
     dataset = Dataset.create(folder, manifest, geometries)
     scene = scene_of(dataset)
     for task in all_tasks(dataset):

@@ -1,4 +1,4 @@
-"""`rna-bench frontier` from a dataset to its page, on a tiny grid."""
+"""`rna-bench frontier` from a dataset to its chart, on a tiny grid."""
 
 from __future__ import annotations
 
@@ -15,14 +15,10 @@ from rna_bench.frontier import frontier_study as study_module
 from rna_bench.frontier.chart_points import front, last_tenth
 from rna_bench.frontier.findings import findings, sentences
 from rna_bench.frontier.frontier_chart import draw
+from rna_bench.frontier.trials.grid import full_grid
+from rna_bench.frontier.trials.trial import Trial
 from rna_export.capture.dataset.dataset_folder import Dataset
-from rna_export.trials.grid import full_grid
-from rna_export.trials.trial import Trial
-from rna_export.trials.trial_packages import TRIAL_PRECISIONS
 from tests.exporters.synthetic import hurried_packages, make_dataset, tiny
-from tests.render.chromium import find_chromium, open_page
-
-POINTS = 3 * len(TRIAL_PRECISIONS)
 
 
 def grid(kind: str, steps: int) -> list[Trial]:
@@ -68,7 +64,7 @@ def test_json_has_cost_and_error_of_every_model(out: Path) -> None:
         assert point["ns"] > 0.0 and point["ns_one_thread"] > 0.0 and point["bytes"] > 1000
         assert 0.0 < point["share_of_gemm"] < 2.0
         assert point["psnr"] > 0.0 and point["flip"] > 0.0 and point["p99"] > 0.0
-    assert report["timings"]["costs"]["gemm_gflops"] > 0.0
+    assert report["costs"]["gemm_gflops"] > 0.0
     assert (out / "frontier.svg").stat().st_size > 10_000
     with Image.open(out / "tables.png") as sheet:
         assert sheet.width > 200 and sheet.height > 200  # Cycles and one ablation, its error below
@@ -98,29 +94,8 @@ def test_trials_are_chosen_by_name_family_and_table() -> None:
     trials = full_grid("surface")
     tables = study_module._chosen(trials, ["architecture", "channels"])
     assert tables == study_module._chosen(trials, ["paper"]) and len(tables) == 13
-    names = {trial.name for trial in study_module._chosen(trials, ["w64-uv512", "no-hint"])}
-    assert names == {"w64-uv512", "w64-no-hint", "w256-no-hint"}
-
-
-@pytest.mark.chromium
-def test_page_shows_and_compares_the_models(out: Path) -> None:
-    with open_page(find_chromium()) as page:
-        page.call("Page.navigate", url=(out / "index.html").as_uri())
-        page.wait_for(f"document.querySelectorAll('#chart .point').length == {POINTS}")
-        assert page.evaluate("document.querySelectorAll('#pair img').length") == 5
-        loaded = "[...document.images].every((i) => !i.src || i.naturalWidth > 0)"
-        assert page.evaluate(loaded)
-        first = "document.querySelector('#chart .chosen')"
-        page.evaluate(f"{first}.focus()")
-        assert page.evaluate("document.getElementById('tip').style.display") == "block"
-        page.evaluate(f"{first}.dispatchEvent(new MouseEvent('click'))")
-        assert page.evaluate("document.querySelectorAll('#pair img').length") == 3
-        for error in ("flip", "p99"):
-            page.evaluate(
-                f"document.getElementById('error').value = '{error}';"
-                "document.getElementById('error').dispatchEvent(new Event('change'))"
-            )
-            assert page.evaluate("document.querySelectorAll('#chart .point').length") == POINTS
+    names = {trial.name for trial in study_module._chosen(trials, ["nrhints", "no-hint"])}
+    assert names == {"nrhints", "w64-no-hint", "w256-no-hint"}
 
 
 def point(name: str, family: str, ns: float, psnr: float) -> dict[str, object]:
@@ -151,7 +126,7 @@ def test_front_holds_what_none_beats_at_its_cost() -> None:
         point("c", "paper", 30, 25.0),
         point("d", "ablation", 5, 40.0),
     ]
-    assert [p["name"] for p in front(points, "ns", "psnr")] == ["a", "c"]
+    assert [p["name"] for p in front(points, "ns")] == ["a", "c"]
 
 
 def test_findings_compare_with_the_papers_two() -> None:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from rna_bench.frontier.paper_tables import paper_tables
-from rna_export.trials.grid import full_grid
-from rna_export.trials.trial import Trial
+from rna_bench.frontier.trials.grid import full_grid
+from rna_bench.frontier.trials.trial import Trial
 
 
 def points_of(trials: list[Trial]) -> list[dict[str, object]]:
@@ -37,7 +37,7 @@ def test_rows_are_the_papers_in_its_order() -> None:
 
 
 def test_ablations_stand_below_the_model_that_they_change() -> None:
-    for kind, names in (("surface", ("uv512", "uv1024")), ("fiber", ("no-h",))):
+    for kind, names in (("surface", ("no-learned-normal",)), ("fiber", ("no-h",))):
         rows = [row[0] for row in paper_tables(points_of(full_grid(kind)))[2]["rows"]]
         planes = 256 if kind == "surface" else 32
         whole = rows.index(f"w64-l4-p{planes}-c{8 if kind == 'surface' else 16}")

@@ -31,7 +31,7 @@ def on_gpu(
     open_it: Callable[[], Device],
     stop: Callable[[], bool] = lambda: False,
 ) -> Film:
-    renderer = GpuRenderer(scene_file, world, open_it=open_it)
+    renderer = GpuRenderer(scene_file.resolved, world, scene_file.camera_after, open_it)
     return render(scene_file.scene, renderer, stop)
 
 

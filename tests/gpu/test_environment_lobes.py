@@ -11,10 +11,10 @@ from rna_gpu.decoder_packing import pack_decoder
 from rna_gpu.part_buffers import part_uniform, upload_planes, upload_weights, weights_file
 from rna_gpu.records.part import ROW
 from rna_gpu.shaders import compose
-from rna_sdk.package import Package, float_planes, query_width, read_profile_decoder
+from rna_sdk.package import Package, decoder_to_bytes, float_planes, query_width
 from rna_sdk.reference.queries import fiber_queries_reference, queries_reference
 from tests.conftest import REPOSITORY
-from tests.package.builders import make_decoder_model
+from tests.package.builders import random_decoder
 
 ASSETS = {
     "surface": REPOSITORY / "examples" / "quickstart" / "toy.rna",
@@ -90,7 +90,7 @@ def test_lobes(kind: str, told: bool, device: Device) -> None:
     bounds, planes = package.manifest.parts[0].bounds, package.planes(tier.name)
     rows, more = random_rows(bounds.corners()), 16 if told else 0
     columns = query_width(part.inputs, part.channels) + more
-    model = make_decoder_model(columns, 40, 2, outputs=9 * LOBES, output="environment")
+    decoder = random_decoder(columns, 40, 2, outputs=9 * LOBES, output="environment")
     m = mirror(kind, rows["axis"], rows["wo"])
 
     arguments = float_planes(planes), bounds.corners(), part.inputs, rows["position"], rows["axis"]
@@ -98,11 +98,10 @@ def test_lobes(kind: str, told: bool, device: Device) -> None:
         queries = queries_reference(*arguments, rows["wo"], m)
     else:
         queries = fiber_queries_reference(*arguments, rows["h"], rows["wo"], m)
-    session = ort.InferenceSession(model.SerializeToString(), providers=["CPUExecutionProvider"])
+    session = ort.InferenceSession(decoder_to_bytes(decoder), providers=["CPUExecutionProvider"])
     whole = np.hstack([queries, rows["visibility"][:, :more]])
     amplitudes, axes = by_numpy(kind, session.run(None, {"queries": whole})[0], rows)
 
-    decoder = read_profile_decoder(memoryview(model.SerializeToString()), "lobes")
     packed = pack_decoder(decoder, part.inputs, part.channels, "lobes", more)
     constants = {"RNA_GROUPS": packed.groups, "RNA_LOBES": LOBES}
     constants |= {"RNA_IS_FIBER": int(kind == "fiber"), "RNA_VISIBILITY_GROUPS": more // 4}

@@ -1,11 +1,14 @@
-"""Small packages in the decoder profile, for the C host: any width, precision and kind."""
+"""Small packages for the readers written by hand: any width, precision and kind."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+import onnx
+from onnx import numpy_helper
 
 from rna_sdk.package import Tier, TierData, TierPart, write_package
 from rna_sdk.package.geometry.geometry_files import quantise
@@ -20,6 +23,7 @@ from tests.package.builders import (
     make_tier,
     make_tier_data,
 )
+from tests.package.corpus.registry import DECODER, Entries, with_entry
 from tests.package.lantern import make_lantern, make_lantern_manifest, make_textures
 from tests.package.relief import make_maps, make_relief, make_relief_manifest
 
@@ -55,8 +59,20 @@ def _part_data(part: TierPart, widths: tuple[int, ...]) -> TierData:
     return TierData(planes, file)
 
 
-def write_plain_fuzz_packages(folder: Path) -> list[Path]:
-    """Write packages of 5 to 10 KB below `folder` that 1.0 has: kinds, planes and decoders."""
+def broken_constants(entries: Entries, number: float) -> Iterator[bytes]:
+    """For each array of float32 in the decoder, the package with `number` as its last value."""
+    for k in range(len(onnx.load_from_string(entries[DECODER]).graph.initializer)):
+        model = onnx.load_from_string(entries[DECODER])
+        constant = model.graph.initializer[k]
+        values = numpy_helper.to_array(constant).copy()
+        if values.dtype == np.float32:
+            values.flat[-1] = number
+            constant.CopyFrom(numpy_helper.from_array(values, constant.name))
+            yield with_entry(entries, DECODER, model.SerializeToString())
+
+
+def _write_plain(folder: Path) -> list[Path]:
+    """Write packages of 5 to 10 KB below `folder`: kinds, planes and decoders."""
     paths = []
     for kind in ("surface", "fiber"):
         for decoder, planes in (
@@ -73,8 +89,8 @@ def write_plain_fuzz_packages(folder: Path) -> list[Path]:
     return paths
 
 
-def write_new_fuzz_packages(folder: Path) -> list[Path]:
-    """Write packages of 6 to 20 KB below `folder` with what 1.1 added.
+def _write_rich(folder: Path) -> list[Path]:
+    """Write packages of 6 to 20 KB below `folder` with all else that the format has.
 
     Parts with emission, holes and glass; normal maps; both with quantised geometry; proxies, a
     stand-in and a poster; entries that are coded.
@@ -92,13 +108,9 @@ def write_new_fuzz_packages(folder: Path) -> list[Path]:
     ]
 
 
-FUZZ_SEEDS = {"1.0": write_plain_fuzz_packages, "1.1": write_new_fuzz_packages}
-"""Packages to mutate, by the version of the format whose contents they have."""
-
-
 def write_fuzz_packages(folder: Path) -> list[Path]:
     """Write all packages to mutate below `folder`."""
-    return [path for write in FUZZ_SEEDS.values() for path in write(folder)]
+    return [*_write_plain(folder), *_write_rich(folder)]
 
 
 def write_quantised(path: Path) -> Path:

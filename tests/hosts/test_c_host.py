@@ -14,7 +14,7 @@ import pytest
 from rna_sdk.runtime import load
 from tests.conformance.kit.decoders import Int8Decoder, KitInt8Layer
 from tests.hosts.c_host import CAsset, compiler
-from tests.hosts.packages import make_profile_tier, write_profile_package
+from tests.hosts.packages import broken_constants, make_profile_tier, write_profile_package
 from tests.package.builders import read_entries
 from tests.package.corpus.registry import DECODER, with_entry
 
@@ -107,20 +107,37 @@ def test_a_row_means_the_same_in_any_batch(programs: dict[str, Path]) -> None:
     asset.close()
 
 
-def test_a_decoder_that_needs_an_engine_is_named(programs: dict[str, Path], tmp_path: Path) -> None:
+def test_decoder_with_another_activation_is_refused(
+    programs: dict[str, Path], tmp_path: Path
+) -> None:
+    """It would need an ONNX engine, which no reader has to have."""
     package = tmp_path / "engine.rna"
-    tier = make_profile_tier("small", "surface")
-    entries = read_entries(write_profile_package(package, tier))
+    entries = read_entries(write_profile_package(package, make_profile_tier("small", "surface")))
     model = onnx.load_from_string(entries[DECODER])
     next(node for node in model.graph.node if node.op_type == "Relu").op_type = "Tanh"
     package.write_bytes(with_entry(entries, DECODER, model.SerializeToString()))
     validated = run(programs["conform"], "validate", package)
-    assert (validated.returncode, validated.stdout.split()) == (0, ["DECODER_PROFILE"])
+    assert (validated.returncode, validated.stdout.split()) == (1, ["DECODER_PROFILE"])
     queries = tmp_path / "queries"
     np.zeros((3, 13), np.float32).tofile(queries)
     evaluated = run(programs["conform"], "evaluate", package, "small", 0, queries, tmp_path / "out")
-    assert evaluated.returncode == 2 and "needs an ONNX engine" in evaluated.stderr
-    assert not (tmp_path / "out").exists()
+    assert evaluated.returncode == 2
+    assert "DECODER_PROFILE" in evaluated.stderr and not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("precision", ["float32", "int8"])
+@pytest.mark.parametrize("number", [np.nan, np.inf])
+def test_constants_that_are_not_finite_are_refused(
+    number: float, precision: str, programs: dict[str, Path], tmp_path: Path
+) -> None:
+    """Every one, also where a later Clip or QuantizeLinear hides it."""
+    package = tmp_path / "broken.rna"
+    tier = make_profile_tier("small", "surface", decoder_precision=precision)
+    entries = read_entries(write_profile_package(package, tier))
+    for broken in broken_constants(entries, number):
+        package.write_bytes(broken)
+        validated = run(programs["conform"], "validate", package)
+        assert (validated.returncode, validated.stdout.split()) == (1, ["DECODER_RESULT"])
 
 
 def test_pipes_and_devices_are_refused(programs: dict[str, Path], tmp_path: Path) -> None:

@@ -1,4 +1,4 @@
-"""What is new in 1.1, in the C host: parts, emission, transmittance, quantised geometry."""
+"""Assets of several parts in the C host: parts, emission, transmittance, quantised geometry."""
 
 from __future__ import annotations
 

@@ -6,20 +6,18 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import onnx
 import pytest
-from onnx import numpy_helper
 
 from rna_sdk.package import Mesh, Tier, TierData, TierEmission, TransmittanceRecord, write_package
 from tests.hosts.c_host import compiler
 from tests.hosts.test_c_host import CURLS, TOY, run
 from tests.package.builders import (
-    make_decoder_model,
     make_manifest,
     make_part,
     make_planes,
     make_tier_part,
 )
+from tests.render.packages import constant_decoder
 
 pytestmark = pytest.mark.skipif(compiler() is None, reason="needs cc and make")
 
@@ -48,18 +46,6 @@ def test_default_camera_shows_the_asset(package: Path, render: Path, tmp_path: P
     assert pixels[0, 0].max() == 0 and pixels[10:17, 18:30].mean() > 15
 
 
-def constant_decoder(columns: int, output: str, *colours: tuple[float, float, float]) -> bytes:
-    """A decoder that gives these colours, whatever it is asked."""
-    model = make_decoder_model(columns, layers=0, output=output)
-    for constant in model.graph.initializer:
-        if constant.name in ("w0", "b0"):
-            value = np.zeros_like(numpy_helper.to_array(constant))
-            value += np.log1p(np.float32(colours).ravel()) if constant.name == "b0" else 0
-            constant.CopyFrom(numpy_helper.from_array(value, constant.name))
-    onnx.checker.check_model(model)
-    return model.SerializeToString()
-
-
 def write_pane_before_wall(path: Path) -> Path:
     """A tinted pane at z = 0.5, and behind it a wall at z = -0.5; both glow."""
     emission = TierEmission(
@@ -70,8 +56,8 @@ def write_pane_before_wall(path: Path) -> Path:
         own: Any = emission.model_copy(update={"decoder": f"decoders/{name}-glow.onnx"})
         part = make_tier_part(name, inputs=("wo", "wi"), emission=own)
         tier_parts.append(part)
-        transport = constant_decoder(6, "transport", colours["visible"], colours["shadowed"])
-        glow = constant_decoder(3, "emission", colours["emission"])
+        transport = constant_decoder(6, [*colours["visible"], *colours["shadowed"]])
+        glow = constant_decoder(3, colours["emission"], "emission")
         data.append(TierData(make_planes(), transport, {"emission": glow}))
         corners = np.float32([[-1, -1, z], [1, -1, z], [1, 1, z], [-1, 1, z]])
         normals = np.float32([[0, 0, 1]] * 4)

@@ -12,7 +12,7 @@ from tests.render.studio import one_thread
 from tests.render.test_second_opinion import LEVEL, coarser, student_limit, welch
 
 if TYPE_CHECKING:
-    from rna_bench.hosts.mitsuba_scenes import Pair
+    from tests.mitsuba.scene_pairs import Pair
 
 SIZE, BATCHES = (24, 16), 16
 
@@ -22,7 +22,7 @@ SIZE, BATCHES = (24, 16), 16
     [("sun", 16), ("environment and ground", 40), ("lamp and red wall", 40), ("curls", 128)],
 )
 def test_both_show_the_same(name: str, samples: int, tmp_path: Path) -> None:
-    from rna_bench.hosts.mitsuba_scenes import pairs
+    from tests.mitsuba.scene_pairs import pairs
 
     assert_both_alike(pairs(tmp_path)[name], samples, tmp_path)
 
@@ -32,8 +32,7 @@ def test_assets_whose_boxes_overlap_shadow_each_other_alone(tmp_path: Path) -> N
     import mitsuba as mi
 
     import rna_mitsuba
-    from rna_bench.checkout import TOY
-    from rna_bench.hosts.mitsuba_scenes import Pair, sun
+    from tests.mitsuba.scene_pairs import TOY, Pair, sun
 
     light = (-0.6, 0.5, 0.7), (2.5, 2.4, 2.2)
     place = {"translation": (0.22, 0.14, 0.18)}
@@ -56,7 +55,7 @@ def test_assets_whose_boxes_overlap_shadow_each_other_alone(tmp_path: Path) -> N
 
 
 def assert_both_alike(pair: Pair, samples: int, tmp_path: Path) -> None:
-    from rna_bench.hosts.mitsuba_scenes import Ours, Theirs
+    from tests.mitsuba.scene_pairs import Ours, Theirs
 
     """`samples` a pixel of ours; four times as many of Mitsuba's, which cost less."""
     theirs = Theirs(pair, SIZE, 4 * samples)

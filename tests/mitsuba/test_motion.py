@@ -73,7 +73,7 @@ def test_rest_points_are_those_of_the_sdk(package: Path, tmp_path: Path) -> None
 
 def test_both_show_the_same_bent_asset(tmp_path: Path) -> None:
     import rna_mitsuba
-    from rna_bench.hosts.mitsuba_scenes import Pair, sun
+    from tests.mitsuba.scene_pairs import Pair, sun
 
     motion = write_bend(tmp_path / "bend.rnam", TOY)
     light = (-0.6, 0.5, 0.7), (2.5, 2.4, 2.2)

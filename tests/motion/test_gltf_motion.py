@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -11,6 +13,7 @@ import pytest
 from rna_render.motion.gltf_motion import GltfMotion
 from rna_sdk.errors import MotionError
 from tests.motion.gltf_files import GltfFile, bending_arm, moving_node, quaternion
+from tests.render.test_hostile_files import mebibytes, seconds
 from tests.runtime.test_deformation import grid
 
 MESH = grid(5)
@@ -96,3 +99,99 @@ def test_files_of_no_motion_are_refused(tmp_path: Path, change: dict, message: s
     assert "\n" not in str(caught.value)
     with pytest.raises(MotionError, match="No such file"):
         GltfMotion(tmp_path / "none.glb")
+
+
+Document = dict[str, Any]
+
+
+def changed(path: Path, change: Callable[[Document], object]) -> Path:
+    """An arm that bends, with a change to its document."""
+    document = json.loads(bending_arm(path, MESH, 90).read_text())
+    change(document)
+    path.write_text(json.dumps(document))
+    return path
+
+
+def primitive(document: Document) -> Document:
+    return document["meshes"][0]["primitives"][0]
+
+
+def morphed(document: Document) -> Document:
+    """The mesh, with a morph target."""
+    position = primitive(document)["attributes"]["POSITION"]
+    primitive(document)["targets"] = [{"POSITION": position}]
+    return document["meshes"][0]
+
+
+def zeros(document: Document, kind: str) -> int:
+    """The number of a new accessor of 2^20 items that takes no bytes in the file."""
+    document["accessors"].append({"componentType": 5126, "type": kind, "count": 1 << 20})
+    return len(document["accessors"]) - 1
+
+
+def many_nodes(d: Document) -> None:
+    primitive(d)["attributes"] = {"POSITION": zeros(d, "VEC3")}
+    d["nodes"] = [{"mesh": 0}] * 65
+    d["scenes"], d["skins"] = [{"nodes": list(range(65))}], []
+
+
+def many_targets(d: Document) -> None:
+    primitive(d)["attributes"] = {"POSITION": (number := zeros(d, "VEC3"))}
+    primitive(d)["targets"] = [{"POSITION": number}] * 64
+
+
+def many_skins(d: Document) -> None:
+    d["skins"] += [{"joints": [1], "inverseBindMatrices": zeros(d, "MAT4")}] * 17
+
+
+def many_tracks(d: Document) -> None:
+    d["animations"][0]["samplers"] = [{"input": (number := zeros(d, "SCALAR")), "output": number}]
+    d["animations"][0]["channels"] = [{"sampler": 0, "target": {"node": 0, "path": "weights"}}] * 65
+
+
+@pytest.mark.parametrize("change", [many_nodes, many_targets, many_skins, many_tracks])
+def test_motions_are_limited_before_they_take_memory(tmp_path: Path, change: Any) -> None:
+    path = changed(tmp_path / "a.gltf", change)
+    with mebibytes(20), pytest.raises(MotionError, match=r"a\.gltf: is no valid glTF.*; at most"):
+        GltfMotion(path)
+
+
+def test_a_long_chain_of_joints(tmp_path: Path) -> None:
+    def chain(d: Document) -> None:
+        first, count = len(d["nodes"]), 30_000
+        d["nodes"] += [{"children": [first + k + 1]} for k in range(count - 1)] + [{}]
+        d["skins"].append({"joints": list(range(first + count - 1, first - 1, -1))})
+
+    path = changed(tmp_path / "a.gltf", chain)
+    with seconds(20):
+        np.testing.assert_allclose(GltfMotion(path).positions(0), MESH.positions, atol=1e-6)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda d: d["nodes"][2].update(translation=[1, 2]),
+        lambda d: d["nodes"][1].update(rotation=[0, 0, 0, 0]),
+        lambda d: d["nodes"][0].update(skin=1),
+        lambda d: d["skins"][0]["joints"].pop(),
+        lambda d: d["skins"][0].update(joints=[1, 9]),
+        lambda d: morphed(d).update(weights=[]),
+        lambda d: morphed(d).update(weights=[float("nan")]),
+        lambda d: primitive(d)["attributes"].update(JOINTS_0=primitive(d)["indices"]),
+        lambda d: primitive(d)["attributes"].update(POSITION=primitive(d)["indices"]),
+        lambda d: primitive(d).update(indices=primitive(d)["attributes"]["POSITION"]),
+        lambda d: d["accessors"][primitive(d)["indices"]].update(count=-3),
+        lambda d: d["nodes"][1].update(scale=[1e19, 1e19, 1e19]),
+    ],
+)
+def test_a_motion_that_cannot_be_posed(tmp_path: Path, change: Any) -> None:
+    path = changed(tmp_path / "a.gltf", change)
+    with pytest.raises(MotionError, match=r"a\.gltf: is no valid glTF file: \w+: ") as caught:
+        GltfMotion(path).positions(1)
+    assert "\n" not in str(caught.value)
+
+
+def test_times_before_the_start_are_refused(tmp_path: Path) -> None:
+    track = ("translation", [-5, -1], np.zeros((2, 3)))
+    with pytest.raises(MotionError, match="do not ascend from 0"):
+        GltfMotion(moving_node(tmp_path / "a.gltf", MESH, [track]))

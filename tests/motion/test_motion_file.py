@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from rna_sdk.errors import MotionError
-from rna_sdk.motion import open_motion, write_motion
+from rna_sdk.motion import motion_file, open_motion, write_motion
 from tests.package.builders import make_curves, make_mesh
 
 MESH, CURVES = make_mesh(), make_curves()
@@ -35,6 +35,27 @@ def test_frames_of_a_motion_come_back(tmp_path: Path) -> None:
             np.testing.assert_array_equal(found, expected)
     half = motion.positions(1.5)[0]
     np.testing.assert_allclose(half, MESH.positions + np.float32([0, 0.15, 0]), atol=1e-6)
+
+
+def test_a_motion_that_is_written_in_place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What was read stays; what is mapped is refused; a file of its name changes nothing."""
+    path = written(tmp_path / "a.rnam")
+    read = open_motion(path, PARTS)
+    monkeypatch.setattr(motion_file, "_MOST_READ", 0)
+    mapped = open_motion(path, PARTS)
+    size = path.stat().st_size
+    path.rename(tmp_path / "b.rnam")
+    for content in (None, bytes(size), b""):
+        if content is not None:
+            path.write_bytes(content)
+        for motion in (read, mapped):
+            np.testing.assert_array_equal(motion.positions(3)[0], frame(3)[0])
+    mapped = open_motion(tmp_path / "b.rnam", PARTS)
+    for content in (bytes(size), b""):
+        (tmp_path / "b.rnam").write_bytes(content)
+        np.testing.assert_array_equal(read.positions(3)[0], frame(3)[0])
+        with pytest.raises(MotionError, match=r"b\.rnam: was written to while it was in use"):
+            mapped.positions(3)
 
 
 def test_a_motion_file_is_a_safetensors_file(tmp_path: Path) -> None:

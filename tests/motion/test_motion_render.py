@@ -164,9 +164,9 @@ def test_an_animation_without_motion_is_refused(tmp_path: Path) -> None:
 
 
 def test_motion_is_for_the_cpu(tmp_path: Path) -> None:
-    from rna_render.command.devices import open_renderer
+    from rna_render.command.devices import check_device
 
     moving_node(tmp_path / "up.gltf", load(TOY).mesh, [("scale", [0, 1], [[1, 1, 1]] * 2)])
     file = read_scene(scene(tmp_path, "motion: up.gltf"))
     with pytest.raises(SceneError, match="is rendered on the CPU, not with --device gpu"):
-        open_renderer("gpu", file, load_world(file))
+        check_device("gpu", file)

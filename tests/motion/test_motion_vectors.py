@@ -7,8 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_render import load_world, render
-from rna_render.command.devices import open_renderer
+from rna_render import load_world, make_integrator, render
 from rna_render.scene import SceneFile, read_scene
 from rna_sdk.motion import write_motion
 from rna_sdk.runtime import Transform, load
@@ -20,7 +19,8 @@ WIDTH, HEIGHT, FOV_DEG = 64, 48, 30.0
 
 def channels(file: SceneFile) -> dict[str, np.ndarray]:
     file = file.with_changes(samples=1, max_depth=1)
-    return render(file.scene, open_renderer("cpu", file, load_world(file))).channels()
+    integrator = make_integrator(file.resolved, load_world(file), file.camera_after)
+    return render(file.scene, integrator).channels()
 
 
 def in_image(x: np.ndarray, eye: np.ndarray = EYE) -> np.ndarray:

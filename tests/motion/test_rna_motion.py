@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
-from rna_export.capture.blender_process.source import Source
-from rna_export.capture.geometry.captured_poses import captured_poses
+from rna_export.capture.geometry.followed_source import captured_poses
 from rna_export.capture.geometry.mesh_cleanup import welded
 from rna_export.motion.rna_motion import main
 from rna_render import open_asset_motion

@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-import onnx
-from numpy.typing import NDArray
-from onnx import TensorProto, helper, numpy_helper
 
 from rna_sdk.package import (
     Bounds,
@@ -23,11 +20,14 @@ from rna_sdk.package import (
     Manifest,
     Mesh,
     Part,
+    ProfileDecoder,
+    ProfileLayer,
     Provenance,
     Tier,
     TierData,
     TierPart,
     Validation,
+    decoder_to_bytes,
     write_package,
 )
 from rna_sdk.package.container.zip_container import MANIFEST_NAME, Container
@@ -79,74 +79,55 @@ def make_planes(
     return rng.normal(0, 0.5, shape).astype(precision)
 
 
-def make_decoder_model(
+LIMIT = 65504.0
+"""What queries of the decoders here are clipped to, either way."""
+
+
+def random_decoder(
     columns: int = 18, width: int = 8, layers: int = 1, seed: int = 2, **overrides: Any
-) -> onnx.ModelProto:
-    """An MLP of ReLU layers that ends in exp(x) - 1, safe for every finite input.
+) -> ProfileDecoder:
+    """ReLU layers whose result is exp(x) - 1, safe for every finite input.
 
-    `overrides`: opset, ir_version, outputs (6; 3 for emission), output (its name).
-    """
-    rng = np.random.default_rng(seed)
-    outputs = outputs_of(overrides)
-    sizes = [columns, *[width] * layers, outputs]
-    constants: dict[str, NDArray[np.float32]] = {
-        "low": np.float32(-65504.0),
-        "high": np.float32(65504.0),
-    }
-    nodes = [helper.make_node("Clip", ["queries", "low", "high"], ["x0"])]
-    for i, (rows, cols) in enumerate(pairwise(sizes)):
-        constants[f"w{i}"] = rng.normal(0, (2 / rows) ** 0.5, (rows, cols)).astype(np.float32)
-        constants[f"b{i}"] = rng.normal(0, 0.1, cols).astype(np.float32)
-        last = i == len(sizes) - 2
-        nodes.append(helper.make_node("Gemm", [f"x{i}", f"w{i}", f"b{i}"], [f"y{i}"]))
-        if not last:
-            nodes.append(helper.make_node("Relu", [f"y{i}"], [f"x{i + 1}"]))
-    return _decoder(nodes, constants, f"y{len(sizes) - 2}", columns, **overrides)
-
-
-def make_int8_decoder_model(
-    columns: int = 18, width: int = 8, layers: int = 1, seed: int = 2, **overrides: Any
-) -> onnx.ModelProto:
-    """The like of `make_decoder_model` in int8; the queries have another zero point than 0.
-
-    `overrides`: also `largest`, of the weights (127); `in_profile`, with a gain and an offset for
-    each column instead of the zero point.
+    `overrides`: output (its name), outputs (6; 3 for emission).
     """
     rng = np.random.default_rng(seed)
     sizes = [columns, *[width] * layers, outputs_of(overrides)]
-    largest, in_profile = overrides.get("largest", 127), overrides.get("in_profile", False)
-    step = np.float32(1 / 30)
-    constants: dict[str, NDArray[Any]] = {"low": np.float32(-65504.0), "high": np.float32(65504.0)}
-    nodes = [helper.make_node("Clip", ["queries", "low", "high"], ["y"])]
-    value = "y"
-    if in_profile:
-        constants |= {"gain": np.full(columns, 30, np.float32)}
-        constants |= {"offset": np.full(columns, 100, np.float32)}
-        nodes.append(helper.make_node("Mul", ["y", "gain"], ["scaled"]))
-        nodes.append(helper.make_node("Add", ["scaled", "offset"], ["moved"]))
-        value = "moved"
+    made = []
+    for i, (rows, cols) in enumerate(pairwise(sizes)):
+        weight = rng.normal(0, (2 / rows) ** 0.5, (rows, cols)).astype(np.float32)
+        bias = rng.normal(0, 0.1, cols).astype(np.float32)
+        made.append(ProfileLayer(weight, bias, 0.0, None, relu=i < layers))
+    return decoder_of(made, **overrides)
+
+
+def random_int8_decoder(
+    columns: int = 18, width: int = 8, layers: int = 1, seed: int = 2, **overrides: Any
+) -> ProfileDecoder:
+    """The like of `random_decoder` in int8; `overrides`: also `largest`, of the weights (127)."""
+    rng = np.random.default_rng(seed)
+    sizes = [columns, *[width] * layers, outputs_of(overrides)]
+    largest, step = overrides.pop("largest", 127), np.float32(1 / 30)
+    made = []
     for i, (rows, cols) in enumerate(pairwise(sizes)):
         weight = rng.integers(-largest, largest + 1, (rows, cols)).astype(np.int8)
         scale = (rng.uniform(0.5, 1.5, cols) * (2 / rows) ** 0.5 / 73).astype(np.float32)
         bias = rng.normal(1 if i == layers else 0, 0.2, cols) / (step * scale)
-        own_step, zero = step, 100 if i == 0 else 0
-        if in_profile and i == 0:
-            own_step, zero, scale = np.float32(1), 0, scale * step
+        own = step
+        if i == 0:  # of queries in steps, from -100 of them up
+            own, scale = np.float32(1), scale * step
             bias -= 100 * weight.astype(np.int64).sum(axis=0)
-        constants |= {f"step{i}": own_step, f"z{i}": np.uint8(zero)}
-        constants |= {f"s{i}": scale, f"t{i}": own_step * scale, f"w{i}": weight}
-        constants[f"b{i}"] = np.round(bias).astype(np.int32)
-        for operator, inputs, output, axis in (
-            ("QuantizeLinear", [value, f"step{i}", f"z{i}"], f"q{i}", None),
-            ("DequantizeLinear", [f"q{i}", f"step{i}", f"z{i}"], f"x{i}", None),
-            ("DequantizeLinear", [f"w{i}", f"s{i}"], f"v{i}", 1),
-            ("DequantizeLinear", [f"b{i}", f"t{i}"], f"c{i}", 0),
-            ("Gemm", [f"x{i}", f"v{i}", f"c{i}"], f"y{i}", None),
-        ):
-            attributes = {} if axis is None else {"axis": axis}
-            nodes.append(helper.make_node(operator, inputs, [output], **attributes))
-        value = f"y{i}"
-    return _decoder(nodes, constants, value, columns, **overrides)
+        rounded = np.round(bias).astype(np.int32)
+        made.append(ProfileLayer(weight, rounded, float(own), scale, relu=False))
+    gain, offset = (np.full(columns, value, np.float32) for value in (30, 100))
+    return decoder_of(made, gain=gain, offset=offset, **overrides)
+
+
+def decoder_of(layers: Sequence[ProfileLayer], **overrides: Any) -> ProfileDecoder:
+    """The decoder of these layers; `overrides`: members of it, but for `outputs`."""
+    fields: dict[str, Any] = {"low": -LIMIT, "high": LIMIT, "gain": None, "offset": None}
+    fields |= {"top": 11.0, "unit": 1.0, "matrix": None, **overrides}
+    fields.pop("outputs", None)
+    return ProfileDecoder(layers=tuple(layers), **fields)
 
 
 def outputs_of(overrides: dict[str, Any]) -> int:
@@ -154,39 +135,8 @@ def outputs_of(overrides: dict[str, Any]) -> int:
     return overrides.get("outputs", 3 if overrides.get("output") == "emission" else 6)
 
 
-def _decoder(
-    nodes: list[onnx.NodeProto],
-    constants: dict[str, NDArray[Any]],
-    value: str,
-    columns: int,
-    **overrides: Any,
-) -> onnx.ModelProto:
-    """The model of these nodes and exp(value) - 1."""
-    output = overrides.get("output", "transport")
-    ends = {"one": 1.0, "zero": 0.0, "largest": 11.0, "unit": 1.0}
-    constants = constants | {name: np.float32(number) for name, number in ends.items()}
-    nodes = [
-        *nodes,
-        helper.make_node("Clip", [value, "zero", "largest"], ["logs"]),
-        helper.make_node("Exp", ["logs"], ["exps"]),
-        helper.make_node("Sub", ["exps", "one"], ["above"]),
-        helper.make_node("Mul", ["above", "unit"], [output]),
-    ]
-    graph = helper.make_graph(
-        nodes,
-        "decoder",
-        [helper.make_tensor_value_info("queries", TensorProto.FLOAT, ["N", columns])],
-        [helper.make_tensor_value_info(output, TensorProto.FLOAT, ["N", outputs_of(overrides)])],
-        [numpy_helper.from_array(np.asarray(value), name) for name, value in constants.items()],
-    )
-    opsets = [helper.make_opsetid("", overrides.get("opset", 18))]
-    return helper.make_model(
-        graph, opset_imports=opsets, ir_version=overrides.get("ir_version", 10)
-    )
-
-
 def make_tier_part(name: str = "small", **changes: Any) -> TierPart:
-    """The record of a tier part that `make_planes` and `make_decoder_model` fit."""
+    """The record of a tier part that `make_planes` and `random_decoder` fit."""
     fields: dict[str, Any] = {
         "planes": f"features/{name}.safetensors",
         "decoder": f"decoders/{name}.onnx",
@@ -274,8 +224,8 @@ def make_part_data(part: TierPart, width: int = 8, layers: int = 1, seed: int = 
 
 def make_decoder(precision: str, *sizes: int, **overrides: Any) -> bytes:
     """The file of a random decoder of this precision."""
-    make = make_int8_decoder_model if precision == "int8" else make_decoder_model
-    return make(*sizes, **overrides).SerializeToString()
+    make = random_int8_decoder if precision == "int8" else random_decoder
+    return decoder_to_bytes(make(*sizes, **overrides))
 
 
 def make_tiny_package(path: str | Path, *tiers: Tier, **changes: Any) -> Path:
@@ -312,8 +262,6 @@ __all__ = [
     "MANIFEST_NAME",
     "make_curves",
     "make_decoder",
-    "make_decoder_model",
-    "make_int8_decoder_model",
     "make_manifest",
     "make_measured_tier",
     "make_mesh",
@@ -326,5 +274,7 @@ __all__ = [
     "make_tiny_fiber_package",
     "make_tiny_package",
     "pack",
+    "random_decoder",
+    "random_int8_decoder",
     "read_entries",
 ]

@@ -37,7 +37,7 @@ def fiber_entries(tuft: Path) -> dict[str, bytes]:
 
 @pytest.fixture(scope="session")
 def lantern(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Path of a good package of two parts with all that is new in 1.1; do not change it."""
+    """Path of a good package of two parts with light and holes; do not change it."""
     return make_lantern(tmp_path_factory.mktemp("package") / "lantern.rna")
 
 

@@ -1,4 +1,4 @@
-"""A small good package with all that is new in 1.1: two parts, emission, holes and glass."""
+"""A small good package of two parts with emission, holes and glass."""
 
 from __future__ import annotations
 

@@ -6,7 +6,6 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from onnx import numpy_helper
 
 from rna_sdk.package import (
     Curves,
@@ -14,10 +13,12 @@ from rna_sdk.package import (
     Lobes,
     Mesh,
     Package,
+    ProfileLayer,
     Unpacked,
+    decoder_to_bytes,
     query_width,
 )
-from tests.package.builders import FIBER_INPUTS, INPUTS, make_decoder, make_decoder_model
+from tests.package.builders import FIBER_INPUTS, INPUTS, decoder_of, make_decoder
 
 LOBES = 4
 FOREST = EnvironmentValidation(
@@ -50,15 +51,10 @@ def make_harmonics(geometry: Mesh | Curves) -> np.ndarray:
 
 def even_decoder(columns: int, amplitude: float, lobes: int = LOBES) -> bytes:
     """A decoder whose lobes have this amplitude, visible and shadowed, wherever it is asked."""
-    model = make_decoder_model(columns, outputs=9 * lobes, output="environment")
     of_lobe = np.repeat([amplitude, amplitude, 8.0], 3)
-    values = {"w0": 0.0, "b0": 0.0, "w1": 0.0, "b1": np.log1p(np.tile(of_lobe, lobes))}
-    for tensor in model.graph.initializer:
-        if tensor.name in values:
-            old = numpy_helper.to_array(tensor)
-            whole = np.broadcast_to(np.float32(values[tensor.name]), old.shape)
-            tensor.CopyFrom(numpy_helper.from_array(np.ascontiguousarray(whole), tensor.name))
-    return bytes(model.SerializeToString())
+    bias = np.log1p(np.tile(of_lobe, lobes)).astype(np.float32)
+    layer = ProfileLayer(np.zeros((columns, 9 * lobes), np.float32), bias, 0.0, None, False)
+    return decoder_to_bytes(decoder_of([layer], output="environment"))
 
 
 def with_lobes(

@@ -55,7 +55,7 @@ def test_warning_is_valid(
     path = tmp_path / "warned.rna"
     path.write_bytes(mesh_outside_the_bounds(entries))
     assert cli.main([str(path)]) == 0
-    assert "warning GEOMETRY_OUTSIDE at /bounds" in capsys.readouterr().out
+    assert "warning GEOMETRY_OUTSIDE at /parts/0/bounds" in capsys.readouterr().out
 
 
 def test_json(tiny: Path, broken: Path, capsys: pytest.CaptureFixture[str]) -> None:

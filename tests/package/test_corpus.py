@@ -10,12 +10,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_sdk.package import Code, Package, PackageError, Severity, validate
+from rna_sdk.errors import PackageError
+from rna_sdk.package import Code, Package, Severity, validate
 from rna_sdk.package.limits import MAX_FILE_BYTES
 from tests.package.builders import pack
 from tests.package.corpus import container_cases, content_cases, manifest_cases
 from tests.package.corpus.every import CASES
-from tests.package.corpus.registry import Base, Case, Entries
+from tests.package.corpus.registry import Base, Case, Entries, part, tier_part
 
 OUTSIDE_THE_CORPUS = {"FILE_UNREADABLE", "FILE_TOO_LARGE"}
 """Codes about the file itself, with tests of their own below."""
@@ -98,16 +99,16 @@ def test_all_issues_of_a_manifest_come_at_once(entries: Entries, tmp_path: Path)
 
     def edit(manifest: dict) -> None:
         manifest.pop("license")
-        manifest["tiers"][0]["channels"] = -1
-        manifest["bounds"]["max"][0] = -7
+        tier_part(manifest)["channels"] = -1
+        part(manifest)["bounds"]["max"][0] = -7
         manifest["domain"]["wi"] = [{"axis": [0, 1, 0], "halfAngle": -1}]
 
     path.write_bytes(manifest_cases.with_manifest(entries, edit))
     found = {(issue.code, issue.pointer_or_offset) for issue in validate(path)}
     assert found == {
         ("FIELD_MISSING", "/license"),
-        ("FIELD_VALUE", "/tiers/0/channels"),
-        ("BOUNDS_EMPTY", "/bounds/max"),
+        ("FIELD_VALUE", "/tiers/0/parts/0/channels"),
+        ("BOUNDS_EMPTY", "/parts/0/bounds/max"),
         ("FIELD_VALUE", "/domain/wi/0/halfAngle"),
     }
 

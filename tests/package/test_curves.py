@@ -13,8 +13,8 @@ import numpy as np
 import pytest
 import safetensors.numpy
 
-from rna_sdk.errors import QueryError
-from rna_sdk.package import Curves, Package, PackageError, validate, write_package
+from rna_sdk.errors import PackageError, QueryError
+from rna_sdk.package import Curves, Package, validate, write_package
 from rna_sdk.package.manifest.manifest_reader import parse_manifest
 from tests.package.builders import (
     FIBER_INPUTS,
@@ -101,7 +101,9 @@ def test_writer_refuses_the_other_geometry(
 ) -> None:
     tier = make_tier(inputs=inputs)
     manifest = make_manifest(tier, kind=kind)
-    with pytest.raises(PackageError, match=f"GEOMETRY_CONTAINER at /geometry.*a {kind} part"):
+    with pytest.raises(
+        PackageError, match=f"GEOMETRY_CONTAINER at /parts/0/geometry.*a {kind} part"
+    ):
         write_package(tmp_path / "x.rna", manifest, [geometry], {"small": make_tier_data(tier)})
     assert list(tmp_path.iterdir()) == []
 
@@ -112,7 +114,7 @@ def test_block_of_another_kind_is_named_with_its_place(
     path = tmp_path / "x.rna"
     path.write_bytes(fiber_with_a_normal(fiber_entries))
     (issue,) = validate(path)
-    assert (issue.code, issue.pointer_or_offset) == ("INPUT_KIND", "/tiers/0/inputs/1")
+    assert (issue.code, issue.pointer_or_offset) == ("INPUT_KIND", "/tiers/0/parts/0/inputs/1")
     assert issue.found == "normal"
     assert "tangent" in issue.expected and "half_vector" not in issue.expected
 
@@ -120,7 +122,7 @@ def test_block_of_another_kind_is_named_with_its_place(
 def test_writer_refuses_blocks_of_another_kind(tmp_path: Path) -> None:
     tier = make_tier(inputs=("features", "half_vector"))
     manifest = make_manifest(tier, kind="fiber")
-    with pytest.raises(PackageError, match="INPUT_KIND at /tiers/0/inputs/1"):
+    with pytest.raises(PackageError, match="INPUT_KIND at /tiers/0/parts/0/inputs/1"):
         data = {"small": make_tier_data(tier)}
         write_package(tmp_path / "x.rna", manifest, [make_curves()], data)
 
@@ -134,9 +136,9 @@ def test_geometry_may_have_any_name(tmp_path: Path) -> None:
 def test_kind_and_geometry_stand_in_the_file(fiber_entries: dict[str, bytes]) -> None:
     manifest = json.loads(fiber_entries["manifest.json"])
     for name in ("kind", "geometry"):
-        rest = {key: value for key, value in manifest.items() if key != name}
-        with pytest.raises(PackageError, match=f"^error FIELD_MISSING at /{name}: [^\n]*$"):
-            parse_manifest(json.dumps(rest).encode())
+        rest = {key: value for key, value in manifest["parts"][0].items() if key != name}
+        with pytest.raises(PackageError, match=f"^error FIELD_MISSING at /parts/0/{name}: [^\n]*$"):
+            parse_manifest(json.dumps(manifest | {"parts": [rest]}).encode())
 
 
 @pytest.mark.parametrize(

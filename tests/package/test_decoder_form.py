@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_sdk.package import EnvironmentPart, PackageError
+from rna_sdk.errors import PackageError
+from rna_sdk.package import EnvironmentPart, decoder_from_bytes
 from rna_sdk.package.decoder.decoder_checks import check_decoder
 from rna_sdk.package.decoder.decoder_form import (
     EMISSION,
@@ -36,10 +37,10 @@ def test_a_decoder_of_lobes_is_checked_and_run() -> None:
     model = make_decoder("float32", own.columns, 16, 2, outputs=own.width, output="environment")
     assert check_decoder(memoryview(model), own) == []
     queries = np.random.default_rng(0).normal(size=(50, 10)).astype(np.float32)
-    assert Decoder(model).run(queries).shape == (50, 36)
-    with pytest.raises(PackageError, match="DECODER_OUTPUT") as caught:
+    assert Decoder(decoder_from_bytes(model, "lobes")).run(queries).shape == (50, 36)
+    with pytest.raises(PackageError, match="DECODER_PROFILE") as caught:
         check_decoder(memoryview(model), declared(6))
-    assert "environment float32 [N, 54]" in str(caught.value)
+    assert "expected environment of 54 columns" in str(caught.value)
 
 
 def test_outputs_are_finite_and_not_negative() -> None:

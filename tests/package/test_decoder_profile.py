@@ -1,47 +1,73 @@
-"""The decoder profile: what keeps to it, and what leaves it at which node."""
+"""The decoder profile: what is of it comes back and runs as in ONNX; other graphs are refused."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import onnx
 import pytest
 from onnx import helper, numpy_helper
 
-from rna_sdk.package.decoder.onnx_model import read_model
-from rna_sdk.package.decoder.profile_decoder import read_profile, saturating_weights
-from tests.package.builders import make_decoder_model, make_int8_decoder_model
+from rna_sdk.errors import PackageError
+from rna_sdk.package import ProfileDecoder, decoder_from_bytes, decoder_to_bytes
+from tests.package.builders import random_decoder, random_int8_decoder
+from tests.package.onnx_reference import onnx_result
+
+Change = Callable[[onnx.ModelProto], object]
+DECODERS = [random_decoder(18, 8, 2), random_int8_decoder(18, 8, 2)]
+BOTH = pytest.mark.parametrize("decoder", DECODERS, ids=["float32", "int8"])
 
 
-def reason(model: onnx.ModelProto) -> str | None:
-    found = read_profile(read_model(memoryview(model.SerializeToString())))
-    return found if isinstance(found, str) else None
+def with_matrix(decoder: ProfileDecoder) -> ProfileDecoder:
+    matrix = np.random.default_rng(1).uniform(0, 1, (6, 3)).astype(np.float32)
+    return replace(decoder, matrix=matrix, output="emission")
 
 
-def models() -> list[onnx.ModelProto]:
-    return [make_decoder_model(18, 8, 2), make_int8_decoder_model(18, 8, 2, in_profile=True)]
+@pytest.mark.parametrize("ending", [lambda decoder: decoder, with_matrix], ids=["unit", "matrix"])
+@BOTH
+def test_what_is_written_is_what_is_read(
+    decoder: ProfileDecoder, ending: Callable[[ProfileDecoder], ProfileDecoder]
+) -> None:
+    decoder = ending(decoder)
+    data = decoder_to_bytes(decoder, "tests")
+    onnx.checker.check_model(onnx.load_from_string(data))
+    found = decoder_from_bytes(data, "x")
+    assert decoder_to_bytes(found, "tests") == data
+    assert (found.is_int8, found.columns, found.outputs) == (
+        *(decoder.is_int8, 18, decoder.outputs),
+    )
+    queries = np.random.default_rng(0).normal(size=(500, 18)).astype(np.float32)
+    expected = onnx_result(decoder, queries)
+    close = np.isclose(found.run(queries), expected, rtol=1e-4, atol=1e-5).all(axis=1)
+    assert close.mean() >= (0.98 if decoder.is_int8 else 1)  # ties of int8 round either way
+    assert expected.std() > 0.1
 
 
-def end_in_a_matrix(model: onnx.ModelProto) -> None:
-    model.graph.node[-1].op_type = "MatMul"
-    replace(model, "unit", np.eye(6, dtype=np.float32))
+def test_runs_in_double_precision() -> None:
+    queries = np.random.default_rng(0).normal(size=(200, 18))
+    for decoder in DECODERS:
+        single, double = decoder.run(queries.astype(np.float32)), decoder.run(queries)
+        assert (single.dtype, double.dtype) == (np.float32, np.float64)
+        assert np.isclose(single, double, rtol=1e-3, atol=1e-4).all(axis=1).mean() > 0.98
 
 
-def replace(model: onnx.ModelProto, name: str, value: np.ndarray) -> None:
-    (tensor,) = (t for t in model.graph.initializer if t.name == name)
-    tensor.CopyFrom(numpy_helper.from_array(np.asarray(value), name))
+def test_cost_is_a_sum_over_layers() -> None:
+    decoder = random_decoder(18, 8, 2)
+    assert (decoder.values, decoder.multiply_adds) == (8 + 8 + 6 + 6, 18 * 8 + 8 * 8 + 8 * 6)
+    mixed = with_matrix(decoder)
+    assert mixed.multiply_adds == decoder.multiply_adds + 6 * 3 and mixed.values == 8 + 8 + 6 + 3
 
 
-@pytest.mark.parametrize("model", models(), ids=["float32", "int8"])
-def test_both_precisions_and_both_ends_keep_to_it(model: onnx.ModelProto) -> None:
-    assert reason(model) is None
-    end_in_a_matrix(model)
-    assert reason(model) is None
+def node_of(model: onnx.ModelProto, operator: str, number: int = 0) -> onnx.NodeProto:
+    return [node for node in model.graph.node if node.op_type == operator][number]
 
 
-def node_of(model: onnx.ModelProto, operator: str) -> onnx.NodeProto:
-    return next(node for node in model.graph.node if node.op_type == operator)
+def with_operand(model: onnx.ModelProto, node: onnx.NodeProto, k: int, value: object) -> None:
+    """Another constant as operand k of a node."""
+    model.graph.initializer.append(numpy_helper.from_array(np.asarray(value), "other"))
+    node.input[k] = "other"
 
 
 def scale_the_product(model: onnx.ModelProto) -> None:
@@ -56,71 +82,99 @@ def leave_the_exponential_out(model: onnx.ModelProto) -> None:
     node_of(model, "Exp").op_type = "Relu"
 
 
-def another_constant_type(model: onnx.ModelProto) -> None:
-    replace(model, "one", np.ones(1, np.float32))
-
-
-def subtract_another_number(model: onnx.ModelProto) -> None:
-    replace(model, "one", np.float32(2))
+def another_shape_of_a_number(model: onnx.ModelProto) -> None:
+    with_operand(model, node_of(model, "Sub"), 1, np.ones(1, np.float32))
 
 
 def let_negative_logarithms_through(model: onnx.ModelProto) -> None:
-    replace(model, "zero", np.float32(-1))
+    with_operand(model, node_of(model, "Clip", 1), 1, np.float32(-1))
 
 
 def constants_unpacked(model: onnx.ModelProto) -> None:
-    (tensor,) = (t for t in model.graph.initializer if t.name == "one")
-    tensor.CopyFrom(helper.make_tensor("one", 1, (), [1.0]))
+    tensor = next(t for t in model.graph.initializer if t.name == node_of(model, "Sub").input[1])
+    tensor.CopyFrom(helper.make_tensor(tensor.name, 1, (), [1.0]))
 
 
 def a_dangling_dequantizer(model: onnx.ModelProto) -> None:
-    model.graph.node.append(helper.make_node("DequantizeLinear", ["zero", "one"], ["other"]))
+    one = node_of(model, "Sub").input[1]
+    model.graph.node.append(helper.make_node("DequantizeLinear", [one, one], ["other"]))
 
 
-@pytest.mark.parametrize("model", models(), ids=["float32", "int8"])
+def a_constant_that_is_the_queries(model: onnx.ModelProto) -> None:
+    model.graph.initializer.append(numpy_helper.from_array(np.float32(1), "queries"))
+
+
+def an_output_before_the_end(model: onnx.ModelProto) -> None:
+    model.graph.output[0].name = node_of(model, "Exp").output[0]
+
+
 @pytest.mark.parametrize(
     "change",
     [
         scale_the_product,
         read_a_value_twice,
         leave_the_exponential_out,
-        another_constant_type,
-        subtract_another_number,
+        another_shape_of_a_number,
         let_negative_logarithms_through,
         constants_unpacked,
         a_dangling_dequantizer,
+        a_constant_that_is_the_queries,
+        an_output_before_the_end,
     ],
 )
-def test_other_graphs_leave_it(
-    model: onnx.ModelProto, change: Callable[[onnx.ModelProto], None]
-) -> None:
-    change(model)
-    assert reason(model) is not None
+@BOTH
+def test_other_graphs_are_refused(decoder: ProfileDecoder, change: Change) -> None:
+    refused(decoder, change)
 
 
-def test_a_layer_with_a_zero_point_leaves_it() -> None:
-    assert "QuantizeLinear" in (reason(make_int8_decoder_model(18, 8, 2)) or "")
+def a_zero_point(model: onnx.ModelProto) -> None:
+    for operator in ("QuantizeLinear", "DequantizeLinear"):
+        node_of(model, operator).input[2] = "other"
+    model.graph.initializer.append(numpy_helper.from_array(np.uint8(1), "other"))
+
+
+def a_zero_point_of_weights(model: onnx.ModelProto) -> None:
+    model.graph.initializer.append(numpy_helper.from_array(np.zeros(8, np.int8), "other"))
+    node_of(model, "DequantizeLinear", 1).input.append("other")
+
+
+def a_bias_of_another_scale(model: onnx.ModelProto) -> None:
+    with_operand(model, node_of(model, "DequantizeLinear", 2), 1, np.full(8, 0.1, np.float32))
+
+
+def two_scales_for_one_value(model: onnx.ModelProto) -> None:
+    with_operand(model, node_of(model, "DequantizeLinear"), 1, np.float32(0.5))
+
+
+def weights_dequantised_too_late(model: onnx.ModelProto) -> None:
+    nodes = list(model.graph.node)
+    nodes.append(nodes.pop(nodes.index(node_of(model, "DequantizeLinear", 1))))
+    del model.graph.node[:]
+    model.graph.node.extend(nodes)
+
+
+def scales_along_the_inputs(model: onnx.ModelProto) -> None:
+    node_of(model, "DequantizeLinear", 1).attribute[0].i = 0
 
 
 @pytest.mark.parametrize(
-    ("name", "value"),
-    [("z1", np.uint8(1)), ("t1", np.full(8, 0.1, np.float32)), ("step1", np.float32(2))],
+    "change",
+    [
+        a_zero_point,
+        a_zero_point_of_weights,
+        a_bias_of_another_scale,
+        two_scales_for_one_value,
+        weights_dequantised_too_late,
+        scales_along_the_inputs,
+    ],
 )
-def test_int8_scales_that_do_not_belong_together_leave_it(name: str, value: np.ndarray) -> None:
-    model = make_int8_decoder_model(18, 8, 2, in_profile=True)
-    replace(model, name, value)
-    assert reason(model) is not None
+def test_other_quantisations_are_refused(change: Change) -> None:
+    refused(DECODERS[1], change)
 
 
-def test_two_scales_for_one_value_leave_it() -> None:
-    model = make_int8_decoder_model(18, 8, 2, in_profile=True)
-    model.graph.initializer.append(numpy_helper.from_array(np.float32(0.5), "other"))
-    node = next(n for n in model.graph.node if n.op_type == "DequantizeLinear")
-    node.input[1] = "other"
-    assert "two scales" in (reason(model) or "")
-
-
-def test_saturating_weights_are_named() -> None:
-    for largest, names in ((64, []), (127, ["w0", "w1", "w2"])):
-        model = make_int8_decoder_model(18, 64, 2, largest=largest, in_profile=True)
-        assert saturating_weights(read_model(memoryview(model.SerializeToString()))) == names
+def refused(decoder: ProfileDecoder, change: Change) -> None:
+    model = onnx.load_from_string(decoder_to_bytes(decoder))
+    change(model)
+    with pytest.raises(PackageError, match="DECODER_PROFILE at x#/graph/") as caught:
+        decoder_from_bytes(model.SerializeToString(), "x")
+    assert "expected" in str(caught.value)

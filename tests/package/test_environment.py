@@ -25,7 +25,6 @@ def test_lobes_come_back(lantern: Path, tmp_path: Path) -> None:
         np.testing.assert_array_equal(lobes.planes, plain.planes("small", 1))
         assert extension(package.manifest, Environment).validation == (FOREST,)
         assert package.manifest.extensions_required == ()
-        assert package.manifest.min_reader_version == plain.manifest.min_reader_version
 
 
 def test_lobes_are_coded_and_replaced(tiny: Path, tmp_path: Path) -> None:

@@ -22,7 +22,7 @@ def test_it_says_what_the_package_records(capsys: pytest.CaptureFixture[str]) ->
     assert main([str(TOY)]) == 0
     said = capsys.readouterr().out
     for part in (
-        "toy, 4.11 MB, format 1.1",
+        "toy, 4.11 MB, format 2.0",
         "0.798 x 0.432 x 0.462 m",
         "asset: surface, 17,658 triangles",
         "small: PSNR 38.92 dB, FLIP 0.0363; 156 ns/query (2 threads, AMD EPYC, 2 cores)",

@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rna_sdk.errors import QueryError
-from rna_sdk.package import Mesh, Package, PackageError, tier_ranges, validate, write_package
+from rna_sdk.errors import PackageError, QueryError
+from rna_sdk.package import Mesh, Package, tier_ranges, validate, write_package
 from rna_sdk.package.manifest.manifest_reader import parse_manifest
 from tests.package.builders import (
     make_curves,
@@ -22,11 +22,8 @@ from tests.package.builders import (
     make_part_data,
     make_tier,
     make_tier_data,
-    make_tiny_package,
-    pack,
     read_entries,
 )
-from tests.package.corpus.registry import in_parts
 from tests.package.lantern import (
     LEAF,
     PANE,
@@ -43,7 +40,6 @@ def test_every_part_comes_back(lantern: Path) -> None:
     with Package.open(lantern) as package:
         assert package.manifest.parts == manifest.parts
         assert package.manifest.tiers == manifest.tiers
-        assert (package.manifest.version, package.manifest.min_reader_version) == ("1.1", "1.1")
         assert isinstance(package.geometry(), Mesh)
         np.testing.assert_array_equal(package.curves(1).points, make_curves().points)
         for tier, parts in make_lantern_data(manifest).items():
@@ -121,7 +117,7 @@ def test_one_tier_takes_two_ranges(lantern: Path, tier: str) -> None:
         starts = [info.header_offset for info in archive.infolist()]
         ends = [*starts[1:], archive.start_dir]
         names = archive.namelist()
-        manifest, _ = parse_manifest(archive.read("manifest.json"))
+        manifest = parse_manifest(archive.read("manifest.json"))
     layout = {name: range(*ends) for name, *ends in zip(names, starts, ends, strict=True)}
     with Package.open(lantern) as package:
         assert package.layout() == layout
@@ -152,32 +148,6 @@ def test_equal_geometry_is_stored_once(tmp_path: Path) -> None:
     other = make_mesh(uvs=False)
     with pytest.raises(PackageError, match=r"ENTRY_HASH at /parts/1/geometry: .* other data"):
         write_package(tmp_path / "x.rna", manifest, [mesh, other], {"small": data}, make_textures())
-
-
-def test_one_part_with_nothing_new_has_the_short_form(tmp_path: Path) -> None:
-    path = make_tiny_package(tmp_path / "x.rna")
-    written = json.loads(read_entries(path)["manifest.json"])
-    assert "parts" not in written and "parts" not in written["tiers"][0]
-    assert (written["version"], written["minReaderVersion"]) == ("1.0", "1.0")
-    assert Package.open(path).manifest.parts[0].name == "asset"
-
-
-def test_one_part_may_have_the_other_form(tmp_path: Path, entries: dict[str, bytes]) -> None:
-    manifest = json.loads(entries["manifest.json"])
-    in_parts(manifest)
-    path = tmp_path / "x.rna"
-    path.write_bytes(pack({**entries, "manifest.json": json.dumps(manifest).encode()}.items()))
-    assert validate(path) == []
-    found = Package.open(path).manifest
-    short, _ = parse_manifest(entries["manifest.json"])
-    assert found == short.model_copy(update={"version": "1.1", "min_reader_version": "1.1"})
-
-
-def test_a_package_for_a_newer_reader_is_written_in_parts(tmp_path: Path) -> None:
-    path = make_tiny_package(tmp_path / "x.rna", min_reader_version="1.1")
-    written = json.loads(read_entries(path)["manifest.json"])
-    assert [part["name"] for part in written["parts"]] == ["asset"]
-    assert written["version"] == "1.1"
 
 
 def test_absent_members_are_not_written(lantern: Path) -> None:

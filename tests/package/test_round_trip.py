@@ -15,12 +15,11 @@ import pytest
 import safetensors.numpy
 import trimesh
 
-from rna_sdk.errors import QueryError, RnaError
+from rna_sdk.errors import PackageError, QueryError, RnaError
 from rna_sdk.package import (
     Cost,
     Mesh,
     Package,
-    PackageError,
     TierData,
     Validation,
     float_planes,
@@ -29,7 +28,7 @@ from rna_sdk.package import (
 )
 from rna_sdk.package.container.zip_container import Container
 from tests.package.builders import (
-    make_decoder_model,
+    make_decoder,
     make_manifest,
     make_mesh,
     make_part_data,
@@ -110,7 +109,7 @@ def test_byte_layout_is_pinned(tmp_path: Path) -> None:
     assert struct.unpack_from("<IHHHHH", path.read_bytes()) == (0x04034B50, 20, 0, 0, 0, 0x21)
 
 
-def test_planes_are_views_of_the_map(tiny: Path) -> None:
+def test_planes_are_views_of_the_file(tiny: Path) -> None:
     package = Package.open(tiny)
     planes = package.planes("small")
     base: object = planes
@@ -122,6 +121,16 @@ def test_planes_are_views_of_the_map(tiny: Path) -> None:
     again = package.planes("small")
     assert again.ctypes.data == planes.ctypes.data
     assert not package.mesh().positions.flags.owndata
+
+
+def test_a_file_that_is_written_in_place_changes_nothing(tiny: Path, tmp_path: Path) -> None:
+    path = tmp_path / "a.rna"
+    path.write_bytes(tiny.read_bytes())
+    planes = Package.open(path).planes("small")
+    path.write_bytes(bytes(path.stat().st_size))
+    np.testing.assert_array_equal(planes, make_planes())
+    path.write_bytes(b"")
+    np.testing.assert_array_equal(planes, make_planes())
 
 
 def test_views_outlive_the_package(tiny: Path) -> None:
@@ -167,7 +176,7 @@ def test_tier_lookup_names_the_tiers(tiny: Path) -> None:
         ({"planes": make_planes(precision="float32")}, "PLANES_DTYPE"),
         ({"planes": make_planes(precision="float64")}, "PLANES_DTYPE"),
         ({"planes": make_planes(precision="int8")}, "PLANES_TENSOR"),
-        ({"decoder": make_decoder_model(columns=4).SerializeToString()}, "DECODER_INPUT"),
+        ({"decoder": make_decoder("float32", 4)}, "DECODER_PROFILE"),
     ],
 )
 def test_writer_refuses_what_does_not_fit(tmp_path: Path, change: dict, code: str) -> None:
@@ -188,7 +197,7 @@ def test_writer_wants_data_for_each_tier(tmp_path: Path) -> None:
 def test_tiers_may_share_planes(tmp_path: Path) -> None:
     shared = {"planes": "features/shared.safetensors"}
     tiers = (make_tier("a", **shared), make_tier("b", **shared))
-    decoders = [make_decoder_model(seed=s).SerializeToString() for s in (1, 2)]
+    decoders = [make_decoder("float32", seed=s) for s in (1, 2)]
     data = {t.name: [TierData(make_planes(), d)] for t, d in zip(tiers, decoders, strict=True)}
     write_package(tmp_path / "x.rna", make_manifest(*tiers), [make_mesh()], data)
     package = Package.open(tmp_path / "x.rna")
@@ -220,5 +229,5 @@ def test_unchanged_after_validation(tiny: Path) -> None:
 
 def test_manifest_in_the_file_is_camel_case(entries: dict[str, bytes]) -> None:
     manifest = json.loads(entries["manifest.json"])
-    assert list(manifest)[:3] == ["format", "version", "minReaderVersion"]
-    assert manifest["tiers"][0]["planePrecision"] == "float16"
+    assert list(manifest)[:3] == ["format", "version", "generator"]
+    assert manifest["tiers"][0]["parts"][0]["planePrecision"] == "float16"

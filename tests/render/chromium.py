@@ -30,7 +30,7 @@ SOFTWARE_GPU = (
     "--use-angle=swiftshader",
     "--ignore-gpu-blocklist",
 )
-"""WebGPU and WebGL2 by SwiftShader, which Chromium brings. Compute alone needs the first three."""
+"""WebGPU by SwiftShader, which Chromium brings. Compute alone needs the first three."""
 
 
 def find_chromium() -> str | None:

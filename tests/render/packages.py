@@ -7,19 +7,21 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from onnx import TensorProto, helper, numpy_helper
 
 from rna_sdk.package import (
     Curves,
     Mesh,
+    ProfileLayer,
     Tier,
     TierData,
     TierEmission,
     TransmittanceRecord,
+    decoder_to_bytes,
     write_package,
 )
 from tests.package.builders import (
     FIBER_INPUTS,
+    decoder_of,
     make_manifest,
     make_part,
     make_planes,
@@ -35,8 +37,9 @@ COLUMNS = 18  # features 4, normal 3, wo 3, wi 3, half_vector 5
 COSINE_COLUMN = 15  # n.wi, the third value of half_vector
 FIBER_COLUMNS = 23  # features 4, tangent 3, h 1, wo 3, wi 3, fiber_angles 6, fiber_lobes 3
 H_COLUMN = 7
-OFFSET_BIAS = (0.5, 0.5, 0.5, *SHADOWED)
 EMISSION_COLUMNS = 7  # features 4, wo 3
+
+_PIECES = 127
 
 
 def write_lambert_package(
@@ -47,9 +50,7 @@ def write_lambert_package(
     tiers: names, or records. changes: of the manifest.
     """
     records = [make_tier(tier) if isinstance(tier, str) else tier for tier in tiers]
-    weights = np.zeros((COLUMNS, 6), np.float32)
-    weights[COSINE_COLUMN, :3] = np.divide(ALBEDO, np.pi)
-    decoder = _linear_decoder(weights, [0, 0, 0, *SHADOWED])
+    decoder = _lambert_decoder()
     data = {tier.name: [TierData(planes=make_planes(), decoder=decoder)] for tier in records}
     write_package(path, make_manifest(*records, **changes), [mesh], data)
     return path
@@ -58,9 +59,7 @@ def write_lambert_package(
 def write_offset_package(path: Path, curves: Curves) -> Path:
     """A fiber asset with `visible` = (1 + h) / 2 in all channels and `shadowed` = SHADOWED."""
     tier = make_tier(inputs=FIBER_INPUTS)
-    weights = np.zeros((FIBER_COLUMNS, 6), np.float32)
-    weights[H_COLUMN, :3] = 0.5
-    data = TierData(planes=make_planes(), decoder=_linear_decoder(weights, OFFSET_BIAS))
+    data = TierData(planes=make_planes(), decoder=_offset_decoder())
     write_package(path, make_manifest(tier, kind="fiber"), [curves], {tier.name: [data]})
     return path
 
@@ -72,12 +71,8 @@ def write_lamp_package(path: Path, glow: tuple[float, float, float], tint: np.nd
     strands of radius 0.01 on its edge. Transport: nothing of the bulb; of the shade that of
     `write_lambert_package`; of the fringe that of `write_offset_package`. tint: (3,) uint8.
     """
-    weights = np.zeros((FIBER_COLUMNS, 6), np.float32)
-    weights[H_COLUMN, :3] = 0.5
-    lambert = np.zeros((COLUMNS, 6), np.float32)
-    lambert[COSINE_COLUMN, :3] = np.divide(ALBEDO, np.pi)
-    glowing = _linear_decoder(np.zeros((EMISSION_COLUMNS, 3), np.float32), glow, "emission")
-    dark = _linear_decoder(np.zeros((COLUMNS, 6), np.float32), np.zeros(6))
+    glowing = constant_decoder(EMISSION_COLUMNS, glow, "emission")
+    dark = constant_decoder(COLUMNS, np.zeros(6))
     emission = TierEmission(
         decoder="decoders/glow.onnx", inputs=("features", "wo"), decoder_precision="float32"
     )
@@ -98,8 +93,8 @@ def write_lamp_package(path: Path, glow: tuple[float, float, float], tint: np.nd
     )
     data = [
         TierData(make_planes(), dark, {"emission": glowing}),
-        TierData(make_planes(), _linear_decoder(lambert, [0, 0, 0, *SHADOWED])),
-        TierData(make_planes(), _linear_decoder(weights, OFFSET_BIAS)),
+        TierData(make_planes(), _lambert_decoder()),
+        TierData(make_planes(), _offset_decoder()),
     ]
     geometries = [sphere(3, radius=0.2), _shade(), _fringe()]
     manifest = make_manifest(tier, parts=parts)
@@ -131,22 +126,46 @@ def _fringe() -> Curves:
     )
 
 
-def _linear_decoder(
-    weights: np.ndarray, bias: Sequence[float] | np.ndarray, output: str = "transport"
+def _lambert_decoder() -> bytes:
+    ends = np.float64([[0, 0, 0, *SHADOWED], [*np.divide(ALBEDO, np.pi), *SHADOWED]])
+    return ramp_decoder(COLUMNS, COSINE_COLUMN, (0.0, 1.0), ends)
+
+
+def _offset_decoder() -> bytes:
+    ends = np.float64([[0, 0, 0, *SHADOWED], [1, 1, 1, *SHADOWED]])
+    return ramp_decoder(FIBER_COLUMNS, H_COLUMN, (-1.0, 1.0), ends)
+
+
+def constant_decoder(
+    columns: int, colours: Sequence[float] | np.ndarray, output: str = "transport"
 ) -> bytes:
-    """Linear in the queries, but not negative."""
-    bias = np.asarray(bias, np.float32)
-    constants = {"low": np.float32(-65504), "high": np.float32(65504), "w": weights, "b": bias}
-    graph = helper.make_graph(
-        [
-            helper.make_node("Clip", ["queries", "low", "high"], ["finite"]),
-            helper.make_node("Gemm", ["finite", "w", "b"], ["signed"]),
-            helper.make_node("Relu", ["signed"], [output]),
-        ],
-        "linear",
-        [helper.make_tensor_value_info("queries", TensorProto.FLOAT, ["N", len(weights)])],
-        [helper.make_tensor_value_info(output, TensorProto.FLOAT, ["N", len(bias)])],
-        [numpy_helper.from_array(value, name) for name, value in constants.items()],
-    )
-    model = helper.make_model(graph, opset_imports=[helper.make_opsetid("", 18)], ir_version=10)
-    return model.SerializeToString()
+    """A decoder that gives these colours, whatever it is asked."""
+    weight = np.zeros((columns, len(colours)), np.float32)
+    layer = ProfileLayer(weight, np.log1p(np.float32(colours)), 0.0, None, False)
+    return decoder_to_bytes(decoder_of([layer], output=output))
+
+
+def ramp_decoder(
+    columns: int,
+    column: int,
+    span: tuple[float, float],
+    ends: np.ndarray,
+    output: str = "transport",
+) -> bytes:
+    """A decoder linear in one column between the ends of a span, and constant beyond.
+
+    Its hidden layer makes pieces of the logarithm that a decoder takes the exponential of, shorter
+    towards the first end; the error is 3e-5 of the result. ends: (2, outputs).
+    """
+    place = np.linspace(0, 1, _PIECES + 1) ** 2
+    logs = np.log1p(ends[0] + place[:, None] * (ends[1] - ends[0]))
+    knots = span[0] + place * (span[1] - span[0])
+    slopes = np.diff(logs, axis=0) / np.diff(knots)[:, None]
+    bends = np.diff(slopes, axis=0, prepend=0, append=0)
+    first = np.zeros((columns, _PIECES + 1), np.float32)
+    first[column] = 1
+    layers = [
+        ProfileLayer(first, -knots.astype(np.float32), 0.0, None, True),
+        ProfileLayer(bends.astype(np.float32), logs[0].astype(np.float32), 0.0, None, False),
+    ]
+    return decoder_to_bytes(decoder_of(layers))

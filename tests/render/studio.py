@@ -68,7 +68,7 @@ def shoot(
     lights = [*world.lights, *others]
     lighting = LobeLighting(lights) if lobes else None
     integrator = Integrator(
-        world, camera, lights, scene.max_depth, strategy=strategy, lobes=lighting
+        world, camera, lights, max_depth=scene.max_depth, strategy=strategy, lobes=lighting
     )
     with one_thread():
         return render(scene, integrator).channels()

@@ -49,7 +49,7 @@ def test_a_cylinder_a_cone_and_caps_are_hit_where_they_are():
     np.testing.assert_allclose(hits.t, [4.9, 4.92, 5 - radius * tilt, 2.92, 9 - end], rtol=1e-5)
     np.testing.assert_allclose(hits.u, [0.25, 0.5, u, 0, 1], atol=1e-6)
     expected = [[0, 0, 1], [0.6, 0, 0.8], [-0.2, 0, tilt], [0.6, -0.8, 0], [0.8, 0.6, 0]]
-    np.testing.assert_allclose(hits.normals, expected, atol=1e-4)
+    np.testing.assert_allclose(hits.ng, expected, atol=1e-4)
 
 
 @pytest.mark.parametrize("spread", [0.5, 0.15])
@@ -66,9 +66,9 @@ def test_closest_hits_are_those_of_the_exact_twin(spread):
     assert 0.5 < len(rows) / len(t) < 1.0
     np.testing.assert_allclose(hits.t[rows], t[rows], atol=1e-5)
     assert np.mean(hits.primitive[rows] == exact[rows].argmin(axis=1)) > 0.99  # joints are of both
-    np.testing.assert_allclose(np.linalg.norm(hits.normals[rows], axis=1), 1, atol=1e-6)
-    assert (np.sum(hits.normals[rows] * directions[rows], axis=1) <= 1e-3).all()
-    assert (hits.normals[~found] == 0).all() and (hits.t[~found] == np.inf).all()
+    np.testing.assert_allclose(np.linalg.norm(hits.ng[rows], axis=1), 1, atol=1e-6)
+    assert (np.sum(hits.ng[rows] * directions[rows], axis=1) <= 1e-3).all()
+    assert (hits.ng[~found] == 0).all() and (hits.t[~found] == np.inf).all()
     scene = scene_of(curves)
     np.testing.assert_array_equal(scene.occluded(origins, directions), found)
 
@@ -124,7 +124,7 @@ def test_an_instance_is_hit_as_the_strands_are_in_their_own_space(scale):
     same = hits.primitive == expected.primitive
     assert same.mean() > 0.99 and np.mean(expected.primitive >= 0) > 0.4
     # At a scale of 0.01 the world's coordinates are rounded to 2e-5 of the strands' own.
-    near = np.abs(hits.ng - expected.normals)[same].max(axis=1) < 0.1
+    near = np.abs(hits.ng - expected.ng)[same].max(axis=1) < 0.1
     assert near.mean() > 0.98
     np.testing.assert_allclose(hits.t[same][near], expected.t[same][near] * scale, rtol=2e-3)
     np.testing.assert_allclose(hits.u[same][near], expected.u[same][near], atol=0.02)
@@ -133,7 +133,7 @@ def test_an_instance_is_hit_as_the_strands_are_in_their_own_space(scale):
 def test_no_rays_are_legal():
     none = np.zeros((0, 3), np.float32)
     hits = scene_of(straight(((0, 0, 0), (0, 1, 0)))).intersect(none, none)
-    assert hits.t.shape == hits.primitive.shape == (0,) and hits.normals.shape == (0, 3)
+    assert hits.t.shape == hits.primitive.shape == (0,) and hits.ng.shape == (0, 3)
 
 
 def test_wrong_curves_are_refused():

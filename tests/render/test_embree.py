@@ -47,7 +47,7 @@ def test_closest_hits_are_those_of_the_plain_twin(ball):
     directions = (unit_vectors(rng, 3000) - origins) / np.float32(2.0)
     hits = scene.intersect(origins, directions)
     t, triangle, u, v = moeller_trumbore(mesh.positions, mesh.triangles, origins, directions)
-    same = hits.triangle == triangle
+    same = hits.primitive == triangle
     assert same.mean() > 0.999  # a ray through an edge may fall to either side
     assert 0.3 < np.mean(triangle >= 0) < 1.0
     np.testing.assert_array_equal(hits.geometry[same], np.where(triangle[same] >= 0, 0, -1))
@@ -95,7 +95,7 @@ def test_rays_that_are_not_rays_miss(ball):
 def test_no_rays_and_no_triangles_are_legal(ball):
     none = np.zeros((0, 3), np.float32)
     hits = ball[1].intersect(none, none)
-    assert hits.t.shape == hits.geometry.shape == hits.triangle.shape == (0,)
+    assert hits.t.shape == hits.geometry.shape == hits.primitive.shape == (0,)
     assert hits.t.dtype == hits.u.dtype == np.float32 and hits.geometry.dtype == np.int32
     ray = np.float32([[0, 0, 1]])
     assert TriangleScene([]).intersect(ray, ray).geometry.tolist() == [-1]

@@ -54,8 +54,8 @@ def test_triangles_are_hit_where_the_default_kernels_hit_them(set_up, rays, proc
     expected = TriangleScene([(ball.positions, ball.triangles)]).intersect(*rays)
     set_up(f"isa={processor}")
     hits = TriangleScene([(ball.positions, ball.triangles)]).intersect(*rays)
-    same = hits.triangle == expected.triangle
-    assert same.mean() > 0.999 and (hits.triangle >= 0).mean() > 0.5
+    same = hits.primitive == expected.primitive
+    assert same.mean() > 0.999 and (hits.primitive >= 0).mean() > 0.5
     np.testing.assert_allclose(hits.t[same], expected.t[same], rtol=EMBREE_ROUNDING)
     np.testing.assert_allclose(hits.u[same], expected.u[same], atol=2e-5)
 
@@ -73,7 +73,7 @@ def test_curves_are_hit_where_the_default_kernels_hit_them(set_up, rays, process
     same = hits.primitive == expected.primitive
     assert same.mean() > 0.999 and (hits.primitive >= 0).mean() > 0.1
     np.testing.assert_allclose(hits.t[same], expected.t[same], rtol=5e-5)
-    np.testing.assert_allclose(hits.normals[same], expected.normals[same], atol=5e-3)
+    np.testing.assert_allclose(hits.ng[same], expected.ng[same], atol=5e-3)
 
 
 def test_settings_reach_embree(set_up, capfd):

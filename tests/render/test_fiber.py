@@ -31,7 +31,7 @@ def seen_points(curves: Curves, n: int, far: float = 3.0, seed: int = 1):
     origins = (targets - far * directions).astype(np.float32)
     hits = scene_of(curves).intersect(origins, directions)
     row = np.flatnonzero(hits.primitive >= 0)
-    at = hits.primitive[row], hits.u[row], hits.normals[row]
+    at = hits.primitive[row], hits.u[row], hits.ng[row]
     points = hit_points(curves.points, curves.radii, curves.segments(), *at)
     return hits.primitive[row], points, origins[row], directions[row]
 

@@ -38,8 +38,8 @@ def test_an_instance_is_hit_where_a_moved_mesh_would_be():
     directions[::2] = np.float32([1, -2, 3]) - origins[::2]
     hits = InstanceScene([Instance(scene_of(mesh), matrix)]).intersect(origins, directions)
     expected = TriangleScene([(moved, mesh.triangles)]).intersect(origins, directions)
-    assert np.mean(hits.primitive == expected.triangle) > 0.999
-    same = (hits.primitive == expected.triangle) & (hits.instance >= 0)
+    assert np.mean(hits.primitive == expected.primitive) > 0.999
+    same = (hits.primitive == expected.primitive) & (hits.instance >= 0)
     assert same.mean() > 0.4
     np.testing.assert_allclose(hits.t[same], expected.t[same], rtol=1e-4)
     np.testing.assert_allclose(hits.u[same], expected.u[same], atol=2e-3)

@@ -1,4 +1,4 @@
-"""A package with all that is new in 1.1, from its file to the image."""
+"""A package of two parts with emission, holes and glass, from its file to the image."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def test_a_lantern_is_rendered(scene_file):
     channels = render(scene_file.scene, make_integrator(scene_file.scene, world)).channels()
     assert np.isfinite(rgb(channels)).all() and rgb(channels).max() > 0
     assert set(np.unique(channels["assetId"])) == {0, 1, 2}
-    assert len(list(cost_lines(scene_file, world))) == 2
+    assert len(list(cost_lines([a.path for a in scene_file.resolved.assets], world))) == 2
 
 
 LAMP = """
@@ -101,11 +101,11 @@ def test_lookups_are_those_of_the_sdk(tmp_path):
     d = np.where(inside, unit_vectors(rng, 20_000), d).astype(np.float32)
     d /= np.linalg.norm(d, axis=1, keepdims=True)
     hits = scene.intersect(origins, d)
-    row = np.flatnonzero(hits.part == 0)
+    row = np.flatnonzero(hits.geometry == 0)
     triangle, u, v = hits.primitive[row], hits.u[row], hits.v[row]
     expected = transmittance(mesh, records, triangle, u, v, d[row])
     found = scene.hit_transmittance(hits, d)
-    assert (found[hits.part < 0] == 1).all()
+    assert (found[hits.geometry < 0] == 1).all()
     assert set(np.unique(expected[triangle < 2])) == {0, 1}
     for side in (True, False):  # of glass; beyond the critical angle it reflects all
         of_glass = expected[(triangle == 3) & (inside[row, 0] == side)]

@@ -107,15 +107,6 @@ def test_the_distance_is_that_of_the_hit(name):
     np.testing.assert_allclose(np.sort(t[hit] / drawn.distance[hit])[[5, -5]], 1.0, rtol=1e-3)
 
 
-@pytest.mark.parametrize("name", CASES)
-def test_samples_are_a_pure_function_of_the_point_and_of_u(name):
-    of, x, _, _ = CASES[name]
-    one, other = (sampled(of, x, 4096, independent=False) for _ in range(2))
-    for field in ("wi_world", "distance", "radiance", "pdf"):
-        np.testing.assert_array_equal(getattr(one, field), getattr(other, field))
-        assert getattr(one, field).dtype == np.float32
-
-
 INSIDE = {
     "inside the sphere": (ball(0), (0.1, 0.2, 0.1)),
     "at the middle of the sphere": (ball(0), ORIGIN),

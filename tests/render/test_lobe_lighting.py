@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_render.command.devices import open_renderer
+from rna_render.command.devices import check_device
 from rna_render.image.images import write_exr
 from rna_render.scene.scene_file import read_scene
 from rna_sdk.errors import SceneError
@@ -96,4 +96,4 @@ def test_lobes_are_for_the_cpu(tmp_path):
         "quality: {environment: lobes}\n"
     )
     with pytest.raises(SceneError, match=r"quality\.environment: lobes are for the CPU"):
-        open_renderer("gpu", read_scene(path), None)
+        check_device("gpu", read_scene(path))

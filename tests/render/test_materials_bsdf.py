@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import numpy as np
 import pytest
 
@@ -9,6 +11,7 @@ from rna_render.materials import Scattering
 from rna_render.materials.ggx import MIN_ALPHA, TABLE_SIZE
 from rna_render.materials.ggx_albedo import ALBEDO_TABLE, albedo_terms
 from rna_render.materials.ggx_quadrature import fill_albedo
+from rna_render.materials.scattering import ClearCoat
 from tests.render.assets import unit_vectors
 from tests.render.chi_squared import assert_directions_follow
 
@@ -20,20 +23,31 @@ WHITE_PAINT = {"base": (1.0, 1.0, 1.0), "coat_f0": 0.04}
 DIAMOND = {"base": (1.0, 1.0, 1.0), "coat_f0": 0.36}
 HALF_METAL = {"base": (0.9, 0.5, 0.1), "metallic": 0.5, "coat_f0": 0.04}
 MATERIALS = [LAMBERT, GOLD, PAINT, HALF_METAL]
+COATED = PAINT | {"clear": 1.0, "clear_alpha": 0.1}
+WHITE_COATED = COATED | {"base": (1.0, 1.0, 1.0)}
+MATT = WHITE_COATED | {"coat_f0": 0.0, "clear_alpha": 0.4}
+METAL = {"base": (1.0, 0.8, 0.3), "metallic": 1.0, "clear": 0.7, "clear_alpha": 0.05}
+TILTED = COATED | {"clear_n": (0.3, 0.0, 0.954)}
+WEAK = {"base": (0.5, 0.5, 0.5), "coat_f0": 0.04, "coat_weight": 0.3, "diffuse": 0.4}
+LAYERED = [COATED, MATT, METAL, TILTED, WEAK]
 ALPHAS = [MIN_ALPHA, 0.01, 0.1, 0.5, 1.0]
 COSINES = [1.0, 0.7, 0.2, 0.03]
 Z = (0.0, 0.0, 1.0)
 
 
-def made_of(n, base, alpha=0.3, metallic=0.0, coat_f0=0.0) -> Scattering:
+def made_of(n, base, alpha=0.3, metallic=0.0, coat_f0=0.0, **layers) -> Scattering:
     """n points of one material."""
-    return Scattering(
-        base_color=np.tile(np.float32(base), (n, 1)),
-        alpha=np.full(n, alpha, np.float32),
-        metallic=np.full(n, metallic, np.float32),
-        coat_f0=np.full(n, coat_f0, np.float32),
-        emission=np.zeros((n, 3), np.float32),
-    )
+
+    def full(value):
+        return np.tile(np.float32(value), (n, 1)) if np.ndim(value) else np.full(n, value, "f4")
+
+    factors = full(base), full(alpha), full(metallic), full(coat_f0), full((0, 0, 0))
+    if not layers:
+        return Scattering(*factors)
+    weights = layers.get("coat_weight", 1.0), layers.get("diffuse", 1.0)
+    coat = full(layers.get("clear", 0.0)), full(layers.get("clear_alpha", 0.1))
+    clear = ClearCoat(*coat, full(layers.get("clear_n", Z)))
+    return Scattering(*factors, full(weights), clear)
 
 
 def rows(vector, n) -> np.ndarray:
@@ -213,8 +227,7 @@ def test_lambert_is_its_color():
 def test_energy_of_samples_is_the_integral(material, alpha, cosine):
     count = 40_000
     points, n, wo = made_of(count, alpha=alpha, **material), rows(Z, count), at_angle(cosine, count)
-    wi = points.sample(n, n, wo, np.random.default_rng(2).random((count, 3)))
-    pdf = points.pdf(n, n, wo, wi)
+    wi, pdf = points.sample_and_pdf(n, n, wo, np.random.default_rng(2).random((count, 3)))
     assert (pdf > 0).all()
     beta = points.evaluate(n, n, wo, wi).astype(np.float64) / pdf[:, None]
     error = 5 * beta.std(axis=0) / np.sqrt(count) + 1e-3
@@ -223,18 +236,20 @@ def test_energy_of_samples_is_the_integral(material, alpha, cosine):
 
 
 @pytest.mark.parametrize("cosine", [1.0, 0.5, 0.1])
-@pytest.mark.parametrize("alpha", [0.15, 0.4, 1.0])
-@pytest.mark.parametrize("material", MATERIALS)
+@pytest.mark.parametrize(
+    ("material", "alpha"),
+    [*product(MATERIALS, (0.15, 0.4, 1.0)), *((m | {"clear_alpha": 0.3}, 0.3) for m in LAYERED)],
+)
 def test_samples_follow_their_density(material, alpha, cosine):
     count = 100_000
     wo = at_angle(cosine, count)
     n = rows(Z, count)
     u = np.random.default_rng(4).random((count, 3))
-    wi = made_of(count, alpha=alpha, **material).sample(n, n, wo, u)
+    wi, _ = made_of(count, alpha=alpha, **material).sample_and_pdf(n, n, wo, u)
 
     def density(d):
         n = rows(Z, len(d))
-        return made_of(len(d), alpha=alpha, **material).pdf(n, n, wo[: len(d)], d)
+        return made_of(len(d), alpha=alpha, **material).evaluate_and_pdf(n, n, wo[: len(d)], d)[1]
 
     # Seen from the side, no lobe is at the pole of the cells.
     assert_directions_follow(wi, density, axis=(0.0, 1.0, 0.0), integral_tolerance=1e-2)
@@ -247,15 +262,15 @@ def test_narrow_lobes_follow_ggx(alpha):
     n = rows(Z, count)
     u = np.random.default_rng(6).random((count, 3))
     points = made_of(count, alpha=alpha, **WHITE_METAL)
-    wi = points.sample(n, n, n, u).astype(np.float64)
-    h = wi + Z
+    wi, density = points.sample_and_pdf(n, n, n, u)
+    h = wi.astype(np.float64) + Z
     tan2 = (h[:, 0] ** 2 + h[:, 1] ** 2) / h[:, 2] ** 2
     uniform = np.sort(tan2 / (tan2 + alpha**2))
     steps = (np.arange(count) + 0.5) / count
     assert np.abs(uniform - steps).max() < 1.95 / np.sqrt(count)  # Kolmogorov-Smirnov, 0.1 %
     # The density of directions is D n.h / (4 wo.h), and here n.h = wo.h.
     lobe = alpha**2 / (np.pi * (1 / (1 + tan2) * (alpha**2 - 1) + 1) ** 2) / 4
-    np.testing.assert_allclose(points.pdf(n, n, n, wi.astype(np.float32)), lobe, rtol=2e-3)
+    np.testing.assert_allclose(density, lobe, rtol=2e-3)
 
 
 @pytest.mark.parametrize("material", MATERIALS)
@@ -278,8 +293,9 @@ def test_both_sides_are_alike(material):
     n, ng, wo, wi = (unit_vectors(rng, 500) for _ in range(4))
     u, points = rng.random((500, 3)), made_of(500, **material)
     for turned in ((-n, -ng), (n, -ng), (-n, ng)):
-        for method, last in ((points.evaluate, wi), (points.pdf, wi), (points.sample, u)):
-            np.testing.assert_array_equal(method(*turned, wo, last), method(n, ng, wo, last))
+        for method, last in ((points.evaluate_and_pdf, wi), (points.sample_and_pdf, u)):
+            for one, other in zip(method(*turned, wo, last), method(n, ng, wo, last), strict=True):
+                np.testing.assert_array_equal(one, other)
 
 
 @pytest.mark.parametrize("material", MATERIALS)
@@ -289,8 +305,8 @@ def test_shading_normals_that_face_away_still_see_light(material):
     wo[:, 2] = -0.1
     wo /= np.linalg.norm(wo, axis=1, keepdims=True)
     points = made_of(100, **material)
-    wi = points.sample(n, ng, wo, np.random.default_rng(0).random((100, 3)))
-    beta = points.evaluate(n, ng, wo, wi) / points.pdf(n, ng, wo, wi)[:, None]
+    wi, pdf = points.sample_and_pdf(n, ng, wo, np.random.default_rng(0).random((100, 3)))
+    beta = points.evaluate(n, ng, wo, wi) / pdf[:, None]
     assert np.isfinite(beta).all() and beta.max() < 4
     assert (beta.max(axis=1) > 0).mean() > 0.4
 
@@ -300,15 +316,20 @@ def test_odd_input_gives_finite_numbers():
     zero, x, z = (0, 0, 0), (1, 0, 0), Z
     cases = [(zero, z, x), (zero, zero, x), (x, z, z), (z, z, x), (z, z, (0, 0, -1)), (z, x, z)]
     n, ng, wo = (np.float32([case[k] for case in cases]) for k in range(3))
-    for base in ((0, 0, 0), (1, 1, 1)):
-        for metallic, coat_f0, alpha in ((0, 0, 0), (1, 0, 0), (0, 0.04, 0), (0.5, 0.36, 1)):
-            points = made_of(len(n), base, alpha, metallic, coat_f0)
-            for value in (0.0, 0.5, 1 - 2.0**-53):
-                wi = points.sample(n, ng, wo, np.full((len(n), 3), value))
-                np.testing.assert_allclose(np.linalg.norm(wi, axis=1), 1, atol=1e-6)
-                for direction in (wi, -wo, wo, n):
-                    assert np.isfinite(points.pdf(n, ng, wo, direction)).all()
-                    assert np.isfinite(points.evaluate(n, ng, wo, direction)).all()
+    factors = (0, 0, 0), (1, 0, 0), (0, 0.04, 0), (0.5, 0.36, 1)
+    plain = [
+        {"base": base, "metallic": metallic, "coat_f0": coat_f0, "alpha": alpha}
+        for base in ((0, 0, 0), (1, 1, 1))
+        for metallic, coat_f0, alpha in factors
+    ]
+    for material in (*plain, *(layered | {"clear_alpha": 0.0} for layered in LAYERED)):
+        points = made_of(len(n), **material)
+        for value in (0.0, 0.5, 1 - 2.0**-53):
+            wi, _ = points.sample_and_pdf(n, ng, wo, np.full((len(n), 3), value))
+            np.testing.assert_allclose(np.linalg.norm(wi, axis=1), 1, atol=1e-6)
+            for direction in (wi, -wo, wo, n):
+                for found in points.evaluate_and_pdf(n, ng, wo, direction):
+                    assert np.isfinite(found).all()
 
 
 def test_points_are_on_their_own():
@@ -322,22 +343,21 @@ def test_points_are_on_their_own():
         coat_f0=rng.random(300).astype(np.float32) * np.float32(0.3),
         emission=np.zeros((300, 3), np.float32),
     )
-    wi = points.sample(n, n, wo, u)
-    full, pdf = points.evaluate(n, n, wo, wi), points.pdf(n, n, wo, wi)
+    wi, pdf = points.sample_and_pdf(n, n, wo, u)
+    full = points.evaluate(n, n, wo, wi)
     for row in (np.array([5, 299, 5]), np.arange(0, 300, 3), np.array([], np.int64)):
-        np.testing.assert_array_equal(points.sample(n, n, wo, u[row], row), wi[row])
-        np.testing.assert_array_equal(points.pdf(n, n, wo, wi[row], row), pdf[row])
+        sampled, density = points.sample_and_pdf(n, n, wo, u[row], row)
+        np.testing.assert_array_equal(sampled, wi[row])
+        np.testing.assert_array_equal(density, pdf[row])
         np.testing.assert_array_equal(points.evaluate(n, n, wo, wi[row], row), full[row])
 
 
-@pytest.mark.parametrize("material", MATERIALS)
-def test_values_and_densities_in_one_pass_are_those_of_two(material):
+@pytest.mark.parametrize("material", [*MATERIALS, *LAYERED])
+def test_values_and_densities_are_those_of_each_alone(material):
     rng = np.random.default_rng(8)
     n, ng, wo, wi = (unit_vectors(rng, 500) for _ in range(4))
     u, points, row = rng.random((500, 3)), made_of(500, **material), rng.permutation(500)
-    value, density = points.evaluate_and_pdf(n, ng, wo, wi, row)
+    value, _ = points.evaluate_and_pdf(n, ng, wo, wi, row)
     np.testing.assert_array_equal(value, points.evaluate(n, ng, wo, wi, row))
-    np.testing.assert_array_equal(density, points.pdf(n, ng, wo, wi, row))
     sampled, density = points.sample_and_pdf(n, ng, wo, u, row)
-    np.testing.assert_array_equal(sampled, points.sample(n, ng, wo, u, row))
-    np.testing.assert_array_equal(density, points.pdf(n, ng, wo, sampled, row))
+    np.testing.assert_array_equal(density, points.evaluate_and_pdf(n, ng, wo, sampled, row)[1])

@@ -38,12 +38,12 @@ def test_hits_name_part_and_primitive():
         ((5, 0.5, 3), (0, 0, -1)), ((9, 9, 9), (0, 1, 0)),
     )  # fmt: skip
     hits = scene.intersect(origins, directions)
-    assert hits.part.tolist() == [0, 1, 2, 2, -1]
+    assert hits.geometry.tolist() == [0, 1, 2, 2, -1]
     assert hits.primitive.tolist() == [0, 0, 0, 1, -1]
     np.testing.assert_allclose(hits.t, [2.9, 3, 2.9, 2.9, np.inf])
-    np.testing.assert_allclose(hits.normals[:3], [[0, 0, 1], [0, 1, 0], [0, 0, 1]], atol=1e-6)
+    np.testing.assert_allclose(hits.ng[:3], [[0, 0, 1], [0, 1, 0], [0, 0, 1]], atol=1e-6)
     strand, floor = (
-        scene.points(p, hits.primitive[k], hits.u[k], hits.v[k], hits.normals[k])
+        scene.points(p, hits.primitive[k], hits.u[k], hits.v[k], hits.ng[k])
         for p, k in ((2, [2]), (1, [1]))
     )
     np.testing.assert_allclose(strand.x, [[0.5, 1, 0.1]], atol=1e-6)
@@ -96,9 +96,9 @@ def test_visibility_of_mixed_parts_is_that_of_each_alone_together():
     hits, wi = scene.intersect(origins, directions), unit_vectors(rng, 3000)
     alone = PartsScene([ball])
     for part in range(3):
-        row = np.flatnonzero(hits.part == part)
+        row = np.flatnonzero(hits.geometry == part)
         assert len(row) > 150
-        at = (a[row] for a in (hits.primitive, hits.u, hits.v, hits.normals))
+        at = (a[row] for a in (hits.primitive, hits.u, hits.v, hits.ng))
         points, towards = scene.points(part, *at), wi[row]
         found = scene.visible(part, points, towards)
         enters = np.isfinite(entries(both, points.x, towards))

@@ -26,25 +26,6 @@ def ball():
     return LambertAsset(sphere(4), shadowed=SHADOW_COLOUR)
 
 
-def test_a_directional_light_brings_its_irradiance(floor):
-    light = SUN | {"direction": (3, 4, 0), "irradiance": (1, 2, 3)}
-    channels = image([(floor, {})], [light])
-    expected = ALBEDO / np.pi * 0.8 * [1, 2, 3]
-    np.testing.assert_allclose(rgb(channels), np.broadcast_to(expected, (12, 16, 3)), rtol=1e-5)
-    assert (channels["A"] == 1).all() and (channels["visibility"] == 1).all()
-
-
-def test_a_point_light_falls_off_with_the_square_of_distance(floor):
-    position = np.array([0.5, 2.0, -0.3])
-    light = {"type": "point", "position": position, "intensity": (3, 2, 1)}
-    # One sample a pixel: the mean of many would not be the radiance at their mean position.
-    channels = image([(floor, {})], [light], samples=1)
-    x = np.stack([channels[f"position.{c}"] for c in "XYZ"], axis=-1).astype(np.float64)
-    r = np.linalg.norm(position - x, axis=-1, keepdims=True)
-    cosine = (position - x)[..., 1:2] / r
-    np.testing.assert_allclose(rgb(channels), ALBEDO / np.pi * cosine * [3, 2, 1] / r**2, rtol=1e-5)
-
-
 def test_a_convex_body_in_a_white_furnace_shows_its_albedo():
     ball = LambertAsset(sphere(4))
     middle = {**ABOVE, "vertical_fov_deg": 5}

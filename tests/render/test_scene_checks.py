@@ -74,7 +74,7 @@ def test_a_scene_without_light_is_said_to_be_black(tmp_path: Path, text: str, is
     world = load_world(read)
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
-        warn_of_darkness(read, world)
+        warn_of_darkness(read.path, read.scene.lights, world)
     assert [w.category for w in caught] == [DarkWarning] * is_dark
 
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import ast
+import os
+import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -11,7 +13,6 @@ import numpy as np
 import pytest
 
 import rna_render.paths.bands
-from rna_bench.scenes.thread_counts import SWITCH_INTERVAL, differing, rendered
 from rna_render.command.rna_run import main
 from rna_render.image.images import read_exr
 from rna_render.materials.ggx_albedo import ALBEDO_ADDRESSES, ALBEDO_MEANS, ALBEDO_TABLE
@@ -26,6 +27,17 @@ from tests.render.whole_scenes import SCENES, write_scene
 
 SAMPLES = 3  # memory that is used after it was freed has other contents a while later
 EXAMPLES = sorted((REPOSITORY / "examples").glob("*/scene.yaml"))
+SWITCH_INTERVAL = 1e-6
+"""Seconds between switches of Python threads in a hurried process; Python's own are 5e-3."""
+
+_RENDER = """
+import sys
+interval = float(sys.argv.pop(1))
+if interval:
+    sys.setswitchinterval(interval)
+from rna_render.command.rna_run import main
+sys.exit(main())
+"""
 
 
 @pytest.fixture(params=[*EXAMPLES, *SCENES], ids=[*(p.parent.name for p in EXAMPLES), *SCENES])
@@ -36,23 +48,42 @@ def scene(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
 
 
 def test_two_threads_of_a_fresh_process_render_what_one_does(scene: Path, tmp_path: Path) -> None:
-    """`rna-bench threads` does so with more threads and sizes, ten times each."""
-    found = rendered(scene, 2, "160x120", SAMPLES)
-    assert differing(found, on_one_thread(scene, tmp_path)) == 0
+    assert differing(rendered(scene, 2, tmp_path), on_one_thread(scene, tmp_path)) == 0
 
 
 def test_four_threads_that_switch_all_the_time(tmp_path: Path) -> None:
     scene = REPOSITORY / "examples" / "jade" / "scene.yaml"
-    found = rendered(scene, 4, "160x120", SAMPLES, SWITCH_INTERVAL)
+    found = rendered(scene, 4, tmp_path, SWITCH_INTERVAL)
     assert differing(found, on_one_thread(scene, tmp_path)) == 0
+
+
+def options(out: Path, threads: int) -> list[str]:
+    size = ["--resolution", "160x120", "--samples", str(SAMPLES)]
+    return ["--out", str(out), *size, "--threads", str(threads)]
+
+
+def rendered(
+    scene: Path, threads: int, folder: Path, interval: float = 0.0
+) -> dict[str, np.ndarray]:
+    """The image that a fresh process renders; interval: between switches of Python threads, s."""
+    out = folder / "fresh.exr"
+    command = [sys.executable, "-c", _RENDER, str(interval), str(scene), *options(out, threads)]
+    cores = str(max(threads, os.cpu_count() or 1))
+    subprocess.run(command, env={**os.environ, "NUMBA_NUM_THREADS": cores}, check=True)
+    return read_exr(out)[0]
+
+
+def differing(found: dict[str, np.ndarray], expected: dict[str, np.ndarray]) -> int:
+    """Values of all channels that differ in any bit."""
+    pairs = ((found[name].view(np.uint32), expected[name].view(np.uint32)) for name in expected)
+    return sum(int(np.count_nonzero(a != b)) for a, b in pairs)
 
 
 def on_one_thread(scene: Path, folder: Path) -> dict[str, np.ndarray]:
     """The image that this process renders with one thread."""
     out, threads = folder / "out.exr", kernel_threads()
-    small = ["--resolution", "160x120", "--samples", str(SAMPLES), "--threads", "1"]
     try:
-        assert main([str(scene), "--out", str(out), *small]) == 0
+        assert main([str(scene), *options(out, 1)]) == 0
     finally:
         limit_kernel_threads(threads)
     return read_exr(out)[0]

@@ -41,4 +41,4 @@ def test_a_line_a_tier_names_what_is_faster_and_no_worse(
     (tmp_path / "scene.yaml").write_text(SCENE)
     monkeypatch.setattr(Asset, "measured_ns_per_query", lambda asset: costs[asset.tier.name])
     scene_file = read_scene(tmp_path / "scene.yaml")
-    assert list(cost_lines(scene_file, load_world(scene_file))) == [line]
+    assert list(cost_lines([tmp_path / "a.rna"] * 2, load_world(scene_file))) == [line]

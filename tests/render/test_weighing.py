@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import fields
 from types import SimpleNamespace
 from typing import Any
 
@@ -64,8 +63,8 @@ def test_samples_of_which_something_is_left(channels: int) -> None:
     found, left = tried.where_kept(kept)
     rows = np.flatnonzero(kept.any(axis=1))
     assert (left == kept[rows]).all()
-    for field in fields(Tried):
-        assert (getattr(found, field.name) == getattr(tried, field.name)[rows]).all()
+    for of_found, of_tried in zip(found, tried, strict=True):
+        assert (of_found == of_tried[rows]).all()
 
 
 @pytest.mark.parametrize("channels", [1, 3])
@@ -81,8 +80,9 @@ def test_weights_of_samples(channels: int) -> None:
     weight = (share / density)[:, None]
     expected = beta[row] * transport * radiance[sample] * weight * kept
     expected_seen = seen * kept.mean(axis=1)
-    tried, lights = (sample, row, light), (probability, delta)
-    weigh_samples(transport, seen, (radiance, pdf), tried, kept, own_pdf, lights, beta)
+    samples = LightSamples(numbers(n, 3), numbers(n), radiance, pdf)
+    tried = Tried(sample, row, light, numbers(k, 3), numbers(k), np.zeros(k, np.int32))
+    weigh_samples(transport, seen, samples, tried, kept, own_pdf, probability, delta, beta)
     assert transport == pytest.approx(expected, rel=1e-5)
     assert seen == pytest.approx(expected_seen, rel=1e-5)
 

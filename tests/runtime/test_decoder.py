@@ -7,46 +7,37 @@ from itertools import pairwise
 import numpy as np
 import onnx
 import pytest
-from onnx import helper, numpy_helper
-from onnx.reference import ReferenceEvaluator
 
-from rna_sdk.package.decoder.profile_decoder import ProfileDecoder, read_profile_decoder
+from rna_sdk.package import ProfileDecoder, decoder_to_bytes
 from rna_sdk.runtime.engine import decoder_sessions as decoder_module
 from rna_sdk.runtime.engine.decoder_graph import float_graph
-from rna_sdk.runtime.engine.decoder_sessions import Decoder, DecoderWarning, _fast_form
+from rna_sdk.runtime.engine.decoder_sessions import Decoder, DecoderWarning, Graph, _fast_form
 from rna_sdk.runtime.engine.tiles import QueryFiller
 from tests.package.builders import (
-    make_decoder_model,
-    make_int8_decoder_model,
     make_part,
     make_tier_part,
+    random_decoder,
+    random_int8_decoder,
 )
+from tests.package.onnx_reference import onnx_result
 
 
 def operators(model: bytes) -> list[str]:
     return [node.op_type for node in onnx.load_from_string(model).graph.node]
 
 
-def convolved(model: onnx.ModelProto, largest_query: float = np.inf) -> bytes:
-    graph = float_graph(profile(model), largest_query)
+def convolved(decoder: ProfileDecoder, largest_query: float = np.inf) -> bytes:
+    graph = float_graph(decoder, largest_query)
     assert graph is not None
     return graph
 
 
-def profile(model: onnx.ModelProto) -> ProfileDecoder:
-    return read_profile_decoder(model.SerializeToString(), "decoder")
-
-
 def run(model: bytes, queries: np.ndarray) -> np.ndarray:
-    """Transport by onnxruntime, for a model in either form."""
-    decoder = Decoder(model)
-    padded = np.zeros((len(queries), decoder.columns), np.float32)
+    """Transport by onnxruntime, for a graph in either form."""
+    graph = Graph(model)
+    padded = np.zeros((len(queries), graph.columns), np.float32)
     padded[:, : queries.shape[1]] = queries
-    return decoder.run(padded)
-
-
-def make_int8(*sizes: int, **overrides: int) -> onnx.ModelProto:
-    return make_int8_decoder_model(*sizes, in_profile=True, **overrides)
+    return graph.run(padded)
 
 
 def random_queries(n: int, columns: int = 22) -> np.ndarray:
@@ -56,25 +47,18 @@ def random_queries(n: int, columns: int = 22) -> np.ndarray:
 @pytest.mark.parametrize("columns", [3, 16, 22, 25])
 @pytest.mark.parametrize(("width", "layers"), [(16, 1), (32, 2), (64, 4), (128, 3)])
 def test_convolutions_equal_the_layers(columns: int, width: int, layers: int) -> None:
-    model = make_decoder_model(columns, width, layers)
+    model = random_decoder(columns, width, layers)
     converted = convolved(model)
     assert operators(converted).count("Conv") == layers + 1
     assert "Gemm" not in operators(converted)
     queries = random_queries(1000, columns)
-    plain = onnx_result(model.SerializeToString(), queries)
+    plain = onnx_result(model, queries)
     np.testing.assert_allclose(run(converted, queries), plain, rtol=1e-4, atol=1e-5)
     onnx.checker.check_model(onnx.load_from_string(converted))
 
 
-def onnx_result(model: bytes, queries: np.ndarray) -> np.ndarray:
-    """Transport by ONNX's own reference implementation."""
-    session = ReferenceEvaluator(onnx.load_from_string(model))
-    (transport,) = session.run(None, {"queries": queries})
-    return transport
-
-
 def test_padding_columns_do_not_count() -> None:
-    decoder = Decoder(convolved(make_decoder_model(22, 32, 2)))
+    decoder = Graph(convolved(random_decoder(22, 32, 2)))
     assert decoder.columns == 24
     queries = np.zeros((64, 24), np.float32)
     queries[:, :22] = random_queries(64)
@@ -83,69 +67,18 @@ def test_padding_columns_do_not_count() -> None:
     np.testing.assert_array_equal(decoder.run(queries), expected)
 
 
-def transpose_the_weights(model: onnx.ModelProto) -> None:
-    for tensor in [t for t in model.graph.initializer if t.name.startswith("w")]:
-        transposed = np.ascontiguousarray(numpy_helper.to_array(tensor).T)
-        tensor.CopyFrom(numpy_helper.from_array(transposed, tensor.name))
-    for node in model.graph.node:
-        if node.op_type == "Gemm":
-            node.attribute.append(helper.make_attribute("transB", 1))
-
-
-def unpack_the_constants(model: onnx.ModelProto) -> None:
-    for tensor in model.graph.initializer:
-        array = numpy_helper.to_array(tensor)
-        tensor.CopyFrom(helper.make_tensor(tensor.name, 1, array.shape, array.ravel()))
-        assert tensor.float_data
-
-
-def scale_a_layer(model: onnx.ModelProto) -> None:
-    gemm = next(node for node in model.graph.node if node.op_type == "Gemm")
-    gemm.attribute.append(helper.make_attribute("alpha", 2.0))
-
-
-def replace_a_relu(model: onnx.ModelProto) -> None:
-    for node in model.graph.node:
-        if node.op_type == "Relu":
-            node.op_type = "Neg"
-
-
-def count_columns_first(model: onnx.ModelProto) -> None:
-    model.graph.node[0].op_type = "LayerNormalization"
-
-
-@pytest.mark.parametrize(
-    "change",
-    [
-        transpose_the_weights,
-        unpack_the_constants,
-        scale_a_layer,
-        replace_a_relu,
-        count_columns_first,
-    ],
-)
-@pytest.mark.parametrize("width", [32, 160])
-def test_graphs_outside_the_profile_run_as_they_are(width: int, change) -> None:
-    model = make_decoder_model(22, width, 1)
-    assert _fast_form(model.SerializeToString(), 100.0) is not None
-    change(model)
-    data, queries = model.SerializeToString(), random_queries(100)
-    assert _fast_form(data, 100.0) is None
-    np.testing.assert_allclose(run(data, queries), onnx_result(data, queries), rtol=1e-4, atol=1e-5)
-
-
 def test_layers_that_fill_no_blocks_stay_as_they_are() -> None:
-    assert float_graph(profile(make_decoder_model(22, 24, 2))) is None
-    assert _fast_form(make_decoder_model(22, 150, 2).SerializeToString(), 100.0) is None
+    assert float_graph(random_decoder(22, 24, 2)) is None
+    assert _fast_form(random_decoder(22, 150, 2), 100.0) is None
 
 
 @pytest.mark.parametrize("as_it_is", [False, True])
 @pytest.mark.parametrize("width", [8, 16, 24, 64, 100, 256])
 def test_a_row_does_not_depend_on_place_or_number_of_rows(width: int, as_it_is: bool) -> None:
     """What tiles rely on, of onnxruntime itself, and for row counts that tiles never have."""
-    proto = make_decoder_model(22, width, 4)
-    graph = None if as_it_is else float_graph(profile(proto))
-    model = graph or proto.SerializeToString()
+    decoder = random_decoder(22, width, 4)
+    graph = None if as_it_is else float_graph(decoder)
+    model = graph or decoder_to_bytes(decoder)
     queries = random_queries(2048)
     expected = run(model, queries)
     for rows in (1, 2, 3, 5, 7, 11, 13, 16, 48, 100, 1000):
@@ -155,17 +88,14 @@ def test_a_row_does_not_depend_on_place_or_number_of_rows(width: int, as_it_is: 
 
 
 def test_larger_decoders_take_fewer_rows_at_once() -> None:
-    sizes = [
-        Decoder(make_decoder_model(22, width, 4).SerializeToString()).tile_rows
-        for width in (16, 64, 128, 512)
-    ]
+    sizes = [Decoder(random_decoder(22, width, 4)).tile_rows for width in (16, 64, 128, 512)]
     assert sizes == [4096, 2048, 1024, 512]
     assert all(a > b for a, b in pairwise(sizes))
 
 
 @pytest.mark.parametrize(("largest", "clips"), [(100.0, 1), (65504.0, 1), (65505.0, 2)])
 def test_a_clip_that_changes_no_query_is_left_out(largest: float, clips: int) -> None:
-    model = make_decoder_model(22, 32, 2)
+    model = random_decoder(22, 32, 2)
     converted = convolved(model, largest)
     assert operators(converted).count("Clip") == clips
     queries = random_queries(100)
@@ -182,12 +112,12 @@ def test_no_query_exceeds_the_bound_that_the_decoder_is_told(precision: str) -> 
     assert QueryFiller(planes / 1000, bounds, part, "surface").largest_query == 4
 
 
-@pytest.mark.parametrize("make", [make_decoder_model, make_int8])
+@pytest.mark.parametrize("make", [random_decoder, random_int8_decoder])
 def test_a_fast_form_that_differs_gives_way_to_the_graph(make, monkeypatch) -> None:
-    model = make(22, 160, 2, opset=19).SerializeToString()
+    model = make(22, 160, 2)
     queries = random_queries(200)
     expected = onnx_result(model, queries)
-    other = profile(make(22, 160, 2, seed=5))
+    other = make(22, 160, 2, seed=5)
     fast_graph = decoder_module.fast_graph
     monkeypatch.setattr(decoder_module, "fast_graph", lambda _, reach: fast_graph(other, reach))
     with pytest.warns(DecoderWarning, match="runs as it is"):
@@ -197,13 +127,13 @@ def test_a_fast_form_that_differs_gives_way_to_the_graph(make, monkeypatch) -> N
 
 
 @pytest.mark.parametrize("width", [16, 64, 256, 512])
-@pytest.mark.parametrize("make", [make_decoder_model, make_int8])
+@pytest.mark.parametrize("make", [random_decoder, random_int8_decoder])
 def test_a_fast_form_that_agrees_stays(make, width: int) -> None:
-    Decoder(make(22, width, 4).SerializeToString())  # a warning would be an error
+    Decoder(make(22, width, 4))  # a warning would be an error
 
 
 @pytest.mark.parametrize(("columns", "width", "layers"), [(20, 160, 1), (36, 256, 2), (22, 256, 4)])
 def test_rounding_of_large_queries_is_no_difference(columns: int, width: int, layers: int) -> None:
     """Queries of 100 make sums whose terms cancel: the graph itself is as far from exact."""
     for seed in (0, 5):  # a warning would be an error
-        Decoder(make_decoder_model(columns, width, layers, seed=seed).SerializeToString())
+        Decoder(random_decoder(columns, width, layers, seed=seed))

@@ -185,7 +185,7 @@ PACKAGE_ALONE = (*ENGINES, "rna_sdk.runtime")
     ("code", "unused"),
     [
         ("import rna_sdk.package", PACKAGE_ALONE),
-        ("import rna_sdk.package as p; p.Package.open(path).planes('small')", PACKAGE_ALONE[:2]),
+        ("import rna_sdk.package as p; p.Package.open(path).planes('small')", PACKAGE_ALONE),
         ("import rna_sdk.runtime", ENGINES),
         ("from rna_sdk.runtime import Asset, load", ENGINES),
         (

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import itertools
+from dataclasses import replace
 
 import numpy as np
 import onnx
 import pytest
 from onnx import numpy_helper
-from onnx.reference import ReferenceEvaluator
 
-from rna_sdk.package.decoder.profile_decoder import read_profile_decoder
+from rna_sdk.package import ProfileDecoder
 from rna_sdk.package.decoder.saturation import PAIR_LIMIT, can_saturate, pair_sums
 from rna_sdk.runtime.engine.decoder_graph import int8_graph
 from rna_sdk.runtime.engine.decoder_sessions import Decoder
-from tests.package.builders import make_int8_decoder_model
+from tests.package.builders import random_int8_decoder
+from tests.package.onnx_reference import onnx_result
 
 
 def column(*weights: int) -> np.ndarray:
@@ -47,26 +48,21 @@ def test_pairs_are_rows_2k_and_2k_plus_1_of_one_output() -> None:
     np.testing.assert_array_equal(pair_sums(column(100, 20, -90)), [[120], [90]])
 
 
-def with_weights(model: onnx.ModelProto, low: int, high: int) -> onnx.ModelProto:
-    """The model with all weights taken from these two numbers, in random order."""
-    rng = np.random.default_rng(0)
-    for tensor in model.graph.initializer:
-        if tensor.data_type == onnx.TensorProto.INT8:
-            weight = rng.choice(np.array([low, high], np.int8), tuple(tensor.dims))
-            tensor.CopyFrom(numpy_helper.from_array(weight, tensor.name))
-    return model
+def with_weights(decoder: ProfileDecoder, low: int, high: int) -> ProfileDecoder:
+    """The decoder with all weights taken from these two numbers, in random order."""
+    rng, ends = np.random.default_rng(0), np.array([low, high], np.int8)
+    layers = [replace(a, weight=rng.choice(ends, a.weight.shape)) for a in decoder.layers]
+    return replace(decoder, layers=tuple(layers))
 
 
 @pytest.mark.parametrize(("low", "high"), [(-64, 64), (-127, 127), (-128, 127)])
 @pytest.mark.parametrize(("width", "columns"), [(16, 22), (64, 24), (130, 33), (264, 22)])
 def test_sums_are_exact(low: int, high: int, width: int, columns: int) -> None:
     """Queries at both ends of their range make the largest products of all."""
-    model = with_weights(
-        make_int8_decoder_model(columns, width, 2, opset=19, in_profile=True), low, high
-    )
+    model = with_weights(random_int8_decoder(columns, width, 2), low, high)
     queries = np.random.default_rng(1).choice(np.float32([-9, 9]), (1001, columns))
-    (expected,) = ReferenceEvaluator(model).run(None, {"queries": queries})
-    decoder = Decoder(model.SerializeToString())
+    expected = onnx_result(model, queries)
+    decoder = Decoder(model)
     for rows in (1, 2, 7, 16, 1001):
         found = decoder.run(queries[:rows])
         close = np.isclose(found, expected[:rows], rtol=1e-4, atol=1e-5)
@@ -76,8 +72,7 @@ def test_sums_are_exact(low: int, high: int, width: int, columns: int) -> None:
 
 def test_weights_that_cannot_saturate_stay_int8() -> None:
     for limit, dtype in ((PAIR_LIMIT // 2, np.int8), (127, np.uint8)):
-        model = with_weights(make_int8_decoder_model(22, 64, 2, in_profile=True), -limit, limit)
-        decoder = read_profile_decoder(model.SerializeToString(), "decoder")
+        decoder = with_weights(random_int8_decoder(22, 64, 2), -limit, limit)
         fused = onnx.load_from_string(int8_graph(decoder, 24))
         shapes = {(64, 24, 1, 1), (64, 64, 1, 1), (64, 6)}
         weights = [t for t in fused.graph.initializer if tuple(t.dims) in shapes]

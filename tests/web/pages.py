@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import base64
+import io
 import json
+import re
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -19,7 +21,6 @@ from rna_view.page_server import PageServer
 from rna_view.site_files import Site
 from tests.render.chromium import INSTALL, SOFTWARE_GPU, Page, find_chromium, open_page
 
-APIS = ("webgpu", "webgl2")
 TIMEOUT = 300.0
 """Seconds: SwiftShader compiles shaders for long on a busy machine."""
 
@@ -40,6 +41,27 @@ class Plain(SimpleHTTPRequestHandler):
         """Nothing."""
 
 
+class Ranges(Plain):
+    """A host as most are: it has ranges, allows all origins, exposes no header to them."""
+
+    def send_head(self) -> Any:
+        span = re.fullmatch(r"bytes=(\d+)-(\d+)", self.headers.get("Range", ""))
+        path = Path(self.translate_path(self.path))
+        if span is None or not path.is_file():
+            return super().send_head()
+        size, first = path.stat().st_size, int(span[1])
+        part = path.read_bytes()[first : int(span[2]) + 1]
+        self.send_response(206)
+        self.send_header("Content-Range", f"bytes {first}-{first + len(part) - 1}/{size}")
+        self.send_header("Content-Length", str(len(part)))
+        self.end_headers()
+        return io.BytesIO(part)
+
+    def end_headers(self) -> None:
+        self.send_header("Access-Control-Allow-Origin", "*")
+        super().end_headers()
+
+
 @contextmanager
 def served_folder(folder: Path, handler: type[Plain] = Plain) -> Iterator[str]:
     """The address of a folder on a plain server, answering."""
@@ -51,12 +73,18 @@ def served_folder(folder: Path, handler: type[Plain] = Plain) -> Iterator[str]:
 
 
 @contextmanager
-def viewer(site: Site, query: str = "", width: int = 320, height: int = 200) -> Iterator[Page]:
+def viewer(
+    site: Site,
+    query: str = "",
+    width: int = 320,
+    height: int = 200,
+    gpu: tuple[str, ...] = SOFTWARE_GPU,
+) -> Iterator[Page]:
     """The page of a site, its engine begun."""
     chromium = find_chromium()
     if chromium is None:
         pytest.skip(INSTALL)
-    with served(site) as server, open_page(chromium, width, height, SOFTWARE_GPU) as page:
+    with served(site) as server, open_page(chromium, width, height, gpu) as page:
         page.call("Page.navigate", url=f"{server.url}?{query}")
         page.wait_for(
             "globalThis.rnaViewer?.begun && rnaViewer.begun.then(() => true, () => true)", TIMEOUT

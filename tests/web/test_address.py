@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import pytest
 
 from rna_view.site_export import export_site
-from rna_view.site_files import site_for
+from rna_view.site_source import site_for
 from tests.package.builders import make_tiny_package
 from tests.render.chromium import INSTALL, SOFTWARE_GPU, Page, find_chromium, open_page
 from tests.web.pages import notice, served_folder, wait_for_picture
@@ -15,7 +15,7 @@ from tests.web.pages import notice, served_folder, wait_for_picture
 pytestmark = pytest.mark.chromium
 
 TIMEOUT = 60.0
-QUERY = "api=webgl2&rounds=1&dpr=1"
+QUERY = "samples=1&pixel-ratio=1"
 ODD_NAMES = ("Chair #2.rna", "50% off.rna", "ü ❤.rna", "a&b=c+d.rna")
 
 
@@ -68,21 +68,21 @@ def test_an_exported_page_works_under_its_policy(chromium_page, site_url):
 def test_an_asset_of_any_name(chromium_page, site_url, name):
     chromium_page.evaluate(f"globalThis.odd = encodeURIComponent({name!r})")
     odd = chromium_page.evaluate("odd")
-    visit(chromium_page, f"{site_url}?{QUERY}&asset={odd}")
+    visit(chromium_page, f"{site_url}?{QUERY}&src={odd}")
     assert notice(chromium_page) is None
     assert chromium_page.evaluate("rnaViewer.opened.source.name") == name
 
 
 def test_what_the_address_cannot_have_is_told(chromium_page, site_url):
     chromium_page.call("Page.navigate", url="about:blank")
-    asked = f"{QUERY}&rounds=many&teir=hq&fbclid=1&env=none.hdr"
+    asked = f"{QUERY}&samples=many&teir=hq&fbclid=1&environment=none.hdr"
     chromium_page.call("Page.navigate", url=f"{site_url}?{asked}")
     chromium_page.wait_for("(globalThis.rnaViewer?.viewer?.stats.rounds ?? 0) >= 1", TIMEOUT)
     told = notice(chromium_page)
-    assert "?rounds=: expected a whole number" in told and "found many" in told
+    assert 'samples: expected a whole number from 1 to 1000000, found "many"' in told
     assert "?teir= is no parameter of this page: did you mean tier=?" in told
     assert "cannot load none.hdr: HTTP 404" in told and "fbclid" not in told
-    assert chromium_page.evaluate("rnaViewer.viewer.rounds") == 1
+    assert chromium_page.evaluate("rnaViewer.viewer.rounds") == 256
 
 
 def test_no_hint_while_an_asset_is_on_its_way(chromium_page, site_url):

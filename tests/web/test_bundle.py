@@ -50,7 +50,7 @@ def _contents(folder: Path) -> dict[str, bytes]:
 
 @pytest.mark.chromium
 def test_decoder_and_rays_are_the_wgsl_of_rna_gpu():
-    with viewer(Site({}, {}), "api=webgl2") as page:
+    with viewer(Site({}, {})) as page:
         files = page.evaluate("rnaViewer.wgsl.sharedFiles")
         assert files == {name: (SHADERS / name).read_text() for name in files}
         compositions = json.loads((SHADERS / "compositions.json").read_text())

@@ -1,4 +1,4 @@
-"""Both engines of the viewer give the answers of the conformance kit (spec/conformance)."""
+"""The viewer gives the answers of the conformance kit (spec/conformance)."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rna_sdk.conformance.program import Answer
 from rna_sdk.conformance.scoring import cases, score
 from rna_view.site_files import Site
 from tests.render.chromium import Page
-from tests.web.pages import APIS, base64_of, call_reader, viewer
+from tests.web.pages import base64_of, call_reader, viewer
 
 pytestmark = pytest.mark.chromium
 
@@ -45,9 +45,9 @@ class PageProgram:
             self._loaded = package, tier
 
 
-@pytest.fixture(scope="module", params=APIS)
-def page(request) -> Iterator[Page]:
-    with viewer(Site({}, {}), f"api={request.param}") as page:
+@pytest.fixture(scope="module")
+def page() -> Iterator[Page]:
+    with viewer(Site({}, {})) as page:
         yield page
 
 

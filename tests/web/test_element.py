@@ -3,99 +3,29 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 import subprocess
-from collections.abc import Iterator
-from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 import pytest
 
+from rna_view.rna_view_command import main as rna_view
+from rna_view.site_export import LIGHT
 from rna_view.site_files import ELEMENT, viewer_file
 from tests.conftest import REPOSITORY
-from tests.package.builders import make_tier, make_tiny_fiber_package, make_tiny_package
-from tests.render.chromium import INSTALL, SOFTWARE_GPU, Page, find_chromium, open_page
-from tests.web.pages import Plain, served_folder
+from tests.package.builders import make_tiny_package
+from tests.web.element_pages import SMALL, Static, line, loads, show
+from tests.web.pages import TIMEOUT
 from tests.web.test_page import write_image
 
-TIMEOUT = 300.0
 ELEMENT_SOURCES = REPOSITORY / "runtime" / "web" / "src" / "element"
-PAGE = """<!doctype html>
-<script>
-  globalThis.heard = [];
-  const names = ["load", "error", "camera-change", "light-change", "poster-dismissed"];
-  for (const name of names) document.addEventListener(name, ({ target, detail }) => {
-    if (target.localName === "rna-viewer") heard.push({ name, id: target.id, ...detail });
-  }, true);
-  const count = (name, id) => heard.filter((one) => one.name === name && one.id === id).length;
-</script>
-<script defer src="rna-viewer.js"></script>
-<style>
-  body { margin: 0; }
-  rna-viewer { width: 64px; height: 40px; background-color: rgb(255, 255, 255); }
-</style>
-BODY
-<div style="height: 3000px"></div>
-"""
-SMALL = 'samples="1" pixel-ratio="1"'
+AGAIN = "one.stage.engine && one.stage.engine !== before && one.stage.viewer?.stats.rounds"
 TWO = f"""
 <rna-viewer id="one" src="tiny.rna" alt="A tiny thing" camera-controls {SMALL}></rna-viewer>
-<rna-viewer id="two" src="fibers.rna" api="webgl2" sun="10deg 20deg 3" {SMALL}></rna-viewer>
+<rna-viewer id="two" src="fibers.rna" sun="10deg 20deg 3" {SMALL}></rna-viewer>
 """
-
-
-class _Static(Plain):
-    """Any web server; `asked` has the paths."""
-
-    asked: ClassVar[list[str]] = []
-
-    def do_GET(self) -> None:
-        self.asked.append(self.path)
-        super().do_GET()
-
-
-@pytest.fixture(scope="module")
-def folder(tmp_path_factory) -> Path:
-    folder = tmp_path_factory.mktemp("theirs")
-    (folder / ELEMENT).write_bytes(viewer_file(ELEMENT))
-    make_tiny_package(folder / "tiny.rna", make_tier("small"), make_tier("hq", resolution=256))
-    make_tiny_fiber_package(folder / "fibers.rna")
-    (folder / "bad.rna").write_bytes(b"this is no package")
-    return folder
-
-
-@pytest.fixture(scope="module")
-def url(folder) -> Iterator[str]:
-    with served_folder(folder, _Static) as address:
-        yield address
-
-
-@pytest.fixture(scope="module")
-def page() -> Iterator[Page]:
-    chromium = find_chromium()
-    if chromium is None:
-        pytest.skip(INSTALL)
-    with open_page(chromium, 200, 200, SOFTWARE_GPU) as page:
-        yield page
-
-
-def show(page: Page, folder: Path, url: str, body: str) -> None:
-    """A page with this body, its element defined."""
-    (folder / "page.html").write_text(PAGE.replace("BODY", body))
-    page.call("Page.navigate", url="about:blank")
-    page.call("Page.navigate", url=url + "page.html")
-    page.wait_for("globalThis.customElements?.get('rna-viewer') && globalThis.one", TIMEOUT)
-
-
-def loads(page: Page, element: str, times: int = 1) -> None:
-    page.wait_for(f"count('load', '{element}') >= {times}", TIMEOUT)
-
-
-def line(page: Page, element: str = "one") -> str | None:
-    return page.evaluate(
-        f"(({{ place }}) => place.hidden ? null : place.textContent)({element}.notices)"
-    )
 
 
 @pytest.mark.skipif(shutil.which("node") is None, reason="needs Node")
@@ -206,40 +136,62 @@ def test_two_elements_on_a_page(page, folder, url):
     assert page.evaluate(f"[one, two].map({named})")[0] == ["application", "A tiny thing", 0]
     assert page.evaluate(f"[one, two].map({named})")[1][::2] == ["img", -1]
 
-    # The GPU has no memory for a picture: WebGL2 shows the asset.
-    page.evaluate("one.stage.engine.error = new Error('out of memory'), one.stage.viewer.restart()")
-    webgl = "one.stage.engine?.constructor.label === 'WebGL2'"
-    page.wait_for(f"{webgl} && one.stage.viewer?.stats.rounds >= 1", TIMEOUT)
-    assert line(page) is None
+    # The GPU has no memory for a picture: a new engine shows the asset.
+    page.evaluate("globalThis.before = one.stage.engine, before.error = new Error('no memory'), 0")
+    page.evaluate("one.stage.viewer.restart()")
+    page.wait_for(AGAIN, TIMEOUT)
+    page.wait_for("one.notices.place.hidden", TIMEOUT)
 
 
 @pytest.mark.chromium
 def test_the_page_of_the_documentation(page, folder, url):
+    """With the export's script and a package, and nothing else, beside it."""
     text = (REPOSITORY / "docs" / "element.md").read_text()
-    (folder / "page.html").write_text(text.split("```html\n")[1].split("```")[0])
+    written = text.split("```html\n")[1].split("```")[0]
+    assert set(re.findall(r'(?:src|poster|environment|scene)="([^"]+)"', written)) == {
+        ELEMENT,
+        "toy.rna",
+    }
+    (folder / "page.html").write_text(written)
     make_tiny_package(folder / "toy.rna")
     write_image(folder / "studio.hdr", np.full((4, 8, 3), 0.25, np.float32))
     page.call("Page.navigate", url=url + "page.html")
     viewer = "document.querySelector('rna-viewer')"
     page.wait_for(f"{viewer}?.loaded", TIMEOUT)
-    assert page.evaluate(f"{viewer}.stage.lighting.tables().floats[0]") == 0.25
+    assert page.evaluate(f"{viewer}.stage.viewer.ground !== null")
+    page.evaluate(f"{viewer}.environment = 'studio.hdr', 0")
+    page.wait_for(f"{viewer}.stage.lighting.tables().floats[0] === 0.25", TIMEOUT)
     assert page.evaluate(f"{viewer}.notices.place.hidden")
+
+
+@pytest.mark.chromium
+def test_the_line_that_export_prints(page, folder, url, capsys):
+    """On a page of its own, with the light and the ground of the exported page."""
+    package = make_tiny_package(folder / 'a "b".rna')
+    assert rna_view([str(package), "--export", str(folder / "site")]) == 0
+    printed = capsys.readouterr().out.split("or as an element: ")[1].splitlines()[0]
+    written = printed.replace("https://example.org/site/", "site/")
+    (folder / "page.html").write_text(f"<!doctype html>{written}")
+    page.call("Page.navigate", url=url + "page.html")
+    viewer = "document.querySelector('rna-viewer')"
+    page.wait_for(f"{viewer}?.loaded", TIMEOUT)
+    assert page.evaluate(f"[{viewer}.alt, {viewer}.sun]") == [package.stem, "40deg 45deg 2"]
+    assert page.evaluate(f"{viewer}.stage.viewer.ground !== null")
+    assert f"{LIGHT}>" in viewer_file("index.html").decode()
 
 
 @pytest.mark.chromium
 def test_what_is_below_the_fold_waits(page, folder, url):
     """Nothing is fetched for it; what leaves the page lets its GPU go, and comes back as it was."""
-    late = f'<rna-viewer id="one" src="tiny.rna" api="webgl2" {SMALL}></rna-viewer>'
-    closed = (
-        f'<rna-viewer id="two" src="fibers.rna" api="webgl2" reveal="manual" {SMALL}></rna-viewer>'
-    )
-    _Static.asked.clear()
+    late = f'<rna-viewer id="one" src="tiny.rna" {SMALL}></rna-viewer>'
+    closed = f'<rna-viewer id="two" src="fibers.rna" reveal="manual" {SMALL}></rna-viewer>'
+    Static.asked.clear()
     show(page, folder, url, f'{closed}<div style="height: 2000px"></div>{late}')
     page.evaluate("new Promise((resolve) => setTimeout(resolve, 200))")
-    assert not any(path.endswith(".rna") for path in _Static.asked)
+    assert not any(path.endswith(".rna") for path in Static.asked)
     page.evaluate("one.scrollIntoView(), 0")
     loads(page, "one")
-    assert next(path for path in _Static.asked if path.endswith(".rna")) == "/tiny.rna"
+    assert next(path for path in Static.asked if path.endswith(".rna")) == "/tiny.rna"
     gone = """globalThis.kept = one, globalThis.before = one.stage.engine;
         kept.cameraOrbit = "50deg 60deg 3m";
         document.body.prepend(kept);
@@ -247,22 +199,20 @@ def test_what_is_below_the_fold_waits(page, folder, url):
         later.then(() => { kept.remove(); return kept.stage.engine === before; })"""
     assert page.evaluate(gone), "an element that moves within its page keeps its GPU"
     page.wait_for("before.closed && kept.stage.engine === null", TIMEOUT)
-    asked = len(_Static.asked)
+    asked = len(Static.asked)
     page.evaluate("document.body.prepend(kept), scrollTo(0, 0)")
     page.wait_for("kept.stage.viewer?.stats.rounds >= 1", TIMEOUT)
     assert page.evaluate("kept.cameraOrbit") == "50deg 60deg 3m"
-    assert len(_Static.asked) == asked
+    assert len(Static.asked) == asked
     page.evaluate("two.dismissPoster(), 0")
     loads(page, "two")
     assert page.evaluate("count('poster-dismissed', 'two')") == 1
-    assert len(_Static.asked) > asked
+    assert len(Static.asked) > asked
 
 
 @pytest.mark.chromium
 def test_sources_that_are_bad_or_change(page, folder, url):
-    show(
-        page, folder, url, f'<rna-viewer id="one" src="none.rna" api="webgl2" {SMALL}></rna-viewer>'
-    )
+    show(page, folder, url, f'<rna-viewer id="one" src="none.rna" {SMALL}></rna-viewer>')
     page.wait_for("count('error', 'one') === 1", TIMEOUT)
     assert line(page).endswith("none.rna: HTTP 404")
     page.evaluate("one.src = 'bad.rna', 0")
@@ -280,7 +230,7 @@ def test_sources_that_are_bad_or_change(page, folder, url):
 
 @pytest.mark.chromium
 def test_auto_rotate_stops_for_those_who_want_stillness(page, folder, url):
-    turning = 'auto-rotate auto-rotate-delay="0" api="webgl2"'
+    turning = 'auto-rotate auto-rotate-delay="0"'
     show(page, folder, url, f'<rna-viewer id="one" src="tiny.rna" {turning} {SMALL}></rna-viewer>')
     page.wait_for("one.turntableRotation > 0.1", TIMEOUT)
     assert page.evaluate("one.cameraOrbit").startswith("34.3775deg")
@@ -295,24 +245,22 @@ def test_auto_rotate_stops_for_those_who_want_stillness(page, folder, url):
 
 
 @pytest.mark.chromium
-def test_no_webgpu_then_webgl2_then_the_poster(page, folder, url):
-    """A GPU that is too small, then contexts that are lost."""
+def test_an_asset_too_large_then_losses_then_the_poster(page, folder, url):
+    """A GPU that is too small; then one that is lost again and again."""
     show(page, folder, url, f'<rna-viewer id="one" loading="eager" {SMALL}></rna-viewer>')
     page.wait_for("one.stage.engine", TIMEOUT)
-    if page.evaluate("one.stage.engine.constructor.label") == "WebGPU":
-        small = "{ limits: { value: { maxStorageBufferBindingSize: 1000 } } }"
-        page.evaluate(f"Object.defineProperties(one.stage.engine.device, {small}), 0")
-    page.evaluate("globalThis.told = [], one.stage.addEventListener('engine', (e) => told.push(e))")
+    page.evaluate("one.stage.engine.compiled.then(() => 0)")
+    small = "{ limits: { value: { maxStorageBufferBindingSize: 1000 }, configurable: true } }"
+    page.evaluate(f"Object.defineProperties(one.stage.engine.device, {small}), 0")
     page.evaluate("one.src = 'tiny.rna', 0")
+    page.wait_for("count('error', 'one') === 1", TIMEOUT)
+    assert line(page).endswith("this GPU allows 1 kB")
+    page.evaluate("delete one.stage.engine.device.limits, one.src = 'fibers.rna', 0")
     loads(page, "one")
-    assert page.evaluate("one.stage.engine.constructor.label") == "WebGL2"
-    assert "this GPU allows 1 kB" in page.evaluate("told[0].reasons[0]") and line(page) is None
-    lose = "before.gl.getExtension('WEBGL_lose_context').loseContext()"
-    again = "one.stage.engine !== before && one.stage.viewer?.stats.rounds"
     for loss in range(1, 5):
-        page.evaluate(f"globalThis.before = one.stage.engine, {lose}, 0")
+        page.evaluate("globalThis.before = one.stage.engine, before.device.destroy()")
         if loss < 4:
-            page.wait_for(again, TIMEOUT)
+            page.wait_for(AGAIN, TIMEOUT)
     page.wait_for("!one.stage.engine", TIMEOUT)
-    assert line(page) == "the WebGL context was lost, 4 times"
+    assert line(page).startswith("the GPU was lost") and line(page).endswith(", 4 times")
     assert page.evaluate("[one.parts.poster.hidden, heard.at(-1).type]") == [False, "engine"]

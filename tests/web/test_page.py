@@ -10,15 +10,18 @@ import numpy as np
 import pytest
 
 from rna_sdk.package import query_width
-from rna_view.site_files import Site, site_for
+from rna_view.site_files import Site
+from rna_view.site_source import site_for
+from tests.conftest import REPOSITORY
 from tests.package.builders import INPUTS, make_tier, make_tiny_fiber_package, make_tiny_package
 from tests.package.lobes import even_decoder, with_lobes
-from tests.render.chromium import Page
-from tests.web.pages import APIS, TIMEOUT, base64_of, notice, viewer, wait_for_picture
+from tests.render.chromium import NO_GPU, Page
+from tests.web.pages import TIMEOUT, base64_of, notice, viewer, wait_for_picture
 
 pytestmark = pytest.mark.chromium
 
-KIT = Path(__file__).parents[2] / "spec" / "conformance"
+KIT = REPOSITORY / "spec" / "conformance"
+TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
 FILE = "new File([Uint8Array.from(atob('{data}'), (c) => c.charCodeAt(0))], '{name}')"
 
 
@@ -30,10 +33,10 @@ def package(tmp_path_factory) -> Path:
     return make_tiny_package(folder / "two.rna", *tiers)
 
 
-@pytest.fixture(scope="module", params=APIS)
-def page(request, package) -> Iterator[Page]:
+@pytest.fixture(scope="module")
+def page(package) -> Iterator[Page]:
     """The page with the package, three samples a picture."""
-    with viewer(site_for(package), f"api={request.param}&rounds=3&dpr=1", 160, 120) as page:
+    with viewer(site_for(package), "samples=3&pixel-ratio=1", 160, 120) as page:
         wait_for_picture(page, 3)
         yield page
 
@@ -153,23 +156,20 @@ def test_package_with_lobes_has_a_first_look(page, tmp_path, package):
     wait_for_picture(page, 3)
     assert notice(page) is None
     pictures = page.evaluate("pictures")
-    if page.evaluate("rnaViewer.engine.constructor.label") == "WebGL2":
-        assert all(rounds > 0 and not look for rounds, _, look in pictures)  # it has none
-    else:
-        assert pictures[0][0] == 0
-        assert [0, 1, 1] in pictures
-        shares = [look for rounds, scale, look in pictures if scale == 1]
-        assert shares == sorted(shares, reverse=True)
-        look = np.reshape(page.evaluate(FIRST_LOOK), (-1, 4))
-        cover = look[:, 3:]
-        assert np.sum(cover > 0.999) > 1000
-        assert np.sum((cover > 0.1) & (cover < 0.9)) > 50  # edges are smooth
-        # Four lobes of .125 under a radiance of 1.5.
-        assert look[:, :3] == pytest.approx(0.75 * np.repeat(cover, 3, axis=1), rel=2e-3, abs=1e-6)
-        wait_for_picture(page, 3)
-        page.evaluate("pictures.length = 0; rnaViewer.turnTable(0.3, true)")
-        page.wait_for("pictures.length", TIMEOUT)
-        assert page.evaluate("pictures.every(([rounds, , look]) => rounds === 0 && look === 1)")
+    assert pictures[0][0] == 0
+    assert [0, 1, 1] in pictures
+    shares = [look for rounds, scale, look in pictures if scale == 1]
+    assert shares == sorted(shares, reverse=True)
+    look = np.reshape(page.evaluate(FIRST_LOOK), (-1, 4))
+    cover = look[:, 3:]
+    assert np.sum(cover > 0.999) > 1000
+    assert np.sum((cover > 0.1) & (cover < 0.9)) > 50  # edges are smooth
+    # Four lobes of .125 under a radiance of 1.5.
+    assert look[:, :3] == pytest.approx(0.75 * np.repeat(cover, 3, axis=1), rel=2e-3, abs=1e-6)
+    wait_for_picture(page, 3)
+    page.evaluate("pictures.length = 0; rnaViewer.turnTable(0.3, true)")
+    page.wait_for("pictures.length", TIMEOUT)
+    assert page.evaluate("pictures.every(([rounds, , look]) => rounds === 0 && look === 1)")
     page.evaluate("rnaViewer.reset(), rnaViewer.chooseImage('studio'), rnaViewer.setGround(true)")
     drop(page, package)
     wait_for_picture(page, 3)
@@ -228,18 +228,13 @@ def test_broken_packages_get_one_line_each(page, package):
 
 
 def test_lost_device_comes_back(page):
-    label = page.evaluate("rnaViewer.engine.constructor.label")
-    lose = {
-        "WebGPU": "rnaViewer.engine.device.destroy()",
-        "WebGL2": "rnaViewer.engine.gl.getExtension('WEBGL_lose_context').loseContext()",
-    }
-    page.evaluate(f"globalThis.before = rnaViewer.engine, {lose[label]}, 0")
+    page.evaluate("globalThis.before = rnaViewer.engine, before.device.destroy()")
     page.wait_for("rnaViewer.engine !== before && rnaViewer.viewer?.stats.rounds >= 3", TIMEOUT)
     wait_for_picture(page, 3)
     assert notice(page) is None
 
 
-# Wrappers that count bytes of buffers, or numbers of textures, that were not let go.
+# Counts bytes of buffers that were not let go.
 COUNT_BUFFERS = """
     globalThis.alive = 0;
     const device = rnaViewer.engine.device, make = device.createBuffer.bind(device);
@@ -251,20 +246,11 @@ COUNT_BUFFERS = """
         return own;
     };
 """
-COUNT_TEXTURES = """
-    globalThis.alive = 0;
-    const gl = rnaViewer.engine.gl;
-    const make = gl.createTexture.bind(gl), end = gl.deleteTexture.bind(gl);
-    gl.createTexture = () => { alive += 1; return make(); };
-    gl.deleteTexture = (texture) => { if (texture) alive -= 1; end(texture); };
-"""
 LOADS, SETTLED = 200, 20
 
 
 def test_memory_is_flat_over_many_loads(page, package):
-    label = page.evaluate("rnaViewer.engine.constructor.label")
-    count = COUNT_BUFFERS if label == "WebGPU" else COUNT_TEXTURES
-    page.evaluate(f"(() => {{ {count} }})()")
+    page.evaluate(f"(() => {{ {COUNT_BUFFERS} }})()")
     file = FILE.format(data=base64_of(package), name="again.rna")
     page.evaluate(f"globalThis.again = {file}, 0")
     load = "(async () => { for (let k = 0; k < 10; k++) await rnaViewer.open(again); })()"
@@ -285,7 +271,7 @@ def test_package_of_30_megabytes_is_read_in_ranges(tmp_path):
     path = make_tiny_package(tmp_path / "large.rna", *tiers)
     size = path.stat().st_size
     assert size > 30e6
-    with viewer(site_for(path), "api=webgl2&rounds=1&dpr=1", 96, 64) as page:
+    with viewer(site_for(path), "samples=1&pixel-ratio=1", 96, 64) as page:
         wait_for_picture(page, 1)
         assert page.evaluate("rnaViewer.opened.source.fetched") < 1e6
         page.evaluate("rnaViewer.switchTier('large')")
@@ -293,12 +279,16 @@ def test_package_of_30_megabytes_is_read_in_ranges(tmp_path):
         assert page.evaluate("rnaViewer.opened.source.fetched") < 1.02 * size
 
 
-def test_page_without_any_gpu_shows_the_poster_and_one_line(package):
-    with viewer(Site({}, {}), "api=none") as page:
-        page.wait_for("rnaViewer.failures", TIMEOUT)
-        assert notice(page).startswith("this browser shows the poster alone")
+def test_page_without_any_gpu_shows_the_poster_and_one_line():
+    with viewer(site_for(TOY), gpu=NO_GPU) as page:
+        parts = "document.querySelector('rna-viewer').parts"
+        page.wait_for(f"{parts}.image.naturalWidth > 0 && {parts}.loading.hidden", TIMEOUT)
+        assert notice(page) == "WebGPU has no adapter here: only the poster is shown"
+        assert page.evaluate(f"[rnaViewer.failures, {parts}.poster.hidden]") == [1, False]
+        fetched = "performance.getEntriesByType('resource').map((one) => one.transferSize)"
+        assert page.evaluate(f"Math.max(...{fetched})") < TOY.stat().st_size / 2
 
 
 def test_page_without_its_panel():
-    with viewer(Site({}, {}), "api=webgl2&ui=0") as page:
+    with viewer(Site({}, {}), "ui=0") as page:
         assert page.evaluate("getComputedStyle(document.getElementById('panel')).display") == "none"

@@ -14,9 +14,9 @@ from rna_render.paths.world_in_time import load_world
 from rna_render.preview.picture import rgba
 from rna_render.scene.scene_file import read_scene
 from rna_render.world.camera import Camera
-from rna_view.site_files import site_for
+from rna_view.site_source import site_for
 from tests.render.specks import brightest_around
-from tests.web.pages import APIS, picture, viewer, wait_for_picture
+from tests.web.pages import picture, viewer, wait_for_picture
 
 pytestmark = pytest.mark.chromium
 
@@ -77,9 +77,9 @@ def by_rna_run(path: Path) -> np.ndarray:
     return rgba(render(scene_file.scene, integrator))
 
 
-def by_viewer(path: Path, api: str, more: str = "") -> np.ndarray:
+def by_viewer(path: Path, more: str = "") -> np.ndarray:
     scene = read_scene(path).scene
-    query = f"api={api}&rounds={scene.samples}&dpr=1&ui=0{more}"
+    query = f"samples={scene.samples}&pixel-ratio=1&ui=0{more}"
     with viewer(site_for(path), query, *scene.resolution) as page:
         wait_for_picture(page, scene.samples)
         return picture(page)
@@ -97,17 +97,15 @@ def psnr(found: np.ndarray, expected: np.ndarray) -> float:
 def test_suns(asset, tmp_path):
     path = write_scene(tmp_path, asset, SUNS, [160, 100], 1)
     expected = by_rna_run(path)
-    for api in APIS:
-        found = by_viewer(path, api, "&jitter=0")
-        assert np.mean(found[..., 3] != expected[..., 3]) < 0.002, api
-        assert psnr(found, expected) >= LEAST_PSNR, api
+    found = by_viewer(path, "&jitter=0")
+    assert np.mean(found[..., 3] != expected[..., 3]) < 0.002
+    assert psnr(found, expected) >= LEAST_PSNR
 
 
 def test_environment(tmp_path):
     path = write_scene(tmp_path, TOY, ENVIRONMENT, [48, 30], 64)
     expected = np.mean(by_rna_run(path)[..., :3])
-    for api in APIS:
-        assert np.mean(by_viewer(path, api)[..., :3]) == pytest.approx(expected, rel=0.02), api
+    assert np.mean(by_viewer(path)[..., :3]) == pytest.approx(expected, rel=0.02)
 
 
 def test_no_specks_in_highlights(tmp_path):
@@ -117,9 +115,8 @@ def test_no_specks_in_highlights(tmp_path):
     inside = expected[..., 3] > 0.999
     around = brightest_around(expected[..., :3].mean(axis=-1))[inside]
     path = write_scene(tmp_path, TOY, ENVIRONMENT, size, 4)
-    for api in APIS:
-        ratio = by_viewer(path, api)[..., :3].mean(axis=-1)[inside] / around
-        assert ratio.max() < 6, api  # 12 without directions about the mirror direction
+    ratio = by_viewer(path)[..., :3].mean(axis=-1)[inside] / around
+    assert ratio.max() < 6  # 12 without directions about the mirror direction
 
 
 @pytest.mark.usefixtures("middles_of_pixels")
@@ -131,15 +128,13 @@ def test_sun_in_an_image(tmp_path):
     OpenEXR.File({}, {"RGB": sky}).write(str(tmp_path / "sky.exr"))
     path = write_scene(tmp_path, TOY, SKY, [32, 20], 320)
     expected = by_rna_run(path)
-    for api in APIS:
-        found = by_viewer(path, api, "&jitter=0")
-        assert psnr(found, expected) >= LEAST_PSNR, api
-        assert found[..., :3].max() < 1.2 * expected[..., :3].max(), api
+    found = by_viewer(path, "&jitter=0")
+    assert psnr(found, expected) >= LEAST_PSNR
+    assert found[..., :3].max() < 1.2 * expected[..., :3].max()
 
 
 def test_emission_holes_and_glass(tmp_path):
     """Parts of both kinds, that emit, behind cut-outs and panes."""
     path = write_scene(tmp_path, LANTERN, SUNS, [48, 30], 32)
     expected = np.mean(by_rna_run(path)[..., :3])
-    for api in APIS:
-        assert np.mean(by_viewer(path, api)[..., :3]) == pytest.approx(expected, rel=0.03), api
+    assert np.mean(by_viewer(path)[..., :3]) == pytest.approx(expected, rel=0.03)

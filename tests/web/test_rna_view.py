@@ -18,7 +18,8 @@ from rna_view.page_server import PageServer
 from rna_view.rna_view_command import main
 from rna_view.scene_page import scene_site
 from rna_view.site_export import MARKER, export_site
-from rna_view.site_files import VIEWER_FILES, Site, site_for, viewer_file
+from rna_view.site_files import VIEWER_FILES, Site, viewer_file
+from rna_view.site_source import site_for
 from tests.package.builders import make_tier, make_tiny_package
 from tests.web.pages import served
 

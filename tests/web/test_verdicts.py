@@ -2,23 +2,19 @@
 
 from __future__ import annotations
 
-import json
 import shutil
-import struct
-import subprocess
 
+import numpy as np
 import pytest
 
-from rna_bench.readers.fuzz_readers import WEB_READER
 from rna_sdk.conformance.kit import find_kit, load_kit
 from rna_sdk.package import Code
 from rna_sdk.package.issues import Severity
-from tests.conftest import REPOSITORY
+from tests.fuzz.packages import stream, viewer_verdicts
+from tests.hosts.packages import broken_constants, make_profile_tier, write_profile_package
 from tests.package.builders import make_tiny_package, read_entries
 from tests.package.corpus import content_cases
 from tests.package.lobes import with_lobes
-
-PROGRAM = REPOSITORY / "benchmarks" / "rna_bench" / "readers" / "fuzz_viewer.mjs"
 
 NOT_SEEN = {
     "proxy_that_is_no_mesh.rna",  # the viewer reads no proxies
@@ -29,16 +25,13 @@ pytestmark = pytest.mark.skipif(shutil.which("node") is None, reason="needs Node
 
 
 def verdicts(*packages: bytes) -> list[str]:
-    """ "accepted", the code of a refusal, or NOT_SUPPORTED, of each."""
+    """ "accepted", or the code of the refusal, of each."""
     return judged(*packages)[0]
 
 
 def judged(*packages: bytes) -> tuple[list[str], list[list[str]]]:
     """The verdicts, and each package's warnings."""
-    stream = b"".join(struct.pack("<I", len(data)) + data for data in packages)
-    command = ["node", str(PROGRAM), str(WEB_READER), "--verdicts"]
-    done = subprocess.run(command, input=stream, capture_output=True, check=True, timeout=300)
-    found = json.loads(done.stdout)
+    found = viewer_verdicts(stream(packages))
     assert found["failures"] == []
     return found["verdicts"], found["warnings"]
 
@@ -53,7 +46,7 @@ def test_broken_packages_of_the_kit() -> None:
         if case.code is not None
         and Code[case.code].severity is Severity.ERROR
         and case.package.name not in NOT_SEEN
-        and verdict not in (case.code, "NOT_SUPPORTED")
+        and verdict != case.code
     ]
     assert wrong == []
 
@@ -63,6 +56,16 @@ def test_decoder_of_countless_layers_with_one_weight(tmp_path) -> None:
     entries = read_entries(make_tiny_package(tmp_path / "tiny.rna"))
     package = content_cases.decoder_of_countless_layers_with_one_weight(entries)
     assert verdicts(package) == ["DECODER_COST"]
+
+
+@pytest.mark.parametrize("precision", ["float32", "int8"])
+def test_constants_that_are_not_finite_are_refused(precision, tmp_path) -> None:
+    """Every one, also where a later Clip or QuantizeLinear hides it."""
+    tier = make_profile_tier("small", "surface", decoder_precision=precision)
+    entries = read_entries(write_profile_package(tmp_path / "good.rna", tier))
+    packages = [*broken_constants(entries, np.nan), *broken_constants(entries, np.inf)]
+    assert len(packages) >= 16
+    assert verdicts(*packages) == ["DECODER_RESULT"] * len(packages)
 
 
 def test_packages_with_lobes_have_no_warnings(tmp_path) -> None:

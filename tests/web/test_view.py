@@ -12,9 +12,9 @@ import pytest
 from PIL import Image
 
 from rna_render.image.view_transform import to_display
-from rna_view.site_files import site_for
+from rna_view.site_source import site_for
 from tests.render.chromium import Page
-from tests.web.pages import APIS, TIMEOUT, picture, viewer, wait_for_picture
+from tests.web.pages import TIMEOUT, picture, viewer, wait_for_picture
 
 pytestmark = pytest.mark.chromium
 
@@ -26,9 +26,9 @@ DATA_URL = """rnaViewer.screenshot().then((blob) => new Promise((resolve) => {
 }))"""
 
 
-@pytest.fixture(scope="module", params=APIS)
-def page(request) -> Iterator[Page]:
-    with viewer(site_for(TOY), f"api={request.param}&rounds=1&look=0&dpr=1&ui=0", 96, 60) as page:
+@pytest.fixture(scope="module")
+def page() -> Iterator[Page]:
+    with viewer(site_for(TOY), "samples=1&first-look=off&pixel-ratio=1&ui=0", 96, 60) as page:
         wait_for_picture(page, 1)
         yield page
 

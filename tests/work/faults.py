@@ -24,7 +24,8 @@ from typing import Any
 
 import numpy as np
 
-from rna_work.executors import Needs, open_executor
+from rna_work.backend import Needs
+from rna_work.executors import open_executor
 from rna_work.pool import Pool
 from rna_work.timeouts import Timeouts
 from tests.work.conftest import start_cluster

@@ -9,9 +9,10 @@ from typing import Any
 
 import pytest
 
-from rna_export.trials.trial_pool import TrialWorkers
+from rna_bench.frontier.trials.trial_pool import TrialWorkers
 from rna_sdk.errors import WorkError
-from rna_work.executors import Executor, Needs, open_executor
+from rna_work.backend import Needs
+from rna_work.executors import Executor, open_executor
 from rna_work.pool import Pool
 from rna_work.timeouts import Timeouts
 from rna_work.workers import WorkerLost
@@ -180,7 +181,7 @@ def test_local_is_a_cluster_of_its_own(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_ray_s_reason_of_a_death_is_told() -> None:
-    from rna_work.cluster.ray_cluster import first_line
+    from rna_work.cluster.ray_slots import first_line
 
     message = "The actor died.\n\tpid: 3\nThe actor is dead because its node has died.\n\tmore"
     expected = "The actor died. The actor is dead because its node has died."

@@ -7,9 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from rna_bench.frontier.trials.trial import Trial
+from rna_bench.frontier.trials.trial_pool import TrialPool, TrialWorkers
 from rna_export.capture.rna_capture import main as capture
-from rna_export.trials.trial import Trial
-from rna_export.trials.trial_pool import TrialPool, TrialWorkers
 from rna_render.command.rna_run import main as render
 from rna_sdk.motion import write_motion
 from rna_work.cluster.store import Store

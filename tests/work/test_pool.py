@@ -14,7 +14,7 @@ from rna_sdk.errors import WorkError
 from rna_work.backend import Backend
 from rna_work.pool import Pool
 from rna_work.processes import Processes
-from rna_work.threads import Caller, Threads
+from rna_work.threads import Threads
 from rna_work.timeouts import Timeouts
 from rna_work.workers import TimedOut, WorkerLost
 from tests.work.workers import CannotStart, Doubling, Once, Repeating
@@ -167,18 +167,6 @@ def test_what_runs_in_circles_is_ended(backend: Backend) -> None:
 def test_workers_that_cannot_start_say_why(backend: Backend) -> None:
     with Pool(backend, CannotStart) as pool, pytest.raises(ValueError, match="cannot start"):
         list(pool.run([1]))
-
-
-def test_the_caller_can_be_the_worker() -> None:
-    thread = threading.get_ident()
-
-    class Telling(Doubling):
-        def run(self, item: object) -> object:
-            return super().run(item), threading.get_ident()
-
-    with Pool(Caller(), Telling) as pool:
-        outcomes = list(pool.run([1, "fail", 3]))
-    assert [o.result for o in outcomes] == [(2, thread), None, (6, thread)]
 
 
 class NoRoom(Threads):

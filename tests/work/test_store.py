@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from rna_export.capture import capture_run as run_module
-from rna_export.capture.blender_process.source import Source
+from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.capture_run import CaptureWorkers, finish
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.sample_files import write_arrays

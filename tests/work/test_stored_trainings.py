@@ -11,12 +11,12 @@ from uuid import uuid4
 
 import pytest
 
+from rna_bench.frontier.trials.trial import Trial
+from rna_bench.frontier.trials.trial_pool import TrialPool, TrialWorkers
+from rna_bench.frontier.trials.trial_record import Record
+from rna_bench.frontier.trials.trial_worker import Job, TrialWorker
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.training.optimization.fitting import Fitting
-from rna_export.trials.trial import Trial
-from rna_export.trials.trial_pool import TrialPool, TrialWorkers
-from rna_export.trials.trial_record import Record
-from rna_export.trials.trial_worker import Job, TrialWorker
 from rna_work.cluster.store import Store
 from rna_work.cluster.stored import Mirror, StoredFolder
 from rna_work.executors import open_executor
@@ -85,7 +85,7 @@ def test_a_lost_worker_s_training_goes_on_from_its_last_checkpoint(
 ) -> None:
     manifest = InPlace(dataset.folder / "manifest.json")
     trial = Trial(name="long", family="ours", preset=tiny(steps=12), seed=1)
-    monkeypatch.setattr("rna_export.trials.trial_run._VALIDATED_EVERY", 4)
+    monkeypatch.setattr("rna_bench.frontier.trials.trial_run._VALIDATED_EVERY", 4)
 
     def trained(store: Store) -> Record:
         with TrialWorker(manifest, 1, "cpu", "0") as worker:

@@ -71,7 +71,7 @@ def run(args: argparse.Namespace) -> None:
 
 def _pilot(path: Path, arguments: Sequence[str]) -> Pilot:
     from rna_export.capture.blender_process import blender_env
-    from rna_export.capture.blender_process.source import Source
+    from rna_export.capture.blender_process.blender_process import Source
     from rna_export.capture.capture_run import CaptureWorkers, measured_pilot
     from rna_export.capture.capture_settings import CaptureSettings
 

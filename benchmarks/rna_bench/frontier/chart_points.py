@@ -6,23 +6,11 @@ from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any
 
-from rna_export.trials.cost import Costs
-from rna_export.trials.trial_record import Point, Record
+from rna_bench.frontier.trials.cost import Costs
+from rna_bench.frontier.trials.trial_record import Point, Record
 
-COSTS = {
-    "ns": "ns/query, all threads",
-    "ns_one_thread": "ns/query, one thread",
-    "bytes": "bytes of the package",
-    "multiply_adds": "multiply-adds of the decoder per query",
-}
-"""Member of a point -> what it is; less is better."""
-
-ERRORS = {
-    "psnr": "PSNR, dB",
-    "flip": "mean FLIP",
-    "p99": "99th percentile of the relative error",
-}
-"""Errors of the chart; smaller is better, except for PSNR."""
+COSTS = {"ns": "ns/query, all threads", "bytes": "bytes of the package"}
+"""Costs of the chart; member of a point -> what it is."""
 
 
 def points_of(records: list[Record], costs: Costs | None) -> list[dict[str, Any]]:
@@ -78,13 +66,12 @@ def last_tenth(curve: Sequence[tuple[int, float]], steps: int) -> float | None:
     return curve[-1][1] - before[-1] if before else None
 
 
-def front(points: list[dict[str, Any]], cost: str, error: str) -> list[dict[str, Any]]:
-    """Pareto front of cost and error without ablations, cheapest point first."""
-    sign = -1.0 if error == "psnr" else 1.0
+def front(points: list[dict[str, Any]], cost: str) -> list[dict[str, Any]]:
+    """Pareto front of cost and PSNR without ablations, cheapest point first."""
     known = [p for p in points if p["family"] != "ablation" and p[cost] is not None]
-    best, found = float("inf"), []
-    for point in sorted(known, key=lambda p: (p[cost], sign * p[error])):
-        if sign * point[error] < best:
-            best = sign * point[error]
+    best, found = -float("inf"), []
+    for point in sorted(known, key=lambda p: (p[cost], -p["psnr"])):
+        if point["psnr"] > best:
+            best = point["psnr"]
             found.append(point)
     return found

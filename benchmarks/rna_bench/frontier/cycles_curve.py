@@ -11,16 +11,16 @@ from pathlib import Path
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field
 
+from rna_bench.frontier.trials.scores import ModelScores, judge, write_strips
 from rna_export.capture.blender_process import blender_env
+from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.capture.blender_process.capture_worker import scene_of
-from rna_export.capture.blender_process.source import Source
 from rna_export.capture.capture_tasks import ValidationHalf
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.sample_files import read_part
 from rna_export.capture.dataset.validation_view import ValidationView
-from rna_export.trials.scores import ModelScores, judge, write_strips
 from rna_sdk.cores import core_count
 
 _NOISE = 7  # names noise that neither half of the references has
@@ -106,7 +106,7 @@ def _render(
     for view in views:
         task = ValidationHalf(view.index, _NOISE)
         task.run(dataset.dataset, scene, worker)
-        found = read_part(task.path(dataset.dataset), dataset.name, ("radiance", "pixel"))
+        found = read_part(task.path(dataset.dataset), dataset.name, {"radiance": 3, "pixel": 1})
         image = np.zeros((view.resolution**2, 3), np.float32)
         image[found["pixel"]] = found["radiance"]
         radiance.append(image[view.pixel])

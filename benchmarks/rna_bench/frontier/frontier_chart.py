@@ -18,7 +18,6 @@ LABELS = {
     "ablation": "ablations",
     "cycles": "Cycles, paths a pixel",
 }
-_SHOWN = ("ns", "bytes")
 _ABOVE = 4.0  # dB, free above the best model
 _MARKERS = {"float32": "o", "int8": "D"}
 
@@ -31,7 +30,7 @@ def draw(reports: list[dict[str, Any]], path: Path) -> None:
     for axes, asset in zip(grid, assets, strict=True):
         of_asset = [report for report in reports if report["dataset"]["name"] == asset]
         _draw_row(axes, asset, sorted(of_asset, key=_steps, reverse=True))
-    for axis, cost in zip(grid[-1], _SHOWN, strict=True):
+    for axis, cost in zip(grid[-1], COSTS, strict=True):
         axis.set_xlabel(COSTS[cost])
     drawn.legend(*grid[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
     save_chart(drawn, path)
@@ -43,7 +42,7 @@ def _steps(report: dict[str, Any]) -> int:
 
 def _draw_row(axes: Any, asset: str, reports: list[dict[str, Any]]) -> None:
     longest, *shorter = reports
-    for axis, cost in zip(axes, _SHOWN, strict=True):
+    for axis, cost in zip(axes, COSTS, strict=True):
         axis.set(xscale="log")
         if cost == "bytes":  # less than a decade or two
             axis.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
@@ -84,7 +83,7 @@ def _draw_points(
                 )
     if is_short:
         return
-    best = front(points, cost, "psnr")
+    best = front(points, cost)
     line = [p[cost] for p in best], [p["psnr"] for p in best]
     axis.step(*line, where="post", color=COLOURS["ours"], lw=1, alpha=0.6, label="best at its cost")
     for point in shown:

@@ -10,7 +10,9 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from rna_export.training.training_options import add_trainings
+from rna_export.training.training_options import add_device
+from rna_work.cluster.cluster_option import add_cluster_option
+from rna_work.cluster.store import add_store_option
 from rna_work.executors import Executor, open_executor
 
 _PARTS = ("train", "cost", "cycles", "chart")
@@ -50,7 +52,14 @@ def add_options(p: argparse.ArgumentParser) -> None:
         help="train only these models or groups of the grid (ours, paper, opponent, "
         "ablation, and the tables: architecture, channels, ...; default: all)",
     )
-    add_trainings(p)
+    add_device(p, "trainings")
+    p.add_argument(
+        "--workers",
+        type=int,
+        help="concurrent trainings (int, default: one per core, or one per GPU)",
+    )
+    add_cluster_option(p)
+    add_store_option(p, "checkpoints")
 
 
 def run(args: argparse.Namespace) -> None:

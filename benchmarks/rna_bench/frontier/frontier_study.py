@@ -7,30 +7,26 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypeVar
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel
 
 from rna_bench.frontier.chart_points import label_of, points_of
 from rna_bench.frontier.cycles_curve import CyclesCurve, render_curve
 from rna_bench.frontier.findings import findings, sentences
 from rna_bench.frontier.frontier_chart import draw
-from rna_bench.frontier.frontier_page import write_page
 from rna_bench.frontier.tables_sheet import draw_sheet
+from rna_bench.frontier.trials.cost import Costs, measure_costs
+from rna_bench.frontier.trials.grid import FULL_STEPS, SHORT_STEPS, full_grid, short_grid
+from rna_bench.frontier.trials.trial import Trial
+from rna_bench.frontier.trials.trial_pool import TrialPool, TrialWorkers, largest_first
+from rna_bench.frontier.trials.trial_record import Record, read_record
+from rna_bench.frontier.trials.trial_run import missing_precisions
 from rna_bench.results import write_results
-from rna_bench.speed.step_times import step_times
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.validation_view import all_queries
 from rna_export.metrics import FLIP_DEFINITION, P99_DEFINITION, PSNR_DEFINITION
-from rna_export.trials.cost import Costs, measure_costs
-from rna_export.trials.grid import FULL_STEPS, SHORT_STEPS, full_grid, short_grid
-from rna_export.trials.trial import Trial
-from rna_export.trials.trial_pool import TrialPool, TrialWorkers, largest_first
-from rna_export.trials.trial_record import Record, read_record
-from rna_export.trials.trial_run import missing_precisions
-from rna_export.trials.unwrap import check_unwrapping
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import TrainingError
-from rna_sdk.package import Package
 from rna_work.executors import Executor
 from rna_work.progress import Progress
 
@@ -80,7 +76,6 @@ class Study:
         todo = [t for t in largest_first(self.chosen) if t.name not in done]
         if not todo:
             return
-        check_unwrapping(todo)
         with (
             Progress(
                 len(self.chosen), "model", "training", len(self.chosen) - len(todo)
@@ -96,7 +91,7 @@ class Study:
                 )
 
     def time(self, again: bool) -> None:
-        """Measure the cost of every package, all in one run; and where the time goes.
+        """Measure the cost of every package, all in one run.
 
         again: even if that is done, and no package is new.
         """
@@ -108,18 +103,12 @@ class Study:
         }
         if not packages:
             raise TrainingError(f"{self.out}: no finished model to time")
-        earlier = _read(self.out / "costs.json", Timings)
-        if earlier and set(earlier.costs.of) == set(packages) and not again:
+        earlier = _read(self.out / "costs.json", Costs)
+        if earlier and set(earlier.of) == set(packages) and not again:
             return
         print(f"timing {len(packages)} packages; anything else that runs now falsifies it")
-        queries = all_queries(self.dataset.validation_views())
-        costs = measure_costs(packages, queries)
-        steps = {}
-        for label, path in packages.items():
-            with Package.open(path) as package:
-                steps[label] = step_times(package, package.manifest.tiers[0].name, tuple(queries))
-        timings = Timings(costs=costs, step_ns=steps)
-        write_atomically(self.out / "costs.json", timings.model_dump_json(indent=1).encode())
+        costs = measure_costs(packages, all_queries(self.dataset.validation_views()))
+        write_atomically(self.out / "costs.json", costs.model_dump_json(indent=1).encode())
 
     def package(self, trial: Trial, precision: str) -> Path:
         """Package of a finished trial."""
@@ -139,9 +128,9 @@ class Study:
         records = self.records()
         if not records:
             raise TrainingError(f"{self.out}: no finished model to chart")
-        timings = _read(self.out / "costs.json", Timings)
+        costs = _read(self.out / "costs.json", Costs)
         cycles = _read(self.out / "cycles.json", CyclesCurve)
-        points = points_of(records, timings.costs if timings else None)
+        points = points_of(records, costs)
         exclude = {"arguments"}  # paths of one machine
         return {
             "dataset": self.dataset.manifest.model_dump(
@@ -154,33 +143,22 @@ class Study:
             },
             "models_planned": len(self.trials),
             "training_device": records[0].device,
-            "timings": timings.model_dump() if timings else None,
+            "costs": costs.model_dump() if costs else None,
             "points": points,
             "cycles": cycles.model_dump() if cycles else None,
             "findings": findings(points),
         }
 
     def write(self) -> None:
-        """Write `frontier.json`, `frontier.svg`, `tables.png`, `index.html` of finished trials."""
+        """Write `frontier.json`, `frontier.svg`, and `tables.png` of finished trials."""
         report = self.report()
         path = self.out / "frontier.json"
         write_results(path, self.stamp, report)
         draw([report], self.out / "frontier.svg")
-        views = self.dataset.validation_views()
-        draw_sheet(report, self.out, views)
-        write_page(self.out, self.stamp, report, views)
+        draw_sheet(report, self.out, self.dataset.validation_views())
         for sentence in sentences(report["findings"]):
             print(sentence)
-        print(f"wrote {path}; pictures and index.html lie beside it")
-
-
-class Timings(BaseModel):
-    """`costs.json`."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
-
-    costs: Costs
-    step_ns: dict[str, dict[str, float]] = Field(description="package -> step -> ns, one thread")
+        print(f"wrote {path}; frontier.svg and tables.png lie beside it")
 
 
 def _read(path: Path, model: type[Model]) -> Model | None:

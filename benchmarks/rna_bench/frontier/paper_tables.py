@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 from rna_bench.frontier.chart_points import label_of
-from rna_export.trials.grid import PAPER_ARCHITECTURES, PAPER_CHANNELS
+from rna_bench.frontier.trials.grid import PAPER_ARCHITECTURES, PAPER_CHANNELS
 
 _PAPER_ARCHITECTURE_PSNR = (27.47, 27.36, 28.77, 31.02, 32.68, 33.07, 33.80, 34.09, 34.20, 34.90)
 _PAPER_CHANNELS_PSNR = (33.51, 34.09, 34.40, 34.33)
@@ -20,8 +20,6 @@ _ABLATIONS = {
     "no-h": "without h",
     "no-learned-normal": "without the learned normal",
     "paper-inputs": "with the paper's inputs",
-    "uv512": "UV texture, 512 squared",
-    "uv1024": "UV texture, 1024 squared",
 }
 
 

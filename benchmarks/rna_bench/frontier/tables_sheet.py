@@ -7,12 +7,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from PIL import Image
 
 from rna_bench.frontier.paper_tables import paper_tables
-from rna_bench.frontier.render_strips import brightest, cut, strip_path
 from rna_bench.plot_style import figure
 from rna_export.capture.dataset.validation_view import ValidationView
-from rna_export.metrics import to_png
+from rna_export.metrics import display, to_png
+from rna_export.pictures import flip_colours
 
 _INCHES = 1.5  # of a picture
 
@@ -25,7 +26,7 @@ def draw_sheet(report: dict[str, Any], folder: Path, views: list[ValidationView]
     tables = [table for table in paper_tables(report["points"]) if table["rows"]]
     if not tables:
         return
-    (shown,) = brightest(views, 1)
+    shown = int(np.argmax([display(view.samples["radiance"]).sum() for view in views]))
     view = views[shown]
     reference = to_png(view.image(view.samples["radiance"]))
     columns = 1 + max(len(table["rows"]) for table in tables)
@@ -37,8 +38,8 @@ def draw_sheet(report: dict[str, Any], folder: Path, views: list[ValidationView]
             axes.set_axis_off()
         _show(grid[:, 0], "Cycles", [reference])
         for axes, row, point in zip(grid[:, 1:].T, table["rows"], table["points"], strict=False):
-            strips = (strip_path(folder, point, what) for what in ("render", "flip"))
-            pair = [cut(strip, [shown], view.resolution)[0] for strip in strips]
+            strips = (folder / "trials" / f"{point}-{what}.png" for what in ("render", "flip"))
+            pair = [_cut(strip, shown, view.resolution) for strip in strips]
             _show(axes, f"{textwrap.fill(row[0], 22)}\n{row[1]} dB", pair)
     drawn.savefig(folder / "tables.png", dpi=80)
 
@@ -47,3 +48,12 @@ def _show(column: np.ndarray, title: str, pictures: list[np.ndarray]) -> None:
     column[0].set_title(title, fontsize=8)
     for axes, picture in zip(column, pictures, strict=False):
         axes.imshow(picture)
+
+
+def _cut(strip: Path, number: int, size: int) -> np.ndarray:
+    """A view (size, size, 3) uint8 of a strip; errors, which are grey, in FLIP's colours."""
+    with Image.open(strip) as image:
+        pixels = np.asarray(image)
+    if pixels.ndim == 2:
+        pixels = flip_colours(pixels / 255.0)
+    return pixels[:, number * size : (number + 1) * size]

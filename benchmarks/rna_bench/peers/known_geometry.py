@@ -53,10 +53,10 @@ class KnownGeometry:
         normals, tangents = np.zeros_like(directions), np.zeros_like(directions)
         visible = np.zeros(len(directions), np.float32)
         for part in range(len(self._scene.geometries)):
-            row = np.flatnonzero(found.part == part)
+            row = np.flatnonzero(found.geometry == part)
             if not len(row):
                 continue
-            at = (a[row] for a in (found.primitive, found.u, found.v, found.normals))
+            at = (a[row] for a in (found.primitive, found.u, found.v, found.ng))
             points = self._scene.points(part, *at)
             way = self._placed(lights[row]) - points.x
             seen = self._scene.visible(part, points, way, 1.0).astype(np.float32)
@@ -65,7 +65,7 @@ class KnownGeometry:
                 normals[row], tangents[row] = points.n, points.tangent
             else:
                 normals[row] = points.mapped
-        row = np.flatnonzero(found.part >= 0)
+        row = np.flatnonzero(found.geometry >= 0)
         points_at = origins[row] + (found.t[row] / self._radius)[:, None] * directions[row]
         return Hits(row, points_at.astype(np.float32), normals[row], tangents[row], visible[row])
 

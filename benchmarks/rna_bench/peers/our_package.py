@@ -13,7 +13,7 @@ from rna_bench.peers.study import Plan
 from rna_bench.peers.views import PeerCamera, Views
 from rna_bench.scenes.beside_cycles import OurScene
 from rna_render.scene import Scene
-from rna_sdk.package import Package, read_profile_decoder
+from rna_sdk.package import Package, decoder_from_bytes
 
 
 def measured(packages: Sequence[Path], plan: Plan, samples: int) -> list[dict[str, Any]]:
@@ -94,7 +94,7 @@ def parameters_of(package: Path, tier: str) -> int:
     total = 0
     with Package.open(package) as opened:
         for k, part in enumerate(opened.tier(tier).parts):
-            layers = read_profile_decoder(opened.decoder(tier, k), part.decoder).layers
+            layers = decoder_from_bytes(opened.decoder(tier, k), part.decoder).layers
             total += 3 * part.resolution**2 * part.channels
             total += sum(layer.weight.size + layer.bias.size for layer in layers)
     return total

@@ -4,7 +4,7 @@
 
 Views are those of `rna-bench peers-data`, or a folder in NRHints' layout, or `sphere`: a
 Lambertian sphere under a point light, which every method must fit. Writes `peers.json`,
-`index.html`, `curves.svg` and sheets like the paper's; the same command resumes. See docs/peers.md.
+`curves.svg` and sheets like the paper's; the same command resumes. See docs/peers.md.
 """
 
 from __future__ import annotations
@@ -66,9 +66,6 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--samples", type=int, default=32, help="a pixel, of our package")
     parser.add_argument(
-        "--orbit", type=int, default=0, help="frames of a turn that each method renders at the end"
-    )
-    parser.add_argument(
         "--again",
         action="store_true",
         help="forget what was made with other settings (default: off)",
@@ -79,9 +76,9 @@ def run(args: argparse.Namespace) -> None:
     """Train, render and write the report."""
     from rna_bench.peers import our_package
     from rna_bench.peers.known_geometry import KnownGeometry
-    from rna_bench.peers.peers_page import write_page
+    from rna_bench.peers.peers_report import write_report
     from rna_bench.peers.study import run_method
-    from rna_export.training.optimization.training_threads import use_threads
+    from rna_export.training.optimization.product_kernels import use_threads
 
     use_threads(args.threads)
     plan = _plan(args)
@@ -98,7 +95,7 @@ def run(args: argparse.Namespace) -> None:
             )
             rows.append(found)
     ours = our_package.measured(args.package, plan, args.samples)
-    write_page(args.out, args.stamp, settings, plan, rows, ours)
+    write_report(args.out, args.stamp, settings, plan, rows, ours)
 
 
 def _settings(args: argparse.Namespace) -> dict[str, Any]:
@@ -109,7 +106,6 @@ def _settings(args: argparse.Namespace) -> dict[str, Any]:
         "steps": args.steps,
         "held_out": args.held_out,
         "size": args.size,
-        "orbit": args.orbit,
     }
 
 
@@ -146,7 +142,7 @@ def _plan(args: argparse.Namespace) -> Any:
         held_out[split] = HeldOut.of(views if args.size is None else reduced(views, args.size))
     if not held_out:
         raise SceneError("found no transforms_val.json", file=args.views)
-    return Plan(train, collocated, held_out, args.minutes, args.steps, args.orbit)
+    return Plan(train, collocated, held_out, args.minutes, args.steps)
 
 
 def _read(folder: Path, split: str, limit: int | None) -> Any:

@@ -45,12 +45,12 @@ SHEETS = {
 }
 
 
-def write_sheets(out: Path, plan: Plan, rows: list[Row], ours: list[Row]) -> dict[str, str]:
-    """Write `sheet-NAME.png` of each sheet that has a method; returns titles by file name.
+def write_sheets(out: Path, plan: Plan, rows: list[Row], ours: list[Row]) -> list[str]:
+    """Write `sheet-NAME.png` of each sheet that has a method; returns the files' names.
 
     Methods are shown with their first seed.
     """
-    written = {}
+    written = []
     first = {row["method"]: row for row in reversed(rows)}
     for name, sheet in SHEETS.items():
         shown = [first[method] for method in sheet.methods if method in first]
@@ -59,7 +59,7 @@ def write_sheets(out: Path, plan: Plan, rows: list[Row], ours: list[Row]) -> dic
             continue
         file = f"sheet-{name}.png"
         save_chart(_drawn(out, plan, sheet, splits, shown, ours), out / file)
-        written[file] = sheet.title
+        written.append(file)
     return written
 
 

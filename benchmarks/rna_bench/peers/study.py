@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -15,11 +15,8 @@ from rna_bench.peers.method import Budget, Method, Training
 from rna_bench.peers.methods import MethodRow, Setting
 from rna_bench.peers.scoring import HeldOut
 from rna_bench.peers.views import Views
-from rna_bench.peers.views_plan import orbit
 from rna_bench.scenes.kept import Kept
 from rna_export.capture.dataset.sample_files import write_arrays
-from rna_export.metrics import IRRADIANCE, to_png
-from rna_export.pictures import write_picture
 
 PARTS = (1 / 8, 1 / 4, 1 / 2, 1.0)
 """Of the budget, after which a method is measured."""
@@ -29,17 +26,13 @@ REMEDY = "choose another --out, or --again to start anew"
 
 @dataclass(frozen=True)
 class Plan:
-    """A comparison: data by split, minutes of training, steps instead for a whole schedule.
-
-    orbit: frames of a turn that is rendered in the end.
-    """
+    """A comparison: data by split, minutes of training, steps instead for a whole schedule."""
 
     train: Views
     collocated: Views | None
     held_out: dict[str, HeldOut]
     minutes: float
     steps: int | None = None
-    orbit: int = 0
 
 
 def run_method(
@@ -66,8 +59,6 @@ def run_method(
         budget = _budget(plan, part)
         make = partial(_point, method, data, budget, plan, row, folder, part)
         points.append(kept.record(f"point-{part:g}", make))
-    if plan.orbit:
-        kept.record("orbit", lambda: _write_orbit(method, data, budget, plan, folder))
     return {
         "method": row.name,
         "title": row.title,
@@ -109,19 +100,6 @@ def _point(
     write_arrays(folder / f"images-{part:g}.safetensors", stacked)
     scores = {split: held.score(images[split]).as_json() for split, held in plan.held_out.items()}
     return {**_spent(done, row), "frame_cpu_seconds": round(seconds, 3), "scores": scores}
-
-
-def _write_orbit(
-    method: Method, data: Views, budget: Budget, plan: Plan, folder: Path
-) -> dict[str, Any]:
-    """Write `orbit-000.png` and on."""
-    method.train(data, budget, folder)  # takes what is there
-    held = next(iter(plan.held_out.values()))
-    for k, (to_world, light) in enumerate(orbit(plan.orbit)):
-        camera = replace(held.views.camera(0), to_world=to_world)
-        picture = to_png(method.render(camera, light) / IRRADIANCE, held.exposure)
-        write_picture(folder / f"orbit-{k:03d}.png", picture)
-    return {"frames": plan.orbit}
 
 
 def _spent(done: Training, row: MethodRow) -> dict[str, Any]:

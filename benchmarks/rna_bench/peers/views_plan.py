@@ -79,16 +79,6 @@ def looking_at_centre(eye: np.ndarray) -> np.ndarray:
     return to_world
 
 
-def orbit(count: int) -> list[tuple[np.ndarray, np.ndarray]]:
-    """Camera to world and light of a turn about the asset, the light at the camera's left."""
-    found = []
-    for k in range(count):
-        turn = 2.0 * math.pi * k / count
-        eye, light = (4.5 * _direction(turn + a, e) for a, e in ((0.0, 0.4), (-0.8, 0.8)))
-        found.append((looking_at_centre(eye), light))
-    return found
-
-
 def _place(rng: np.random.Generator) -> np.ndarray:
     """Uniform over the directions of the upper half space, and over the distance."""
     height, turn = rng.random(), 2.0 * math.pi * rng.random()

@@ -12,7 +12,7 @@ import numpy as np
 from rna_bench.peers.views import PeerCamera
 from rna_bench.peers.views_plan import DEPTH, FOV_X, INTENSITY, SPLITS, ViewsPlan
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
-from rna_render import to_display, write_exr
+from rna_render import write_exr
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import CaptureError
 
@@ -47,7 +47,6 @@ def render_views(
                     worker.restart()  # its memory grows
                 _render(plan, split, k, frame, sphere, worker, path)
             step()
-    _write_preview(out, wanted["train"]["frames"][0])
 
 
 def bounding_sphere(worker: BlenderWorker) -> Sphere:
@@ -111,7 +110,7 @@ def _render(
         "intensity": [INTENSITY * radius**2] * 3,
     }
     still = [np.eye(4).tolist()]
-    scene = {"assets": still, "meshes": [], "lights": [light], "bounces": None, "emission": False}
+    scene = {"assets": still, "meshes": [], "lights": [light], "bounces": None}
     camera = PeerCamera(to_world, FOV_X, (plan.resolution, plan.resolution))
     samples, seed = plan.samples_of(split), 1000 * SPLITS.index(split) + number
     rgba, points = worker.render_scene(scene, to_world, camera.fov_y, samples, seed, *camera.size)
@@ -119,18 +118,3 @@ def _render(
     depth[~points.any(axis=-1)] = 0.0
     write_exr(path.with_name(path.stem + DEPTH + path.suffix), {"Z": depth.astype(np.float32)}, {})
     write_exr(path, {c: np.ascontiguousarray(rgba[..., k]) for k, c in enumerate("RGBA")}, {})
-
-
-def _write_preview(out: Path, frame: dict[str, Any]) -> None:
-    """The first image as PNG too: NRHints' reader takes the size of all from there."""
-    from PIL import Image
-
-    from rna_render import read_exr
-
-    channels, _ = read_exr(out / (frame["file_path"] + frame["file_ext"]))
-    rgb = np.stack([channels[c] for c in "RGB"], axis=-1)
-    alpha = channels["A"][..., None]
-    straight = rgb / np.maximum(alpha, 1e-6)
-    shown = np.concatenate([to_display(straight, "srgb", 0.0), np.clip(alpha, 0.0, 1.0)], axis=-1)
-    picture = Image.fromarray(np.rint(255.0 * shown).astype(np.uint8))
-    picture.save(out / (frame["file_path"] + ".png"))

@@ -65,14 +65,17 @@ class Beside:
         """FLIP's map in its colours, (h, w, 3) uint8."""
         return flip_colours(self.flip(image)[1])
 
-    def strip(self, image: np.ndarray) -> np.ndarray:
-        """Ours, Cycles and FLIP side by side, (h, 3 w, 3) uint8."""
-        shown = self.picture(image), self.picture(self.reference), self.flip_picture(image)
-        return np.concatenate(shown, axis=1)
-
     def _shown(self, image: np.ndarray) -> np.ndarray:
         """The exposed image, divided by IRRADIANCE, by which `metrics` multiplies radiance."""
         return (image * (self.exposure / IRRADIANCE)).astype(np.float32)
+
+
+def denoised(channels: dict[str, np.ndarray], denoiser: Denoiser | None) -> np.ndarray:
+    """RGB (h, w, 3) of a render, denoised where there is a denoiser."""
+    image = np.stack([channels[c] for c in "RGB"], axis=-1)
+    if denoiser is None:
+        return image
+    return denoiser(image, np.stack([channels[f"normal.{c}"] for c in "XYZ"], axis=-1))
 
 
 class OurScene:
@@ -82,24 +85,16 @@ class OurScene:
         self._scene = scene
         self._world = load_world(SceneFile(Path("scene.yaml"), scene, {}))
 
-    def render(
-        self, samples: int, repeats: int = 1, seed: int = 0, denoiser: Denoiser | None = None
-    ) -> Timed:
-        """RGB and the median time of the renders, which hold no reading of files.
+    def render(self, samples: int, seed: int = 0, denoiser: Denoiser | None = None) -> Timed:
+        """RGB and the time of the render, which holds no reading of files.
 
-        denoiser: of the images, guided as rna-run does; its time counts.
+        denoiser: of the image, guided as rna-run does; its time counts.
         """
         scene = self._scene.model_copy(update={"samples": samples, "seed": seed})
         integrator = make_integrator(scene, self._world)
-        seconds = []
-        for _ in range(repeats):
-            begun = time.perf_counter()
-            channels = render(scene, integrator).channels()
-            image = np.stack([channels[c] for c in "RGB"], axis=-1)
-            if denoiser is not None:
-                image = denoiser(image, np.stack([channels[f"normal.{c}"] for c in "XYZ"], axis=-1))
-            seconds.append(time.perf_counter() - begun)
-        return Timed(image, float(np.median(seconds)))
+        begun = time.perf_counter()
+        image = denoised(render(scene, integrator).channels(), denoiser)
+        return Timed(image, time.perf_counter() - begun)
 
     def channels(self, samples: int) -> dict[str, np.ndarray]:
         scene = self._scene.model_copy(update={"samples": samples})
@@ -107,17 +102,11 @@ class OurScene:
 
 
 class CyclesScene:
-    """A scene in a worker that has the original open.
+    """A scene in a worker that has the original open, with the bounces of the original's file."""
 
-    bounces: of light, or None for what the original's file sets, as capture has it. emission:
-    whether its materials emit light.
-    """
-
-    def __init__(
-        self, worker: BlenderWorker, scene: Scene, bounces: int | None, emission: bool = False
-    ):
+    def __init__(self, worker: BlenderWorker, scene: Scene):
         self._worker, self._size = worker, scene.resolution
-        self._described = cycles_scene(scene, bounces=bounces, emission=emission)
+        self._described = cycles_scene(scene)
         fov = np.radians(scene.camera.vertical_fov_deg)
         self._view = Camera(scene.camera, scene.resolution).to_world, fov
         self.render(1, seed=1)  # builds the scene

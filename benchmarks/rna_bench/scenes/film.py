@@ -1,4 +1,13 @@
-"""Frames of an asset in motion, ours and Cycles', timed, and the film of both."""
+"""Render an asset in motion beside Cycles with the original, frame by frame, as one film.
+
+    rna-bench film walk.yaml --source lamb.py --out bench/lamb
+
+A scene file with one asset in motion and `animation.frames`. Writes film.webp (ours on the left),
+film.json with the time and the difference of each frame, and frames as PNG. Both are denoised. A
+frame's time holds all that moves: bending, trees, rendering and denoising, without reading files;
+its CPU seconds are those of all threads, which say more on a busy machine. Finished frames are
+kept. Arguments after -- are passed to a source that is a Python script.
+"""
 
 from __future__ import annotations
 
@@ -14,10 +23,10 @@ from PIL import Image
 from tqdm import tqdm
 
 from rna_bench.results import write_results
-from rna_bench.scenes.beside_cycles import Beside
+from rna_bench.scenes.beside_cycles import Beside, denoised
 from rna_export.capture.blender_process import blender_env
+from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
-from rna_export.capture.blender_process.source import Source
 from rna_export.compare.cycles_scene import cycles_scene
 from rna_render import Camera, Denoiser, load_world, make_integrator, render
 from rna_render.scene import Scene, SceneFile, frame_scene, read_scene
@@ -30,8 +39,16 @@ _GAP = 2  # pixels between ours and Cycles'
 _TIMES = ("ours_seconds", "cycles_seconds", "ours_cpu_seconds", "cycles_cpu_seconds")
 
 
-def film(args: argparse.Namespace) -> list[Path]:
-    """Render the missing frames and write the film, its figures and PNGs; the paths."""
+def add_options(p: argparse.ArgumentParser) -> None:
+    """The options of the command."""
+    p.add_argument("scene", type=Path, help="scene file with an asset in motion (path)")
+    p.add_argument("--source", type=Path, required=True, help="the moving model (path, required)")
+    p.add_argument("--out", type=Path, required=True, help="folder (path, required)")
+    p.add_argument("--cycles-samples", type=int, default=32, help="Cycles samples per pixel")
+
+
+def run(args: argparse.Namespace) -> None:
+    """Render the missing frames; write the film, its figures and PNGs."""
     scene_file = read_scene(args.scene)
     animation = scene_file.scene.animation
     if animation is None or all(asset.motion is None for asset in scene_file.scene.assets):
@@ -44,7 +61,7 @@ def film(args: argparse.Namespace) -> list[Path]:
     exposure = Beside.of(both[0]["cycles"][None], both[0]["alpha"] > 0.5).exposure
     shown = [_shown(frame, exposure) for frame in both]
     rows = [_row(k, frame, exposure) for k, frame in enumerate(both)]
-    return _write(args, scene_file.scene, rows, shown)
+    _write(args, scene_file.scene, rows, shown)
 
 
 def _kept(out: Path, frame: int) -> Path:
@@ -53,13 +70,13 @@ def _kept(out: Path, frame: int) -> Path:
 
 def _render(args: argparse.Namespace, scene_file: SceneFile, frames: list[int]) -> None:
     source = Source(args.source, tuple(args.script_arguments))
-    ours = _Ours(scene_file, None if args.noisy else Denoiser(core_count()))
+    ours = _Ours(scene_file)
     ours.render(frames[0])  # kernels are compiled, files are read
     with tempfile.TemporaryDirectory() as folder:
         at = blender_env.find_or_set_up(), source, Path(folder), core_count()
         with BlenderWorker(*at) as worker:
-            first = worker.frame_span()[0] if args.first is None else args.first
-            cycles = _Cycles(worker, scene_file.resolved, args.cycles_samples, not args.noisy)
+            first = worker.frame_span()[0]
+            cycles = _Cycles(worker, scene_file.resolved, args.cycles_samples)
             for k in tqdm(frames, unit="frame", leave=False):
                 mine, alpha = ours.render(k)
                 theirs = cycles.render(first + k)
@@ -81,8 +98,8 @@ class _Frame:
 class _Ours:
     """Our frames; files are read once."""
 
-    def __init__(self, scene_file: SceneFile, denoiser: Denoiser | None) -> None:
-        self._file, self._denoiser, self._loaded = scene_file, denoiser, Loaded()
+    def __init__(self, scene_file: SceneFile) -> None:
+        self._file, self._denoiser, self._loaded = scene_file, Denoiser(core_count()), Loaded()
 
     def render(self, frame: int) -> tuple[_Frame, np.ndarray]:
         """The image and the alpha of frame `frame` of the scene."""
@@ -90,11 +107,7 @@ class _Ours:
         begun, worked = time.perf_counter(), time.process_time()
         world = load_world(replace(self._file, scene=scene), loaded=self._loaded)
         channels = render(scene, make_integrator(scene, world)).channels()
-        image = np.stack([channels[c] for c in "RGB"], axis=-1)
-        if self._denoiser is not None:
-            image = self._denoiser(
-                image, np.stack([channels[f"normal.{c}"] for c in "XYZ"], axis=-1)
-            )
+        image = denoised(channels, self._denoiser)
         taken = time.perf_counter() - begun, time.process_time() - worked
         return _Frame(image, *taken), channels["assetId"] == 1
 
@@ -102,16 +115,15 @@ class _Ours:
 class _Cycles:
     """Frames of the original."""
 
-    def __init__(self, worker: BlenderWorker, scene: Scene, samples: int, denoise: bool) -> None:
+    def __init__(self, worker: BlenderWorker, scene: Scene, samples: int) -> None:
         self._worker, self._described = worker, cycles_scene(scene)
         view = Camera(scene.camera, scene.resolution)
         fov = np.radians(scene.camera.vertical_fov_deg)
         self._at = view.to_world, fov, samples, 1, *scene.resolution
-        self._denoise = denoise
         self._image()  # builds the scene
 
     def _image(self) -> np.ndarray:
-        image, _ = self._worker.render_scene(self._described, *self._at, denoise=self._denoise)
+        image, _ = self._worker.render_scene(self._described, *self._at, denoise=True)
         return image[..., :3]
 
     def render(self, frame: int) -> _Frame:
@@ -153,7 +165,7 @@ def _shown(frame: dict[str, np.ndarray], exposure: float) -> Image.Image:
 
 def _write(
     args: argparse.Namespace, scene: Scene, rows: list[dict[str, Any]], shown: list[Image.Image]
-) -> list[Path]:
+) -> None:
     for k, image in enumerate(shown):
         image.save(args.out / "frames" / f"{k:04d}.png")
     moving, figures = args.out / "film.webp", args.out / "film.json"
@@ -171,7 +183,6 @@ def _write(
         "resolution": list(scene.resolution),
         "samples": scene.samples,
         "cycles_samples": args.cycles_samples,
-        "denoised": not args.noisy,
     }
     write_results(figures, args.stamp, {**settings, "median": median, "frames": rows})
-    return [moving, figures]
+    print(f"wrote {moving}, {figures}")

@@ -18,7 +18,7 @@ Row = dict[str, Any]
 
 
 def judge(measured: MeasuredScene) -> dict[str, Any]:
-    """The scene's figures: `ours`, `cycles` and their denoised rows, `floor`, `kernels`."""
+    """The scene's figures: `ours`, `cycles` and their denoised rows, and `floor`."""
     beside, plan = measured.beside, measured.plan
     cycles = _rows(measured, CYCLES, plan.cycles_samples, False)
     ours = _rows(measured, OURS, plan.samples, False)
@@ -39,13 +39,12 @@ def judge(measured: MeasuredScene) -> dict[str, Any]:
         "ours_denoised": _rows(measured, OURS, plan.samples, True),
         "cycles": cycles,
         "cycles_denoised": _rows(measured, CYCLES, plan.cycles_samples, True),
-        "kernels": measured.kernels,
     }
 
 
 @dataclass(frozen=True)
 class Shown:
-    """A picture of the page, (h, w, 3) uint8; flip: the map of its FLIP, None for the reference."""
+    """A picture of the sheet, (h, w, 3) uint8; flip: its FLIP map, None for the reference."""
 
     caption: str
     picture: np.ndarray

@@ -12,12 +12,10 @@ import numpy as np
 
 from rna_bench.scenes.beside_cycles import Beside, CyclesScene, OurScene
 from rna_bench.scenes.kept import Arrays, Kept
-from rna_bench.scenes.kernel_times import kernel_times
 from rna_bench.scenes.timed_images import find_denoiser, render_by_turns
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.compare.comparison_run import Timed
 from rna_render.scene import Scene
-from rna_sdk.kernel_threads import limit_kernel_threads
 
 _COVERAGE_SAMPLES = 8
 _HALVES = (2, 3)  # Cycles' seeds
@@ -30,19 +28,17 @@ class Plan:
 
     samples: ours whose time counts. cycles_samples: Cycles' likewise. reference_samples: of Cycles,
     half of them in each of two independent renders. floor_samples: ours, for the package's own
-    error. repeats: of ours; medians count. bounces: of light in Cycles, None for the source's.
+    error.
     """
 
     samples: Sequence[int]
     cycles_samples: Sequence[int]
     reference_samples: int
     floor_samples: int
-    repeats: int
-    bounces: int | None
 
     @property
     def shown(self) -> int:
-        """Samples of our render that is shown and whose kernels are timed."""
+        """Samples of our render that is shown next to Cycles' of equal time."""
         return self.samples[len(self.samples) // 2]
 
 
@@ -69,7 +65,7 @@ class MeasuredScene:
 
     @cached_property
     def _cycles(self) -> CyclesScene:
-        return CyclesScene(self._worker(), self.scene, self.plan.bounces)
+        return CyclesScene(self._worker(), self.scene)
 
     @cached_property
     def beside(self) -> Beside:
@@ -87,16 +83,6 @@ class MeasuredScene:
     def images(self) -> Arrays:
         """See `render_by_turns`."""
         return self._measured.arrays(f"{self.name}-images", self._told("times", self._images))
-
-    @cached_property
-    def kernels(self) -> dict[str, Any]:
-        """CPU time by kernel on one thread, and the time of one thread and of all."""
-        return self._measured.record(f"{self.name}-kernels", self._told("kernels", self._kernels))
-
-    def record(self, name: str, make: Callable[[BlenderWorker], dict[str, Any]]) -> dict[str, Any]:
-        """A further measurement of this scene, kept in the same way."""
-        told = self._told(name, lambda: make(self._worker()))
-        return self._measured.record(f"{self.name}-{name}", told)
 
     def _told(self, step: str, make: Callable[[], Any]) -> Callable[[], Any]:
         def told() -> Any:
@@ -121,21 +107,5 @@ class MeasuredScene:
         return {"rgb": image.pixels.astype(np.float32)}
 
     def _images(self) -> Arrays:
-        plan = self.plan
-        counts = plan.samples, plan.cycles_samples, plan.repeats
+        counts = self.plan.samples, self.plan.cycles_samples
         return render_by_turns(self._ours, self._cycles, *counts, find_denoiser())
-
-    def _kernels(self) -> dict[str, Any]:
-        samples = self.plan.shown
-        self._ours.render(1)  # compiles
-        threads = limit_kernel_threads(None)
-        every = self._ours.render(samples).seconds
-        try:
-            limit_kernel_threads(1)
-            one = self._ours.render(samples).seconds
-            with kernel_times() as times:
-                self._ours.render(samples)
-        finally:
-            limit_kernel_threads(None)
-        scaling = {"threads": threads, "seconds": every, "seconds_one_thread": one}
-        return {"samples": samples, **times.as_json(), **scaling, "times_as_fast": one / every}

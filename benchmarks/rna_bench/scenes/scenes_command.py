@@ -5,7 +5,7 @@
 Environments, a lamp, a red wall beside the asset, and instances near and far. Both renderers
 alternate, raw and denoised: Cycles with its own denoiser, ours with Open Image Denoise, where there
 is a wheel of it. The error is split into the package's own (the floor, independent of
-sampling) and noise. Writes a report, the figures as JSON and one sheet as PNG.
+sampling) and noise. Writes the figures as JSON and one sheet as PNG.
 
 Cycles references are slow, and cached in OUT/references. Run it on an idle machine. Arguments
 after -- are passed to a source that is a Python script.
@@ -22,14 +22,9 @@ def add_options(p: argparse.ArgumentParser) -> None:
     p.add_argument("asset", type=Path, help="the .rna file")
     p.add_argument("--source", type=Path, required=True, help="model it was captured from (path)")
     p.add_argument(
-        "--out", type=Path, required=True, help="folder for report and results (path, required)"
+        "--out", type=Path, required=True, help="folder for the results (path, required)"
     )
     p.add_argument("--tier", help="tier of the asset (text, default: its first)")
-    p.add_argument(
-        "--max-error",
-        type=float,
-        help="choose tiers by this `quality.max_error` (float, default: one tier for all)",
-    )
     p.add_argument(
         "--environment",
         nargs="*",
@@ -64,13 +59,9 @@ def add_options(p: argparse.ArgumentParser) -> None:
         "--floor-samples", type=int, default=1024, help="rna-run samples per pixel of the floor"
     )
     p.add_argument(
-        "--repeats", type=int, default=1, help="runs of rna-run, of which the median counts"
-    )
-    p.add_argument(
         "--resolution", type=int, nargs=2, default=[192, 144], help="width, height in pixels"
     )
-    p.add_argument("--turn", type=float, default=0.0, help="camera rotation, as in rna-compare")
-    p.add_argument("--bounces", type=int, help="Cycles' bounce limit (int, default: the source's)")
+    p.add_argument("--turn", type=float, default=0.0, help="camera rotation, degrees")
     p.add_argument(
         "--again",
         action="store_true",
@@ -83,5 +74,4 @@ def run(args: argparse.Namespace) -> None:
     from rna_bench.scenes.scenes_study import study
 
     study(args)
-    names = ("index.html", "scenes.json", "scenes.png")
-    print("wrote " + ", ".join(str(args.out / name) for name in names))
+    print(f"wrote {args.out / 'scenes.json'}, {args.out / 'scenes.png'}")

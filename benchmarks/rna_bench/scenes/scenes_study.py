@@ -13,12 +13,10 @@ from typing import Any
 from rna_bench.cycles_worker import cycles
 from rna_bench.results import write_results
 from rna_bench.scenes.beside_cycles import EXPOSURE_DEFINITION
-from rna_bench.scenes.bleeding import bleeding
 from rna_bench.scenes.judge import judge
 from rna_bench.scenes.kept import Kept
 from rna_bench.scenes.measured_scene import MeasuredScene, Plan
-from rna_bench.scenes.scene_list import WALL, find_environment, scenes
-from rna_bench.scenes.scenes_page import write_page
+from rna_bench.scenes.scene_list import find_environment, scenes
 from rna_bench.scenes.scenes_sheet import draw_sheet
 from rna_bench.scenes.stage import Stage
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
@@ -39,13 +37,11 @@ DEFINITIONS = {
     "equal error": "the time that Cycles takes for the PSNR of our raw image over our time; its "
     "error is fitted as one over its samples, its time as a line",
     "seconds": "of rendering, and of denoising where that is said; nothing is loaded meanwhile",
-    "kernels": "CPU seconds of a render on one thread: decoder, queries (features and the "
-    "decoder's other inputs), rays (Embree), and the rest of the renderer",
 }
 
 
 def study(args: argparse.Namespace) -> None:
-    """Measure the scenes that the options ask for; write `scenes.json`, `scenes.png`, the page."""
+    """Measure the scenes that the options ask for; write `scenes.json` and `scenes.png`."""
     environments = [find_environment(name) for name in args.environment]
     stage, plan = _stage(args), _plan(args)
     args.out.mkdir(parents=True, exist_ok=True)
@@ -60,22 +56,17 @@ def study(args: argparse.Namespace) -> None:
                 kept = references, measured
                 one = MeasuredScene(name, scene, plan, *kept, worker, progress.tell)
                 found[name] = judge(one)
-                if name == WALL:
-                    measure = partial(_bleeding, stage, scene, plan)
-                    found[name]["bleeding"] = one.record("bleeding", measure)
             done.append(one)
             progress.advance({})
     report = {
         "asset": args.asset.name,
         "tier": args.tier or "default",
-        "max_error": args.max_error,
         "resolution": args.resolution,
         "definitions": DEFINITIONS,
         "scenes": found,
     }
     write_results(args.out / "scenes.json", args.stamp, report)
     draw_sheet(done, found, args.out / "scenes.png")
-    write_page(args.out / "index.html", args.stamp, report, done)
 
 
 def _enter(stack: ExitStack, args: argparse.Namespace) -> BlenderWorker:
@@ -83,11 +74,8 @@ def _enter(stack: ExitStack, args: argparse.Namespace) -> BlenderWorker:
 
 
 def _stage(args: argparse.Namespace) -> Stage:
-    if args.tier is not None and args.max_error is not None:
-        raise SceneError("--tier and --max-error: found both, expected one at most")
     asset = load(args.asset, tier=args.tier, threads=1)
     view = {"turn_deg": args.turn, "resolution": tuple(args.resolution)}
-    view["max_error"] = args.max_error
     return Stage.of(asset, args.asset.resolve(), args.tier, **view)
 
 
@@ -95,7 +83,7 @@ def _plan(args: argparse.Namespace) -> Plan:
     counts = sorted(args.samples), sorted(args.cycles_samples)
     if len(counts[1]) < 2:
         raise SceneError("--cycles-samples: found one number; expected two, to fit its error")
-    return Plan(*counts, args.reference_samples, args.floor_samples, args.repeats, args.bounces)
+    return Plan(*counts, args.reference_samples, args.floor_samples)
 
 
 def _kept(args: argparse.Namespace, stage: Stage, environments: list[Path]) -> tuple[Kept, Kept]:
@@ -106,17 +94,14 @@ def _kept(args: argparse.Namespace, stage: Stage, environments: list[Path]) -> t
         "environments": {path.name: _digest(path) for path in environments},
         "resolution": list(args.resolution),
         "camera": json.loads(json.dumps(stage.camera)),
-        "bounces": args.bounces,
         "reference_samples": args.reference_samples,
     }
     own = {
         "asset": _digest(args.asset),
         "tier": args.tier,
-        "max_error": args.max_error,
         "samples": args.samples,
         "cycles_samples": args.cycles_samples,
         "floor_samples": args.floor_samples,
-        "repeats": args.repeats,
         "commit": args.stamp["commit"].removesuffix("+changes"),
         "cpu": args.stamp["cpu"],
     }
@@ -138,7 +123,3 @@ def _chosen(every: dict[str, Scene], names: list[str] | None) -> dict[str, Scene
     if unknown:
         raise SceneError(f"--scenes: found {', '.join(unknown)}; expected of {', '.join(every)}")
     return {name: scene for name, scene in every.items() if names is None or name in names}
-
-
-def _bleeding(stage: Stage, scene: Scene, plan: Plan, worker: BlenderWorker) -> dict[str, Any]:
-    return bleeding(stage, scene, worker, max(plan.samples), plan.bounces)

@@ -27,8 +27,7 @@ class Stage:
 
     package: the .rna file. tier: of it. positions: (n, 3), points of the asset. turn_deg: where
     its front is, as for rna-compare. resolution: width, height. margin: half the picture's height
-    at the asset's middle, in units of its radius. max_error: of each asset at its size, by which
-    `quality` chooses tiers; None for the tier named.
+    at the asset's middle, in units of its radius.
     """
 
     package: Path
@@ -37,7 +36,6 @@ class Stage:
     turn_deg: float
     resolution: tuple[int, int]
     margin: float = 1.35
-    max_error: float | None = None
 
     @classmethod
     def of(cls, asset: Asset, package: Path, tier: str | None, **view: Any) -> Stage:
@@ -72,11 +70,6 @@ class Stage:
         a, e = np.radians(azimuth_deg + self.turn_deg), np.radians(elevation_deg)
         return np.array([np.cos(e) * np.sin(a), np.sin(e), np.cos(e) * np.cos(a)])
 
-    @property
-    def wall_normal(self) -> np.ndarray:
-        """Normal of the wall."""
-        return self.direction(_WALL_AZIMUTH, 0.0)
-
     def row_of_assets(self, distance: float, count: int, first_turn: float) -> list[dict[str, Any]]:
         """Instances in a row across the picture, so far behind the middle, each turned otherwise.
 
@@ -102,8 +95,6 @@ class Stage:
         """The asset, or the given `assets`, with the given lights and settings."""
         assets = settings.pop("assets", [{"path": self.package, "tier": self.tier}])
         fair: dict[str, Any] = {"resolution": self.resolution, "clamp_indirect": None}
-        if self.max_error is not None:
-            fair["quality"] = {"max_error": self.max_error}
         return Scene(assets=assets, camera=self.camera, lights=lights, **fair, **settings)
 
     @property
@@ -128,7 +119,7 @@ class Stage:
 
     def wall(self, folder: Path) -> dict[str, Any]:
         """A red wall that stands behind the asset and faces it, as an object; writes its mesh."""
-        normal, radius = self.wall_normal, self.radius
+        normal, radius = self.direction(_WALL_AZIMUTH, 0.0), self.radius
         across = np.cross([0.0, 1.0, 0.0], normal)
         gap = ((self.positions - self.centre) @ normal).min() - 0.08 * radius
         front = np.array([*self.centre]) + gap * normal

@@ -39,13 +39,11 @@ def render_by_turns(
     cycles: CyclesScene,
     samples: Sequence[int],
     cycles_samples: Sequence[int],
-    repeats: int,
     denoiser: Denoiser | None,
 ) -> Arrays:
     """RGB by `label_of`, and its seconds beside it: see `image_of`.
 
-    Ours are medians of so many renders. Denoised ones count the render and the denoiser; without a
-    denoiser of ours they are left out.
+    Denoised ones count the render and the denoiser; without a denoiser of ours they are left out.
     """
     arrays: Arrays = {}
 
@@ -56,9 +54,9 @@ def render_by_turns(
     ours.render(1, denoiser=denoiser)  # compiles, and builds the denoiser's networks
     for n, m in zip_longest(samples, cycles_samples):
         if n is not None:
-            keep(label_of(OURS, n), ours.render(n, repeats))
+            keep(label_of(OURS, n), ours.render(n))
             if denoiser is not None:
-                keep(label_of(OURS, n, True), ours.render(n, repeats, denoiser=denoiser))
+                keep(label_of(OURS, n, True), ours.render(n, denoiser=denoiser))
         if m is not None:
             for denoise in (False, True):
                 image = cycles.render(m, _FIRST_SEED + m, denoise)

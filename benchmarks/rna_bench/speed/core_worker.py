@@ -79,9 +79,9 @@ def trainer(threads: int) -> Iterator[Task]:
 
     from rna_export.machine import keep_freed_memory
     from rna_export.training.optimization.fitting import Fitting
+    from rna_export.training.optimization.product_kernels import use_threads
     from rna_export.training.optimization.samples import SampleTable
     from rna_export.training.optimization.step_threads import StepThreads
-    from rna_export.training.optimization.training_threads import use_threads
     from rna_export.training.presets import PRESETS
 
     keep_freed_memory()
@@ -142,13 +142,14 @@ def renderer(threads: int) -> Iterator[Task]:
 def evaluation(threads: int) -> Iterator[Task]:
     """Random queries of the quickstart's asset."""
     from rna_bench.one_part import load_one_part
-    from rna_bench.speed.query_batches import random_queries
+    from rna_bench.speed.query_batches import random_points
 
     asset = load_one_part(TOY, threads=threads)
-    rows = random_queries(asset, _ROWS)
+    (low, high), (positions, *directions) = asset.bounds, random_points(_ROWS)
+    inside = (low + (positions + 1) / 2 * (high - low)).astype(np.float32)
 
     def batch() -> float:
-        asset.evaluate(*rows)
+        asset.evaluate(inside, *directions)
         return float(_ROWS)
 
     yield repeated(batch)
@@ -158,8 +159,8 @@ def evaluation(threads: int) -> Iterator[Task]:
 def capture(threads: int) -> Iterator[Task]:
     """Rays of the quickstart's source in Cycles, one worker a thread, as captures have them."""
     from rna_export.capture.blender_process import blender_env
+    from rna_export.capture.blender_process.blender_process import Source
     from rna_export.capture.blender_process.blender_worker import BlenderWorker
-    from rna_export.capture.blender_process.source import Source
 
     source, python = Source(ROOT / "examples" / "quickstart" / "toy.py"), blender_env.find_python()
     rng = np.random.default_rng(0)
@@ -196,12 +197,12 @@ def capture(threads: int) -> Iterator[Task]:
 @contextmanager
 def lobes(threads: int) -> Iterator[Task]:
     """Steps of a training of lobes, as `rna-export --environment` does them."""
-    from rna_export.environment.lobe_fit import fit_lobes
-    from rna_export.environment.lobe_model import LobeModel
-    from rna_export.environment.lobe_queries import QueryRows
-    from rna_export.environment.view_points import part_views
+    from rna_export.lobes.lobe_fit import fit_lobes
+    from rna_export.lobes.lobe_model import LobeModel
+    from rna_export.lobes.lobe_queries import QueryRows
+    from rna_export.lobes.view_points import part_views
     from rna_export.training.optimization.pace import TimePace
-    from rna_export.training.optimization.training_threads import use_threads
+    from rna_export.training.optimization.product_kernels import use_threads
     from rna_sdk.package import Package
     from rna_sdk.runtime import load
 

@@ -2,7 +2,6 @@
 
     rna-bench evaluate --widths 64 --out evaluate.json
     rna-bench evaluate --widths 64 128 256 512 --precisions float32 int8
-    rna-bench evaluate --kind fiber --resolution 256 --widths 64
 
 Prints JSON, one record a decoder width. Matrix products and evaluations alternate in one run, both
 on all cores the process may use, and medians are compared; so `share_of_gemm` is comparable between
@@ -21,21 +20,20 @@ from typing import Any
 
 import numpy as np
 
-from rna_bench.bench_options import add_out, add_repeats
+from rna_bench.bench_options import add_out
+from rna_bench.matrix_product import GEMM_FLOP, matrix_product
 from rna_bench.one_part import OnePart, load_one_part
 from rna_bench.results import publish
-from rna_bench.speed.query_batches import Arrays, arguments_of, random_points, sphere_scan
+from rna_bench.speed.query_batches import Arrays, random_points, sphere_scan
 from rna_bench.speed.random_package import HIDDEN_LAYERS, INPUTS, write_random_package
-from rna_bench.speed.step_times import step_times
 from rna_export.export.precision import PRECISIONS
-from rna_export.machine import GEMM_FLOP, matrix_product, seconds_of
-from rna_sdk.package import Package
+from rna_export.machine import seconds_of
 
 
 def run(args: argparse.Namespace) -> None:
     report: dict[str, Any] = {
         "planes": [3, args.resolution, args.resolution, args.channels],
-        "inputs": INPUTS[args.kind],
+        "inputs": INPUTS,
         "hidden_layers": HIDDEN_LAYERS,
         "repeats": args.repeats,
         "widths": [measure(width, args) for width in args.widths],
@@ -44,7 +42,6 @@ def run(args: argparse.Namespace) -> None:
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--kind", choices=list(INPUTS), default="surface", help="of the asset")
     parser.add_argument(
         "--widths", type=int, nargs="+", default=[16, 32, 64, 128, 256, 512], help="of the decoders"
     )
@@ -56,7 +53,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--seconds", type=float, default=0.3, help="approximate time of one evaluation"
     )
-    add_repeats(parser)
+    parser.add_argument("--repeats", type=int, default=9, help="runs, of which the median counts")
     add_out(parser)
 
 
@@ -64,27 +61,22 @@ def measure(width: int, args: argparse.Namespace) -> dict[str, Any]:
     """The record of one decoder width."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "random.rna"
-        write_random_package(path, args.kind, width, args.resolution, args.channels)
+        write_random_package(path, width, args.resolution, args.channels)
         assets = {name: load_one_part(path, name) for name in args.precisions}
         asset = next(iter(assets.values()))
         n = batch_size(asset, args.seconds)
-        batches = {
-            "random": arguments_of(asset, random_points(n)),
-            "coherent": arguments_of(asset, sphere_scan(n)),
-        }
+        batches = {"random": random_points(n), "coherent": sphere_scan(n)}
         gemm, rates = alternate(assets, batches, args.repeats)
         columns = asset.tier_part.query_width
         flop = 2 * sum(a * b for a, b in pairwise([columns, *[width] * HIDDEN_LAYERS, 6]))
-        with Package.open(path) as package:
-            records: dict[str, Any] = {precision: {} for precision in assets}
-            for (precision, name), rate in rates.items():
-                records[precision][name] = {
-                    "evaluate_mqueries_s": round(rate / 1e6, 3),
-                    "evaluate_gflops": round(rate * flop / 1e9, 1),
-                    "share_of_gemm": round(rate * flop / 1e9 / gemm, 3),
-                    "times_first": round(rate / rates[args.precisions[0], name], 2),
-                    "ns_per_query_one_thread": step_times(package, precision, batches[name]),
-                }
+        records: dict[str, Any] = {precision: {} for precision in assets}
+        for (precision, name), rate in rates.items():
+            records[precision][name] = {
+                "evaluate_mqueries_s": round(rate / 1e6, 3),
+                "evaluate_gflops": round(rate * flop / 1e9, 1),
+                "share_of_gemm": round(rate * flop / 1e9 / gemm, 3),
+                "times_first": round(rate / rates[args.precisions[0], name], 2),
+            }
     return {
         "width": width,
         "threads": asset.threads,
@@ -96,7 +88,7 @@ def measure(width: int, args: argparse.Namespace) -> dict[str, Any]:
 
 def batch_size(asset: OnePart, seconds: float) -> int:
     """A number of queries that takes about this long."""
-    trial = arguments_of(asset, random_points(65_536))
+    trial = random_points(65_536)
     asset.evaluate(*trial)
     rate = len(trial[0]) / seconds_of(lambda: asset.evaluate(*trial))
     return int(np.clip(rate * seconds, 16_384, 2**22))

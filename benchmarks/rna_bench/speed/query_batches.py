@@ -7,19 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_bench.one_part import OnePart
-
 Arrays = tuple[Any, ...]
 """Arguments of `evaluate`, float32."""
-
-
-def arguments_of(asset: OnePart, points: Arrays) -> Arrays:
-    """Arguments of `evaluate` from surface points; fibers use the normals as tangents, random h."""
-    if asset.kind == "surface":
-        return points
-    positions, normals, wo, wi = points
-    h = np.random.default_rng(3).uniform(-1, 1, len(positions)).astype(np.float32)
-    return positions, normals, h, wo, wi
 
 
 def random_points(n: int) -> Arrays:
@@ -27,14 +16,6 @@ def random_points(n: int) -> Arrays:
     rng = np.random.default_rng(1)
     positions = rng.uniform(-1, 1, (n, 3)).astype(np.float32)
     return positions, *(unit(rng.normal(size=(n, 3))) for _ in range(3))
-
-
-def random_queries(asset: OnePart, n: int) -> Arrays:
-    """Random queries in the box of an asset, as arguments of its `evaluate`."""
-    low, high = asset.bounds
-    positions, *directions = random_points(n)
-    inside = (low + (positions + 1) / 2 * (high - low)).astype(np.float32)
-    return arguments_of(asset, (inside, *directions))
 
 
 def sphere_scan(n: int) -> Arrays:

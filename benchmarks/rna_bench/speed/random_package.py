@@ -17,7 +17,6 @@ from rna_export.training.model.triplane import Triplane
 from rna_export.training.presets import PRESETS, ModelConfig
 from rna_sdk.package import (
     Bounds,
-    Curves,
     Domain,
     Manifest,
     Mesh,
@@ -28,50 +27,35 @@ from rna_sdk.package import (
     TierPart,
     write_package,
 )
-from rna_sdk.package.manifest.manifest_fields import GEOMETRY_ENTRIES, Kind
+from rna_sdk.package.manifest.manifest_fields import GEOMETRY_ENTRIES
 
-INPUTS = {kind: presets["small"].model.inputs for kind, presets in PRESETS.items()}
+INPUTS = PRESETS["surface"]["small"].model.inputs
 HIDDEN_LAYERS = 4
 
 
-def write_random_package(
-    path: Path,
-    kind: Kind,
-    width: int,
-    resolution: int,
-    channels: int,
-    geometry: Mesh | Curves | None = None,
-) -> None:
-    """A package with random planes and a random decoder, a tier for each of PRECISIONS.
-
-    geometry: in the box from -1 to 1; a small one if left out.
-    """
-    model = random_model(kind, width, resolution, channels)
+def write_random_package(path: Path, width: int, resolution: int, channels: int) -> None:
+    """A surface with random planes and a random decoder, a tier for each of PRECISIONS."""
+    model = random_model(width, resolution, channels)
     tiers = [random_tier(name, model, precision) for name, precision in PRECISIONS.items()]
+    bounds = Bounds(min=(-1, -1, -1), max=(1, 1, 1))
+    part = Part(name="asset", kind="surface", bounds=bounds, geometry=GEOMETRY_ENTRIES["surface"])
     manifest = Manifest(
         generator="rna-bench evaluate",
         name="random",
-        parts=(unit_part(kind),),
+        parts=(part,),
         domain=Domain(wo="sphere", wi="sphere"),
         tiers=tuple(tiers),
         provenance=Provenance(source="random numbers", tool="rna-bench evaluate"),
         license="Apache-2.0",
     )
-    geometry = geometry or (ball() if kind == "surface" else strand())
     data = {tier.name: [random_data(model, tier.parts[0])] for tier in tiers}
-    write_package(path, manifest, [geometry], data)
+    write_package(path, manifest, [ball()], data)
 
 
-def unit_part(kind: Kind) -> Part:
-    """The part of a package, in the box from -1 to 1."""
-    bounds = Bounds(min=(-1, -1, -1), max=(1, 1, 1))
-    return Part(name="asset", kind=kind, bounds=bounds, geometry=GEOMETRY_ENTRIES[kind])
-
-
-def random_model(kind: Kind, width: int, resolution: int, channels: int) -> NeuralAsset:
+def random_model(width: int, resolution: int, channels: int) -> NeuralAsset:
     """An untrained model over the box from -1 to 1, planes of deviation 0.5."""
     config = ModelConfig(
-        inputs=INPUTS[kind],
+        inputs=INPUTS,
         width=width,
         hidden_layers=HIDDEN_LAYERS,
         resolution=resolution,
@@ -115,8 +99,3 @@ def ball() -> Mesh:
     positions = np.asarray(shape.vertices, np.float32)
     faces = np.asarray(shape.faces, np.uint32)
     return Mesh(positions=positions, normals=unit(positions), uvs=None, triangles=faces)
-
-
-def strand() -> Curves:
-    points = np.array([[0, -0.9, 0], [0, 0.9, 0]], np.float32)
-    return Curves(points, np.full(2, 0.01, np.float32), np.array([0, 2], np.uint32))

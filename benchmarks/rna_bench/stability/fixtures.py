@@ -6,7 +6,7 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import AbstractContextManager, contextmanager
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -19,8 +19,8 @@ from safetensors.numpy import load_file
 from rna_bench.one_part import OnePart, load_one_part
 from rna_bench.stability.answers import Answers, of_package
 from rna_export.capture.blender_process import blender_env
+from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
-from rna_export.capture.blender_process.source import Source
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.sample_files import write_arrays
@@ -28,9 +28,7 @@ from rna_export.export.package_build import build_package
 from rna_export.training.checkpoint import Trained, load_checkpoint
 from rna_export.training.presets import PRESETS, Preset
 from rna_export.training.training_run import Run, train
-from rna_export.trials.trial_packages import write_packages
 from rna_sdk.errors import CaptureError
-from rna_work.cached import locked
 
 ASSETS = Path(__file__).parent / "assets"
 
@@ -61,30 +59,14 @@ class Fixtures:
         subject: the given asset.
         steps: of each training.
         short: whether cases should do less of everything.
-        moving: assets of the case `motion`.
     """
 
     def __init__(
-        self,
-        folder: Path,
-        subject: Subject,
-        steps: int,
-        workers: int,
-        short: bool = False,
-        moving: tuple[str, ...] = (),
+        self, folder: Path, subject: Subject, steps: int, workers: int, short: bool = False
     ):
-        self.subject, self.short, self.moving = subject, short, moving
+        self.subject, self.short = subject, short
         self.steps = max(10, steps // _SHORT) if short else steps
         self._folder, self._workers = folder, workers
-
-    def with_workers(self, workers: int) -> Fixtures:
-        """A copy with a number of Blender processes, for another machine; nothing is loaded yet."""
-        steps = self.steps * _SHORT if self.short else self.steps
-        return Fixtures(self._folder, self.subject, steps, workers, self.short, self.moving)
-
-    def _made_once(self, name: str) -> AbstractContextManager[None]:
-        """Held while something is made, which cases on other machines may want as well."""
-        return locked(self._folder / "locks" / name.replace("/", "-"))
 
     def some(self, number: int) -> int:
         """The number itself, or less of it in the short form."""
@@ -117,10 +99,6 @@ class Fixtures:
             raise CaptureError("found no source, expected --source MODEL")
         return self.subject.source
 
-    def capture(self, name: str, script: str, *arguments: str, **settings: Any) -> DatasetPart:
-        """The part of an asset of the suite's own that has one; settings: see `capture_parts`."""
-        return self.capture_parts(name, script, *arguments, **settings).only
-
     def capture_white(self) -> DatasetPart:
         """The suite's asset that takes no light away."""
         return self.capture(
@@ -134,26 +112,18 @@ class Fixtures:
             validation_samples=self.some(256),
         )
 
-    def capture_parts(self, name: str, script: str, *arguments: str, **settings: Any) -> Dataset:
-        """A dataset of one of the suite's own assets; settings as in `CaptureSettings`."""
+    def capture(self, name: str, script: str, *arguments: str, **settings: Any) -> DatasetPart:
+        """The part of one of the suite's own assets; settings as in `CaptureSettings`."""
         out = self._folder / "captures" / f"{name}.rays"
         out.parent.mkdir(parents=True, exist_ok=True)
-        command = [
-            sys.executable,
-            "-m",
-            "rna_export.capture.rna_capture",
-            ASSETS / script,
-            "--out",
-            out,
-        ]
-        command += ["--workers", self._workers]
+        command = [sys.executable, "-m", "rna_export.capture.rna_capture", ASSETS / script]
+        command += ["--out", out, "--workers", self._workers]
         for key, value in settings.items():
             command += [f"--{key.replace('_', '-')}", value]
-        with self._made_once(name):
-            ended = subprocess.run([*map(str, command), "--", *arguments])
+        ended = subprocess.run([*map(str, command), "--", *arguments])
         if ended.returncode:
             raise CaptureError(f"the capture of {name} failed, status {ended.returncode}")
-        return Dataset(out)
+        return Dataset(out).only
 
     def train(self, name: str, dataset: DatasetPart, preset: Preset, seed: int = 0) -> Trained:
         """The model after the last step: the best by a few views would hide overfitting."""
@@ -182,24 +152,11 @@ class Fixtures:
             return self.subject.package
         return self._packed(self.base, self.dataset, self.dataset.manifest.name)
 
-    def package_of(self, dataset: DatasetPart) -> OnePart:
-        """The package of one of the suite's own assets, `small`, loaded."""
-        trained = self.train("small", dataset, self.preset(dataset.kind))
-        path = self._packed(trained, dataset, dataset.dataset.folder.stem)
-        return load_one_part(path, threads=1)
-
     def _packed(self, trained: Trained, dataset: DatasetPart, name: str) -> Path:
         out = self._folder / f"{name}.rna"
-        with self._made_once(out.name):
-            if not out.is_file():
-                build_package([trained], dataset.dataset, out, None, "unknown", print)
+        if not out.is_file():
+            build_package([trained], dataset.dataset, out, None, "unknown", print)
         return out
-
-    def packages_of_base(self) -> dict[str, Path]:
-        """Packages of `base`, by the precisions of `rna_export.trials.trial_packages`."""
-        out = self._folder / "precisions"
-        out.mkdir(parents=True, exist_ok=True)
-        return write_packages(self.base, self.dataset, out)
 
     @cached_property
     def asset(self) -> OnePart:
@@ -213,11 +170,10 @@ class Fixtures:
     def kept(self, name: str, make: Callable[[], dict[str, np.ndarray]]) -> dict[str, np.ndarray]:
         """Arrays that `make` gives, or gave in an earlier run."""
         path = self._folder / "references" / f"{name}.safetensors"
-        with self._made_once(path.name):
-            if not path.is_file():
-                arrays = make()
-                path.parent.mkdir(parents=True, exist_ok=True)
-                write_arrays(path, arrays)
+        if not path.is_file():
+            arrays = make()
+            path.parent.mkdir(parents=True, exist_ok=True)
+            write_arrays(path, arrays)
         return load_file(path)
 
     @contextmanager

@@ -11,28 +11,9 @@ import argparse
 from pathlib import Path
 from typing import Any
 
+from rna_bench.stability.cases import CASE_NAMES
 from rna_sdk.cores import core_count
 from rna_sdk.errors import CaptureError
-from rna_work.cluster.cluster_option import add_cluster_option
-from rna_work.executors import open_executor
-
-# As in `suite.CASES`, which takes seconds to import: not for --help.
-CASE_NAMES = (
-    "sharp",
-    "grazing",
-    "near-light",
-    "unseen",
-    "shadow-edges",
-    "thin",
-    "zoom",
-    "noise",
-    "little-data",
-    "luck",
-    "numbers",
-    "energy",
-    "motion",
-)
-MOVING = ("figure", "slab", "flag", "tail")  # assets of `motion`
 
 
 def add_options(p: argparse.ArgumentParser) -> None:
@@ -54,21 +35,11 @@ def add_options(p: argparse.ArgumentParser) -> None:
         "--out", type=Path, required=True, help="folder for results, runs and captures (path)"
     )
     p.add_argument(
-        "--work", type=Path, help="folder for runs and captures (path, default: OUT/work)"
-    )
-    p.add_argument(
         "--cases",
         nargs="+",
         choices=CASE_NAMES,
         metavar="CASE",
         help=", ".join(CASE_NAMES) + " (default: all)",
-    )
-    p.add_argument(
-        "--moving",
-        nargs="+",
-        choices=MOVING,
-        metavar="ASSET",
-        help=f"assets of `motion`: {', '.join(MOVING)} (default: all)",
     )
     p.add_argument(
         "--steps",
@@ -82,7 +53,6 @@ def add_options(p: argparse.ArgumentParser) -> None:
         default=core_count(),
         help="Blender processes (int, default: one per core, here %(default)s)",
     )
-    add_cluster_option(p)
     p.add_argument(
         "--short",
         action="store_true",
@@ -93,41 +63,35 @@ def add_options(p: argparse.ArgumentParser) -> None:
     )
     p.add_argument(
         "--redraw",
-        nargs="+",
         type=Path,
         metavar="JSON",
-        help="only redraw results of earlier runs, together (paths, default: measure)",
+        help="only redraw the results of an earlier run (path, default: measure)",
     )
 
 
 def run(args: argparse.Namespace) -> None:
     """Measure."""
-    from rna_bench.stability.stability_page import read_results, write_page
+    from rna_bench.stability.stability_report import read_results, write_report
     from rna_bench.stability.suite import CASES, run_cases
+    from rna_export.machine import keep_freed_memory
 
     if args.redraw is not None:
-        write_page(args.out, *read_results(args.redraw, CASES))
+        write_report(args.out, *read_results(args.redraw, CASES))
     else:
+        keep_freed_memory()
         fixtures = _fixtures(args)
         settings = {"steps": fixtures.steps, "short": args.short, "tier": args.tier or "default"}
-        if args.moving is not None:
-            settings["moving"] = args.moving
         cases = [case for case in CASES if args.cases is None or case.name in args.cases]
-        with open_executor(args.cluster) as executor:
-            folder = args.out / "cases"
-            results = run_cases(cases, fixtures, folder, settings, args.again, print, executor)
-        write_page(args.out, args.stamp, fixtures.name, settings, results)
-    print(f"wrote {args.out / 'index.html'}, {args.out / 'summary.md'}")
+        results = run_cases(cases, fixtures, args.out / "cases", settings, args.again, print)
+        write_report(args.out, args.stamp, fixtures.name, settings, results)
+    print(f"wrote {args.out / 'results.json'}, {args.out / 'summary.md'} and a chart a case")
 
 
 def _fixtures(args: argparse.Namespace) -> Any:
     from rna_bench.stability.fixtures import Fixtures, Subject
-    from rna_export.capture.blender_process.source import Source
+    from rna_export.capture.blender_process.blender_process import Source
     from rna_export.capture.dataset.dataset_folder import Dataset
 
-    for name in ("dataset", "package", "source", "out", "work") if args.cluster else ():
-        if (path := getattr(args, name)) is not None:
-            setattr(args, name, path.absolute())  # for workers on other machines
     for path in (args.package, args.source):
         if path is not None and not path.is_file():
             raise CaptureError(f"{path}: no such file")
@@ -135,6 +99,4 @@ def _fixtures(args: argparse.Namespace) -> Any:
     arguments = dataset.manifest.arguments if dataset else ()
     source = Source(args.source, arguments) if args.source else None
     subject = Subject(dataset, args.package, args.tier, source)
-    folder = args.work or args.out / "work"
-    moving = tuple(args.moving or MOVING)
-    return Fixtures(folder, subject, args.steps, args.workers, args.short, moving)
+    return Fixtures(args.out / "work", subject, args.steps, args.workers, args.short)

@@ -118,69 +118,66 @@ static void load_vector(const unsigned char *bytes, double v[3]) {
     for (int k = 0; k < 3; k++) v[k] = values[k];
 }
 
-/* The visibility v of a hit record, RGB; false where there is no such triangle or segment. */
-static bool look(const RnaAsset *asset, const Tracer *tracer, const unsigned char *record, float seen[3]) {
-    uint32_t primitive, number;
-    double wi[3], position[3], v[3];
-    memcpy(&primitive, record, sizeof primitive);
-    memcpy(&number, record + 28, sizeof number);
-    const RnaPart *part = number < RNA_MAX_PARTS ? rna_part(asset, (int)number) : NULL;
-    if (!part || primitive >= trace_primitive_count(tracer, (int)number)) return false;
-    if (part->kind == RNA_FIBER) {
-        load_vector(record + 4, position);
-        load_vector(record + 16, wi);
-        trace_visible_on_fiber(tracer, (int)number, primitive, position, wi, v);
-    } else {
-        float b[2];
-        memcpy(b, record + 4, sizeof b);
-        load_vector(record + 12, wi);
-        trace_visible_on_mesh(tracer, (int)number, primitive, b[0], b[1], wi, v);
-    }
-    for (int k = 0; k < 3; k++) seen[k] = (float)v[k];
+/* What is asked of a hit record, three numbers; false where there is no such triangle or segment. */
+typedef bool Ask(const RnaAsset *asset, const Tracer *tracer, const unsigned char *record, float result[3]);
+
+static uint32_t word_at(const unsigned char *bytes) {
+    uint32_t word;
+    memcpy(&word, bytes, sizeof word);
+    return word;
+}
+
+/* The part of a record; NULL where it has no such triangle or segment. */
+static const RnaPart *part_of(const RnaAsset *asset, const Tracer *tracer, const unsigned char *record) {
+    const uint32_t number = word_at(record + 28);
+    if (number >= RNA_MAX_PARTS || word_at(record) >= trace_primitive_count(tracer, (int)number)) return NULL;
+    return rna_part(asset, (int)number);
+}
+
+/* The visibility v, RGB (section 7.1). */
+static bool ask_visibility(const RnaAsset *asset, const Tracer *tracer, const unsigned char *record,
+                           float result[3]) {
+    const RnaPart *part = part_of(asset, tracer, record);
+    const uint32_t primitive = word_at(record);
+    const int number = (int)word_at(record + 28);
+    double wi[3], place[3], v[3];
+    if (!part) return false;
+    load_vector(record + 4, place);
+    load_vector(record + (part->mesh ? 12 : 16), wi);
+    if (part->mesh)
+        trace_visible_on_mesh(tracer, number, primitive, place[0], place[1], wi, v);
+    else
+        trace_visible_on_fiber(tracer, number, primitive, place, wi, v);
+    for (int k = 0; k < 3; k++) result[k] = (float)v[k];
     return true;
 }
 
-static int visibility(const RnaAsset *asset, const char *hits, const char *out) {
-    size_t size;
-    unsigned char *records = read_file(hits, &size);
-    const size_t n = records ? size / HIT_BYTES : 0;
-    float *seen = malloc((n + 1) * 3 * sizeof *seen);
-    Tracer *tracer = trace_new(asset);
-    const char *problem = !records || size % HIT_BYTES ? "not records of 32 bytes" : NULL;
-    if (!problem && (!tracer || !seen)) problem = "out of memory";
-    for (size_t i = 0; !problem && i < n; i++)
-        if (!look(asset, tracer, records + HIT_BYTES * i, seen + 3 * i))
-            problem = "a triangle or segment that is not there";
-    if (!problem && !write_file(out, seen, n * 3 * sizeof *seen)) problem = "the results cannot be written";
-    trace_free(tracer);
-    free(records);
-    free(seen);
-    return problem ? fails(problem, hits) : 0;
+/* The mapped normal (section 4.5). */
+static bool ask_normal(const RnaAsset *asset, const Tracer *tracer, const unsigned char *record,
+                       float result[3]) {
+    const RnaPart *part = part_of(asset, tracer, record);
+    double b[3];
+    if (!part || !part->mesh) return false;
+    load_vector(record + 4, b);
+    rna_normal(asset, (int)word_at(record + 28), word_at(record), b[0], b[1], result);
+    return true;
 }
 
-/* The mapped normals of hit records (section 4.5). */
-static int normals(const RnaAsset *asset, const char *hits, const char *out) {
+static int answer_hits(const RnaAsset *asset, Ask *ask, const char *hits, const char *out) {
     size_t size;
     unsigned char *records = read_file(hits, &size);
     const size_t n = records ? size / HIT_BYTES : 0;
-    float *found = malloc((n + 1) * 3 * sizeof *found);
+    float *results = malloc((n + 1) * 3 * sizeof *results);
+    Tracer *tracer = trace_new(asset);
     const char *problem = !records || size % HIT_BYTES ? "not records of 32 bytes" : NULL;
-    if (!problem && !found) problem = "out of memory";
-    for (size_t i = 0; !problem && i < n; i++) {
-        uint32_t triangle, number;
-        float b[2];
-        memcpy(&triangle, records + HIT_BYTES * i, sizeof triangle);
-        memcpy(b, records + HIT_BYTES * i + 4, sizeof b);
-        memcpy(&number, records + HIT_BYTES * i + 28, sizeof number);
-        const RnaPart *part = number < RNA_MAX_PARTS ? rna_part(asset, (int)number) : NULL;
-        if (!part || !part->mesh || triangle >= part->mesh->triangle_count)
-            problem = "a triangle that is not there";
-        else
-            rna_normal(asset, (int)number, triangle, b[0], b[1], found + 3 * i);
-    }
-    if (!problem && !write_file(out, found, n * 3 * sizeof *found)) problem = "the results cannot be written";
+    if (!problem && (!tracer || !results)) problem = "out of memory";
+    for (size_t i = 0; !problem && i < n; i++)
+        if (!ask(asset, tracer, records + HIT_BYTES * i, results + 3 * i))
+            problem = "a triangle or segment that is not there";
+    if (!problem && !write_file(out, results, n * 3 * sizeof *results)) problem = "results cannot be written";
+    trace_free(tracer);
     free(records);
-    free(found);
+    free(results);
     return problem ? fails(problem, hits) : 0;
 }
 
@@ -207,9 +204,8 @@ int main(int argc, char **argv) {
     RnaAsset *asset = open_or_tell(argv[2]);
     if (!asset) return 2;
     Question question = {asset, .emission = emits, .columns = emits ? 10 : 13, .results = emits ? 3 : 6};
-    int status = looks  ? visibility(asset, argv[3], argv[4])
-                 : maps ? normals(asset, argv[3], argv[4])
-                       : answer(question, argv[3], argv[4], argv[5], argv[6]);
+    int status = looks || maps ? answer_hits(asset, looks ? ask_visibility : ask_normal, argv[3], argv[4])
+                               : answer(question, argv[3], argv[4], argv[5], argv[6]);
     rna_close(asset);
     return status;
 }

@@ -12,9 +12,9 @@
  * The default camera has the whole asset in view.  Options have the meaning of the same words in
  * scenes of rna-run.  Parts are evaluated in batches: hits are kept until there are many. */
 #include "rna.h"
+#include "rna/vectors.h"
 #include "trace.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,15 +25,6 @@ typedef struct View {
     int width, height, samples, tier;
     double camera[7], sun[6], glow;
 } View;
-
-static void normalize(double v[3]) {
-    double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    for (int k = 0; k < 3; k++) v[k] /= length;
-}
-
-static void cross(const double a[3], const double b[3], double out[3]) {
-    for (int k = 0; k < 3; k++) out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-}
 
 /* -------------------------------------------------------------------- Camera */
 

@@ -89,20 +89,30 @@ static float light(float value, bool valid) {
     return valid && value > 0 ? (value < FLT_MAX ? value : FLT_MAX) : 0; /* 0 for NaN */
 }
 
-/* Runs the network on all rows.  colours: one or two arrays of n x 3, for its outputs. */
-static RnaStatus run_network(const RnaPart *part, const TierPart *with, const Network *network,
-                             const Batch *batch, float *const *colours, int count) {
-    const Decoder *decoder = network->decoder;
-    size_t size = sizeof(float) * ROWS * (size_t)rounded_up(decoder->widest, OUTPUTS);
-    size = (size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
-    float *buffers = aligned(2 * size);
+/* Runs a network of the part on all rows.  colours: one or two arrays of n x 3, for its outputs. */
+static RnaStatus run_network(const RnaAsset *asset, int tier, int part, bool emission, const Batch *batch,
+                             float *const *colours, int count) {
+    const RnaPart *of = asset ? rna_part(asset, part) : NULL;
+    if (!of || !rna_tier(asset, tier)) return RNA_BAD_ARGUMENT;
+    if (batch->n == 0) return RNA_OK;
+    if (!batch->positions || !batch->axes || !batch->wo || !batch->wi || !colours[0] || !colours[count - 1] ||
+        (of->kind == RNA_FIBER && !batch->h))
+        return RNA_BAD_ARGUMENT;
+    const TierPart *with = &asset->tier[tier].part[part];
+    const Network *network = emission ? &with->emission : &with->transport;
+    if (!network->decoder) { /* the part does not emit */
+        memset(colours[0], 0, 3 * batch->n * sizeof *colours[0]);
+        return RNA_OK;
+    }
+    size_t size = (size_t)ROWS * (size_t)rounded_up(network->decoder->widest, ALIGNMENT);
+    float *buffers = aligned(2 * size * sizeof *buffers);
     if (!buffers) return RNA_OUT_OF_MEMORY;
     Points points;
     for (size_t first = 0; first < batch->n; first += ROWS) {
         int rows = (int)(batch->n - first < ROWS ? batch->n - first : ROWS);
-        load_points(part, batch, first, rows, &points);
-        fill_queries(part->kind, &with->planes, network->column, &points, buffers);
-        const float *results = run_decoder(decoder, buffers, buffers + size / sizeof(float));
+        load_points(of, batch, first, rows, &points);
+        fill_queries(of->kind, &with->planes, network->column, &points, buffers);
+        const float *results = run_decoder(network->decoder, buffers, buffers + size);
         for (size_t i = 0; i < (size_t)count; i++)
             for (size_t r = 0; r < (size_t)rows; r++)
                 for (size_t k = 0; k < 3; k++)
@@ -115,32 +125,14 @@ static RnaStatus run_network(const RnaPart *part, const TierPart *with, const Ne
 RnaStatus rna_evaluate(const RnaAsset *asset, int tier, int part, size_t n, const float *positions,
                        const float *axes, const float *h, const float *wo, const float *wi,
                        float *visible, float *shadowed) {
-    if (!asset || !rna_tier(asset, tier) || !rna_part(asset, part)) return RNA_BAD_ARGUMENT;
-    const TierPart *with = &asset->tier[tier].part[part];
-    const RnaPart *of = &asset->part[part].public;
-    if (!can_run(&with->transport)) return RNA_UNSUPPORTED_DECODER;
-    if (n == 0) return RNA_OK;
-    if (!positions || !axes || !wo || !wi || !visible || !shadowed || (of->kind == RNA_FIBER && !h))
-        return RNA_BAD_ARGUMENT;
     const Batch batch = {n, positions, axes, h, wo, wi};
-    float *const colours[] = {visible, shadowed};
-    return run_network(of, with, &with->transport, &batch, colours, 2);
+    return run_network(asset, tier, part, false, &batch, (float *const[]){visible, shadowed}, 2);
 }
 
 RnaStatus rna_emission(const RnaAsset *asset, int tier, int part, size_t n, const float *positions,
                        const float *axes, const float *h, const float *wo, float *emission) {
-    if (!asset || !rna_tier(asset, tier) || !rna_part(asset, part)) return RNA_BAD_ARGUMENT;
-    const TierPart *with = &asset->tier[tier].part[part];
-    const RnaPart *of = &asset->part[part].public;
-    if (of->emits && !can_run(&with->emission)) return RNA_UNSUPPORTED_DECODER;
-    if (n == 0) return RNA_OK;
-    if (!positions || !axes || !wo || !emission || (of->kind == RNA_FIBER && !h)) return RNA_BAD_ARGUMENT;
-    if (!of->emits) {
-        memset(emission, 0, 3 * n * sizeof *emission);
-        return RNA_OK;
-    }
     const Batch batch = {n, positions, axes, h, wo, .wi = wo}; /* which no block of emission uses */
-    return run_network(of, with, &with->emission, &batch, &emission, 1);
+    return run_network(asset, tier, part, true, &batch, &emission, 1);
 }
 
 void rna_transmittance(const RnaAsset *asset, int part, uint32_t triangle, double b1, double b2,
@@ -171,7 +163,6 @@ const char *rna_status_text(RnaStatus status) {
     switch (status) {
     case RNA_OK: return "done";
     case RNA_BAD_ARGUMENT: return "an array is missing, or the tier or part does not exist";
-    case RNA_UNSUPPORTED_DECODER: return "the decoder is no chain of the decoder profile: it needs an ONNX engine";
     default: return "out of memory";
     }
 }

@@ -1,4 +1,4 @@
-/* RNA 1.1 packages in C: open, check, evaluate.  C11, the C library alone; rna.c is all to compile.
+/* RNA 2.0 packages in C: open, check, evaluate.  C11, the C library alone; rna.c is all to compile.
  *
  *     RnaReport report;
  *     RnaAsset *asset = rna_open("toy.rna", &report);
@@ -44,14 +44,12 @@ typedef enum RnaKind { RNA_SURFACE, RNA_FIBER } RnaKind;
 
 typedef enum RnaStatus {
     RNA_OK,
-    RNA_BAD_ARGUMENT,        /* a NULL array, or no such tier or part */
-    RNA_UNSUPPORTED_DECODER, /* legal, but no chain of the profile's operators: needs an ONNX engine */
+    RNA_BAD_ARGUMENT, /* a NULL array, or no such tier or part */
     RNA_OUT_OF_MEMORY
 } RnaStatus;
 
 typedef struct RnaTier {
     const char *name;
-    bool runs;            /* whether rna_evaluate and rna_emission can run its decoders */
     bool is_int8;         /* the arithmetic of the decoders, where it is that of all parts */
     double multiply_adds; /* a query; int8 ones count half when tiers are compared.  Below 0: unknown */
     double flip;          /* mean error on images the training never saw.  Below 0: unknown */
@@ -74,20 +72,24 @@ typedef struct RnaCurves {
     const uint32_t *offsets; /* strand_count + 1 */
 } RnaCurves;
 
+/* Texels [height][width][channels]; row 0 at v = 0, linear. */
+typedef struct RnaTexture {
+    uint32_t width, height, channels;
+    const uint8_t *texels;
+} RnaTexture;
+
 /* What light goes straight through a range of triangles (section 4.4); rna_transmittance looks it up. */
 typedef struct RnaTransmittance {
-    uint32_t first, count;            /* triangles */
-    uint32_t width, height, channels; /* of the texture; channels: 1 or 3 */
-    const uint8_t *texels;            /* [height][width][channels], over 255, linear; row 0 at v = 0 */
-    double cutoff;                    /* above it 1, else 0; 0 where there is no cutoff */
-    double ior[2];                    /* Fresnel reflection, front and back; 0 where there is none */
+    uint32_t first, count; /* triangles */
+    RnaTexture texture;    /* of 1 or 3 channels, over 255 */
+    double cutoff;         /* above it 1, else 0; 0 where there is no cutoff */
+    double ior[2];         /* Fresnel reflection, front and back; 0 where there is none */
 } RnaTransmittance;
 
 /* Relief of a range of triangles (section 4.5); rna_normal looks it up. */
 typedef struct RnaNormalMap {
-    uint32_t first, count;  /* triangles */
-    uint32_t width, height; /* of the texture */
-    const uint8_t *texels;  /* [height][width][2], 127 + 127 times x and y; row 0 at v = 0 */
+    uint32_t first, count; /* triangles */
+    RnaTexture texture;    /* of 2 channels, 127 + 127 times x and y */
 } RnaNormalMap;
 
 /* A geometry with planes and decoders of its own. */

@@ -2,9 +2,9 @@
 #ifndef TRACE_SHAPES_H
 #define TRACE_SHAPES_H
 
+#include "rna/vectors.h"
 #include "trace.h"
 
-#include <math.h>
 #include <string.h>
 
 /* What the tracer knows of a part. */
@@ -19,29 +19,6 @@ typedef struct Ray {
     double origin[3], direction[3], inverse[3];
     double near, far;
 } Ray;
-
-static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-static void subtract(const double a[3], const double b[3], double out[3]) {
-    for (int k = 0; k < 3; k++) out[k] = a[k] - b[k];
-}
-
-static void cross(const double a[3], const double b[3], double out[3]) {
-    for (int k = 0; k < 3; k++) {
-        int i = (k + 1) % 3, j = (k + 2) % 3;
-        out[k] = a[i] * b[j] - a[j] * b[i];
-    }
-}
-
-/* Brings v to unit length; leaves a vector without length. */
-static void normalize(double v[3]) {
-    double length = sqrt(dot(v, v));
-    for (int k = 0; k < 3 && length > 0; k++) v[k] /= length;
-}
-
-static void load(const float *from, double to[3]) {
-    for (int k = 0; k < 3; k++) to[k] = from[k];
-}
 
 /* ---------------------------------------------------------------- Triangles */
 

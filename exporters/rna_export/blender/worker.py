@@ -1,6 +1,6 @@
 """The capture worker: runs inside Blender's Python, with `bpy` and numpy and nothing else of ours.
 
-    python worker.py THREADS
+    python worker.py THREADS PARENT
 
 Requests come as one JSON object a line on standard input; each is answered by one line on
 standard output that begins with `RNA `. Whatever else Blender prints there is not for us.
@@ -21,17 +21,27 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 from few_cores import few_cores
 
-THREADS = int(sys.argv[1])
+THREADS, PARENT = map(int, sys.argv[1:])
+_PR_SET_PDEATHSIG = 1  # prctl(2)
+
+
+def end_with_parent() -> None:
+    """Linux: a Blender that is at work reads no end of input; it is to end with its parent."""
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
+        if os.getppid() != PARENT:
+            sys.exit(1)
+
+
+end_with_parent()
 
 with few_cores(THREADS):
     import bpy
     from rna_geometry import curves_export, mesh_export, scene_parts
-    from rna_geometry.rendered_geometry import as_rendered
-    from rna_materials import material_override, smoothest, surface_textures
+    from rna_geometry.shown_objects import as_rendered
+    from rna_materials import material_check, object_materials, surface_textures
     from rna_renders import ray_render, render_settings, scene_render, white_card
     from rna_sources import read_files, shown_frame, source_scene
-
-_PR_SET_PDEATHSIG = 1  # prctl(2)
 
 _last_opened: dict[str, Any] = {}  # the request
 
@@ -43,10 +53,10 @@ def open_scene(request: dict[str, Any]) -> dict[str, Any]:
     axes = request["front"], request["up"]
     notes = source_scene.load(request["source"], request["arguments"], request["frame"], *axes)
     render_settings.own()
-    material_override.apply()
+    object_materials.override()
     notes += source_scene.keep_only_the_asset()
     parts, smooth = as_rendered(
-        lambda: (scene_parts.find_parts(request["parts"]), smoothest.smoothest())
+        lambda: (scene_parts.find_parts(request["parts"]), material_check.smoothest())
     )
     clamps = request["clampDirect"], request["clampIndirect"]
     has_hair = any(part["kind"] == "fiber" for part in parts)
@@ -97,14 +107,7 @@ def reply(message: dict[str, Any]) -> None:
     sys.stdout.flush()
 
 
-def end_with_parent() -> None:
-    """Linux: a Blender that hangs reads no end of input; it is to end with the one that asked."""
-    if sys.platform == "linux":
-        ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
-
-
 def main() -> None:
-    end_with_parent()
     for line in sys.stdin:
         request = json.loads(line)
         try:

@@ -14,28 +14,28 @@ from tqdm import tqdm
 
 import rna_sdk
 from rna_export.capture.blender_process import blender_env
+from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.capture.blender_process.capture_worker import CaptureJob, CaptureWorker, opened
-from rna_export.capture.blender_process.source import Source
 from rna_export.capture.capture_plan import parts_lines, plan_lines
 from rna_export.capture.capture_tasks import Task, TrainingShard, all_tasks
-from rna_export.capture.check.narrow_highlights import narrow_highlights
 from rna_export.capture.check.self_check import PICTURE, WORTH_A_NOTE, SelfCheck
 from rna_export.capture.dataset.collect import Collector
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_manifest import CaptureManifest
 from rna_export.capture.estimate.gain import table_of, told
 from rna_export.capture.estimate.pilot import LIGHTS, Pilot
-from rna_export.capture.geometry.captured_poses import captured_poses
+from rna_export.capture.geometry.followed_source import captured_poses
+from rna_export.capture.geometry.source_notes import narrow_highlights
 from rna_export.capture.opened_source import OpenedSource
 from rna_export.capture.time_plan import LEAST_LIGHTS, TimeLimit, planned, shrunk
 from rna_render.scene import SceneFile
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.cpu import processor_key
 from rna_sdk.errors import CaptureError
-from rna_work.backend import Backend
+from rna_work.backend import Backend, Needs
 from rna_work.cluster.store import Store
-from rna_work.executors import Executor, Needs, this_machine
+from rna_work.executors import Executor, this_machine
 from rna_work.pool import Pool
 from rna_work.progress import Progress
 from rna_work.sources import Carried

@@ -66,13 +66,13 @@ class CaptureSettings(DatasetModel):
         None,
         ge=-MAX_FRAME,
         le=MAX_FRAME,
-        description="frame of an animated source that the package's geometry is of",
+        description="frame of an animated source from which the geometry is taken",
     )
     poses: tuple[int, ...] = Field(
         (),
         max_length=_MAX_POSES,
-        description="frames of the source that rays are captured in, by turns with the rest frame; "
-        "one model learns them all",
+        description="further frames of the source to capture, alternating with the rest frame; "
+        "one model is trained on all of them",
     )
     validation_views: int = Field(
         8, ge=1, le=_MAX_VIEWS, description="validation images, held out from training"

@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
+from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
-from rna_export.capture.blender_process.source import Source
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.check.self_check import SelfCheck, picture_side
 from rna_export.capture.estimate.pilot import LIGHTS, Pilot, measure_pilot

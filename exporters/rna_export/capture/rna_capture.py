@@ -47,8 +47,6 @@ _OPTIONS = (  # fields of CaptureSettings
     "parts",
     "sharpest",
     "normal_texels",
-    "clamp_direct",
-    "clamp_indirect",
     "validation_views",
     "validation_resolution",
     "validation_samples",
@@ -77,8 +75,8 @@ def parser() -> argparse.ArgumentParser:
     p.add_argument(
         "--estimate",
         action="store_true",
-        help="say how much faster than Cycles the asset will be in scenes, then exit; takes no "
-        "--out (default: off)",
+        help="print the expected speedup over Cycles in scenes, then exit; excludes --out "
+        "(default: off)",
     )
     p.add_argument(
         "--setup-blender",
@@ -206,7 +204,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     if args.estimate:
         _estimate(args, arguments)
         return
-    from rna_export.capture.blender_process.source import Source
+    from rna_export.capture.blender_process.blender_process import Source
     from rna_export.capture.capture_run import CaptureWorkers, begin, finish
     from rna_export.capture.time_plan import TimeLimit
     from rna_render.scene import read_scene
@@ -239,7 +237,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
 
 def _estimate(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     """Print what the source is made of and is expected to gain."""
-    from rna_export.capture.blender_process.source import Source
+    from rna_export.capture.blender_process.blender_process import Source
     from rna_export.capture.capture_run import CaptureWorkers, measured_pilot
     from rna_export.capture.estimate.gain import table_of, told
     from rna_render.scene import read_scene

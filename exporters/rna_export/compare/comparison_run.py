@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Collection
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -48,20 +48,17 @@ def compare(
     samples: int,
     cycles_samples: int,
     resolution: int,
-    turn_deg: float,
     frame: Frame,
-    cameras: Collection[str],
     begin: Callable[[int, int, Shot], None],
     done: Callable[[list[Pair]], None],
 ) -> list[Pair]:
-    """The standard shots of the named cameras, one after the other, each program's time its own.
+    """The standard shots, one after the other, each program's time its own.
 
     All are scored at the exposure of the first one's reference. begin: gets the number of an image,
     from 1, how many there are, and its shot. done: gets the images so far.
     """
     world = World([place_asset(asset, np.eye(4))])
-    wanted = shots_of(asset, resolution, turn_deg, frame)
-    wanted = [shot for shot in wanted if shot.camera_name in cameras]
+    wanted = shots_of(asset, resolution, frame)
     pairs: list[Pair] = []
     for number, shot in enumerate(wanted, 1):
         begin(number, len(wanted), shot)

@@ -5,7 +5,6 @@ The description is JSON in the renderer's own space, +Y up:
 - `assets`: 4 x 4 matrices, one for each instance of the original;
 - `meshes`: `positions`, `triangles` and the Lambertian `color` of each object, the ground too;
 - `lights`: what the scene file says of them, with the paths of images resolved;
-- `emission`: whether the original emits light;
 - `bounces`: how often light may scatter, or null for what the source itself sets.
 """
 
@@ -26,11 +25,7 @@ _Placed = tuple[MeshObject, np.ndarray, tuple[float, ...]]
 """A mesh, world from object and its colour."""
 
 
-def cycles_scene(
-    scene: Scene,
-    bounces: int | None = None,
-    emission: bool = False,
-) -> dict[str, Any]:
+def cycles_scene(scene: Scene, bounces: int | None = None) -> dict[str, Any]:
     """The description that `BlenderWorker.render_scene` takes.
 
     scene: with resolved paths. Raises SceneError for what has no twin in Blender:
@@ -44,7 +39,6 @@ def cycles_scene(
         "meshes": [_described(*mesh) for mesh in meshes],
         "lights": [_light(model.model_dump(mode="json")) for model in scene.lights],
         "bounces": bounces,
-        "emission": emission,
     }
 
 

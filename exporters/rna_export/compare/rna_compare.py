@@ -8,7 +8,6 @@ import tempfile
 from pathlib import Path
 
 from rna_export.capture.orientation import AXES, joined_axes
-from rna_export.compare.cameras import CAMERAS
 from rna_sdk.console import command_parser, run_command, split_script_arguments
 from rna_sdk.owned_folder import owned
 
@@ -59,20 +58,6 @@ def parser() -> argparse.ArgumentParser:
         metavar="AXIS",
         help="up axis of the package (as --front, default: Y, Blender's Z)",
     )
-    p.add_argument(
-        "--turn",
-        type=float,
-        default=0.0,
-        metavar="DEG",
-        help="rotate the cameras about the up axis, degrees (float, default: 0)",
-    )
-    p.add_argument(
-        "--cameras",
-        nargs="+",
-        choices=CAMERAS,
-        default=CAMERAS,
-        help="cameras to use (default: all; strands only for pure hair)",
-    )
     return p
 
 
@@ -91,8 +76,8 @@ def main(argv: list[str] | None = None) -> int:
 
 def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     from rna_export.capture.blender_process import blender_env
+    from rna_export.capture.blender_process.blender_process import Source
     from rna_export.capture.blender_process.blender_worker import BlenderWorker
-    from rna_export.capture.blender_process.source import Source
     from rna_export.compare.comparison_page import is_report, write_page
     from rna_export.compare.comparison_run import Pair, compare
     from rna_export.compare.origin import Origin
@@ -147,9 +132,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
             args.samples,
             args.cycles_samples,
             args.resolution,
-            args.turn,
             (args.front or ("-Y" if args.up[-1] == "Z" else "Z"), args.up),
-            args.cameras,
             lambda k, n, shot: print(f"image {k} of {n}: {shot.name}: ", end="", flush=True),
             done,
         )

@@ -9,7 +9,6 @@ from pathlib import Path
 import numpy as np
 
 from rna_export.capture.orientation import rotation
-from rna_export.compare.cameras import ORBITS
 from rna_render import Camera
 from rna_render.scene import AssetModel, CameraModel, DirectionalModel, Scene
 from rna_sdk.package import Curves, Mesh
@@ -20,6 +19,8 @@ Frame = tuple[str, str]
 
 USUAL: Frame = ("Z", "Y")
 FOV_Y = np.radians(30.0)
+_ORBITS = {"front": (35.0, 20.0, 1.0), "behind": (215.0, 30.0, 1.0), "close-up": (20.0, 25.0, 0.3)}
+"""Name -> azimuth and elevation in degrees, and the part of the asset's size that is shown."""
 _LIGHTS = {"key": (40.0, 45.0), "side": (-80.0, 20.0), "back": (170.0, 35.0)}  # from the camera
 _STRANDS = 16.0  # radii of the thickest strand from the middle of its picture to the edge
 
@@ -29,7 +30,7 @@ class Shot:
     """One picture of a comparison; world space is the asset's object space."""
 
     number: int  # among all standard ones; Cycles' seeds follow from it
-    camera_name: str  # one of cameras.CAMERAS
+    camera_name: str  # of _ORBITS, or "strands"
     light_name: str
     eye: np.ndarray  # (3,)
     target: np.ndarray  # (3,)
@@ -71,18 +72,14 @@ class Shot:
         )
 
 
-def shots_of(asset: Asset, resolution: int, turn_deg: float, frame: Frame = USUAL) -> list[Shot]:
+def shots_of(asset: Asset, resolution: int, frame: Frame = USUAL) -> list[Shot]:
     """`shots` of an asset's own geometry."""
     parts = [part.curves if isinstance(part, FiberAsset) else part.mesh for part in asset.parts]
-    return shots(parts, resolution, turn_deg, frame)
+    return shots(parts, resolution, frame)
 
 
-def shots(
-    parts: Sequence[Mesh | Curves], resolution: int, turn_deg: float, frame: Frame = USUAL
-) -> list[Shot]:
+def shots(parts: Sequence[Mesh | Curves], resolution: int, frame: Frame = USUAL) -> list[Shot]:
     """Cameras x lights around the asset, whose front and up are those of `frame`.
-
-    turn_deg: of the cameras about up, where the front lies between two axes.
 
     Fibers alone have one more camera, so near that single strands fill the picture.
     """
@@ -91,20 +88,20 @@ def shots(
     low, high = positions.min(axis=0), positions.max(axis=0)
     centre = (low + high) / 2
     radius = float(np.linalg.norm(positions - centre, axis=1).max())
-    cameras = dict(ORBITS)
+    cameras = dict(_ORBITS)
     if len(strands) == len(parts):
         thickest = max(part.radii.max() for part in strands)
         cameras["strands"] = (*cameras["close-up"][:2], _STRANDS * thickest / radius)
     turned = rotation(*frame)
     result: list[Shot] = []
     for camera, (azimuth, elevation, zoom) in cameras.items():
-        wo = turned @ _direction(azimuth + turn_deg, elevation)
+        wo = turned @ _direction(azimuth, elevation)
         target = centre
         if zoom < 1.0:  # look at what is nearest
             target = positions[np.argmax((positions - centre) @ wo)]
         eye = target + wo * zoom * 1.02 * radius / np.sin(FOV_Y / 2)
         for light, (side, height) in _LIGHTS.items():
-            wi = turned @ _direction(azimuth + turn_deg + side, height)
+            wi = turned @ _direction(azimuth + side, height)
             up = turned[:, 1]
             result.append(Shot(len(result), camera, light, eye, target, wi, resolution, up))
     return result

@@ -9,12 +9,11 @@ import onnxruntime
 import torch
 from torch import Tensor
 
-from rna_export.export.graph import Graph
 from rna_export.export.int8_decoder import Int8Decoder
 from rna_export.training.model.inputs import Points
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_sdk.errors import ExportError
-from rna_sdk.package import Agreement
+from rna_sdk.package import Agreement, ProfileDecoder, ProfileLayer, decoder_to_bytes
 from rna_sdk.runtime.engine.agreement import ABSOLUTE, RELATIVE, TIES, close_rows
 
 LARGEST_INPUT = 65504.0  # keeps sums finite whatever is asked
@@ -72,54 +71,52 @@ def other_models(model: NeuralAsset) -> list[EmissionModel]:
 
 
 def export_decoder(model: Answering, int8: Int8Decoder | None = None) -> bytes:
-    """`queries` (N, K) to the output of the model's form, with the spec's operators alone.
+    """The ONNX file of the model's decoder.
 
     int8: the model's layers in integers, to be written in place of its own.
     """
-    graph = Graph()
-    value = graph.clip("queries", -LARGEST_INPUT, LARGEST_INPUT)
-    value = _layers(graph, value, model) if int8 is None else _int8_layers(graph, value, int8)
-    y = graph.clip(value, 0.0, float(torch.log1p(model.ceiling / model.unit)))
-    x = graph.add("Sub", [graph.add("Exp", [y]), graph.constant(1.0)])
-    sums, unit = np.array(model.colour_sums), float(model.unit)
-    if np.array_equal(sums, np.eye(len(sums))):
-        graph.add("Mul", [x, graph.constant(unit)], model.output)
-    else:
-        matrix = np.float32(unit * np.kron(sums.T, np.eye(3)))
-        graph.add("MatMul", [x, graph.constant(matrix)], model.output)
-    first = model.decoder[0]
-    assert isinstance(first, torch.nn.Linear)
-    return graph.serialize(first.in_features, model.output, 3 * len(sums))
+    sums, unit, matrix = np.array(model.colour_sums), float(model.unit), None
+    if not np.array_equal(sums, np.eye(len(sums))):
+        unit, matrix = 1.0, (unit * np.kron(sums.T, np.eye(3))).astype(np.float32)
+    decoder = ProfileDecoder(
+        low=-LARGEST_INPUT,
+        high=LARGEST_INPUT,
+        gain=None if int8 is None else int8.gain.numpy(),
+        offset=None if int8 is None else int8.offset.numpy(),
+        layers=_float_layers(model) if int8 is None else _int8_layers(int8),
+        top=float(torch.log1p(model.ceiling / model.unit)),
+        unit=unit,
+        matrix=matrix,
+        output=model.output,
+    )
+    return decoder_to_bytes(decoder, "rna-export")
 
 
-def _layers(graph: Graph, value: str, model: Answering) -> str:
-    for layer in model.decoder:
-        if isinstance(layer, torch.nn.Linear):
-            weight, bias = layer.weight.detach().numpy().T, layer.bias.detach().numpy()
-            value = graph.add("Gemm", [value, graph.constant(weight), graph.constant(bias)])
-        else:
-            value = graph.add("Relu", [value])
-    return value
+def _float_layers(model: Answering) -> tuple[ProfileLayer, ...]:
+    linear = [layer for layer in model.decoder if isinstance(layer, torch.nn.Linear)]
+    return tuple(
+        ProfileLayer(
+            layer.weight.detach().numpy().T,
+            layer.bias.detach().numpy(),
+            step=0.0,
+            scale=None,
+            relu=layer is not linear[-1],
+        )
+        for layer in linear
+    )
 
 
-def _int8_layers(graph: Graph, value: str, int8: Int8Decoder) -> str:
-    """Gemm between DequantizeLinear and QuantizeLinear, which engines run in integers."""
-    value = graph.add("Mul", [value, graph.constant(int8.gain.numpy())])
-    value = graph.add("Add", [value, graph.constant(int8.offset.numpy())])
-    zero = graph.constant(np.uint8(0))
-    for layer in int8.layers:
-        scale = graph.constant(float(layer.input_scale))
-        # Storing the sums of a layer in uint8, from 0 up, is its ReLU.
-        value = graph.add("QuantizeLinear", [value, scale, zero])
-        inputs = graph.add("DequantizeLinear", [value, scale, zero])
-        weight_scale = layer.weight_scale.numpy()
-        weight = [graph.constant(layer.weight.numpy().T), graph.constant(weight_scale)]
-        bias_scale = np.float32(layer.input_scale) * weight_scale
-        bias = [graph.constant(layer.bias.numpy()), graph.constant(bias_scale)]
-        weight_value = graph.add("DequantizeLinear", weight, axis=1)
-        bias_value = graph.add("DequantizeLinear", bias, axis=0)
-        value = graph.add("Gemm", [inputs, weight_value, bias_value])
-    return value
+def _int8_layers(int8: Int8Decoder) -> tuple[ProfileLayer, ...]:
+    return tuple(
+        ProfileLayer(
+            layer.weight.numpy().T,
+            layer.bias.numpy(),
+            step=float(layer.input_scale),
+            scale=layer.weight_scale.numpy(),
+            relu=False,
+        )
+        for layer in int8.layers
+    )
 
 
 def compare_decoder(decoder: bytes, model: Exported, seed: int = 0) -> Agreement:

@@ -9,11 +9,11 @@ import numpy as np
 
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.validation_view import WholeView
-from rna_export.effort import Effort
 from rna_export.metrics import plain
 from rna_export.pictures import sheet_of
 from rna_export.psnr_words import told_psnr
 from rna_export.training.checkpoint import Trained
+from rna_export.training.training_summary import Effort
 from rna_export.training.validation import (
     mean_psnr,
     mean_psnr_of_pixels,

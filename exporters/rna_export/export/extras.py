@@ -8,8 +8,7 @@ from pathlib import Path
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.export.poster_rendering import render_poster
 from rna_export.export.proxy import proxy_of
-from rna_export.export.standin import standin_material
-from rna_export.export.standin_textures import textures_of
+from rna_export.export.standin_textures import standin_material, textures_of
 from rna_export.training.checkpoint import Trained
 from rna_sdk.errors import ExportError
 from rna_sdk.package import Package, SourceVertices

@@ -6,8 +6,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from rna_export.environment.environment_options import add_environment, check_environment
-from rna_export.export.credit import add_credit
+from rna_export.export.package_options import add_credit, add_environment, check_environment
 from rna_export.export.precision import MAX_LOSS, add_precision, precisions_of
 from rna_sdk.console import command_line, command_parser, run_command
 from rna_sdk.outputs import check_outputs
@@ -110,7 +109,7 @@ def _check_package(args: argparse.Namespace, options: argparse.ArgumentParser) -
 
 def _add_lobes(args: argparse.Namespace) -> None:
     """A copy of a package with the form `environment`."""
-    from rna_export.environment.environment_training import add_lobes
+    from rna_export.lobes.environment_training import add_lobes
 
     (package,) = args.checkpoints
     check_outputs([args.out], [package, *args.environment_files])
@@ -124,12 +123,12 @@ def _add_lobes(args: argparse.Namespace) -> None:
 def _run(args: argparse.Namespace) -> None:
     from rna_export.capture.dataset.dataset_folder import Dataset
     from rna_export.capture.geometry.cut import as_cut
-    from rna_export.environment.environment_training import add_lobes
     from rna_export.export.export_summary import closing_lines
     from rna_export.export.extras import add_extras
     from rna_export.export.package_build import build_package
     from rna_export.export.standin_textures import check_analytic
     from rna_export.export.trained_tiers import checkpoint_paths
+    from rna_export.lobes.environment_training import add_lobes
     from rna_export.pictures import sheet_of
     from rna_export.training.checkpoint import load_checkpoint
 

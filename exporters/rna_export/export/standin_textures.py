@@ -1,8 +1,8 @@
-"""Textures of a stand-in material: an analytic training, evaluated at the texels of a mesh."""
+"""Stand-in materials: estimated from samples, or textures of an analytic training."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,6 +10,7 @@ import torch
 
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_part import DatasetPart
+from rna_export.capture.dataset.validation_view import is_lit
 from rna_export.pictures import png_bytes
 from rna_export.training.checkpoint import Trained
 from rna_export.training.model.analytic import gltf_material
@@ -17,9 +18,15 @@ from rna_export.training.model.neural_asset import NeuralAsset
 from rna_render import encode_srgb
 from rna_sdk.errors import ExportError
 from rna_sdk.package import Mesh
+from rna_sdk.package.manifest.extensions import StandinMaterial
 from rna_sdk.runtime import mapped_normals
 from rna_sdk.runtime.normal_maps import tangent_frames
 from rna_trace import TriangleScene
+
+_ROWS = 400_000
+_ROUGHNESS = np.linspace(0.1, 1.0, 19)
+_METAL = 4.0  # times as much light from the lobe as from the diffuse part
+_OFF_HIGHLIGHT = 0.85  # n.h below which GGX of usual roughness adds little
 
 TEXELS = 512
 """Along a side."""
@@ -28,6 +35,62 @@ _EDGE = 1e-3  # of the texture, that coordinates may be beyond it
 _REPEATS = 3  # of the texture along a side, that charts may lie over
 _OVERLAPPING = 0.02  # of the covered texels
 _GROWN = 8  # texels about charts, for filters of readers
+
+
+def standin_material(samples: Mapping[str, np.ndarray]) -> StandinMaterial:
+    """The material for a part's captured samples, fields as in the dataset."""
+    rows = np.random.default_rng(0).permutation(len(samples["radiance"]))[:_ROWS]
+    picked = {name: values[rows].astype(np.float64) for name, values in samples.items()}
+    if "normal" not in picked:
+        colour = 4.0 * np.pi * picked["radiance"].mean(axis=0)
+        return _material(colour, 1.0, metal=False)
+    n, wo, wi = (picked[name] for name in ("normal", "wo", "wi"))
+    cos_i, cos_o = _dots(n, wi), _dots(n, wo)
+    lit = is_lit(picked["visible"]) & (cos_i > 0.1) & (cos_o > 0.1)
+    halves = wi[lit] + wo[lit]
+    halves /= np.maximum(np.linalg.norm(halves, axis=1, keepdims=True), 1e-9)
+    cos_h, cos_i, cos_o = _dots(n[lit], halves), cos_i[lit], cos_o[lit]
+    radiance = picked["radiance"][lit]
+    away = cos_h < _OFF_HIGHLIGHT
+    if not away.any():
+        return _material(4.0 * np.pi * picked["radiance"].mean(axis=0), 1.0, metal=False)
+    albedo = np.pi * _scale(cos_i[away], radiance[away])
+    left = radiance - albedo / np.pi * cos_i[:, None]
+    fits = [_fit(left, _ggx(cos_h, roughness) / (4.0 * cos_o)) for roughness in _ROUGHNESS]
+    best = int(np.argmin([error for error, _ in fits]))
+    reflectance = fits[best][1]
+    metal = reflectance.mean() > _METAL * albedo.mean()
+    return _material(reflectance if metal else albedo, float(_ROUGHNESS[best]), metal)
+
+
+def _material(colour: np.ndarray, roughness: float, metal: bool) -> StandinMaterial:
+    r, g, b = (round(float(c), 4) for c in np.clip(colour, 0.0, 1.0))
+    return StandinMaterial(
+        base_color=(r, g, b), roughness=round(roughness, 4), metallic=1.0 if metal else 0.0
+    )
+
+
+def _ggx(cos_h: np.ndarray, roughness: float) -> np.ndarray:
+    """D of alpha = roughness^2, at the cosines n.h."""
+    squared = roughness**4
+    return squared / (np.pi * (1.0 + cos_h**2 * (squared - 1.0)) ** 2)
+
+
+def _fit(left: np.ndarray, lobe: np.ndarray) -> tuple[float, np.ndarray]:
+    """The squared error of the lobe's best colour, none of it negative, and that colour."""
+    colour = np.maximum(_scale(lobe, left), 0.0)
+    return float(np.mean((left - lobe[:, None] * colour) ** 2)), colour
+
+
+def _scale(x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """(3,) by which x (n,) is nearest to each column of y (n, 3)."""
+    scale: np.ndarray = x @ y / np.maximum(x @ x, 1e-12)
+    return scale
+
+
+def _dots(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    dots: np.ndarray = np.einsum("ij,ij->i", a, b)
+    return dots
 
 
 @dataclass(frozen=True)
@@ -114,7 +177,7 @@ def _triangles_at(
         way = np.tile(np.array([0.0, 0.0, -z], np.float32), (n, 1))
         found.append(scene.intersect(start, way))
     above, below = found
-    return (above.triangle, above.u, above.v), below.triangle
+    return (above.primitive, above.u, above.v), below.primitive
 
 
 def _points(
@@ -191,8 +254,3 @@ def _filled(values: np.ndarray, texel: np.ndarray, side: int) -> np.ndarray:
 def _levels(image: np.ndarray) -> np.ndarray:
     levels: np.ndarray = np.rint(255.0 * np.clip(image, 0.0, 1.0)).astype(np.uint8)
     return levels
-
-
-def _dots(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    dots: np.ndarray = np.einsum("ij,ij->i", a, b)
-    return dots

@@ -10,7 +10,7 @@ from rna_export.capture.capture_tasks import Task, ValidationHalf, all_tasks
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.time_plan import TimeLimit
 from rna_export.make.make_options import MakeOptions
-from rna_export.make.make_progress import Stage
+from rna_export.make.make_progress import Stage, quiet
 from rna_export.make.state import Round
 
 _SHARD = 16  # lights, where rounds grow
@@ -31,7 +31,7 @@ def open_rays(options: MakeOptions, begun: float, say_gain: Callable[[str], None
         rays_folder(options),
         options.workers,
         limit,
-        _quiet,
+        quiet,
         options.for_scene,
         say_gain,
     )
@@ -64,8 +64,4 @@ class Rays:
     def _finish(self, tasks: Sequence[Task], limit: TimeLimit | None, stage: Stage) -> None:
         bars = stage.part(0.0, 1.0)
         options = self._options
-        finish(self.dataset, options.source, options.workers, limit, _quiet, tasks, bars)
-
-
-def _quiet(_: str) -> None:
-    pass
+        finish(self.dataset, options.source, options.workers, limit, quiet, tasks, bars)

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import hashlib
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from rna_export.capture.blender_process.source import Source
+from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.capture_run import CaptureWorkers
-from rna_export.fit.goal import Goal
+from rna_export.make.goal import Goal
 from rna_export.make.plan import CAPTURE, capture_share
+from rna_export.make.state import RunSettings
 from rna_export.training.presets import PRESETS
 from rna_render.scene import SceneFile
 
@@ -30,6 +32,23 @@ class MakeOptions:
     device: str
     workers: CaptureWorkers
     picture: Path | None = None  # of the model in training, rewritten
+
+    @property
+    def asked(self) -> RunSettings:
+        """What has to be the same for a run to go on."""
+        source, scene = self.source, self.for_scene
+        return RunSettings(
+            source=source.path.name,
+            source_sha256=hashlib.sha256(source.path.read_bytes()).hexdigest(),
+            arguments=source.arguments,
+            settings=self.settings,
+            scene=None if scene is None else scene.path.read_text(),
+            presets=self.presets,
+            goal="none" if self.goal is None else str(self.goal),
+            minutes=self.minutes,
+            steps=self.steps,
+            seed=self.seed,
+        )
 
     @property
     def capture_share(self) -> float:

@@ -45,12 +45,18 @@ class _Bar(tqdm):  # type: ignore[misc]
 
     def __init__(self, clock: Clock, **options: Any):
         self.clock = clock
-        self.begun, self.units = 0.0, 1.0  # of the stage
+        self._begun, self._units = 0.0, 1.0  # of the stage
         super().__init__(**options)
+
+    def begin_stage(self, units: float) -> float:
+        """A stage of so many units begins here; returns how many there were before."""
+        self._begun, self._units = self.n, units
+        self.clock.stage = self.clock.spent()
+        return self._begun
 
     @property
     def format_dict(self) -> dict[str, Any]:
-        done = (self.n - self.begun) / self.units
+        done = (self.n - self._begun) / self._units
         shown: dict[str, Any] = super().format_dict
         return {**shown, "elapsed": self.clock.spent(), "left": self.clock.left(done)}
 
@@ -70,7 +76,6 @@ class Progress:
             desc="rna-make",
             mininterval=0.5,
         )
-        self._begun = self._bar.n  # where the stage began
 
     def more(self, weight: float) -> None:
         """Adds the weight of stages that were not known before."""
@@ -79,10 +84,7 @@ class Progress:
     def stage(self, label: str, weight: float) -> Stage:
         """A stage begins; the ones before it are done."""
         self._bar.set_description_str(label)
-        self._begun = self._bar.n
-        self._bar.begun, self._bar.units = self._begun, _UNITS * weight
-        self._bar.clock.stage = self._bar.clock.spent()
-        return Stage(self._bar, _UNITS * weight, self._begun)
+        return Stage(self._bar, _UNITS * weight, self._bar.begin_stage(_UNITS * weight))
 
     def say(self, line: str) -> None:
         """A line above the bar."""
@@ -147,3 +149,7 @@ class _Part:
 
 def _fill(bar: tqdm, n: float) -> None:
     bar.update(max(min(n, bar.total) - bar.n, 0.0))
+
+
+def quiet(_: str) -> None:
+    """Says nothing, where the bar tells enough."""

@@ -17,14 +17,13 @@ from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.export.extras import add_extras
 from rna_export.export.package_build import build_package
 from rna_export.export.precision import Precision
-from rna_export.fit.goal import Goal
 from rna_export.make.capture_rounds import Rays, open_rays, rays_folder
+from rna_export.make.goal import Goal
 from rna_export.make.make_options import MakeOptions
-from rna_export.make.make_progress import Clock, Progress, Stage
-from rna_export.make.phases import Phase, phase_folder, score, trained_in
+from rna_export.make.make_progress import Clock, Progress, Stage, quiet
+from rna_export.make.phases import Phase, Trainer, phase_folder, score, trained_in
 from rna_export.make.plan import FixedPlan, OpenPlan, Plan, TimedPlan, Verdict, verdict
-from rna_export.make.state import Last, Round, RunSettings, Score, State, load_state
-from rna_export.make.trainer import Trainer
+from rna_export.make.state import Last, Round, Score, State, load_state
 from rna_export.training.checkpoint import Trained
 from rna_export.training.presets import PRESETS
 from rna_export.training.training_options import device_name
@@ -56,13 +55,11 @@ class Make:
     of another make.
     """
 
-    def __init__(
-        self, options: MakeOptions, settings: RunSettings, begun: float, say: Callable[[str], None]
-    ):
+    def __init__(self, options: MakeOptions, begun: float, say: Callable[[str], None]):
         self._options, self._begun = options, begun
         self._by_cost = sorted(options.presets, key=_decoder_size, reverse=True)
         self._lead = self._by_cost[0]
-        self._state = load_state(options.work, settings) or self._first_state(settings, say)
+        self._state = load_state(options.work, options.asked) or self._first_state(say)
         if self._state.rounds:
             minutes = f"after {self._state.seconds / 60:.1f} min"
             say(f"resuming {options.work} {minutes}, in round {len(self._state.rounds)}")
@@ -108,7 +105,7 @@ class Make:
         folders = tuple(self._best_folder(preset) for preset in self._options.presets)
         return Made(self._rays.dataset, why, len(self._state.rounds), folders, self._lead)
 
-    def _first_state(self, settings: RunSettings, say: Callable[[str], None]) -> State:
+    def _first_state(self, say: Callable[[str], None]) -> State:
         options = self._options
         say(
             f"opening {options.source.path.name} in Blender: its geometry, the speed of Cycles here"
@@ -116,7 +113,7 @@ class Make:
         shutil.rmtree(rays_folder(options), ignore_errors=True)  # of a start that was not finished
         options.work.mkdir(parents=True, exist_ok=True)
         dataset = open_rays(options, self._begun, say)
-        state = State(asked=settings, lights=dataset.manifest.settings.lights)
+        state = State(asked=options.asked, lights=dataset.manifest.settings.lights)
         state.seconds = monotonic() - self._begun
         state.save(options.work)
         self._begun = monotonic()
@@ -289,9 +286,9 @@ def export(
 ) -> Manifest:
     """Write the package of what was made; precisions: of each preset's tiers."""
     manifest = build_package(
-        made.trained(), made.dataset, out, credit, license_, _quiet, precisions, max_loss=math.inf
+        made.trained(), made.dataset, out, credit, license_, quiet, precisions, max_loss=math.inf
     )
-    add_extras(out, made.dataset, None, (), False, _quiet)
+    add_extras(out, made.dataset, None, (), False, quiet)
     return manifest
 
 
@@ -302,7 +299,3 @@ def _decoder_size(preset: str) -> int:
 
 def _told(found: Score) -> str:
     return f"PSNR {found.psnr:.2f} dB, FLIP {found.flip:.4f}"
-
-
-def _quiet(_: str) -> None:
-    pass

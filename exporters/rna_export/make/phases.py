@@ -1,18 +1,20 @@
-"""Successive trainings of a preset, each from scratch: texels keep the noise of early samples."""
+"""Trainings of `rna-make`, each from scratch: texels keep the noise of early samples."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from time import monotonic
+from typing import Self
 
 import numpy as np
 
 from rna_export.capture.dataset.dataset_folder import Dataset
-from rna_export.make.make_progress import Stage
+from rna_export.make.make_progress import Stage, quiet
 from rna_export.make.plan import Length
 from rna_export.make.state import Score
 from rna_export.training.checkpoint import Trained, load_checkpoint
@@ -60,7 +62,7 @@ class Phase:
                 after_checkpoint=partial(self._show, out),
             )
             table = SampleTable(part.samples_of(shards), device=self.device)
-            train(run, table, _quiet, stage.part(k / len(parts), 1 / len(parts)))
+            train(run, table, quiet, stage.part(k / len(parts), 1 / len(parts)))
 
     def _show(self, training: Path) -> None:
         if self.picture is not None:
@@ -105,5 +107,33 @@ def score(trained: Sequence[Trained], dataset: Dataset) -> Score:
     return Score(psnr=mean_psnr(radiance, views), flip=mean_flip(radiance, views))
 
 
-def _quiet(_: str) -> None:
-    pass
+class Trainer:
+    """Runs trainings, one after the other; a context.
+
+    beside: whether each goes on while the caller does something else, until the next one.
+    """
+
+    def __init__(self, beside: bool) -> None:
+        self._pool = ThreadPoolExecutor(1) if beside else None
+        self._running: Future[None] | None = None
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self._pool is not None:
+            self._pool.shutdown()
+
+    def run(self, train: Callable[[], None]) -> None:
+        """Train, once the training before is finished, whose error this raises."""
+        self.wait()
+        if self._pool is None:
+            train()
+        else:
+            self._running = self._pool.submit(train)
+
+    def wait(self) -> None:
+        """Return when nothing is trained any more. Raises the error of what was."""
+        running, self._running = self._running, None
+        if running is not None:
+            running.result()

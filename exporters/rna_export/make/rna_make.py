@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import hashlib
 import math
 import sys
 from pathlib import Path
@@ -21,12 +20,12 @@ from rna_export.capture.rna_capture import (
     check_source,
     given_settings,
 )
-from rna_export.environment.environment_options import (
+from rna_export.export.package_options import (
+    add_credit,
     add_environment,
     check_environment,
     lobe_minutes,
 )
-from rna_export.export.credit import add_credit
 from rna_export.export.precision import add_precision, precisions_of
 from rna_export.training.presets import PRESETS
 from rna_export.training.training_options import add_device, chosen_device
@@ -37,7 +36,7 @@ from rna_sdk.owned_folder import owned
 from rna_work.executors import open_executor
 
 if TYPE_CHECKING:
-    from rna_export.fit.goal import Goal
+    from rna_export.make.goal import Goal
     from rna_export.make.make_options import MakeOptions
     from rna_export.make.make_run import Made
     from rna_sdk.package import Manifest
@@ -92,8 +91,8 @@ def parser() -> argparse.ArgumentParser:
     p.add_argument(
         "--lights",
         type=int,
-        help="capture exactly so many light directions, then train each preset once (int, default: "
-        "rounds of more and more)",
+        help="number of light directions; each preset is then trained once (int, default: rounds "
+        "with increasing numbers)",
     )
     p.add_argument(
         "--presets",
@@ -159,15 +158,15 @@ def main(argv: list[str] | None = None) -> int:
 def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> None:
     check_source(args.model)
     from rna_export.capture.blender_process.blender_env import find_python
-    from rna_export.capture.blender_process.source import Source
+    from rna_export.capture.blender_process.blender_process import Source
     from rna_export.capture.capture_run import CaptureWorkers
     from rna_export.capture.capture_settings import CaptureSettings
-    from rna_export.environment.environment_training import add_lobes
     from rna_export.export.export_summary import closing_lines
+    from rna_export.lobes.environment_training import add_lobes
     from rna_export.machine import keep_freed_memory
     from rna_export.make.make_options import MakeOptions
     from rna_export.make.make_run import Make, export
-    from rna_export.make.state import WRITTEN, RunSettings, is_work_folder
+    from rna_export.make.state import WRITTEN, is_work_folder
     from rna_export.pictures import sheet_of, training_picture_of
     from rna_render.scene import read_scene
 
@@ -180,18 +179,6 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     goal = _goal(args)
     lobes_take = lobe_minutes(args)
     minutes = None if args.minutes is None else args.minutes - lobes_take
-    run_settings = RunSettings(
-        source=args.model.name,
-        source_sha256=hashlib.sha256(args.model.read_bytes()).hexdigest(),
-        arguments=arguments,
-        settings=settings,
-        scene=None if args.for_scene is None else args.for_scene.read_text(),
-        presets=tuple(args.presets),
-        goal="none" if goal is None else str(goal),
-        minutes=minutes,
-        steps=args.steps,
-        seed=args.seed,
-    )
     precisions = precisions_of(args.precision, args.presets)
     source = Source.captured(args.model, arguments, CaptureSettings(**settings))
     for_scene = None if args.for_scene is None else read_scene(args.for_scene)
@@ -215,7 +202,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
                 workers=CaptureWorkers(python, scratch, args.workers, executor, args.store),
                 picture=picture,
             )
-            made = Make(options, run_settings, begun, print).run()
+            made = Make(options, begun, print).run()
         print("writing the package: measuring its error and cost, rendering its poster", flush=True)
         manifest = export(made, args.out, args.source, args.license, precisions)
         marked = _kept_picture(options, args.out)
@@ -266,7 +253,7 @@ def _kept_picture(options: MakeOptions, out: Path) -> Path | None:
 
 
 def _goal(args: argparse.Namespace) -> Goal | None:
-    from rna_export.fit.goal import Goal
+    from rna_export.make.goal import Goal
 
     if args.max_error is not None:
         return Goal("max_error", args.max_error)
@@ -274,14 +261,27 @@ def _goal(args: argparse.Namespace) -> Goal | None:
 
 
 def _outcome(made: Made, manifest: Manifest, goal: Goal | None) -> str:
-    """Why it ended, and whether the goal is met."""
+    """Why it ended, whether the goal is met, and by which of several tiers at the least cost."""
     (lead, *_) = [t.validation for t in manifest.tiers if f"{t.name}-".startswith(f"{made.lead}-")]
     end: str = "the error stopped falling" if made.why == "stopped falling" else made.why
     if goal is not None and lead is not None and goal.met_by(lead):
-        end = f"goal met: {goal}"
+        end = f"goal met: {goal}{_cheapest(manifest, goal)}"
     elif goal is not None:
         end = f"goal not met, {end}: {goal}"
     return f"{end}; capture rounds: {made.rounds}"
+
+
+def _cheapest(manifest: Manifest, goal: Goal) -> str:
+    """The cheapest tier that meets the goal, where there are several tiers."""
+    meet = [
+        (tier.cost.ns_per_query, tier.name)
+        for tier in manifest.tiers
+        if tier.cost and tier.validation and goal.met_by(tier.validation)
+    ]
+    if len(manifest.tiers) == 1 or not meet:
+        return ""
+    ns, name = min(meet)
+    return f", cheapest by {name}: {ns:.0f} ns/query"
 
 
 if __name__ == "__main__":

@@ -50,8 +50,7 @@ def parser() -> argparse.ArgumentParser:
         "--rest-frame",
         type=int,
         metavar="N",
-        help="frame of the source that the package's shape is of (int, default: that of its "
-        "capture)",
+        help="frame of the source that has the package's shape (int, default: that of its capture)",
     )
     for name in ("front", "up"):
         add(f"--{name}", choices=AXES, metavar="AXIS", help="as for rna-capture (default: none)")
@@ -141,23 +140,24 @@ def _of_blender(
     stack: ExitStack,
 ) -> _Frames:
     from rna_export.capture.blender_process.blender_env import find_or_set_up
-    from rna_export.capture.blender_process.source import Source
-    from rna_export.motion.blender_motion import BlenderMotion, frame_numbers
+    from rna_export.capture.blender_process.blender_process import Source
+    from rna_export.capture.blender_process.blender_worker import BlenderWorker
+    from rna_export.capture.geometry.followed_source import FollowedSource
+    from rna_sdk.errors import CaptureError
 
+    axes = {"front": options.front, "up": options.up}
+    source = Source(options.source, script, rest_frame=options.rest_frame, **axes)
     folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="rna-motion-"))
-    source = Source(
-        options.source,
-        script,
-        front=options.front,
-        up=options.up,
-        rest_frame=options.rest_frame,
-    )
-    given = source, Path(folder), geometries, options.package.name, vertices
-    motion = stack.enter_context(BlenderMotion(find_or_set_up(), *given))
-    how = "the numbers of its vertices" if motion.by_number else "places at rest"
+    worker = stack.enter_context(BlenderWorker(find_or_set_up(), source, Path(folder), threads=1))
+    first, last, rate = worker.frame_span()
+    followed = FollowedSource(worker, geometries, options.package.name, vertices)
+    how = "the numbers of its vertices" if followed.by_number else "places at rest"
     print(f"{options.package.name} follows {options.source.name} by {how}")
-    numbers = frame_numbers(options.frames, motion)
-    return motion.frames(numbers), len(numbers), options.rate or motion.rate
+    first, last = options.frames or (first, last)
+    if last < first:
+        raise CaptureError(f"the source has frames {first} to {last}: give --frames")
+    numbers = range(first, last + 1)
+    return map(followed.positions, numbers), len(numbers), options.rate or rate
 
 
 if __name__ == "__main__":

@@ -13,7 +13,7 @@ from pydantic import ValidationError
 from torch import Tensor
 
 from rna_export.capture.dataset.dataset_manifest import CaptureManifest, what_is_wrong
-from rna_export.training.model.neural_asset import NeuralAsset
+from rna_export.training.model.neural_asset import NeuralAsset, new_model
 from rna_export.training.presets import ModelConfig, Preset
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import ExportError, TrainingError
@@ -78,14 +78,22 @@ def save_checkpoint(
 
 
 def _saved(path: Path) -> dict[str, Any]:
-    """What is in the file, which takes no more memory than its size.
+    """What is in the file, in memory of a few times its size.
 
-    Raises ValueError where its records are compressed, as torch saves none.
+    Raises ValueError where its records are compressed, as torch saves none, or share bytes. Readers
+    of ZIP files disagree on where a directory is, so torch gets a file of the records checked here.
     """
-    with zipfile.ZipFile(path) as archive:
-        if any(record.compress_type != zipfile.ZIP_STORED for record in archive.infolist()):
+    checked = BytesIO()
+    with zipfile.ZipFile(path) as found, zipfile.ZipFile(checked, "w") as written:
+        records = found.infolist()
+        if any(record.compress_type != zipfile.ZIP_STORED for record in records):
             raise ValueError("compressed records")
-    saved: dict[str, Any] = torch.load(path, map_location="cpu", weights_only=True)
+        if sum(record.file_size for record in records) > path.stat().st_size:
+            raise ValueError("records that are larger than the file")
+        for record in records:
+            written.writestr(record.filename, found.read(record))
+    checked.seek(0)
+    saved: dict[str, Any] = torch.load(checked, map_location="cpu", weights_only=True)
     return saved
 
 
@@ -94,7 +102,7 @@ def _trained(saved: dict[str, Any]) -> Trained:
     preset = Preset.model_validate(record["preset"])
     bounds = torch.stack([weights["triplane.low"], weights["triplane.high"]])
     _check_weights(preset.model, bounds, weights)
-    model = NeuralAsset(preset.model, bounds)
+    model = new_model(preset.model, bounds)
     model.load_state_dict(weights)
     capture = CaptureManifest.model_validate(record["capture"])
     made = (
@@ -113,7 +121,7 @@ def _check_weights(config: ModelConfig, bounds: Tensor, weights: dict[str, Tenso
     Before the model takes memory: a few bytes can ask for planes of gigabytes.
     """
     with torch.device("meta"):
-        planned = NeuralAsset(config, bounds.to("meta")).state_dict()
+        planned = new_model(config, bounds.to("meta")).state_dict()
     for name, value in planned.items():
         found = weights.get(name)
         if not isinstance(found, Tensor) or found.shape != value.shape:

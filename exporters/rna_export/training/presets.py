@@ -53,16 +53,13 @@ class ModelConfig(BaseModel):
     visibility_hint: bool = Field(
         True, description="outputs of their own where light is shadowed; False only to compare"
     )
-    texture: Literal["triplane", "uv", "network"] = Field(
-        "triplane",
-        description="where features come from; all but the triplane only to compare, packages "
-        "have none",
+    texture: str = Field(
+        "triplane", description="where features come from: see `neural_asset.MODELS`"
     )
-
     material: Material = Field(
         "learned",
         description="what the decoder's outputs are: colours, or parameters of a known material, "
-        "whose shadows are black; all but colours only to compare, packages have none",
+        "whose shadows are black: to compare, or to bake, packages have no such decoder",
     )
     emission_inputs: tuple[str, ...] = Field(
         (), description="blocks of the decoder of emission; none where the asset emits nothing"

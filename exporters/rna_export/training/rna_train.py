@@ -90,13 +90,13 @@ def parser() -> argparse.ArgumentParser:
     p.add_argument(
         "--optimizer",
         choices=OPTIMIZERS,
-        help="of the decoder's matrices; all else has Adam (default: the preset's, muon for ours, "
-        "adam for the paper's)",
+        help="optimizer of the decoder's matrices; all else uses Adam (default: the preset's, muon "
+        "for ours, adam for the paper's)",
     )
     p.add_argument(
         "--batch",
         type=int,
-        help="samples a step; rates stay as they are (int, default: "
+        help="samples per step; learning rates are unchanged (int, default: "
         f"{BATCH['cpu']:,} on the CPU, {BATCH['cuda']:,} on a GPU)",
     )
     lengths = sorted({preset.training.steps for preset in PRESETS["surface"].values()})
@@ -160,6 +160,7 @@ def _run(args: argparse.Namespace) -> None:
             if len(dataset.parts) > 1:
                 print(f"part {part.name}, {part.kind}:")
             preset = _chosen(args, part.kind, device)
+            part.geometry()  # which export needs, and may refuse
             run = Run(part, preset, args.preset, out, args.seed, minutes[part.name], begun, device)
             best = train(run)
             print("\n".join(closing_lines(best, part)))

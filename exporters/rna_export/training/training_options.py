@@ -5,8 +5,6 @@ from __future__ import annotations
 import argparse
 
 from rna_sdk.errors import TrainingError
-from rna_work.cluster.cluster_option import add_cluster_option
-from rna_work.cluster.store import add_store_option
 
 
 def add_device(parser: argparse.ArgumentParser, what: str) -> None:
@@ -17,18 +15,6 @@ def add_device(parser: argparse.ArgumentParser, what: str) -> None:
         default="auto",
         help=f"device for {what} (default: %(default)s, the GPU if available)",
     )
-
-
-def add_trainings(parser: argparse.ArgumentParser) -> None:
-    """`--device`, `--workers`, `--cluster` and `--store` of a command that runs many trainings."""
-    add_device(parser, "trainings")
-    parser.add_argument(
-        "--workers",
-        type=int,
-        help="concurrent trainings (int, default: one per core, or one per GPU)",
-    )
-    add_cluster_option(parser)
-    add_store_option(parser, "checkpoints")
 
 
 def device_name(device: str) -> str:

@@ -16,7 +16,6 @@ from tqdm import tqdm
 from rna_export.brightness import Brightness
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.training.checkpoint import load_progress, save_checkpoint
-from rna_export.training.loss_curves import Curves
 from rna_export.training.model.emission import INPUTS
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.optimization import emission_batches
@@ -27,7 +26,7 @@ from rna_export.training.optimization.pace import Pace, StepPace, TimePace, leng
 from rna_export.training.optimization.samples import SampleTable
 from rna_export.training.optimization.step_threads import StepThreads
 from rna_export.training.presets import Preset
-from rna_export.training.report import Report
+from rna_export.training.report import Curves, Report
 from rna_export.training.training_options import device_name
 from rna_sdk.errors import TrainingError
 

@@ -2,14 +2,69 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
+from rna_export.capture.capture_settings import CaptureSettings
+from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_part import DatasetPart
-from rna_export.effort import Effort
 from rna_export.psnr_words import told_psnr
-from rna_export.training.checkpoint import load_checkpoint
-from rna_export.training.loss_curves import read_curves
+from rna_export.training.checkpoint import Trained, load_checkpoint
+from rna_export.training.presets import named_preset
+from rna_export.training.report import read_curves
 from rna_export.training.validation import mean_psnr_of_pixels, reference_warnings, shade
+
+_LITTLE = 0.1  # of what is usual
+
+
+@dataclass(frozen=True)
+class Effort:
+    """Training steps and captured lights of a model, and the usual numbers of its kind."""
+
+    steps: int
+    usual_steps: int
+    lights: int
+    usual_lights: int
+
+    @classmethod
+    def of(cls, trained: Sequence[Trained], dataset: Dataset) -> Effort:
+        """Of the models of all parts in one preset; of the part with the fewest steps."""
+        least = min(trained, key=lambda one: one.steps)
+        kinds = {part.kind for part in dataset.parts}
+        usual = CaptureSettings.usual(kinds.pop() if len(kinds) == 1 else "both")
+        kind = dataset.part(least.part).kind
+        steps = named_preset(kind, least.preset_name).training.steps
+        return cls(least.steps, steps, dataset.lights_finished(), usual.lights)
+
+    def __str__(self) -> str:
+        return f"{self.told_steps}, {self.told_lights}"
+
+    @property
+    def told_steps(self) -> str:
+        """As "98 of 40,000 steps"."""
+        return _told(self.steps, self.usual_steps, "steps")
+
+    @property
+    def told_lights(self) -> str:
+        """As "16 of 2,000 lights"."""
+        return _told(self.lights, self.usual_lights, "lights")
+
+    @property
+    def warnings(self) -> list[str]:
+        """A line where less than a tenth of the usual was done."""
+        told = [
+            (self.steps < _LITTLE * self.usual_steps, self.told_steps),
+            (self.lights < _LITTLE * self.usual_lights, self.told_lights),
+        ]
+        few = " and ".join(line for is_little, line in told if is_little)
+        if not few:
+            return []
+        return [f"warning: {few}, less than a tenth of the usual: a sketch; give it more time"]
+
+
+def _told(done: int, usual: int, what: str) -> str:
+    return f"{done:,} of {usual:,} {what}" if done < usual else f"{done:,} {what}"
 
 
 def closing_lines(best: Path, part: DatasetPart) -> list[str]:

@@ -31,7 +31,7 @@ def parser() -> argparse.ArgumentParser:
     """The options of `rna-info`."""
     p = command_parser(
         "rna-info",
-        "Show what a package is: size, parts, tiers, error, cost, origin and training.",
+        "Show a package's size, parts, tiers, error, cost, origin and training.",
         "rna-info asset.rna",
         epilog="Errors are those that the package records; `rna-compare` measures them against\n"
         "the original. A tier's cost is that on the machine that made it.",

@@ -11,7 +11,6 @@ from dataclasses import asdict
 from rna_sdk.console import command_parser, run_command
 from rna_sdk.package.command.package_info import contents
 from rna_sdk.package.issues import is_valid
-from rna_sdk.package.manifest.manifest_short import has_short_form
 from rna_sdk.package.validator import Inspection, inspect
 
 VALID, INVALID = 0, 1
@@ -52,9 +51,9 @@ def _parser() -> argparse.ArgumentParser:
         "Validate .rna packages against the specification.",
         "rna-validate asset.rna",
         usage=argparse.SUPPRESS,
-        epilog="Prints one line per issue, one line per part (if there are several, or "
-        "transmittance\n"
-        "or emission), then `FILE: valid` or `FILE: invalid`. Warnings do not make a package\n"
+        epilog="Prints one line per issue, one line per part (if there are several, or it "
+        "has more\n"
+        "than transport), then `FILE: valid` or `FILE: invalid`. Warnings do not make a package\n"
         "invalid. Exit status: 0 all valid, 1 any invalid or unreadable, 2 bad usage.\n"
         "Issue codes: spec/ISSUES.md.",
     )
@@ -80,8 +79,9 @@ def _as_json(path: str, found: Inspection) -> dict[str, object]:
 def _print_report(path: str, found: Inspection) -> None:
     for issue in found.issues:
         print(f"{path}: {issue}")
-    if found.manifest and not has_short_form(found.manifest):
-        for part, has in contents(found.manifest):
+    parts = contents(found.manifest) if found.manifest else []
+    if len(parts) > 1 or any(has for _, has in parts):
+        for part, has in parts:
             print(f"{path}: part {part.name}: {', '.join((part.kind, *has))}")
     print(f"{path}: {'valid' if is_valid(found.issues) else 'invalid'}")
 

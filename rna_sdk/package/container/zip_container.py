@@ -1,14 +1,15 @@
-"""Read the container: a hostile ZIP, checked record by record, then mapped into memory."""
+"""Read the container: a hostile ZIP, checked record by record, in memory."""
 
 from __future__ import annotations
 
-import mmap
 import os
 import re
 import stat
 import zlib
 from dataclasses import dataclass
 from os import PathLike
+
+import numpy as np
 
 from rna_sdk.errors import PackageError
 from rna_sdk.package.container import zip_layout as z
@@ -40,7 +41,7 @@ class Entry:
 
 
 class Container:
-    """The entries of a mapped `.rna` file.
+    """The entries of a `.rna` file.
 
     Attributes:
         entries: name -> Entry, in the order of their bytes in the file.
@@ -53,12 +54,12 @@ class Container:
 
     @classmethod
     def open(cls, path: str | PathLike[str]) -> Container:
-        """Map the file and check every ZIP record in it; the data itself is not read.
+        """Read the file and check every ZIP record in it; the data itself is not read.
 
         Raises:
             PackageError: with the first ZIP_* or FILE_* issue found.
         """
-        data = _map(path)
+        data = _read(path)
         try:
             entries = _read_entries(data)
         except PackageError as error:
@@ -95,7 +96,8 @@ class Container:
             refuse(Code.ZIP_CRC, entry.offset, f"{name}: {crc:08x}", f"{entry.crc:08x}")
 
 
-def _map(path: str | PathLike[str]) -> memoryview:
+def _read(path: str | PathLike[str]) -> memoryview:
+    """The bytes of a file, aligned as in it; mapped, they would change with it, or be gone."""
     try:
         mode = os.stat(path).st_mode  # to open a pipe would wait for a writer
         if not stat.S_ISREG(mode):
@@ -107,7 +109,11 @@ def _map(path: str | PathLike[str]) -> memoryview:
                 refuse(Code.FILE_EMPTY, 0, "0 bytes", "a ZIP archive")
             if size > MAX_FILE_BYTES:
                 refuse(Code.FILE_TOO_LARGE, 0, f"{size} bytes", f"at most {MAX_FILE_BYTES}")
-            return memoryview(mmap.mmap(file.fileno(), size, access=mmap.ACCESS_READ))
+            file.seek(0)
+            buffer = np.empty(size + ALIGNMENT, np.uint8)
+            start = -buffer.ctypes.data % ALIGNMENT
+            data = buffer[start : start + size].data
+            return data[: file.readinto(data)].toreadonly()
     except OSError as error:
         refuse(Code.FILE_UNREADABLE, 0, error.strerror or error, "a readable file")
     except ValueError as error:  # of a NUL in the path

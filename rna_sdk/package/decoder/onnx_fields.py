@@ -7,66 +7,34 @@ from __future__ import annotations
 
 
 class ModelProto:
-    IR_VERSION = 1
-    PRODUCER_NAME = 2
-    GRAPH = 7
-    OPSET_IMPORT = 8
-    TRAINING_INFO = 20
-    FUNCTIONS = 25
+    IR_VERSION, PRODUCER_NAME, GRAPH, OPSET_IMPORT = 1, 2, 7, 8
+    TRAINING_INFO, FUNCTIONS = 20, 25
 
 
 class OperatorSetIdProto:
-    DOMAIN = 1
-    VERSION = 2
+    DOMAIN, VERSION = 1, 2
 
 
 class GraphProto:
-    NODE = 1
-    NAME = 2
-    INITIALIZER = 5
-    INPUT = 11
-    OUTPUT = 12
-    SPARSE_INITIALIZER = 15
+    NODE, NAME, INITIALIZER, INPUT, OUTPUT, SPARSE_INITIALIZER = 1, 2, 5, 11, 12, 15
 
 
 class NodeProto:
-    INPUT = 1
-    OUTPUT = 2
-    OP_TYPE = 4
-    ATTRIBUTE = 5
-    DOMAIN = 7
+    INPUT, OUTPUT, OP_TYPE, ATTRIBUTE, DOMAIN = 1, 2, 4, 5, 7
 
 
 class AttributeProto:
-    NAME = 1
-    I = 3  # noqa: E741
-    T = 5
-    G = 6
-    FLOATS = 7
-    INTS = 8
-    STRINGS = 9
-    TENSORS = 10
-    GRAPHS = 11
-    TP = 14
-    TYPE_PROTOS = 15
-    TYPE = 20
-    REF_ATTR_NAME = 21
-    SPARSE_TENSOR = 22
-    SPARSE_TENSORS = 23
+    NAME, I, INTS, TYPE = 1, 3, 8, 20  # noqa: E741
 
 
 class TensorProto:
-    DIMS = 1
-    DATA_TYPE = 2
-    NAME = 8
-    RAW_DATA = 9
-    EXTERNAL_DATA = 13
-    DATA_LOCATION = 14
+    DIMS, DATA_TYPE, NAME, RAW_DATA, EXTERNAL_DATA, DATA_LOCATION = 1, 2, 8, 9, 13, 14
+    OTHER_DATA = 3, 4, 5, 6, 7, 10, 11
+    """Values elsewhere than in RAW_DATA."""
 
 
 class ValueInfoProto:
-    NAME = 1
-    TYPE = 2
+    NAME, TYPE = 1, 2
 
 
 class TypeProto:
@@ -74,8 +42,7 @@ class TypeProto:
 
 
 class TensorTypeProto:
-    ELEM_TYPE = 1
-    SHAPE = 2
+    ELEM_TYPE, SHAPE = 1, 2
 
 
 class TensorShapeProto:
@@ -83,24 +50,16 @@ class TensorShapeProto:
 
 
 class DimensionProto:
-    DIM_VALUE = 1
-    DIM_PARAM = 2
+    DIM_VALUE, DIM_PARAM = 1, 2
 
 
 class DataType:
     """Element type of a tensor."""
 
-    FLOAT = 1
-    UINT8 = 2
-    INT8 = 3
-    INT32 = 6
-    INT64 = 7
-    BOOL = 9
-    FLOAT16 = 10
+    FLOAT, UINT8, INT8, INT32, INT64 = 1, 2, 3, 6, 7
 
 
 class AttributeType:
     """Type of an attribute's value."""
 
-    INT = 2
-    INTS = 7
+    INT, INTS = 2, 7

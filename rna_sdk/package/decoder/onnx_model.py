@@ -1,11 +1,9 @@
-"""An ONNX model as its checkers and the runtime see it, read without the onnx package."""
+"""The members of ONNX messages that a decoder has, read without the onnx package (spec, 6.2)."""
 
 from __future__ import annotations
 
 import math
-from collections import Counter
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -13,8 +11,7 @@ from numpy.typing import NDArray
 
 from rna_sdk.package.decoder import onnx_fields as fields
 from rna_sdk.package.decoder.protobuf import Message
-
-FLOAT = fields.DataType.FLOAT
+from rna_sdk.package.limits import IR_VERSIONS, OPSET_VERSIONS
 
 DTYPES: dict[int, np.dtype[Any]] = {
     fields.DataType.FLOAT: np.dtype("<f4"),
@@ -24,93 +21,70 @@ DTYPES: dict[int, np.dtype[Any]] = {
 }
 """TensorProto.DataType -> that of arrays, for the types that layers are made of."""
 
-_GRAPHS_AND_SPARSE = (
-    fields.AttributeProto.G,
-    fields.AttributeProto.GRAPHS,
-    fields.AttributeProto.TP,
-    fields.AttributeProto.TYPE_PROTOS,
-    fields.AttributeProto.REF_ATTR_NAME,
-    fields.AttributeProto.SPARSE_TENSOR,
-    fields.AttributeProto.SPARSE_TENSORS,
-)
+_DEFAULT_DOMAINS = ("", "ai.onnx")
+_OF_MODEL = fields.ModelProto.TRAINING_INFO, fields.ModelProto.FUNCTIONS
+_OTHER_DATA = *fields.TensorProto.OTHER_DATA, fields.TensorProto.EXTERNAL_DATA
+
+
+class OutsideFormat(Exception):
+    """The model is not a decoder of the format.
+
+    Attributes:
+        where: JSON pointer into the model, or to the name of a value.
+        found, expected: what is there, and what the format wants.
+    """
+
+    def __init__(self, where: str, found: object, expected: object) -> None:
+        super().__init__(f"{where}: found {found}, expected {expected}")
+        self.where, self.found, self.expected = where, found, expected
 
 
 @dataclass(frozen=True)
 class Tensor:
-    """An initializer or a tensor in an attribute.
-
-    raw: its data, where it is `raw_data`.
-    """
+    """An initializer; raw: its data."""
 
     name: str
     dtype: int
     dims: tuple[int, ...]
-    external: bool
-    raw: memoryview | None
+    raw: memoryview
 
     @property
     def is_whole(self) -> bool:
-        """Whether the data is raw, and as long as type and shape want it."""
-        if self.raw is None or self.dtype not in DTYPES:
-            return False
-        return len(self.raw) == math.prod(self.dims) * DTYPES[self.dtype].itemsize
+        """Whether the type is one of layers, and the data as long as type and shape want it."""
+        known = self.dtype in DTYPES
+        return known and len(self.raw) == math.prod(self.dims) * DTYPES[self.dtype].itemsize
 
     def values(self) -> NDArray[Any]:
         """Those of a tensor that is whole."""
-        assert self.raw is not None
         return np.frombuffer(self.raw, DTYPES[self.dtype]).reshape(self.dims)
 
 
 @dataclass(frozen=True)
 class Node:
-    """One operator call.
-
-    tensors: those in its attributes. integers: attributes that are one, by name.
-    """
+    """One operator call; axis: its one attribute, if it has one."""
 
     operator: str
-    domain: str
     inputs: tuple[str, ...]
-    outputs: tuple[str, ...]
-    tensors: tuple[Tensor, ...]
-    attributes: tuple[str, ...]
-    integers: dict[str, int]
-    longest_list: int
-    nested: bool
+    output: str
+    axis: int | None
 
 
 @dataclass(frozen=True)
-class Value:
-    """A graph input or output. `dtype` 0: no tensor; a dim of None: symbolic or unknown."""
+class Side:
+    """The graph's input or output, float32 [N, columns], N symbolic."""
 
     name: str
-    dtype: int
-    dims: tuple[int | None, ...]
+    columns: int
 
 
 @dataclass(frozen=True)
 class Model:
-    """A model. `nested`: functions, training info or sparse tensors are there."""
+    """The graph of a model."""
 
-    ir_version: int
-    opsets: tuple[tuple[str, int], ...]
     nodes: tuple[Node, ...]
     initializers: tuple[Tensor, ...]
-    inputs: tuple[Value, ...]
-    outputs: tuple[Value, ...]
-    nested: bool
-
-    @cached_property
-    def constants(self) -> dict[str, Tensor]:
-        """The initializers by name."""
-        return {tensor.name: tensor for tensor in self.initializers}
-
-    @cached_property
-    def readers(self) -> Counter[str]:
-        """Number of readers of each value: nodes, and 1 for an output of the graph."""
-        read = Counter(name for node in self.nodes for name in node.inputs)
-        read.update(value.name for value in self.outputs)
-        return read
+    input: Side
+    output: Side
 
 
 def read_model(data: memoryview) -> Model:
@@ -118,86 +92,82 @@ def read_model(data: memoryview) -> Model:
 
     Raises:
         WireError: the bytes are no such message, or say one thing twice.
+        OutsideFormat: a member is none that a decoder has.
     """
     model = Message(data)
     graph = model.message(fields.ModelProto.GRAPH)
-    outside = model.has(fields.ModelProto.TRAINING_INFO) or model.has(fields.ModelProto.FUNCTIONS)
-    opsets = model.messages(fields.ModelProto.OPSET_IMPORT)
+    _check_versions(model)
+    if any(map(model.has, _OF_MODEL)) or graph.has(fields.GraphProto.SPARSE_INITIALIZER):
+        raise OutsideFormat("", "functions, training information or sparse tensors", "none")
     return Model(
-        ir_version=model.integer(fields.ModelProto.IR_VERSION),
-        opsets=tuple(
-            (
-                opset.text(fields.OperatorSetIdProto.DOMAIN),
-                opset.integer(fields.OperatorSetIdProto.VERSION),
-            )
-            for opset in opsets
-        ),
-        nodes=tuple(_node(node) for node in graph.messages(fields.GraphProto.NODE)),
-        initializers=tuple(
-            _tensor(tensor) for tensor in graph.messages(fields.GraphProto.INITIALIZER)
-        ),
-        inputs=tuple(_value(value) for value in graph.messages(fields.GraphProto.INPUT)),
-        outputs=tuple(_value(value) for value in graph.messages(fields.GraphProto.OUTPUT)),
-        nested=outside or graph.has(fields.GraphProto.SPARSE_INITIALIZER),
+        nodes=tuple(_node(k, one) for k, one in enumerate(graph.messages(fields.GraphProto.NODE))),
+        initializers=tuple(map(_tensor, graph.messages(fields.GraphProto.INITIALIZER))),
+        input=_side(graph.message(fields.GraphProto.INPUT), "/graph/input"),
+        output=_side(graph.message(fields.GraphProto.OUTPUT), "/graph/output"),
     )
+
+
+def _check_versions(model: Message) -> None:
+    opset = model.message(fields.ModelProto.OPSET_IMPORT)
+    _check_domain(opset.text(fields.OperatorSetIdProto.DOMAIN), "/opset_import/0")
+    for where, found, versions in (
+        ("/ir_version", model.integer(fields.ModelProto.IR_VERSION), IR_VERSIONS),
+        ("/opset_import/0", opset.integer(fields.OperatorSetIdProto.VERSION), OPSET_VERSIONS),
+    ):
+        if found not in versions:
+            raise OutsideFormat(where, found, f"{versions.start} to {versions.stop - 1}")
+
+
+def _check_domain(domain: str, where: str) -> None:
+    if domain not in _DEFAULT_DOMAINS:
+        raise OutsideFormat(f"{where}/domain", repr(domain), "the default domain")
 
 
 def _tensor(tensor: Message) -> Tensor:
-    external = tensor.has(fields.TensorProto.EXTERNAL_DATA)
+    name = tensor.text(fields.TensorProto.NAME)
     raw = tensor.one(fields.TensorProto.RAW_DATA)
+    elsewhere = any(map(tensor.has, _OTHER_DATA)) or tensor.integer(
+        fields.TensorProto.DATA_LOCATION
+    )
+    if elsewhere or not isinstance(raw, memoryview):
+        raise OutsideFormat(f"/graph/{name}", "a constant without raw_data, or more", "raw_data")
     return Tensor(
-        name=tensor.text(fields.TensorProto.NAME),
+        name=name,
         dtype=tensor.integer(fields.TensorProto.DATA_TYPE),
         dims=tuple(tensor.integers(fields.TensorProto.DIMS)),
-        external=external or any(tensor.integers(fields.TensorProto.DATA_LOCATION)),
-        raw=raw if isinstance(raw, memoryview) else None,
+        raw=raw,
     )
 
 
-def _node(node: Message) -> Node:
-    attributes = node.messages(fields.NodeProto.ATTRIBUTE)
-    named = [(attribute.text(fields.AttributeProto.NAME), attribute) for attribute in attributes]
-    tensor_fields = fields.AttributeProto.T, fields.AttributeProto.TENSORS
+def _node(number: int, node: Message) -> Node:
+    where = f"/graph/node/{number}"
+    _check_domain(node.text(fields.NodeProto.DOMAIN), where)
+    axis = None
+    if node.has(fields.NodeProto.ATTRIBUTE):
+        attribute = node.message(fields.NodeProto.ATTRIBUTE)
+        name = attribute.text(fields.AttributeProto.NAME)
+        if name != "axis" or not attribute.has(fields.AttributeProto.I):
+            raise OutsideFormat(f"{where}/attribute/0", repr(name), "an integer, axis")
+        axis = attribute.integer(fields.AttributeProto.I)
     return Node(
         operator=node.text(fields.NodeProto.OP_TYPE),
-        domain=node.text(fields.NodeProto.DOMAIN),
         inputs=tuple(node.texts(fields.NodeProto.INPUT)),
-        outputs=tuple(node.texts(fields.NodeProto.OUTPUT)),
-        tensors=tuple(_tensor(t) for a in attributes for n in tensor_fields for t in a.messages(n)),
-        attributes=tuple(name for name, _ in named),
-        integers={
-            name: a.integer(fields.AttributeProto.I)
-            for name, a in named
-            if a.has(fields.AttributeProto.I)
-        },
-        longest_list=max((_longest_list(attribute) for attribute in attributes), default=0),
-        nested=any(attribute.has(n) for attribute in attributes for n in _GRAPHS_AND_SPARSE),
+        output=node.text(fields.NodeProto.OUTPUT),
+        axis=axis,
     )
 
 
-def _longest_list(attribute: Message) -> int:
-    """Upper bound of the number of elements of a list attribute (floats, ints, strings)."""
-    packed = attribute.fields.get(fields.AttributeProto.FLOATS, [])
-    floats = sum(len(v) // 4 for v in packed if isinstance(v, memoryview))
-    integers = len(attribute.integers(fields.AttributeProto.INTS))
-    return max(floats, integers, len(attribute.fields.get(fields.AttributeProto.STRINGS, [])))
-
-
-def _value(value: Message) -> Value:
+def _side(value: Message, where: str) -> Side:
+    name = value.text(fields.ValueInfoProto.NAME)
     tensor = value.message(fields.ValueInfoProto.TYPE).message(fields.TypeProto.TENSOR_TYPE)
-    dims = tensor.message(fields.TensorTypeProto.SHAPE).messages(fields.TensorShapeProto.DIM)
-    return Value(
-        name=value.text(fields.ValueInfoProto.NAME),
-        dtype=tensor.integer(fields.TensorTypeProto.ELEM_TYPE),
-        dims=tuple(map(_size, dims)),
-    )
-
-
-def _size(dim: Message) -> int | None:
-    """None for one that is free; its name, which engines read, is UTF-8 or refused."""
-    dim.text(fields.DimensionProto.DIM_PARAM)
-    return (
-        dim.integer(fields.DimensionProto.DIM_VALUE)
-        if dim.has(fields.DimensionProto.DIM_VALUE)
-        else None
-    )
+    dtype = tensor.integer(fields.TensorTypeProto.ELEM_TYPE)
+    shape = []
+    for dim in tensor.message(fields.TensorTypeProto.SHAPE).messages(fields.TensorShapeProto.DIM):
+        symbol = dim.text(fields.DimensionProto.DIM_PARAM)
+        sized = dim.has(fields.DimensionProto.DIM_VALUE)
+        shape.append(dim.integer(fields.DimensionProto.DIM_VALUE) if sized else symbol or "N")
+    match shape:
+        case [str(), int(columns)] if columns > 0 and dtype == fields.DataType.FLOAT:
+            return Side(name, columns)
+    found = f"{name!r} type {dtype} {shape}"
+    raise OutsideFormat(where, found, "one of float32 [N, columns], N symbolic")

@@ -14,9 +14,6 @@ from rna_sdk.package.manifest.manifest_fields import Kind
 
 Geometry = Mesh | Curves
 
-QUANTISED_VERSION = "1.1"
-"""First version of the format with quantised geometry."""
-
 CLASSES: dict[Kind, type[Geometry]] = {"surface": Mesh, "fiber": Curves}
 
 

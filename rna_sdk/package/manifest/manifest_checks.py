@@ -1,4 +1,4 @@
-"""What spans the members of a manifest: names, versions, blocks, ranges and references."""
+"""What spans the members of a manifest: names, blocks, ranges and references."""
 
 from __future__ import annotations
 
@@ -10,21 +10,18 @@ from rna_sdk.package.decoder.decoder_form import FORMS
 from rna_sdk.package.issues import Code, Issue
 from rna_sdk.package.manifest.extension_checks import KNOWN_EXTENSIONS, extension_issues
 from rna_sdk.package.manifest.input_checks import input_issues
-from rna_sdk.package.manifest.manifest_fields import FIRST_WITH_PARTS, version_number
 from rna_sdk.package.manifest.manifest_model import Manifest
-from rna_sdk.package.manifest.manifest_short import Places
 
 
-def manifest_issues(manifest: Manifest, places: Places) -> list[Issue]:
+def manifest_issues(manifest: Manifest) -> list[Issue]:
     """Errors in the relations between members that are each valid."""
-    differing = list(_differing_parts(manifest, places))
+    differing = list(_differing_parts(manifest))
     return differing or [
-        *_version_issues(manifest, places),
         *_extension_issues(manifest),
         *extension_issues(manifest),
-        *_input_issues(manifest, places),
-        *_texture_issues(manifest, places),
-        *_reference_issues(manifest, places),
+        *_input_issues(manifest),
+        *_texture_issues(manifest),
+        *_reference_issues(manifest),
     ]
 
 
@@ -37,29 +34,22 @@ def manifest_warnings(manifest: Manifest) -> list[Issue]:
     ]
 
 
-def references(manifest: Manifest, places: Places) -> Iterator[tuple[str, str]]:
+def references(manifest: Manifest) -> Iterator[tuple[str, str]]:
     """(JSON pointer, entry) of every path in the manifest."""
     for k, part in enumerate(manifest.parts):
-        yield places.part(k, "geometry"), part.geometry
+        yield pointer("parts", k, "geometry"), part.geometry
         for j, record in enumerate(part.transmittance):
-            yield places.part(k, "transmittance", j, "texture"), record.texture
+            yield pointer("parts", k, "transmittance", j, "texture"), record.texture
         for j, mapped in enumerate(part.normal_maps):
-            yield places.part(k, "normalMaps", j, "texture"), mapped.texture
+            yield pointer("parts", k, "normalMaps", j, "texture"), mapped.texture
     for i, tier in enumerate(manifest.tiers):
         for k, tier_part in enumerate(tier.parts):
-            yield places.tier_part(i, k, "planes"), tier_part.planes
+            yield pointer("tiers", i, "parts", k, "planes"), tier_part.planes
             for own in tier_part.decoders:
-                yield places.tier_part(i, k, *own.form.path, "decoder"), own.entry
+                yield pointer("tiers", i, "parts", k, *own.form.path, "decoder"), own.entry
 
 
-def _version_issues(manifest: Manifest, places: Places) -> list[Issue]:
-    if places.short or version_number(manifest.min_reader_version) >= FIRST_WITH_PARTS:
-        return []
-    found = f"{manifest.min_reader_version}, with `parts`"
-    return [Issue.of(Code.VERSION_TOO_OLD, "/minReaderVersion", found, "1.1 at least")]
-
-
-def _differing_parts(manifest: Manifest, places: Places) -> Iterator[Issue]:
+def _differing_parts(manifest: Manifest) -> Iterator[Issue]:
     """Every tier is of all parts, and each part has decoders of the same forms in all tiers."""
     first = manifest.tiers[0].parts
     for i, tier in enumerate(manifest.tiers):
@@ -71,8 +61,8 @@ def _differing_parts(manifest: Manifest, places: Places) -> Iterator[Issue]:
             for form in FORMS:
                 if (has := form.record(part) is not None) != (form.record(other) is not None):
                     found = form.name if has else f"no {form.name}"
-                    expected = f"as in {places.tier_part(0, k)}"
-                    yield Issue.of(Code.PARTS_DIFFER, places.tier_part(i, k), found, expected)
+                    expected, where = f"as in /tiers/0/parts/{k}", pointer("tiers", i, "parts", k)
+                    yield Issue.of(Code.PARTS_DIFFER, where, found, expected)
 
 
 def _extension_issues(manifest: Manifest) -> list[Issue]:
@@ -88,7 +78,7 @@ def _extension_issues(manifest: Manifest) -> list[Issue]:
     ]
 
 
-def _input_issues(manifest: Manifest, places: Places) -> list[Issue]:
+def _input_issues(manifest: Manifest) -> list[Issue]:
     """Every block is one that the kind of part can fill, of the arrays of the decoder's form."""
     issues: list[Issue] = []
     for i, tier in enumerate(manifest.tiers):
@@ -96,12 +86,12 @@ def _input_issues(manifest: Manifest, places: Places) -> list[Issue]:
             kind = manifest.parts[k].kind
             for own in part.decoders:
                 what = f"{own.form.name} of {kind}" if own.form.member else kind
-                where = places.tier_part(i, k, *own.form.path, "inputs")
+                where = pointer("tiers", i, "parts", k, *own.form.path, "inputs")
                 issues += input_issues(own, kind, what, where)
     return issues
 
 
-def _texture_issues(manifest: Manifest, places: Places) -> Iterator[Issue]:
+def _texture_issues(manifest: Manifest) -> Iterator[Issue]:
     """Surfaces alone have records with textures, of ranges of triangles that ascend."""
     for k, part in enumerate(manifest.parts):
         for name, code, records in (
@@ -109,19 +99,19 @@ def _texture_issues(manifest: Manifest, places: Places) -> Iterator[Issue]:
             ("normalMaps", Code.NORMAL_MAP_RANGE, part.normal_maps),
         ):
             if part.kind != "surface" and records:
-                where = places.part(k, name)
+                where = pointer("parts", k, name)
                 yield Issue.of(Code.FIELD_VALUE, where, f"of a {part.kind}", "of a surface")
             ranges = [record.triangles for record in records]
             for j, ((first, count), (second, _)) in enumerate(pairwise(ranges)):
                 if second < first + count:
-                    where = places.part(k, name, j + 1, "triangles")
+                    where = pointer("parts", k, name, j + 1, "triangles")
                     expected = f"{first + count} or more, behind those of the record before"
                     yield Issue.of(code, where, second, expected)
 
 
-def _reference_issues(manifest: Manifest, places: Places) -> list[Issue]:
+def _reference_issues(manifest: Manifest) -> list[Issue]:
     """Every path names a declared entry, and every declared entry is named by a path."""
-    paths = list(references(manifest, places))
+    paths = list(references(manifest))
     named = {path for _, path in paths}
     issues = [
         Issue.of(Code.REFERENCE_MISSING, where, path, "a key of /entries")

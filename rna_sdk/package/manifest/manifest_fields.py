@@ -40,8 +40,6 @@ Vector = tuple[float, float, float]
 Coordinate = Annotated[float, Field(ge=-MAX_COORDINATE, le=MAX_COORDINATE)]
 Point = tuple[Coordinate, Coordinate, Coordinate]
 EntryPath = Annotated[str, Field(pattern=f"^{NAME_PATTERN}$", max_length=MAX_NAME_BYTES)]
-VERSION_PATTERN = r"[1-9][0-9]{0,3}\.(0|[1-9][0-9]{0,3})"
-Version = Annotated[str, Field(pattern=f"^{VERSION_PATTERN}$")]
 Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$", max_length=64)]
 Measure = Annotated[float, Field(ge=0)]
 Count = Annotated[int, Field(ge=0, le=MAX_INTEGER)]
@@ -159,16 +157,6 @@ Inputs = Annotated[
     ),
     AfterValidator(_known_once),
 ]
-
-
-FIRST_WITH_PARTS = (1, 1)
-"""The version that brought parts, and all that stands in them only."""
-
-
-def version_number(version: str) -> tuple[int, int]:
-    """Sort key of a version: 1.10 is greater than 1.9."""
-    major, minor = version.split(".")
-    return int(major), int(minor)
 
 
 class NotNull:

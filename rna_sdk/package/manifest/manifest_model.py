@@ -1,8 +1,4 @@
-"""The model of manifest.json: one class an object, one field a member.
-
-A `Manifest` always has parts. The short form that a file of one part may have is read and written
-by `manifest_short.py`.
-"""
+"""The model of manifest.json: one class an object, one field a member."""
 
 from __future__ import annotations
 
@@ -25,11 +21,10 @@ from rna_sdk.package.manifest.manifest_fields import (
     Record,
     SparseRecord,
     Units,
-    Version,
 )
 from rna_sdk.package.manifest.manifest_tiers import Tier, check_unique
 
-REQUIRED_IN_FILE = ("format", "version", "minReaderVersion", "units", "entries")
+REQUIRED_IN_FILE = ("format", "version", "units", "entries")
 """Members with a default for whoever makes a Manifest; a file must have them all the same."""
 
 Cutoff = Annotated[float, Field(gt=0, lt=1)]
@@ -97,16 +92,23 @@ class Provenance(Record):
         return frame if isinstance(frame, int) else None
 
 
-class ManifestFields(Record):
-    """Fields that both forms of the file share."""
+VERSION: Literal["2.0"] = "2.0"
+"""Of the format: the one that this package reads and writes."""
+
+
+class Manifest(Record):
+    """manifest.json. `write_package` computes `entries`; leave them out."""
 
     format: Literal["rna"] = "rna"
-    version: Version = Field(default="1.0", description="Version of the format it follows.")
-    min_reader_version: Version = Field(default="1.0", description="Oldest reader that can.")
+    version: Literal["2.0"] = Field(default=VERSION, description="Version of the format.")
     generator: str = Field(description="What wrote the package, with its version.")
     name: str = Field(min_length=1, description="The asset's name, for a person.")
+    parts: tuple[Part, ...] = Field(
+        min_length=1, max_length=MAX_PARTS, description="What the asset is made of."
+    )
     domain: Domain
     units: Units = Units(length="metre")
+    tiers: tuple[Tier, ...] = Field(min_length=1, max_length=MAX_TIERS)
     entries: dict[EntryPath, EntryRecord] = Field(
         default={}, description=f"Every entry of the archive except {MANIFEST_NAME}."
     )
@@ -118,15 +120,6 @@ class ManifestFields(Record):
         default={}, description="Data of extensions, by name; each in extensionsUsed."
     )
     extras: dict[str, JsonValue] = Field(default={}, description="Anything; readers ignore it.")
-
-
-class Manifest(ManifestFields):
-    """manifest.json. `write_package` computes `entries` and the versions; leave them out."""
-
-    parts: tuple[Part, ...] = Field(
-        min_length=1, max_length=MAX_PARTS, description="What the asset is made of."
-    )
-    tiers: tuple[Tier, ...] = Field(min_length=1, max_length=MAX_TIERS)
 
     @field_validator("parts")
     @classmethod

@@ -13,50 +13,43 @@ from rna_sdk.package.container.strict_json import model_of, parse_object, pointe
 from rna_sdk.package.issues import Code, Issue, refuse
 from rna_sdk.package.manifest.extension_checks import KNOWN_EXTENSIONS
 from rna_sdk.package.manifest.manifest_checks import manifest_issues
-from rna_sdk.package.manifest.manifest_fields import KINDS, VERSION_PATTERN, version_number
-from rna_sdk.package.manifest.manifest_model import REQUIRED_IN_FILE, Manifest
-from rna_sdk.package.manifest.manifest_short import Places, ShortManifest, in_parts
+from rna_sdk.package.manifest.manifest_fields import KINDS
+from rna_sdk.package.manifest.manifest_model import REQUIRED_IN_FILE, VERSION, Manifest
 from rna_sdk.package.manifest.schema_issues import schema_issues
 
-READER_VERSION = "1.1"
-"""The format version this reader implements."""
+_VERSION = re.compile(r"([1-9][0-9]{0,3})\.(0|[1-9][0-9]{0,3})")
 
 
-def parse_manifest(data: bytes) -> tuple[Manifest, Places]:
-    """The manifest in `data`, once it fits this reader and the schema; and where things stand.
+def parse_manifest(data: bytes) -> Manifest:
+    """The manifest in `data`, once it fits this reader and the schema.
 
     Raises:
         PackageError: every schema issue at once; or the one that makes reading pointless.
     """
     raw = parse_object(data, "", Code.MANIFEST_NOT_JSON)
     _check_readable(raw)
-    places = Places(short="parts" not in raw)
     try:
-        manifest = (
-            in_parts(model_of(ShortManifest, raw)) if places.short else model_of(Manifest, raw)
-        )
+        manifest = model_of(Manifest, raw)
     except ValidationError as error:
         raise PackageError(schema_issues(error)) from None
     # The defaults of missing members would only be found guilty below.
-    issues = _presence_issues(raw) or manifest_issues(manifest, places)
+    issues = _presence_issues(raw) or manifest_issues(manifest)
     if issues:
         raise PackageError(issues)
-    return manifest, places
+    return manifest
 
 
 def _check_readable(raw: dict[str, Any]) -> None:
     """Checks format and version, before any other field is read."""
     if raw.get("format") != "rna":
         refuse(Code.FORMAT_UNKNOWN, "/format", json.dumps(raw.get("format")), '"rna"')
-    version = raw.get("minReaderVersion")
-    if isinstance(version, str) and re.fullmatch(VERSION_PATTERN, version):
-        if version_number(version) > version_number(READER_VERSION):
-            where = "/minReaderVersion"
-            refuse(Code.VERSION_TOO_NEW, where, version, f"at most {READER_VERSION}")
-    for where, kind in _kinds(raw):
+    _check_version(raw.get("version"))
+    parts = raw.get("parts")
+    for i, part in enumerate(parts if isinstance(parts, list) else []):
+        kind = part.get("kind", KINDS[0]) if isinstance(part, dict) else KINDS[0]
         if kind not in KINDS:
             expected = " or ".join(map(json.dumps, KINDS))
-            refuse(Code.KIND_UNSUPPORTED, where, json.dumps(kind), expected)
+            refuse(Code.KIND_UNSUPPORTED, pointer("parts", i, "kind"), json.dumps(kind), expected)
     required = raw.get("extensionsRequired")
     for i, name in enumerate(required if isinstance(required, list) else []):
         if isinstance(name, str) and name not in KNOWN_EXTENSIONS:
@@ -64,14 +57,13 @@ def _check_readable(raw: dict[str, Any]) -> None:
             refuse(Code.EXTENSION_REQUIRED, where, json.dumps(name), "a known extension")
 
 
-def _kinds(raw: dict[str, Any]) -> list[tuple[str, Any]]:
-    """The kinds of parts, with their places, whatever they are."""
-    parts = raw.get("parts")
-    holders = [("", raw)] if "parts" not in raw else []
-    for i, part in enumerate(parts if isinstance(parts, list) else []):
-        if isinstance(part, dict):
-            holders.append((pointer("parts", i), part))
-    return [(f"{where}/kind", holder["kind"]) for where, holder in holders if "kind" in holder]
+def _check_version(version: object) -> None:
+    """One that is no version is a wrong value like any other, which the schema finds."""
+    if isinstance(version, str) and _VERSION.fullmatch(version):
+        found, own = (tuple(map(int, one.split("."))) for one in (version, VERSION))
+        if found != own:
+            code = Code.VERSION_TOO_NEW if found > own else Code.VERSION_TOO_OLD
+            refuse(code, "/version", version, VERSION)
 
 
 def _presence_issues(raw: dict[str, Any]) -> list[Issue]:

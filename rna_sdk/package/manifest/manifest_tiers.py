@@ -86,7 +86,7 @@ class TierEmission(TierDecoder):
 
 
 class TierPartFields(Record):
-    """Fields that a tier of the short form and a tier part share."""
+    """Fields that a tier part and a record of lobes share."""
 
     planes: EntryPath = Field(description="Entry with the triplane.")
     decoder: EntryPath = Field(description="Entry with the ONNX decoder.")

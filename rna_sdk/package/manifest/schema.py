@@ -5,12 +5,11 @@ from __future__ import annotations
 import json
 import sys
 
-from pydantic.json_schema import GenerateJsonSchema, JsonSchemaValue, models_json_schema
+from pydantic.json_schema import GenerateJsonSchema, JsonSchemaValue
 from pydantic_core import core_schema
 
 from rna_sdk.package.generated import generate
-from rna_sdk.package.manifest.manifest_model import REQUIRED_IN_FILE, Manifest
-from rna_sdk.package.manifest.manifest_short import ShortManifest
+from rna_sdk.package.manifest.manifest_model import REQUIRED_IN_FILE, VERSION, Manifest
 
 SCHEMA_FILE = "spec/schema/manifest.schema.json"
 
@@ -43,30 +42,18 @@ def manifest_schema() -> str:
     """The schema (draft 2020-12), as the text of the file.
 
     It covers each field by itself. What spans fields or numbers (names that must be unique, parts
-    that must be the same in all tiers, blocks and transmittance for the kind, versions, ranges,
+    that must be the same in all tiers, blocks and transmittance for the kind, ranges,
     paths and extensions that must be declared, bounds with an extent, axes of unit length, heights
     that descend) is the validator's.
     """
-    _, definitions = models_json_schema(
-        [(Manifest, "validation"), (ShortManifest, "validation")],
-        by_alias=True,
-        schema_generator=_Generator,
-    )
-    forms = definitions["$defs"]
-    for name in ("Manifest", "ShortManifest"):
-        form = forms[name]
-        form["required"] = [*REQUIRED_IN_FILE, *form["required"]]
-        for member in REQUIRED_IN_FILE:
-            form["properties"][member].pop("default", None)
     schema = {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
-        "title": "RNA 1.1 manifest.json",
-        "type": "object",
-        "if": {"required": ["parts"]},
-        "then": {"$ref": "#/$defs/Manifest"},
-        "else": {"$ref": "#/$defs/ShortManifest"},
-        "$defs": forms,
+        "title": f"RNA {VERSION} manifest.json",
+        **Manifest.model_json_schema(by_alias=True, schema_generator=_Generator),
     }
+    schema["required"] = [*REQUIRED_IN_FILE, *schema["required"]]
+    for member in REQUIRED_IN_FILE:
+        schema["properties"][member].pop("default", None)
     return json.dumps(schema, indent=2) + "\n"
 
 

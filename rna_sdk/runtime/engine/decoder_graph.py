@@ -1,4 +1,4 @@
-"""A decoder of the profile as another graph: the same arithmetic in a form that onnxruntime runs
+"""A decoder as another graph: the same arithmetic in a form that onnxruntime runs
 faster.
 
 float32: onnxruntime runs Gemm + Relu in three passes over the activations: copy the bias, multiply
@@ -31,9 +31,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.package.decoder.decoder_form import INPUT_NAME
+from rna_sdk.package.decoder.decoder_writer import write_ending
+from rna_sdk.package.decoder.onnx_writer import GraphWriter
+from rna_sdk.package.decoder.onnx_writer import value as value_info
 from rna_sdk.package.decoder.profile_decoder import ProfileDecoder
 from rna_sdk.package.decoder.saturation import can_saturate
-from rna_sdk.runtime.engine import onnx_bytes as pb
 from rna_sdk.runtime.engine.int8_entry import Entry
 
 _BLOCK = 16
@@ -47,7 +49,7 @@ _DOMAIN = "com.microsoft"  # onnxruntime's own operators; this QLinearConv takes
 
 
 def fast_graph(decoder: ProfileDecoder, largest_query: float) -> tuple[bytes, Entry | None] | None:
-    """The decoder's graph for this machine; None where the file's own graph is as fast.
+    """The decoder's graph for this machine; None where the chain of the format is as fast.
 
     With an Entry, what it makes of the queries is what the graph takes.
 
@@ -73,7 +75,7 @@ def float_graph(decoder: ProfileDecoder, largest_query: float = np.inf) -> bytes
         return None
     width = len(layers[0].weight)
     columns = max(-(-width // _INPUT_STEP) * _INPUT_STEP, _BLOCK)
-    graph, value = pb.GraphBuilder(), INPUT_NAME
+    graph, value = GraphWriter(), INPUT_NAME
     if largest_query > min(-decoder.low, decoder.high):
         value = graph.node("Clip", value, decoder.low, decoder.high)
     # onnxruntime folds a transpose of these orders into its blocking of channels.
@@ -85,7 +87,7 @@ def float_graph(decoder: ProfileDecoder, largest_query: float = np.inf) -> bytes
         value = graph.node("Relu", value) if layer.relu else value
     value = graph.node("Transpose", value, perm=[0, 2, 3, 1])
     value = graph.node("Reshape", value, np.array([-1, len(layers[-1].bias)]))
-    return _closed(graph, value, decoder, pb.value(INPUT_NAME, [1, 1, "n", columns]))
+    return _closed(graph, value, decoder, value_info(INPUT_NAME, [1, 1, "n", columns]))
 
 
 def int8_graph(decoder: ProfileDecoder, columns: int) -> bytes:
@@ -93,7 +95,7 @@ def int8_graph(decoder: ProfileDecoder, columns: int) -> bytes:
 
     It reads the first layer's inputs as uint8 [n, columns], those beyond the layer's of no weight.
     """
-    graph, value, convolved = pb.GraphBuilder(), INPUT_NAME, False
+    graph, value, convolved = GraphWriter(), INPUT_NAME, False
     for layer, following in zip(decoder.layers, (*decoder.layers[1:], None), strict=True):
         assert layer.scale is not None
         added = columns - len(layer.weight) if layer is decoder.layers[0] else 0
@@ -115,7 +117,7 @@ def int8_graph(decoder: ProfileDecoder, columns: int) -> bytes:
         else:
             operands = *source, weight, *scales, layer.bias, *result
             value = graph.node("QGemm", *operands, domain=_DOMAIN)
-    return _closed(graph, value, decoder, pb.value(INPUT_NAME, ["N", columns], "uint8"))
+    return _closed(graph, value, decoder, value_info(INPUT_NAME, ["N", columns], "uint8"))
 
 
 def _exact_weight(weight: NDArray[np.int8]) -> tuple[NDArray[Any], np.integer[Any]]:
@@ -125,14 +127,8 @@ def _exact_weight(weight: NDArray[np.int8]) -> tuple[NDArray[Any], np.integer[An
     return (weight.astype(np.int16) + 128).astype(np.uint8), np.uint8(128)
 
 
-def _closed(graph: pb.GraphBuilder, value: str, decoder: ProfileDecoder, queries: bytes) -> bytes:
+def _closed(graph: GraphWriter, value: str, decoder: ProfileDecoder, queries: bytes) -> bytes:
     """The model from `queries` to the result, made from the last layer's output."""
-    value = graph.node("Exp", graph.node("Clip", value, 0.0, decoder.top))
-    value = graph.node("Sub", value, 1.0)
-    if decoder.matrix is None:
-        graph.node("Mul", value, decoder.unit, output="result")
-    else:
-        graph.node("MatMul", value, decoder.matrix, output="result")
-    return graph.model(
-        queries, pb.value("result", ["N", decoder.outputs]), [("", 17), (_DOMAIN, 1)]
-    )
+    write_ending(graph, value, decoder)
+    result = value_info(decoder.output, ["N", decoder.outputs])
+    return graph.model(queries, result, domain=_DOMAIN)

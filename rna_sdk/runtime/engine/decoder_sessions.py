@@ -8,8 +8,8 @@ import numpy as np
 import onnxruntime as ort
 from numpy.typing import NDArray
 
-from rna_sdk.package.decoder.onnx_model import read_model
-from rna_sdk.package.decoder.profile_decoder import read_profile
+from rna_sdk.package.decoder.decoder_writer import decoder_to_bytes
+from rna_sdk.package.decoder.profile_decoder import ProfileDecoder
 from rna_sdk.runtime.engine.agreement import TIES, close_rows
 from rna_sdk.runtime.engine.compiled_decoder import CompiledDecoder
 from rna_sdk.runtime.engine.decoder_graph import fast_graph
@@ -35,37 +35,35 @@ class DecoderWarning(UserWarning):
 
 
 class Decoder:
-    """An ONNX decoder in a kernel of ours or an onnxruntime session; threads may share it.
+    """A decoder in a kernel of ours or an onnxruntime session; threads may share it.
 
     Attributes:
         columns: of the queries it wants: K, or more to fill up, whose values do not count.
         tile_rows: rows a call for which it runs fastest.
     """
 
-    def __init__(self, model: bytes | memoryview, largest_query: float = np.inf) -> None:
-        """model: ONNX bytes, input `queries` and one output, float32.
+    def __init__(self, decoder: ProfileDecoder, largest_query: float = np.inf) -> None:
+        """largest_query: no number in the queries will be further from 0.
 
-        largest_query: no number in the queries will be further from 0.
-
-        Warns with DecoderWarning where the fast form of the graph differs from the graph on this
-        machine; the graph itself then runs.
+        Warns with DecoderWarning where the fast form differs from the chain of the format on this
+        machine; onnxruntime then runs that chain.
         """
-        original = bytes(model)
-        fast = _fast_form(original, largest_query)
-        if fast is not None and not _agree(fast, original, largest_query):
+        chain = decoder_to_bytes(decoder)
+        fast = _fast_form(decoder, largest_query)
+        if fast is not None and not _agree(fast, chain, largest_query, decoder.is_int8):
             message = (
                 "a decoder's fast form gives other results than its graph on this CPU; "
                 "the graph runs as it is, more slowly"
             )
             warnings.warn(message, DecoderWarning, stacklevel=2)
             fast = None
-        self._form = fast or Graph(original)
+        self._form = fast or Graph(chain)
         self.columns = self._form.columns
-        fitting = [rows for size, rows in _TILES if len(model) <= size]
+        fitting = [rows for size, rows in _TILES if len(chain) <= size]
         self.tile_rows = fitting[0] if fitting else _LARGE_MODEL_TILE
 
     def run(self, queries: NDArray[np.float32]) -> NDArray[np.float32]:
-        """The output, (n, 6 or 3) float32, of `queries`, (n, columns) float32, finite."""
+        """The output, (n, outputs) float32, of `queries`, (n, columns) float32, finite."""
         return self._form.run(queries)
 
 
@@ -101,23 +99,19 @@ class Graph:
         return output
 
 
-def _fast_form(original: bytes, largest_query: float) -> Graph | CompiledDecoder | None:
-    """A decoder that is faster than onnxruntime on the original graph; None if there is none.
-
-    Outside the decoder profile there is none: the graph runs as it is.
-    """
-    decoder = read_profile(read_model(memoryview(original)))
-    if isinstance(decoder, str):
-        return None
+def _fast_form(decoder: ProfileDecoder, largest_query: float) -> Graph | CompiledDecoder | None:
+    """A form that is faster than onnxruntime on the chain of the format; None if there is none."""
     if not decoder.is_int8 and decoder.width <= COMPILED_WIDTH:
         return CompiledDecoder(decoder)
     faster = fast_graph(decoder, largest_query)
     return None if faster is None else Graph(*faster)
 
 
-def _agree(fast: Graph | CompiledDecoder, original: bytes, largest_query: float) -> bool:
-    """Whether the fast form agrees with the package's graph on fixed queries."""
-    graph = Graph(original, optimized=False)
+def _agree(
+    fast: Graph | CompiledDecoder, chain: bytes, largest_query: float, is_int8: bool
+) -> bool:
+    """Whether the fast form agrees with the chain of the format on fixed queries."""
+    graph = Graph(chain, optimized=False)
     queries = np.zeros((_CHECKED_ROWS, max(fast.columns, graph.columns)), np.float32)
     rng = np.random.default_rng(0)
     shape = _CHECKED_ROWS, graph.columns
@@ -127,4 +121,4 @@ def _agree(fast: Graph | CompiledDecoder, original: bytes, largest_query: float)
     expected = graph.run(np.ascontiguousarray(queries[:, : graph.columns]))
     found = fast.run(np.ascontiguousarray(queries[:, : fast.columns]))
     close = close_rows(found, expected, reach)
-    return bool(close.mean() >= (1 - TIES if b"QuantizeLinear" in original else 1.0))
+    return bool(close.mean() >= (1 - TIES if is_int8 else 1.0))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import prod
 
 from rna_gpu.records.record import Field, Record
-from rna_render.lights import LIGHT_ROWS, ROW_NUMBERS, row_places
+from rna_render.lights import kinds_of_lights, number_places
 from rna_render.world.bodies import FIBER_LOBES, SURFACE_LOBES
 
 OBJECT = Record(
@@ -65,6 +65,10 @@ TEXTURE = Record(
     Field("row_v", "<f4", (3,)),
 )
 
+LIGHT_KINDS = list(kinds_of_lights())
+"""Names of the kinds, by their numbers."""
+_MOST_NUMBERS = max(numbers.itemsize // 8 for numbers in kinds_of_lights().values())
+
 LIGHT_SEEN, LIGHT_DELTA, LIGHT_INFINITE = 1, 2, 4
 
 LIGHT = Record(
@@ -73,7 +77,7 @@ LIGHT = Record(
     Field("group", "<u4", (), "NONE for none"),
     Field("flags", "<u4", (), "LIGHT_SEEN: by the camera, LIGHT_DELTA, LIGHT_INFINITE"),
     Field("instance", "<u4", (), "of triangles"),
-    Field("numbers", "<f4", (ROW_NUMBERS // 4, 4), "of its kind, see below"),
+    Field("numbers", "<f4", (-(-_MOST_NUMBERS // 4), 4), "of its kind, see below"),
     Field("probability", "<f4", (3,), "samples at a point of depth 1, 2 and later, on average"),
     Field("places", "<u4", (4,), "of its kind, in `images`: see below"),
 )
@@ -101,7 +105,7 @@ TABLE_CONSTANTS = {
     "LIGHT_SEEN": LIGHT_SEEN,
     "LIGHT_DELTA": LIGHT_DELTA,
     "LIGHT_INFINITE": LIGHT_INFINITE,
-    **{kind.upper(): k for k, kind in enumerate(LIGHT_ROWS)},
+    **{kind.upper(): k for k, kind in enumerate(LIGHT_KINDS)},
 }
 
 LOBE_CONSTANTS = {
@@ -119,9 +123,9 @@ def light_accessors() -> str:
         "fn light_colour(k: u32) -> vec3f {\n"
         f"    return vec3f({', '.join(f'light_numbers(k, {i}u)' for i in range(3))});\n}}\n"
     )
-    for kind, row in LIGHT_ROWS.items():
-        for name, first in list(row_places(kind).items())[1:]:
-            text += _light_accessor(f"{kind}_{name}", row[name].shape, first)
+    for kind, numbers in kinds_of_lights().items():
+        for name, first in list(number_places(numbers).items())[1:]:
+            text += _light_accessor(f"{kind}_{name}", numbers[name].shape, first)
     for kind, names in LIGHT_PLACES.items():
         for name, column in zip(names, "xyzw", strict=True):
             text += (

@@ -10,7 +10,7 @@ from typing import Any
 
 from rna_gpu.records import geometry, part, scene, tables
 from rna_gpu.records.record import Record, constants
-from rna_render.lights import LIGHT_ROWS, row_places
+from rna_render.lights import kinds_of_lights, number_places
 from rna_sdk.package.generated import generate, note
 
 _MODULE = "rna_gpu.records.write_records"
@@ -42,7 +42,7 @@ def files() -> dict[str, str]:
         | scene.SCENE_CONSTANTS
         | tables.TABLE_CONSTANTS,
         "records": {record.name: record.layout() for record in records},
-        "lights": {kind: row_places(kind) for kind in LIGHT_ROWS},
+        "lights": {kind: number_places(numbers) for kind, numbers in kinds_of_lights().items()},
         "viewerLights": {kind: k for k, kind in enumerate(tables.VIEWER_LIGHTS)},
     }
     return {

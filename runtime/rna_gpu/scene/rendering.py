@@ -18,7 +18,7 @@ from rna_gpu.scene.scene_tables import asset_at, scene_tables
 from rna_gpu.scene.wavefront import Wavefront
 from rna_render import Camera, Layers, Sampler, World
 from rna_render.paths.integrator_factory import all_lights, indirect_clamp
-from rna_render.scene import SceneFile
+from rna_render.scene import CameraModel, Scene
 from rna_render.world.domain_watch import WatchedAsset
 from rna_sdk.errors import DeviceLostError
 
@@ -43,19 +43,21 @@ class GpuRenderer:
 
     def __init__(
         self,
-        scene_file: SceneFile,
+        scene: Scene,
         world: World,
+        next_camera: CameraModel | None = None,
         open_it: Callable[[], Device] | None = None,
     ) -> None:
-        """open_it: opens the device, and another one where it is lost; None for the fastest.
+        """scene: with resolved paths. next_camera: of the next frame; None for the same. open_it:
+        opens the device, and another one where it is lost; None for the fastest.
 
         Raises:
             GpuError: there is no GPU, or the scene does not fit on it.
         """
-        self._scene_file, self._world = scene_file, world
-        models = scene_file.scene.camera, scene_file.camera_after
+        self._scene, self._world = scene, world
+        models = scene.camera, next_camera or scene.camera
         moves = models[0] != models[1]
-        self._cameras = [Camera(m, scene_file.scene.resolution) for m in models if moves]
+        self._cameras = [Camera(model, scene.resolution) for model in models if moves]
         self._open = open_it or _DEVICE.get
         self._lock, self._losses = Lock(), 0
         self._start()
@@ -101,14 +103,14 @@ class GpuRenderer:
                 self._start()
 
     def _start(self) -> None:
-        scene, world = self._scene_file.resolved, self._world
+        scene, world = self._scene, self._world
         every = all_lights(scene, world)
         clamp = indirect_clamp(scene.clamp_indirect, every, world.radius)
         # Shadow catchers find light by samples of lights alone, which have to find all of it.
         catches = world.catches_shadows.any()
         lights = every if catches else [light.mis_compensated() for light in every]
         tables, device = scene_tables(world, lights), self._open()
-        parts = _parts(self._scene_file, world, tables.parts, device)
+        parts = _parts(scene, world, tables.parts, device)
         self._gpu = Wavefront(device, scene, tables, parts, lights, world.scatters, clamp)
         scene_objects = [world.objects[place] for place, _ in tables.parts]
         self._watched = {
@@ -146,14 +148,14 @@ _LOADED: WeakKeyDictionary[World, tuple[Device, _Loaded]] = WeakKeyDictionary()
 
 
 def _parts(
-    scene_file: SceneFile, world: World, wanted: Sequence[tuple[int, int]], device: Device
+    scene: Scene, world: World, wanted: Sequence[tuple[int, int]], device: Device
 ) -> list[GpuPart]:
     kept, loaded = _LOADED.get(world, (device, {}))
     if kept is not device:
         loaded = {}
     result: list[GpuPart] = []
     for place, part in wanted:
-        key = scene_file.asset_path(place), asset_at(world, place).tier.name
+        key = scene.assets[place].path, asset_at(world, place).tier.name
         if key not in loaded:
             loaded[key] = load(key[0], key[1], device)
         asset = loaded[key]

@@ -9,7 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_gpu.geometry import Geometry
-from rna_gpu.records.tables import LIGHT, LIGHT_DELTA, LIGHT_INFINITE, LIGHT_SEEN
+from rna_gpu.records.tables import (
+    LIGHT,
+    LIGHT_DELTA,
+    LIGHT_INFINITE,
+    LIGHT_KINDS,
+    LIGHT_SEEN,
+)
 from rna_gpu.scene.scene_images import NONE, Images
 from rna_render import MeshObject, World
 from rna_render.lights import (
@@ -42,10 +48,11 @@ def light_rows(
     shining = _Triangles(images, geometry, bodies)
     instance_of = {int(light): k for k, light in enumerate(world.light) if light >= 0}
     for k, (row, light) in enumerate(zip(rows, lights, strict=False)):
-        row["kind"] = light.row.kind
+        row["kind"] = LIGHT_KINDS.index(light.kind)
         row["group"] = names.index(light.group) if light.group else NONE
         row["flags"] = _flags(light)
-        row["numbers"] = light.row.numbers.reshape(-1, 4)
+        numbers = light.numbers.view(np.float64)
+        row["numbers"].flat[: len(numbers)] = numbers
         row["probability"] = probability[k]
         if isinstance(light, AssetLight | MeshLight):
             instance = instance_of[k]

@@ -12,6 +12,7 @@ from typing import Protocol
 from rna_render.paths.bands import BandRenderer
 from rna_render.paths.integrator_factory import make_integrator
 from rna_render.scene.scene_file import SceneFile
+from rna_render.scene.scene_model import CameraModel, Scene
 from rna_render.world.world import World
 from rna_sdk.console import install_hint
 from rna_sdk.errors import SceneError
@@ -23,27 +24,21 @@ CPU = "cpu"
 class OpenRenderer(Protocol):
     """Opens a device for a scene."""
 
-    def __call__(self, scene_file: SceneFile, world: World) -> BandRenderer:
-        """Renderer of `scene_file.scene`, whose objects are in `world`.
+    def __call__(
+        self, scene: Scene, world: World, next_camera: CameraModel | None = None
+    ) -> BandRenderer:
+        """Renderer of a scene with resolved paths, whose objects are in `world`.
 
-        Raises RnaError for what the device does not know or have room for.
+        next_camera: of the next frame, for motion vectors; None for the same. Raises RnaError for
+        what the device does not know or have room for.
         """
         ...
 
 
-def open_renderer(
-    device: str,
-    scene_file: SceneFile,
-    world: World,
-) -> BandRenderer:
-    """Renderer of the scene on a device: "cpu", or one that a package offers.
-
-    Raises:
-        SceneError: no installed package offers it, or what it needs is not installed.
-        RnaError: the device does not know the scene, or has no room for it.
-    """
+def check_device(device: str, scene_file: SceneFile) -> None:
+    """Raises SceneError, which points at the key, for a scene that is for the CPU alone."""
     if device == CPU:
-        return make_integrator(scene_file.resolved, world, scene_file.camera_after)
+        return
     for index, asset in enumerate(scene_file.scene.assets):
         if asset.motion is not None:
             message = f"is rendered on the CPU, not with --device {device}"
@@ -52,7 +47,19 @@ def open_renderer(
     if quality is not None and quality.by_lobes:
         message = f"lobes are for the CPU, found --device {device}; expected rays"
         raise scene_file.error(("quality", "environment"), message)
-    return find_device(device)(scene_file, world)
+
+
+def open_renderer(
+    device: str, scene: Scene, world: World, next_camera: CameraModel | None = None
+) -> BandRenderer:
+    """Renderer of the scene on a device: "cpu", or one that a package offers; see OpenRenderer.
+
+    Raises:
+        SceneError: no installed package offers it, or what it needs is not installed.
+        RnaError: the device does not know the scene, or has no room for it.
+    """
+    opener = make_integrator if device == CPU else find_device(device)
+    return opener(scene, world, next_camera)
 
 
 def find_device(name: str) -> OpenRenderer:

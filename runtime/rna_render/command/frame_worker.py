@@ -15,13 +15,14 @@ from typing import Self
 from rna_render.command.devices import open_renderer
 from rna_render.command.terminal import render_with_bar, tell_tiers
 from rna_render.image.output import Output
-from rna_render.paths.shutter import shutter_times
+from rna_render.paths.bands import BandRenderer
+from rna_render.paths.shutter import ShutterRenderer, shutter_times
 from rna_render.paths.world_in_time import load_world
 from rna_render.scene.scene_file import SceneFile
 from rna_render.scene.scene_model import AssetModel, Scene
 from rna_render.world.world import World
 from rna_render.world.world_loading import Loaded, placed_world, warn_of_darkness
-from rna_sdk.errors import SceneError
+from rna_sdk.errors import MotionError, SceneError
 from rna_sdk.kernel_threads import limit_kernel_threads
 from rna_work.sources import Carried
 
@@ -73,7 +74,7 @@ class SceneWorker:
 
     def __init__(self, scene_file: SceneFile, files: Carried, threads: int, device: str) -> None:
         self.scene_file, self._files, self._threads = scene_file, files, threads
-        self.device = device
+        self._device = device
         self.stop = threading.Event()
 
     def __enter__(self) -> Self:
@@ -89,10 +90,15 @@ class SceneWorker:
         self, scene_file: SceneFile, views: list[Scene], loaded: Loaded | None = None
     ) -> World:
         """The world of this scene, with tiers for the views; loaded: as for `load_world`."""
-        world = load_world(scene_file, views, partial(open_renderer, self.device), loaded)
-        tell_tiers(scene_file, world)
-        warn_of_darkness(scene_file, world)
+        world = load_world(scene_file, views, partial(self.renderer, scene_file), loaded)
+        tell_tiers(scene_file.scene.quality, world)
+        warn_of_darkness(scene_file.path, scene_file.scene.lights, world)
         return world
+
+    def renderer(self, scene_file: SceneFile, world: World) -> BandRenderer:
+        """Renderer of the scene, whose objects are in `world`, on the device."""
+        at = scene_file.resolved, world, scene_file.camera_after
+        return open_renderer(self._device, *at)
 
     def kill(self) -> None:
         self.stop.set()
@@ -120,15 +126,13 @@ class FrameWorker(SceneWorker):
         return FrameFiles(paths, list(lines), time.perf_counter() - start)
 
     def _render(self, frame: Frame) -> list[Path]:
-        frame_file = self.scene_file.at(frame.number)
-        scene, stop = frame_file.scene, self.stop.is_set
+        scene, stop = self.scene_file.at(frame.number).scene, self.stop.is_set
         files = self._job.output.frame(frame.number)
-        moments = [
-            (file, self._world_at(file)) for file in map(self.scene_file.at, self._times(frame))
-        ]
-        film = render_with_bar(
-            frame_file, moments[0][1], stop, frame.what, device=self.device, moments=moments
-        )
+        moments = [self.scene_file.at(moment) for moment in self._times(frame)]
+        worlds = [self._world_at(file) for file in moments]
+        renderers = [self.renderer(*at) for at in zip(moments, worlds, strict=True)]
+        renderer = renderers[0] if len(renderers) == 1 else ShutterRenderer(renderers)
+        film = render_with_bar(scene, renderer, worlds[0], stop, frame.what)
         if self.stop.is_set() and film.samples < scene.samples:
             raise SceneError(f"{frame.what} was stopped")
         files.write(scene, film)
@@ -156,6 +160,15 @@ class FrameWorker(SceneWorker):
         scenes = [view.scene for view in views]
         self._world, self._assets = self.load(first, scenes, self._files_loaded), first.scene.assets
         for view in views:
-            self._files_loaded.motions.check(view)
+            self._check_motions(view)
         seconds = time.perf_counter() - self._job.started
         print(f"assets loaded after {seconds:.2f} s", file=sys.stderr)
+
+    def _check_motions(self, view: SceneFile) -> None:
+        """Raises SceneError where a motion has not the frame that a view shows."""
+        for index, asset in enumerate(view.resolved.assets):
+            if asset.motion is not None:
+                try:
+                    self._files_loaded.motions.check(asset.motion, asset.path)
+                except MotionError as error:
+                    raise view.error(("assets", index, "motion"), str(error)) from error

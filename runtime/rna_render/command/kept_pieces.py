@@ -12,7 +12,7 @@ from safetensors import SafetensorError, safe_open
 from safetensors.numpy import save_file
 
 from rna_render.image.film import Film
-from rna_sdk.atomic_file import atomic_file
+from rna_sdk.atomic_file import atomic_file, remove_leftovers
 from rna_sdk.errors import SceneError
 
 _PIECES = f"{'[0-9]' * 10}-{'[0-9]' * 10}.safetensors"
@@ -46,6 +46,8 @@ class KeptPieces:
 
     def found(self) -> Iterator[tuple[Piece, Film]]:
         """Kept pieces of this very image, in order; others are deleted."""
+        if self.folder.is_dir():
+            remove_leftovers(self.folder)
         for path in _paths(self.folder):
             film = self._read(path)
             if film is None:

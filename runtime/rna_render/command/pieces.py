@@ -14,12 +14,12 @@ from pathlib import Path
 
 import numpy as np
 
-from rna_render.command.devices import CPU, open_renderer
+from rna_render.command.devices import CPU
 from rna_render.command.frame_worker import SceneWorker
 from rna_render.command.kept_pieces import KeptPieces, Piece, missing_pieces
-from rna_render.image.film import Film, Layers
-from rna_render.paths.bands import SMALL_BAND, BandRenderer, rendered_bands
-from rna_render.paths.sampling import Sampler
+from rna_render.image.film import Film
+from rna_render.paths.bands import SMALL_BAND, BandRenderer
+from rna_render.paths.render import render
 from rna_render.paths.time_limit import SomePixels
 from rna_render.scene.scene_file import SceneFile
 from rna_render.world.scene_sources import carried_scene, scene_key
@@ -112,17 +112,10 @@ class PieceWorker(SceneWorker):
         scene = self.scene_file.scene
         if self._renderer is None:
             world = self.load(self.scene_file, [scene])
-            self._renderer = open_renderer(self.device, self.scene_file, world)
+            self._renderer = self.renderer(self.scene_file, world)
         pixels = np.arange(piece.start, piece.stop, dtype=np.uint32)
-        samplers = (Sampler(scene.seed, number) for number in range(scene.samples))
-        film, sample = Film((len(pixels), 1), self._renderer.groups), list[Layers]()
-        some = SomePixels(self._renderer, pixels)
-        with closing(rendered_bands(some, len(pixels), samplers)) as bands:
-            for band, samples, last in bands:
-                if self.stop.is_set():
-                    raise SceneError(f"{piece} was stopped")
-                sample.append(band)
-                if last:
-                    film.add(sample, samples)
-                    sample.clear()
+        row = scene.model_copy(update={"resolution": (len(pixels), 1)})
+        film = render(row, SomePixels(self._renderer, pixels), self.stop.is_set)
+        if film.samples < scene.samples:
+            raise SceneError(f"{piece} was stopped")
         return film

@@ -56,8 +56,7 @@ def _parser() -> argparse.ArgumentParser:
         "scene",
         metavar="FILE",
         type=Path,
-        help="scene file (YAML), or a package (.rna), which is shown on a ground in a light that "
-        "fit it",
+        help="scene file (YAML), or a package (.rna), shown on a ground under lights of its size",
     )
     add(
         "--out",
@@ -235,6 +234,7 @@ def _run(options: argparse.Namespace) -> int:
 
 
 def _shown(options: argparse.Namespace) -> int:
+    from rna_render.command.devices import check_device
     from rna_render.command.sequence import frame_numbers, render_sequence
     from rna_render.command.terminal import tell_size
     from rna_render.image.denoise import Denoiser
@@ -245,7 +245,8 @@ def _shown(options: argparse.Namespace) -> int:
     names = ("samples", "resolution", "seed", "tier", "view")
     changes = {name: value for name in names if (value := getattr(options, name)) is not None}
     scene_file = read_scene(options.scene).with_changes(**changes)
-    tell_size(scene_file)
+    check_device(options.device, scene_file)
+    tell_size(scene_file.path)
     threads = _use_threads(options.threads)
     if options.preview:
         from rna_render.preview.preview_command import preview
@@ -278,29 +279,31 @@ def _render_still(scene_file: SceneFile, output: Output, options: argparse.Names
     from rna_render.command.terminal import (
         Interim,
         Interrupt,
+        cost_lines,
         render_with_bar,
-        tell_costs,
         tell_tiers,
     )
     from rna_render.paths.world_in_time import load_world
     from rna_render.world.scene_sources import files_of
     from rna_render.world.world_loading import warn_of_darkness
 
-    scene = scene_file.scene
+    scene, resolved = scene_file.scene, scene_file.resolved
     output.check(files_of(scene_file))
-    world = load_world(scene_file, open_renderer=partial(open_renderer, options.device))
-    tell_tiers(scene_file, world)
-    warn_of_darkness(scene_file, world)
+    opener = partial(open_renderer, options.device, resolved, next_camera=scene_file.camera_after)
+    world = load_world(scene_file, open_renderer=opener)
+    tell_tiers(scene.quality, world)
+    warn_of_darkness(scene_file.path, scene.lights, world)
     if options.device == "cpu":
-        tell_costs(scene_file, world)
+        for line in cost_lines([asset.path for asset in resolved.assets], world):
+            print(line, file=sys.stderr)
     with Interrupt() as interrupt:
         film = render_with_bar(
-            scene_file,
+            scene,
+            opener(world),
             world,
             interrupt.requested,
             first_band=lambda: f"first pixels after {time.perf_counter() - _START:.2f} s",
             on_sample=Interim(options.every, partial(output.write_so_far, scene)),
-            device=options.device,
         )
     if not film.samples:
         print("stopped before the first sample was finished; nothing was written", file=sys.stderr)

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import sys
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, closing
 from dataclasses import replace
 from functools import partial
+from pathlib import Path
 
 from rna_render.command.devices import CPU
 from rna_render.command.frame_worker import Frame, FrameFiles, FrameJob, FrameWorker
@@ -15,6 +16,7 @@ from rna_render.image.output import Output
 from rna_render.paths.world_in_time import QualityWarning
 from rna_render.scene.animation import frame_scene
 from rna_render.scene.scene_file import SceneFile
+from rna_render.scene.scene_model import Scene
 from rna_render.world.scene_sources import carried_scene, contents_key, files_of
 from rna_sdk.console import INTERRUPTED
 from rna_sdk.errors import SceneError
@@ -56,7 +58,7 @@ def render_sequence(
     is not written.
     """
     output = replace(output, contents=_contents(scene_file))
-    missing = _missing(scene_file, numbers, output)
+    missing = _missing(scene_file.scene, files_of(scene_file), numbers, output)
     if not missing:
         return 0
     check_shared(executor, output.paths()[0].parent)
@@ -71,8 +73,8 @@ def render_sequence(
             _take(pool, missing, executor)
     except KeyboardInterrupt:
         print(
-            f"stopped: {_there(scene_file, numbers, output)}; frames under way were not written; "
-            "the same command goes on",
+            f"stopped: {_there(scene_file.scene, numbers, output)}; frames under way were not "
+            "written; the same command goes on",
             file=sys.stderr,
         )
         return INTERRUPTED
@@ -99,12 +101,15 @@ def _take(pool: Pool[Frame, FrameFiles], missing: list[Frame], executor: Executo
             tell(f"{_told(outcome, frame)}; about {_in_words(left)} left")
 
 
-def _missing(scene_file: SceneFile, numbers: range, output: Output) -> list[Frame]:
-    """The frames that are not there; raises RnaError if one of them cannot be written."""
-    inputs, missing = files_of(scene_file), []
+def _missing(scene: Scene, inputs: Sequence[Path], numbers: range, output: Output) -> list[Frame]:
+    """The frames that are not there; raises RnaError if one of them cannot be written.
+
+    inputs: files that the scene reads, which no frame may replace.
+    """
+    missing = []
     for index, number in enumerate(numbers, 1):
-        scene, files = frame_scene(scene_file.scene, number), output.frame(number)
-        if files.is_there(scene):
+        files = output.frame(number)
+        if files.is_there(frame_scene(scene, number)):
             print(f"frame {number}: is there already")
         else:
             files.check(inputs)
@@ -112,9 +117,8 @@ def _missing(scene_file: SceneFile, numbers: range, output: Output) -> list[Fram
     return missing
 
 
-def _there(scene_file: SceneFile, numbers: range, output: Output) -> str:
+def _there(scene: Scene, numbers: range, output: Output) -> str:
     """How many frames the files on disk have, and of how many samples each is the mean."""
-    scene = scene_file.scene
     frames = ((n, output.frame(n)) for n in numbers)
     there = ((n, files) for n, files in frames if files.paths()[-1].is_file())  # written last
     count = sum(files.is_there(frame_scene(scene, n)) for n, files in there)

@@ -8,15 +8,13 @@ import time
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
-from typing import cast
 
 from tqdm import tqdm
 
-from rna_render.command.devices import CPU, open_renderer
 from rna_render.image.film import Film
+from rna_render.paths.bands import BandRenderer
 from rna_render.paths.render import render
-from rna_render.paths.shutter import ShutterRenderer
-from rna_render.scene.scene_file import SceneFile
+from rna_render.scene.scene_model import QualityModel, Scene
 from rna_render.world.domain_watch import warn_of_extrapolation
 from rna_render.world.world import World
 from rna_sdk.file_kinds import kind_of
@@ -51,23 +49,22 @@ class Interrupt:
         print("\nstopping after this band of pixels; Ctrl-C again ends at once", file=sys.stderr)
 
 
-def tell_size(scene_file: SceneFile) -> None:
+def tell_size(path: Path) -> None:
     """Print a note where a package that is shown alone looks as if it were in centimetres."""
-    if kind_of(scene_file.path) == "package":
-        with Package.open(scene_file.path) as package:
+    if kind_of(path) == "package":
+        with Package.open(path) as package:
             note = size_note(*package.box())
         if note is not None:
             print(f"note: {note}", file=sys.stderr)
 
 
-def tell_tiers(scene_file: SceneFile, world: World) -> None:
+def tell_tiers(quality: QualityModel | None, world: World) -> None:
     """Print which tiers the scene's `quality` led to, if it has one."""
-    assets = loaded_assets(scene_file, world)
-    quality = scene_file.scene.quality
+    assets = world.assets
     if quality is not None and quality.has_limit and assets:
         told = _counted(assets)
         if world.indirect:
-            told += f"; of indirect radiance: {_counted(cast(list[Asset], world.indirect))}"
+            told += f"; of indirect radiance: {_counted(world.indirect)}"
         print(f"tiers of {len(assets)} assets: {told}", file=sys.stderr)
 
 
@@ -76,29 +73,20 @@ def _counted(assets: Sequence[Asset]) -> str:
     return ", ".join(f"{number} {name}" for name, number in names.most_common())
 
 
-def tell_costs(scene_file: SceneFile, world: World) -> None:
-    """Print the cost per query of each asset's tier on this processor."""
-    for line in cost_lines(scene_file, world):
-        print(line, file=sys.stderr)
-
-
 def render_with_bar(
-    scene_file: SceneFile,
+    scene: Scene,
+    renderer: BandRenderer,
     world: World,
     stop: Callable[[], bool],
     what: str = "rendering",
     first_band: Callable[[], str] | None = None,
     on_sample: Callable[[Film], None] = lambda film: None,
-    device: str = CPU,
-    moments: Sequence[tuple[SceneFile, World]] = (),
 ) -> Film:
-    """Render the scene, or fewer samples of it if `stop` says so.
+    """Render the scene, whose objects are in `world`, or fewer samples of it if `stop` says so.
 
     what: stands before the bar. first_band: what to print when the first band is finished.
-    on_sample: given the film after every sample but the last. device: where; see `devices`.
-    moments: the scene and its world at several times, for motion blur; none for one.
+    on_sample: given the film after every sample but the last.
     """
-    scene = scene_file.scene
     total = scene.resolution[0] * scene.resolution[1] * scene.samples
     bar = tqdm(total=total, unit="ray", unit_scale=True, desc=what, leave=False, position=0)
 
@@ -108,8 +96,6 @@ def render_with_bar(
         bar.update(pixels)
 
     with bar:
-        renderers = [open_renderer(device, *at) for at in moments or [(scene_file, world)]]
-        renderer = renderers[0] if len(renderers) == 1 else ShutterRenderer(renderers)
         film = render(scene, renderer, stop, advance, on_sample)
     warn_of_extrapolation([*world.objects, *world.indirect])
     if film.samples < scene.samples and not stop():
@@ -134,11 +120,13 @@ class Interim:
             self._next = time.monotonic() + self._seconds
 
 
-def cost_lines(scene_file: SceneFile, world: World) -> Iterator[str]:
-    """A line for each package and tier of the scene. Measures what was not measured before."""
+def cost_lines(paths: Sequence[Path], world: World) -> Iterator[str]:
+    """A line for each package and tier of the scene: the cost of a query on this processor.
+
+    paths: of the world's assets. Measures what was not measured before.
+    """
     told = set()
-    for index, asset in enumerate(loaded_assets(scene_file, world)):
-        path = scene_file.asset_path(index)
+    for path, asset in zip(paths, world.assets, strict=True):
         if (path, asset.tier.name) not in told:
             told.add((path, asset.tier.name))
             ns = asset.measured_ns_per_query()
@@ -147,11 +135,6 @@ def cost_lines(scene_file: SceneFile, world: World) -> Iterator[str]:
                 for name, other in _others(path, asset.tier.name).items()
                 if other < _FASTER * ns
             )
-
-
-def loaded_assets(scene_file: SceneFile, world: World) -> list[Asset]:
-    """The scene's assets, in its order: the first of the world's objects."""
-    return cast(list[Asset], world.objects[: len(scene_file.scene.assets)])
 
 
 def _others(path: Path, chosen: str) -> dict[str, float]:

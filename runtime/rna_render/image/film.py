@@ -6,8 +6,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass, fields
 
 import numpy as np
+from numba import prange
 
-from rna_render.image import film_kernels
+from rna_sdk.compiled import compiled
+from rna_sdk.memory import check_memory
 
 
 @dataclass
@@ -82,7 +84,8 @@ class Layers:
 class Film:
     """Sums samples. A sample enters whole or not at all, so a stopped image is a fair mean.
 
-    resolution: width and height. groups: names of the groups of lights.
+    resolution: width and height. groups: names of the groups of lights. Raises RnaError where it
+    does not fit into memory.
     """
 
     def __init__(self, resolution: tuple[int, int], groups: Sequence[str] = ()) -> None:
@@ -90,6 +93,9 @@ class Film:
         self.samples = 0
         self.groups = tuple(groups)
         count = self.width * self.height
+        pixel = Layers.empty(1, len(groups), np.float64)
+        needed = count * sum(getattr(pixel, field.name).nbytes for field in fields(Layers))
+        check_memory(needed, f"an image of {self.width} x {self.height} pixels")
         self._sum = Layers.empty(count, len(groups), np.float64)
 
     def add(self, bands: Sequence[Layers], samples: int = 1) -> None:
@@ -104,9 +110,9 @@ class Film:
             values = getattr(band, field.name)
             total = getattr(self._sum, field.name)[pixels]
             if field.name == "asset":
-                film_kernels.keep_first(total, values)  # numbers have no mean
+                _keep_first(total, values)  # numbers have no mean
             elif values.size:
-                film_kernels.add(*(v.reshape(len(v), -1) for v in (total, values)))
+                _add_to(*(v.reshape(len(v), -1) for v in (total, values)))
 
     def put(self, start: int, part: Film) -> None:
         """Take over all samples of some pixels from `start` on, of which another film is made."""
@@ -190,3 +196,23 @@ def _float32(values: np.ndarray) -> np.ndarray:
     """Variances are squares: those of light near the largest number stay finite, too."""
     largest = np.finfo(np.float32).max
     return np.asarray(np.clip(values, -largest, largest), np.float32)
+
+
+@compiled(parallel=True, fastmath=())
+def _add_to(total: np.ndarray, values: np.ndarray) -> None:
+    """Add (n, c) values to (n, c) float64 sums.
+
+    Memory of layers that a scene lacks, which are 0, is never touched.
+    """
+    for k in prange(len(values)):
+        for c in range(values.shape[1]):
+            if values[k, c] != 0.0:
+                total[k, c] += values[k, c]
+
+
+@compiled(parallel=True, fastmath=())
+def _keep_first(kept: np.ndarray, numbers: np.ndarray) -> None:
+    """Take over (n,) numbers where (n,) those kept are still 0."""
+    for k in prange(len(numbers)):
+        if kept[k] == 0:
+            kept[k] = numbers[k]

@@ -1,4 +1,4 @@
-"""What the integrator knows of a light.
+"""What the integrator knows of a light; `kinds` has a file for each kind.
 
 The transport T of an asset contains the cosine, so there is none here: a light gives, for points
 of the scene, directions towards itself, and what arrives from there.
@@ -7,17 +7,27 @@ of the scene, directions towards itself, and what arrives from there.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
-from rna_render.lights.kinds import LightRow
+from rna_render.lights.directions import luminance
+from rna_render.scene.light_models import AreaModel
+from rna_sdk.arrays import vectors
 from rna_trace.embree.tracing import ClosestHits, GeometryScene
-from rna_trace.rays import vectors
 
 
-@dataclass(frozen=True, slots=True)
-class LightSamples:
+def light_numbers(*members: tuple[str, int | tuple[int, ...]]) -> np.dtype[Any]:
+    """The numbers of a kind of light, float64: its colour, and members by name and shape.
+
+    Compiled code and GPUs read them by these names. colour: radiance, irradiance, intensity, or a
+    factor on what triangles send. A `frame`, (3, 4), is rows of the matrix to the world of a shape
+    that faces +z.
+    """
+    return np.dtype([("colour", "<f8", 3), *((name, "<f8", shape) for name, shape in members)])
+
+
+class LightSamples(NamedTuple):
     """One direction towards a light from each of n points.
 
     wi_world: (n, 3) float32, unit.
@@ -32,20 +42,42 @@ class LightSamples:
     radiance: np.ndarray
     pdf: np.ndarray
 
+    @classmethod
+    def zeros(cls, n: int) -> LightSamples:
+        """Samples to be filled in."""
+        return cls(_vectors(n), np.zeros(n, np.float32), _vectors(n), np.zeros(n, np.float32))
+
+
+def _vectors(n: int) -> np.ndarray:
+    return np.zeros((n, 3), np.float32)
+
 
 class Light(ABC):
     """A light of the scene. Its directions are a pure function of the point and of u.
 
-    group: of the scene file; "" for none. row: what compiled code reads of it.
+    group: of the scene file; "" for none. members: of NUMBERS.
+
+    Attributes:
+        kind: its name in WGSL.
+        NUMBERS: what compiled code knows of a light of this kind, by `light_numbers`.
+        numbers: (1,) of NUMBERS.
+        delta: whether all its light at a point comes from one direction: no ray can meet it.
     """
 
-    group: str
-    row: LightRow
+    kind: ClassVar[str]
+    NUMBERS: ClassVar[np.dtype[Any]]
+    delta: ClassVar[bool] = False
+
+    def __init__(self, group: str, **members: Any) -> None:
+        self.group = group
+        self.numbers = np.zeros(1, self.NUMBERS)
+        for name, value in members.items():
+            self.numbers[name] = value
 
     @property
-    @abstractmethod
-    def delta(self) -> bool:
-        """Whether all its light at a point comes from one direction: no ray can meet it."""
+    def colour(self) -> np.ndarray:
+        """(3,) float64."""
+        return np.asarray(self.numbers["colour"][0])
 
     @property
     def samples(self) -> int:
@@ -68,25 +100,13 @@ class Light(ABC):
 
     def sample(self, x_world: np.ndarray, u: np.ndarray) -> LightSamples:
         """Directions for the points x, (n, 3) float32; u: (n, 2) float64 in [0, 1)."""
-        from rna_render.lights.table import sample_batch
+        samples = LightSamples.zeros(len(x_world))
+        self._fill(vectors("x_world", x_world), u, samples)
+        return samples
 
-        x_world = vectors("x_world", x_world)
-        n = len(x_world)
-        wi_world, radiance = np.empty((n, 3), np.float32), np.empty((n, 3), np.float32)
-        distance, pdf, place = np.empty(n, np.float32), np.empty(n, np.float32), np.empty((n, 3))
-        out = wi_world, distance, radiance, pdf, place
-        sample_batch(self.row.kind, self.row.numbers, self.row.words, x_world, u, *out)
-        if (sent := self.sent(place, wi_world)) is not None:
-            radiance = sent
-        return LightSamples(wi_world, distance, radiance, pdf)
-
-    def sent(self, place: np.ndarray, d_world: np.ndarray) -> np.ndarray | None:
-        """Radiance of a light that compiled code cannot ask for it: (n, 3) float32.
-
-        place: (n, 3) float64, triangle and barycentrics u, v of its points, as in ClosestHits.
-        d_world: (n, 3) float32, unit, of rays that what is sent stops. None for all other lights.
-        """
-        return None
+    @abstractmethod
+    def _fill(self, x_world: np.ndarray, u: np.ndarray, samples: LightSamples) -> None:
+        """Fill in `sample`."""
 
 
 class InfiniteLight(Light):
@@ -94,18 +114,12 @@ class InfiniteLight(Light):
 
     visible_to_camera: bool
 
+    @abstractmethod
     def eval_environment(self, d_world: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Radiance that comes against the rays' unit directions, (n, 3) float32, and pdf of them.
 
         Returns (n, 3) float32, and (n,) float32: the density with which `sample` finds d.
         """
-        from rna_render.lights.table import eval_environment_batch
-
-        radiance, pdf = np.empty((len(d_world), 3), np.float32), np.empty(len(d_world), np.float32)
-        eval_environment_batch(
-            self.row.kind, self.row.numbers, self.row.words, d_world, radiance, pdf
-        )
-        return radiance, pdf
 
 
 class ShapeLight(Light):
@@ -125,8 +139,39 @@ class ShapeLight(Light):
 
 
 class PlacedLight(ShapeLight):
-    """A shape that is nothing but a light: black, and in the scene as an instance of its own."""
+    """A black shape, an instance of its own in the scene, one side of which shines evenly.
+
+    area: m^2, of the side that shines. shape: members of NUMBERS.
+    """
 
     scene: GeometryScene
     world_from_object: np.ndarray  # (4, 4), a similarity
-    visible_to_camera: bool
+
+    def __init__(self, model: AreaModel, area: float, **shape: Any) -> None:
+        super().__init__(model.group, colour=np.asarray(model.radiance, np.float32), **shape)
+        self.visible_to_camera = model.visible_to_camera
+        self.area = area
+
+    def power(self, scene_radius: float) -> float:
+        return float(np.pi * self.area * luminance(self.colour))
+
+    def _fill(self, x_world: np.ndarray, u: np.ndarray, samples: LightSamples) -> None:
+        self._fill_directions(x_world, u, samples)
+        samples.radiance[samples.pdf > 0.0] = self.colour
+
+    def eval_hit(
+        self, x_world: np.ndarray, d_world: np.ndarray, hits: ClosestHits, ng_world: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        x_world = vectors("x_world", x_world)
+        radiance, pdf = np.zeros_like(x_world), np.empty(len(x_world), np.float32)
+        self._fill_densities(x_world, vectors("d_world", d_world, len(x_world)), pdf)
+        radiance[pdf > 0.0] = self.colour
+        return radiance, pdf
+
+    @abstractmethod
+    def _fill_directions(self, x_world: np.ndarray, u: np.ndarray, samples: LightSamples) -> None:
+        """Fill in `sample`, but for the radiance; pdf is 0 where the dark side is sampled."""
+
+    @abstractmethod
+    def _fill_densities(self, x_world: np.ndarray, d_world: np.ndarray, pdf: np.ndarray) -> None:
+        """Fill in the densities of `eval_hit`; 0 where rays meet the dark side."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from rna_sdk.compiled import compiled
-from rna_trace.vectors import Vector
+from rna_trace.vectors import Vector, along
 
 # Rec. ITU-R BT.709-6, item 3.2: luminance of linear RGB.
 LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
@@ -60,16 +60,7 @@ def cone_direction(
     height = u1 * one_minus_cosine
     sin_theta = np.sqrt(max(0.0, height * (2.0 - height)))
     cos_theta, phi = 1.0 - height, 2.0 * np.pi * u2
-    a, b = sin_theta * np.cos(phi), sin_theta * np.sin(phi)
-    # Duff et al., Building an Orthonormal Basis, Revisited (JCGT 6(1), 2017).
-    sign = np.copysign(1.0, z)
-    c = -1.0 / (sign + z)
-    d = x * y * c
-    return (
-        a * (1.0 + sign * x * x * c) + b * d + cos_theta * x,
-        a * sign * d + b * (sign + y * y * c) + cos_theta * y,
-        -a * sign * x - b * y + cos_theta * z,
-    )
+    return along((x, y, z), sin_theta * np.cos(phi), sin_theta * np.sin(phi), cos_theta)
 
 
 @compiled(fastmath=())

@@ -11,7 +11,6 @@ from numba import carray, prange  # type: ignore[attr-defined]
 
 from rna_render.lights.directions import LUMINANCE
 from rna_render.lights.intervals import guide_entry, interval_near, place_within
-from rna_render.lights.kinds import OWN, row_places
 from rna_sdk.compiled import compiled
 from rna_trace.angles import sine_and_cosine, turns_of
 from rna_trace.memory import pointer_f32, pointer_f64, pointer_i32, signed
@@ -21,7 +20,7 @@ from rna_trace.vectors import Vector
 # size; and numbers: the turn about +y, the sum of all cells' weights, the mean that they leave out.
 TEXELS, HEIGHTS, ROWS, ROW_GUIDE, COLUMNS, COLUMN_GUIDE, HEIGHT, WIDTH = range(8)
 IMAGE_NUMBERS = "turn_cosine", "turn_sine", "total", "mean"
-TURN_COSINE, TURN_SINE, TOTAL, MEAN = (row_places("image")[name] - OWN for name in IMAGE_NUMBERS)
+TURN_COSINE, TURN_SINE, TOTAL, MEAN = range(4)
 
 # Entries of a guide for each interval. The more there are, the fewer steps are left to guess.
 ROW_FINENESS, COLUMN_FINENESS = 8, 4

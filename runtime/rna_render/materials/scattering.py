@@ -63,38 +63,6 @@ class Scattering:
         bsdf.scatter(self._parameters(), _rows(row, wo), n, ng, wo, None, wi, value, None)
         return value
 
-    def sample(
-        self,
-        n: np.ndarray,
-        ng: np.ndarray,
-        wo: np.ndarray,
-        u: np.ndarray,
-        row: np.ndarray | None = None,
-    ) -> np.ndarray:
-        """Unit directions wi, (k, 3) float32, with density `pdf`; a pure function of u.
-
-        u: (k, 3) float64 in [0, 1). The third number chooses between the cosine about the normal
-        and reflection at a visible microfacet, in proportion to their albedos. Some wi are
-        behind the surface, where `evaluate` is 0.
-        """
-        wi = np.empty((len(u), 3), np.float32)
-        bsdf.scatter(self._parameters(), _rows(row, wo), n, ng, wo, u, wi, None, None)
-        return wi
-
-    def pdf(
-        self,
-        n: np.ndarray,
-        ng: np.ndarray,
-        wo: np.ndarray,
-        wi: np.ndarray,
-        row: np.ndarray | None = None,
-    ) -> np.ndarray:
-        """Density of `sample` in wi, per steradian: (k,) float32; it integrates to 1 over the
-        whole sphere."""
-        density = np.empty(len(wi), np.float32)
-        bsdf.scatter(self._parameters(), _rows(row, wo), n, ng, wo, None, wi, None, density)
-        return density
-
     def evaluate_and_pdf(
         self,
         n: np.ndarray,
@@ -103,7 +71,8 @@ class Scattering:
         wi: np.ndarray,
         row: np.ndarray | None = None,
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Results of `evaluate` and `pdf`, in one pass."""
+        """Results of `evaluate`, and the density of `sample_and_pdf` in wi, per steradian, (k,)
+        float32, which integrates to 1 over the whole sphere."""
         value, density = np.empty((len(wi), 3), np.float32), np.empty(len(wi), np.float32)
         bsdf.scatter(self._parameters(), _rows(row, wo), n, ng, wo, None, wi, value, density)
         return value, density
@@ -116,7 +85,12 @@ class Scattering:
         u: np.ndarray,
         row: np.ndarray | None = None,
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Results of `sample` and its `pdf`, in one pass."""
+        """Unit directions wi, (k, 3) float32, a pure function of u, and their density.
+
+        u: (k, 3) float64 in [0, 1). The third number chooses between the cosine about the normal
+        and reflection at a visible microfacet, in proportion to their albedos. Some wi are
+        behind the surface, where `evaluate` is 0.
+        """
         wi, density = np.empty((len(u), 3), np.float32), np.empty(len(u), np.float32)
         bsdf.scatter(self._parameters(), _rows(row, wo), n, ng, wo, u, wi, None, density)
         return wi, density

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from rna_render.materials.files.gltf_container import GltfContainer
+from rna_render.scene.limits import MAX_VERTICES
 
 _WIDTHS = {"translation": 3, "rotation": 4, "scale": 3}
 _KINDS = ("LINEAR", "STEP", "CUBICSPLINE")
@@ -79,12 +80,15 @@ def clip_names(container: GltfContainer) -> list[str]:
 def read_clip(container: GltfContainer, number: int) -> list[Track]:
     """The tracks of an animation. Raises whatever Python raises for one that is not valid."""
     animation = container.json["animations"][number]
-    tracks = []
-    for channel in animation["channels"]:
-        target = channel["target"]
-        if "node" in target and target["path"] in (*_WIDTHS, "weights"):
-            tracks.append(_track(container, target, animation["samplers"][channel["sampler"]]))
-    return tracks
+    moving = [
+        (channel["target"], animation["samplers"][channel["sampler"]])
+        for channel in animation["channels"]
+        if "node" in channel["target"] and channel["target"]["path"] in (*_WIDTHS, "weights")
+    ]
+    keys = sum(container.count(s["input"]) + container.count(s["output"]) for _, s in moving)
+    if keys > MAX_VERTICES:
+        raise ValueError(f"an animation has {keys} times and values; at most {MAX_VERTICES}")
+    return [_track(container, target, sampler) for target, sampler in moving]
 
 
 def duration(tracks: Sequence[Track]) -> float:
@@ -97,8 +101,8 @@ def _track(container: GltfContainer, target: dict[str, Any], sampler: dict[str, 
     if kind not in _KINDS:
         raise ValueError(f"an animation has the interpolation {kind!r}")
     times = container.accessor(sampler["input"])[:, 0].astype(np.float64)
-    if not (len(times) and np.isfinite(times).all() and (np.diff(times) > 0).all()):
-        raise ValueError("the times of an animation do not ascend")
+    if not (len(times) and np.isfinite(times).all() and (np.diff(times, prepend=-1e-9) > 0).all()):
+        raise ValueError("the times of an animation do not ascend from 0 or later")
     values = container.accessor(sampler["output"]).astype(np.float64)
     keys = 3 if kind == "CUBICSPLINE" else 1
     width = _WIDTHS.get(target["path"]) or values.size // (keys * len(times))

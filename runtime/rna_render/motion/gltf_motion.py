@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -11,14 +12,16 @@ import numpy as np
 
 from rna_render.materials.files.gltf_container import GltfContainer, open_gltf
 from rna_render.materials.files.gltf_file import (
-    FAN,
-    STRIP,
-    TRIANGLES,
+    corner_count,
     local_matrix,
     roots,
+    triangle_primitives,
     triangles_of,
+    vertex_values,
 )
+from rna_render.materials.files.mesh_parts import check_mesh_size
 from rna_render.motion.gltf_clip import Track, clip_names, duration, read_clip
+from rna_render.scene.limits import MAX_NUMBER
 from rna_sdk.errors import MotionError, SceneError
 
 
@@ -53,26 +56,17 @@ class GltfMotion:
 
     def __init__(self, path: Path, clip: str | None = None, rate: float = 24.0) -> None:
         self.path, self.rate = path, rate
-        try:
+        with self._valid():
             self._container = open_gltf(path)
             self._tracks = self._read(clip)
-        except (MotionError, SceneError):
-            raise
-        except OSError as error:
-            raise MotionError(f"{path}: {error.strerror or error}") from error
-        except Exception as error:  # whatever Python raises for a file that is not valid
-            what = f"{type(error).__name__}: {error}"
-            raise MotionError(f"{path}: is no valid glTF file: {what}") from error
-        self.frames = int(duration(self._tracks) * rate + 1e-6) + 1
+            self.frames = int(duration(self._tracks) * rate + 1e-6) + 1
 
     def positions(self, frame: float) -> np.ndarray:
-        """All vertices in the scene's space: (w, 3) float64. Raises MotionError if not finite."""
+        """All vertices in the scene's space: (w, 3) float64. Raises MotionError as the class."""
         time = frame / self.rate
-        moved = {(track.node, track.path): track.at(time) for track in self._tracks}
-        result = self._posed(moved)
-        if not np.isfinite(result).all():
-            raise MotionError(f"{self.path}: frame {frame:g} has positions that are not finite")
-        return result
+        with self._valid():
+            moved = {(track.node, track.path): track.at(time) for track in self._tracks}
+        return self._posed(moved)
 
     def rest_poses(self, captured: int | None = None) -> Iterator[np.ndarray]:
         """Poses that a package may have been made from, the likeliest first: (w, 3) each.
@@ -93,41 +87,67 @@ class GltfMotion:
             raise MotionError(f"{self.path}: has no animation")
         if clip is not None and clip not in names:
             raise MotionError(f"{self.path}: has no clip {clip!r}; it has {', '.join(names)}")
-        nodes = container.json.get("nodes", [])
-        self._nodes = nodes
-        self._order = list(_parents_first(container.json, nodes))
-        self._skins = [_skin(container, skin) for skin in container.json.get("skins", [])]
-        pieces = [piece for number, _ in self._order for piece in _pieces(container, number)]
-        if not pieces:
-            raise MotionError(f"{self.path}: has no triangles")
-        self._pieces = [piece for piece, _ in pieces]
+        self._nodes = container.json.get("nodes", [])
+        skins = container.json.get("skins", [])
+        self._order = list(_parents_first(container.json, self._nodes))
+        shown = [(n, data) for n, _ in self._order for data in _primitives(container, n)]
+        _check_size(container, skins, [data for _, data in shown])
+        self._skins = [_skin(container, skin) for skin in skins]
+        self._pieces = [_piece(container, self._skins, *item) for item in shown]
         starts = np.cumsum([0, *(len(piece.positions) for piece in self._pieces)])
-        shifted = [t + start for (_, t), start in zip(pieces, starts[:-1], strict=True)]
-        self.triangles = np.concatenate(shifted)
-        if (
-            self.triangles.size
-            and not 0 <= self.triangles.min() <= self.triangles.max() < starts[-1]
-        ):
+        triangles = [
+            triangles_of(container, data, len(piece.positions)) + start
+            for (_, data), piece, start in zip(shown, self._pieces, starts[:-1], strict=True)
+        ]
+        if not any(map(len, triangles)):
+            raise MotionError(f"{self.path}: has no triangles")
+        self.triangles = np.concatenate(triangles)
+        if not self.triangles.max() < starts[-1]:
             raise ValueError("a triangle names a vertex that is not there")
         return read_clip(container, 0 if clip is None else names.index(clip))
 
+    @contextmanager
+    def _valid(self) -> Iterator[None]:
+        """MotionError for whatever a file that is not valid makes Python raise."""
+        try:
+            with np.errstate(all="ignore"):
+                yield
+        except (MotionError, SceneError, MemoryError):
+            raise
+        except OSError as error:
+            raise MotionError(f"{self.path}: {error.strerror or error}") from error
+        except Exception as error:
+            what = f"{type(error).__name__}: {error}"
+            raise MotionError(f"{self.path}: is no valid glTF file: {what}") from error
+
     def _posed(self, moved: dict[tuple[int, str], np.ndarray], bare: bool = False) -> np.ndarray:
         """The vertices with some properties of nodes moved. bare: no skins and morphs."""
-        world = self._matrices(moved)
-        parts = []
-        for piece in self._pieces:
-            p = piece.positions
-            if len(piece.targets) and not bare:
-                weights = moved.get((piece.node, "weights"), piece.weights)
-                p = p + np.einsum("k,kvc->vc", weights[: len(piece.targets)], piece.targets)
-            if piece.skin is None or bare:
-                matrix = world[piece.node]
-                parts.append(p @ matrix[:3, :3].T + matrix[:3, 3])
-            else:
-                joints, inverse = self._skins[piece.skin]
-                bones = np.array([world[j] for j in joints]) @ inverse
-                parts.append(_skinned(p, bones, piece))
-        return np.concatenate(parts)
+        with self._valid():
+            world = self._matrices(moved)
+            parts = [self._posed_piece(piece, world, moved, bare) for piece in self._pieces]
+            result = np.concatenate(parts)
+            if not (np.abs(result) <= MAX_NUMBER).all():
+                raise ValueError(f"positions that are not at most {MAX_NUMBER:g}")
+            return result
+
+    def _posed_piece(
+        self,
+        piece: _Piece,
+        world: dict[int, np.ndarray],
+        moved: dict[tuple[int, str], np.ndarray],
+        bare: bool,
+    ) -> np.ndarray:
+        p = piece.positions
+        if len(piece.targets) and not bare:
+            weights = moved.get((piece.node, "weights"), piece.weights)[: len(piece.targets)]
+            if len(weights) < len(piece.targets):
+                raise ValueError(f"{len(weights)} weights for {len(piece.targets)} morph targets")
+            p = p + np.einsum("k,kvc->vc", weights, piece.targets)
+        if piece.skin is None or bare:
+            matrix = world[piece.node]
+            return np.asarray(p @ matrix[:3, :3].T + matrix[:3, 3])
+        joints, inverse = self._skins[piece.skin]
+        return _skinned(p, np.array([world[j] for j in joints]) @ inverse, piece)
 
     def _matrices(self, moved: dict[tuple[int, str], np.ndarray]) -> dict[int, np.ndarray]:
         world: dict[int, np.ndarray] = {}
@@ -151,14 +171,13 @@ def _parents_first(
     """Each node of the scene and its parent, after that; joints outside the scene as well."""
     seen: set[int] = set()
     joints = [j for skin in document.get("skins", []) for j in skin["joints"]]
-    children = {c: k for k, node in enumerate(nodes) for c in node.get("children", ())}
+    parents = {c: k for k, node in enumerate(nodes) for c in node.get("children", ())}
 
     def top(number: int) -> int:
-        for _ in nodes:
-            if number not in children:
-                return number
-            number = children[number]
-        raise ValueError(f"node {number} is its own parent")
+        """The root above, or a node below the root above an earlier joint."""
+        while number in parents:
+            number = parents.pop(number)
+        return number
 
     first = roots(document, nodes)
     stack: list[tuple[int, int | None]] = [(r, None) for r in (*first, *map(top, joints))]
@@ -173,48 +192,64 @@ def _parents_first(
             stack += [(child, number) for child in reversed(nodes[number].get("children", ()))]
 
 
+def _primitives(container: GltfContainer, number: int) -> Iterable[dict[str, Any]]:
+    """The primitives of a node that are triangles."""
+    node = container.json["nodes"][number]
+    return (
+        triangle_primitives(container.json["meshes"][node["mesh"]], set()) if "mesh" in node else ()
+    )
+
+
+def _check_size(
+    container: GltfContainer, skins: list[dict[str, Any]], primitives: list[dict[str, Any]]
+) -> None:
+    """Refuses, before any of it is read, what is too large with a copy for each node.
+
+    Morph targets and influences of joints count as vertices, and a skin's matrices as four.
+    """
+    matrices = [s["inverseBindMatrices"] for s in skins if "inverseBindMatrices" in s]
+    vertices, corners = 4 * sum(map(container.count, matrices)), 0
+    for data in primitives:
+        attributes = data["attributes"]
+        copies = 1 + len(data.get("targets", ())) + sum(name[:6] == "JOINTS" for name in attributes)
+        vertices += copies * container.count(attributes["POSITION"])
+        corners += corner_count(container, data)
+    check_mesh_size(vertices, corners // 3)
+
+
 def _skin(container: GltfContainer, skin: dict[str, Any]) -> tuple[list[int], np.ndarray]:
     """Joints, and their inverse bind matrices (j, 4, 4)."""
     joints: list[int] = skin["joints"]
     if "inverseBindMatrices" not in skin:
         return joints, np.tile(np.eye(4), (len(joints), 1, 1))
-    values = container.accessor(skin["inverseBindMatrices"]).astype(np.float64)
-    return joints, values.reshape(-1, 4, 4).transpose(0, 2, 1)[: len(joints)]
+    values = container.accessor(skin["inverseBindMatrices"])[: len(joints)].astype(np.float64)
+    return joints, values.reshape(len(joints), 4, 4).transpose(0, 2, 1)
 
 
-def _pieces(container: GltfContainer, number: int) -> Iterator[tuple[_Piece, np.ndarray]]:
-    """The primitives of a node, with their triangles (t, 3) int64."""
+def _piece(
+    container: GltfContainer,
+    skins: list[tuple[list[int], np.ndarray]],
+    number: int,
+    data: dict[str, Any],
+) -> _Piece:
+    """A primitive of a node."""
     node = container.json["nodes"][number]
-    if "mesh" not in node:
-        return
-    mesh = container.json["meshes"][node["mesh"]]
-    for data in mesh["primitives"]:
-        attributes = data["attributes"]
-        if (
-            data.get("mode", TRIANGLES) not in (TRIANGLES, STRIP, FAN)
-            or "POSITION" not in attributes
-        ):
-            continue
-        positions = container.accessor(attributes["POSITION"]).astype(np.float64)
-        targets = [
-            container.accessor(target["POSITION"]).astype(np.float64)
-            if "POSITION" in target
-            else np.zeros_like(positions)
-            for target in data.get("targets", ())
-        ]
-        weights = np.array(node.get("weights", mesh.get("weights", [0.0] * len(targets))), float)
-        joints, shares = _influences(container, attributes, len(positions))
-        skin = node.get("skin") if joints.size else None
-        shaped = np.array(targets).reshape(len(targets), *positions.shape)
-        piece = _Piece(number, positions, shaped, weights, skin, joints, shares)
-        yield piece, _corners(container, data, len(positions))
-
-
-def _corners(container: GltfContainer, data: dict[str, Any], count: int) -> np.ndarray:
-    numbers = np.arange(count)
-    if "indices" in data:
-        numbers = container.accessor(data["indices"])[:, 0].astype(np.int64)
-    return triangles_of(numbers, data.get("mode", TRIANGLES))
+    mesh, attributes = container.json["meshes"][node["mesh"]], data["attributes"]
+    shape = container.count(attributes["POSITION"]), 3
+    positions = vertex_values(container, attributes["POSITION"], shape)
+    targets = [
+        vertex_values(container, target["POSITION"], shape)
+        if "POSITION" in target
+        else np.zeros(shape)
+        for target in data.get("targets", ())
+    ]
+    weights = np.array(node.get("weights", mesh.get("weights", [0.0] * len(targets))), float)
+    joints, shares = _influences(container, attributes, len(positions))
+    skin = node.get("skin") if joints.size else None
+    if skin is not None and not 0 <= joints.min() <= joints.max() < len(skins[skin][0]):
+        raise ValueError(f"a vertex names a joint that is not one of {len(skins[skin][0])}")
+    shaped = np.array(targets).reshape(len(targets), *shape)
+    return _Piece(number, positions, shaped, weights, skin, joints, shares)
 
 
 def _influences(
@@ -223,8 +258,9 @@ def _influences(
     """Joints and shares of each vertex, (v, 4 k), shares of sum 1; (v, 0) without a skin."""
     joints, shares = [np.zeros((count, 0), np.int64)], [np.zeros((count, 0))]
     while f"JOINTS_{(k := len(joints) - 1)}" in attributes:
-        joints.append(container.accessor(attributes[f"JOINTS_{k}"]).astype(np.int64))
-        shares.append(container.accessor(attributes[f"WEIGHTS_{k}"]).astype(np.float64))
+        named = vertex_values(container, attributes[f"JOINTS_{k}"], (count, 4))
+        joints.append(named.astype(np.int64))
+        shares.append(vertex_values(container, attributes[f"WEIGHTS_{k}"], (count, 4)))
     share = np.concatenate(shares, axis=1)
     total = share.sum(axis=1, keepdims=True)
     return np.concatenate(joints, axis=1), share / np.where(total > 0, total, 1.0)

@@ -23,8 +23,7 @@ from rna_render.lights import InfiniteLight, Light
 from rna_render.paths.bands import BAND
 from rna_render.paths.light_sampling import LightChoice, LightSampling, caught_light
 from rna_render.paths.lobe_lighting import LobeLighting
-from rna_render.paths.path_arrays import Found, Paths, Rays
-from rna_render.paths.point_kinds import KINDS, LOBED, STRAND, point_kinds
+from rna_render.paths.path_arrays import KINDS, LOBED, STRAND, Found, Paths, Rays, point_kinds
 from rna_render.paths.sampling import (
     BRANCHES,
     PIXEL_DIMENSION,
@@ -72,6 +71,7 @@ class Integrator:
         world: World,
         camera: Camera,
         lights: Sequence[Light],
+        *,
         max_depth: int,
         clamp: float | None = None,
         strategy: Strategy = "both",
@@ -145,10 +145,18 @@ class Integrator:
         origin = np.tile(self._camera.position, (len(pixels), 1))
         hits = self._world.scene.intersect(origin, direction, rays=CAMERA_RAY)
         beta = np.ones((len(pixels), 3), np.float32) if hits.weight is None else hits.weight
-        path, kind = np.arange(len(pixels)), np.zeros(len(pixels), np.int8)
-        never, whole = np.zeros((KINDS, len(self._lights))), np.ones(len(pixels), np.float32)
-        number = np.full(len(pixels), sampler.sample, np.int64)
-        return Rays(path, origin, direction, hits, beta, None, kind, never, whole, number)
+        return Rays(
+            path=np.arange(len(pixels)),
+            origin=origin,
+            direction=direction,
+            hits=hits,
+            beta=beta,
+            pdf=None,
+            kind=np.zeros(len(pixels), np.int8),
+            probability=np.zeros((KINDS, len(self._lights))),
+            share=np.ones(len(pixels), np.float32),
+            number=np.full(len(pixels), sampler.sample, np.int64),
+        )
 
     def _paths(
         self, vertices: Vertices, rays: Rays, pixels: np.ndarray, sampler: Sampler, depth: int
@@ -301,16 +309,8 @@ class Integrator:
                 radiance[part], seen[part], own_pdf[part] = points.transport_and_pdf(*at)
             else:
                 radiance[part], seen[part] = points.transport(*at)
-        weigh_samples(
-            radiance,
-            seen,
-            (samples.radiance, samples.pdf),
-            (free.sample, row, free.light),
-            kept,
-            own_pdf,
-            (probability, self._sampling.delta),
-            beta,
-        )
+        lights = probability, self._sampling.delta
+        weigh_samples(radiance, seen, samples, free, kept, own_pdf, *lights, beta)
         return Found(tried.row, row, free.light, radiance, seen)
 
     def _scatter(
@@ -358,8 +358,19 @@ class Integrator:
             unweakened = transport.copy()
             weigh_rays(unweakened, pdf, None, row, beta)
         weigh_rays(transport, pdf, hits.weight, row, beta)
-        found = hits, transport, pdf, kind, probability, share[row], number, unweakened
-        return Rays(paths.path[row], origin, direction, *found)
+        return Rays(
+            path=paths.path[row],
+            origin=origin,
+            direction=direction,
+            hits=hits,
+            beta=transport,
+            pdf=pdf,
+            kind=kind,
+            probability=probability,
+            share=share[row],
+            number=number,
+            unweakened=unweakened,
+        )
 
     def _catch_shadows(
         self, band: Layers, rays: Rays, pixels: np.ndarray, sampler: Sampler

@@ -36,7 +36,13 @@ def make_integrator(
     by_lobes = scene.quality is not None and scene.quality.by_lobes
     lobes = LobeLighting(lights) if by_lobes else None
     return Integrator(
-        *(world, camera, lights, scene.max_depth, clamp), next_camera=after, lobes=lobes
+        world,
+        camera,
+        lights,
+        max_depth=scene.max_depth,
+        clamp=clamp,
+        next_camera=after,
+        lobes=lobes,
     )
 
 

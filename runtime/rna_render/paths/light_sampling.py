@@ -89,18 +89,12 @@ class LightSampling:
         chosen = np.flatnonzero(np.bincount(choice.light))
         if len(chosen) == 1:
             return self._lights[int(chosen[0])].sample(x_world, choice.u)
-        n = len(x_world)
-        result = LightSamples(
-            np.zeros((n, 3), np.float32),
-            np.zeros(n, np.float32),
-            np.zeros((n, 3), np.float32),
-            np.zeros(n, np.float32),
-        )
+        result = LightSamples.zeros(len(x_world))
         for k in chosen.tolist():
             row = np.flatnonzero(choice.light == k)
             samples = self._lights[k].sample(x_world[row], choice.u[row])
-            result.wi_world[row], result.distance[row] = samples.wi_world, samples.distance
-            result.radiance[row], result.pdf[row] = samples.radiance, samples.pdf
+            for of_all, of_light in zip(result, samples, strict=True):
+                of_all[row] = of_light
         return result
 
     @property

@@ -7,7 +7,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from rna_render.paths.sampling import PathNumbers
+from rna_render.world.world import Vertices
 from rna_trace.embree.tracing import ClosestHits
+
+# Flags of the kinds of points that the camera sees, which differ in how light is looked for there.
+STRAND = 1
+LOBED = 2
+KINDS = 4
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,3 +72,11 @@ class Found:
     light: np.ndarray
     radiance: np.ndarray
     seen: np.ndarray
+
+
+def point_kinds(vertices: Vertices, by_lobes: bool) -> np.ndarray:
+    """The kind of each vertex: (m,) int8, STRAND and LOBED added. by_lobes: whether lobes count."""
+    kinds = np.zeros(len(vertices), np.int8)
+    for rows, points in vertices.parts:
+        kinds[rows] = STRAND * points.on_strands + LOBED * (by_lobes and points.gives_lobes)
+    return kinds

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -13,8 +13,7 @@ from rna_sdk.compiled import compiled
 from rna_trace.vectors import dot, vector_at
 
 
-@dataclass(frozen=True, slots=True)
-class Tried:
+class Tried(NamedTuple):
     """Samples of lights for which shadow rays are traced, k of n.
 
     sample: (k,) int64, which samples, ascending. row: (k,) int64, the points that they are for.
@@ -34,12 +33,10 @@ class Tried:
 
         kept: (k, 1) or (k, 3) float32, see LightSampling.kept.
         """
-        left = _like(self), np.empty_like(kept)
-        count = _take_kept(_arrays(self), kept, _arrays(left[0]), left[1])
-        return left[0].first(count), left[1][:count]
-
-    def first(self, count: int) -> Tried:
-        return Tried(*(values[:count] for values in _arrays(self)))
+        row = np.flatnonzero(kept.any(axis=1))
+        if len(row) == len(kept):
+            return self, kept
+        return Tried(*(values.take(row, axis=0) for values in self)), kept.take(row, axis=0)
 
 
 def worth_tracing(
@@ -47,77 +44,46 @@ def worth_tracing(
 ) -> Tried:
     """The samples that bring any light that the points may scatter to the viewer.
 
-    None that is part of the transport of what it falls on, and none from behind a surface that is
+    Skips lights already included in the asset's own transport, and those behind a surface that is
     lit from one side.
     """
     n = len(choice.row)
     sample, row, light = (np.empty(n, np.int64) for _ in range(3))
     wi_world, distance = np.empty((n, 3), np.float32), np.empty(n, np.float32)
     result = Tried(sample, row, light, wi_world, distance, np.empty(n, np.int32))
-    found = samples.pdf, samples.radiance, samples.wi_world, samples.distance
     points = vertices.wo_world, vertices.ng_world, vertices.instance, vertices.own
-    instances = world.own_light, world.one_sided
     chosen = choice.row, choice.light
-    return result.first(_worth_tracing(found, chosen, points, instances, _arrays(result)))
-
-
-def _arrays(tried: Tried) -> tuple[np.ndarray, ...]:
-    own = tried.wi_world, tried.distance, tried.own
-    return tried.sample, tried.row, tried.light, *own
-
-
-def _like(tried: Tried) -> Tried:
-    return Tried(*(np.empty_like(values) for values in _arrays(tried)))
+    count = _worth_tracing(samples, *chosen, *points, world.own_light, world.one_sided, result)
+    return Tried(*(values[:count] for values in result))
 
 
 @compiled(fastmath=())
 def _worth_tracing(
-    found: tuple[np.ndarray, ...],
-    chosen: tuple[np.ndarray, ...],
-    points: tuple[np.ndarray, ...],
-    instances: tuple[np.ndarray, ...],
-    result: tuple[np.ndarray, ...],
+    samples: LightSamples,
+    row: np.ndarray,
+    light: np.ndarray,
+    wo_world: np.ndarray,
+    ng_world: np.ndarray,
+    instance: np.ndarray,
+    own: np.ndarray,
+    own_light: np.ndarray,
+    one_sided: np.ndarray,
+    result: Tried,
 ) -> int:
-    pdf, radiance, wi, distance = found
-    row, light = chosen
-    wo, ng, instance, own = points
-    own_light, one_sided = instances
+    pdf, radiance, wi_world = samples.pdf, samples.radiance, samples.wi_world
     count = 0
     for i in range(len(row)):
         at, k = row[i], instance[row[i]]
         bright = radiance[i, 0] != 0.0 or radiance[i, 1] != 0.0 or radiance[i, 2] != 0.0
         if not (pdf[i] > 0.0 and bright and own_light[k] != light[i]):
             continue
-        g = vector_at(ng, at)
-        if one_sided[k] and not dot(g, vector_at(wi, i)) * dot(g, vector_at(wo, at)) > 0.0:
+        g, wi = vector_at(ng_world, at), vector_at(wi_world, i)
+        if one_sided[k] and not dot(g, wi) * dot(g, vector_at(wo_world, at)) > 0.0:
             continue
-        result[0][count], result[1][count], result[2][count] = i, at, light[i]
+        result.sample[count], result.row[count], result.light[count] = i, at, light[i]
         for axis in range(3):
-            result[3][count, axis] = wi[i, axis]
-        result[4][count], result[5][count] = distance[i], own[at]
-        count += 1
-    return count
-
-
-@compiled(fastmath=())
-def _take_kept(
-    tried: tuple[np.ndarray, ...],
-    kept: np.ndarray,
-    result: tuple[np.ndarray, ...],
-    left: np.ndarray,
-) -> int:
-    count = 0
-    for i in range(len(kept)):
-        bright = False
-        for channel in range(kept.shape[1]):
-            bright = bright or kept[i, channel] != 0.0
-            left[count, channel] = kept[i, channel]
-        if not bright:
-            continue
-        for axis in range(3):
-            result[3][count, axis] = tried[3][i, axis]
-        result[0][count], result[1][count], result[2][count] = tried[0][i], tried[1][i], tried[2][i]
-        result[4][count], result[5][count] = tried[4][i], tried[5][i]
+            result.wi_world[count, axis] = wi_world[i, axis]
+        result.distance[count], result.own[count] = samples.distance[i], own[at]
         count += 1
     return count
 
@@ -126,34 +92,32 @@ def _take_kept(
 def weigh_samples(
     transport: np.ndarray,
     seen: np.ndarray,
-    samples: tuple[np.ndarray, ...],
-    tried: tuple[np.ndarray, ...],
+    samples: LightSamples,
+    tried: Tried,
     kept: np.ndarray,
     own_pdf: np.ndarray,
-    lights: tuple[np.ndarray, ...],
+    probability: np.ndarray,
+    delta: np.ndarray,
     beta: np.ndarray,
 ) -> None:
     """Make of transport, (k, 3) float32, the radiance that samples bring along their paths.
 
-    seen: (k,) float32, multiplied by the mean of what is kept. samples: radiance (n, 3) and pdf
-    (n,) float32 of all samples. tried: samples, rows and lights of Tried. kept: (k, 1) or (k, 3)
-    float32. own_pdf: (k,), density of rays. lights: probability of each light, and whether no ray
-    can find it. beta: (m, 3) float32, throughput of the rows' paths.
+    seen: (k,) float32, multiplied by the mean of what is kept. samples: n, from which those tried
+    are. kept: (k, 1) or (k, 3) float32. own_pdf: (k,), density of rays. probability, delta: of each
+    light, and whether no ray can find it. beta: (m, 3) float32, throughput of the rows' paths.
     """
-    radiance, pdf = samples
-    sample, row, light = tried
-    probability, delta = lights
     channels = kept.shape[1]
-    for i in range(len(sample)):
-        density = pdf[sample[i]] * probability[light[i]]
+    for i in range(len(tried.sample)):
+        at, light, row = tried.sample[i], tried.light[i], tried.row[i]
+        density = samples.pdf[at] * probability[light]
         ratio = own_pdf[i] / density
-        share = np.float32(1.0) if delta[light[i]] else np.float32(1.0 / (1.0 + ratio * ratio))
+        share = np.float32(1.0) if delta[light] else np.float32(1.0 / (1.0 + ratio * ratio))
         weight = np.float32(share / density)
         mean = np.float32(0.0)
         for channel in range(3):
             left = kept[i, min(channel, channels - 1)]
-            value = transport[i, channel] * (radiance[sample[i], channel] * weight * left)
-            transport[i, channel] = beta[row[i], channel] * value
+            value = transport[i, channel] * (samples.radiance[at, channel] * weight * left)
+            transport[i, channel] = beta[row, channel] * value
         for channel in range(channels):
             mean += kept[i, channel]
         seen[i] *= mean / np.float32(channels)

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 
 from rna_render.paths.bands import BandRenderer
-from rna_render.paths.integrator import Integrator
 from rna_render.paths.integrator_factory import make_integrator
 from rna_render.paths.time_limit import ENOUGH_SAMPLES, seconds_a_sample
 from rna_render.scene.scene_file import SceneFile
 from rna_render.scene.scene_model import Scene
 from rna_render.world.scene_sources import check_files
-from rna_render.world.tier_choice import Choice, TierChoice, Tiers
+from rna_render.world.tier_choice import Choice, TierChoice
 from rna_render.world.world import World
 from rna_render.world.world_loading import Loaded, placed_world
 
@@ -25,7 +25,7 @@ class QualityWarning(UserWarning):
 def load_world(
     scene_file: SceneFile,
     views: Sequence[Scene] = (),
-    open_renderer: Callable[[SceneFile, World], BandRenderer] | None = None,
+    open_renderer: Callable[[World], BandRenderer] | None = None,
     loaded: Loaded | None = None,
 ) -> World:
     """The scene's objects, loaded and placed: assets, objects, the ground, lights with a shape.
@@ -51,30 +51,12 @@ def load_world(
     max_error = quality.max_error or 0.0
     if quality.seconds is None:
         return placed_world(scene_file, choice.within(max_error), loaded)
-    make = open_renderer or _integrator_of
-    choices = choice.coarser(max_error)
-    return _world_in_time(scene_file, choices, quality.seconds, make, loaded)
-
-
-def _integrator_of(scene_file: SceneFile, world: World) -> Integrator:
-    return make_integrator(scene_file.resolved, world)
-
-
-def _world_in_time(
-    scene_file: SceneFile,
-    choices: Iterable[Tiers],
-    seconds: float,
-    make: Callable[[SceneFile, World], BandRenderer],
-    loaded: Loaded,
-) -> World:
-    """The world with the first of the choices that leaves time for enough samples, or the last."""
-    scene = scene_file.scene
-    enough = min(ENOUGH_SAMPLES, scene.samples)
-    for tiers in choices:
+    # The first of the choices that leaves time for enough samples, or the last.
+    scene = scene_file.resolved
+    make = open_renderer or partial(make_integrator, scene)
+    enough, count = min(ENOUGH_SAMPLES, scene.samples), math.prod(scene.resolution)
+    for tiers in choice.coarser(max_error):
         world = placed_world(scene_file, tiers, loaded)
-        if (
-            enough * seconds_a_sample(make(scene_file, world), math.prod(scene.resolution))
-            <= seconds
-        ):
+        if enough * seconds_a_sample(make(world), count) <= quality.seconds:
             break
     return world

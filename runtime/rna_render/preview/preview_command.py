@@ -27,7 +27,7 @@ def preview(
     """
     with PreviewServer(port) as server:
         world = load_world(scene_file)
-        warn_of_darkness(scene_file, world)
+        warn_of_darkness(scene_file.path, scene_file.scene.lights, world)
         choices = lighting_choices(scene_file.path, environments)
         denoiser = _denoiser(threads)
         session = server.session = Session(scene_file, world, choices, threads, denoiser)

@@ -24,10 +24,10 @@ from urllib.parse import parse_qs
 
 from pydantic import ValidationError
 
+from rna_render.local_server import LOOPBACK, LocalHandler, LocalServer
 from rna_render.preview.change import Change
 from rna_render.preview.session import Session
 from rna_sdk.errors import PreviewError, QueryError
-from rna_sdk.local_server import LOOPBACK, LocalHandler, LocalServer
 
 MAX_BODY = 4096
 # Shorter than a browser or a proxy waits for an answer.

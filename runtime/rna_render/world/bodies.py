@@ -16,13 +16,18 @@ from rna_render.lights.base import PlacedLight
 from rna_render.materials import MeshObject
 from rna_render.world.neural_sampling import LobeMixture
 from rna_render.world.placements import SceneObject
-from rna_sdk.runtime import DeformedCurves, DeformedMesh, RestPoints, offset_across
+from rna_sdk.runtime import (
+    Asset,
+    DeformedCurves,
+    DeformedMesh,
+    FiberAsset,
+    RestPoints,
+    SurfaceAsset,
+    offset_across,
+)
 from rna_trace import surface
 from rna_trace.asset_parts import (
-    Asset,
-    FiberPart,
     Shape,
-    SurfacePart,
     part_geometry,
     part_normal_maps,
     part_transmittance,
@@ -143,11 +148,16 @@ class _NeuralPoints(Points):
             return np.where(v[:, None], visible, shadowed), v
         return v * visible + (np.float32(1.0) - v) * shadowed, v.mean(axis=1)
 
-    def sample(self, row: np.ndarray, u: np.ndarray) -> np.ndarray:
-        return self._lobes.sample(self.n, self.tangents, self._wo, u, row)
+    def transport_and_pdf(
+        self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        frame = self.n, self.tangents, self._wo
+        return *self.transport(row, wi, distance), self._lobes.pdf(*frame, wi, row)
 
-    def pdf(self, row: np.ndarray, wi: np.ndarray) -> np.ndarray:
-        return self._lobes.pdf(self.n, self.tangents, self._wo, wi, row)
+    def sample_and_pdf(self, row: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        frame = self.n, self.tangents, self._wo
+        wi = self._lobes.sample(*frame, u, row)
+        return wi, self._lobes.pdf(*frame, wi, row)
 
     def _asked(
         self, axes: np.ndarray, row: np.ndarray, wi: np.ndarray
@@ -173,7 +183,7 @@ class _MeshPoints(_NeuralPoints):
 
     def __init__(
         self,
-        asset: SurfacePart,
+        asset: SurfaceAsset,
         scene: PartsScene,
         part: int,
         at: SurfacePoints,
@@ -199,7 +209,7 @@ class _StrandPoints(_NeuralPoints):
 
     def __init__(
         self,
-        asset: FiberPart,
+        asset: FiberAsset,
         scene: PartsScene,
         part: int,
         at: FiberPoints,
@@ -256,12 +266,6 @@ class _ObjectPoints(Points):
         self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
         return self._sent(row, self._scattering.evaluate(*self._directions, wi, row))
-
-    def sample(self, row: np.ndarray, u: np.ndarray) -> np.ndarray:
-        return self._scattering.sample(*self._directions, u, row)
-
-    def pdf(self, row: np.ndarray, wi: np.ndarray) -> np.ndarray:
-        return self._scattering.pdf(*self._directions, wi, row)
 
     def transport_and_pdf(
         self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray

@@ -7,7 +7,7 @@ from typing import cast
 
 from rna_render.world.bodies import RestMaps, make_body, rest_maps_of
 from rna_render.world.placements import Placement
-from rna_trace.asset_parts import Asset
+from rna_sdk.runtime import Asset
 from rna_trace.points import Body
 
 Key = tuple[int, int, int]

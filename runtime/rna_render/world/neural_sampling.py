@@ -18,7 +18,7 @@ from numba import prange
 
 from rna_sdk.compiled import compiled
 from rna_trace.angles import sine_and_cosine
-from rna_trace.vectors import Vector, dot, unit, vector_at
+from rna_trace.vectors import Vector, along, dot, unit, vector_at
 
 # Places in a mixture's numbers: shares of the lobes, then their widths.
 UNIFORM, COSINE, MIRROR, CONE, FORWARD, MIRROR_KAPPA, CONE_SCALE, FORWARD_KAPPA = range(8)
@@ -104,19 +104,9 @@ def _unit_or(x: float, y: float, z: float, otherwise: Vector) -> Vector:
 @compiled(inline=True, fastmath=())
 def _about(axis: Vector, cosine: float, turns: float) -> Vector:
     """The direction at that cosine to a unit axis, and that azimuth, in turns."""
-    x, y, z = axis
     sine = np.sqrt(max(0.0, 1.0 - cosine * cosine))
     sin_phi, cos_phi = sine_and_cosine(turns)
-    a, b = sine * cos_phi, sine * sin_phi
-    # Duff et al., Building an Orthonormal Basis, Revisited (JCGT 6(1), 2017).
-    sign = np.copysign(1.0, z)
-    c = -1.0 / (sign + z)
-    d = x * y * c
-    return (
-        a * (1.0 + sign * x * x * c) + b * d + cosine * x,
-        a * sign * d + b * (sign + y * y * c) + cosine * y,
-        -a * sign * x - b * y + cosine * z,
-    )
+    return along(axis, sine * cos_phi, sine * sin_phi, cosine)
 
 
 @compiled(inline=True, fastmath=())

@@ -11,7 +11,8 @@ import numpy as np
 from rna_render.lights import AssetEmission, AssetLight, MeshLight, PlacedLight, ShapeLight
 from rna_render.materials import MeshObject
 from rna_render.world.next_frame import NextFrame
-from rna_trace.asset_parts import Asset, Shape, part_geometry, shaped_parts
+from rna_sdk.runtime import Asset
+from rna_trace.asset_parts import Shape, part_geometry, shaped_parts
 
 SceneObject = Asset | MeshObject | PlacedLight
 

@@ -14,7 +14,7 @@ from rna_render.materials import MeshObject
 from rna_render.world.kept_bodies import KeptBodies, body_key
 from rna_render.world.placements import Placement, SceneObject
 from rna_sdk.compiled import compiled
-from rna_sdk.runtime import Transform
+from rna_sdk.runtime import Asset, Transform
 from rna_trace.embree.instances import ALL_RAYS, CAMERA_RAY, NO_INSTANCE, Instance, InstanceScene
 from rna_trace.embree.tracing import ClosestHits
 from rna_trace.points import Body, Points, Role
@@ -151,15 +151,15 @@ class World:
         x_world = self._to_world_points(instance, x)
         bends = seen and any(self._after)
         return Vertices(
-            ray,
-            instance,
-            parts,
-            x_world,
-            self.to_world_directions(instance, n),
-            self.to_world_directions(instance, hits.ng.take(ray, axis=0)),
-            wo_world,
-            np.where(self._passes[instance], instance, NO_INSTANCE).astype(np.int32),
-            self._to_world_points(instance, x_next) if bends else x_world,
+            ray=ray,
+            instance=instance,
+            parts=parts,
+            x_world=x_world,
+            n_world=self.to_world_directions(instance, n),
+            ng_world=self.to_world_directions(instance, hits.ng.take(ray, axis=0)),
+            wo_world=wo_world,
+            own=np.where(self._passes[instance], instance, NO_INSTANCE).astype(np.int32),
+            next_world=self._to_world_points(instance, x_next) if bends else x_world,
         )
 
     def origins(self, vertices: Vertices, row: np.ndarray, wi_world: np.ndarray) -> np.ndarray:
@@ -196,6 +196,12 @@ class World:
             return points
         linear, translation = self._matrices[:, :3, :3], self._matrices[:, :3, 3]
         return _transformed(linear, translation, instance, points)
+
+    @property
+    def assets(self) -> list[Asset]:
+        """Those of `objects` that are assets."""
+        others = MeshObject | PlacedLight
+        return [placed for placed in self.objects if not isinstance(placed, others)]
 
     @property
     def _no_shift(self) -> np.ndarray:

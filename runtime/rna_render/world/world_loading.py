@@ -12,6 +12,7 @@ from rna_render.lights import AssetEmission, PlacedLight, make_light
 from rna_render.materials import MeshObject, ground, read_mesh_object
 from rna_render.scene.light_models import AreaModel, LightModel
 from rna_render.scene.scene_file import SceneFile
+from rna_render.scene.scene_model import GroundModel
 from rna_render.scene.transforms import world_from_object
 from rna_render.world.domain_watch import watched
 from rna_render.world.kept_bodies import KeptBodies
@@ -19,8 +20,8 @@ from rna_render.world.motion_loading import MotionLoader
 from rna_render.world.placements import Placement, emission_of, mesh_light, place_asset
 from rna_render.world.tier_choice import Tiers
 from rna_render.world.world import World
-from rna_sdk.errors import QueryError, SceneError
-from rna_trace.asset_parts import Asset
+from rna_sdk.errors import MotionError, QueryError, SceneError
+from rna_sdk.runtime import Asset
 
 
 class Loaded:
@@ -47,16 +48,20 @@ def placed_world(scene_file: SceneFile, tiers: Tiers, loaded: Loaded | None = No
     """
     loaded = loaded or Loaded()
     loaded.tiers = tiers
+    loaded.motions.begin_frame()
     placed = _placed_assets(scene_file, tiers, loaded), _placed_objects(scene_file, loaded.objects)
     standing = [*placed[0], *placed[1]]
-    still = [*_placed_ground(scene_file, standing), *_placed_lights(scene_file)]
+    still = [
+        *_placed_ground(scene_file.resolved.ground, standing),
+        *_placed_lights(scene_file.scene.lights),
+    ]
     return World([*standing, *still], loaded.bodies)
 
 
 def _placed_assets(scene_file: SceneFile, tiers: Tiers, loaded: Loaded) -> list[Placement]:
     load, motions = loaded.assets, loaded.motions
     placements = []
-    for index, (model, chosen) in enumerate(zip(scene_file.scene.assets, tiers, strict=True)):
+    for index, (model, chosen) in enumerate(zip(scene_file.resolved.assets, tiers, strict=True)):
         path, pixels = scene_file.asset_path(index), chosen.pixels
         if model.motion is not None:
             pixels = None  # a proxy has other vertices
@@ -67,9 +72,14 @@ def _placed_assets(scene_file: SceneFile, tiers: Tiers, loaded: Loaded) -> list[
         other = None
         if chosen.indirect is not None:
             other = load(path, chosen.indirect, pixels)
-        shapes = motions.shapes(scene_file, index, path, asset)
+        shapes, after = None, None
+        if model.motion is not None:
+            try:
+                shapes = motions.shapes(model.motion, path, asset)
+                after = motions.after(model.motion, path, shapes)
+            except (MotionError, QueryError) as error:
+                raise scene_file.error(("assets", index, "motion"), str(error)) from error
         emission = load.emission(asset) if shapes is None else motions.emission(asset, shapes)
-        after = motions.after(scene_file, index, shapes)
         at = world_from_object(model.transform), emission, model.emission
         placements.append(place_asset(asset, *at, other, shapes, after))
     return placements
@@ -113,17 +123,15 @@ def _placed_objects(
     return placements
 
 
-def _placed_ground(scene_file: SceneFile, standing: Sequence[Placement]) -> list[Placement]:
-    model = scene_file.resolved.ground
+def _placed_ground(model: GroundModel | None, standing: Sequence[Placement]) -> list[Placement]:
     if model is None:
         return []
     mesh = ground(model, (placement.box() for placement in standing))
     return [Placement(mesh, np.eye(4), mesh_light(mesh, np.eye(4)), boundless=True)]
 
 
-def _placed_lights(scene_file: SceneFile) -> list[Placement]:
-    models = [model for model in scene_file.scene.lights if isinstance(model, AreaModel)]
-    lights = [make_light(model) for model in models]
+def _placed_lights(models: Sequence[LightModel]) -> list[Placement]:
+    lights = [make_light(model) for model in models if isinstance(model, AreaModel)]
     return [
         Placement(light, light.world_from_object, light, boundless=True)
         for light in lights
@@ -135,12 +143,12 @@ class DarkWarning(UserWarning):
     """Nothing in a scene shines."""
 
 
-def warn_of_darkness(scene_file: SceneFile, world: World) -> None:
-    """Warns with DarkWarning where no light, object, ground or asset of the scene shines."""
+def warn_of_darkness(scene: Path, lights: Sequence[LightModel], world: World) -> None:
+    """Warns with DarkWarning where no light, object, ground or asset of a scene file shines."""
     shining = any(p.light is not None and p.light is not p.object for p in world.placements)
-    if not shining and not any(map(_shines, scene_file.scene.lights)):
+    if not shining and not any(map(_shines, lights)):
         message = "the scene has no light, so its image is black: give it lights (docs/scene.md)"
-        warnings.warn(f"{scene_file.path}: {message}", DarkWarning, stacklevel=2)
+        warnings.warn(f"{scene}: {message}", DarkWarning, stacklevel=2)
 
 
 def _shines(light: LightModel) -> bool:

@@ -56,7 +56,7 @@ class Rays(NamedTuple):
 class Hits(NamedTuple):
     """t: (n,) float32, infinity for a miss. instance, geometry, primitive: (n,) int32, -1 for a
     miss; instance also where there are none. u, v: (n,) float32, 0 for a miss. ng: (n, 3) float32,
-    unit, 0 for a miss; or (0, 3), and then it is not written.
+    unit, 0 for a miss.
     """
 
     t: np.ndarray
@@ -154,9 +154,9 @@ def _store_hits(block: np.ndarray, bits: np.ndarray, start: int, count: int, hit
         primitive[i] = np.int32(bits[k, HIT_PRIMITIVE]) if hit else -1
         u[i] = block[k, HIT_U] if hit else 0.0
         v[i] = block[k, HIT_V] if hit else 0.0
-        if len(ng) and hit:
+        if hit:
             _store_normal(block[k], ng[i])
-        elif len(ng):
+        else:
             ng[i] = 0.0
 
 

@@ -3,32 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from rna_sdk.errors import SceneError
 from rna_sdk.package import Curves
 from rna_trace.embree import library as api
-from rna_trace.embree.tracing import GeometryScene, closest_hits
+from rna_trace.embree.tracing import GeometryScene
 from rna_trace.transmittance import Transmittance
-
-
-@dataclass(frozen=True, slots=True)
-class Hits:
-    """The closest hit of each ray.
-
-    t: (n,) float32, distance in units of the direction's length; infinity for a miss.
-    geometry: (n,) int32, place of the mesh in the scene's list; -1 for a miss.
-    triangle: (n,) int32, place of the triangle in its mesh; -1 for a miss.
-    u, v: (n,) float32, barycentrics: the point is (1 - u - v) p0 + u p1 + v p2; 0 for a miss.
-    """
-
-    t: np.ndarray
-    geometry: np.ndarray
-    triangle: np.ndarray
-    u: np.ndarray
-    v: np.ndarray
 
 
 class TriangleScene(GeometryScene):
@@ -56,18 +38,6 @@ class TriangleScene(GeometryScene):
             extent = add_mesh(self._scene, index, positions, triangles, table)
             self.extent = max(self.extent, extent)
         self._scene.commit()
-
-    def intersect(
-        self,
-        origins: np.ndarray,
-        directions: np.ndarray,
-        tnear: np.ndarray | float = 0.0,
-        tfar: np.ndarray | float = np.inf,
-    ) -> Hits:
-        """The closest hit of each ray within [tnear, tfar]; arguments as for `occluded`."""
-        rays = origins, directions, tnear, tfar
-        found = closest_hits(self._scene, *rays, with_normals=False)
-        return Hits(found.t, found.geometry, found.primitive, found.u, found.v)
 
 
 class SphereScene(GeometryScene):

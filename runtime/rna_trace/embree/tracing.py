@@ -7,10 +7,11 @@ from typing import Any
 
 import numpy as np
 
+from rna_sdk.arrays import vectors
 from rna_trace.embree import kernels
 from rna_trace.embree import library as api
 from rna_trace.embree.filters import transmittance_filter
-from rna_trace.rays import per_ray, vectors
+from rna_trace.rays import per_ray
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,8 +21,7 @@ class ClosestHits:
     instance: int32, number of the instance; -1 in a scene without instances, too.
     geometry: int32, number of the geometry in its scene.
     primitive: int32, number of the triangle or of the curve segment.
-    ng: (n, 3) float32, unit geometric normals in the space of the geometry; (0, 3) if not asked
-        for.
+    ng: (n, 3) float32, unit geometric normals in the space of the geometry.
     weight: (n, 3) float32, what the light found has to be multiplied by, since rays passed or met
         something coloured at random; None for 1.
     """
@@ -83,6 +83,20 @@ class GeometryScene:
         """The Embree scene, for another scene to instance; valid as long as this object."""
         return self._scene
 
+    def intersect(
+        self,
+        origins: np.ndarray,
+        directions: np.ndarray,
+        tnear: np.ndarray | float = 0.0,
+        tfar: np.ndarray | float = np.inf,
+    ) -> ClosestHits:
+        """The closest hit of each ray within [tnear, tfar]; arguments as for `occluded`.
+
+        Points of triangles are (1 - u - v) p0 + u p1 + v p2. On a segment u is in [0, 1] from its
+        first point to its second, and v means nothing.
+        """
+        return closest_hits(self._scene, origins, directions, tnear, tfar)
+
     def occluded(
         self,
         origins: np.ndarray,
@@ -118,7 +132,6 @@ def closest_hits(
     directions: np.ndarray,
     tnear: np.ndarray | float,
     tfar: np.ndarray | float,
-    with_normals: bool = True,
     passing: Passing = NOTHING,
 ) -> ClosestHits:
     """Closest hits in any Embree scene.
@@ -126,7 +139,7 @@ def closest_hits(
     Arguments and errors are those of GeometryScene.occluded.
     """
     rays = _rays(passing.ray_id, passing.mask, origins, directions, tnear, tfar)
-    hits = _hits(len(rays.origins), with_normals)
+    hits = _hits(len(rays.origins))
     function = api.function_address("rtcIntersect1")
     kernels.intersect(function, scene.handle, passing.arguments, rays, hits)
     return ClosestHits(*hits)
@@ -213,8 +226,8 @@ def _rays(
     return kernels.Rays(ray_id, mask, origins, directions, *interval)
 
 
-def _hits(n: int, with_normals: bool = True) -> kernels.Hits:
+def _hits(n: int) -> kernels.Hits:
     t, u, v = (np.empty(n, np.float32) for _ in range(3))
     instance, geometry, primitive = (np.empty(n, np.int32) for _ in range(3))
-    ng = np.empty((n if with_normals else 0, 3), np.float32)
+    ng = np.empty((n, 3), np.float32)
     return kernels.Hits(t, instance, geometry, primitive, u, v, ng)

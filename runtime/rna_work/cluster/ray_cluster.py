@@ -16,10 +16,10 @@ from typing import Any, TypeVar
 
 from rna_sdk.console import install_hint
 from rna_sdk.errors import RnaError, WorkError
+from rna_work.backend import Needs
 from rna_work.cached import content_hash
-from rna_work.cluster.ray_slots import RayWorkers
+from rna_work.cluster.ray_slots import RayWorkers, alive_nodes, first_line, nodes_with
 from rna_work.cluster.travelling import Travelling, check_elsewhere
-from rna_work.executors import Needs
 from rna_work.processes import portable
 from rna_work.sources import Carried
 
@@ -102,7 +102,7 @@ class RayCluster:
         return Travelling.of(path, others)
 
     def whole_machines(
-        self, threads: int | None, local: str = "", needs_gpu: bool = False
+        self, threads: int | None, needs_gpu: bool = False
     ) -> tuple[RayWorkers, int]:
         gpus = 1.0 if needs_gpu else 0.0
         nodes = [node for node in alive_nodes() if node["Resources"].get("GPU", 0) >= gpus]
@@ -143,29 +143,9 @@ def _answer_of_node(do: Callable[[], Any]) -> tuple[Any, Exception | None]:
         return None, portable(error)
 
 
-def alive_nodes() -> list[dict[str, Any]]:
-    """Nodes that can work, as Ray lists them."""
-    import ray
-
-    return [node for node in ray.nodes() if node["Alive"] and node["Resources"].get("CPU", 0) > 0]
-
-
-def nodes_with(resource: str | None) -> list[dict[str, Any]]:
-    """Nodes with a resource; all usable nodes if none has it."""
-    nodes = alive_nodes()
-    return [node for node in nodes if resource in node["Resources"]] or nodes
-
-
 def node_name(node: dict[str, Any]) -> str:
     """Host, and the beginning of the node's number: several nodes may be on one host."""
     return f"{node['NodeManagerHostname']}-{node['NodeID'][:4]}"
-
-
-def first_line(error: BaseException) -> str:
-    """First line of the message, and the next unindented one: Ray's reason for an actor's death."""
-    lines = str(error).strip().splitlines() or [type(error).__name__]
-    more = (line for line in lines[1:] if line and not line[0].isspace())
-    return f"{lines[0]} {next(more, '')}".strip()
 
 
 def prepare(address: str) -> None:

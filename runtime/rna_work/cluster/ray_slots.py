@@ -1,4 +1,4 @@
-"""Workers in actors of a Ray cluster."""
+"""Nodes of a Ray cluster, and workers in actors on them."""
 
 from __future__ import annotations
 
@@ -7,15 +7,26 @@ import socket
 from collections.abc import Callable
 from concurrent.futures import Future
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from rna_work.backend import Needs
 from rna_work.processes import portable
 from rna_work.workers import MakeWorker, Worker, WorkerLost
 
-if TYPE_CHECKING:
-    from rna_work.executors import Needs
-
 _LOSSES = 10  # of an item's workers: nodes come and go
+
+
+def alive_nodes() -> list[dict[str, Any]]:
+    """Nodes that can work, as Ray lists them."""
+    import ray
+
+    return [node for node in ray.nodes() if node["Alive"] and node["Resources"].get("CPU", 0) > 0]
+
+
+def nodes_with(resource: str | None) -> list[dict[str, Any]]:
+    """Nodes with a resource; all usable nodes if none has it."""
+    nodes = alive_nodes()
+    return [node for node in nodes if resource in node["Resources"]] or nodes
 
 
 @dataclass(frozen=True)
@@ -33,8 +44,6 @@ class RayWorkers:
         return str(self.needs)
 
     def width(self) -> int:
-        from rna_work.cluster.ray_cluster import alive_nodes
-
         if self.count is not None:
             return self.count
         wanted = self._wanted()
@@ -56,8 +65,6 @@ class RayWorkers:
 
     def _wanted(self) -> dict[str, float]:
         """Resources that a worker takes, by Ray's names."""
-        from rna_work.cluster.ray_cluster import nodes_with
-
         needs = self.needs
         wanted = {"CPU": needs.cpus, "GPU": needs.gpus, "memory": needs.memory}
         nodes = nodes_with(needs.resource)
@@ -133,8 +140,6 @@ def _settled(reference: Any) -> Future[Any]:
     def settle(done: Future[tuple[Any, Exception | None]]) -> None:
         error = done.exception()
         if error is not None:
-            from rna_work.cluster.ray_cluster import first_line
-
             lost = WorkerLost(f"its process or node ended: {first_line(error)}")
             future.set_exception(lost)
             return
@@ -146,3 +151,10 @@ def _settled(reference: Any) -> Future[Any]:
 
     reference.future().add_done_callback(settle)
     return future
+
+
+def first_line(error: BaseException) -> str:
+    """First line of the message, and the next unindented one: Ray's reason for an actor's death."""
+    lines = str(error).strip().splitlines() or [type(error).__name__]
+    more = (line for line in lines[1:] if line and not line[0].isspace())
+    return f"{lines[0]} {next(more, '')}".strip()

@@ -2,8 +2,7 @@
 import { sceneArrays } from "./geometry/scene_arrays.js";
 import { Package } from "./package/package.js";
 import { BlobSource } from "./package/source.js";
-import * as inWebGL from "./webgl/answers.js";
-import * as inWebGPU from "./webgpu/answers.js";
+import { evaluate, mappedNormals, visibility } from "./webgpu/answers.js";
 
 const bytesOf = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
 
@@ -17,14 +16,13 @@ function textOf(values) {
 export class Reader {
   constructor(engine) {
     this.engine = engine;
-    this.answers = engine.constructor.label === "WebGPU" ? inWebGPU : inWebGL;
   }
 
   /** Loads a package, base64; its tier, the first by default. */
   async load(text, tier) {
     const opened = await Package.open(new BlobSource(new Blob([bytesOf(text)]), "package"));
     this.shown = await opened.load(tier);
-    this.arrays = sceneArrays(this.shown.parts);
+    this.arrays = await sceneArrays(this.shown.parts);
     await this.engine.setAsset(this.arrays, this.shown.parts);
     this.engine.resize(1, 1);
   }
@@ -37,15 +35,20 @@ export class Reader {
       const row = given.subarray(columns * k, columns * (k + 1)), wo = row.subarray(7, 10);
       rows.set([...row.subarray(0, 3), row[6], ...row.subarray(3, 6), 0, ...wo, 0, ...(columns === 13 ? row.subarray(10) : wo)], 16 * k);
     }
-    return textOf(await this.answers.evaluate(this.engine, part, output, rows));
+    return textOf(await this.answer(part, output, rows));
+  }
+
+  /** Numbers for rows of 16: webgpu/answers.js. */
+  answer(...query) {
+    return evaluate(this.engine, ...query);
   }
 
   async visibility(text) {
-    return textOf(await this.answers.visibility(this.engine, this._hits(text)));
+    return textOf(await visibility(this.engine, this._hits(text)));
   }
 
   async normals(text) {
-    return textOf(await this.answers.mappedNormals(this.engine, this._hits(text)));
+    return textOf(await mappedNormals(this.engine, this._hits(text)));
   }
 
   _hits(text) {

@@ -1,5 +1,5 @@
 // Types of rna-three. Those of three.js itself are in @types/three.
-import type { Camera, Group, InstancedMesh, Loader, LoadingManager, Mesh, NodeMaterial } from "three/webgpu";
+import type { Camera, Euler, Group, InstancedMesh, Loader, LoadingManager, Mesh, NodeMaterial, Texture } from "three/webgpu";
 
 export interface RnaOptions {
   /** What hides light from the asset itself: rays through its own hierarchy, or the light's shadow map. Default "rays". */
@@ -17,6 +17,7 @@ export class RnaLoader extends Loader<RnaAsset> {
   constructor(manager?: LoadingManager);
   /** Reads one tier alone; null: all, from which each picture chooses. */
   setTier(name: string | null): this;
+  /** For what is loaded from here on. Throws for an option or a value that it does not know. */
   setOptions(options: RnaOptions): this;
   /** From bytes that are there already. */
   parse(bytes: ArrayBuffer, onLoad: (asset: RnaAsset) => void, onError?: (error: Error) => void): void;
@@ -32,7 +33,7 @@ export class RnaAsset extends Group {
   readonly manifest: Record<string, unknown>;
   /** Names of the tiers that were read. */
   readonly tiers: string[];
-  /** A tier's name, or "auto": the cheapest that is good enough for the asset's size in the image. */
+  /** A tier's name (another one throws), or "auto": the cheapest that is good enough for the asset's size in the image. */
   tier: string;
   /** Meshes of the parts; geometry and material can be given to an InstancedMesh. */
   readonly meshes: Mesh[];
@@ -40,13 +41,19 @@ export class RnaAsset extends Group {
   update(camera: Camera): void;
   /** Many of it, each with a matrix of its own, which may turn, move and scale evenly. */
   instanced(count: number): InstancedMesh[];
-  /** Shares geometry and decoders. */
+  /** With children, userData and what else was set; shares geometry and decoders. */
   clone(recursive?: boolean): this;
-  /** Frees what is on the GPU, once the last copy is disposed of. */
+  /** Frees what is on the GPU, once the last copy is disposed of; a second call does nothing. */
   dispose(): void;
 }
 
 /** The node material of a part; WebGPU alone. */
 export class RnaMaterial extends NodeMaterial {
   readonly isRnaMaterial: true;
+  /** Lights this part in place of scene.environment. */
+  envMap: Texture | null;
+  envMapIntensity: number;
+  envMapRotation: Euler;
+  /** Shares the buffers of the asset. */
+  clone(): this;
 }

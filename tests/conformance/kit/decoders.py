@@ -7,7 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from rna_sdk.package.decoder.decoder_form import FORMS
-from rna_sdk.runtime.engine import onnx_bytes as pb
+from rna_sdk.package.decoder.decoder_writer import decoder_to_bytes
+from rna_sdk.package.decoder.profile_decoder import ProfileDecoder, ProfileLayer
 
 LARGEST_INPUT = 65504.0
 OUTPUTS = {form.name: form.width(None) for form in FORMS}
@@ -62,13 +63,9 @@ class Decoder:
         return _closed(x, self.ends)
 
     def file(self) -> bytes:
-        graph = pb.GraphBuilder()
-        value = graph.node("Clip", "queries", -LARGEST_INPUT, LARGEST_INPUT)
-        for k, layer in enumerate(self.layers):
-            value = graph.node("Relu", value) if k else value
-            value = graph.node("Gemm", value, layer.weight, layer.bias)
-        sizes = len(self.layers[0].weight), len(self.layers[-1].bias)
-        return _file(graph, value, self.ends, *sizes, self.output)
+        last = self.layers[-1]
+        layers = [ProfileLayer(a.weight, a.bias, 0.0, None, a is not last) for a in self.layers]
+        return _file(layers, self.ends, self.output)
 
 
 @dataclass(frozen=True)
@@ -113,17 +110,11 @@ class Int8Decoder:
         return result
 
     def file(self) -> bytes:
-        graph, zero = pb.GraphBuilder(), np.uint8(0)
-        value = graph.node("Clip", "queries", -LARGEST_INPUT, LARGEST_INPUT)
-        value = graph.node("Add", graph.node("Mul", value, self.gain), self.offset)
-        for layer in self.layers:
-            value = graph.node("QuantizeLinear", value, layer.input_scale, zero)
-            value = graph.node("DequantizeLinear", value, layer.input_scale, zero)
-            weight = graph.node("DequantizeLinear", layer.weight, layer.scale, axis=1)
-            scale = layer.input_scale * layer.scale
-            bias = graph.node("DequantizeLinear", layer.bias, scale, axis=0)
-            value = graph.node("Gemm", value, weight, bias)
-        return _file(graph, value, self.ends, len(self.gain), len(layer.bias), self.output)
+        layers = [
+            ProfileLayer(a.weight, a.bias, float(a.input_scale), a.scale, False)
+            for a in self.layers
+        ]
+        return _file(layers, self.ends, self.output, self.gain, self.offset)
 
 
 def make_decoder(
@@ -227,15 +218,14 @@ def _closed(x: np.ndarray, ends: np.ndarray) -> np.ndarray:
 
 
 def _file(
-    graph: pb.GraphBuilder, value: str, ends: np.ndarray, columns: int, last: int, output: str
+    layers: list[ProfileLayer],
+    ends: np.ndarray,
+    output: str,
+    gain: np.ndarray | None = None,
+    offset: np.ndarray | None = None,
 ) -> bytes:
-    """The ModelProto from `queries` to the output, the closing nodes included.
-
-    columns: of the queries. last: outputs of the last layer.
-    """
-    value = graph.node("Exp", graph.node("Clip", value, 0.0, TOP))
-    value = graph.node("Sub", value, 1.0)
-    graph.node("MatMul" if np.ndim(ends) else "Mul", value, ends, output=output)
-    width = len(ends.T) if np.ndim(ends) else last
-    ends_at = pb.value("queries", ["N", columns]), pb.value(output, ["N", width])
-    return graph.model(*ends_at, [("", 17)], producer="rna-conformance")
+    """The decoder's file; gain, offset: of int8."""
+    limits, has_matrix = (-LARGEST_INPUT, LARGEST_INPUT), np.ndim(ends) > 0
+    unit, matrix = (1.0, ends) if has_matrix else (float(ends), None)
+    decoder = ProfileDecoder(*limits, gain, offset, tuple(layers), TOP, unit, matrix, output)
+    return decoder_to_bytes(decoder, "rna-conformance")

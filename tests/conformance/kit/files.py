@@ -128,7 +128,6 @@ def _validate_case(
         "package": package,
         "valid": valid,
         "code": code,
-        "needsEngine": code in ("DECODER_LOAD", "DECODER_RESULT"),
         "extension": extension,
     }
 

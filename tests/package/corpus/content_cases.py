@@ -5,23 +5,34 @@ from __future__ import annotations
 import json
 from collections.abc import Callable
 from dataclasses import replace
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
 import onnx
 from onnx import TensorProto, helper, numpy_helper
 
+from rna_sdk.package import ProfileDecoder, decoder_to_bytes
 from rna_sdk.package.container.tensor_file import tensors_to_bytes
+from rna_sdk.package.decoder.onnx_writer import GraphWriter
+from rna_sdk.package.decoder.onnx_writer import value as value_info
 from rna_sdk.package.geometry.glb_writer import CHUNK, CHUNK_BIN, HEADER, mesh_to_glb, pack_glb
 from rna_sdk.package.textures.planes import planes_to_bytes
 from tests.package.builders import (
-    make_decoder_model,
-    make_int8_decoder_model,
+    LIMIT,
     make_mesh,
     make_planes,
+    random_decoder,
+    random_int8_decoder,
 )
-from tests.package.corpus.registry import DECODER, MESH, PLANES, Entries, case, with_entry
+from tests.package.corpus.registry import (
+    DECODER,
+    MESH,
+    PLANES,
+    Entries,
+    case,
+    tier_part,
+    with_entry,
+)
 
 
 def with_gltf(
@@ -47,8 +58,13 @@ def with_decoder(entries: Entries, edit: Callable[[onnx.ModelProto], object]) ->
     return with_entry(entries, DECODER, model.SerializeToString())
 
 
-def with_model(entries: Entries, **options: Any) -> bytes:
-    return with_entry(entries, DECODER, make_decoder_model(**options).SerializeToString())
+def with_profile(entries: Entries, decoder: ProfileDecoder, precision: str = "float32") -> bytes:
+    """The package with another decoder, of this precision by the manifest."""
+
+    def declare(manifest: dict[str, Any]) -> None:
+        tier_part(manifest).update(decoderPrecision=precision)
+
+    return with_entry(entries, DECODER, decoder_to_bytes(decoder), declare)
 
 
 def with_planes_header(entries: Entries, header: dict[str, Any], pad: int = 64) -> bytes:
@@ -259,7 +275,7 @@ def planes_of_another_dtype(entries: Entries) -> bytes:
 
 def with_int8_planes(entries: Entries, data: bytes) -> bytes:
     def edit(manifest: dict[str, Any]) -> None:
-        manifest["tiers"][0]["planePrecision"] = "int8"
+        tier_part(manifest)["planePrecision"] = "int8"
 
     return with_entry(entries, PLANES, data, edit)
 
@@ -329,7 +345,7 @@ def planes_too_large_for_sums(entries: Entries) -> bytes:
         entries,
         PLANES,
         planes_to_bytes(planes),
-        lambda m: m["tiers"][0].update(planePrecision="float32"),
+        lambda m: tier_part(m).update(planePrecision="float32"),
     )
 
 
@@ -348,72 +364,50 @@ def decoder_too_large(entries: Entries) -> bytes:
     return with_entry(entries, DECODER, bytes(2**26 + 1))
 
 
-@case("DECODER_NOT_ONNX")
+@case("DECODER_PROFILE")
 def decoder_garbage(entries: Entries) -> bytes:
     return with_entry(entries, DECODER, bytes(range(255, 0, -1)))
 
 
-@case("DECODER_NOT_ONNX")
-def decoder_empty(entries: Entries) -> bytes:
-    return with_entry(entries, DECODER, b"")
-
-
-@case("DECODER_NOT_ONNX")
+@case("DECODER_PROFILE")
 def decoder_truncated(entries: Entries) -> bytes:
     return with_entry(entries, DECODER, entries[DECODER][:-20])
 
 
-@case("DECODER_NOT_ONNX")
+@case("DECODER_PROFILE")
 def decoder_with_two_graphs(entries: Entries) -> bytes:
     """Protobuf merges the two; a reader that takes the last sees another model."""
     return with_entry(entries, DECODER, entries[DECODER] + b"\x3a\x00")
 
 
-@case("DECODER_NOT_ONNX")
+@case("DECODER_PROFILE")
 def decoder_of_countless_fields(entries: Entries) -> bytes:
     return with_entry(entries, DECODER, entries[DECODER] + b"\x28\x01" * 300_000)
 
 
-@case("DECODER_NOT_ONNX")
+@case("DECODER_PROFILE")
 def decoder_with_a_size_named_in_no_utf8(entries: Entries) -> bytes:
     data = entries[DECODER]
     assert data.count(b"\x12\x01N") == 2
     return with_entry(entries, DECODER, data.replace(b"\x12\x01N", b"\x12\x01\xb7"))
 
 
-@case("DECODER_VERSION")
+@case("DECODER_PROFILE")
 def decoder_opset_too_new(entries: Entries) -> bytes:
-    return with_model(entries, opset=22)
+    return with_decoder(entries, lambda m: setattr(m.opset_import[0], "version", 22))
 
 
-@case("DECODER_VERSION")
-def decoder_opset_too_old(entries: Entries) -> bytes:
-    return with_model(entries, opset=12)
-
-
-@case("DECODER_VERSION")
-def decoder_ir_too_new(entries: Entries) -> bytes:
-    return with_model(entries, ir_version=11)
-
-
-@case("DECODER_DOMAIN")
-def decoder_imports_a_custom_domain(entries: Entries) -> bytes:
-    return with_decoder(
-        entries, lambda m: m.opset_import.append(helper.make_opsetid("com.microsoft", 1))
-    )
-
-
-@case("DECODER_DOMAIN")
+@case("DECODER_PROFILE")
 def decoder_node_of_a_custom_domain(entries: Entries) -> bytes:
     return with_decoder(entries, lambda m: setattr(m.graph.node[0], "domain", "evil"))
 
 
-@case("DECODER_OPERATOR")
-def decoder_operator_that_grows(entries: Entries) -> bytes:
-    return with_decoder(entries, lambda m: setattr(m.graph.node[0], "op_type", "Expand"))
+@case("DECODER_PROFILE")
+def decoder_with_a_function(entries: Entries) -> bytes:
+    return with_decoder(entries, lambda m: m.functions.add(name="f"))
 
 
-@case("DECODER_NESTED")
+@case("DECODER_PROFILE")
 def decoder_with_a_branch(entries: Entries) -> bytes:
     branch = helper.make_graph([], "branch", [], [])
     return with_decoder(
@@ -421,12 +415,7 @@ def decoder_with_a_branch(entries: Entries) -> bytes:
     )
 
 
-@case("DECODER_NESTED")
-def decoder_with_a_function(entries: Entries) -> bytes:
-    return with_decoder(entries, lambda m: m.functions.add(name="f"))
-
-
-@case("DECODER_EXTERNAL")
+@case("DECODER_PROFILE")
 def decoder_with_external_data(entries: Entries) -> bytes:
     def edit(model: onnx.ModelProto) -> None:
         tensor = model.graph.initializer[-1]
@@ -436,156 +425,23 @@ def decoder_with_external_data(entries: Entries) -> bytes:
     return with_decoder(entries, edit)
 
 
-@case("DECODER_EXTERNAL")
-def decoder_with_external_data_in_a_constant(entries: Entries) -> bytes:
-    def edit(model: onnx.ModelProto) -> None:
-        tensor = TensorProto(name="t", data_type=1, dims=[1])
-        tensor.external_data.add(key="location", value="weights.bin")
-        model.graph.node.append(helper.make_node("Constant", [], ["spare"], value=tensor))
-
-    return with_decoder(entries, edit)
-
-
-@case("DECODER_TENSOR")
-def decoder_tensor_of_strings(entries: Entries) -> bytes:
-    text = helper.make_tensor("text", TensorProto.STRING, [1], [b"x"])
-    return with_decoder(entries, lambda m: m.graph.initializer.append(text))
-
-
-@case("DECODER_TENSOR")
-def decoder_tensor_of_three_dimensions(entries: Entries) -> bytes:
+@case("DECODER_PROFILE")
+def decoder_with_a_constant_that_no_layer_reads(entries: Entries) -> bytes:
     cube = numpy_helper.from_array(np.zeros((2, 2, 2), np.float32), "cube")
     return with_decoder(entries, lambda m: m.graph.initializer.append(cube))
 
 
-@case("DECODER_TENSOR")
-def decoder_that_doubles_its_width(entries: Entries) -> bytes:
-    def edit(model: onnx.ModelProto) -> None:
-        names = ["queries", *(f"grow{i}" for i in range(60))]
-        for old, new in pairwise(names):
-            model.graph.node.append(helper.make_node("Concat", [old, old], [new], axis=1))
-
-    return with_decoder(entries, edit)
+@case("DECODER_PROFILE")
+def decoder_with_a_constant_named_twice(entries: Entries) -> bytes:
+    return with_decoder(entries, lambda m: m.graph.initializer.append(m.graph.initializer[0]))
 
 
-def with_nodes(entries: Entries, constants: dict[str, np.ndarray], *nodes: onnx.NodeProto) -> bytes:
-    """The package with constants and nodes that its decoder's output does not use."""
-
-    def edit(model: onnx.ModelProto) -> None:
-        tensors = [numpy_helper.from_array(value, name) for name, value in constants.items()]
-        model.graph.initializer.extend(tensors)
-        model.graph.node.extend(nodes)
-
-    return with_decoder(entries, edit)
-
-
-def sides(rows: int, columns: int, dtype: type = np.uint8) -> dict[str, np.ndarray]:
-    """Two small constants, whose product or sum is large."""
-    return {"column": np.ones((rows, 1), dtype), "row": np.ones((1, columns), dtype)}
-
-
-@case("DECODER_ROWS")
-def decoder_with_an_outer_product(entries: Entries) -> bytes:
-    node = helper.make_node("MatMul", ["column", "row"], ["outer"])
-    return with_nodes(entries, sides(4096, 4096, np.float32), node)
-
-
-@case("DECODER_ROWS")
-def decoder_with_products_of_all_pairs_of_queries(entries: Entries) -> bytes:
-    node = helper.make_node("Gemm", ["queries", "queries"], ["pairs"], transB=1)
-    return with_nodes(entries, {}, node)
-
-
-@case("DECODER_ROWS")
-def decoder_with_transposed_queries(entries: Entries) -> bytes:
-    node = helper.make_node("Gemm", ["queries", "row"], ["turned"], transA=1)
-    return with_nodes(entries, sides(1, 8, np.float32), node)
-
-
-@case("DECODER_ROWS")
-def decoder_that_repeats_its_queries(entries: Entries) -> bytes:
-    node = helper.make_node("Concat", ["queries", "queries"], ["twice"], axis=0)
-    return with_nodes(entries, {}, node)
-
-
-@case("DECODER_ROWS")
-def decoder_with_a_product_of_one_number_a_query(entries: Entries) -> bytes:
-    """Of one dimension, [N], which [N, 1] would make [N, N]."""
-    weights = {"weights": np.ones(18, np.float32)}
-    return with_nodes(entries, weights, helper.make_node("MatMul", ["queries", "weights"], ["sum"]))
-
-
-@case("DECODER_COST")
-def decoder_with_a_constant_that_grows(entries: Entries) -> bytes:
-    node = helper.make_node("Add", ["column", "row"], ["table"])
-    return with_nodes(entries, sides(4100, 4100), node)
-
-
-@case("DECODER_COST")
-def decoder_with_many_large_constants(entries: Entries) -> bytes:
-    names = [f"table{i}" for i in range(33)]
-    nodes = [helper.make_node("Add", ["column", "row"], [name]) for name in names]
-    return with_nodes(entries, sides(64, 8192), *nodes)
-
-
-@case("DECODER_COST")
-def decoder_of_many_wide_layers(entries: Entries) -> bytes:
-    """The first column of the queries plus 4,096 numbers, again and again."""
-    constants = sides(18, 4096, np.float32)
-    first = helper.make_node("MatMul", ["queries", "column"], ["wide0"])
-    names = [f"wide{i}" for i in range(18)]
-    nodes = [helper.make_node("Add", [old, "row"], [new]) for old, new in pairwise(names)]
-    return with_nodes(entries, constants, first, *nodes)
-
-
-@case("DECODER_COST")
-def decoder_of_many_multiply_adds(entries: Entries) -> bytes:
-    """Three layers of 2,048 by 4,096, whose weights are made of 6,144 numbers."""
-    sums = {"ones": np.ones((18, 1), np.float32)}
-    return with_nodes(
-        entries,
-        sides(2048, 4096, np.float32) | sums,
-        helper.make_node("Add", ["column", "row"], ["weights"]),
-        helper.make_node("MatMul", ["queries", "ones"], ["sum"]),
-        helper.make_node("Add", ["sum", "row"], ["wide0"]),
-        helper.make_node("Gemm", ["wide0", "weights"], ["narrow0"], transB=1),
-        helper.make_node("Gemm", ["narrow0", "weights"], ["wide1"]),
-        helper.make_node("Gemm", ["wide1", "weights"], ["narrow1"], transB=1),
-    )
-
-
-@case("DECODER_COST")
-def decoder_of_countless_layers_with_one_weight(entries: Entries) -> bytes:
-    """In the profile: a reader that copies the weights of each layer needs them 1,500 times."""
-    model = make_decoder_model(width=24, layers=2)
-    nodes, value, again = list(model.graph.node), "x2", []
-    last = next(i for i, node in enumerate(nodes) if value in node.input)
-    for k in range(1500):
-        again.append(helper.make_node("Gemm", [value, "w1", "b1"], [f"g{k}"]))
-        again.append(helper.make_node("Relu", [f"g{k}"], [f"r{k}"]))
-        value = f"r{k}"
-    nodes[last].input[0] = value
-    del model.graph.node[:]
-    model.graph.node.extend([*nodes[:last], *again, *nodes[last:]])
-    return with_entry(entries, DECODER, model.SerializeToString())
-
-
-@case("DECODER_INPUT")
+@case("DECODER_PROFILE")
 def decoder_with_other_columns(entries: Entries) -> bytes:
-    return with_model(entries, columns=17)
+    return with_profile(entries, random_decoder(columns=17))
 
 
-@case("DECODER_INPUT")
-def decoder_input_by_another_name(entries: Entries) -> bytes:
-    return with_decoder(entries, lambda m: setattr(m.graph.input[0], "name", "x"))
-
-
-@case("DECODER_INPUT")
-def decoder_with_two_inputs(entries: Entries) -> bytes:
-    return with_decoder(entries, lambda m: m.graph.input.append(m.graph.input[0]))
-
-
-@case("DECODER_INPUT")
+@case("DECODER_PROFILE")
 def decoder_with_a_fixed_batch(entries: Entries) -> bytes:
     def edit(model: onnx.ModelProto) -> None:
         model.graph.input[0].type.tensor_type.shape.dim[0].dim_value = 1
@@ -593,81 +449,17 @@ def decoder_with_a_fixed_batch(entries: Entries) -> bytes:
     return with_decoder(entries, edit)
 
 
-@case("DECODER_OUTPUT")
+@case("DECODER_PROFILE")
 def decoder_with_one_colour(entries: Entries) -> bytes:
-    return with_model(entries, outputs=3)
+    return with_profile(entries, random_decoder(outputs=3))
 
 
-@case("DECODER_OUTPUT")
-def decoder_output_of_doubles(entries: Entries) -> bytes:
-    def edit(model: onnx.ModelProto) -> None:
-        model.graph.output[0].type.tensor_type.elem_type = TensorProto.DOUBLE
-
-    return with_decoder(entries, edit)
-
-
-@case("DECODER_GRAPH")
+@case("DECODER_PROFILE")
 def decoder_nodes_out_of_order(entries: Entries) -> bytes:
     def edit(model: onnx.ModelProto) -> None:
         nodes = list(model.graph.node)
         del model.graph.node[:]
         model.graph.node.extend(reversed(nodes))
-
-    return with_decoder(entries, edit)
-
-
-@case("DECODER_GRAPH")
-def decoder_with_a_constant_named_twice(entries: Entries) -> bytes:
-    def edit(model: onnx.ModelProto) -> None:
-        model.graph.initializer.append(model.graph.initializer[0])
-
-    return with_decoder(entries, edit)
-
-
-@case("DECODER_PRECISION")
-def decoder_of_another_precision(entries: Entries) -> bytes:
-    return with_entry(
-        entries,
-        DECODER,
-        entries[DECODER],
-        lambda m: m["tiers"][0].update(decoderPrecision="int8"),
-    )
-
-
-@case("DECODER_LOAD")
-def decoder_with_weights_that_do_not_fit(entries: Entries) -> bytes:
-    wrong = numpy_helper.from_array(np.zeros((5, 5), np.float32), "w0")
-
-    def edit(model: onnx.ModelProto) -> None:
-        index = [tensor.name for tensor in model.graph.initializer].index("w0")
-        model.graph.initializer[index].CopyFrom(wrong)
-
-    return with_decoder(entries, edit)
-
-
-@case("DECODER_RESULT")
-def decoder_without_clamps(entries: Entries) -> bytes:
-    """Negative light: the last operator is a plain layer."""
-
-    def edit(model: onnx.ModelProto) -> None:
-        del model.graph.node[-4:]
-        model.graph.node[-1].output[0] = "transport"
-
-    return with_decoder(entries, edit)
-
-
-@case("DECODER_RESULT")
-def decoder_that_mixes_rows(entries: Entries) -> bytes:
-    """Results in the order of the queries reversed."""
-
-    def edit(model: onnx.ModelProto) -> None:
-        model.graph.node[-1].output[0] = "ordered"
-        constants = {"start": [-1], "stop": [-(2**31)], "rows": [0], "back": [-1]}
-        for name, value in constants.items():
-            tensor = numpy_helper.from_array(np.array(value, np.int64), name)
-            model.graph.initializer.append(tensor)
-        reverse = helper.make_node("Slice", ["ordered", *constants], ["transport"])
-        model.graph.node.append(reverse)
 
     return with_decoder(entries, edit)
 
@@ -684,31 +476,93 @@ def decoder_with_another_activation(entries: Entries) -> bytes:
 @case("DECODER_PROFILE")
 def decoder_that_subtracts_another_number(entries: Entries) -> bytes:
     def edit(model: onnx.ModelProto) -> None:
-        (one,) = (t for t in model.graph.initializer if t.name == "one")
-        one.CopyFrom(numpy_helper.from_array(np.float32(0.5), "one"))
+        name = next(node for node in model.graph.node if node.op_type == "Sub").input[1]
+        (one,) = (t for t in model.graph.initializer if t.name == name)
+        one.CopyFrom(numpy_helper.from_array(np.float32(0.5), name))
+
+    return with_decoder(entries, edit)
+
+
+@case("DECODER_PROFILE")
+def decoder_with_weights_that_do_not_fit(entries: Entries) -> bytes:
+    decoder = random_decoder()
+    first = replace(decoder.layers[0], weight=np.zeros((5, 8), np.float32))
+    made = replace(decoder, layers=(first, *decoder.layers[1:]))
+    model = onnx.load_from_string(decoder_to_bytes(made))
+    model.graph.input[0].type.tensor_type.shape.dim[1].dim_value = 18
+    return with_entry(entries, DECODER, model.SerializeToString())
+
+
+@case("DECODER_PROFILE")
+def decoder_without_clamps(entries: Entries) -> bytes:
+    """The last operator is a plain layer, which may give negative light."""
+
+    def edit(model: onnx.ModelProto) -> None:
+        del model.graph.node[-4:]
+        model.graph.node[-1].output[0] = "transport"
 
     return with_decoder(entries, edit)
 
 
 @case("DECODER_PROFILE")
 def int8_decoder_whose_bias_has_a_scale_of_its_own(entries: Entries) -> bytes:
-    model = make_int8_decoder_model(largest=64, in_profile=True)
-    (scale,) = (t for t in model.graph.initializer if t.name == "t1")
-    scale.CopyFrom(numpy_helper.from_array(np.full(6, 0.01, np.float32), "t1"))
+    model = onnx.load_from_string(decoder_to_bytes(random_int8_decoder(largest=64)))
+    last = [node for node in model.graph.node if node.op_type == "Gemm"][-1]
+    (maker,) = (node for node in model.graph.node if node.output[0] == last.input[2])
+    (scale,) = (t for t in model.graph.initializer if t.name == maker.input[1])
+    scale.CopyFrom(numpy_helper.from_array(np.full(6, 0.01, np.float32), scale.name))
     return with_entry(
         entries,
         DECODER,
         model.SerializeToString(),
-        lambda m: m["tiers"][0].update(decoderPrecision="int8"),
+        lambda m: tier_part(m).update(decoderPrecision="int8"),
     )
+
+
+def layers_that_share_weights(*weights: np.ndarray, count: int) -> bytes:
+    """The file of a decoder whose hidden layers have these weights by turns, each stored once."""
+    graph = GraphWriter()
+    first, last = np.zeros((18, len(weights[0])), np.float32), np.zeros((len(weights[0]), 6), "f4")
+    names = [graph.constant(weight) for weight in weights]
+    biases = [graph.constant(np.zeros(weight.shape[1], np.float32)) for weight in weights]
+    value = graph.node("Clip", "queries", -LIMIT, LIMIT)
+    value = graph.node("Relu", graph.node("Gemm", value, first, np.zeros(len(first.T), np.float32)))
+    for k in range(count):
+        own = k % len(weights)
+        value = graph.node("Relu", graph.node("Gemm", value, names[own], biases[own]))
+    value = graph.node("Gemm", value, last, np.zeros(6, np.float32))
+    value = graph.node("Exp", graph.node("Clip", value, 0.0, 1.0))
+    graph.node("Mul", graph.node("Sub", value, 1.0), 1.0, output="transport")
+    return graph.model(value_info("queries", ["N", 18]), value_info("transport", ["N", 6]))
+
+
+@case("DECODER_COST")
+def decoder_of_countless_layers_with_one_weight(entries: Entries) -> bytes:
+    """A reader that keeps the weights of each layer needs 16.7 million for 256 KB in the file."""
+    weight = np.zeros((256, 256), np.float32)
+    return with_entry(entries, DECODER, layers_that_share_weights(weight, count=256))
+
+
+@case("DECODER_COST")
+def decoder_of_many_wide_layers(entries: Entries) -> bytes:
+    """From one number to 2,048 and back, 40 times."""
+    wide, narrow = np.zeros((1, 2048), np.float32), np.zeros((2048, 1), np.float32)
+    return with_entry(entries, DECODER, layers_that_share_weights(wide, narrow, count=80))
+
+
+@case("DECODER_RESULT")
+def decoder_of_negative_light(entries: Entries) -> bytes:
+    return with_profile(entries, replace(random_decoder(), unit=-1.0))
+
+
+@case("DECODER_RESULT")
+def decoder_with_a_weight_that_is_no_number(entries: Entries) -> bytes:
+    decoder = random_decoder()
+    decoder.layers[0].weight[0, 0] = np.nan
+    return with_profile(entries, decoder)
 
 
 @case("DECODER_SATURATION")
 def decoder_whose_pairs_of_weights_exceed_16_bits(entries: Entries) -> bytes:
     """127 next to 127: 255 * 254 is more than a signed 16-bit number holds."""
-    return with_entry(
-        entries,
-        DECODER,
-        make_int8_decoder_model(largest=127, in_profile=True).SerializeToString(),
-        lambda m: m["tiers"][0].update(decoderPrecision="int8"),
-    )
+    return with_profile(entries, random_int8_decoder(largest=127), "int8")

@@ -257,12 +257,12 @@ def lobes_of_a_surface_with_a_block_of_fibers(entries: Entries) -> bytes:
     return with_record(entries, inputs=["wo", "h"])
 
 
-@case("DECODER_OUTPUT")
+@case("DECODER_PROFILE")
 def lobes_with_the_output_of_transport(entries: Entries) -> bytes:
     return with_record(entries)
 
 
-@case("DECODER_INPUT")
+@case("DECODER_PROFILE")
 def lobes_without_the_columns_of_their_visibility(entries: Entries) -> bytes:
     file = tensors_to_bytes({"harmonics": np.zeros((12, 16), np.int8)})
     data = {"parts": [lobes_record(decoder=DECODER, visibility=VISIBILITY)]}

@@ -6,7 +6,16 @@ import json
 
 from rna_sdk.package.container.zip_container import MANIFEST_NAME
 from tests.package.builders import pack
-from tests.package.corpus.registry import DECODER, MESH, PLANES, Entries, case, with_manifest
+from tests.package.corpus.registry import (
+    DECODER,
+    MESH,
+    PLANES,
+    Entries,
+    case,
+    part,
+    tier_part,
+    with_manifest,
+)
 
 
 def with_text(entries: Entries, old: str, new: str) -> bytes:
@@ -93,22 +102,27 @@ def other_format(entries: Entries) -> bytes:
 
 @case("VERSION_TOO_NEW")
 def next_major_version(entries: Entries) -> bytes:
-    return with_manifest(entries, lambda m: m.update(minReaderVersion="2.0", novel=1))
+    return with_manifest(entries, lambda m: m.update(version="3.0", novel=1))
 
 
 @case("VERSION_TOO_NEW")
 def next_minor_version(entries: Entries) -> bytes:
-    return with_manifest(entries, lambda m: m.update(minReaderVersion="1.2", version="1.2"))
+    return with_manifest(entries, lambda m: m.update(version="2.1"))
+
+
+@case("VERSION_TOO_OLD")
+def version_before(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m.update(version="1.1", minReaderVersion="1.0"))
 
 
 @case("KIND_UNSUPPORTED")
 def unknown_kind(entries: Entries) -> bytes:
-    return with_manifest(entries, lambda m: m.update(kind="volume"))
+    return with_manifest(entries, lambda m: part(m).update(kind="volume"))
 
 
 @case("KIND_UNSUPPORTED")
 def kind_of_another_type(entries: Entries) -> bytes:
-    return with_manifest(entries, lambda m: m.update(kind=["surface"]))
+    return with_manifest(entries, lambda m: part(m).update(kind=["surface"]))
 
 
 @case("EXTENSION_REQUIRED")
@@ -146,12 +160,12 @@ def missing_field(entries: Entries) -> bytes:
 
 @case("FIELD_MISSING")
 def missing_version(entries: Entries) -> bytes:
-    return with_manifest(entries, lambda m: m.pop("minReaderVersion"))
+    return with_manifest(entries, lambda m: m.pop("version"))
 
 
 @case("FIELD_VALUE")
 def number_as_text(entries: Entries) -> bytes:
-    return with_manifest(entries, lambda m: m["tiers"][0].update(resolution="8"))
+    return with_manifest(entries, lambda m: tier_part(m).update(resolution="8"))
 
 
 @case("FIELD_VALUE")
@@ -161,7 +175,7 @@ def list_for_an_extension(entries: Entries) -> bytes:
 
 @case("FIELD_VALUE")
 def malformed_version(entries: Entries) -> bytes:
-    return with_manifest(entries, lambda m: m.update(minReaderVersion="one"))
+    return with_manifest(entries, lambda m: m.update(version="two"))
 
 
 @case("FIELD_VALUE")
@@ -174,7 +188,7 @@ def no_tiers(entries: Entries) -> bytes:
 
 @case("FIELD_VALUE")
 def resolution_over_the_limit(entries: Entries) -> bytes:
-    return with_manifest(entries, lambda m: m["tiers"][0].update(resolution=10**9))
+    return with_manifest(entries, lambda m: tier_part(m).update(resolution=10**9))
 
 
 @case("MANIFEST_NOT_JSON")
@@ -218,18 +232,18 @@ def axis_that_is_not_unit(entries: Entries) -> bytes:
 
 @case("BOUNDS_EMPTY")
 def bounds_alike_in_float32(entries: Entries) -> bytes:
-    return with_manifest(entries, lambda m: m["bounds"]["max"].__setitem__(1, -1 + 2.0**-26))
+    return with_manifest(entries, lambda m: part(m)["bounds"]["max"].__setitem__(1, -1 + 2.0**-26))
 
 
 @case("BOUNDS_EMPTY")
 def bounds_of_a_tiny_extent(entries: Entries) -> bytes:
     box = {"min": [-1, -1, 0], "max": [1, 1, 9e-19]}
-    return with_manifest(entries, lambda m: m.update(bounds=box))
+    return with_manifest(entries, lambda m: part(m).update(bounds=box))
 
 
 @case("FIELD_VALUE")
 def bounds_beyond_the_limit(entries: Entries) -> bytes:
-    return with_manifest(entries, lambda m: m["bounds"]["max"].__setitem__(1, 1.1e18))
+    return with_manifest(entries, lambda m: part(m)["bounds"]["max"].__setitem__(1, 1.1e18))
 
 
 @case("FIELD_MISSING")
@@ -239,27 +253,27 @@ def units_without_a_length(entries: Entries) -> bytes:
 
 @case("FIELD_VALUE")
 def tier_without_input_blocks(entries: Entries) -> bytes:
-    return with_manifest(entries, lambda m: m["tiers"][0].update(inputs=[]))
+    return with_manifest(entries, lambda m: tier_part(m).update(inputs=[]))
 
 
 @case("FIELD_VALUE")
 def version_with_a_leading_zero(entries: Entries) -> bytes:
-    return with_manifest(entries, lambda m: m.update(version="01.0"))
+    return with_manifest(entries, lambda m: m.update(version="02.0"))
 
 
 @case("FIELD_VALUE")
-def reader_version_with_a_line_break(entries: Entries) -> bytes:
-    return with_manifest(entries, lambda m: m.update(minReaderVersion="1.0\n"))
+def version_with_a_line_break(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m.update(version="2.0\n"))
 
 
 @case("FIELD_VALUE")
-def reader_version_that_is_a_number(entries: Entries) -> bytes:
-    return with_manifest(entries, lambda m: m.update(minReaderVersion=2.0))
+def version_that_is_a_number(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m.update(version=2.0))
 
 
 @case("VERSION_TOO_NEW")
 def minor_version_of_two_digits(entries: Entries) -> bytes:
-    return with_manifest(entries, lambda m: m.update(minReaderVersion="1.10"))
+    return with_manifest(entries, lambda m: m.update(version="2.10"))
 
 
 @case("FIELD_VALUE")
@@ -274,12 +288,14 @@ def size_past_every_integer(entries: Entries) -> bytes:
 
 @case("BOUNDS_EMPTY")
 def bounds_inverted(entries: Entries) -> bytes:
-    return with_manifest(entries, lambda m: m.update(bounds={"min": [1, 1, 1], "max": [0, 2, 2]}))
+    return with_manifest(
+        entries, lambda m: part(m).update(bounds={"min": [1, 1, 1], "max": [0, 2, 2]})
+    )
 
 
 @case("BOUNDS_EMPTY")
 def bounds_flat(entries: Entries) -> bytes:
-    return with_manifest(entries, lambda m: m["bounds"]["max"].__setitem__(1, -1.0))
+    return with_manifest(entries, lambda m: part(m)["bounds"]["max"].__setitem__(1, -1.0))
 
 
 @case("TIER_DUPLICATE")
@@ -289,22 +305,22 @@ def duplicate_tier_names(entries: Entries) -> bytes:
 
 @case("INPUT_UNKNOWN")
 def unknown_input_block(entries: Entries) -> bytes:
-    return with_manifest(entries, lambda m: m["tiers"][0]["inputs"].append("albedo"))
+    return with_manifest(entries, lambda m: tier_part(m)["inputs"].append("albedo"))
 
 
 @case("INPUT_UNKNOWN")
 def input_block_twice(entries: Entries) -> bytes:
-    return with_manifest(entries, lambda m: m["tiers"][0]["inputs"].append("wo"))
+    return with_manifest(entries, lambda m: tier_part(m)["inputs"].append("wo"))
 
 
 @case("INPUT_KIND")
 def surface_with_a_tangent(entries: Entries) -> bytes:
-    return with_manifest(entries, lambda m: m["tiers"][0]["inputs"].__setitem__(1, "tangent"))
+    return with_manifest(entries, lambda m: tier_part(m)["inputs"].__setitem__(1, "tangent"))
 
 
 @case("INPUT_KIND", "fiber")
 def fiber_with_a_normal(entries: Entries) -> bytes:
-    return with_manifest(entries, lambda m: m["tiers"][0]["inputs"].__setitem__(1, "normal"))
+    return with_manifest(entries, lambda m: tier_part(m)["inputs"].__setitem__(1, "normal"))
 
 
 @case("REFERENCE_MISSING")

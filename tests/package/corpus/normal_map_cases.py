@@ -24,16 +24,6 @@ def with_texels(entries: Entries, texels: np.ndarray, name: str = "normals") -> 
     return with_entry(entries, BARK, tensors_to_bytes({name: texels}))
 
 
-@case("VERSION_TOO_OLD", "relief")
-def normal_maps_for_a_reader_of_1_0(entries: Entries) -> bytes:
-    return with_manifest(entries, lambda m: m.update(minReaderVersion="1.0"))
-
-
-@case("FIELD_UNKNOWN")
-def normal_maps_in_the_short_form(entries: Entries) -> bytes:
-    return with_manifest(entries, lambda m: m.update(normalMaps=[]))
-
-
 @case("FIELD_UNKNOWN", "relief")
 def normal_map_with_a_cutoff(entries: Entries) -> bytes:
     return with_map(entries, cutoff=0.5)

@@ -14,11 +14,6 @@ from tests.package.corpus.registry import Entries, case, with_entry, with_manife
 from tests.package.lantern import GLOW, GLOW_COLUMNS, LEAF, MESH
 
 
-@case("VERSION_TOO_OLD", "parts")
-def parts_for_a_reader_of_1_0(entries: Entries) -> bytes:
-    return with_manifest(entries, lambda m: m.update(minReaderVersion="1.0"))
-
-
 @case("KIND_UNSUPPORTED", "parts")
 def part_of_unknown_kind(entries: Entries) -> bytes:
     return with_manifest(entries, lambda m: m["parts"][1].update(kind="volume"))
@@ -34,17 +29,6 @@ def tier_with_planes_beside_parts(entries: Entries) -> bytes:
     return with_manifest(
         entries, lambda m: m["tiers"][0].update(planes="features/body.safetensors")
     )
-
-
-@case("FIELD_UNKNOWN")
-def short_tier_with_emission(entries: Entries) -> bytes:
-    emission = {"decoder": "decoders/small.onnx", "inputs": ["wo"], "decoderPrecision": "float32"}
-    return with_manifest(entries, lambda m: m["tiers"][0].update(emission=emission))
-
-
-@case("FIELD_UNKNOWN")
-def transmittance_in_the_short_form(entries: Entries) -> bytes:
-    return with_manifest(entries, lambda m: m.update(transmittance=[]))
 
 
 @case("FIELD_VALUE", "parts")
@@ -112,26 +96,19 @@ def emission_from_nowhere(entries: Entries) -> bytes:
     return with_manifest(kept, lambda m: m["entries"].pop(GLOW))
 
 
-@case("DECODER_PRECISION", "parts")
+@case("DECODER_PROFILE", "parts")
 def emission_in_int8_that_is_not(entries: Entries) -> bytes:
     return with_emission(entries, decoderPrecision="int8")
 
 
-@case("DECODER_INPUT", "parts")
+@case("DECODER_PROFILE", "parts")
 def emission_of_other_columns(entries: Entries) -> bytes:
     return with_emission(entries, inputs=["features", "wo"])
 
 
-@case("DECODER_OUTPUT", "parts")
+@case("DECODER_PROFILE", "parts")
 def emission_decoder_that_gives_transport(entries: Entries) -> bytes:
     return with_entry(entries, GLOW, make_decoder("float32", GLOW_COLUMNS))
-
-
-@case("DECODER_OUTPUT", "parts")
-def emission_of_two_colours(entries: Entries) -> bytes:
-    return with_entry(
-        entries, GLOW, make_decoder("float32", GLOW_COLUMNS, output="emission", outputs=6)
-    )
 
 
 @case("GEOMETRY_OUTSIDE", "parts")

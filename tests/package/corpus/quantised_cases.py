@@ -8,17 +8,16 @@ from typing import Any
 import numpy as np
 
 from rna_sdk.package.container.tensor_file import tensors_to_bytes
-from rna_sdk.package.geometry.curves_file import curves_to_bytes
 from rna_sdk.package.geometry.geometry_files import quantise
 from rna_sdk.package.geometry.glb_writer import mesh_to_glb
 from tests.package.builders import make_curves, make_mesh
 from tests.package.corpus.content_cases import with_gltf
-from tests.package.corpus.registry import CURVES, MESH, Entries, case, in_parts, with_entry
+from tests.package.corpus.registry import CURVES, MESH, Entries, case, with_entry
 
 
 def with_quantised_gltf(entries: Entries, edit: Callable[[dict[str, Any]], object]) -> bytes:
     """The package with a quantised mesh, whose JSON chunk is edited."""
-    return with_gltf({**entries, MESH: mesh_to_glb(quantise(make_mesh()))}, edit, in_parts)
+    return with_gltf({**entries, MESH: mesh_to_glb(quantise(make_mesh()))}, edit)
 
 
 def with_quantised_arrays(entries: Entries, **changes: Any) -> bytes:
@@ -26,24 +25,14 @@ def with_quantised_arrays(entries: Entries, **changes: Any) -> bytes:
     mesh = quantise(make_mesh())
     for name, array in changes.items():
         object.__setattr__(mesh.quantised, name, array)
-    return with_entry(entries, MESH, mesh_to_glb(mesh), in_parts)
+    return with_entry(entries, MESH, mesh_to_glb(mesh))
 
 
 def with_steps(entries: Entries, **changes: Any) -> bytes:
     """The package with quantised curves of other tensors; None leaves one out."""
     tensors = {**vars(quantise(make_curves()).quantised), **changes}
     kept = {name: array for name, array in tensors.items() if array is not None}
-    return with_entry(entries, CURVES, tensors_to_bytes(kept), in_parts)
-
-
-@case("VERSION_TOO_OLD")
-def quantised_glb_for_a_reader_of_1_0(entries: Entries) -> bytes:
-    return with_entry(entries, MESH, mesh_to_glb(quantise(make_mesh())))
-
-
-@case("VERSION_TOO_OLD", "fiber")
-def quantised_curves_for_a_reader_of_1_0(entries: Entries) -> bytes:
-    return with_entry(entries, CURVES, curves_to_bytes(quantise(make_curves())))
+    return with_entry(entries, CURVES, tensors_to_bytes(kept))
 
 
 # Meshes

@@ -17,7 +17,7 @@ from tests.package.relief import make_relief
 Entries = dict[str, bytes]
 Breaker = Callable[[Entries], bytes]
 Base = Literal["surface", "fiber", "parts", "relief"]
-"""Good packages: of one part in short, of two parts with light and holes, or with normal maps."""
+"""Good packages: of one part, of two parts with light and holes, or with normal maps."""
 
 MESH = "geometry/mesh.glb"
 CURVES = "geometry/curves.safetensors"
@@ -79,13 +79,13 @@ def with_entry(
     return with_manifest({**entries, name: data}, declare)
 
 
-_OF_PART = ("kind", "bounds", "geometry")
-_OF_TIER = ("name", "validation", "cost")
+def part(manifest: dict[str, Any]) -> dict[str, Any]:
+    """The record of the first part."""
+    first: dict[str, Any] = manifest["parts"][0]
+    return first
 
 
-def in_parts(manifest: dict[str, Any]) -> None:
-    """Turn the short form of a manifest into that of 1.1, which newer contents need."""
-    manifest["parts"] = [{"name": "asset"} | {name: manifest.pop(name) for name in _OF_PART}]
-    for tier in manifest["tiers"]:
-        tier["parts"] = [{k: tier.pop(k) for k in list(tier) if k not in _OF_TIER}]
-    manifest |= {"version": "1.1", "minReaderVersion": "1.1"}
+def tier_part(manifest: dict[str, Any]) -> dict[str, Any]:
+    """The record of the first part in the first tier."""
+    first: dict[str, Any] = manifest["tiers"][0]["parts"][0]
+    return first

@@ -16,6 +16,7 @@ from tests.web.pages import TIMEOUT, served_folder
 
 REPOSITORY = Path(__file__).parents[3]
 TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
+TINY = REPOSITORY / "spec" / "conformance" / "packages" / "surface-tiny.rna"
 PAGE = Path(__file__).parent / "page.html"
 """Has the module, a renderer and what takes pictures, as `test`."""
 MODULES = REPOSITORY / "runtime" / "web" / "node_modules"

@@ -13,7 +13,7 @@ import torch
 from torch import Tensor, nn
 from torch.nn.utils.parametrizations import weight_norm
 
-from rna_export.training.model.feature_network import (
+from rna_bench.frontier.trials.feature_network import (
     ENCODED_DIRECTIONS,
     SKIP,
     FeatureNetwork,

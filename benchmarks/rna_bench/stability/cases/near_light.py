@@ -44,7 +44,7 @@ def _near_lights(
     covered = OurScene(stage.scene()).channels(8)["A"] > 0.0
     for distance in distances:
         scene = stage.scene(_light(stage, distance))
-        cycles = CyclesScene(worker, scene, bounces=None)
+        cycles = CyclesScene(worker, scene)
         halves = [cycles.render(cycles_samples, seed).pixels for seed in (2, 3)]
         beside = Beside.of(np.stack(halves), covered)
         ours = OurScene(scene).render(samples).pixels

@@ -33,7 +33,7 @@ PIXELS, _SAMPLES, _CYCLES_SAMPLES = 96, 16, 48
 
 def measure(fixtures: Fixtures) -> list[Row]:
     asset = fixtures.asset
-    shots = [s for s in shots_of(asset, PIXELS, 0.0) if s.camera_name == "close-up"][:2]
+    shots = [s for s in shots_of(asset, PIXELS) if s.camera_name == "close-up"][:2]
     rows = []
     with fixtures.cycles(fixtures.source) as worker:
         for number, shot in enumerate(shots):

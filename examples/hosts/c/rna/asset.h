@@ -15,7 +15,6 @@ typedef struct Part {
     RnaNormalMap maps[MAX_RECORDS];
     Span geometry;     /* the entry; empty where it could not be read */
     void *restored;    /* what is allocated for quantised geometry, or NULL */
-    bool is_quantised;
 } Part;
 
 /* A decoder, which tiers and parts may share. */

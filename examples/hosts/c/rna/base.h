@@ -41,11 +41,10 @@ enum {
     MAX_STRANDS = 1 << 25,
     MAX_DECODER = 1 << 26,
     MAX_NODES = 4096,
-    MAX_WIDTH = 8192,
-    MAX_CONSTANTS = 1 << 24, /* values of a decoder's constants, also of those that nodes make */
-    MAX_QUERY_VALUES = 1 << 16, /* made by all nodes together */
-    MAX_QUERY_WORK = 1 << 24, /* multiply-adds */
-    MAX_WIRE_ITEMS = 1 << 18
+    MAX_WIDTH = 8192,           /* outputs of a layer */
+    MAX_QUERY_VALUES = 1 << 16, /* outputs of all layers, and of the decoder */
+    MAX_QUERY_WORK = 1 << 24,   /* multiply-adds */
+    MAX_WIRE_FIELDS = 1 << 18   /* of a decoder's protobuf messages */
 };
 
 /* Some bytes of the package; where they are text, without an end mark. */
@@ -62,6 +61,13 @@ static bool span_is(Span span, const char *text) {
 
 static bool same_span(Span a, Span b) {
     return a.size == b.size && (a.size == 0 || memcmp(a.at, b.at, a.size) == 0);
+}
+
+/* The order of their bytes, as qsort wants it. */
+static int compare_spans(Span a, Span b) {
+    size_t size = a.size < b.size ? a.size : b.size;
+    int order = size ? memcmp(a.at, b.at, size) : 0;
+    return order ? order : (a.size > b.size) - (a.size < b.size);
 }
 
 /* Whether the text is one of the words in `choices`, which have spaces between them. */

@@ -129,15 +129,13 @@ static bool read_quantised_curves(Span file, const Json *header, RnaCurves *curv
            check_points(curves, entry, report);
 }
 
-/* The curves in a file; *block: what is allocated for them, in any case for the caller to free.
- * *quantised: written. */
-static bool read_curves(Span file, RnaCurves *curves, void **block, bool *quantised, const char *entry,
-                        RnaReport *report) {
+/* The curves in a file; *block: what is allocated for them, in any case for the caller to free. */
+static bool read_curves(Span file, RnaCurves *curves, void **block, const char *entry, RnaReport *report) {
     JsonText text;
     const Json *header = read_header(file, entry, &CURVE_CODES, &text, report);
-    *quantised = header && member(header, "steps");
-    bool good = header && (*quantised ? read_quantised_curves(file, header, curves, block, entry, report)
-                                      : read_plain_curves(file, header, curves, entry, report));
+    bool quantised = header && member(header, "steps");
+    bool good = header && (quantised ? read_quantised_curves(file, header, curves, block, entry, report)
+                                     : read_plain_curves(file, header, curves, entry, report));
     free_json(&text);
     return good;
 }

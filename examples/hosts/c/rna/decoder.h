@@ -1,4 +1,4 @@
-/* A decoder: chains of layers, run on 48 rows at a time. */
+/* A decoder, run on 48 rows at a time (section 6.2). */
 #ifndef RNA_DECODER_H
 #define RNA_DECODER_H
 
@@ -24,38 +24,41 @@ enum { ROWS = 48, GROUP = 3 * LANES, OUTPUTS = 4 }; /* GROUP x OUTPUTS sums stay
 
 enum { EXACT_INPUTS = 512 }; /* 512 * 255 * 128 < 2^24: float32 holds such sums of integers exactly */
 
-/* One operator of a chain, or an int8 layer. */
-typedef struct Step {
-    enum { CLIP, MULTIPLY, ADD, EXP, PRODUCT, INT8_PRODUCT } kind;
+/* A fully connected layer. */
+typedef struct Layer {
     int inputs, outputs;
-    float low, high;      /* CLIP; of an INT8_PRODUCT, the range of the stored integers */
-    float step;           /* INT8_PRODUCT: what 1 means in its uint8 inputs */
-    bool relu;            /* of the products */
-    float *values;        /* MULTIPLY, ADD: one a column */
-    float *weights;       /* products: [outputs / OUTPUTS][inputs][OUTPUTS] */
-    float *bias;          /* PRODUCT: one an output */
-    float *unit;          /* INT8_PRODUCT: (sum + whole_bias) * unit, one an output */
+    float *weights;     /* [outputs / OUTPUTS][inputs][OUTPUTS] */
+    float *bias;        /* of float32: one an output */
+    bool relu;          /* of float32 */
+    float step;         /* of int8: what 1 means in its uint8 inputs; else 0 */
+    float *unit;        /* of int8: (sum + whole_bias) * unit, one an output */
     double *whole_bias;
-} Step;
+} Layer;
 
+/* (exp(clip(layers(queries), 0, top)) - 1) times unit, or times a matrix, which is one more layer. */
 typedef struct Decoder {
     int columns, widest, count;
-    Step *steps;
-    bool runs;       /* it is a chain, and loaded */
-    bool in_profile; /* and one of the decoder profile */
+    float low, high;     /* what queries are clipped to */
+    float *gain, *offset; /* of int8: one a column */
+    float top, unit;
+    Layer *layers, matrix; /* the matrix: without weights where there is none */
 } Decoder;
 
 static int rounded_up(int n, int to) { return (n + to - 1) / to * to; }
 
+static void free_layer(Layer *layer) {
+    free(layer->weights);
+    free(layer->bias);
+    free(layer->unit);
+    free(layer->whole_bias);
+}
+
 static void free_decoder(Decoder *decoder) {
-    for (int i = 0; i < decoder->count; i++) {
-        free(decoder->steps[i].values);
-        free(decoder->steps[i].weights);
-        free(decoder->steps[i].bias);
-        free(decoder->steps[i].unit);
-        free(decoder->steps[i].whole_bias);
-    }
-    free(decoder->steps);
+    for (int i = 0; i < decoder->count; i++) free_layer(&decoder->layers[i]);
+    free_layer(&decoder->matrix);
+    free(decoder->layers);
+    free(decoder->gain);
+    free(decoder->offset);
     *decoder = (Decoder){0};
 }
 
@@ -74,49 +77,45 @@ static void multiply(int inputs, const float *restrict x, const float *restrict 
     memcpy(sums, s, sizeof s);
 }
 
-static void run_product(const Step *step, const float *restrict x, float *restrict y) {
-    const float floor = step->relu ? 0 : -FLT_MAX;
-    for (int j = 0; j < step->outputs; j += OUTPUTS)
+static void run_layer(const Layer *layer, const float *restrict x, float *restrict y) {
+    const float floor = layer->relu ? 0 : -FLT_MAX;
+    for (int j = 0; j < layer->outputs; j += OUTPUTS)
         for (int g = 0; g < ROWS; g += GROUP) {
             float sums[OUTPUTS][GROUP];
-            multiply(step->inputs, x + g, step->weights + (size_t)j * (size_t)step->inputs, sums);
+            multiply(layer->inputs, x + g, layer->weights + (size_t)j * (size_t)layer->inputs, sums);
             for (int i = 0; i < OUTPUTS; i++)
                 for (int r = 0; r < GROUP; r++) {
-                    float value = sums[i][r] + step->bias[j + i];
+                    float value = sums[i][r] + layer->bias[j + i];
                     y[(j + i) * ROWS + g + r] = value < floor ? floor : value; /* NaN stays */
                 }
         }
 }
 
-/* Rounds to nearest, ties to even, for |x| below 2^22. */
+/* Rounds to nearest, ties to even, for |x| below 2^22; what is larger stays so. */
 static float rounded(float x) { return (x + 12582912.0f) - 12582912.0f; }
 
-static void quantize(const Step *step, float *x) {
-    for (int k = 0; k < step->inputs; k++)
-        for (int r = 0; r < ROWS; r++)
-            x[k * ROWS + r] = rounded(clamp(x[k * ROWS + r] / step->step, step->low, step->high));
+static void quantize(float x[ROWS], float step) {
+    for (int r = 0; r < ROWS; r++) x[r] = clamp(rounded(x[r] / step), 0, 255);
 }
 
 /* Sums of integers, exact: in float32 over up to EXACT_INPUTS inputs, in int32 over all. */
-static void run_int8_product(const Step *step, float *restrict x, float *restrict y) {
-    const float floor = step->relu ? 0 : -FLT_MAX;
-    quantize(step, x);
-    for (int j = 0; j < step->outputs; j += OUTPUTS)
+static void run_int8_layer(const Layer *layer, float *restrict x, float *restrict y) {
+    for (int k = 0; k < layer->inputs; k++) quantize(x + k * ROWS, layer->step);
+    for (int j = 0; j < layer->outputs; j += OUTPUTS)
         for (int g = 0; g < ROWS; g += GROUP) {
             float sums[OUTPUTS][GROUP];
             int32_t total[OUTPUTS][GROUP] = {{0}};
-            for (int k = 0; k < step->inputs; k += EXACT_INPUTS) {
-                int part = step->inputs - k < EXACT_INPUTS ? step->inputs - k : EXACT_INPUTS;
+            for (int k = 0; k < layer->inputs; k += EXACT_INPUTS) {
+                int part = layer->inputs - k < EXACT_INPUTS ? layer->inputs - k : EXACT_INPUTS;
                 multiply(part, x + k * ROWS + g,
-                         step->weights + (size_t)j * (size_t)step->inputs + (size_t)k * OUTPUTS, sums);
+                         layer->weights + (size_t)j * (size_t)layer->inputs + (size_t)k * OUTPUTS, sums);
                 for (int i = 0; i < OUTPUTS; i++)
                     for (int r = 0; r < GROUP; r++) total[i][r] += (int32_t)sums[i][r];
             }
             for (int i = 0; i < OUTPUTS; i++)
                 for (int r = 0; r < GROUP; r++) {
-                    double sum = total[i][r] + step->whole_bias[j + i];
-                    float value = (float)(sum * step->unit[j + i]);
-                    y[(j + i) * ROWS + g + r] = value < floor ? floor : value; /* NaN stays */
+                    double sum = total[i][r] + layer->whole_bias[j + i];
+                    y[(j + i) * ROWS + g + r] = (float)(sum * layer->unit[j + i]);
                 }
         }
 }
@@ -141,43 +140,50 @@ static float exponential(float x) {
     return x == x ? p * power * 2.0f : x;
 }
 
-static void run_elementwise(const Step *step, float *x) {
-    for (int k = 0; k < step->inputs; k++, x += ROWS) switch (step->kind) {
-        case CLIP:
-            for (int r = 0; r < ROWS; r++) { /* NaN stays, to be found in the end */
-                float raised = x[r] < step->low ? step->low : x[r];
-                x[r] = raised > step->high ? step->high : raised;
-            }
-            break;
-        case MULTIPLY:
-            for (int r = 0; r < ROWS; r++) x[r] *= step->values[k];
-            break;
-        case ADD:
-            for (int r = 0; r < ROWS; r++) x[r] += step->values[k];
-            break;
-        default:
-            for (int r = 0; r < ROWS; r++) x[r] = exponential(x[r]);
-        }
+/* NaN stays, to be found in the end. */
+static void clip(float x[ROWS], float low, float high) {
+    for (int r = 0; r < ROWS; r++) {
+        float raised = x[r] < low ? low : x[r];
+        x[r] = raised > high ? high : raised;
+    }
+}
+
+static void scale(float x[ROWS], float gain, float offset) {
+    for (int r = 0; r < ROWS; r++) x[r] = x[r] * gain + offset;
+}
+
+/* From logarithms to colours.  Two loops: compilers make each of them vectors. */
+static void expand(float x[ROWS], float unit) {
+    for (int r = 0; r < ROWS; r++) x[r] = exponential(x[r]);
+    for (int r = 0; r < ROWS; r++) x[r] = (x[r] - 1) * unit;
 }
 
 /* Runs ROWS queries; returns the results, [outputs][ROWS], which are in `a` or `b`.  a: the queries,
  * [columns][ROWS].  Both have room for `widest` columns. */
 static const float *run_decoder(const Decoder *decoder, float *a, float *b) {
+    for (int k = 0; k < decoder->columns; k++) {
+        clip(a + k * ROWS, decoder->low, decoder->high);
+        if (decoder->gain) scale(a + k * ROWS, decoder->gain[k], decoder->offset[k]);
+    }
+    int width = decoder->columns;
     for (int i = 0; i < decoder->count; i++) {
-        const Step *step = &decoder->steps[i];
-        if (step->kind != PRODUCT && step->kind != INT8_PRODUCT) {
-            run_elementwise(step, a);
-            continue;
-        }
-        if (step->kind == PRODUCT)
-            run_product(step, a, b);
+        const Layer *layer = &decoder->layers[i];
+        if (layer->whole_bias)
+            run_int8_layer(layer, a, b);
         else
-            run_int8_product(step, a, b);
+            run_layer(layer, a, b);
         float *swap = a;
         a = b;
         b = swap;
+        width = layer->outputs;
     }
-    return a;
+    for (int k = 0; k < width; k++) {
+        clip(a + k * ROWS, 0, decoder->top);
+        expand(a + k * ROWS, decoder->unit);
+    }
+    if (!decoder->matrix.weights) return a;
+    run_layer(&decoder->matrix, a, b);
+    return b;
 }
 
 static void *aligned(size_t size) {

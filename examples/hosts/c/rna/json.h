@@ -21,6 +21,7 @@ typedef struct Json {
     double number;
     struct Json *first, *next; /* items or members, and the next sibling */
     size_t count;
+    bool marked; /* of an entry's record: a path names it */
 } Json;
 
 /* A parsed text.  Its strings and values are in two blocks of memory. */
@@ -203,9 +204,7 @@ static bool take_number(JsonText *text, Json *value) {
 }
 
 static int compare_keys(const void *a, const void *b) {
-    Span x = (*(Json *const *)a)->key, y = (*(Json *const *)b)->key;
-    int order = memcmp(x.at, y.at, x.size < y.size ? x.size : y.size);
-    return order ? order : (x.size > y.size) - (x.size < y.size);
+    return compare_spans((*(Json *const *)a)->key, (*(Json *const *)b)->key);
 }
 
 static bool keys_are_unique(JsonText *text, const Json *object) {

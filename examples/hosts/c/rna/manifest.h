@@ -5,51 +5,44 @@
 #include "container.h"
 #include "manifest_rules.h"
 
-/* Of one part in short, the manifest is the part, and each tier its tier part. */
-static bool is_short(const Json *root) { return !member(root, "parts"); }
-
-static const Json *first_part(const Json *root) {
-    return is_short(root) ? root : member(root, "parts")->first;
+/* The length of [1-9][0-9]{0,3} in the beginning of the text; 0 where it is not there. */
+static size_t number_size(Span text) {
+    size_t n = 0;
+    while (n < text.size && text.at[n] >= '0' && text.at[n] <= '9') n++;
+    return n <= 4 && n > 0 && text.at[0] != '0' ? n : 0;
 }
 
-static const Json *first_tier_part(const Json *root, const Json *tier) {
-    return is_short(root) ? tier : member(tier, "parts")->first;
+static bool is_version(Span text) {
+    size_t major = number_size(text);
+    if (!major || major == text.size || text.at[major] != '.') return false;
+    Span minor = {text.at + major + 1, text.size - major - 1};
+    return span_is(minor, "0") || (minor.size && number_size(minor) == minor.size);
 }
 
-/* The part behind this one; NULL behind the last. */
-static const Json *next_part(const Json *root, const Json *part) { return is_short(root) ? NULL : part->next; }
-
-/* Whether the version in the manifest is a later one. */
-static bool is_newer(const Json *version, long major, long minor) {
-    long its_major, its_minor;
-    if (!take_version(version->string, &its_major, &its_minor)) return false;
-    return its_major > major || (its_major == major && its_minor > minor);
-}
-
-static bool kind_is_known(const Json *object, const char *where, RnaReport *report) {
-    const Json *kind = member(object, "kind");
-    return !kind || is_string(kind, "surface") || is_string(kind, "fiber") ||
-           refuse(report, "KIND_UNSUPPORTED", where, "surface or fiber", "something else");
+/* Whether the version is that of this text.  What is no version is a wrong value. */
+static bool check_version(const Json *version, RnaReport *report) {
+    if (!version || version->type != JSON_STRING || !is_version(version->string) || is_string(version, "2.0"))
+        return true;
+    const char *text = (const char *)version->string.at;
+    const char *code = memcmp(text, "1.", 2) ? "VERSION_TOO_NEW" : "VERSION_TOO_OLD";
+    return refuse(report, code, "/version", "2.0", "%s", text);
 }
 
 /* What must hold before the members of this version mean anything. */
 static bool manifest_is_readable(const Json *root, RnaReport *report) {
     if (!is_string(member(root, "format"), "rna"))
         return refuse(report, "FORMAT_UNKNOWN", "/format", "\"rna\"", "something else");
-    const Json *version = member(root, "minReaderVersion"), *parts = member(root, "parts");
-    if (version && version->type == JSON_STRING && is_version(version->string) && is_newer(version, 1, 1))
-        return refuse(report, "VERSION_TOO_NEW", "/minReaderVersion", "at most 1.1", "%s",
-                      (const char *)version->string.at);
-    if (!parts && !kind_is_known(root, "/kind", report)) return false;
-    if (parts && parts->type == JSON_ARRAY)
-        for (const Json *part = parts->first; part; part = part->next)
-            if (!kind_is_known(part, "/parts", report)) return false;
-    const Json *required = member(root, "extensionsRequired");
-    if (required && required->type == JSON_ARRAY)
-        for (const Json *name = required->first; name; name = name->next)
-            if (name->type == JSON_STRING)
-                return refuse(report, "EXTENSION_REQUIRED", "/extensionsRequired", "a known extension", "%s",
-                              (const char *)name->string.at);
+    if (!check_version(member(root, "version"), report)) return false;
+    const Json *parts = member(root, "parts"), *required = member(root, "extensionsRequired");
+    for (const Json *part = parts ? parts->first : NULL; part; part = part->next) {
+        const Json *kind = member(part, "kind");
+        if (kind && !is_string(kind, "surface") && !is_string(kind, "fiber"))
+            return refuse(report, "KIND_UNSUPPORTED", "/parts", "surface or fiber", "something else");
+    }
+    for (const Json *name = required ? required->first : NULL; name; name = name->next)
+        if (name->type == JSON_STRING)
+            return refuse(report, "EXTENSION_REQUIRED", "/extensionsRequired", "a known extension", "%s",
+                          (const char *)name->string.at);
     return true;
 }
 
@@ -68,87 +61,61 @@ static bool is_of_extension(const Json *root, Span path) {
     return slash && has_string(member(root, "extensionsUsed"), name);
 }
 
-/* Paths in the manifest. */
-typedef struct Reference {
-    Span path;
+/* Marks the entry that the member `name` of `object`, which stands at `place`, names. */
+static void mark_entry(const Json *root, const Json *object, const char *place, const char *name,
+                       RnaReport *report) {
+    const Json *path = member(object, name);
+    Json *entry = member(root, "entries")->first;
+    while (entry && !same_span(entry->key, path->string)) entry = entry->next;
+    if (entry) {
+        entry->marked = true;
+        return;
+    }
     char where[64];
-} Reference;
-
-enum { MAX_REFERENCES = RNA_MAX_PARTS * (1 + 2 * MAX_RECORDS) + 3 * MAX_TIERS * RNA_MAX_PARTS };
-
-typedef struct References {
-    int count;
-    Reference at[MAX_REFERENCES];
-} References;
-
-/* The member `name` of `object`, which stands at `place`. */
-static void add_reference(References *list, const Json *object, const char *place, const char *name) {
-    Reference *reference = &list->at[list->count++];
-    snprintf(reference->where, sizeof reference->where, "%s/%s", place, name);
-    reference->path = member(object, name)->string;
+    snprintf(where, sizeof where, "%s/%s", place, name);
+    refuse(report, "REFERENCE_MISSING", where, "a key of /entries", "%s", (const char *)path->string.at);
 }
 
 /* The textures of the part's member `name`, a list of records. */
-static void collect_textures(const Json *part, const char *place, const char *name, References *list) {
+static void mark_textures(const Json *root, const Json *part, const char *place, const char *name,
+                          RnaReport *report) {
     const Json *records = member(part, name);
+    char where[48];
     int i = 0;
     for (const Json *record = records ? records->first : NULL; record; record = record->next) {
-        char where[48];
         snprintf(where, sizeof where, "%.16s/%s/%d", place, name, i++);
-        add_reference(list, record, where, "texture");
+        mark_entry(root, record, where, "texture", report);
     }
 }
 
-static void collect_of_part(const Json *part, const char *place, References *list) {
-    add_reference(list, part, place, "geometry");
-    collect_textures(part, place, "transmittance", list);
-    collect_textures(part, place, "normalMaps", list);
-}
-
-static void collect_of_tier_part(const Json *part, const char *place, References *list) {
-    const Json *emission = member(part, "emission");
-    char where[48];
-    add_reference(list, part, place, "planes");
-    add_reference(list, part, place, "decoder");
-    snprintf(where, sizeof where, "%.24s/emission", place);
-    if (emission) add_reference(list, emission, where, "decoder");
-}
-
-static void collect_references(const Json *root, References *list) {
-    const bool flat = is_short(root);
-    char place[32] = "";
-    int i = 0, t = 0;
-    for (const Json *part = first_part(root); part; part = next_part(root, part)) {
-        if (!flat) snprintf(place, sizeof place, "/parts/%d", i++);
-        collect_of_part(part, place, list);
-    }
-    for (const Json *tier = member(root, "tiers")->first; tier; tier = tier->next, t++) {
-        i = 0;
-        for (const Json *part = first_tier_part(root, tier); part; part = next_part(root, part)) {
-            int size = snprintf(place, sizeof place, "/tiers/%d", t);
-            if (!flat) snprintf(place + size, sizeof place - (size_t)size, "/parts/%d", i++);
-            collect_of_tier_part(part, place, list);
-        }
+static void mark_of_tier(const Json *root, const Json *tier, int t, RnaReport *report) {
+    char place[40], emission[48];
+    int i = 0;
+    for (const Json *part = member(tier, "parts")->first; part; part = part->next) {
+        snprintf(place, sizeof place, "/tiers/%d/parts/%d", t, i++);
+        snprintf(emission, sizeof emission, "%.32s/emission", place);
+        mark_entry(root, part, place, "planes", report);
+        mark_entry(root, part, place, "decoder", report);
+        if (member(part, "emission")) mark_entry(root, member(part, "emission"), emission, "decoder", report);
     }
 }
 
 /* Paths name declared entries, and declared entries are named by a path. */
-static void check_references(const Json *root, const References *list, RnaReport *report) {
-    const Json *entries = member(root, "entries");
-    for (int i = 0; i < list->count; i++) {
-        const Json *entry = entries->first;
-        while (entry && !same_span(entry->key, list->at[i].path)) entry = entry->next;
-        if (!entry)
-            refuse(report, "REFERENCE_MISSING", list->at[i].where, "a key of /entries", "%s",
-                   (const char *)list->at[i].path.at);
+static void check_references(const Json *root, RnaReport *report) {
+    char place[24];
+    int i = 0, t = 0;
+    for (const Json *part = member(root, "parts")->first; part; part = part->next) {
+        snprintf(place, sizeof place, "/parts/%d", i++);
+        mark_entry(root, part, place, "geometry", report);
+        mark_textures(root, part, place, "transmittance", report);
+        mark_textures(root, part, place, "normalMaps", report);
     }
-    for (const Json *entry = entries->first; entry; entry = entry->next) {
-        int i = 0;
-        while (i < list->count && !same_span(entry->key, list->at[i].path)) i++;
-        if (i == list->count && !is_of_extension(root, entry->key))
+    for (const Json *tier = member(root, "tiers")->first; tier; tier = tier->next)
+        mark_of_tier(root, tier, t++, report);
+    for (const Json *entry = member(root, "entries")->first; entry; entry = entry->next)
+        if (!entry->marked && !is_of_extension(root, entry->key))
             refuse(report, "ENTRY_UNREFERENCED", "/entries", "a path that is used", "%s",
                    (const char *)entry->key.at);
-    }
 }
 
 static void check_inputs(const Json *decoder, unsigned uses, RnaReport *report) {
@@ -160,7 +127,6 @@ static void check_inputs(const Json *decoder, unsigned uses, RnaReport *report) 
 
 /* Each tier has the parts, and of each part, all tiers emit or none. */
 static bool check_tier_parts(const Json *root, RnaReport *report) {
-    if (is_short(root)) return true;
     const Json *tiers = member(root, "tiers");
     for (const Json *tier = tiers->first; tier; tier = tier->next) {
         const Json *parts = member(tier, "parts"), *first = member(tiers->first, "parts")->first;
@@ -176,22 +142,13 @@ static bool check_tier_parts(const Json *root, RnaReport *report) {
 
 static void check_blocks(const Json *root, RnaReport *report) {
     for (const Json *tier = member(root, "tiers")->first; tier; tier = tier->next) {
-        const Json *of = first_tier_part(root, tier);
-        for (const Json *part = first_part(root); part;
-             part = next_part(root, part), of = next_part(root, of)) {
+        const Json *of = member(tier, "parts")->first;
+        for (const Json *part = member(root, "parts")->first; part; part = part->next, of = of->next) {
             unsigned kind = is_string(member(part, "kind"), "fiber") ? FOR_FIBER : FOR_SURFACE;
             check_inputs(of, kind, report);
             if (member(of, "emission")) check_inputs(member(of, "emission"), kind | FOR_EMISSION, report);
         }
     }
-}
-
-/* What is newer than 1.0 is there by right. */
-static bool check_age(const Json *root, const char *what, const char *where, RnaReport *report) {
-    const Json *version = member(root, "minReaderVersion");
-    return is_newer(version, 1, 0) ||
-           refuse(report, "VERSION_TOO_OLD", where, "a minReaderVersion of 1.1 at least", "%s with %s", what,
-                  (const char *)version->string.at);
 }
 
 static void check_extensions(const Json *root, RnaReport *report) {
@@ -207,19 +164,12 @@ static const Json *read_manifest(Span data, JsonText *text, RnaReport *report) {
     const Json *root = parse_json(data, "manifest.json", "MANIFEST_NOT_JSON", text, report);
     if (!root || !manifest_is_readable(root, report)) return NULL;
     Schema schema = {report, "FIELD_UNKNOWN", "FIELD_MISSING", "FIELD_VALUE", .only_first = false};
-    check_members(&schema, is_short(root) ? SHORT_MANIFEST : MANIFEST, root);
+    check_members(&schema, MANIFEST, root);
     if (schema.issues || !check_tier_parts(root, report)) return NULL;
     int errors = report->errors;
-    References *references = calloc(1, sizeof *references);
-    if (!references) refuse(report, "FILE_UNREADABLE", "byte 0", "memory for it", "not enough");
-    if (!is_short(root)) check_age(root, "parts", "/parts", report);
     check_extensions(root, report);
     check_blocks(root, report);
-    if (references) {
-        collect_references(root, references);
-        check_references(root, references, report);
-    }
-    free(references);
+    check_references(root, report);
     if (report->errors > errors) return NULL;
     const Json *used = member(root, "extensionsUsed");
     for (const Json *name = used ? used->first : NULL; name; name = name->next)

@@ -121,20 +121,21 @@ static const Rule A_BLOCK = {"", TEXT};
         {"inputs", LIST, REQUIRED, 1, HUGE_VAL, &A_BLOCK, .also = blocks_are_known},            \
         {"decoderPrecision", CHOICE, REQUIRED, .choices = "float32 int8"},                      \
         {"agreement", OBJECT, NULLABLE, .of = AGREEMENT}
-#define TIER_PART_MEMBERS                                                                       \
-    DECODER_MEMBERS, {"planes", PATH, REQUIRED}, {"resolution", INTEGER, REQUIRED, 1, 4096},    \
-        {"channels", INTEGER, REQUIRED, 1, MAX_CHANNELS},                                       \
-        {"planePrecision", CHOICE, REQUIRED, .choices = "int8 float16 float32"}
-#define TIER_MEMBERS                                                                            \
-    {"name", NAME, REQUIRED}, {"validation", OBJECT, NULLABLE, .of = VALIDATION},               \
-        {"cost", OBJECT, NULLABLE, .of = COST}
 static const Rule EMISSION[] = {DECODER_MEMBERS, {0}};
-static const Rule TIER_PART[] = {TIER_PART_MEMBERS, {"emission", OBJECT, .of = EMISSION}, {0}};
+static const Rule TIER_PART[] = {DECODER_MEMBERS,
+                                 {"planes", PATH, REQUIRED},
+                                 {"resolution", INTEGER, REQUIRED, 1, 4096},
+                                 {"channels", INTEGER, REQUIRED, 1, MAX_CHANNELS},
+                                 {"planePrecision", CHOICE, REQUIRED, .choices = "int8 float16 float32"},
+                                 {"emission", OBJECT, .of = EMISSION},
+                                 {0}};
 static const Rule A_TIER_PART = {"", OBJECT, .of = TIER_PART};
-static const Rule TIER[] = {TIER_MEMBERS, {"parts", LIST, REQUIRED, ANY_COUNT, &A_TIER_PART}, {0}};
+static const Rule TIER[] = {{"name", NAME, REQUIRED},
+                            {"parts", LIST, REQUIRED, ANY_COUNT, &A_TIER_PART},
+                            {"validation", OBJECT, NULLABLE, .of = VALIDATION},
+                            {"cost", OBJECT, NULLABLE, .of = COST},
+                            {0}};
 static const Rule A_TIER = {"", OBJECT, .of = TIER};
-static const Rule SHORT_TIER[] = {TIER_MEMBERS, TIER_PART_MEMBERS, {0}};
-static const Rule A_SHORT_TIER = {"", OBJECT, .of = SHORT_TIER};
 #define ABOVE_0 DBL_TRUE_MIN
 static const Rule TRIANGLE = {"", INTEGER, 0, 0, HUGE_VAL};
 static const Rule INDEX_OF_REFRACTION = {"", NUMBER, 0, 0.01, 100};
@@ -153,12 +154,10 @@ static const Rule NORMAL_MAP[] = {
     {"texture", PATH, REQUIRED},
     {0}};
 static const Rule A_NORMAL_MAP = {"", OBJECT, .of = NORMAL_MAP};
-#define PART_MEMBERS                                                                            \
-    {"kind", CHOICE, REQUIRED, .choices = "surface fiber"},                                     \
-        {"bounds", OBJECT, REQUIRED, .of = BOUNDS, .also = bounds_have_an_extent},              \
-        {"geometry", PATH, REQUIRED}
-static const Rule PART[] = {PART_MEMBERS,
-                            {"name", NAME, REQUIRED},
+static const Rule PART[] = {{"name", NAME, REQUIRED},
+                            {"kind", CHOICE, REQUIRED, .choices = "surface fiber"},
+                            {"bounds", OBJECT, REQUIRED, .of = BOUNDS, .also = bounds_have_an_extent},
+                            {"geometry", PATH, REQUIRED},
                             {"transmittance", LIST, 0, 1, MAX_RECORDS, &A_TRANSMITTANCE},
                             {"normalMaps", LIST, 0, 1, MAX_RECORDS, &A_NORMAL_MAP},
                             {0}};
@@ -171,22 +170,21 @@ static const Rule PROVENANCE[] = {{"source", TEXT, REQUIRED},
                                   {"training", MAP, .key = ANYTHING},
                                   {0}};
 static const Rule AN_EXTENSION = {"", NAME};
-#define MANIFEST_MEMBERS(A_TIER)                                                                \
-    {"format", CHOICE, REQUIRED, .choices = "rna"}, {"version", VERSION, REQUIRED},             \
-        {"minReaderVersion", VERSION, REQUIRED}, {"generator", TEXT, REQUIRED},                 \
-        {"name", TEXT, REQUIRED, 1}, {"domain", OBJECT, REQUIRED, .of = DOMAIN},                \
-        {"units", OBJECT, REQUIRED, .of = UNITS},                                               \
-        {"tiers", LIST, REQUIRED, 1, MAX_TIERS, &A_TIER, .also = tiers_are_unique},             \
-        {"entries", MAP, REQUIRED, .key = PATH, .of = &A_RECORD},                               \
-        {"provenance", OBJECT, REQUIRED, .of = PROVENANCE}, {"license", TEXT, REQUIRED, 1},     \
-        {"extensionsUsed", LIST, 0, ANY_COUNT, &AN_EXTENSION},                                  \
-        {"extensionsRequired", LIST, 0, ANY_COUNT, &AN_EXTENSION},                              \
-        {"extensions", MAP, .key = NAME}, {"extras", MAP, .key = ANYTHING}
-static const Rule MANIFEST[] = {
-    MANIFEST_MEMBERS(A_TIER),
-    {"parts", LIST, REQUIRED, 1, RNA_MAX_PARTS, &A_PART, .also = parts_are_unique},
-    {0}};
-/* Of one part in short: the form of 1.0. */
-static const Rule SHORT_MANIFEST[] = {MANIFEST_MEMBERS(A_SHORT_TIER), PART_MEMBERS, {0}};
+static const Rule MANIFEST[] = {{"format", CHOICE, REQUIRED, .choices = "rna"},
+                                {"version", CHOICE, REQUIRED, .choices = "2.0"},
+                                {"generator", TEXT, REQUIRED},
+                                {"name", TEXT, REQUIRED, 1},
+                                {"parts", LIST, REQUIRED, 1, RNA_MAX_PARTS, &A_PART, .also = parts_are_unique},
+                                {"domain", OBJECT, REQUIRED, .of = DOMAIN},
+                                {"units", OBJECT, REQUIRED, .of = UNITS},
+                                {"tiers", LIST, REQUIRED, 1, MAX_TIERS, &A_TIER, .also = tiers_are_unique},
+                                {"entries", MAP, REQUIRED, .key = PATH, .of = &A_RECORD},
+                                {"provenance", OBJECT, REQUIRED, .of = PROVENANCE},
+                                {"license", TEXT, REQUIRED, 1},
+                                {"extensionsUsed", LIST, 0, ANY_COUNT, &AN_EXTENSION},
+                                {"extensionsRequired", LIST, 0, ANY_COUNT, &AN_EXTENSION},
+                                {"extensions", MAP, .key = NAME},
+                                {"extras", MAP, .key = ANYTHING},
+                                {0}};
 
 #endif

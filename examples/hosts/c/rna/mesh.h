@@ -244,20 +244,18 @@ static bool build_mesh(const Json *gltf, bool quantised, Span blob, RnaMesh *mes
            refuse(report, "GEOMETRY_BOUNDS", entry, "min and max of POSITION", "others");
 }
 
-/* The mesh in a file; *block: what is allocated for it, in any case for the caller to free.
- * *quantised: written. */
-static bool read_mesh(Span file, RnaMesh *mesh, void **block, bool *quantised, const char *entry,
-                      RnaReport *report) {
+/* The mesh in a file; *block: what is allocated for it, in any case for the caller to free. */
+static bool read_mesh(Span file, RnaMesh *mesh, void **block, const char *entry, RnaReport *report) {
     Span json = {0}, blob = {0};
     if (!split_glb(file, &json, &blob, entry, report)) return false;
     JsonText text;
-    Schema schema = {report, "GEOMETRY_PROFILE", "GEOMETRY_PROFILE", "GEOMETRY_PROFILE", true};
+    Schema schema = {report, "GEOMETRY_PROFILE", "GEOMETRY_PROFILE", "GEOMETRY_PROFILE", .only_first = true};
     schema.length = (size_t)snprintf(schema.where, sizeof schema.where / 2, "%s#", entry);
     if (schema.length >= sizeof schema.where / 2) schema.length = sizeof schema.where / 2 - 1;
     const Json *gltf = parse_json(json, entry, "GEOMETRY_CONTAINER", &text, report);
     bool good = gltf != NULL;
-    *quantised = good && (member(gltf, "extensionsUsed") || member(gltf, "extensionsRequired"));
-    if (good) check_members(&schema, *quantised ? QUANTISED_GLTF : GLTF, gltf);
+    schema.option = member(gltf, "extensionsUsed") || member(gltf, "extensionsRequired");
+    if (good) check_members(&schema, GLTF, gltf);
     good = good && schema.issues == 0;
     if (good) {
         uint64_t declared = integer_of(member(gltf, "buffers")->first, "byteLength");
@@ -266,7 +264,7 @@ static bool read_mesh(Span file, RnaMesh *mesh, void **block, bool *quantised, c
                           (unsigned long long)declared);
         blob.size = (size_t)declared;
     }
-    good = good && build_mesh(gltf, *quantised, blob, mesh, block, entry, report);
+    good = good && build_mesh(gltf, schema.option, blob, mesh, block, entry, report);
     free_json(&text);
     return good;
 }

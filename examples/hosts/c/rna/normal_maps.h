@@ -3,23 +3,13 @@
 #define RNA_NORMAL_MAPS_H
 
 #include "textures.h"
+#include "vectors.h"
 
 #define SHORT_VECTOR 1e-6
 
-static bool read_map(Span file, RnaNormalMap *map, const char *entry, RnaReport *report) {
-    Texture texture;
-    if (!read_texels(file, "normals", 2, 2, "NORMAL_MAP_TEXTURE", entry, &texture, report)) return false;
-    map->width = texture.width;
-    map->height = texture.height;
-    map->texels = texture.texels;
-    return true;
-}
-
-static double dot_of(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 /* Brings v to unit length; false, and v as it was, where it is no longer than `least`. */
 static bool made_unit(double v[3], double least) {
-    double length = sqrt(dot_of(v, v));
+    double length = sqrt(dot(v, v));
     if (!(length > least)) return false;
     for (int k = 0; k < 3; k++) v[k] /= length;
     return true;
@@ -31,7 +21,7 @@ static void plain_normal(const RnaMesh *mesh, const uint32_t corner[3], const do
         n[k] = 0;
         for (int i = 0; i < 3; i++) n[k] += b[i] * mesh->normals[3 * (size_t)corner[i] + k];
     }
-    made_unit(n, 0);
+    normalize(n);
 }
 
 /* U and V, along which u and v grow on the triangle; false where its coordinates do not tell. */
@@ -55,19 +45,15 @@ static bool directions_of(const RnaMesh *mesh, const uint32_t corner[3], double 
 /* Bends n, the plain normal of a hit, by the map. */
 static void bend_normal(const RnaNormalMap *map, const RnaMesh *mesh, const uint32_t corner[3],
                         const double b[3], double n[3]) {
-    const Texture texture = {map->width, map->height, 2, map->texels};
     double t[3], along_v[3], across[3], uv[2], q[3], bent[3];
     if (!directions_of(mesh, corner, t, along_v)) return;
-    double size = sqrt(dot_of(t, t)), along_n = dot_of(t, n);
+    double size = sqrt(dot(t, t)), along_n = dot(t, n);
     for (int k = 0; k < 3; k++) t[k] -= along_n * n[k];
     if (!made_unit(t, SHORT_VECTOR * size)) return;
-    for (int k = 0; k < 3; k++) {
-        int i = (k + 1) % 3, j = (k + 2) % 3;
-        across[k] = n[i] * t[j] - n[j] * t[i];
-    }
-    double up = dot_of(across, along_v) > 0 ? -1 : 1;
+    cross(n, t, across);
+    double up = dot(across, along_v) > 0 ? -1 : 1;
     coordinates_at(mesh, corner, b, uv);
-    sample_texture(&texture, uv, q);
+    sample_texture(&map->texture, uv, q);
     double x = (255 * q[0] - 127) / 127, y = (255 * q[1] - 127) / 127, z = sqrt(fmax(0, 1 - x * x - y * y));
     for (int k = 0; k < 3; k++) bent[k] = x * t[k] + up * y * across[k] + z * n[k];
     if (made_unit(bent, SHORT_VECTOR)) memcpy(n, bent, sizeof bent);

@@ -37,7 +37,6 @@ static bool share_geometry(RnaAsset *asset, Part *part, Span data) {
         if (same_entry(other->geometry, data) && other->public.kind == part->public.kind) {
             part->mesh = other->mesh;
             part->curves = other->curves;
-            part->is_quantised = other->is_quantised;
             return true;
         }
     return false;
@@ -47,10 +46,8 @@ static void read_geometry(const Entry *entry, Span data, RnaAsset *asset, Part *
     RnaPart *public = &part->public;
     const bool is_mesh = public->kind == RNA_SURFACE;
     if (!share_geometry(asset, part, data)) {
-        bool good = is_mesh ? read_mesh(data, &part->mesh, &part->restored, &part->is_quantised,
-                                        entry->name, report)
-                            : read_curves(data, &part->curves, &part->restored, &part->is_quantised,
-                                          entry->name, report);
+        bool good = is_mesh ? read_mesh(data, &part->mesh, &part->restored, entry->name, report)
+                            : read_curves(data, &part->curves, &part->restored, entry->name, report);
         if (!good) return;
     }
     part->geometry = data;
@@ -93,7 +90,9 @@ static void read_normal_maps(Container *zip, const Json *json, Part *part, RnaRe
         const Entry *entry = intact_entry(zip, item, "texture");
         map->first = range.first;
         map->count = range.count;
-        if (entry) read_map(entry_data(zip, entry), map, entry->name, report);
+        if (entry)
+            read_texels(entry_data(zip, entry), "normals", 2, 2, "NORMAL_MAP_TEXTURE", entry->name,
+                        &map->texture, report);
         if (!part->public.mesh ||
             !check_range(range, start, &part->mesh, "NORMAL_MAP_RANGE", part->public.name, report))
             return;
@@ -102,12 +101,12 @@ static void read_normal_maps(Container *zip, const Json *json, Part *part, RnaRe
     if (list) part->public.normal_maps = part->maps;
 }
 
-static void read_part(Container *zip, const Json *root, const Json *json, RnaAsset *asset, RnaReport *report) {
+static void read_part(Container *zip, const Json *json, RnaAsset *asset, RnaReport *report) {
     Part *part = &asset->part[asset->parts++];
     RnaPart *public = &part->public;
     const Json *bounds = member(json, "bounds");
     const Json *low = member(bounds, "min")->first, *high = member(bounds, "max")->first;
-    public->name = is_short(root) ? "asset" : (const char *)member(json, "name")->string.at;
+    public->name = (const char *)member(json, "name")->string.at;
     public->kind = is_string(member(json, "kind"), "fiber") ? RNA_FIBER : RNA_SURFACE;
     for (int k = 0; k < 3; k++, low = low->next, high = high->next) {
         public->low[k] = (float)low->number;
@@ -115,7 +114,6 @@ static void read_part(Container *zip, const Json *root, const Json *json, RnaAss
     }
     const Entry *entry = intact_entry(zip, json, "geometry");
     if (entry) read_geometry(entry, entry_data(zip, entry), asset, part, report);
-    if (part->is_quantised) check_age(root, "quantised geometry", public->name, report);
     read_transmittance(zip, json, part, report);
     read_normal_maps(zip, json, part, report);
 }
@@ -161,7 +159,7 @@ static const Decoder *load_decoder(RnaAsset *asset, Span data, const Interface *
             return &other->decoder;
     Loaded *loaded = calloc(1, sizeof *loaded);
     if (!loaded) {
-        refuse(report, "DECODER_LOAD", name, "memory for it", "not enough");
+        refuse(report, "FILE_UNREADABLE", name, "memory for it", "not enough");
         return NULL;
     }
     *loaded = (Loaded){asset->decoders, data, interface->columns, interface->is_int8, interface->outputs};
@@ -196,17 +194,14 @@ static double measured(const Json *tier, const char *object, const char *name) {
     return value ? value->number : -1;
 }
 
-static bool can_run(const Network *network) { return network->decoder && network->decoder->runs; }
-
-static void read_tier(Container *zip, const Json *root, const Json *json, RnaAsset *asset, RnaReport *report) {
+static void read_tier(Container *zip, const Json *json, RnaAsset *asset, RnaReport *report) {
     Tier *tier = &asset->tier[asset->tiers];
     int i = 0;
     tier->public = (RnaTier){.name = (const char *)member(json, "name")->string.at,
-                             .runs = true,
                              .is_int8 = true,
                              .multiply_adds = measured(json, "cost", "multiplyAdds"),
                              .flip = measured(json, "validation", "flip")};
-    for (const Json *of = first_tier_part(root, json); of; of = next_part(root, of), i++) {
+    for (const Json *of = member(json, "parts")->first; of; of = of->next, i++) {
         TierPart *part = &tier->part[i];
         const Json *emission = member(of, "emission");
         read_part_planes(zip, of, asset, part, report);
@@ -215,7 +210,6 @@ static void read_tier(Container *zip, const Json *root, const Json *json, RnaAss
             read_network(zip, emission, asset, part->planes.channels, true, &part->emission, report);
         asset->part[i].public.emits = emission != NULL;
         tier->public.is_int8 &= is_string(member(of, "decoderPrecision"), "int8");
-        tier->public.runs &= can_run(&part->transport) && (!emission || can_run(&part->emission));
     }
     asset->tiers++;
 }
@@ -225,10 +219,10 @@ static void read_package(Container *zip, RnaAsset *asset, RnaReport *report) {
     const Json *root = read_manifest(entry_data(zip, &zip->entries[0]), &asset->manifest, report);
     if (!root) return;
     check_entries(zip, root, report);
-    for (const Json *part = first_part(root); part; part = next_part(root, part))
-        read_part(zip, root, part, asset, report);
+    for (const Json *part = member(root, "parts")->first; part; part = part->next)
+        read_part(zip, part, asset, report);
     for (const Json *tier = member(root, "tiers")->first; tier; tier = tier->next)
-        read_tier(zip, root, tier, asset, report);
+        read_tier(zip, tier, asset, report);
 }
 
 static void free_package(RnaAsset *asset) {

@@ -25,7 +25,7 @@ static double limited(double x, double low, double high) {
 
 /* Brings the vectors to unit length; adds to `total` what is NaN or infinite where one is not finite
  * or has no length. */
-static void normalize(double v[restrict 3][ROWS], double *restrict total) {
+static void normalize_rows(double v[restrict 3][ROWS], double *restrict total) {
     for (int r = 0; r < ROWS; r++) {
         double scale = 1 / sqrt(v[0][r] * v[0][r] + v[1][r] * v[1][r] + v[2][r] * v[2][r]);
         v[0][r] *= scale;
@@ -50,9 +50,9 @@ static void load_points(const RnaPart *part, const Batch *batch, size_t first, i
         total[r] = points->p[0][r] + points->p[1][r] + points->p[2][r] + points->h[r];
         points->h[r] = limited(points->h[r], -1, 1);
     }
-    normalize(points->axis, total);
-    normalize(points->wo, total);
-    normalize(points->wi, total);
+    normalize_rows(points->axis, total);
+    normalize_rows(points->wo, total);
+    normalize_rows(points->wi, total);
     for (int r = 0; r < ROWS; r++) points->valid[r] = total[r] - total[r] == 0;
     for (int k = 0; k < 3; k++) {
         double low = part->low[k], scale = 1 / ((double)part->high[k] - low);

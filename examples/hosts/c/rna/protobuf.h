@@ -4,9 +4,9 @@
 
 #include "json.h"
 
-/* The protobuf wire format.  All messages of a model draw on one budget of items. */
+/* All messages of a model draw on one budget of fields. */
 typedef struct Wire {
-    unsigned items;
+    unsigned fields;
     const char *broken; /* what is wrong, once something is */
 } Wire;
 
@@ -34,18 +34,14 @@ static bool take_varint(Wire *wire, Span *data, uint64_t *value) {
     return breaks(wire, "a varint cut short");
 }
 
-static bool spend(Wire *wire) {
-    return wire->items++ < MAX_WIRE_ITEMS || breaks(wire, "more than 2^18 fields and numbers");
-}
-
 /* The next field of `message`; false at its end, and where it is broken. */
 static bool next_field(Wire *wire, Span *message, Field *field) {
     uint64_t tag, size = 0;
     *field = (Field){0};
-    if (wire->broken || message->size == 0) return false;
-    if (!take_varint(wire, message, &tag)) return false;
+    if (wire->broken || message->size == 0 || !take_varint(wire, message, &tag)) return false;
+    if (wire->fields++ == MAX_WIRE_FIELDS) return breaks(wire, "more than 2^18 fields");
     *field = (Field){.number = tag >> 3, .is_integer = (tag & 7) == VARINT};
-    if (field->is_integer) return take_varint(wire, message, &field->integer) && spend(wire);
+    if (field->is_integer) return take_varint(wire, message, &field->integer);
     switch (tag & 7) {
     case BYTES:
         if (!take_varint(wire, message, &size)) return false;
@@ -58,49 +54,59 @@ static bool next_field(Wire *wire, Span *message, Field *field) {
     field->bytes = (Span){message->at, (size_t)size};
     message->at += size;
     message->size -= (size_t)size;
-    return spend(wire);
-}
-
-/* Protobuf merges a field that comes twice, so that two readers may see two models. */
-static bool once(Wire *wire, uint64_t *seen, const Field *field) {
-    uint64_t bit = (uint64_t)1 << (field->number & 63);
-    if (*seen & bit) return breaks(wire, "a field comes twice");
-    *seen |= bit;
     return true;
 }
 
-static bool need_bytes(Wire *wire, const Field *field, Span *bytes) {
-    if (field->is_integer) return breaks(wire, "a varint for bytes");
-    *bytes = field->bytes;
-    return true;
+/* A message: how often each field is there, and its last value. */
+enum { FIELD_NUMBERS = 26 }; /* all that is looked at is below */
+typedef struct Message {
+    Span bytes;
+    unsigned count[FIELD_NUMBERS];
+    Field last[FIELD_NUMBERS];
+} Message;
+
+static Message read_message(Wire *wire, Span bytes) {
+    Message message = {.bytes = bytes};
+    Field field;
+    while (next_field(wire, &bytes, &field))
+        if (field.number < FIELD_NUMBERS) {
+            message.count[field.number]++;
+            message.last[field.number] = field;
+        }
+    return message;
 }
 
-static bool need_text(Wire *wire, const Field *field, Span *text) {
-    return need_bytes(wire, field, text) && (is_utf8(*text) || breaks(wire, "a name that is no UTF-8"));
+/* A field that is not repeated; 0 or empty where it is absent.  Protobuf merges one that comes twice, so
+ * that two readers may see two models. */
+static Field one_field(Wire *wire, const Message *message, unsigned number, bool is_integer) {
+    if (message->count[number] > 1) breaks(wire, "a field twice");
+    if (message->count[number] && message->last[number].is_integer != is_integer)
+        breaks(wire, "a field of another type");
+    return message->last[number];
 }
 
-static bool need_integer(Wire *wire, const Field *field, uint64_t *value) {
-    if (!field->is_integer) return breaks(wire, "bytes for a varint");
-    *value = field->integer;
-    return true;
+static uint64_t integer_field(Wire *wire, const Message *message, unsigned number) {
+    return one_field(wire, message, number, true).integer;
 }
 
-/* The array, with room for one more behind its `count` items. */
-static void *grown(Wire *wire, void *array, size_t count, size_t *room, size_t item) {
-    if (count < *room) return array;
-    size_t more = *room ? 2 * *room : 16;
-    void *moved = realloc(array, more * item);
-    if (!moved) {
-        breaks(wire, "more than the memory holds");
-        return array;
+static Span bytes_field(Wire *wire, const Message *message, unsigned number) {
+    return one_field(wire, message, number, false).bytes;
+}
+
+static Span text_field(Wire *wire, const Message *message, unsigned number) {
+    Span text = bytes_field(wire, message, number);
+    if (!is_utf8(text)) breaks(wire, "a name that is no UTF-8");
+    return text;
+}
+
+/* The next of the fields `number`, from *rest on: of a message that was read. */
+static bool next_of(Wire *wire, Span *rest, unsigned number, Field *field) {
+    Wire counted = {0};
+    while (!wire->broken && next_field(&counted, rest, field)) {
+        counted.fields = 0;
+        if (field->number == number) return true;
     }
-    *room = more;
-    return moved;
+    return false;
 }
-
-/* A new last item; NULL where memory is out. */
-#define APPEND(wire, list)                                                                      \
-    ((list)->at = grown(wire, (list)->at, (list)->count, &(list)->room, sizeof *(list)->at),    \
-     (list)->count < (list)->room ? &(list)->at[(list)->count++] : NULL)
 
 #endif

@@ -11,12 +11,10 @@ typedef enum RuleKind {
     TEXT,    /* of `low` characters at least */
     NAME,    /* of a tier or an extension */
     PATH,    /* of an entry */
-    VERSION, /* MAJOR.MINOR */
     SHA256,
     NUMBER,  /* from `low` to `high` */
     INTEGER, /* the same, of whole value */
     CHOICE,  /* one of the words in `choices` */
-    FALSE,
     BOOLEAN,
     OBJECT, /* with the members in `of` */
     MAP,    /* an object with any members like `of`, whose keys are like `key` */
@@ -24,7 +22,8 @@ typedef enum RuleKind {
     REGION  /* of directions: a word, or a list of cones */
 } RuleKind;
 
-enum { REQUIRED = 1, NULLABLE = 2 };
+/* OPTION: a member that is there if the schema has its `option`, and else is unknown. */
+enum { REQUIRED = 1, NULLABLE = 2, OPTION = 4 };
 
 typedef struct Schema Schema;
 typedef struct Rule Rule;
@@ -45,6 +44,7 @@ struct Schema {
     RnaReport *report;
     const char *unknown, *missing, *value; /* codes */
     bool only_first;                       /* stop at the first issue */
+    bool option;
     int issues;
     char where[128]; /* JSON pointer, behind what the caller put there */
     size_t length;
@@ -110,34 +110,6 @@ static bool is_path(Span text) {
     return !starts_part;
 }
 
-/* The number at *at, of `most` digits; -1 where there is none. */
-static long take_digits(Span text, size_t *at, size_t most) {
-    long value = 0;
-    size_t start = *at;
-    for (; *at < text.size && text.at[*at] >= '0' && text.at[*at] <= '9'; ++*at) {
-        if (*at - start == most) return -1;
-        value = value * 10 + (text.at[*at] - '0');
-    }
-    return *at > start ? value : -1;
-}
-
-/* MAJOR.MINOR of at most four digits each. */
-static bool take_version(Span text, long *major, long *minor) {
-    size_t at = 0;
-    *major = take_digits(text, &at, 4);
-    if (*major < 0 || at == text.size || text.at[at++] != '.') return false;
-    *minor = take_digits(text, &at, 4);
-    return *minor >= 0 && at == text.size;
-}
-
-/* [1-9][0-9]{0,3} and a point and 0 or the like. */
-static bool is_version(Span text) {
-    long major, minor;
-    if (!take_version(text, &major, &minor) || text.at[0] == '0') return false;
-    const uint8_t *point = memchr(text.at, '.', text.size);
-    return point[1] != '0' || point + 2 == text.at + text.size;
-}
-
 static bool is_sha256(Span text) {
     for (size_t i = 0; i < text.size; i++)
         if (!memchr("0123456789abcdef", text.at[i], 16)) return false;
@@ -155,7 +127,6 @@ static bool is_text_like(RuleKind kind, const Rule *rule, Span text) {
     case TEXT: return (double)characters(text) >= rule->low;
     case NAME: return is_name(text);
     case PATH: return is_path(text);
-    case VERSION: return is_version(text);
     case SHA256: return is_sha256(text);
     default: return is_choice(text, rule->choices);
     }
@@ -167,11 +138,9 @@ static const char *kind_text(const Rule *rule) {
         [TEXT] = "a string that is long enough",
         [NAME] = "a name: letters, digits and ._-, at most 64",
         [PATH] = "a relative path, at most 200 bytes",
-        [VERSION] = "a version like 1.0",
         [SHA256] = "64 lower-case hexadecimal digits",
         [NUMBER] = "a number in its range",
         [INTEGER] = "an integer in its range",
-        [FALSE] = "false",
         [BOOLEAN] = "true or false",
         [OBJECT] = "an object",
         [MAP] = "an object",
@@ -187,7 +156,7 @@ static void check_members(Schema *schema, const Rule *rules, const Json *object)
         const Rule *rule = rules;
         while (rule->kind && !span_is(m->key, rule->name)) rule++;
         size_t before = push_place(schema, m->key);
-        if (rule->kind)
+        if (rule->kind && (schema->option || !(rule->flags & OPTION)))
             check_rule(schema, rule, m);
         else
             break_rule(schema, schema->unknown, "no such member", "%.*s", (int)m->key.size,
@@ -196,6 +165,7 @@ static void check_members(Schema *schema, const Rule *rules, const Json *object)
     }
     for (const Rule *rule = rules; rule->kind; rule++) {
         if (!(rule->flags & REQUIRED) || member(object, rule->name)) continue;
+        if (rule->flags & OPTION && !schema->option) continue;
         size_t before = push_text(schema, rule->name);
         break_rule(schema, schema->missing, kind_text(rule), "nothing");
         pop_place(schema, before);
@@ -232,7 +202,6 @@ static bool is_of_kind(const Rule *rule, const Json *value) {
     case ANYTHING: return true;
     case NUMBER: return value->type == JSON_NUMBER && in_range;
     case INTEGER: return is_integer(value) && in_range;
-    case FALSE: return value->type == JSON_FALSE;
     case BOOLEAN: return value->type == JSON_FALSE || value->type == JSON_TRUE;
     case OBJECT:
     case MAP: return value->type == JSON_OBJECT;

@@ -5,18 +5,13 @@
 #include "manifest_rules.h"
 #include "tensors.h"
 
-typedef struct Texture {
-    uint32_t width, height, channels;
-    const uint8_t *texels; /* [height][width][channels] */
-} Texture;
-
 /* The texture in a file of one tensor; code: of every fault. */
 static bool read_texels(Span file, const char *name, uint64_t least, uint64_t most, const char *code,
-                        const char *entry, Texture *texture, RnaReport *report) {
+                        const char *entry, RnaTexture *texture, RnaReport *report) {
     const TensorCodes codes = {code, code, code, code, code, code};
     Tensor tensor = {name, "U8", 3, {1, 1, least}, {MAX_TEXTURE, MAX_TEXTURE, most}};
     if (!read_tensors(file, &tensor, 1, entry, &codes, report)) return false;
-    *texture = (Texture){(uint32_t)tensor.shape[1], (uint32_t)tensor.shape[0], (uint32_t)tensor.shape[2],
+    *texture = (RnaTexture){(uint32_t)tensor.shape[1], (uint32_t)tensor.shape[0], (uint32_t)tensor.shape[2],
                          tensor.data};
     return true;
 }
@@ -44,7 +39,7 @@ static double wrapped(double i, double size) { return i - size * floor(i / size)
 
 /* Values of the texture at (u, v), which repeats: 0 to 1, the first channel again where there are no
  * three. */
-static void sample_texture(const Texture *texture, const double uv[2], double values[3]) {
+static void sample_texture(const RnaTexture *texture, const double uv[2], double values[3]) {
     double s = uv[0] * texture->width - 0.5, t = uv[1] * texture->height - 0.5, i = floor(s), j = floor(t);
     for (size_t channel = 0; channel < 3; channel++) values[channel] = 0;
     for (int corner = 0; corner < 4; corner++) {

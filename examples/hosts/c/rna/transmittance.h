@@ -5,17 +5,11 @@
 #include "textures.h"
 
 static bool read_texture(Span file, RnaTransmittance *record, const char *entry, RnaReport *report) {
-    Texture texture;
-    if (!read_texels(file, "transmittance", 1, 3, "TRANSMITTANCE_TEXTURE", entry, &texture, report))
-        return false;
-    record->height = texture.height;
-    record->width = texture.width;
-    record->channels = texture.channels;
-    record->texels = texture.texels;
-    if (record->channels == 2 || (record->channels == 3 && record->cutoff > 0))
-        return refuse(report, "TRANSMITTANCE_TEXTURE", entry, "1 or 3 channels, 1 with a cutoff", "%u",
-                      (unsigned)record->channels);
-    return true;
+    const char *code = "TRANSMITTANCE_TEXTURE";
+    if (!read_texels(file, "transmittance", 1, 3, code, entry, &record->texture, report)) return false;
+    uint32_t channels = record->texture.channels;
+    return (channels == 1 || (channels == 3 && record->cutoff == 0)) ||
+           refuse(report, code, entry, "1 or 3 channels, 1 with a cutoff", "%u", (unsigned)channels);
 }
 
 /* What the manifest says of a record. */
@@ -31,7 +25,7 @@ static RnaTransmittance record_of(const Json *json) {
 /* Whether the mesh has the coordinates that the texture is looked up with. */
 static bool check_coordinates(const RnaTransmittance *record, const RnaMesh *mesh, const char *where,
                               RnaReport *report) {
-    return mesh->uvs || (record->width == 1 && record->height == 1) ||
+    return mesh->uvs || (record->texture.width == 1 && record->texture.height == 1) ||
            refuse(report, "TRANSMITTANCE_UV", where, "a mesh with TEXCOORD_0", "none");
 }
 
@@ -69,10 +63,9 @@ static void look_up(const RnaTransmittance *record, const RnaMesh *mesh, uint32_
                     double b2, const float direction[3], float tau[3]) {
     const uint32_t *corner = &mesh->triangles[3 * (size_t)triangle];
     const double b[3] = {1 - b1 - b2, b1, b2};
-    const Texture texture = {record->width, record->height, record->channels, record->texels};
     double uv[2], d[3] = {direction[0], direction[1], direction[2]}, values[3], share = 1;
     coordinates_at(mesh, corner, b, uv);
-    sample_texture(&texture, uv, values);
+    sample_texture(&record->texture, uv, values);
     if (record->cutoff > 0)
         for (int k = 0; k < 3; k++) values[k] = values[k] > record->cutoff;
     double length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);

@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 from rna_geometry import shown_objects
 from rna_geometry.attributes import read
-from rna_geometry.top_objects import HAIR, top_object
+from rna_geometry.shown_objects import HAIR, top_object
 
 _THINNEST = 1e-3  # of the greatest radius: a package has no strand of radius 0
 _NO_RADIUS = 0.005  # what Cycles takes where curves have no radius

@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 from rna_geometry import shown_objects
 from rna_geometry.attributes import read, uv_map
-from rna_geometry.top_objects import SURFACES, top_object
+from rna_geometry.shown_objects import SURFACES, top_object
 from rna_materials.object_materials import materials_of
 from rna_materials.uv_charts import Chart
 from rna_materials.uv_dependence import IDENTITY

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import bpy
 from rna_geometry import shown_objects
-from rna_geometry.top_objects import SURFACES
+from rna_geometry.shown_objects import SURFACES
 from rna_materials.object_materials import materials_of
 
 

@@ -1,16 +1,93 @@
-"""Rendered objects, including all instances."""
+"""The evaluated scene of a render, its objects with all instances, and who owns them.
+
+The viewport's may be another one.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from typing import TypeVar
 
 import bpy
-from rna_geometry import rendered_geometry
+
+Result = TypeVar("Result")
+
+
+class _Geometry(bpy.types.RenderEngine):  # type: ignore[misc]
+    """Renders nothing. An engine is handed the geometry of renders; Python gets it in no other way.
+
+    Blender makes the instances, so what they are to do stands in the class.
+    """
+
+    bl_idname, bl_label = "RNA_GEOMETRY", "RNA geometry"
+    work: Callable[[], None] = lambda: None
+    depsgraph: bpy.types.Depsgraph | None = None
+
+    def render(self, depsgraph: bpy.types.Depsgraph) -> None:
+        _Geometry.depsgraph = depsgraph
+        try:
+            _Geometry.work()
+        finally:
+            _Geometry.depsgraph = None
+
+
+def as_rendered(work: Callable[[], Result]) -> Result:
+    """What `work` returns while `depsgraph()` is that of a render. It may not change the scene."""
+    answers: list[Result] = []
+    errors: list[Exception] = []
+
+    def kept() -> None:
+        try:
+            answers.append(work())
+        except Exception as error:  # Blender would print it and go on
+            errors.append(error)
+
+    scene = bpy.context.scene
+    before = scene.render.engine, scene.camera
+    camera = bpy.data.cameras.new("rna geometry")
+    scene.camera = bpy.data.objects.new("rna geometry", camera)
+    scene.collection.objects.link(scene.camera)
+    _Geometry.work = kept
+    bpy.utils.register_class(_Geometry)
+    try:
+        scene.render.engine = _Geometry.bl_idname
+        bpy.ops.render.render()
+    finally:
+        bpy.data.cameras.remove(camera)  # and its object
+        scene.render.engine, scene.camera = before
+        bpy.utils.unregister_class(_Geometry)
+    if errors:
+        raise errors[0]
+    if not answers:
+        raise RuntimeError("Blender started no render")
+    return answers[0]
+
+
+def depsgraph() -> bpy.types.Depsgraph:
+    """The evaluated scene: a render's within `as_rendered`, else the viewport's."""
+    return _Geometry.depsgraph or bpy.context.evaluated_depsgraph_get()
+
+
+SURFACES = ("MESH", "CURVE", "SURFACE", "FONT", "META")
+"""Types of objects that renders show as surfaces."""
+
+HAIR = "CURVES"
+
+
+def top_object(instance: bpy.types.DepsgraphObjectInstance) -> str:
+    """The name of the highest of an instance's object and its parents that shows something."""
+    item = (instance.parent if instance.is_instance else instance.object).original
+    top = item
+    while item.parent is not None:
+        item = item.parent
+        if item.type in (*SURFACES, HAIR):
+            top = item
+    return str(top.name)
 
 
 def instances() -> Iterator[bpy.types.DepsgraphObjectInstance]:
     """Depsgraph instances that renders show; each is valid until the next one is requested."""
-    for instance in rendered_geometry.depsgraph().object_instances:
+    for instance in depsgraph().object_instances:
         item = instance.object.original
         if instance.show_self and not item.hide_render:
             if instance.is_instance or not _is_pattern(item):

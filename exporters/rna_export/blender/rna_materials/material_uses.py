@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 from rna_geometry import shown_objects
 from rna_geometry.attributes import read, uv_map
-from rna_geometry.top_objects import HAIR, SURFACES
+from rna_geometry.shown_objects import HAIR, SURFACES
 from rna_materials.object_materials import materials_of
 
 _KINDS = {  # data type of an attribute -> property, components

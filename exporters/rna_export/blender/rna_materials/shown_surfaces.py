@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import bpy
-from rna_geometry.rendered_geometry import as_rendered
+from rna_geometry.shown_objects import as_rendered
 from rna_materials import normal_maps
 from rna_materials.material_uses import Use, Wanted, shown_materials, uses_of
 from rna_materials.transparency import transmittance_of

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import bpy
-from rna_geometry.top_objects import HAIR, SURFACES
+from rna_geometry.shown_objects import HAIR, SURFACES
 
 _NAMED = 3
 

@@ -10,8 +10,7 @@ import bpy
 import numpy as np
 import rna_hair
 from rna_hair.objects import add_curves, chiang_material
-from rna_sources.groom_options import TAPER, parser
-from rna_sources.source_formats import SOURCE_FORMATS
+from rna_sources.source_formats import SOURCE_FORMATS, TAPER, parser
 
 
 def load(source: str, arguments: list[str]) -> list[str]:

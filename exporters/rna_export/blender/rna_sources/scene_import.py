@@ -19,7 +19,7 @@ _STEPS = 4  # straight segments between two points of a spline
 
 
 def load(source: str, arguments: list[str], frame: int | None) -> None:
-    """Add what the file holds to the scene: see `groom_options` for the arguments.
+    """Add what the file holds to the scene: see `source_formats` for the arguments.
 
     frame: of strands that have to be copied; None for the first.
     """

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import bpy
 from rna_geometry import render_only, shown_objects
-from rna_geometry.rendered_geometry import as_rendered
+from rna_geometry.shown_objects import as_rendered
 from rna_materials import material_check
 from rna_materials.emission import nodes_of
 from rna_sources import (

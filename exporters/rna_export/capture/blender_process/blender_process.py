@@ -1,17 +1,40 @@
-"""A Blender process with an opened source: start, JSON lines protocol, stop, restart."""
+"""A source, and a Blender process that has it open: start, JSON lines, stop, restart."""
 
 from __future__ import annotations
 
 import contextlib
 import json
+import os
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Self
 
-from rna_export.capture.blender_process.source import Source
+from rna_export.capture.capture_settings import CLAMP_DIRECT, CLAMP_INDIRECT, CaptureSettings
 from rna_sdk.errors import CaptureError
 from rna_work.processor_time import process_seconds
+
+
+@dataclass(frozen=True)
+class Source:
+    """The source model and its Cycles settings; enough to open a worker again."""
+
+    path: Path
+    arguments: tuple[str, ...] = ()
+    clamp_direct: float = CLAMP_DIRECT
+    clamp_indirect: float = CLAMP_INDIRECT
+    front: str | None = None  # axes of the file; None: the usual ones of its kind
+    up: str | None = None
+    parts: str = "kinds"  # see CaptureSettings
+    rest_frame: int | None = None  # that is shown; None for the one that the file opens with
+
+    @classmethod
+    def captured(cls, path: Path, arguments: tuple[str, ...], settings: CaptureSettings) -> Source:
+        """The source as a capture of these settings opens it."""
+        clamps = settings.clamp_direct, settings.clamp_indirect
+        axes = settings.front, settings.up
+        return cls(path, arguments, *clamps, *axes, settings.parts, settings.rest_frame)
+
 
 _LINES = 5  # of Blender's output, in an error
 _WORKER = Path(__file__).parents[2] / "blender" / "worker.py"
@@ -76,7 +99,7 @@ class BlenderProcess:
     def _launch(self) -> subprocess.Popen[str]:
         """A process that has opened nothing yet."""
         return subprocess.Popen(
-            [str(self._python), str(_WORKER), str(self._threads)],
+            [str(self._python), str(_WORKER), str(self._threads), str(os.getpid())],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=self._log,

@@ -3,23 +3,51 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from rna_export.capture.blender_axes import from_blender, to_blender
-from rna_export.capture.blender_process.blender_process import BlenderProcess
+from rna_export.capture.blender_axes import from_blender, pinhole, scene_to_blender, to_blender
+from rna_export.capture.blender_process.blender_process import BlenderProcess, Source
 from rna_export.capture.blender_process.exchanged_files import (
+    RenderedRays,
+    channels,
     exchanged,
+    needed_passes,
     read_render,
     write_rays,
 )
-from rna_export.capture.blender_process.material_textures import MaterialTextures, SeeThrough
-from rna_export.capture.blender_process.rendered_rays import RenderedRays, channels, needed_passes
-from rna_export.capture.blender_process.source import Source
-from rna_export.capture.blender_process.turned_requests import pinhole, scene_to_blender
 from rna_sdk.package import Curves
+
+
+@dataclass(frozen=True)
+class SeeThrough:
+    """Transmittance of a material without refraction; as in rna_sdk.package.Transmittance."""
+
+    texture: np.ndarray  # (h, w, 1 or 3) uint8
+    cutoff: float | None
+    ior: tuple[float, float] | None
+
+
+@dataclass(frozen=True)
+class MaterialTextures:
+    """Textures by the full name of their material.
+
+    see_through: holes and thin glass. normals: normal maps, (h, w, 2) uint8 as in a package.
+    charts: the texture coordinates that they are looked up at (see `uv_charts.py`). captured_holes:
+    whether light through some material has no texture and is part of its captured light.
+    learnt_relief: whether some relief has none. notes: for the user.
+    """
+
+    see_through: dict[str, SeeThrough]
+    normals: dict[str, np.ndarray]
+    charts: dict[str, Any]
+    captured_holes: bool
+    learnt_relief: bool
+    notes: list[str]
+
 
 _CARD = 4  # pixels, a side
 

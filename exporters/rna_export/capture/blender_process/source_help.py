@@ -5,8 +5,7 @@ from __future__ import annotations
 import subprocess
 from pathlib import Path
 
-from rna_export.blender.rna_sources.groom_options import parser
-from rna_export.blender.rna_sources.source_formats import SOURCE_FORMATS
+from rna_export.blender.rna_sources.source_formats import SOURCE_FORMATS, parser
 from rna_export.capture.blender_process.blender_env import find_python
 from rna_sdk.errors import CaptureError
 

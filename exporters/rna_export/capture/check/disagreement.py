@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rna_export.capture.blender_process.rendered_rays import RenderedRays
+from rna_export.capture.blender_process.exchanged_files import RenderedRays
 from rna_export.capture.rays.asset_scene import AssetScene, ShadePoints
 from rna_export.capture.rays.traced_rays import HIT
 from rna_export.capture.rays.view_rays import ViewRays

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
-from rna_export.capture.blender_process.rendered_rays import RenderedRays
+from rna_export.capture.blender_process.exchanged_files import RenderedRays
 from rna_export.capture.check.disagreement import ELSEWHERE, EXTRA, MISSING, TURNED, Disagreement
 from rna_export.capture.rays.asset_scene import AssetScene
 from rna_export.capture.rays.view_rays import ViewRays

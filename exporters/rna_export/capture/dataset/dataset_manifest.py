@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, Self
 
 from pydantic import Field, ValidationError, model_validator
 
@@ -13,6 +13,11 @@ from rna_sdk.atomic_file import write_atomically
 from rna_sdk.package import Domain
 from rna_sdk.package.manifest.manifest_fields import Name
 from rna_sdk.package.manifest.manifest_model import NormalMapRecord, TransmittanceRecord
+
+MAX_NUMBER = 1e18
+"""Of samples and bounds: float32 holds its square."""
+MIN_SIZE = 1e-5
+"""Of a part, as a share of its distance: nearer numbers are equal in float32."""
 
 SAMPLE_FIELDS: dict[str, dict[str, int]] = {
     "surface": {"position": 3, "normal": 3, "wo": 3, "wi": 3, "radiance": 3, "visible": 1},
@@ -53,6 +58,18 @@ class CapturedPart(DatasetModel):
     bounds: tuple[tuple[float, float, float], tuple[float, float, float]]
     transmittance: tuple[TransmittanceRecord, ...] = ()  # textures are files of the dataset
     normal_maps: tuple[NormalMapRecord, ...] = ()  # likewise
+
+    @model_validator(mode="after")
+    def _has_a_box(self) -> Self:
+        low, high = self.bounds
+        largest = max(map(abs, (*low, *high)))
+        sides = [b - a for a, b in zip(low, high, strict=True)]
+        if not (largest <= MAX_NUMBER and min(sides) >= 0 and max(sides) >= MIN_SIZE * largest > 0):
+            raise ValueError(
+                f"found bounds {self.bounds}, expected the lower and the upper corner of a box, at "
+                f"most {MAX_NUMBER:g}, whose size float32 can tell"
+            )
+        return self
 
 
 class CaptureManifest(DatasetModel):

@@ -31,6 +31,7 @@ T = TypeVar("T")
 View = TypeVar("View", ValidationView, EmissionView)
 
 _SHARED = 0.95  # of the pixels of a half, at least, that the other one has, too
+_MARGIN = 0.1  # of a part's longest side
 _LEAST_SHARE = 1 / 500  # of an image's pixels; fewer say nothing of a part
 
 
@@ -60,7 +61,19 @@ class DatasetPart:
 
     def geometry(self) -> Mesh | Curves:
         """The captured mesh, or the strands: object space, +Y up, metres."""
-        return self._read_geometry(lambda arrays: geometry_from_arrays(arrays, self.kind))
+        geometry = self._read_geometry(lambda arrays: geometry_from_arrays(arrays, self.kind))
+        path = self.dataset.geometry_path(self.name)
+        if isinstance(geometry, Mesh) and geometry.triangles.max() >= len(geometry.positions):
+            raise CaptureError(DAMAGED.format(path, "a triangle names a vertex that is not there"))
+        self._check_places(path, np.array(geometry.box()))
+        return geometry
+
+    def _check_places(self, path: Path, places: np.ndarray) -> None:
+        """Raises CaptureError for points (n, 3) that are far outside of the part's bounds."""
+        low, high = np.array(self.bounds)
+        margin = _MARGIN * (high - low).max()
+        if not ((places >= low - margin) & (places <= high + margin)).all():
+            raise CaptureError(DAMAGED.format(path, f"outside of the bounds of part {self.name}"))
 
     def source_vertices(self) -> SourceVertices | None:
         """The source's vertex of each of the mesh's vertices; None where they are not known."""
@@ -145,9 +158,10 @@ class DatasetPart:
             for index in range(self.manifest.emission_images)
         ]
 
-    def _read(self, path: Path, fields: Iterable[str]) -> dict[str, np.ndarray]:
+    def _read(self, path: Path, fields: Mapping[str, int]) -> dict[str, np.ndarray]:
         """Rows of a file; a visibility with colours as (n, 3) float32 from 0 to 1."""
         rows = read_part(path, self.name, fields)
+        self._check_places(path, rows["position"])
         if "visible" in rows and rows["visible"].ndim == 2:
             rows["visible"] = rows["visible"].astype(np.float32) / np.float32(255.0)
         return rows
@@ -175,13 +189,16 @@ class DatasetPart:
         fields: Mapping[str, int],
     ) -> View:
         paths = [path_of(index, half) for half in (0, 1)]
-        first, second = (self._read(p, (*fields, "pixel")) for p in paths)
+        first, second = (self._read(p, {**fields, "pixel": 1}) for p in paths)
         # Where a ray just misses in Cycles and meets glass, alpha is noise: one half may lack it.
         pixel, *rows = np.intersect1d(first["pixel"], second["pixel"], return_indices=True)
+        resolution = self.manifest.settings.validation_resolution
+        there = (pixel >= 0) & (pixel < resolution**2)
+        if pixel.dtype.kind not in "iu" or not there.all():
+            raise damaged(paths[0], f"pixels that an image of {resolution} has not")
         if len(pixel) < _SHARED * max(len(first["pixel"]), len(second["pixel"])):
             raise damaged(paths[1], "its pixels are not those of the first half")
         halves = np.stack([first["radiance"][rows[0]], second["radiance"][rows[1]]])
         samples = {name: first[name][rows[0]] for name in fields}
         samples["radiance"] = halves.mean(axis=0)
-        resolution = self.manifest.settings.validation_resolution
         return kind(index, resolution, pixel, samples, halves)

@@ -5,13 +5,14 @@ Arrays are named PART/FIELD; those of one part have a row for each sample of tha
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
 from safetensors import SafetensorError, safe_open
 from safetensors.numpy import save
 
+from rna_export.capture.dataset.dataset_manifest import MAX_NUMBER
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import CaptureError
 
@@ -25,10 +26,11 @@ def write_parts(path: Path, parts: Mapping[str, Mapping[str, np.ndarray]]) -> No
     write_arrays(path, arrays)
 
 
-def read_part(path: Path, part: str, fields: Iterable[str]) -> dict[str, np.ndarray]:
-    """The named fields of one part's samples.
+def read_part(path: Path, part: str, fields: Mapping[str, int]) -> dict[str, np.ndarray]:
+    """The named fields of one part's samples, with their numbers of columns.
 
-    Raises CaptureError if the file is damaged, or has numbers that are not finite.
+    Raises CaptureError if the file is damaged, or has arrays of another shape or numbers that are
+    not at most MAX_NUMBER.
     """
     try:
         with safe_open(path, "np") as file:
@@ -37,14 +39,19 @@ def read_part(path: Path, part: str, fields: Iterable[str]) -> dict[str, np.ndar
             if missing:
                 raise damaged(path, f"no {', '.join(missing)}")
             arrays = {field: file.get_tensor(f"{part}/{field}") for field in fields}
-    except (OSError, SafetensorError) as error:
+    except (OSError, TypeError, SafetensorError) as error:
         raise damaged(path, error) from error
-    if len({len(rows) for rows in arrays.values()}) > 1:
+    if len({rows.shape[:1] for rows in arrays.values()}) > 1:
         raise damaged(path, "its arrays differ in length")
     for field, rows in arrays.items():
-        if not np.isfinite(rows).all():
-            bad = np.count_nonzero(~np.isfinite(rows).reshape(len(rows), -1).all(axis=1))
-            raise damaged(path, f"{bad} rows of {part}/{field} are not finite numbers")
+        found = rows.shape[1:] or (rows.ndim,)
+        if rows.dtype.kind not in "fiu" or found != (fields[field],):
+            shape = f"{rows.dtype} {list(rows.shape)}"
+            raise damaged(path, f"{part}/{field} is {shape}, expected {fields[field]} columns")
+        usable = (rows >= -MAX_NUMBER) & (rows <= MAX_NUMBER)
+        if not usable.all():
+            bad = np.count_nonzero(~usable.reshape(len(rows), -1).all(axis=1))
+            raise damaged(path, f"{bad} rows of {part}/{field} are not at most {MAX_NUMBER:g}")
     return arrays
 
 

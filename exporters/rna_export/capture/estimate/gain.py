@@ -16,8 +16,7 @@ from pathlib import Path
 import numpy as np
 from pydantic import BaseModel, ConfigDict
 
-from rna_export.capture.estimate.pilot import Pilot
-from rna_export.capture.estimate.query_cost import PRESET
+from rna_export.capture.estimate.pilot import PRESET, Pilot
 
 SAMPLES = 16  # of ours, at which speeds were measured
 TABLE = Path(__file__).with_name("measured_assets.json")

@@ -124,7 +124,7 @@ class _Seams:
     def piece_at(self, position: np.ndarray, wo: np.ndarray) -> np.ndarray:
         """(n,) int32, the piece that rays along -wo meet at positions (n, 3); 0 if none does."""
         hits = self._scene.intersect(position + self._step * wo, -wo)
-        return np.asarray(np.maximum(hits.part, 0))
+        return np.asarray(np.maximum(hits.geometry, 0))
 
 
 def _with_margin(

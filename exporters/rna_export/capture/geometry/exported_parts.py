@@ -7,12 +7,11 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from rna_export.capture.blender_process.blender_process import ScenePart
-from rna_export.capture.blender_process.blender_worker import BlenderWorker
-from rna_export.capture.blender_process.material_textures import MaterialTextures
+from rna_export.capture.blender_process.blender_worker import BlenderWorker, MaterialTextures
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.dataset.dataset_manifest import CapturedPart
 from rna_export.capture.geometry.mesh_cleanup import welded, with_last
-from rna_export.capture.geometry.size_notes import size_notes, too_coarse
+from rna_export.capture.geometry.source_notes import size_notes, too_coarse
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Mesh, SourceVertices, quantise
 from rna_sdk.package.manifest.manifest_model import NormalMapRecord, TransmittanceRecord

@@ -1,4 +1,4 @@
-"""Converts a triangle soup to an indexed mesh."""
+"""Converts a triangle soup to an indexed mesh, and finds the connected pieces of one."""
 
 from __future__ import annotations
 
@@ -55,3 +55,31 @@ def _whole_normals(positions: np.ndarray, normals: np.ndarray) -> np.ndarray:
     chosen = np.where(np.linalg.norm(normals, axis=1, keepdims=True) > 0.5, normals, flat)
     lengths = np.linalg.norm(chosen, axis=1, keepdims=True)
     return np.asarray(chosen / np.maximum(lengths, 1e-30))
+
+
+def vertex_islands(mesh: Mesh) -> np.ndarray:
+    """(v,) a number for each vertex, the same for all of a connected piece.
+
+    Vertices at one position are one, whatever their normals and texture coordinates.
+    """
+    _, place = np.unique(mesh.positions, axis=0, return_inverse=True)
+    place = place.reshape(-1)
+    return connected(int(place.max()) + 1, place[mesh.triangles])[place]
+
+
+def connected(vertices: int, triangles: np.ndarray) -> np.ndarray:
+    """(v,) the smallest vertex of the connected piece that each vertex is of.
+
+    triangles: (t, 3) of the vertices.
+    """
+    label = np.arange(vertices)
+    while True:
+        least = label[triangles].min(axis=1)
+        after = label.copy()
+        for corner in triangles.T:
+            np.minimum.at(after, corner, least)
+            np.minimum.at(after, label[corner], least)
+        after = after[after]
+        if np.array_equal(after, label):
+            return label
+        label = after

@@ -14,7 +14,7 @@ from rna_sdk.package import Curves, Mesh, NormalMap
 from rna_sdk.package.textures.transmittance import Transmittance
 from rna_sdk.runtime import DeformedCurves, DeformedMesh, RestPoints
 from rna_sdk.runtime.deformation import RestCurves, RestMesh
-from rna_trace import NormalMaps, PartHits, PartPoints, PartsScene, mesh_transmittance
+from rna_trace import ClosestHits, NormalMaps, PartPoints, PartsScene, mesh_transmittance
 
 _MOST_LAYERS = 64  # that a ray passes
 _CLEAR = 0.95  # transmittance from which a surface shows too little of itself to be learnt
@@ -109,11 +109,11 @@ class AssetScene:
 
     def part_hit(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
         """Part hit first by each ray, (n,) int32; -1 for misses."""
-        return self._solid_hits(origins, directions)[0].part
+        return self._solid_hits(origins, directions)[0].geometry
 
     def meets(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
         """Whether each ray meets a triangle or strand, holes included: (n,) bool."""
-        return np.asarray(self._scene.intersect(origins, directions).part >= 0)
+        return np.asarray(self._scene.intersect(origins, directions).geometry >= 0)
 
     def coverage(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
         """The alpha of rays (n, 3) from outside: 1 less what all layers let through, (n,)."""
@@ -125,18 +125,18 @@ class AssetScene:
 
     def _solid_hits(
         self, origins: np.ndarray, directions: np.ndarray, rng: np.random.Generator | None = None
-    ) -> tuple[PartHits, np.ndarray]:
+    ) -> tuple[ClosestHits, np.ndarray]:
         """Closest hits of rays (n, 3), without holes, and their transmittance, (n, 3) float32.
 
         rng: where a hit lets a part of the light through, the ray goes on as often; None: never.
         """
         hits = self._scene.intersect(origins, directions)
         tau = np.zeros((len(origins), 3), np.float32)
-        left = np.flatnonzero(hits.part >= 0) if self.transmits else np.zeros(0, int)
+        left = np.flatnonzero(hits.geometry >= 0) if self.transmits else np.zeros(0, int)
         for _ in range(_MOST_LAYERS):
             if not len(left):
                 break
-            tau[left] = self._scene.hit_transmittance(_taken(hits, left), directions[left])
+            tau[left] = self._scene.hit_transmittance(hits.take(left), directions[left])
             share = np.minimum(tau[left].mean(axis=1), _MOST_PASS)
             passes = tau[left].min(axis=1) > _CLEAR
             if rng is not None:
@@ -144,10 +144,10 @@ class AssetScene:
             left = left[passes]
             nearest = np.nextafter(hits.t[left], np.float32(np.inf)) * np.float32(1.0 + 1e-6)
             behind = self._scene.intersect(origins[left], directions[left], nearest)
-            for name in PartHits.__slots__:
+            for name in ("t", "geometry", "primitive", "u", "v", "ng"):
                 getattr(hits, name)[left] = getattr(behind, name)
             tau[left] = 0.0
-            left = left[behind.part >= 0]
+            left = left[behind.geometry >= 0]
         return hits, tau
 
     def shade_points(
@@ -158,23 +158,23 @@ class AssetScene:
         position = np.zeros((len(origins), 3), np.float32)
         on = []
         for part, shape in enumerate(self.shapes):
-            rows = np.flatnonzero(hits.part == part)
-            found = (a[rows] for a in (hits.primitive, hits.u, hits.v, hits.normals))
+            rows = np.flatnonzero(hits.geometry == part)
+            found = (a[rows] for a in (hits.primitive, hits.u, hits.v, hits.ng))
             points = self._scene.points(part, *found)
             position[rows] = points.x
             fields = shape.sample_fields(points, directions[rows])
             if (rest := self._rest_points(part, hits, rows)) is not None:
                 fields |= {"position": rest.positions, shape.axis: rest.axes}
             on.append(PartRows(rows, points, fields, rest))
-        return ShadePoints(hits.part, position, hits.normals, tau, tuple(on))
+        return ShadePoints(hits.geometry, position, hits.ng, tau, tuple(on))
 
-    def _rest_points(self, part: int, hits: PartHits, rows: np.ndarray) -> RestPoints | None:
+    def _rest_points(self, part: int, hits: ClosestHits, rows: np.ndarray) -> RestPoints | None:
         if not self._deformed:
             return None
         shape, maps = self._deformed[part], self._rest_maps[part]
         triangle, u, v = (a[rows] for a in (hits.primitive, hits.u, hits.v))
         if isinstance(shape, DeformedCurves):
-            return shape.rest_points(triangle, u, hits.normals[rows])
+            return shape.rest_points(triangle, u, hits.ng[rows])
         rest = shape.rest_points(triangle, u, v)
         return rest if maps is None else replace(rest, axes=maps.at(rest.axes, triangle, u, v))
 
@@ -239,10 +239,6 @@ def _maps(
         NormalMaps(geometry, of_part) if of_part and isinstance(geometry, Mesh) else None
         for geometry, of_part in zip(geometries, normal_maps or [()] * len(geometries), strict=True)
     ]
-
-
-def _taken(hits: PartHits, row: np.ndarray) -> PartHits:
-    return PartHits(*(getattr(hits, name)[row] for name in PartHits.__slots__))
 
 
 def part_counts(n: int, shares: np.ndarray) -> np.ndarray:

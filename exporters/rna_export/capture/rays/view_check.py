@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from rna_export.capture.geometry.islands import vertex_islands
+from rna_export.capture.geometry.mesh_cleanup import vertex_islands
 from rna_export.capture.rays.asset_scene import AssetScene
 from rna_export.capture.rays.view_rays import outside_rays
 from rna_sdk.errors import CaptureError

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import torch
 from torch import Tensor, nn
 
 from rna_export.training.model.analytic import PARAMETERS, shaded
 from rna_export.training.model.emission import EmissionDecoder
-from rna_export.training.model.feature_network import FeatureNetwork
 from rna_export.training.model.inputs import Points, assemble
 from rna_export.training.model.layers import through
 from rna_export.training.model.triplane import Triplane
-from rna_export.training.model.uv_texture import UvTexture
 from rna_export.training.presets import ModelConfig
 from rna_sdk.package import query_width
 
@@ -27,25 +27,19 @@ class NeuralAsset(nn.Module):
 
     `bounds` is (2, 3). `unit` is a radiance: 1 in the paper, what is usual on the asset in our
     presets. `ceiling` bounds what a colour can be: nothing brighter was seen in training.
-    `multiplies_in_bfloat16`: see `layers.through` and `FeatureNetwork`; where gradients are asked
-    for, and only there.
+    `multiplies_in_bfloat16`: see `layers.through`; where gradients are asked for, and only there.
     """
 
     multiplies_in_bfloat16 = False
 
     ceiling: Tensor
     unit: Tensor
-    triplane: Triplane | UvTexture | FeatureNetwork
+    triplane: Any  # a Triplane, but for the classes that benchmarks add to MODELS
 
     def __init__(self, config: ModelConfig, bounds: Tensor):
         super().__init__()
         self.config = config
-        if config.texture == "network":
-            self.triplane = FeatureNetwork(config.width, config.channels, *bounds)
-        elif config.texture == "uv":
-            self.triplane = UvTexture(config.resolution, config.channels, *bounds)
-        else:
-            self.triplane = Triplane(config.resolution, config.channels, *bounds)
+        self.triplane = self._new_features(config, bounds)
         width = config.width
         layers: list[nn.Module] = []
         columns = query_width(config.inputs, config.channels)
@@ -72,8 +66,8 @@ class NeuralAsset(nn.Module):
     @property
     def multiply_adds(self) -> int:
         """Multiply-adds of all matrix products of a query, without the emission decoder."""
-        layers = [*self.decoder, *self.triplane.modules()]
-        return sum(m.weight.numel() for m in layers if isinstance(m, nn.Linear))
+        modules = [*self.decoder, *self.triplane.modules()]
+        return sum(m.weight.numel() for m in modules if isinstance(m, nn.Linear))
 
     @property
     def emitting(self) -> tuple[EmissionDecoder, Triplane]:
@@ -95,13 +89,21 @@ class NeuralAsset(nn.Module):
 
     def queries(self, at: Points, blur: float | Tensor = 1.0) -> Tensor:
         """The decoder's queries, (k, K)."""
-        grid, position = self.triplane, at["position"]
-        p = ((position - grid.low) / (grid.high - grid.low)).clamp(0.0, 1.0)
-        if self.config.texture == "network":
-            features = grid(position, at["wo"], at["wi"], self._in_bfloat16)
-        else:
-            features = grid(at["uv"] if self.config.texture == "uv" else position, blur)
-        return assemble(self.config.inputs, features, p, at)
+        grid = self.triplane
+        p = ((at["position"] - grid.low) / (grid.high - grid.low)).clamp(0.0, 1.0)
+        return assemble(self.config.inputs, self._features(at, blur), p, at)
+
+    def feature_matrices(self) -> list[Tensor]:
+        """Matrices of a network that features come from, which Muon takes; planes have none."""
+        return []
+
+    def _new_features(self, config: ModelConfig, bounds: Tensor) -> nn.Module:
+        return Triplane(config.resolution, config.channels, *bounds)
+
+    def _features(self, at: Points, blur: float | Tensor) -> Tensor:
+        """Features (k, C) of the points."""
+        features: Tensor = self.triplane(at["position"], blur)
+        return features
 
     def colours(self, y: Tensor) -> Tensor:
         """Radiance from y: the inverse of log(x / unit + 1), between 0 and the ceiling."""
@@ -112,3 +114,14 @@ class NeuralAsset(nn.Module):
         """Radiance where the light is visible and where it is shadowed, (k, 2, 3)."""
         sums = torch.tensor(self.config.colour_sums, dtype=y.dtype, device=y.device)
         return torch.einsum("sc,kcr->ksr", sums, self.colours(y))
+
+
+MODELS: dict[str, type[NeuralAsset]] = {"triplane": NeuralAsset}
+"""`ModelConfig.texture` -> its class. Packages hold triplanes; benchmarks add what they compare."""
+
+
+def new_model(config: ModelConfig, bounds: Tensor) -> NeuralAsset:
+    """A model with random weights. Raises ValueError for a texture without a class."""
+    if config.texture not in MODELS:
+        raise ValueError(f"texture: found {config.texture!r}, expected {' or '.join(MODELS)}")
+    return MODELS[config.texture](config, bounds)

@@ -8,7 +8,7 @@ from typing import Any
 import torch
 from torch import Tensor
 
-from rna_export.training.model.neural_asset import NeuralAsset
+from rna_export.training.model.neural_asset import new_model
 from rna_export.training.model.triplane import Triplane
 from rna_export.training.optimization.emission_batches import EmissionBatches
 from rna_export.training.optimization.losses import sample_loss
@@ -41,7 +41,7 @@ class Fitting:
         device: str = "cpu",
     ):
         self._config, self._fields, self._emission = preset.training, fields, emission
-        self.model = NeuralAsset(preset.model, bounds)
+        self.model = new_model(preset.model, bounds)
         self.model.ceiling.fill_(ceiling)
         self.model.unit.fill_(unit)
         if emission is not None:

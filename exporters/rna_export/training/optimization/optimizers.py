@@ -2,18 +2,56 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
+import numpy as np
 import torch
 from torch import Tensor, nn
 
-from rna_export.training.model.feature_network import FeatureNetwork
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.model.triplane import Triplane
 from rna_export.training.optimization.muon import Muon
-from rna_export.training.optimization.plane_adam import PlaneAdam
+from rna_export.training.optimization.plane_kernels import adam
 from rna_export.training.presets import TrainingConfig
+
+_BETAS, _EPSILON = (0.9, 0.999), 1e-8
+
+
+class PlaneAdam(torch.optim.Optimizer):
+    """Like `torch.optim.Adam` for one float32 CPU tensor; `step` also clears its gradient.
+
+    The gradient is one tensor for the whole training, which backward passes add to.
+    """
+
+    def __init__(self, planes: Tensor, lr: float):
+        super().__init__([planes], {"lr": lr})
+        planes.grad = torch.zeros_like(planes)
+        self.state[planes] = {
+            "step": torch.tensor(0),
+            "exp_avg": torch.zeros_like(planes),
+            "exp_avg_sq": torch.zeros_like(planes),
+        }
+
+    def zero_grad(self, set_to_none: bool = True) -> None:
+        """`step` has done it; the gradient stays where backward passes add to it."""
+
+    @torch.no_grad()
+    def step(self, closure: None = None) -> None:  # type: ignore[override]
+        """One step; no closure evaluates the loss again."""
+        (group,) = self.param_groups
+        (planes,) = group["params"]
+        state = self.state[planes]
+        state["step"] += 1
+        t = int(state["step"])
+        square_corrected = math.sqrt(1.0 - _BETAS[1] ** t)
+        rate = group["lr"] * square_corrected / (1.0 - _BETAS[0] ** t)
+        tensors: tuple[Any, ...] = (planes, planes.grad, state["exp_avg"], state["exp_avg_sq"])
+        values, gradient, mean, square = (x.detach().numpy().reshape(-1) for x in tensors)
+        betas = np.float32(_BETAS[0]), np.float32(_BETAS[1])
+        epsilon = np.float32(_EPSILON * square_corrected)
+        adam(values, gradient, mean, square, np.float32(rate), betas, epsilon)
 
 
 def optimizers_of(model: NeuralAsset, config: TrainingConfig) -> list[torch.optim.Optimizer]:
@@ -52,9 +90,7 @@ def muon_matrices(model: NeuralAsset, config: TrainingConfig) -> list[Tensor]:
         decoders.append(model.emission.decoder)
     layers = (layer for decoder in decoders for layer in [*decoder][:-1])
     found: list[Tensor] = [layer.weight for layer in layers if isinstance(layer, nn.Linear)]
-    if isinstance(model.triplane, FeatureNetwork):
-        found += model.triplane.hidden_matrices()
-    return found
+    return found + model.feature_matrices()
 
 
 def set_rates(optimizers: Iterable[torch.optim.Optimizer], factor: float) -> None:

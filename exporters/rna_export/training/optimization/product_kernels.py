@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable
 from typing import NamedTuple
 
@@ -11,8 +12,28 @@ from numpy.typing import NDArray
 from torch import Tensor
 
 from rna_export.training.optimization.muon import orthogonalised
-from rna_export.training.optimization.training_threads import use_threads
 from rna_sdk.compiled import compiled
+from rna_sdk.kernel_threads import kernel_threads, limit_kernel_threads
+
+# MKL, which reads this at its first product, then sums in an order that does not depend on the
+# number of threads: on Intel's processors it would share the rows of a sum among them.
+os.environ.setdefault("MKL_CBWR", "AUTO,STRICT")
+
+
+def use_threads(count: int) -> int:
+    """Let kernels and PyTorch take `count` threads in the calling thread; returns how many.
+
+    No more are taken than numba has.
+    """
+    count = limit_kernel_threads(count)  # first: numba's start sets OpenMP's number, torch's too
+    torch.set_num_threads(count)
+    return count
+
+
+def threads_in_use() -> int:
+    """Threads that both may take in the calling thread."""
+    return min(kernel_threads(), torch.get_num_threads())
+
 
 _NARROW = 12  # columns: of such products BLAS shares the sum over rows among its threads
 

@@ -19,8 +19,12 @@ from torch import nn
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.model.triplane import Triplane
 from rna_export.training.optimization.fitting import Fitting
-from rna_export.training.optimization.product_kernels import Product, products_repeat
-from rna_export.training.optimization.training_threads import threads_in_use, use_threads
+from rna_export.training.optimization.product_kernels import (
+    Product,
+    products_repeat,
+    threads_in_use,
+    use_threads,
+)
 
 Result = TypeVar("Result")
 

@@ -161,16 +161,25 @@ fn shape_point(light: u32, x: vec3f, u: vec2f) -> vec3f {
     return (along - sqrt(max(0.0, radius * radius - dot(rest, rest)))) * wi;
 }
 
-fn point_light(light: u32, x: vec3f) -> LightSample {
+fn sample_point(light: u32, x: vec3f) -> LightSample {
     let way = point_place(light) - x;
     let r = length(way);
     if r <= 0.0 {
         return light_sample(vec3f(0.0, 0.0, 1.0), 0.0, vec3f(0.0), 0.0);
     }
+    return light_sample(way / r, r, light_colour(light) / (r * r), 1.0);
+}
+
+fn sample_spot(light: u32, x: vec3f) -> LightSample {
+    let way = spot_place(light) - x;
+    let r = length(way);
+    if r <= 0.0 {
+        return light_sample(vec3f(0.0, 0.0, 1.0), 0.0, vec3f(0.0), 0.0);
+    }
     let wi = way / r;
-    let cosine = -dot(wi, point_axis(light));
-    let inner = point_cos_inner(light);
-    let outer = point_cos_outer(light);
+    let cosine = -dot(wi, spot_axis(light));
+    let inner = spot_cos_inner(light);
+    let outer = spot_cos_outer(light);
     var factor = 1.0;
     if cosine < inner {
         let t = clamp((cosine - outer) / max(inner - outer, 1e-20), 0.0, 1.0);
@@ -203,7 +212,10 @@ fn sample_light(light: u32, x: vec3f, u: vec2f) -> LightSample {
         return sample_triangles(light, x, u);
     }
     if kind == POINT {
-        return point_light(light, x);
+        return sample_point(light, x);
+    }
+    if kind == SPOT {
+        return sample_spot(light, x);
     }
     let way = shape_point(light, x, u);
     let r = length(way);

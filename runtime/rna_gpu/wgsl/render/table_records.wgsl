@@ -20,14 +20,15 @@ const LIGHT_SEEN: u32 = 1u;
 const LIGHT_DELTA: u32 = 2u;
 const LIGHT_INFINITE: u32 = 4u;
 const DIRECTIONAL: u32 = 0u;
-const SUN: u32 = 1u;
-const POINT: u32 = 2u;
-const RECTANGLE: u32 = 3u;
-const DISK: u32 = 4u;
+const DISK: u32 = 1u;
+const IMAGE: u32 = 2u;
+const POINT: u32 = 3u;
+const RECTANGLE: u32 = 4u;
 const SPHERE: u32 = 5u;
-const UNIFORM: u32 = 6u;
-const IMAGE: u32 = 7u;
+const SPOT: u32 = 6u;
+const SUN: u32 = 7u;
 const TRIANGLES: u32 = 8u;
+const UNIFORM: u32 = 9u;
 
 fn object_number(k: u32) -> f32 {
     return table[frame.objects + 1u * k + 0u].x;
@@ -150,41 +151,11 @@ fn light_colour(k: u32) -> vec3f {
 fn directional_axis(k: u32) -> vec3f {
     return vec3f(light_numbers(k, 3u), light_numbers(k, 4u), light_numbers(k, 5u));
 }
-fn sun_axis(k: u32) -> vec3f {
-    return vec3f(light_numbers(k, 3u), light_numbers(k, 4u), light_numbers(k, 5u));
-}
-fn sun_one_minus_cosine(k: u32) -> f32 {
-    return light_numbers(k, 6u);
-}
-fn point_place(k: u32) -> vec3f {
-    return vec3f(light_numbers(k, 3u), light_numbers(k, 4u), light_numbers(k, 5u));
-}
-fn point_axis(k: u32) -> vec3f {
-    return vec3f(light_numbers(k, 6u), light_numbers(k, 7u), light_numbers(k, 8u));
-}
-fn point_cos_inner(k: u32) -> f32 {
-    return light_numbers(k, 9u);
-}
-fn point_cos_outer(k: u32) -> f32 {
-    return light_numbers(k, 10u);
-}
-fn rectangle_frame(k: u32) -> mat4x3f {
-    return mat4x3f(light_numbers(k, 3u), light_numbers(k, 7u), light_numbers(k, 11u), light_numbers(k, 4u), light_numbers(k, 8u), light_numbers(k, 12u), light_numbers(k, 5u), light_numbers(k, 9u), light_numbers(k, 13u), light_numbers(k, 6u), light_numbers(k, 10u), light_numbers(k, 14u));
-}
-fn rectangle_half(k: u32) -> vec2f {
-    return vec2f(light_numbers(k, 15u), light_numbers(k, 16u));
-}
 fn disk_frame(k: u32) -> mat4x3f {
     return mat4x3f(light_numbers(k, 3u), light_numbers(k, 7u), light_numbers(k, 11u), light_numbers(k, 4u), light_numbers(k, 8u), light_numbers(k, 12u), light_numbers(k, 5u), light_numbers(k, 9u), light_numbers(k, 13u), light_numbers(k, 6u), light_numbers(k, 10u), light_numbers(k, 14u));
 }
 fn disk_radius(k: u32) -> f32 {
     return light_numbers(k, 15u);
-}
-fn sphere_centre(k: u32) -> vec3f {
-    return vec3f(light_numbers(k, 3u), light_numbers(k, 4u), light_numbers(k, 5u));
-}
-fn sphere_radius(k: u32) -> f32 {
-    return light_numbers(k, 6u);
 }
 fn image_turn_cosine(k: u32) -> f32 {
     return light_numbers(k, 3u);
@@ -203,6 +174,39 @@ fn image_rows(k: u32) -> f32 {
 }
 fn image_columns(k: u32) -> f32 {
     return light_numbers(k, 8u);
+}
+fn point_place(k: u32) -> vec3f {
+    return vec3f(light_numbers(k, 3u), light_numbers(k, 4u), light_numbers(k, 5u));
+}
+fn rectangle_frame(k: u32) -> mat4x3f {
+    return mat4x3f(light_numbers(k, 3u), light_numbers(k, 7u), light_numbers(k, 11u), light_numbers(k, 4u), light_numbers(k, 8u), light_numbers(k, 12u), light_numbers(k, 5u), light_numbers(k, 9u), light_numbers(k, 13u), light_numbers(k, 6u), light_numbers(k, 10u), light_numbers(k, 14u));
+}
+fn rectangle_half(k: u32) -> vec2f {
+    return vec2f(light_numbers(k, 15u), light_numbers(k, 16u));
+}
+fn sphere_centre(k: u32) -> vec3f {
+    return vec3f(light_numbers(k, 3u), light_numbers(k, 4u), light_numbers(k, 5u));
+}
+fn sphere_radius(k: u32) -> f32 {
+    return light_numbers(k, 6u);
+}
+fn spot_place(k: u32) -> vec3f {
+    return vec3f(light_numbers(k, 3u), light_numbers(k, 4u), light_numbers(k, 5u));
+}
+fn spot_axis(k: u32) -> vec3f {
+    return vec3f(light_numbers(k, 6u), light_numbers(k, 7u), light_numbers(k, 8u));
+}
+fn spot_cos_inner(k: u32) -> f32 {
+    return light_numbers(k, 9u);
+}
+fn spot_cos_outer(k: u32) -> f32 {
+    return light_numbers(k, 10u);
+}
+fn sun_axis(k: u32) -> vec3f {
+    return vec3f(light_numbers(k, 3u), light_numbers(k, 4u), light_numbers(k, 5u));
+}
+fn sun_one_minus_cosine(k: u32) -> f32 {
+    return light_numbers(k, 6u);
 }
 fn triangles_rotation(k: u32) -> mat3x3f {
     return mat3x3f(light_numbers(k, 3u), light_numbers(k, 6u), light_numbers(k, 9u), light_numbers(k, 4u), light_numbers(k, 7u), light_numbers(k, 10u), light_numbers(k, 5u), light_numbers(k, 8u), light_numbers(k, 11u));

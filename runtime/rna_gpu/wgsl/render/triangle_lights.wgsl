@@ -1,4 +1,4 @@
-// Triangles that shine, of an object or an asset: rna_render/lights/mesh.py. In `images` a light has
+// Triangles that shine, of an object or an asset: rna_render/lights/kinds/mesh.py. In `images` a light has
 // running sums of its triangles' shares (count + 1), their primitives (count), and densities per area
 // by primitive of the body.
 

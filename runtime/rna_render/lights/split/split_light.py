@@ -8,9 +8,9 @@ from functools import lru_cache
 import numpy as np
 
 from rna_render.lights.base import Light
-from rna_render.lights.directional import DirectionalLight
-from rna_render.lights.environment import EnvironmentImageLight, EnvironmentLight
 from rna_render.lights.equirectangular import EquirectangularImage
+from rna_render.lights.kinds.directional import DirectionalLight
+from rna_render.lights.kinds.environment import EnvironmentImageLight, EnvironmentLight
 from rna_render.lights.split.bright_directions import (
     COLUMNS,
     ROWS,

@@ -41,9 +41,7 @@ class GltfContainer:
         """The numbers of an accessor: (count, width), in their own dtype or decoded float32."""
         accessor = self._item("accessors", number)
         dtype, width = np.dtype(DTYPES[accessor["componentType"]]), WIDTHS[accessor["type"]]
-        count = accessor["count"]
-        if not isinstance(count, int) or count < 0:
-            raise ValueError(f"accessor {number} has a count of {count!r}")
+        count = self.count(number)
         if accessor.get("bufferView") is not None:
             values = self._rows(accessor, dtype, width, count)
         else:
@@ -63,8 +61,10 @@ class GltfContainer:
         return values
 
     def count(self, number: int) -> int:
-        """Items of an accessor, as the file says."""
-        count: int = self._item("accessors", number)["count"]
+        """Items of an accessor, as the file says; ValueError for what is no count."""
+        count = self._item("accessors", number)["count"]
+        if not isinstance(count, int) or count < 0:
+            raise ValueError(f"accessor {number} has a count of {count!r}")
         return count
 
     def image(self, number: int) -> tuple[Path | bytes, object]:

@@ -80,13 +80,19 @@ def _primitives(
         mesh = document["meshes"][node["mesh"]]
         if "skin" in node or any(node.get("weights", mesh.get("weights", ()))):
             left_out.add("skins and morph targets")
-        for primitive in mesh["primitives"]:
-            if primitive.get("mode", TRIANGLES) not in (TRIANGLES, STRIP, FAN):
-                left_out.add("points and lines")
-            elif "POSITION" not in primitive["attributes"]:
-                left_out.add("primitives without POSITION")
-            else:
-                yield matrix, primitive
+        for primitive in triangle_primitives(mesh, left_out):
+            yield matrix, primitive
+
+
+def triangle_primitives(mesh: dict[str, Any], left_out: set[str]) -> Iterator[dict[str, Any]]:
+    """The primitives of a mesh that are triangles with positions."""
+    for primitive in mesh["primitives"]:
+        if primitive.get("mode", TRIANGLES) not in (TRIANGLES, STRIP, FAN):
+            left_out.add("points and lines")
+        elif "POSITION" not in primitive["attributes"]:
+            left_out.add("primitives without POSITION")
+        else:
+            yield primitive
 
 
 def _check_size(
@@ -95,9 +101,8 @@ def _check_size(
     """Refuses a mesh that is too large once its nodes are baked, before any of it is."""
     vertices, corners = 0, 0
     for _, data in primitives:
-        count = container.count(data["attributes"]["POSITION"])
-        vertices += count
-        corners += container.count(data["indices"]) if "indices" in data else count
+        vertices += container.count(data["attributes"]["POSITION"])
+        corners += corner_count(container, data)
     check_mesh_size(vertices, corners // 3)
 
 
@@ -131,9 +136,10 @@ def _part(
 ) -> tuple[Part, bool]:
     """A primitive in the world, and whether it has colours of its own."""
     attributes = data["attributes"]
+    count = container.count(attributes["POSITION"])
     vectors = {
-        name: container.accessor(attributes[name]).astype(np.float64)
-        for name in WIDTHS_OF_ATTRIBUTES
+        name: vertex_values(container, attributes[name], (count, width))
+        for name, width in WIDTHS_OF_ATTRIBUTES.items()
         if name in attributes
     }
     positions, normals, tangents = (
@@ -141,18 +147,7 @@ def _part(
         vectors.get("NORMAL"),
         vectors.get("TANGENT"),
     )
-    for name, values in vectors.items():
-        shape = len(positions), WIDTHS_OF_ATTRIBUTES[name]
-        if values.shape != shape:
-            raise ValueError(f"an attribute has shape {values.shape}, not {shape}")
-    if "indices" in data:
-        numbers = container.accessor(data["indices"])[:, 0]
-        if numbers.dtype.kind != "u":  # a float may be no number at all
-            raise ValueError(f"indices are of type {numbers.dtype}, not unsigned integers")
-        corners = numbers.astype(np.int64)
-    else:
-        corners = np.arange(len(positions))
-    triangles = triangles_of(corners, data.get("mode", TRIANGLES))
+    triangles = triangles_of(container, data, count)
     linear = matrix[:3, :3]
     mirrored = np.linalg.det(linear) < 0
     if mirrored:  # section 3.7.4: the winding turns with it
@@ -174,7 +169,27 @@ def _cofactors(matrix: np.ndarray) -> np.ndarray:
     return np.array([np.cross(y, z), np.cross(z, x), np.cross(x, y)])
 
 
-def triangles_of(corners: np.ndarray, mode: int) -> np.ndarray:
+def vertex_values(container: GltfContainer, number: int, shape: tuple[int, int]) -> np.ndarray:
+    """An attribute of vertices as float64; ValueError if it has not this shape."""
+    values = container.accessor(number)
+    if values.shape != shape:
+        raise ValueError(f"an attribute has shape {values.shape}, not {shape}")
+    return values.astype(np.float64)
+
+
+def corner_count(container: GltfContainer, data: dict[str, Any]) -> int:
+    """Corners of a primitive's triangles, as the file says."""
+    return container.count(data.get("indices", data["attributes"]["POSITION"]))
+
+
+def triangles_of(container: GltfContainer, data: dict[str, Any], count: int) -> np.ndarray:
+    """The triangles of a primitive with so many vertices: (t, 3) int64."""
+    corners, mode = np.arange(count), data.get("mode", TRIANGLES)
+    if "indices" in data:
+        numbers = container.accessor(data["indices"])[:, 0]
+        if numbers.dtype.kind != "u":  # a float may be no number at all
+            raise ValueError(f"indices are of type {numbers.dtype}, not unsigned integers")
+        corners = numbers.astype(np.int64)
     if mode == TRIANGLES:
         return corners.reshape(-1, 3)
     first, second, third = corners[:-2], corners[1:-1], corners[2:]

@@ -19,14 +19,11 @@ export function packDecoder(part, decoder, inputs, more = 0) {
     gain = pieces.add(placed(decoder.gain, places, queryGroups));
     pieces.add(placed(decoder.offset, places, queryGroups));
   }
-  const layers = decoder.layers.map((layer, k) => {
-    const relu = Number(!decoder.int8 && k + 1 < decoder.layers.length);
-    return packLayer(pieces, { ...layer, relu }, k ? null : places, k ? 0 : queryGroups);
-  });
+  const layers = decoder.layers.map((layer, k) => packLayer(pieces, layer, k ? null : places, k ? 0 : queryGroups));
   let matrix = null;
   if (decoder.matrix) {
     const rows = decoder.matrix.length / decoder.outputs, bias = new Float32Array(decoder.outputs);
-    matrix = packLayer(pieces, { weight: decoder.matrix, bias, rows, columns: decoder.outputs, relu: 0 }, null, 0);
+    matrix = packLayer(pieces, { weight: decoder.matrix, bias, rows, columns: decoder.outputs, relu: false }, null, 0);
   }
   const all = [...layers, ...(matrix ? [matrix] : [])];
   const widest = Math.max(...all.flatMap(({ inputs: i, outputs: o }) => [i, o]));
@@ -97,7 +94,7 @@ function packLayer(pieces, { weight, bias, rows, columns, step: int8_step = 0, s
   }
   const weights = pieces.add(blocks), biasAt = pieces.add(placed(bias, null, outputs));
   const units = scales ? pieces.add(placed(Float32Array.from(scales, (scale) => scale * int8_step), null, outputs)) : 0;
-  return { inputs, outputs, weights, bias: biasAt, units, relu, int8_step };
+  return { inputs, outputs, weights, bias: biasAt, units, relu: Number(relu), int8_step };
 }
 
 function partRecord(part, decoder, { queryGroups, gain, slots, layers, matrix }) {

@@ -25,9 +25,9 @@ export function packed(name, values) {
   return words;
 }
 
-/** Declarations of the kinds of light of a pass, in WGSL or GLSL: LIGHT_SUN and so on. declaration: of a name and a number. */
-export const lightKinds = (declaration) => Object.entries(viewerLights)
-  .map(([kind, number]) => declaration(`LIGHT_${kind.replace(/[A-Z]/g, "_$&").toUpperCase()}`, number)).join("\n");
+/** Declarations of the kinds of light of a pass in WGSL: LIGHT_SUN and so on. */
+export const lightKinds = Object.entries(viewerLights)
+  .map(([kind, number]) => `const LIGHT_${kind.replace(/[A-Z]/g, "_$&").toUpperCase()}: u32 = ${number}u;`).join("\n");
 
 export const bytesOf = (name) => 4 * records[name].words;
 

@@ -60,7 +60,7 @@ function sunLight(value) {
 
 /** By attribute: how its text is read. */
 export const READERS = {
-  src: text, alt: text, poster: text, scene: text, environment: text, tier: text, api: text,
+  src: text, alt: text, poster: text, scene: text, environment: text, tier: text,
   loading: choice("auto", "lazy", "eager"), reveal: choice("auto", "manual"),
   "camera-orbit": cameraOrbit, "camera-target": cameraTarget, "field-of-view": fieldOfView,
   sun: sunLight, "light-rotation": turn, "environment-intensity": number(0, 1e6), ground: flag,

@@ -1,10 +1,10 @@
 // What is behind the asset: the element's background colour.
 
-const DEFAULT = [64, 67, 71];
-
-/** Its `background-color`, an opaque sRGB colour, as linear light; a dark grey for any other. */
-export function linearColour(place) {
-  const { backgroundColor } = getComputedStyle(place);
-  const found = /^rgb\((\d+), (\d+), (\d+)\)$/.exec(backgroundColor)?.slice(1).map(Number) ?? DEFAULT;
-  return found.map((value) => value / 255).map((x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4));
+/** A colour of CSS, in any form: RGB, linear light of sRGB from 0 to 1; null if it is translucent: the page shows through. */
+export function linearColour(css) {
+  const context = new OffscreenCanvas(1, 1).getContext("2d");
+  context.fillStyle = css;
+  context.fillRect(0, 0, 1, 1);
+  const [r, g, b, alpha] = [...context.getImageData(0, 0, 1, 1).data].map((value) => value / 255);
+  return alpha < 1 ? null : [r, g, b].map((x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4));
 }

@@ -1,8 +1,8 @@
-// A canvas with an engine that draws on it, and another engine where that one is lost, fails or has no memory.
+// A canvas with an engine that draws on it, and a new one where that one is lost, fails or has no memory.
 import { Reader } from "../conformance.js";
-import { openEngine } from "../engines.js";
 import { NotSupported, PackageError } from "../package/errors.js";
 import { listen } from "../ui/pointer.js";
+import { WebGPUEngine } from "../webgpu/engine.js";
 import { compose, sharedFiles, rayKernels } from "../webgpu/sources.js";
 import { actions, isForPicture } from "./gestures.js";
 import { Viewer } from "./viewer.js";
@@ -17,15 +17,13 @@ export class LastingEngine extends EventTarget {
   constructor(place, notices, settings) {
     super();
     Object.assign(this, { place, notices, settings, losses: 0, lives: 0, isResting: false });
-    this.look = { exposure: 0, view: "srgb", denoise: true, rounds: 256, jitter: 1 };
+    this.look = { backdrop: null, exposure: 0, view: "srgb", denoise: true, rounds: 256, jitter: 1 };
     new ResizeObserver(() => this.resize()).observe(place);
   }
 
   /** The engine and an empty picture; packages that load meanwhile wait for it. The result tells whether there is one. */
   begin() {
-    const { samples, jitter } = this.settings;
-    Object.assign(this.look, samples && { rounds: samples }, jitter !== null && { jitter });
-    return this.replace(this.settings.api);
+    return this.replace();
   }
 
   /** Lets the GPU go. */
@@ -37,13 +35,12 @@ export class LastingEngine extends EventTarget {
     Object.assign(this, { viewer: null, engine: null });
   }
 
-  /** Another engine in place of the one that is there, with what was shown. why: no better one is wanted. */
-  replace(api, why) {
+  /** Another engine in place of the one that is there, with what was shown. */
+  replace() {
     this.end();
-    Object.assign(this, { api, since: performance.now() });
-    const own = this._begin(api, why).then(() => (own === this.begun ? !!this.engine : this.begun), (error) => {
+    this.since = performance.now();
+    const own = this._begin().then(() => (own === this.begun ? !!this.engine : this.begun), (error) => {
       if (own !== this.begun) return this.begun;
-      if (this.canFallBack) return this.replace("webgl2", lineOf(error));
       this.end();
       this.failed(error, "engine");
       return false;
@@ -51,19 +48,19 @@ export class LastingEngine extends EventTarget {
     return (this.begun = own);
   }
 
-  async _begin(api, why) {
-    const life = this.lives;
-    const { engine, canvas, reasons } = await openEngine(() => document.createElement("canvas"), api);
+  async _begin() {
+    const life = this.lives, canvas = document.createElement("canvas");
+    const engine = await WebGPUEngine.open(canvas);
     if (life !== this.lives) return engine.close();
     Object.assign(this, { engine, canvas });
     this.place.replaceChildren(canvas);
     engine.onlost = (reason) => this._lost(engine, reason);
     this.viewer = Object.assign(new Viewer(engine, canvas, this.orbit), this.look, { resting: this.isResting });
     this.viewer.addEventListener("shown", () => this.pictured());
-    this.viewer.addEventListener("failed", ({ error }) => this._pictureFailed(engine, error));
+    this.viewer.addEventListener("failed", ({ error }) => this._lost(engine, lineOf(error)));
     performance.mark("engine");
     listen(canvas, actions(this), (event) => isForPicture(this, event));
-    this.tell("engine", { label: engine.constructor.label, reasons: [...(why ? [why] : []), ...reasons] });
+    this.tell("engine");
     this.resize();
     await this.restore(engine);
   }
@@ -98,12 +95,13 @@ export class LastingEngine extends EventTarget {
   }
 
   /** The picture as it is now: a Blob. */
-  screenshot(type = "image/png", quality = undefined) {
+  async screenshot(type = "image/png", quality = undefined) {
+    await this.viewer.pictured();
     this.viewer.show();
     return new Promise((resolve) => this.canvas.toBlob(resolve, type, quality));
   }
 
-  /** Once more with the same kind of engine, then with WebGL2; an engine that is lost again and again is no good. */
+  /** Once more with a new engine; one that is lost, or has an error, again and again is no good. */
   async _lost(engine, why) {
     if (engine !== this.engine) return;
     this.losses = performance.now() - this.since > LONG_MS ? 1 : this.losses + 1;
@@ -112,19 +110,7 @@ export class LastingEngine extends EventTarget {
       return this.failed(new NotSupported(`${why}, ${this.losses} times`), "engine");
     }
     this.notices.say(`${why}; starting again`, true, "engine");
-    const api = this.losses > 1 ? this.settings.api ?? "webgl2" : this.api;
-    if (await this.replace(api, this.losses > 1 && why)) this.notices.say(null, false, "engine");
-  }
-
-  /** The GPU has no memory for a picture, or an error in it. */
-  async _pictureFailed(engine, error) {
-    if (engine !== this.engine) return;
-    if (!this.canFallBack) return this.failed(error, "asset");
-    await this.replace("webgl2", lineOf(error));
-  }
-
-  get canFallBack() {
-    return this.engine?.constructor.label === "WebGPU" && !this.settings.api;
+    if (await this.replace()) this.notices.say(null, false, "engine");
   }
 
   tell(name, more) {

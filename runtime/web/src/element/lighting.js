@@ -34,11 +34,20 @@ export class Lighting {
     return own.tables;
   }
 
-  /** Lights of a first look: suns, brightest places of the environment, and the rest of it for lobes; null without one. */
+  /** Whether the first look's lights of the image that is chosen are known, or not wanted. */
+  get isPrepared() {
+    return !(this.strength > 0) || !!this.images.get(this.choice).first;
+  }
+
+  async prepare() {
+    const own = this.images.get(this.choice);
+    own.first ??= await (own.finding ??= firstLight(own.make()));
+  }
+
+  /** Lights of a first look, once it is prepared: suns, brightest places of the environment, and the rest of it for lobes; null without one. */
   firstLights() {
     if (!(this.strength > 0)) return null;
-    const own = this.images.get(this.choice), angle = this._turn();
-    const { lights, rest, up } = (own.first ??= firstLight(own.make())), scaled = (rgb) => rgb.map((value) => value * this.strength);
+    const { lights, rest, up } = this.images.get(this.choice).first, angle = this._turn(), scaled = (rgb) => rgb.map((value) => value * this.strength);
     const places = lights.map(({ direction, colour }) => ({ kind: "sun", direction: turn(direction, angle), colour: scaled(colour) }));
     return [...this._suns(), ...places, { kind: "mirror", colour: scaled(up), radiance: scaled([1, 1, 1]), turn: angle, rest }];
   }

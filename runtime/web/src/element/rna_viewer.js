@@ -2,6 +2,7 @@
 import { nameOf } from "../package/source.js";
 import { Notices, readableBytes } from "../ui/elements.js";
 import { cameraText, flag, lightText, propertyOf, READERS } from "./attributes.js";
+import { linearColour } from "./backdrop.js";
 import { attach } from "./shadow.js";
 import { spokenView } from "./spoken.js";
 import { Stage } from "./stage.js";
@@ -10,6 +11,7 @@ import { Turntable } from "./turntable.js";
 const BUILT_IN = ["studio", "white"];  // environments
 const NEAR = "50% 0px";  // of the window, around it: where an element is loaded and draws
 const SPEAK_MS = 500;    // after the last movement
+const ADDRESSES = { src: "asset", environment: "light", scene: "scene" };  // and what a failure is about
 
 export class RnaViewer extends HTMLElement {
   static observedAttributes = Object.keys(READERS);
@@ -17,13 +19,13 @@ export class RnaViewer extends HTMLElement {
   constructor() {
     super();
     const root = attach(this), part = (id) => root.getElementById(id);
-    this.parts = { view: part("view"), poster: part("poster"), image: root.querySelector("img"), loading: part("loading"), bar: part("bar"), bytes: part("bytes"), status: part("status") };
+    this.parts = { view: part("view"), poster: part("poster"), image: root.querySelector("img"), loading: part("loading"), bar: part("bar"), bytes: part("bytes"), status: part("status"), tint: part("tint") };
     this.settings = Object.fromEntries(Object.keys(READERS).map((name) => [propertyOf(name), null]));
     this.notices = new Notices(part("notice"));
     this.stage = new Stage(this.parts.view, this.notices, this.settings);
     this.turntable = new Turntable(this.stage);
     this.stillness = matchMedia("(prefers-reduced-motion: reduce)");
-    Object.assign(this, { loaded: false, observer: null, isNear: false, isDismissed: false, isBegun: false, asked: null });
+    Object.assign(this, { loaded: false, observer: null, isNear: false, isDismissed: false, isBegun: false, asked: null, failures: new Set() });
     this._listen();
   }
 
@@ -33,6 +35,7 @@ export class RnaViewer extends HTMLElement {
     this.observer.observe(this);
     this.stillness.addEventListener("change", this.onstillness = () => this._turn());
     this._turn();
+    this._tint();
     this._begin();
   }
 
@@ -50,7 +53,9 @@ export class RnaViewer extends HTMLElement {
   }
 
   attributeChangedCallback(name, before, text) {
-    if (before === text) return;
+    const isTriedAgain = this.failures.delete(ADDRESSES[name]);
+    if (before === text && !isTriedAgain) return;
+    if (name === "src") this.asked = null;
     const property = propertyOf(name);
     try {
       this.settings[property] = text === null ? null : READERS[name](text);
@@ -104,6 +109,7 @@ export class RnaViewer extends HTMLElement {
   _seen(isNear) {
     this.isNear = isNear;
     this.stage.rest(!isNear);
+    this._tint();  // where it was not displayed, no transition told of a change
     this._begin();
   }
 
@@ -114,7 +120,10 @@ export class RnaViewer extends HTMLElement {
     if (name === "poster") this._showImage(settings.poster);
     if (name === "scene" && this.isBegun) this._openScene();
     if (name === "environment" && this.isBegun) this._light();
-    if (name === "tier" && stage.opened && settings.tier) stage.switchTier(settings.tier);
+    if (name === "tier" && stage.opened) stage.switchTier(settings.tier);
+    if (name === "first-look" && stage.shown) stage.switchTier(stage.shown.name);
+    if (name === "samples") stage.setSampling({ rounds: settings.samples ?? 256 });
+    if (name === "jitter") stage.setSampling({ jitter: settings.jitter ?? 1 });
     if (["camera-orbit", "camera-target", "field-of-view"].includes(name)) stage.placeCamera();
     if (["sun", "light-rotation", "environment-intensity"].includes(name)) stage.placeLights();
     if (name === "ground") stage.setGround(settings.ground ?? stage.scene?.ground ?? false);
@@ -150,7 +159,7 @@ export class RnaViewer extends HTMLElement {
 
   async _openScene() {
     const asked = (this.askedScene = this.settings.scene);
-    if (asked === null) return;
+    if (asked === null) return this.stage.leaveScene();
     const scene = await this.stage.openScene(asked);
     if (asked !== this.askedScene) return;
     if (this.settings.src) this._begin();
@@ -164,6 +173,11 @@ export class RnaViewer extends HTMLElement {
     else this.stage.chooseImage(environment ?? "studio");
   }
 
+  /** The background colour as it is now: that of the page's theme, which may change. */
+  _tint() {
+    this.stage.setBackdrop(linearColour(getComputedStyle(this.parts.tint).backgroundColor));
+  }
+
   _turn() {
     const { autoRotate, autoRotateDelay, rotationPerSecond } = this.settings;
     Object.assign(this.turntable, { delay: autoRotateDelay ?? 3000, speed: rotationPerSecond ?? 30 });
@@ -172,10 +186,12 @@ export class RnaViewer extends HTMLElement {
 
   _listen() {
     const { stage, parts } = this, on = (name, action) => stage.addEventListener(name, action);
+    parts.tint.addEventListener("transitionend", () => this._tint());
     on("engine", () => this._describe());
     on("progress", ({ got, all }) => this._showProgress(got, all));
     on("poster", ({ blob }) => this.settings.poster || this._showImage(blob && URL.createObjectURL(blob)));
     on("package", () => this._describe());
+    on("loading", () => this.failures.delete("asset"));
     on("load", () => {
       this.loaded = true;
       if (this.settings.reveal !== "manual" || this.isDismissed) this._hidePoster();
@@ -185,6 +201,7 @@ export class RnaViewer extends HTMLElement {
     });
     on("ended", () => { parts.loading.hidden = true; });
     on("failed", ({ error, about }) => {
+      this.failures.add(about);
       if (about === "engine") parts.poster.hidden = false;
       this._fire("error", { type: about, message: error.message, code: error.code ?? null, sourceError: error });
     });

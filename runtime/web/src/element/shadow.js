@@ -1,21 +1,28 @@
 // What is inside the element: canvas, poster, progress, a line for what goes wrong; and how it looks.
 
-export const CONTENT = `
-<div id="view" part="view"></div>
-<slot></slot>
-<div id="poster"><slot name="poster"><img part="poster" alt="" hidden></slot></div>
-<div id="over">
-  <div id="loading" hidden>
-    <slot name="progress-bar"><progress id="bar" part="progress-bar" aria-label="Loading"></progress><span id="bytes"></span></slot>
-  </div>
-  <p id="notice" part="notice" role="alert" hidden></p>
-</div>
-<p id="keys" class="spoken">
-  Arrow keys or one finger orbit. Plus, minus or a pinch go nearer and farther. Square brackets, Shift and arrow keys, or
-  two fingers turn the light. Home resets.
-</p>
-<p id="status" class="spoken" role="status"></p>
-`;
+const KEYS = "Arrow keys or one finger orbit. Plus, minus or a pinch go nearer and farther. Square brackets, Shift and arrow " +
+  "keys, or two fingers turn the light. Home resets.";
+
+/** An element with attributes and what is in it; made so, since a policy may refuse HTML as text (Trusted Types). */
+function make(name, attributes, ...inside) {
+  const made = document.createElement(name);
+  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
+  made.append(...inside);
+  return made;
+}
+
+const content = () => [
+  make("i", { id: "tint" }),
+  make("div", { id: "view", part: "view" }),
+  make("slot", {}),
+  make("div", { id: "poster" }, make("slot", { name: "poster" }, make("img", { part: "poster", alt: "", hidden: "" }))),
+  make("div", { id: "over" },
+    make("div", { id: "loading", hidden: "" }, make("slot", { name: "progress-bar" },
+      make("progress", { id: "bar", part: "progress-bar", "aria-label": "Loading" }), make("span", { id: "bytes" }))),
+    make("p", { id: "notice", part: "notice", role: "alert", hidden: "" })),
+  make("p", { id: "keys", class: "spoken" }, KEYS),
+  make("p", { id: "status", class: "spoken", role: "status" }),
+];
 
 const STYLE = `
 :host {
@@ -24,7 +31,7 @@ const STYLE = `
 }
 :host([hidden]), [hidden] { display: none !important; }
 #view, canvas, #poster, #poster img, ::slotted([slot="poster"]) { position: absolute; inset: 0; width: 100%; height: 100%; }
-#view { background-color: inherit; }
+#tint { position: absolute; background-color: inherit; transition: background-color 1ms; }
 canvas { display: block; }
 canvas:focus-visible { outline: 2px solid #fff; outline-offset: -2px; }
 :host([camera-controls]) canvas { cursor: grab; }
@@ -61,6 +68,6 @@ export function attach(host) {
   sheet ??= new CSSStyleSheet();
   if (!sheet.cssRules.length) sheet.replaceSync(STYLE);
   root.adoptedStyleSheets = [sheet];
-  root.innerHTML = CONTENT;
+  root.append(...content());
   return root;
 }

@@ -5,11 +5,11 @@ import { evenImage } from "../light/environment.js";
 import { readImage } from "../light/image_files.js";
 import { NotSupported } from "../package/errors.js";
 import { fileAddress } from "../package/file_address.js";
+import { otherFile } from "../package/other_files.js";
 import { Package } from "../package/package.js";
 import { BlobSource, nameOf, UrlSource } from "../package/source.js";
 import { wrappedDegrees } from "../ui/elements.js";
-import { linearColour } from "./backdrop.js";
-import { LastingEngine, lineOf } from "./lasting_engine.js";
+import { LastingEngine } from "./lasting_engine.js";
 import { Lighting } from "./lighting.js";
 import { Orbit, viewFrom } from "./orbit.js";
 import { beforeFilmic } from "./view_transform.js";
@@ -44,8 +44,10 @@ export class Stage extends LastingEngine {
         : await UrlSource.open(from, progress, signal, this.labels[nameOf(from)]);
       const opened = await Package.open(source);
       signal.throwIfAborted();
+      const tier = this._known(opened, this.settings.tier);
+      if (await this.begun) opened.prefetch(tier, this.settings.firstLook !== "off");
       await this._offerPoster(opened);
-      await this._show(opened, this.settings.tier, true, signal);
+      await this._show(opened, tier, true, signal);
     } catch (error) {
       if (!signal.aborted) this.failed(error, "asset");
     } finally {
@@ -56,11 +58,11 @@ export class Stage extends LastingEngine {
     }
   }
 
-  /** Another tier of the package that is open. */
+  /** Another tier of the package that is open, or the same with what the settings want of it; null: the first. */
   async switchTier(name) {
     try {
       this.notices.say(null, false, "asset");
-      await this._show(this.opened, name, false);
+      await this._show(this.opened, this._known(this.opened, name), false);
     } catch (error) {
       this.failed(error, "asset");
     } finally {
@@ -68,10 +70,17 @@ export class Stage extends LastingEngine {
     }
   }
 
+  /** The name of a tier that the package has, else null and a line. */
+  _known({ manifest }, name) {
+    const names = manifest.tiers.map((tier) => tier.name), isThere = name === null || names.includes(name);
+    this.notices.say(isThere ? null : `tier: expected ${names.join(" or ")}, found ${JSON.stringify(name)}`, true, "tier");
+    return isThere ? name : null;
+  }
+
   /** Camera, lights and asset of a scene, as rna-view hands them over; null if it cannot be read. */
   async openScene(url) {
     try {
-      const scene = JSON.parse(new TextDecoder().decode(await fetched(url)));
+      const scene = readScene(await fetched(url), url);
       const { radiance, image } = scene.environment ?? {};
       const beside = (name) => new URL(fileAddress(name), new URL(url, document.baseURI)).href;
       if (scene.asset) scene.asset = beside(scene.asset);
@@ -87,6 +96,11 @@ export class Stage extends LastingEngine {
       this.failed(error, "scene");
       return null;
     }
+  }
+
+  leaveScene() {
+    this.scene = null;
+    this.reset();
   }
 
   /** Lights the asset with an image; one that comes before the asset is waited for. */
@@ -123,12 +137,12 @@ export class Stage extends LastingEngine {
   /** Something about the light changed. */
   changed(moving = false) {
     if (!this.viewer) return;
+    if (this.engine.hasLobes && !this.lighting.isPrepared) return void this.lighting.prepare().then(() => this.changed(moving));
     const { lights, irradiance } = this.lighting.lights();
     if (lights.some(({ kind }) => kind === "environment") && this.uploaded !== this.lighting.tables()) {
       this.uploaded = this.lighting.tables();
       this.engine.setEnvironment(this.uploaded);
     }
-    this.viewer.backdrop = linearColour(this.place);
     this.viewer.lights = lights;
     this.viewer.firstLights = this.engine.hasLobes ? this.lighting.firstLights() : null;
     this.viewer.ground = this._ground(irradiance);
@@ -189,8 +203,19 @@ export class Stage extends LastingEngine {
     this._setLook({ view }, this.ground);
   }
 
+  /** What is behind the asset: linearColour. */
+  setBackdrop(backdrop) {
+    this._setLook({ backdrop }, this.ground);
+  }
+
   setDenoise(on) {
     this._setLook({ denoise: on });
+  }
+
+  /** values: rounds, jitter. */
+  setSampling(values) {
+    this._setLook(values);
+    this.viewer?.restart();
   }
 
   setGround(on) {
@@ -207,6 +232,7 @@ export class Stage extends LastingEngine {
   }
 
   async _show(opened, tier, isNew, signal) {
+    if (!(await this.begun)) return;
     const shown = await opened.load(tier, { wantsLobes: this.settings.firstLook !== "off" });
     opened.forget();
     performance.mark("package");
@@ -222,14 +248,16 @@ export class Stage extends LastingEngine {
     if (!this.viewer || (!isNew && this.opened !== opened)) return;
     if (isNew) this.viewer.hasShown = false;
     this.viewer.pause();
-    const arrays = isNew ? sceneArrays(shown.parts) : this.arrays;
+    const arrays = isNew ? await sceneArrays(shown.parts) : this.arrays;
+    if (shown.parts.every(({ environment }) => environment)) await this.lighting.prepare();
+    signal?.throwIfAborted();
     performance.mark("hierarchy");
     if (!(await this._upload(arrays, shown))) return;
     performance.mark("asset");
     Object.assign(this, { opened, shown, arrays, box: arrays.box, isNew });
     if (isNew && this.scene) this.reset();
     else if (isNew) this.placeCamera();
-    const warnings = [...opened.manifest.warnings, ...shown.warnings];
+    const { warnings } = opened.manifest;
     if (warnings.length) this.notices.say(warnings.join("; "), true, "asset");
     this.tell("package", { opened, shown });
     this.viewer.stats.ms = 0;
@@ -237,7 +265,7 @@ export class Stage extends LastingEngine {
     this.viewer.start();
   }
 
-  /** Hands the asset to the engine, and to another one where it does not fit; false if there is none any more. */
+  /** Hands the asset to the engine, and to the next one where that is lost meanwhile; false if there is none any more. */
   async _upload(arrays, { parts }) {
     while ((await this.begun) && this.engine) {
       const { engine } = this;
@@ -245,10 +273,7 @@ export class Stage extends LastingEngine {
         await engine.setAsset(arrays, parts);
         if (engine === this.engine) return true;
       } catch (error) {
-        if (engine !== this.engine) continue;
-        if (!this.canFallBack) throw error;
-        this.shown = null;
-        this.replace("webgl2", lineOf(error));
+        if (engine === this.engine) throw error;
       }
     }
     return false;
@@ -284,14 +309,23 @@ export class Stage extends LastingEngine {
   }
 
   _ground(irradiance) {
-    if (!this.ground || !this.box) return null;
-    const { view, exposure } = this.look, { backdrop } = this.viewer;
+    const { view, exposure, backdrop } = this.look;
+    this.notices.say(this.ground && !backdrop ? "ground: expected an opaque background-color" : null, true, "ground");
+    if (!this.ground || !backdrop || !this.box) return null;
     const colour = view === "filmic" ? beforeFilmic(backdrop) : backdrop;
     const { min, max } = this.box, size = Math.hypot(...max.map((high, k) => high - min[k]));
     return {
       height: min[1] - 1e-4 * size, x: (min[0] + max[0]) / 2, z: (min[2] + max[2]) / 2, size: 2 * size,
       colour: colour.map((value, c) => (irradiance[c] > 0 ? value / irradiance[c] / 2 ** exposure : 0)),
     };
+  }
+}
+
+function readScene(buffer, url) {
+  try {
+    return JSON.parse(new TextDecoder().decode(buffer));
+  } catch (error) {
+    throw new NotSupported(`${url}: expected a scene.json, found ${otherFile(new Uint8Array(buffer)) ?? error.message}`);
   }
 }
 

@@ -16,8 +16,8 @@ export class Viewer extends EventTarget {
     super();
     Object.assign(this, { engine, canvas, orbit });
     Object.assign(this, {
-      lights: [], firstLights: null, ground: null, exposure: 0, view: "srgb", denoise: true, rounds: 256, jitter: 1, generation: 0, msPerPixel: 0.005, shown: null,
-      ready: false, stopped: false, moving: false, resting: false, backdrop: [0, 0, 0], stats: { ms: 0, rounds: 0 },
+      lights: [], firstLights: null, ground: null, exposure: 0, view: "srgb", denoise: true, rounds: 256, jitter: 1, generation: 0, msPerPixel: 0.005, shown: null, rowsAhead: 0,
+      ready: false, stopped: false, moving: false, resting: false, backdrop: null, stats: { ms: 0, rounds: 0 },
     });
     this.wake = null;
   }
@@ -55,18 +55,26 @@ export class Viewer extends EventTarget {
     return this.running;
   }
 
-  /** Resolves when the picture has `rounds` samples in full size. */
-  async converged(rounds = this.rounds) {
-    while (!(this.stats.scale === 1 && this.stats.rounds >= rounds)) {
-      await new Promise((resolve) => this.addEventListener("shown", resolve, { once: true }));
-    }
+  /** Resolves when there is a picture. */
+  async pictured() {
+    while (!this.shown) await this._nextPicture();
   }
 
+  /** Resolves when the picture has `rounds` samples in full size. */
+  async converged(rounds = this.rounds) {
+    while (!(this.stats.scale === 1 && this.stats.rounds >= rounds)) await this._nextPicture();
+  }
+
+  _nextPicture() {
+    return new Promise((resolve) => this.addEventListener("shown", resolve, { once: true }));
+  }
+
+  /** The picture as it is: rows of a sample that is under way count as many samples as they have. */
   show() {
     if (!this.shown) return;
     const { rounds, firstLook } = this.shown, noisy = this.denoise && rounds < NOISY_ROUNDS && !firstLook;
     this.engine.show({
-      rounds, firstLook, exposure: 2 ** this.exposure, backdrop: this.backdrop, filmic: this.view === "filmic",
+      rounds, firstLook, rowsAhead: this.rowsAhead, exposure: 2 ** this.exposure, backdrop: this.backdrop ? [...this.backdrop, 1] : [0, 0, 0, 0], filmic: this.view === "filmic",
       spread: noisy ? NOISE / Math.sqrt(rounds) : 0,
     });
   }
@@ -131,7 +139,10 @@ export class Viewer extends EventTarget {
 
   /** A sample of every pixel; false if the picture is no longer wanted. */
   _round(generation, camera, round, lights) {
-    return this._bands(generation, lights.length, (from, to) => this._band(camera, round, lights, from, to));
+    return this._bands(generation, lights.length, (from, to) => {
+      this._band(camera, round, lights, from, to);
+      if (this.shown?.rounds === round) this.rowsAhead = to;
+    });
   }
 
   /** The first look: light at the pixels' middles, then edges by rays alone. */
@@ -173,7 +184,7 @@ export class Viewer extends EventTarget {
 
   /** firstLook: share of the first look in the picture. */
   _present(rounds, scale, firstLook) {
-    this.shown = { rounds, firstLook };
+    Object.assign(this, { shown: { rounds, firstLook }, rowsAhead: 0 });
     this.show();
     if (!this.hasShown) performance.mark("picture");
     this.hasShown = true;

@@ -5,13 +5,14 @@ import { records } from "../decoder/records.js";
 const { words: NODE_WORDS, members: NODE } = records.RnaNode;
 const BINS = 16;
 const LEAF = 4;          // primitives
+const STEP = 256;        // primitives of a set that takes a step
 const HALVED_FROM = 24;  // levels; from here on sets are halved, which ends below the stack of shaders
 
 /**
  * { nodes, order }: nodes: words of RnaNode. order: numbers of the primitives in the order of the leaves.
- * boxes: six numbers a primitive, min and max. at: place of the root among all nodes.
+ * boxes: six numbers a primitive, min and max. at: place of the root among all nodes. It yields between steps.
  */
-export function buildHierarchy(boxes, at = 0) {
+export function* buildHierarchy(boxes, at = 0) {
   const count = boxes.length / 6, order = Uint32Array.from({ length: count }, (_, k) => k);
   const centres = new Float32Array(3 * count);
   for (let k = 0; k < count; k++) {
@@ -24,6 +25,7 @@ export function buildHierarchy(boxes, at = 0) {
     const [first, end, level, parent] = stack.pop(), node = NODE_WORDS * used;
     used += 1;
     if (parent >= 0) words[parent + NODE.child.at] = at + used - 1;
+    if (end - first > STEP) yield;
     boundsOf(own, first, end);
     for (let k = 0; k < 3; k++) {
       floats[node + NODE.low.at + k] = box[k];
@@ -34,7 +36,13 @@ export function buildHierarchy(boxes, at = 0) {
       words[node + NODE.count.at] = end - first;
       continue;
     }
-    let middle = level < HALVED_FROM ? split(own, first, end) : first;
+    let best = { cost: Infinity };
+    for (let axis = 0; axis < 3 && level < HALVED_FROM; axis++) {
+      const found = bestCut(own, first, end, axis);
+      if (found.cost < best.cost) best = found;
+      if (end - first > STEP) yield;
+    }
+    let middle = best.cost < Infinity ? split(own, first, end, best) : first;
     if (!(first < middle && middle < end)) middle = halve(own, first, end);
     stack.push([middle, end, level + 1, node], [first, middle, level + 1, -1]);
   }
@@ -59,7 +67,7 @@ function clear(boxes) {
   return boxes;
 }
 
-// Made once, since new arrays for each set would take most of the time.
+// Made once, since new arrays for each set would take most of the time; nobody else has a turn while they are in use.
 const box = new Float32Array(6), bins = new Float32Array(6 * BINS), counts = new Uint32Array(BINS);
 const left = new Float64Array(BINS), right = new Float64Array(BINS);
 
@@ -81,8 +89,10 @@ function spanOf({ centres, order }, first, end, axis) {
 
 const binOf = (value, low, high) => Math.min(Math.floor(((value - low) / (high - low)) * BINS), BINS - 1);
 
-/** The cheapest cut between bins along an axis: its cost and the first bin behind it. */
-function bestCut({ boxes, centres, order }, first, end, axis, low, high) {
+/** The cheapest cut between bins along an axis: its cost, infinite for none, and the first bin behind it. */
+function bestCut(own, first, end, axis) {
+  const { boxes, centres, order } = own, [low, high] = spanOf(own, first, end, axis);
+  if (!(high > low)) return { cost: Infinity };
   clear(bins);
   counts.fill(0);
   for (let k = first; k < end; k++) {
@@ -113,16 +123,8 @@ function sideCosts(costs, from, step) {
   }
 }
 
-/** Sorts the set by the best cut of all axes; the first of the right half, `first` for none. */
-function split(own, first, end) {
-  let best = { cost: Infinity };
-  for (let axis = 0; axis < 3; axis++) {
-    const [low, high] = spanOf(own, first, end, axis);
-    const found = high > low ? bestCut(own, first, end, axis, low, high) : best;
-    if (found.cost < best.cost) best = found;
-  }
-  if (best.cost === Infinity) return first;
-  const { centres, order } = own, { axis, cut, low, high } = best;
+/** Sorts the set by a cut; the first of the right half. */
+function split({ centres, order }, first, end, { axis, cut, low, high }) {
   let middle = first, last = end - 1;
   while (middle <= last) {
     const number = order[middle];

@@ -1,4 +1,5 @@
 // An environment for a first look: its brightest places as a few lights, and the rest prefiltered for lobes.
+import { finished } from "../steps.js";
 import { prefilter } from "./prefilter.js";
 
 const CELLS = [64, 128];     // rows of equal height, and cells around: equal solid angles
@@ -12,14 +13,20 @@ const CELL_COUNT = CELLS[0] * CELLS[1];
 
 /**
  * { lights, up, rest }: { direction, colour } of the lights, colour being the irradiance on a plane that faces the light;
- * irradiance of the rest on a plane that faces +y; the rest, prefiltered. image: as environmentTables takes it.
+ * irradiance of the rest on a plane that faces +y; the rest, prefiltered. image: as environmentTables takes it. In steps.
  */
-export function firstLight(image) {
-  const fine = enlarged(image), texels = texelsOf(fine), { flux, sums, directions } = cellsOf(fine.rgb, texels);
+export const firstLight = (image) => finished(stepsOf(image));
+
+function* stepsOf(image) {
+  const fine = enlarged(image), texels = texelsOf(fine);
+  yield;
+  const { flux, sums, directions } = cellsOf(fine.rgb, texels);
+  yield;
   const { excess, share } = excessOf(flux), clusters = clustersOf(excess), taken = new Uint8Array(CELL_COUNT);
   for (const cells of clusters) for (const cell of cells) taken[cell] = 1;
+  yield;
   const { radiance, up } = restOf(fine.rgb, texels, (cell) => (taken[cell] ? 1 - share[cell] : 1));
-  return { lights: clusters.map((cells) => lightOf(cells, excess, (k) => sums[k] * share[Math.floor(k / 3)], directions)), up, rest: prefilter(radiance, GRID) };
+  return { lights: clusters.map((cells) => lightOf(cells, excess, (k) => sums[k] * share[Math.floor(k / 3)], directions)), up, rest: yield* prefilter(radiance, GRID) };
 }
 
 /** Small images in a size that has texels in all cells, bilinear as they are looked up. */

@@ -1,5 +1,6 @@
 // Environment images: Radiance and OpenEXR files, told by their first bytes.
 import { NotSupported } from "../package/errors.js";
+import { otherFile } from "../package/other_files.js";
 import { readExr } from "./exr_file.js";
 import { readHdr } from "./hdr_file.js";
 import { MAX_NUMBER } from "./image_limits.js";
@@ -10,7 +11,7 @@ const EXR_MAGIC = [0x76, 0x2f, 0x31, 0x01], HDR_MAGIC = [0x23, 0x3f];
 export function readImage(buffer, name) {
   const bytes = new Uint8Array(buffer), starts = (magic) => magic.every((byte, k) => bytes[k] === byte);
   const read = starts(EXR_MAGIC) ? readExr : starts(HDR_MAGIC) ? readHdr : null;
-  if (read === null) throw new NotSupported(`${name}: is neither an EXR nor a Radiance HDR image`);
+  if (read === null) throw new NotSupported(`${name}: is ${otherFile(bytes) ?? "neither an EXR nor a Radiance HDR image"}`);
   try {
     return checked(read(bytes));
   } catch (error) {

@@ -7,15 +7,17 @@ const NEGLIGIBLE = 1e-6;
 /**
  * { texels, width, height, levels, unit }: float16 RGBA of the levels, one behind the other, in multiples of `unit`. The first
  * row is the pole +y and the last -y; columns are those of the radiance. radiance: of cells [rows, columns] of equal angle, RGB.
+ * It yields between steps.
  */
-export function prefilter(radiance, [rows, width]) {
+export function* prefilter(radiance, [rows, width]) {
   const height = rows + 1, unit = radiance.reduce((a, b) => a + b, 0) / radiance.length || 1;
-  const spectrum = spectrumOf(radiance, rows, width, unit), texels = new Uint16Array(4 * width * height * LEVELS);
+  const spectrum = yield* spectrumOf(radiance, rows, width, unit), texels = new Uint16Array(4 * width * height * LEVELS);
   for (let level = 0; level < LEVELS; level++) {
     const kappa = LEAST_KAPPA * 2 ** (level / LEVELS_AN_OCTAVE);
     for (let row = 0; row < height; row++) {
       const sums = meanSpectrum(spectrum, (Math.PI * row) / rows, rows, width / 2, kappa);
       writeRow(texels, 4 * width * (level * height + row), sums, width);
+      yield;
     }
   }
   return { texels, width, height, levels: LEVELS, unit };
@@ -27,9 +29,10 @@ const cosines = (width) => Float64Array.from({ length: width }, (_, k) => Math.c
 const solidAngle = (row, rows) => 2 * Math.PI * (Math.cos((Math.PI * row) / rows) - Math.cos((Math.PI * (row + 1)) / rows));
 
 /** Of each row the flux by waves around: [row][wave][cosine, sine][RGB]. */
-function spectrumOf(radiance, rows, width, unit) {
+function* spectrumOf(radiance, rows, width, unit) {
   const waves = width / 2, result = new Float64Array(6 * rows * waves), turns = cosines(width);
   for (let row = 0; row < rows; row++) {
+    yield;
     const solid = solidAngle(row, rows) / width;
     for (let wave = 0; wave < waves; wave++) {
       for (let column = 0; column < width; column++) {

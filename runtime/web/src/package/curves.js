@@ -8,13 +8,12 @@ const QUANTISED = {
   scales: [["F32"], 1], origins: [["F32"], 2], offsets: [["U32"], 1], steps: [["I16", "I32"], 2], radii: [["U8", "U16"], 1],
 };
 
-/** { points, radii, offsets } as float32 and uint32. `old`: of a package for readers of 1.0. */
-export function readCurves(bytes, where, old) {
+/** { points, radii, offsets } as float32 and uint32. */
+export function readCurves(bytes, where) {
   const header = readHeader(bytes, where, "GEOMETRY_CONTAINER");
   const { tensors } = header, quantised = "steps" in tensors || "scales" in tensors;
   const form = quantised ? QUANTISED : PLAIN, names = Object.keys(form);
   checkForm(header, form, names, where);
-  if (quantised && old) fail("VERSION_TOO_OLD", where, "quantised curves in a package for readers of 1.0");
   const shapes = Object.fromEntries(names.map((name) => [name, tensors[name].shape]));
   const taken = takeTensors(bytes, header, names, where, "GEOMETRY_RANGE");
   const arrays = Object.fromEntries(names.map((name, k) => [name, taken[k]]));

@@ -1,188 +1,145 @@
-// A decoder in the profile of the spec (6.4), as layers that a shader can run.
-import { fail, NotSupported } from "./errors.js";
-import { readOnnx } from "./onnx.js";
+// A decoder (spec, 6.2): the one chain of layers that it may be, as numbers that a shader can run.
+import { checkResults } from "./decoder_results.js";
+import { fail } from "./errors.js";
+import { FLOAT, INT32, INT8, readOnnx, UINT8 } from "./onnx.js";
 
-const FLOAT = 1, UINT8 = 2, INT8 = 3, INT32 = 6;
-// Limits of the spec (6.2): values of constants, values and multiply-adds of a query.
-const MOST_CONSTANTS = 2 ** 24, MOST_VALUES = 2 ** 16, MOST_WORK = 2 ** 24;
+const LARGEST = 64 * 2 ** 20;
+// Limits of the spec (11): nodes, outputs of a layer, values and multiply-adds of a query.
+const MOST_NODES = 4096, MOST_WIDTH = 8192, MOST_VALUES = 2 ** 16, MOST_WORK = 2 ** 24;
+const SCALAR = [FLOAT, []], ZERO_POINT = [UINT8, []];
 
 /**
  * { low, high, gain, offset, layers, top, unit or matrix, int8, columns, outputs }: gain and offset of
  * int8 alone; a layer is { weight, bias, rows, columns }, int8 with { step, scales }.
  */
 export function readDecoder(bytes, { columns, outputs, output, precision }, where) {
-  const model = readOnnx(bytes, where);
-  checkInterface(model, columns, outputs, output, where);
-  const quantised = model.nodes.some(({ operator }) => /^(De)?[qQ]uantizeLinear$/.test(operator));
-  if (quantised !== (precision === "int8")) {
-    fail("DECODER_PRECISION", where, `arithmetic that is not ${precision}`);
-  }
-  checkOrder(model, where);
-  return new Walk(model, columns, outputs, quantised, where).decoder();
-}
-
-function checkInterface({ inputs, outputs: results }, columns, outputs, output, where) {
-  const fits = (list, name, width) => list.length === 1 && list[0].name === name && list[0].type === FLOAT
-    && list[0].dims.length === 2 && list[0].dims[0] === null && list[0].dims[1] === width;
-  if (!fits(inputs, "queries", columns)) fail("DECODER_INPUT", where, `not one input queries [N, ${columns}]`);
-  if (!fits(results, output, outputs)) fail("DECODER_OUTPUT", where, `not one output ${output} [N, ${outputs}]`);
-}
-
-const ALLOWED = new Set(`Abs Add And Atan Cast Ceil Clip Concat Constant Cos DequantizeLinear Div Elu Equal Erf Exp
-Floor Gelu Gemm Greater GreaterOrEqual HardSigmoid HardSwish Identity IsInf IsNaN LayerNormalization LeakyRelu Less
-LessOrEqual Log MatMul Max Min Mish Mul Neg Not Or PRelu Pow QuantizeLinear Reciprocal Relu Selu Sigmoid Sign Sin Slice
-Softplus Softsign Split Sqrt Sub Sum Tanh ThresholdedRelu Where Xor`.split(/\s+/));
-
-function checkOrder({ nodes, constants }, where) {
-  const other = nodes.find(({ operator }) => !ALLOWED.has(operator));
-  if (other) fail("DECODER_OPERATOR", where, `the operator ${other.operator}`);
-  const made = new Set(["queries", ...constants.keys()]);
-  for (const node of nodes) {
-    if (node.inputs.some((name) => name && !made.has(name)) || node.outputs.some((name) => made.has(name))) {
-      fail("DECODER_GRAPH", where, "nodes out of order, or a value made twice");
-    }
-    node.outputs.forEach((name) => made.add(name));
-  }
+  if (bytes.length > LARGEST) fail("DECODER_TOO_LARGE", where, `${bytes.length} bytes; at most ${LARGEST}`);
+  const outside = (text) => fail("DECODER_PROFILE", where, `not a decoder as the format has it: ${text}`);
+  const model = readOnnx(bytes, { columns, outputs, output }, outside);
+  const decoder = new Chain(model, { columns, outputs, output, int8: precision === "int8" }, where, outside).decoder();
+  checkResults(decoder, where);
+  return decoder;
 }
 
 /** Follows the one chain from queries to the output. */
-class Walk {
-  constructor({ nodes, constants }, columns, outputs, int8, where) {
-    Object.assign(this, { constants, columns, outputs, int8, where, width: columns, at: 0, value: "queries" });
-    const isConstant = ({ operator, inputs }) => operator === "DequantizeLinear" && constants.has(inputs[0]);
-    this.dequantizers = new Map(nodes.filter(isConstant).map((node) => [node.outputs[0], node]));
-    this.chain = nodes.filter((node) => !isConstant(node));
-    this.values = this.work = 0;
-    const sizes = [...constants.values(), ...[...this.dequantizers.values()].map(({ inputs }) => constants.get(inputs[0]))];
-    const count = sizes.reduce((sum, { dims }) => sum + dims.reduce((product, side) => product * side, 1), 0);
-    if (count > MOST_CONSTANTS) fail("DECODER_COST", where, `${count} values of constants; at most ${MOST_CONSTANTS}`);
-    this.readers = new Map();
-    for (const name of nodes.flatMap((node) => node.inputs)) this.readers.set(name, (this.readers.get(name) ?? 0) + 1);
+class Chain {
+  constructor({ nodes, constants }, asked, where, outside) {
+    Object.assign(this, asked, { where, outside, width: asked.columns, value: "queries", values: asked.outputs, work: 0 });
+    if (nodes.length > MOST_NODES) outside(`${nodes.length} nodes; at most ${MOST_NODES}`);
+    const names = ["queries", ...constants.map(({ name }) => name), ...nodes.map(({ output }) => output)];
+    if (new Set(names).size !== names.length || names.includes("")) outside("a value made twice, or without a name");
+    this.constants = new Map(constants.map((tensor) => [tensor.name, tensor]));
+    this.unread = new Set(this.constants.keys());
+    this.dequantizers = new Map();  // those of constants, up to the chain's next node
+    this.nodes = nodes.values();
+    this.advance();
   }
 
-  outside(text) {
-    throw new NotSupported(
-      `${this.where}: this viewer runs decoders of the profile (spec, 6.4) alone: ${text} [DECODER_PROFILE]`,
-    );
+  /** Goes on to the chain's next node. */
+  advance() {
+    for (;;) {
+      this.node = this.nodes.next().value;
+      if (this.node?.operator !== "DequantizeLinear" || !this.constants.has(this.node.inputs[0])) return;
+      this.dequantizers.set(this.node.output, this.node);
+    }
   }
 
   get operator() {
-    return this.chain[this.at]?.operator;
+    return this.node?.operator ?? "nothing";
   }
 
-  next(operator) {
-    const node = this.chain[this.at];
-    if (node?.operator !== operator || node.inputs[0] !== this.value || node.outputs.length !== 1) {
-      this.outside(`${node?.operator ?? "nothing"} where ${operator} must be`);
+  /** Names of the operands of the next node, which is this operator of the value and so many constants. */
+  next(operator, count) {
+    const { node } = this;
+    if (this.operator !== operator) this.outside(`${this.operator} where ${operator} must be`);
+    if (node.inputs[0] !== this.value || node.inputs.length !== count + 1 || node.axis !== null) {
+      this.outside(`${operator} of ${node.inputs.join(", ")}, not of ${this.value} and ${count} constants`);
     }
-    if (this.readers.get(this.value) !== 1 || Object.keys(node.attributes).length) {
-      this.outside(`${operator} with attributes, or a value that is read twice`);
-    }
-    this.at += 1;
-    this.value = node.outputs[0];
+    this.value = node.output;
+    this.advance();
     return node.inputs.slice(1);
   }
 
-  /** Counts a node whose result has `columns`, of products with one of `rows`. */
-  spend(columns, rows = 1) {
-    this.values += columns;
-    this.work += rows * columns;
-    if (this.values > MOST_VALUES || this.work > MOST_WORK) {
-      fail("DECODER_COST", this.where, `a query takes ${this.values} values and ${this.work} multiply-adds, or more; at most ${MOST_VALUES} and ${MOST_WORK}`);
-    }
-  }
-
-  constant(name, type, dims) {
-    const tensor = this.constants.get(name);
-    if (!tensor?.values || tensor.type !== type || tensor.dims.join() !== dims.join()) {
-      this.outside(`${name ?? "nothing"} is not of type ${type} and shape [${dims}]`);
-    }
-    return tensor.values;
+  /** The constants of these names, each of such a type and shape. */
+  read(names, operands) {
+    if (names.length !== operands.length) this.outside(`${names.length} constants where ${operands.length} must be`);
+    return operands.map(([type, dims], k) => {
+      const { values, ...found } = this.constants.get(names[k]) ?? {};
+      if (!values || found.type !== type || found.dims.join() !== dims.join()) {
+        this.outside(`${names[k]} is no constant of type ${type} and shape [${dims}]`);
+      }
+      if (type === FLOAT && !values.every(Number.isFinite)) {
+        fail("DECODER_RESULT", this.where, `${names[k]} has values that are NaN or infinite`);
+      }
+      this.unread.delete(names[k]);
+      return values;
+    });
   }
 
   take(operator, ...operands) {
-    const names = this.next(operator);
-    if (operator === "MatMul") this.spend(this.outputs, this.width);
-    else this.spend(this.width);
-    if (names.length !== operands.length) this.outside(`${operator} of ${names.length + 1} operands`);
-    return operands.map(([type, dims], k) => this.constant(names[k], type, dims));
+    return this.read(this.next(operator, operands.length), operands);
+  }
+
+  /** Size of the matrix of this name, which multiplies what the chain has; counts what a query takes. */
+  multiply(name, { isLayer }) {
+    const columns = this.constants.get(name)?.dims[1] ?? 0, rows = this.width;
+    if (!(columns >= 1 && columns <= MOST_WIDTH)) this.outside(`${name} has ${columns} columns; from 1 to ${MOST_WIDTH}`);
+    if (isLayer) this.values += columns;
+    this.work += rows * columns;
+    if (this.values > MOST_VALUES || this.work > MOST_WORK) {
+      fail("DECODER_COST", this.where, `${this.values} values and ${this.work} multiply-adds of a query, or more; at most ${MOST_VALUES} and ${MOST_WORK}`);
+    }
+    this.width = columns;
+    return { rows, columns };
   }
 
   decoder() {
-    const scalar = [FLOAT, []], row = [FLOAT, [this.columns]];
-    const [[low], [high]] = this.take("Clip", scalar, scalar);
-    const gain = this.int8 ? this.take("Mul", row)[0] : null;
-    const offset = this.int8 ? this.take("Add", row)[0] : null;
-    const layers = this.layers();
-    const [[zero], [top]] = this.take("Clip", scalar, scalar);
-    this.take("Exp");
-    const [[one]] = this.take("Sub", scalar);
-    if (zero !== 0 || one !== 1) this.outside(`Clip from ${zero}, Sub of ${one}`);
-    const [last] = this.operator === "MatMul"
-      ? this.take("MatMul", [FLOAT, [this.width, this.outputs]])
-      : this.take("Mul", scalar);
-    if (this.operator || this.dequantizers.size) this.outside("nodes behind the last one");
-    if (last.length === 1 && this.width !== this.outputs) {
-      fail("DECODER_LOAD", this.where, `${this.width} values for ${this.outputs} outputs`);
-    }
-    const result = last.length === 1 ? { unit: last[0], matrix: null } : { unit: 1, matrix: last };
-    return { low, high, gain, offset, layers, top, ...result, int8: this.int8, columns: this.columns, outputs: this.outputs };
-  }
-
-  layers() {
+    const row = [FLOAT, [this.columns]], { int8, columns, outputs } = this;
+    const [[low], [high]] = this.take("Clip", SCALAR, SCALAR);
+    const [gain] = int8 ? this.take("Mul", row) : [null];
+    const [offset] = int8 ? this.take("Add", row) : [null];
     const layers = [];
-    for (;;) {
-      const step = this.int8 ? this.quantized() : null;
-      layers.push(this.gemm(step));
-      if (this.operator === "Clip") return layers;
-      if (!this.int8) this.take("Relu");
-    }
+    do layers.push(int8 ? this.int8Layer() : this.layer()); while (int8 ? this.operator !== "Clip" : layers.at(-1).relu);
+    const [[zero], [top]] = this.take("Clip", SCALAR, SCALAR);
+    this.take("Exp");
+    const [[one]] = this.take("Sub", SCALAR);
+    if (zero !== 0 || one !== 1) this.outside(`Clip from ${zero}, Sub of ${one}`);
+    const end = this.operator === "MatMul" ? this.mixing() : { unit: this.take("Mul", SCALAR)[0][0], matrix: null };
+    if (this.node || this.dequantizers.size || this.unread.size) this.outside("a node or a constant that the chain does not have");
+    if (this.value !== this.output || this.width !== outputs) this.outside(`${this.width} columns of ${this.value} in the end`);
+    return { low, high, gain, offset, layers, top, ...end, int8, columns, outputs };
   }
 
-  quantized() {
-    const operands = [[FLOAT, []], [UINT8, []]];
-    const [[step], [zero]] = this.take("QuantizeLinear", ...operands);
-    const [[again], [zeroAgain]] = this.take("DequantizeLinear", ...operands);
+  mixing() {
+    const names = this.next("MatMul", 1), { rows, columns } = this.multiply(names[0], { isLayer: false });
+    return { unit: 1, matrix: this.read(names, [[FLOAT, [rows, columns]]])[0] };
+  }
+
+  layer() {
+    const names = this.next("Gemm", 2), { rows, columns } = this.multiply(names[0], { isLayer: true });
+    const [weight, bias] = this.read(names, [[FLOAT, [rows, columns]], [FLOAT, [columns]]]);
+    const relu = this.operator === "Relu";
+    if (relu) this.take("Relu");
+    return { weight, bias, rows, columns, relu };
+  }
+
+  int8Layer() {
+    const [[step], [zero]] = this.take("QuantizeLinear", SCALAR, ZERO_POINT);
+    const [[again], [zeroAgain]] = this.take("DequantizeLinear", SCALAR, ZERO_POINT);
     if (zero || zeroAgain || step !== again) this.outside("two scales, or a zero point");
-    return step;
-  }
-
-  gemm(step) {
-    const names = this.next("Gemm");
-    if (names.length !== 2) this.outside(`Gemm of ${names.length + 1} operands`);
-    const columnsOf = (name) => this.constants.get(name)?.dims.at(-1) ?? 0;
-    const rows = this.width;
-    if (!this.int8) {
-      const columns = columnsOf(names[0]);
-      this.spend(columns, rows);
-      this.width = columns;
-      return {
-        weight: this.fitting(names[0], FLOAT, rows, columns), bias: this.constant(names[1], FLOAT, [columns]), rows, columns,
-      };
-    }
-    const [weightName, scaleName] = this.dequantized(names[0], 1), [biasName, biasScale] = this.dequantized(names[1], 0);
-    const columns = columnsOf(weightName);
-    this.spend(columns, rows);
-    const scales = this.constant(scaleName, FLOAT, [columns]), products = this.constant(biasScale, FLOAT, [columns]);
+    const makers = new Map(this.dequantizers);  // those before the Gemm
+    const [weights, biases] = this.next("Gemm", 2).map((name, k) => this.dequantized(makers, name, 1 - k));
+    const { rows, columns } = this.multiply(weights[0], { isLayer: true });
+    const [weight, scales] = this.read(weights, [[INT8, [rows, columns]], [FLOAT, [columns]]]);
+    const [bias, products] = this.read(biases, [[INT32, [columns]], [FLOAT, [columns]]]);
     if (products.some((value, k) => value !== Math.fround(step * scales[k]))) this.outside("a bias with a scale of its own");
-    this.width = columns;
-    return {
-      weight: this.fitting(weightName, INT8, rows, columns), bias: this.constant(biasName, INT32, [columns]), rows, columns, step, scales,
-    };
+    return { weight, bias, rows, columns, step, scales, relu: false };
   }
 
-  fitting(name, type, rows, columns) {
-    const dims = this.constants.get(name)?.dims ?? [];
-    if (dims.length === 2 && dims[0] !== rows) {
-      fail("DECODER_LOAD", this.where, `weights for ${dims[0]} values, of which there are ${rows}`);
-    }
-    return this.constant(name, type, [rows, columns]);
-  }
-
-  dequantized(name, axis) {
-    const maker = this.dequantizers.get(name);
-    this.dequantizers.delete(name);
-    if (maker?.attributes.axis !== axis || maker.inputs.length !== 2 || this.readers.get(name) !== 1) {
+  /** Constants of the DequantizeLinear that makes an operand of a Gemm. */
+  dequantized(makers, name, axis) {
+    const maker = makers.get(name);
+    if (maker?.axis !== axis || !this.dequantizers.delete(name)) {
       this.outside(`${name} is no DequantizeLinear of constants along axis ${axis}`);
     }
     return maker.inputs;

@@ -6,44 +6,36 @@ import { checkExtensions, KNOWN_EXTENSIONS } from "./extensions.js";
 import { parseJson } from "./json.js";
 import { checkSchema } from "./schema.js";
 
-const READER = [1, 1];
+const READER = "2.0";
 const VERSION = /^[1-9][0-9]{0,3}\.(0|[1-9][0-9]{0,3})$/;
 
-/** The manifest in the long form, checked, with `warnings`. */
+/** The manifest, checked, with `warnings`. */
 export function readManifest(bytes) {
   const manifest = parseJson(bytes, "manifest.json", "MANIFEST_NOT_JSON");
   checkFirst(manifest);
-  checkSchema(specific(schema, manifest), manifest);
-  const long = longForm(manifest);
-  checkBounds(long);
-  checkNames(long);
-  checkParts(long);
-  const old = compare(versionOf(long.minReaderVersion), READER) < 0;
-  if (manifest.parts && old) fail("VERSION_TOO_OLD", "/minReaderVersion", "1.0, with `parts`");
-  checkUsed(long);
-  checkExtensions(long);
-  checkInputs(long);
-  checkRecords(long);
-  checkReferences(long);
-  const unknown = (long.extensionsUsed ?? []).filter((name) => !KNOWN_EXTENSIONS.includes(name));
-  return { ...long, old, warnings: unknown.map((name) => `unknown extension ${name}`) };
+  checkSchema(schema, manifest);
+  checkBounds(manifest);
+  checkNames(manifest);
+  checkParts(manifest);
+  checkUsed(manifest);
+  checkExtensions(manifest);
+  checkInputs(manifest);
+  checkRecords(manifest);
+  checkReferences(manifest);
+  const unknown = (manifest.extensionsUsed ?? []).filter((name) => !KNOWN_EXTENSIONS.includes(name));
+  return { ...manifest, warnings: unknown.map((name) => `unknown extension ${name}`) };
 }
-
-const versionOf = (text) => text.split(".").map(Number);
-const compare = (a, b) => a[0] - b[0] || a[1] - b[1];
 
 /** What is looked at before all other members. */
 function checkFirst(manifest) {
   if (!("format" in manifest)) fail("FIELD_MISSING", "/format", "missing");
   if (manifest.format !== "rna") fail("FORMAT_UNKNOWN", "/format", "this is no RNA package");
-  const least = manifest.minReaderVersion;
-  if (typeof least === "string" && VERSION.test(least) && !least.endsWith("\n")) {
-    if (compare(versionOf(least), READER) > 0) {
-      fail("VERSION_TOO_NEW", "/minReaderVersion", `the package needs a reader of version ${least}`);
-    }
+  const { version } = manifest;
+  if (typeof version === "string" && VERSION.test(version) && version !== READER) {
+    const code = parseInt(version, 10) < parseInt(READER, 10) ? "VERSION_TOO_OLD" : "VERSION_TOO_NEW";
+    fail(code, "/version", `the package is of version ${version}; this viewer reads ${READER}`);
   }
-  const parts = Array.isArray(manifest.parts) ? manifest.parts : [manifest];
-  for (const part of parts) {
+  for (const part of Array.isArray(manifest.parts) ? manifest.parts : []) {
     if (part?.kind !== undefined && !["surface", "fiber"].includes(part.kind)) {
       fail("KIND_UNSUPPORTED", "/kind", `found ${JSON.stringify(part.kind)}, expected surface or fiber`);
     }
@@ -53,21 +45,6 @@ function checkFirst(manifest) {
       fail("EXTENSION_REQUIRED", "/extensionsRequired", `this viewer does not know ${name}`);
     }
   }
-}
-
-/** The schema of the form that the manifest is in, so that faults are told of its members. */
-function specific(all, manifest) {
-  const name = "parts" in manifest ? "Manifest" : "ShortManifest";
-  return { ...all.$defs[name], $defs: all.$defs };
-}
-
-/** Parts and tier parts written out. */
-function longForm(manifest) {
-  if (manifest.parts) return manifest;
-  const { kind, bounds, geometry, ...rest } = manifest;
-  const tiers = manifest.tiers.map(({ name, validation, cost, ...part }) =>
-    ({ name, validation, cost, parts: [part] }));
-  return { ...rest, parts: [{ name: "asset", kind, bounds, geometry }], tiers };
 }
 
 function checkBounds(manifest) {

@@ -7,11 +7,10 @@ import { typed } from "./tensors.js";
 const COMPONENTS = { 5122: Int16Array, 5123: Uint16Array, 5125: Uint32Array, 5126: Float32Array };
 const ITEMS = { SCALAR: 1, VEC2: 2, VEC3: 3 };
 
-/** { positions, normals, uvs or null, indices }; `old`: of a package for readers of 1.0. */
-export function readMesh(bytes, where, old) {
+/** { positions, normals, uvs or null, indices }. */
+export function readMesh(bytes, where) {
   const { json, bin } = readChunks(bytes, where);
   const quantised = checkProfile(json, where);
-  if (quantised && old) fail("VERSION_TOO_OLD", where, "a quantised mesh in a package for readers of 1.0");
   const buffer = json.buffers[0].byteLength;
   if (buffer > bin.length || bin.length - buffer > 3) {
     fail("GEOMETRY_RANGE", where, `a buffer of ${buffer} bytes in a chunk of ${bin.length}`);

@@ -1,151 +1,130 @@
-// ONNX models (spec, 6.2): nodes and constants out of the protobuf message.
-import { fail } from "./errors.js";
+// What is read of a decoder's ONNX model (spec, 6.2): nodes and constants out of the protobuf message.
 import { typed } from "./tensors.js";
 
-const TYPES = { 1: Float32Array, 2: Uint8Array, 3: Int8Array, 6: Int32Array };
-const LARGEST = 64 * 2 ** 20, MOST_NODES = 4096, MOST_FIELDS = 2 ** 18;
+export const FLOAT = 1, UINT8 = 2, INT8 = 3, INT32 = 6;
+const TYPES = { [FLOAT]: Float32Array, [UINT8]: Uint8Array, [INT8]: Int8Array, [INT32]: Int32Array };
+const VALUES_ELSEWHERE = [3, 4, 5, 6, 7, 10, 11, 13];  // fields of a tensor that may have them in the place of raw_data
+const MOST_FIELDS = 2 ** 18;
 
-/** { nodes, constants, inputs, outputs }: what the graph holds. `where`: the entry. */
-export function readOnnx(bytes, where) {
-  if (bytes.length > LARGEST) fail("DECODER_TOO_LARGE", where, `${bytes.length} bytes`);
-  const wrong = (text) => fail("DECODER_NOT_ONNX", where, text);
-  const reader = new Reader(wrong);
-  const model = reader.message(bytes, { 1: "one", 7: "one", 8: "many", 20: "many", 25: "many" });
-  if (!model[7] || !model[1]) wrong("no graph, or no IR version");
-  if (model[20].length || model[25].length) fail("DECODER_NESTED", where, "functions or training information");
-  checkVersions(model, reader, where);
+/**
+ * { nodes, constants }: a node is { operator, inputs, output, axis or null }; a constant { name, type, dims, values }, values
+ * null of a type or size that none of a decoder has.
+ * `outside`: called with a text where the model is not a decoder's.
+ */
+export function readOnnx(bytes, { columns, outputs, output }, outside) {
+  const reader = new Reader(outside);
+  const model = reader.message(bytes, { 1: "number", 7: "bytes", 8: "many", 20: "many", 25: "many" });
+  const sets = model[8].map((set) => reader.message(set, { 1: "text", 2: "number" }));
   const graph = reader.message(model[7], { 1: "many", 5: "many", 11: "many", 12: "many", 15: "many" });
-  if (graph[15].length) fail("DECODER_NESTED", where, "sparse tensors");
-  if (graph[1].length > MOST_NODES) fail("DECODER_GRAPH", where, `${graph[1].length} nodes`);
-  const nodes = graph[1].map((message) => readNode(reader, message, where));
-  const constants = new Map();
-  for (const message of graph[5]) {
-    const tensor = readTensor(reader, message, where);
-    if (constants.has(tensor.name)) fail("DECODER_GRAPH", where, `${tensor.name} is there twice`);
-    constants.set(tensor.name, tensor);
+  if (!(model[1] >= 7 && model[1] <= 10)) outside(`IR version ${model[1]}, expected 7 to 10`);
+  if (sets.length !== 1 || !isDefault(sets[0][1]) || !(sets[0][2] >= 13 && sets[0][2] <= 21)) {
+    outside("operators that are not those of ONNX, version 13 to 21");
   }
+  if (model[20].length || model[25].length || graph[15].length) outside("functions, training or sparse tensors");
+  checkInterface(reader, graph[11], "queries", columns);
+  checkInterface(reader, graph[12], output, outputs);
   return {
-    nodes, constants,
-    inputs: graph[11].map((message) => readValue(reader, message)),
-    outputs: graph[12].map((message) => readValue(reader, message)),
+    nodes: graph[1].map((message) => readNode(reader, message)),
+    constants: graph[5].map((message) => readTensor(reader, message)),
   };
 }
 
-function checkVersions(model, reader, where) {
-  const version = Number(model[1]);
-  if (!(version >= 7 && version <= 10)) fail("DECODER_VERSION", where, `IR version ${version}`);
-  const sets = model[8].map((message) => reader.message(message, { 1: "one", 2: "one" }));
-  const domains = sets.map((set) => reader.text(set[1]));
-  if (domains.some((domain) => domain !== "" && domain !== "ai.onnx")) {
-    fail("DECODER_DOMAIN", where, `operators of ${domains.join(", ")}`);
+const isDefault = (domain) => domain === "" || domain === "ai.onnx";
+
+function checkInterface(reader, list, name, width) {
+  const [value] = list.map((message) => reader.message(message, { 1: "text", 2: "bytes" }));
+  const tensor = value && reader.message(reader.message(value[2], { 1: "bytes" })[1], { 1: "number", 2: "bytes" });
+  const dims = tensor && reader.message(tensor[2], { 1: "many" })[1].map(
+    (dimension) => reader.message(dimension, { 1: "number?", 2: "text" })[1],
+  );
+  const right = list.length === 1 && value[1] === name && tensor[1] === FLOAT && dims.length === 2
+    && dims[0] === undefined && dims[1] === width;
+  if (!right) reader.outside(`not one ${name}, float32 [N, ${width}]`);
+}
+
+function readNode(reader, message) {
+  const node = reader.message(message, { 1: "many", 2: "many", 4: "text", 5: "many", 7: "text" });
+  if (!isDefault(node[7]) || node[2].length !== 1) reader.outside(`${node[4]} of another domain, or of several results`);
+  const attributes = node[5].map((attribute) => reader.message(attribute, { 1: "text", 3: "number?" }));
+  if (attributes.some(({ 1: name, 3: value }) => name !== "axis" || value === undefined) || attributes.length > 1) {
+    reader.outside(`${node[4]} with another attribute than axis`);
   }
-  const opset = Number(sets[0]?.[2] ?? 0);
-  if (sets.length !== 1 || opset < 13 || opset > 21) fail("DECODER_VERSION", where, `operator set ${opset}`);
+  return { operator: node[4], inputs: node[1].map(reader.text), output: reader.text(node[2][0]), axis: attributes[0]?.[3] ?? null };
 }
 
-function readNode(reader, message, where) {
-  const node = reader.message(message, { 1: "many", 2: "many", 4: "one", 5: "many", 7: "one" });
-  const domain = reader.text(node[7]);
-  if (domain !== "" && domain !== "ai.onnx") fail("DECODER_DOMAIN", where, `an operator of ${domain}`);
-  const attributes = {};
-  for (const attribute of node[5]) {
-    const { 1: name, 3: integer, 5: tensor, 6: graph, 11: graphs } = reader.message(
-      attribute, { 1: "one", 3: "one", 5: "one", 6: "one", 11: "many" },
-    );
-    if (graph || graphs.length) fail("DECODER_NESTED", where, "a graph within a node");
-    if (tensor) readTensor(reader, tensor, where);
-    attributes[reader.text(name)] = integer === undefined ? null : Number(BigInt.asIntN(64, integer));
-  }
-  return { operator: reader.text(node[4]), inputs: node[1].map(reader.text), outputs: node[2].map(reader.text), attributes };
+function readTensor(reader, message) {
+  const elsewhere = Object.fromEntries(VALUES_ELSEWHERE.map((field) => [field, "many"]));
+  const tensor = reader.message(message, { 1: "numbers", 2: "number", 8: "text", 9: "bytes", 14: "number", ...elsewhere });
+  if (tensor[14] || VALUES_ELSEWHERE.some((field) => tensor[field].length)) reader.outside("a constant not in raw_data");
+  const { 1: dims, 2: type, 9: raw } = tensor, Type = TYPES[type], count = dims.reduce((product, side) => product * side, 1);
+  const whole = Type && dims.length <= 2 && raw.length === count * Type.BYTES_PER_ELEMENT;
+  return { name: tensor[8], type, dims, values: whole ? typed(Type, raw, 0, count) : null };
 }
 
-function readTensor(reader, message, where) {
-  const tensor = reader.message(message, { 1: "numbers", 2: "one", 8: "one", 9: "one", 13: "many", 14: "one" });
-  if (tensor[13].length || tensor[14]) fail("DECODER_EXTERNAL", where, "data outside the file");
-  const dims = tensor[1].map(Number), type = Number(tensor[2] ?? 0);
-  if (dims.length > 2 || dims.some((side) => side > 8192) || ![1, 2, 3, 6, 7, 9, 10].includes(type)) {
-    fail("DECODER_TENSOR", where, `a tensor of type ${type} and shape [${dims}]`);
-  }
-  const count = dims.reduce((product, side) => product * side, 1), Type = TYPES[type];
-  const whole = Type && tensor[9] instanceof Uint8Array && tensor[9].length === count * Type.BYTES_PER_ELEMENT;
-  return { name: reader.text(tensor[8]), type, dims, values: whole ? typed(Type, tensor[9], 0, count) : null };
-}
-
-function readValue(reader, message) {
-  const value = reader.message(message, { 1: "one", 2: "one" });
-  const type = reader.message(value[2] ?? new Uint8Array(), { 1: "one" });
-  const tensor = reader.message(type[1] ?? new Uint8Array(), { 1: "one", 2: "one" });
-  const shape = reader.message(tensor[2] ?? new Uint8Array(), { 1: "many" });
-  const dims = shape[1].map((dimension) => {
-    const { 1: number, 2: name } = reader.message(dimension, { 1: "one", 2: "one" });
-    if (name !== undefined) reader.text(name);
-    return number === undefined ? null : Number(number);
-  });
-  return { name: reader.text(value[1]), type: Number(tensor[1] ?? 0), dims };
-}
-
-/** Protobuf messages: fields by number, of which `wanted` says "one", "many" or "numbers". */
+/**
+ * Protobuf messages: fields by number, of which `wanted` says what they are: "number" (0 where it is absent), "number?",
+ * "text", "bytes", "many" (byte strings), "numbers".
+ */
 class Reader {
-  constructor(wrong) {
-    this.wrong = wrong;
+  constructor(outside) {
+    this.outside = outside;
     this.fields = 0;
-    this.text = (value = new Uint8Array()) => {
-      if (!(value instanceof Uint8Array)) return wrong("a name that is no text");
+    this.text = (bytes) => {
       try {
-        return new TextDecoder("utf-8", { fatal: true, ignoreBOM: true }).decode(value);
+        return new TextDecoder("utf-8", { fatal: true, ignoreBOM: true }).decode(bytes);
       } catch {
-        return wrong("a name that is no UTF-8");
+        return outside("a name that is no UTF-8");
       }
     };
   }
 
   message(bytes, wanted) {
-    if (!(bytes instanceof Uint8Array)) this.wrong("a message that is a number");
-    const found = {};
-    for (const [field, how] of Object.entries(wanted)) if (how !== "one") found[field] = [];
+    const lists = Object.fromEntries(Object.keys(wanted).map((field) => [field, []]));
     for (let at = 0; at < bytes.length;) {
-      if (++this.fields > MOST_FIELDS) this.wrong("too many fields");
+      if (++this.fields > MOST_FIELDS) this.outside("too many fields");
       let key, value;
       [key, at] = this.varint(bytes, at);
-      [value, at] = this.value(bytes, at, Number(key & 7n));
-      this.keep(found, Number(key >> 3n), value, wanted);
+      [value, at] = this.value(bytes, at, key % 8);
+      lists[Math.floor(key / 8)]?.push(value);
     }
-    return found;
+    return Object.fromEntries(Object.entries(wanted).map(([field, kind]) => [field, this.taken(lists[field], kind)]));
   }
 
-  keep(found, field, value, wanted) {
-    const how = wanted[field];
-    if (how === "many") found[field].push(value);
-    else if (how === "one") {
-      if (found[field] !== undefined) this.wrong(`the field ${field} twice`);
-      found[field] = value;
-    } else if (how === "numbers" && value instanceof Uint8Array) {  // packed
-      for (let at = 0, number; at < value.length;) {
-        [number, at] = this.varint(value, at);
-        found[field].push(number);
-      }
-    } else if (how === "numbers") found[field].push(value);
+  taken(list, kind) {
+    if (kind === "numbers") return list.flatMap((value) => (typeof value === "number" ? value : this.packed(value)));
+    const isNumber = kind.startsWith("number");
+    if (list.some((value) => (typeof value === "number") !== isNumber)) this.outside("a field of another type");
+    if (kind === "many") return list;
+    if (list.length > 1) this.outside("a field twice");
+    if (isNumber) return list[0] ?? (kind === "number" ? 0 : undefined);
+    return kind === "text" ? this.text(list[0] ?? new Uint8Array()) : list[0] ?? new Uint8Array();
+  }
+
+  packed(bytes) {
+    const numbers = [];
+    for (let at = 0, number; at < bytes.length;) {
+      if (++this.fields > MOST_FIELDS) this.outside("too many numbers");
+      [number, at] = this.varint(bytes, at);
+      numbers.push(number);
+    }
+    return numbers;
   }
 
   value(bytes, at, type) {
     if (type === 0) return this.varint(bytes, at);
     let length = { 1: 8, 5: 4 }[type];
-    if (type === 2) {
-      [length, at] = this.varint(bytes, at);
-      length = Number(length);
-    }
-    if (length === undefined || at + length > bytes.length) this.wrong("a field that is cut short");
+    if (type === 2) [length, at] = this.varint(bytes, at);
+    if (length === undefined || at + length > bytes.length) this.outside("a field that is cut short");
     return [bytes.subarray(at, at + length), at + length];
   }
 
+  /** A number up to 2^64, as float64: what a decoder has is far below 2^53. */
   varint(bytes, at) {
-    let value = 0n;
-    for (let shift = 0n; shift < 70n; shift += 7n) {
-      if (at >= bytes.length) break;
+    for (let value = 0, unit = 1, k = 0; k < 10 && at < bytes.length; k++, unit *= 128) {
       const byte = bytes[at++];
-      value |= BigInt(byte & 127) << shift;
-      if (byte < 128) return [BigInt.asUintN(64, value), at];
+      value += (byte & 127) * unit;
+      if (byte < 128) return [value, at];
     }
-    return this.wrong("a number that is cut short");
+    return this.outside("a number that is cut short");
   }
 }

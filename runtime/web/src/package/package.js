@@ -5,7 +5,7 @@ import { readCurves } from "./curves.js";
 import { readDecoder } from "./decoder.js";
 import { decodeEntry } from "./deflate.js";
 import { entriesOf, environmentOf, readHarmonics, VISIBILITY_COLUMNS } from "./environment_form.js";
-import { fail, NotSupported } from "./errors.js";
+import { fail } from "./errors.js";
 import { checkEntries, readManifest } from "./manifest.js";
 import { readMesh } from "./mesh.js";
 import { readPlanes } from "./planes.js";
@@ -41,33 +41,29 @@ export class Package {
 
   /** Bytes of the file that showing the tier takes. */
   bytesOf(name) {
-    return this._ranges([...new Set([...this._entriesOf(this.tier(name)), ...entriesOf(this.environment ?? [])])]).reduce((sum, [start, end]) => sum + end - start, 0);
+    return this._ranges(this._needed(name, true)).reduce((sum, [start, end]) => sum + end - start, 0);
+  }
+
+  /** Begins to fetch all that the poster and the tier take. */
+  prefetch(name, wantsLobes) {
+    this._fetch([...(this.poster ? [this.poster.image] : []), ...this._needed(name, wantsLobes)]);
   }
 
   /** The parts of a tier, read and checked: geometry, planes, decoders, textures. wantsLobes: with those of the parts. */
   async load(name, { wantsLobes = false } = {}) {
-    const tier = this.tier(name), names = this._entriesOf(tier);
-    await this._fetch(names);
-    const data = new Map();
+    const tier = this.tier(name), names = this._entriesOf(tier), data = new Map();
+    this._fetch(this._needed(name, wantsLobes));
     for (const entry of names) data.set(entry, await this._data(entry));
     const parts = this.manifest.parts.map((part, k) => this._part(part, tier.parts[k], k, data));
-    return { name: tier.name, tier, parts, warnings: wantsLobes ? await this._addEnvironment(parts, tier, data) : [] };
+    if (wantsLobes && this.environment) await this._addEnvironment(parts, tier, data);
+    return { name: tier.name, tier, parts };
   }
 
-  /** Adds what the parts have for whole environments, all or none of them; a line of what is not supported. It is an extra. */
+  /** Adds what the parts have for whole environments. */
   async _addEnvironment(parts, tier, data) {
-    if (!this.environment) return [];
-    try {
-      const names = entriesOf(this.environment).filter((name) => !data.has(name));
-      await this._fetch(names);
-      for (const name of names) data.set(name, await this._data(name));
-      const found = this.environment.map((own, k) => this._environment(parts[k], own, tier.parts[k], data));
-      found.forEach((own, k) => { parts[k].environment = own; });
-      return [];
-    } catch (error) {
-      if (!(error instanceof NotSupported)) throw error;
-      return [`no first look: ${error.message}`];
-    }
+    const names = entriesOf(this.environment).filter((name) => !data.has(name));
+    for (const name of names) data.set(name, await this._data(name));
+    this.environment.forEach((own, k) => { parts[k].environment = this._environment(parts[k], own, tier.parts[k], data); });
   }
 
   /** { inputs, lobes, harmonics or null, planes, and the decoder }. The tier's planes are taken where they are the same. */
@@ -83,7 +79,7 @@ export class Package {
   /** The poster's PNG, or null. */
   async posterImage() {
     if (!this.poster) return null;
-    await this._fetch([this.poster.image]);
+    this._fetch([this.poster.image]);
     return new Blob([await this._data(this.poster.image)], { type: "image/png" });
   }
 
@@ -93,11 +89,11 @@ export class Package {
   }
 
   _part(part, own, k, data) {
-    const { kind, bounds, geometry } = part, old = this.manifest.old, where = `/parts/${k}`;
+    const { kind, bounds, geometry } = part, where = `/parts/${k}`;
     const bytes = data.get(geometry);
     const result = { name: part.name, kind, bounds: roundedBounds(bounds), inputs: own.inputs };
-    if (kind === "surface") result.mesh = readMesh(bytes, geometry, old);
-    else result.curves = readCurves(bytes, geometry, old);
+    if (kind === "surface") result.mesh = readMesh(bytes, geometry);
+    else result.curves = readCurves(bytes, geometry);
     result.transmittance = (part.transmittance ?? []).map((record) => {
       const texture = readTransmittance(data.get(record.texture), record, record.texture);
       checkRecord(record, texture, result.mesh, where, "TRANSMITTANCE");
@@ -129,6 +125,11 @@ export class Package {
     return [...new Set(names)];
   }
 
+  /** Entries that showing the tier takes. */
+  _needed(name, wantsLobes) {
+    return [...new Set([...this._entriesOf(this.tier(name)), ...entriesOf((wantsLobes && this.environment) || [])])];
+  }
+
   /** Byte ranges that hold the entries, neighbours together. */
   _ranges(names) {
     const spans = names.map((name) => this.directory.get(name)).sort((a, b) => a.header - b.header);
@@ -141,26 +142,23 @@ export class Package {
     return ranges;
   }
 
-  async _fetch(names) {
-    const missing = names.filter((name) => !this.cache.has(name));
-    this.source.expected = this.source.ranged
-      ? this.source.fetched + this._ranges(missing).reduce((sum, [start, end]) => sum + end - start, 0)
-      : this.source.size;
-    for (const [start, end] of this._ranges(missing)) {
-      const bytes = await this.source.read(start, end);
-      for (const name of missing) {
-        const entry = this.directory.get(name);
-        if (entry.header >= start && entry.end <= end) {
-          this.cache.set(name, bytes.subarray(entry.header - start, entry.end - start));
-        }
-      }
+  /** Begins to fetch those that are not there yet, all at once. */
+  _fetch(names) {
+    const missing = names.filter((name) => !this.cache.has(name)), ranges = this._ranges(missing);
+    if (!missing.length) return;
+    this.source.expect(ranges);
+    for (const [start, end] of ranges) {
+      const bytes = this.source.read(start, end), isInside = (entry) => entry.header >= start && entry.end <= end;
+      const inside = missing.filter((name) => isInside(this.directory.get(name)));
+      for (const name of inside) this.cache.set(name, { bytes, start });
+      bytes.catch(() => inside.forEach((name) => this.cache.delete(name)));  // whoever waits for them tells
     }
   }
 
   async _stored(name) {
-    const entry = this.directory.get(name);
-    const bytes = this.cache.get(name) ?? await this.source.read(entry.header, entry.end);
-    return entryData(entry, bytes);
+    const entry = this.directory.get(name), { bytes, start } = this.cache.get(name) ?? {};
+    const own = bytes ? (await bytes).subarray(entry.header - start, entry.end - start) : await this.source.read(entry.header, entry.end);
+    return entryData(entry, own);
   }
 
   /** The entry as the rest of the spec knows it: checked, decoded where it is coded. */

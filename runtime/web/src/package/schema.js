@@ -32,7 +32,6 @@ class Checker {
 
   check(schema, value, where) {
     if (schema.$ref) this.check(this.root.$defs[schema.$ref.split("/").pop()], value, where);
-    if (schema.if) this.check(this.fits(schema.if, value) ? schema.then : schema.else, value, where);
     const wrong = (expected) => fail("FIELD_VALUE", where, `found ${shown(value)}, expected ${expected}`);
     if (schema.type && !TYPES[schema.type](value)) wrong(schema.type);
     if ("const" in schema && value !== schema.const) wrong(shown(schema.const));

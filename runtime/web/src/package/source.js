@@ -2,7 +2,7 @@
 // server allows them (RFC 9110, section 14).
 import { NotSupported } from "./errors.js";
 
-const HEAD = 65536;
+const HEAD = 65536, TAIL = 16384;  // bytes: most often of the manifest, and of the directory
 // Bytes; of a file that comes whole, since its server knows no ranges: it is held in memory.
 const LARGEST_WHOLE = 2 ** 30;
 
@@ -12,25 +12,30 @@ export class BlobSource {
     this.blob = blob;
     this.name = name;
     this.size = blob.size;
-    this.ranged = false;
-    this.fetched = blob.size;
   }
+
+  expect() {}
 
   async read(start, end) {
     return new Uint8Array(await this.blob.slice(start, end).arrayBuffer());
   }
 }
 
-/** Bytes at an address; `progress(bytes)` hears how many have arrived in all. name: for messages. */
+/** Bytes at an address; `progress(got, all)` hears how many of those that are expected have arrived. name: for messages. */
 export class UrlSource {
   static async open(url, progress = () => {}, signal, name = nameOf(url)) {
     const source = new UrlSource();
-    Object.assign(source, { url, progress, signal, fetched: 0, name });
-    const answer = await source._ask({ Range: `bytes=0-${HEAD - 1}` });
+    Object.assign(source, { url, progress, signal, name, fetched: 0, begun: 0, expected: null });
+    let answer = await source._ask({ Range: `bytes=0-${HEAD - 1}` });
     const total = /\/(\d+)$/.exec(answer.headers.get("Content-Range") ?? "");
     source.ranged = answer.status === 206 && total !== null;
+    if (answer.status === 206 && !source.ranged) {
+      // Of another site, whose server does not expose Content-Range to scripts: the size is not known.
+      await answer.body?.cancel();
+      answer = await source._ask({});
+    }
     const length = Number(answer.headers.get("Content-Length")) || 0;
-    source.expected = source.ranged ? HEAD : length;
+    if (!source.ranged) source.expected = length;
     const most = source.ranged ? HEAD : LARGEST_WHOLE;
     if (length > most) await source._tooLong(answer, most);
     source.head = await source._collect(answer, most);
@@ -39,8 +44,22 @@ export class UrlSource {
   }
 
   async read(start, end) {
-    if (end <= this.head.length) return this.head.subarray(start, end);
-    if (!this.ranged) return this.head.subarray(start, Math.min(end, this.size));
+    if (!this.ranged || end <= this.head.length) return this.head.subarray(start, Math.min(end, this.size));
+    const last = Math.max(0, this.size - TAIL);
+    if (start < last) return this._range(start, end);
+    this.tail ??= this._range(last, this.size);
+    return (await this.tail).subarray(start - last, end - last);
+  }
+
+  /** What is read next: progress counts these ranges alone. */
+  expect(ranges) {
+    if (!this.ranged) return;
+    const isThere = ([start, end]) => end <= this.head.length || start >= this.size - TAIL;
+    const expected = ranges.filter((range) => !isThere(range)).reduce((sum, [start, end]) => sum + end - start, 0);
+    Object.assign(this, { begun: this.fetched, expected });
+  }
+
+  async _range(start, end) {
     const answer = await this._ask({ Range: `bytes=${start}-${end - 1}` });
     if (answer.status !== 206) throw new NotSupported(`${this.name}: the server forgot about ranges`);
     const bytes = await this._collect(answer, end - start);
@@ -83,7 +102,7 @@ export class UrlSource {
       if (length > most) await this._tooLong(reader, most);
       pieces.push(value);
       this.fetched += value.length;
-      this.progress(this.fetched, this.expected);
+      this.progress(this.fetched - this.begun, this.expected);
     }
     const bytes = new Uint8Array(length);
     let at = 0;

@@ -1,19 +1,26 @@
 // An asset in a scene: a mesh for each part; each picture takes the tier that is good enough for its size.
-import { Box3, BufferAttribute, BufferGeometry, Group, InstancedMesh, Mesh, Sphere, Vector2, Vector3 } from "three/webgpu";
+import { Box3, BufferAttribute, BufferGeometry, Group, InstancedMesh, Matrix4, Mesh, Sphere, Vector2, Vector3 } from "three/webgpu";
 import { keepPipelines } from "./kept_pipelines.js";
 import { MARK, RnaMaterial, SharedBuffers } from "./material.js";
+import { optionsOf } from "./options.js";
+import { PartRays } from "./raycast.js";
+import { hasWebGPU } from "./stand_in.js";
 import { chooseTier } from "./tiers.js";
 
-const DEFAULTS = { visibility: "rays", environmentSamples: 4, areaSamples: 2, maxError: 0.05 };
+const HEIGHT = 1080;  // of a first picture in a worker, pixels
 const centre = /*@__PURE__*/ new Vector3(), eye = /*@__PURE__*/ new Vector3(), size = /*@__PURE__*/ new Vector2();
 
 /** What copies of an asset share. */
 class Content {
   constructor(data, options) {
-    Object.assign(this, { data, options, users: 0, materials: new Map(), renderers: new Set() });
+    Object.assign(this, { data, options, users: new Set(), materials: new Map(), renderers: new Set(), rays: [] });
     this.buffers = new SharedBuffers(data.geometry);
     this.geometries = data.parts.map(geometryOf);
     this.sphere = new Box3(new Vector3(...data.box.min), new Vector3(...data.box.max)).getBoundingSphere(new Sphere());
+  }
+
+  raysOf(k) {
+    return (this.rays[k] ??= new PartRays(this.data.geometry, this.data.parts[k]));
   }
 
   materialsOf(tier) {
@@ -38,15 +45,16 @@ export class RnaAsset extends Group {
   /** data: what `readAsset` gives, or the content of another one. */
   constructor(data, options = {}) {
     super();
-    this.content = data instanceof Content ? data : new Content(data, { ...DEFAULTS, ...options });
-    this.content.users += 1;
+    this.content = data instanceof Content ? data : new Content(data, optionsOf(options));
+    this.content.users.add(this);
     const { name, parts, tiers, notes, manifest } = this.content.data;
-    Object.assign(this, { isRnaAsset: true, type: "RnaAsset", name, tier: "auto", manifest, height: Infinity });
+    Object.assign(this, { isRnaAsset: true, type: "RnaAsset", name, manifest, height: (globalThis.innerHeight ?? HEIGHT) * (globalThis.devicePixelRatio ?? 1) });
     // three.js calls `update` of objects with these once a picture, as of its own THREE.LOD; of those with isGroup it does not.
-    Object.assign(this, { isLOD: true, autoUpdate: true, isGroup: false });
+    Object.assign(this, { isLOD: true, autoUpdate: true, isGroup: false, choice: "auto" });
     this.shown = tiers[0].name;
     const materials = this.content.materialsOf(this.shown);
-    parts.forEach((part, k) => this.add(this._mesh(part, k, materials[k])));
+    this.meshes = parts.map((part, k) => this._mesh(part, k, materials[k]));
+    this.add(...this.meshes);
     for (const note of notes) console.warn(`rna-three: ${name}: ${note}`);
   }
 
@@ -54,65 +62,87 @@ export class RnaAsset extends Group {
     return this.content.data.tiers.map(({ name }) => name);
   }
 
-  get meshes() {
-    return this.children.filter(({ material }) => material?.isRnaMaterial);
+  get tier() {
+    return this.choice;
   }
 
-  /** Chooses the tier; the size is that of the picture before. */
+  /** "auto", or the name of a tier. */
+  set tier(name) {
+    const names = ["auto", ...this.tiers];
+    if (!names.includes(name)) throw new Error(`tier: expected ${names.join(" or ")}, found ${JSON.stringify(name)}`);
+    this.choice = name;
+  }
+
+  /** Chooses the tier; the picture's height is that of the one before, at first the window's. */
   update(camera) {
-    const wanted = this.tier === "auto" ? chooseTier(this.content.data.tiers, this.content.options.maxError, this.pixels(camera)) : this.tier;
+    if (isShadowPass(rootOf(this))) return;
+    const wanted = this.choice === "auto" ? chooseTier(this.content.data.tiers, this.content.options.maxError, this.pixels(camera)) : this.choice;
     if (wanted === this.shown) return;
     const materials = this.content.materialsOf(wanted);
-    this.meshes.forEach((mesh, k) => { mesh.material = materials[k]; });
+    this.meshes.forEach((mesh, k) => {
+      if (mesh.material.isRnaMaterial) mesh.material = materials[k];
+    });
     this.shown = wanted;
   }
 
   /** Height in the image of the sphere about the asset. */
   pixels(camera) {
-    if (!camera.isPerspectiveCamera || this.height === Infinity) return Infinity;
     const { sphere } = this.content, radius = sphere.radius * this.matrixWorld.getMaxScaleOnAxis();
     const distance = centre.copy(sphere.center).applyMatrix4(this.matrixWorld).distanceTo(eye.setFromMatrixPosition(camera.matrixWorld));
-    return (radius / Math.max(distance, radius)) * camera.projectionMatrix.elements[5] * this.height;
+    const away = camera.isOrthographicCamera ? 1 : Math.max(distance, radius);
+    return (radius / away) * camera.projectionMatrix.elements[5] * this.height;
   }
 
   /** An InstancedMesh of each part, in the tier that is shown, whose geometry and decoders it shares. */
   instanced(count) {
-    return this.meshes.map(({ geometry, material, name, castShadow, receiveShadow }) =>
-      Object.assign(new InstancedMesh(geometry, material, count), { name, castShadow, receiveShadow }));
+    return this.meshes.map(({ geometry, material, name, castShadow, receiveShadow, onBeforeRender }, k) => {
+      const mesh = new InstancedMesh(geometry, material, count), place = new Matrix4();
+      mesh.raycast = (raycaster, hits) => {
+        for (let instanceId = 0; instanceId < mesh.count; instanceId++) {
+          mesh.getMatrixAt(instanceId, place);
+          this.content.raysOf(k).raycast(mesh, place.premultiply(mesh.matrixWorld), raycaster, hits, { instanceId });
+        }
+      };
+      return Object.assign(mesh, { name, castShadow, receiveShadow, onBeforeRender });
+    });
   }
 
-  /** Shares the geometry and the decoders; each is disposed of by itself. */
+  /** With what was added to it; shares the geometry and the decoders; each is disposed of by itself. */
   clone(recursive) {
     return new this.constructor(this.content).copy(this, recursive);
   }
 
-  copy(source) {
+  copy(source, recursive = true) {
     super.copy(source, false);
-    Object.assign(this, { tier: source.tier });
-    this.meshes.forEach((mesh, k) => {
-      const { castShadow, receiveShadow, visible } = source.meshes[k];
-      Object.assign(mesh, { castShadow, receiveShadow, visible });
-    });
+    Object.assign(this, { choice: source.choice, shown: source.shown });
+    this.meshes.forEach((mesh, k) => mesh.copy(source.meshes[k], recursive));
+    const added = source.children.filter((child) => !source.meshes.includes(child));
+    if (recursive) for (const child of added) this.add(child.clone());
     return this;
   }
 
   /** Lets go of everything on the GPU, once no copy is left. */
   dispose() {
     this.removeFromParent();
-    this.content.users -= 1;
-    if (!this.content.users) this.content.dispose();
+    const { users } = this.content;
+    if (users.delete(this) && !users.size) this.content.dispose();
   }
 
   _mesh(part, k, material) {
     const mesh = new Mesh(this.content.geometries[k], material);
     Object.assign(mesh, { name: part.name, castShadow: true, receiveShadow: true });
-    mesh.onBeforeRender = (renderer) => {
-      this.height = renderer.getRenderTarget()?.height ?? renderer.getDrawingBufferSize(size).y;
-      this.content.renderers.add(renderer);
+    mesh.raycast = (raycaster, hits) => this.content.raysOf(k).raycast(mesh, mesh.matrixWorld, raycaster, hits);
+    mesh.onBeforeRender = (renderer, scene) => {
+      if (!isShadowPass(scene)) this.height = renderer.getRenderTarget()?.height ?? renderer.getDrawingBufferSize(size).y;
+      if (hasWebGPU(renderer)) this.content.renderers.add(renderer);
     };
     return mesh;
   }
 }
+
+const rootOf = (object) => (object.parent ? rootOf(object.parent) : object);
+/** Whether three.js draws a shadow map just now, with a camera of its own. */
+const isShadowPass = (scene) => scene.overrideMaterial?.isShadowPassMaterial === true;
 
 function geometryOf({ position, normal, primitive, index }) {
   const geometry = new BufferGeometry();

@@ -1,6 +1,7 @@
 // Loads packages as three.js loads models.
 import { FileLoader, Loader } from "three/webgpu";
 import { RnaAsset } from "./asset.js";
+import { optionsOf } from "./options.js";
 import { read } from "./reading.js";
 
 export class RnaLoader extends Loader {
@@ -20,13 +21,12 @@ export class RnaLoader extends Loader {
 
   /** Of RnaAsset, for what is loaded from here on. */
   setOptions(options) {
-    this.options = { ...this.options, ...options };
+    this.options = optionsOf({ ...this.options, ...options });
     return this;
   }
 
   load(url, onLoad = () => {}, onProgress, onError) {
-    const { manager } = this, file = this._file();
-    const address = manager.resolveURL(new URL(this.path + url, document.baseURI).href);
+    const { manager } = this, file = this._file(), address = manager.resolveURL(this.path + url);
     manager.itemStart(address);
     const failed = (error) => {
       if (onError) onError(error);
@@ -70,4 +70,11 @@ export class RnaLoader extends Loader {
   }
 }
 
-const nameOf = (url) => decodeURIComponent(new URL(url).pathname.split("/").pop());
+function nameOf(url) {
+  const last = url.split(/[?#]/)[0].split("/").pop();
+  try {
+    return decodeURIComponent(last);
+  } catch {
+    return last;  // with a "%" that encodes nothing
+  }
+}

@@ -5,6 +5,7 @@ import { fragmentOf, towardsViewer } from "./fragment.js";
 import { RnaLighting, shadowPosition } from "./lighting.js";
 import { partSource } from "./shader_source.js";
 import { instanceColumns } from "./spaces.js";
+import { hasWebGPU, STAND_IN, standInNode } from "./stand_in.js";
 
 /** What the name of each function that three.js calls begins with. */
 export const MARK = "rna_three_";
@@ -33,9 +34,11 @@ export class RnaMaterial extends NodeMaterial {
   /** options: those of RnaAsset. part: planes and decoders of a part in a tier. */
   constructor(shared, kind, { planes, transport, emission }, options) {
     super();
+    this.given = [shared, kind, { planes, transport, emission }, options];
     Object.assign(this, { lights: true, side: kind === "fiber" ? FrontSide : DoubleSide, isRnaMaterial: true, options, kind });
     // As three.js' own have it: without a `null` here it leaves scene.environmentRotation out.
     Object.assign(this, { envMap: null, envMapIntensity: 1, envMapRotation: new Euler() });
+    Object.assign(this, STAND_IN);
     this.receivedShadowPositionNode = shadowPosition;
     this.stored = [];
     const [xy, yz, zx] = planes.map((plane) => this._store(plane, 1));
@@ -71,6 +74,13 @@ export class RnaMaterial extends NodeMaterial {
     return `${super.customProgramCacheKey()} ${this.uuid}`;
   }
 
+  setup(builder) {
+    const { fragmentNode } = this;
+    if (!hasWebGPU(builder.renderer)) this.fragmentNode = standInNode();
+    super.setup(builder);
+    this.fragmentNode = fragmentNode;
+  }
+
   setupLightingModel() {
     return new RnaLighting(this);
   }
@@ -87,6 +97,11 @@ export class RnaMaterial extends NodeMaterial {
       instanceColumns.forEach((column, k) => column.assign(matrix.element(k).xyz));
     }
     return result;
+  }
+
+  /** Shares the buffers, of which the asset's own material disposes. */
+  clone() {
+    return Object.assign(new this.constructor(...this.given).copy(this), { stored: [] });
   }
 
   dispose() {

@@ -12,7 +12,7 @@ export async function readAsset(bytes, name, wanted = null) {
   const names = wanted ? [own.tier(wanted).name] : own.manifest.tiers.map((tier) => tier.name);
   const loaded = [];
   for (const tier of names) loaded.push(await own.load(tier));
-  const { parts } = loaded[0], arrays = sceneArrays(parts);
+  const { parts } = loaded[0], arrays = await sceneArrays(parts);
   return {
     name: own.manifest.name, manifest: own.manifest, box: arrays.box, geometry: shared(arrays),
     parts: parts.map((part, k) => ({ name: part.name, kind: part.kind, ...drawn(part, k, arrays, parts) })),

@@ -2,12 +2,12 @@
 import { element } from "../ui/elements.js";
 import { runBenchmark } from "./bench.js";
 import { Panel } from "./panel.js";
-import { ATTRIBUTES, readParameters } from "./parameters.js";
+import { readParameters } from "./parameters.js";
 
 async function start() {
-  const viewer = element("viewer"), { parameters, problems } = readParameters(location.search);
-  document.body.classList.toggle("bare", parameters.get("ui") === "0");
-  for (const [name, value] of parameters) if (ATTRIBUTES[name]) viewer.setAttribute(...ATTRIBUTES[name](value));
+  const viewer = element("viewer"), { attributes, own, problems } = readParameters(location.search);
+  document.body.classList.toggle("bare", own.get("ui") === false);
+  for (const [name, value] of attributes) viewer.setAttribute(name, value);
   // A scene has lights and a ground of its own, or none.
   if (viewer.hasAttribute("scene")) for (const name of ["sun", "ground"]) viewer.removeAttribute(name);
   if (self !== top) viewer.removeAttribute("wheel-zoom");  // the page around this one scrolls
@@ -22,7 +22,7 @@ async function start() {
   stage.addEventListener("package", () => classList.add("loaded"));
   stage.addEventListener("failed", ({ about }) => about === "scene" && classList.remove("expecting"));
   listenForDrops(stage);
-  if (parameters.get("bench") === "1") viewer.addEventListener("load", () => runBenchmark(stage), { once: true });
+  if (own.get("bench")) viewer.addEventListener("load", () => runBenchmark(stage), { once: true });
 }
 
 function listenForDrops(stage) {

@@ -28,7 +28,6 @@ export class Panel {
     on("fullscreen", "click", () => this._fullScreen());
     const hear = (name, action) => stage.addEventListener(name, action);
     hear("set", () => this._showControls());
-    hear("engine", ({ label, reasons }) => { element("api").textContent = [label, ...reasons].join(": "); });
     hear("package", ({ opened, shown }) => this._showPackage(opened, shown));
     hear("shown", () => this._showStats(stage.viewer.stats));
     this._showControls();

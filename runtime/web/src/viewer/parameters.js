@@ -1,45 +1,24 @@
-// What the page's address asks for, as attributes of the element. What cannot be used is told and left out.
-//   ?asset=toy.rna  &tier=small  &env=studio.hdr  &scene=scene.json  &ui=0  &view=filmic  &bench=1
-//   &api=webgpu|webgl2  &rounds=64  &dpr=1  &jitter=0 (rays through the middles of pixels, for comparisons)  &look=0 (no first look)
-
+// What the page's address asks for: attributes of the element, as ?src=toy.rna&samples=64, and parameters of the page.
+import { READERS } from "../element/attributes.js";
 import { fileAddress } from "../package/file_address.js";
 
-const anything = () => null;
-const oneOf = (...choices) => (value) => (choices.includes(value) ? null : `expected ${choices.join(" or ")}`);
-const number = (low, high, whole) => (value) => {
-  const found = Number(value);
-  const fits = value.trim() !== "" && found >= low && found <= high && (!whole || Number.isInteger(found));
-  return fits ? null : `expected a ${whole ? "whole " : ""}number from ${low} to ${high}`;
-};
+const FILES = ["src", "environment", "scene"];
+const OWN = ["ui", "bench"];  // of the page: 0 or 1
 
-const CHECKS = {
-  asset: anything, tier: anything, env: anything, scene: anything, api: anything,  // whoever opens them tells
-  ui: oneOf("0", "1"), bench: oneOf("0", "1"), jitter: oneOf("0", "1"), look: oneOf("0", "1"), view: oneOf("srgb", "filmic"),
-  rounds: number(1, 1e6, true), dpr: number(0.1, 8, false),
-};
-
-/** By parameter, the element's attribute and its value. */
-export const ATTRIBUTES = {
-  asset: (value) => ["src", fileAddress(value)], env: (value) => ["environment", fileAddress(value)],
-  scene: (value) => ["scene", fileAddress(value)], tier: (value) => ["tier", value], view: (value) => ["view-transform", value],
-  api: (value) => ["api", value], rounds: (value) => ["samples", value], dpr: (value) => ["pixel-ratio", value],
-  jitter: (value) => ["jitter", value], look: (value) => ["first-look", value === "0" ? "off" : "auto"],
-};
-
-/** { parameters, problems }: of the address. problems: a line each. */
+/** { attributes, own, problems }: by name; the element tells of values that it cannot read. problems: a line each. */
 export function readParameters(address) {
-  const parameters = new Map(), problems = [];
+  const attributes = new Map(), own = new Map(), problems = [];
   for (const [name, value] of new URLSearchParams(address)) {
-    const wrong = Object.hasOwn(CHECKS, name) ? CHECKS[name](value) : misspelt(name);
-    if (wrong) problems.push(Object.hasOwn(CHECKS, name) ? `?${name}=: ${wrong}, found ${value}` : wrong);
-    else parameters.set(name, value);
+    if (Object.hasOwn(READERS, name)) attributes.set(name, FILES.includes(name) ? fileAddress(value) : value);
+    else if (OWN.includes(name) && /^[01]$/.test(value)) own.set(name, value === "1");
+    else problems.push(OWN.includes(name) ? `${name}: expected 0 or 1, found ${JSON.stringify(value)}` : misspelt(name));
   }
-  return { parameters, problems };
+  return { attributes, own, problems: problems.filter(Boolean) };
 }
 
 /** The line for a name that is nearly one of ours; null for others, which analytics and the like add to addresses. */
 function misspelt(name) {
-  const near = Object.keys(CHECKS).find((known) => distance(name.toLowerCase(), known) <= (known.length > 3 ? 2 : 1));
+  const near = [...Object.keys(READERS), ...OWN].find((known) => distance(name.toLowerCase(), known) <= (known.length > 3 ? 2 : 1));
   return near ? `?${name}= is no parameter of this page: did you mean ${near}=?` : null;
 }
 

@@ -11,8 +11,6 @@ const BAND_PIXELS = 1 << 17;
 const FORMS = ["transport", "emission", "environment"];  // FORM_TRANSPORT and so on of band.wgsl
 
 export class WebGPUEngine {
-  static label = "WebGPU";
-
   static async open(canvas) {
     const engine = new WebGPUEngine(), device = await openDevice();
     Object.assign(engine, { canvas, device, parts: [], lost: false, bandPixels: BAND_PIXELS });
@@ -23,7 +21,7 @@ export class WebGPUEngine {
     device.addEventListener("uncapturederror", ({ error }) => { engine.error ??= error; });
     engine.context = canvas.getContext("webgpu");
     const format = navigator.gpu.getPreferredCanvasFormat();
-    engine.context.configure({ device, format, alphaMode: "opaque", usage: GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.COPY_SRC });
+    engine.context.configure({ device, format, alphaMode: "premultiplied", usage: GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.COPY_SRC });
     engine.pipelines = new Pipelines(device);
     engine.compiled = engine._compile(format);
     engine.compiled.catch(() => {});  // setAsset tells
@@ -83,7 +81,7 @@ export class WebGPUEngine {
     this.raySources = rayKernels({ hasSegments: arrays.strands > 0, hasTextures: arrays.hasTextures });
     const { hit, light } = this.raySources;
     const hasLobes = parts.every(({ environment }) => environment);
-    this.lobeLight = hasLobes ? await LobeLight.make(this, arrays) : null;
+    this.lobeLight = hasLobes ? await LobeLight.make(this, arrays, parts) : null;
     const [traced, lit, ...made] = await Promise.all([
       pipelines.get(hit, "trace_pixels", this.rayLayout), pipelines.get(light, "light_pixels", this.rayLayout),
       ...parts.map((part) => this._makePart(part)),
@@ -199,11 +197,11 @@ export class WebGPUEngine {
     this._run((pass) => dispatch(pass, this.kernels.smooth, this.groups.look, this.span.pixels));
   }
 
-  /** firstLook: its share in what is shown, 1 where there are no samples. */
-  show({ rounds, firstLook, exposure, backdrop, filmic, spread }) {
+  /** firstLook: its share in what is shown, 1 where there are no samples. rowsAhead: from the top, with one sample more. */
+  show({ rounds, firstLook, rowsAhead, exposure, backdrop, filmic, spread }) {
     const { width, height } = this.target, { canvas, device } = this;
     device.queue.writeBuffer(this.showRecord, 0, packed("Show", {
-      size: [canvas.width, canvas.height], picture: [width, height], backdrop, rounds, exposure, filmic: Number(filmic), spread, first_look: firstLook,
+      size: [canvas.width, canvas.height], picture: [width, height], backdrop, rounds, rows_ahead: rowsAhead, exposure, filmic: Number(filmic), spread, first_look: firstLook,
     }));
     const encoder = device.createCommandEncoder();
     const view = this.context.getCurrentTexture().createView();

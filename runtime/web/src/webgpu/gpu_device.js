@@ -6,13 +6,12 @@ const WANTED = ["maxStorageBufferBindingSize", "maxBufferSize"];
 
 /** A device with the largest buffers that the adapter allows. */
 export async function openDevice() {
-  if (!navigator.gpu) {
-    throw new NotSupported(
-      isSecureContext ? "this browser has no WebGPU" : "WebGPU needs HTTPS, or a page from this machine",
-    );
+  const adapter = await navigator.gpu?.requestAdapter({ powerPreference: "high-performance" });
+  if (!adapter) {
+    const why = navigator.gpu ? "WebGPU has no adapter here"
+      : isSecureContext ? "this browser has no WebGPU" : "WebGPU needs HTTPS, or a page from this machine";
+    throw new NotSupported(`${why}: only the poster is shown`);
   }
-  const adapter = await navigator.gpu.requestAdapter({ powerPreference: "high-performance" });
-  if (!adapter) throw new NotSupported("WebGPU has no adapter here");
   const requiredLimits = Object.fromEntries(WANTED.map((name) => [name, adapter.limits[name]]));
   return adapter.requestDevice({ requiredLimits });
 }

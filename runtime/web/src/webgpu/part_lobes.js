@@ -11,10 +11,12 @@ const [uniform, storage, readOnly] = ["uniform", "storage", "read-only-storage"]
 
 /** What the lobes of all parts share: harmonics of the visibility, and the environment. */
 export class LobeLight {
-  static async make(engine, { harmonics, points }) {
+  static async make(engine, arrays, parts) {
     const own = new LobeLight(), { device, pipelines, bandPixels } = engine;
     Object.assign(own, { device, engine, rest: null });
-    own.harmonics = buffer(device, harmonics ?? 4 * points.length, undefined, "the asset's visibility");
+    const harmonics = new Int8Array(4 * arrays.points.length);  // 16 a point
+    parts.forEach(({ environment }, k) => harmonics.set(environment.harmonics ?? [], 16 * arrays.parts[k].point));
+    own.harmonics = buffer(device, harmonics, undefined, "the asset's visibility");
     own.columns = buffer(device, 4 * VISIBILITY_COLUMNS * bandPixels);
     own.record = buffer(device, bytesOf("LobeLight"), GPUBufferUsage.UNIFORM);
     own.layouts = [

@@ -15,8 +15,6 @@ import withoutTextures from "./shaders/without_textures.wgsl";
 
 for (const text of [band, lobes, queue, show]) declare(text);
 
-const kinds = lightKinds((name, number) => `const ${name}: u32 = ${number}u;`);
-
 export { sharedFiles };
 
 /** The files of a composition, or of parts of one; a file stands for itself. */
@@ -34,7 +32,7 @@ export function rayKernels({ hasSegments, hasTextures }) {
   const instead = { ...sharedFiles };
   if (!hasSegments) instead["segment.wgsl"] = withoutSegments;
   if (!hasTextures) Object.assign(instead, { "normal_maps.wgsl": withoutTextures, "render/transmittance.wgsl": "" });
-  return { hit: joined(compositions.hit, instead) + band + hit, light: [joined(compositions.light, instead), band, kinds, light].join("\n") };
+  return { hit: joined(compositions.hit, instead) + band + hit, light: [joined(compositions.light, instead), band, lightKinds, light].join("\n") };
 }
 
 export const sources = {

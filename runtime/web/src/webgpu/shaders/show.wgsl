@@ -1,14 +1,16 @@
-// The picture on the page: mean of the samples, less noise while they are few, exposure, view transform, sRGB.
+// The picture on the page: mean of the samples, less noise while they are few, exposure, view transform, sRGB, alpha
+// where the page behind it shows.
 
 struct Show {
     size: vec2f,    // of the canvas, pixels
     picture: vec2f, // of the picture
-    backdrop: vec3f, // linear light of the screen
+    backdrop: vec4f, // linear light of the screen, and 1; or zeros, where the page shows
     rounds: f32,
     exposure: f32,  // a factor
     filmic: f32,    // 1 for the filmic view transform, 0 for none
     spread: f32,    // of noise, in values of the screen; 0 to leave it
     first_look: f32, // share of the first look in what is shown, 0 to 1
+    rows_ahead: f32, // from the top, which have one sample more than `rounds`
 }
 
 @group(0) @binding(0) var<uniform> shown: Show;
@@ -27,7 +29,7 @@ fn picture_at(x: f32, y: f32) -> vec4f {
     if shown.first_look >= 1.0 {
         return first_look[k];
     }
-    let mean = sums[k] / shown.rounds;
+    let mean = sums[k] / (shown.rounds + f32(f32(place.y) < shown.rows_ahead));
     if shown.first_look <= 0.0 {
         return mean;
     }
@@ -46,13 +48,15 @@ fn filmic(radiance: vec3f) -> vec3f {
                  dot(y, vec3f(-0.00327, -0.07276, 1.07602)));
 }
 
-// Values of the screen, sRGB, of a mean.
-fn displayed(mean: vec4f) -> vec3f {
+// Values of the screen, sRGB, premultiplied, of a mean.
+fn displayed(mean: vec4f) -> vec4f {
     let exposed = max(mean.xyz * shown.exposure, vec3f(0.0));
     let light = select(exposed, filmic(exposed), shown.filmic > 0.5);
-    let linear = clamp(light, vec3f(0.0), vec3f(1.0)) + max(0.0, 1.0 - mean.w) * shown.backdrop;
+    let behind = max(0.0, 1.0 - mean.w) * shown.backdrop.w;
+    let alpha = min(mean.w, 1.0) + behind;
+    let linear = (clamp(light, vec3f(0.0), vec3f(1.0)) + behind * shown.backdrop.xyz) / max(alpha, 1e-4);
     let encoded = mix(12.92 * linear, 1.055 * pow(linear, vec3f(1.0 / 2.4)) - 0.055, step(vec3f(0.0031308), linear));
-    return clamp(encoded, vec3f(0.0), vec3f(1.0));
+    return vec4f(clamp(encoded, vec3f(0.0), vec3f(1.0)), 1.0) * alpha;
 }
 
 @fragment
@@ -65,10 +69,11 @@ fn colour(@builtin(position) at: vec4f) -> @location(0) vec4f {
     let mean = mix(above, below, f.y);
     let here = displayed(mean);
     if (shown.spread == 0.0) {
-        return vec4f(here, 1.0);
+        return here;
     }
     // Bilateral: neighbours count by how near and how like they are.
-    var sum = vec4f(here, 1.0);
+    var sum = here;
+    var total = 1.0;
     let middle = round(place);
     for (var dy = -2.0; dy <= 2.0; dy += 1.0) {
         for (var dx = -2.0; dx <= 2.0; dx += 1.0) {
@@ -78,8 +83,10 @@ fn colour(@builtin(position) at: vec4f) -> @location(0) vec4f {
             let away = there - place;
             let unlike = (value - here) / shown.spread;
             let edge = 4.0 * (other.w - mean.w);
-            sum += vec4f(value, 1.0) * exp(-0.3 * dot(away, away) - 0.5 * dot(unlike, unlike) - edge * edge);
+            let weight = exp(-0.3 * dot(away, away) - 0.5 * dot(unlike, unlike) - edge * edge);
+            sum += weight * value;
+            total += weight;
         }
     }
-    return vec4f(sum.xyz / sum.w, 1.0);
+    return sum / total;
 }

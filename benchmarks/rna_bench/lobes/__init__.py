@@ -1,1 +1,0 @@
-"""Lobes of the transport for light from whole environments: `rna-bench lobes`."""

@@ -1,0 +1,88 @@
+"""Notes on a source: sizes that its numbers cannot hold, wrong units, narrow highlights."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from rna_export.capture.geometry.mesh_cleanup import connected
+from rna_sdk.package import Curves, Mesh
+from rna_sdk.package.geometry.quantised_mesh import POSITION_STEPS
+from rna_sdk.size_note import metres
+
+_DETAIL_STEPS = 64  # an object of fewer steps across is off by 1% of its size
+_LEAST_TRIANGLES = 12  # of an object with a shape: a box
+_LONGEST = 20.0  # metres; in centimetres, a helmet, a head and all furniture are longer
+_FLOAT32_STEP = 2.0**-23  # of a coordinate
+
+
+def size_notes(geometries: Mapping[str, Mesh | Curves]) -> list[str]:
+    """Notes on the box around all parts, in metres: its place and its longest side."""
+    boxes = [geometry.box() for geometry in geometries.values()]
+    low = np.min([box[0] for box in boxes], axis=0).astype(np.float64)
+    high = np.max([box[1] for box in boxes], axis=0).astype(np.float64)
+    longest, farthest = float((high - low).max()), float(np.maximum(-low, high).max())
+    notes = []
+    step = farthest * _FLOAT32_STEP
+    if step > longest / POSITION_STEPS and farthest > 2.0 * longest:
+        notes.append(
+            f"the geometry is {metres(longest)} long and {metres(farthest)} from the origin, where "
+            f"float32 coordinates have steps of {metres(step)}: move it to the origin"
+        )
+    if longest > _LONGEST:
+        notes.append(
+            f"the longest side is {metres(longest)}; if the source is in centimetres, scale it by "
+            "0.01 (-- --unit 0.01 for .hair, .tfx, .abc and .usd)"
+        )
+    return notes
+
+
+def too_coarse(name: str, mesh: Mesh) -> str | None:
+    """A note if an object of the mesh is too small for 16 bits over the mesh's box, or None."""
+    low, high = (corner.astype(np.float64) for corner in mesh.box())
+    step = float((high - low).max()) / POSITION_STEPS
+    smallest = _smallest_island(mesh, _DETAIL_STEPS * step) if step > 0.0 else None
+    if smallest is None:
+        return None
+    longest = metres(POSITION_STEPS * step)
+    return (
+        f"part {name!r} is {longest} long, in 16 bits steps of {metres(step)}, but its smallest "
+        f"object is {metres(smallest)}: its geometry is kept in float32; without a "
+        "backdrop (hidden in renders), more view rays would meet the object"
+    )
+
+
+def _smallest_island(mesh: Mesh, limit: float) -> float | None:
+    """Longest side of the smallest connected piece of at least 12 triangles, if below `limit`."""
+    places, vertex = np.unique(mesh.positions, axis=0, return_inverse=True)
+    triangles = vertex.reshape(-1)[mesh.triangles]
+    small = np.ptp(places[triangles].astype(np.float64), axis=1).max(axis=1) < limit
+    label = connected(len(places), triangles[small])
+    tied = np.isin(label, label[triangles[~small]])
+    count = np.bincount(label[triangles[small][:, 0]], minlength=len(places))
+    least, most = (np.full((len(places), 3), sign * np.inf) for sign in (1.0, -1.0))
+    np.minimum.at(least, label, places)
+    np.maximum.at(most, label, places)
+    longest = (most - least).max(axis=1)[label]
+    found = longest[~tied & (count[label] >= _LEAST_TRIANGLES) & (longest < limit)]
+    return float(found.min()) if len(found) else None
+
+
+_NARROWER = 0.5  # of `sharpest`: peaks are off by 13% at 0.7 of it, by 44% at 0.36
+_LEAST = 0.02  # the narrowest that was measured
+
+
+def narrow_highlights(smoothest: tuple[str, float] | None, sharpest: float) -> Sequence[str]:
+    """A note where highlights are narrower than what views look for, or nothing.
+
+    smoothest: name and roughness of the smoothest material. sharpest: that of the capture.
+    """
+    if smoothest is None or smoothest[1] >= _NARROWER * sharpest or sharpest <= _LEAST:
+        return []
+    material, roughness = smoothest
+    return [
+        f"material {material!r} has highlights of roughness {roughness:.2g}, which views of "
+        f"--sharpest {sharpest:g} seldom meet, so they will be off; "
+        f"--sharpest {max(roughness, _LEAST):.2g} looks for them"
+    ]

@@ -1,0 +1,66 @@
+"""Options of commands that write a package: credit, and the form `environment`."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+
+MINUTES = 5.0
+_SHARE = 0.25  # of the minutes that a command has in all
+
+
+def add_credit(p: ArgumentParser) -> None:
+    """Add --source and --license."""
+    p.add_argument(
+        "--source",
+        help="credit of the original model: name, author, URL (text, default: file name and "
+        "SHA-256)",
+    )
+    p.add_argument(
+        "--license",
+        default="NOASSERTION",
+        help="SPDX license expression of the asset (text, default: %(default)s)",
+    )
+
+
+def add_environment(p: ArgumentParser) -> None:
+    """Add --environment, --environment-minutes and --environment-files."""
+    p.add_argument(
+        "--environment",
+        action="store_true",
+        help="add lobes, from which one query gives the light of a whole environment, for the "
+        "first look of viewers; trained from the package itself (default: off)",
+    )
+    p.add_argument(
+        "--environment-minutes",
+        type=float,
+        default=MINUTES,
+        metavar="MINUTES",
+        help="limit of this training and its measurement (float, default: %(default)g)",
+    )
+    p.add_argument(
+        "--environment-files",
+        nargs="+",
+        type=Path,
+        default=[],
+        metavar="HDR",
+        help="environments, beside two generated ones, that the lobes' error is measured under "
+        "(paths to .hdr or .exr, default: none)",
+    )
+
+
+def check_environment(args: Namespace, options: ArgumentParser) -> None:
+    """Exits with an error of usage where the options do not belong together."""
+    if not 0.0 < args.environment_minutes < float("inf"):
+        found = f"expected a number above 0, found {args.environment_minutes:g}"
+        options.error(f"argument --environment-minutes: {found}")
+    if args.environment_files and not args.environment:
+        options.error("--environment-files: expected --environment, too")
+
+
+def lobe_minutes(args: Namespace) -> float:
+    """Limit of the lobes' training and measurement, of a command with --minutes; 0 for none."""
+    if not args.environment:
+        return 0.0
+    whole = float("inf") if args.minutes is None else args.minutes
+    return float(min(args.environment_minutes, _SHARE * whole))

@@ -1,1 +1,0 @@
-"""`rna-fit`: finds and trains the cheapest model within a limit."""

@@ -1,0 +1,46 @@
+"""Queries of the form `environment` at points of a part."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from rna_export.lobes.view_points import Rows, ViewPoints
+from rna_sdk.package import Package, query_width
+from rna_sdk.runtime.engine.batch import Batch
+from rna_sdk.runtime.engine.tiles import QueryFiller
+
+
+class LobeInputs(NamedTuple):
+    """What lobes are made of: queries (n, K); wide, mirror (n, 3) and free (n,), of ViewPoints."""
+
+    queries: Rows
+    wide: Rows
+    mirror: Rows
+    free: Rows
+
+
+class QueryRows:
+    """Makes the decoder's queries for a part: blocks of inputs, then the visibility.
+
+    Attributes:
+        inputs: names of the blocks: those of transport, wi being the mirror direction.
+        columns: K, of blocks and visibility.
+    """
+
+    def __init__(self, package: Package, tier: str, part: int, visibility_columns: int) -> None:
+        """package: open. visibility_columns: of ViewPoints.visibility, or 0 to leave it out."""
+        own, record = package.tier(tier).parts[part], package.manifest.parts[part]
+        self._filler = QueryFiller(package.planes(tier, part), record.bounds, own, record.kind)
+        self._blocks, self._visibility = query_width(own.inputs, own.channels), visibility_columns
+        self.inputs, self.columns = own.inputs, self._blocks + visibility_columns
+
+    def of(self, points: ViewPoints) -> LobeInputs:
+        """The inputs of points."""
+        arrays = {"position": points.position, "axis": points.axis, "h": points.h}
+        batch = Batch.of(arrays | {"wo": points.wo, "wi": points.mirror}, ())
+        blocks = np.zeros((len(points), self._blocks), np.float32)
+        self._filler.fill(batch, slice(None), blocks, np.empty(len(points), np.bool_))
+        queries = np.hstack([blocks, points.visibility[:, : self._visibility]])
+        return LobeInputs(queries, points.wide, points.mirror, points.free)

@@ -1,0 +1,36 @@
+"""From a file that a person names to the page that shows it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from rna_sdk.errors import ViewError
+from rna_sdk.file_kinds import kind_of, not_a
+from rna_view.site_files import Site
+
+
+def site_for(source: Path, environment: Path | None = None) -> Site:
+    """The page for a package or a scene file.
+
+    Raises:
+        ViewError: a file that is not there, or of another kind.
+        RnaError: of a scene file or a package, what is wrong with it.
+    """
+    if not source.is_file():
+        raise ViewError(f"{source}: no such file")
+    kind = kind_of(source)
+    if kind == "scene":
+        from rna_view.scene_page import scene_site  # which needs the renderer
+
+        site = scene_site(source)
+    elif kind == "package":
+        site = Site()
+        site.attributes["src"] = site.add_package(source)
+    else:
+        wrong = not_a("package", source) or "expected a .rna package or a .yaml scene file"
+        raise ViewError(f"{source}: {wrong}")
+    if environment is not None:
+        if not environment.is_file():
+            raise ViewError(f"{environment}: no such file")
+        site.attributes["environment"] = site.add_image(environment)
+    return site

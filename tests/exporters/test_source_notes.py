@@ -1,0 +1,44 @@
+"""Notes on sizes: details below the package's steps, places far away, units that look wrong."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from rna_export.capture.geometry.source_notes import size_notes, too_coarse
+from rna_sdk.package import Mesh
+from tests.exporters.meshes import merged, moved, sphere, square
+
+
+def scaled(mesh: Mesh, by: float) -> Mesh:
+    return Mesh(mesh.positions * np.float32(by), mesh.normals, mesh.uvs, mesh.triangles)
+
+
+def test_a_ball_on_a_large_plane_is_too_fine_for_16_bits() -> None:
+    note = too_coarse("asset", merged(scaled(sphere(2), 0.02), square(1000.0)))
+    assert note is not None and "0.04 m" in note and "0.0305 m" in note
+
+
+@pytest.mark.parametrize("size", [0.01, 1.0, 1000.0])
+def test_ordinary_objects_fit_their_steps(size: float) -> None:
+    rivet = moved(scaled(sphere(2), 0.005), (0.0, 1.0, 0.0))
+    assert too_coarse("asset", scaled(merged(sphere(4), rivet), size)) is None
+
+
+def test_fine_details_of_one_surface_are_no_objects() -> None:
+    """A pole of a fine sphere has tiny triangles that belong to large ones."""
+    mesh = sphere(3)
+    mesh.positions[:40] *= np.float32(1e-5)
+    assert too_coarse("asset", mesh) is None
+
+
+def test_geometry_far_from_the_origin_is_named() -> None:
+    (note,) = size_notes({"asset": moved(sphere(2), (5e6, 0.0, 0.0))})
+    assert "5,000,000 m from the origin" in note and "0.596 m" in note
+    assert size_notes({"asset": moved(sphere(2), (50.0, 0.0, 0.0))}) == []
+
+
+def test_what_looks_like_centimetres_is_named() -> None:
+    (note,) = size_notes({"asset": scaled(sphere(2), 90.0)})
+    assert "180 m" in note and "centimetres" in note
+    assert size_notes({"asset": scaled(sphere(2), 5.0)}) == []

@@ -1,0 +1,56 @@
+"""Pages of others with `<rna-viewer>`, for the fixtures of conftest.py."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import ClassVar
+
+from tests.render.chromium import Page
+from tests.web.pages import TIMEOUT, Plain
+
+PAGE = """<!doctype html>
+<script>
+  globalThis.heard = [];
+  const names = ["load", "error", "camera-change", "light-change", "poster-dismissed"];
+  for (const name of names) document.addEventListener(name, ({ target, detail }) => {
+    if (target.localName === "rna-viewer") heard.push({ name, id: target.id, ...detail });
+  }, true);
+  const count = (name, id) => heard.filter((one) => one.name === name && one.id === id).length;
+</script>
+<script defer src="rna-viewer.js"></script>
+<style>
+  body { margin: 0; }
+  rna-viewer { width: 64px; height: 40px; background-color: rgb(255, 255, 255); }
+</style>
+BODY
+<div style="height: 3000px"></div>
+"""
+SMALL = 'samples="1" pixel-ratio="1"'
+
+
+class Static(Plain):
+    """Any web server; `asked` has the paths."""
+
+    asked: ClassVar[list[str]] = []
+
+    def do_GET(self) -> None:
+        self.asked.append(self.path)
+        super().do_GET()
+
+
+def show(page: Page, folder: Path, url: str, body: str) -> None:
+    """A page with this body, its element defined."""
+    (folder / "page.html").write_text(PAGE.replace("BODY", body))
+    page.call("Page.navigate", url="about:blank")
+    page.call("Page.navigate", url=url + "page.html")
+    page.wait_for("globalThis.customElements?.get('rna-viewer') && globalThis.one", TIMEOUT)
+
+
+def loads(page: Page, element: str, times: int = 1) -> None:
+    page.wait_for(f"count('load', '{element}') >= {times}", TIMEOUT)
+
+
+def line(page: Page, element: str = "one") -> str | None:
+    return page.evaluate(
+        f"(({{ place }}) => place.hidden ? null : place.textContent)({element}.notices)"
+    )

@@ -1,0 +1,76 @@
+"""Attributes that change after the picture is there, and those that cannot be used."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from rna_sdk.package import query_width
+from tests.package.builders import INPUTS, make_tiny_package
+from tests.package.lobes import even_decoder, with_lobes
+from tests.web.element_pages import SMALL, Static, line, loads, show
+from tests.web.pages import TIMEOUT
+
+pytestmark = pytest.mark.chromium
+
+LOBES = query_width(INPUTS, 4) + 16
+
+
+@pytest.fixture
+def element(page, folder, url) -> None:
+    """One element with lobes, whose first look is there."""
+    make_tiny_package(folder / "plain.rna")
+    with_lobes(folder / "plain.rna", folder / "lobes.rna", decoder=even_decoder(LOBES, 0.125))
+    scene = {"camera": {"position": [0, 0, 9], "look_at": [0, 0, 0], "vertical_fov_deg": 20}}
+    (folder / "scene.json").write_text(json.dumps(scene))
+    show(page, folder, url, f'<rna-viewer id="one" src="lobes.rna" {SMALL}></rna-viewer>')
+    loads(page, "one")
+
+
+@pytest.mark.usefixtures("element")
+def test_what_samples_the_picture_can_change(page):
+    sampling = "[one.stage.viewer.rounds, one.stage.viewer.jitter]"
+    page.evaluate("one.samples = 3, one.jitter = 0")
+    assert page.evaluate(sampling) == [3, 0]
+    page.evaluate("one.stage.viewer.converged().then(() => 0)")
+    assert page.evaluate("one.stage.viewer.stats.rounds") == 3
+    page.evaluate("one.samples = null, one.jitter = null")
+    assert page.evaluate(sampling) == [256, 1]
+    looks = "one.stage.viewer.firstLights !== null"
+    assert page.evaluate(looks)
+    page.evaluate("one.firstLook = 'off', 0")
+    page.wait_for(f"!({looks})", TIMEOUT)
+    page.evaluate("one.firstLook = null, 0")
+    page.wait_for(looks, TIMEOUT)
+    page.evaluate("one.scene = 'scene.json', 0")
+    page.wait_for("one.fieldOfView === '20deg'", TIMEOUT)
+    page.evaluate("one.scene = null, 0")
+    page.wait_for("one.fieldOfView === '30deg'", TIMEOUT)
+
+
+@pytest.mark.usefixtures("element")
+def test_a_tier_that_is_not_there_is_told(page):
+    page.evaluate("Object.assign(one, { src: 'tiny.rna', tier: 'nope' }), 0")
+    loads(page, "one", 2)
+    assert page.evaluate("[one.tier, one.availableTiers]") == ["small", ["small", "hq"]]
+    assert line(page) == 'tier: expected small or hq, found "nope"'
+    page.evaluate("one.tier = 'hq', 0")
+    page.wait_for("one.stage.shown.name === 'hq'", TIMEOUT)
+    assert line(page) is None
+    page.evaluate("one.tier = null, 0")
+    page.wait_for("one.stage.shown.name === 'small'", TIMEOUT)
+
+
+@pytest.mark.usefixtures("element")
+def test_the_same_address_is_tried_again_after_a_failure(page, folder):
+    wrong = {"src": "later.rna", "environment": "later.hdr", "scene": "later.json"}
+    page.evaluate(f"Object.assign(one, {json.dumps(wrong)}), 0")
+    page.wait_for("count('error', 'one') === 3", TIMEOUT)
+    (folder / "later.rna").write_bytes((folder / "tiny.rna").read_bytes())
+    Static.asked.clear()
+    page.evaluate("one.src = one.src, 0")
+    loads(page, "one", 2)
+    page.evaluate(f"Object.assign(one, {json.dumps(wrong)}), 0")
+    page.wait_for("count('error', 'one') === 5", TIMEOUT)
+    assert [path for path in Static.asked if path.startswith("/later")].count("/later.rna") == 1

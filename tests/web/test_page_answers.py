@@ -1,0 +1,39 @@
+"""The page answers while an asset is read and its hierarchy built."""
+
+from __future__ import annotations
+
+import shutil
+from itertools import pairwise
+
+import pytest
+
+from tests.conftest import REPOSITORY
+from tests.web.element_pages import SMALL, loads, show
+
+pytestmark = pytest.mark.chromium
+
+CURLS = REPOSITORY / "examples" / "fibers" / "curly_ball.rna"
+TURNS = """(() => {
+    globalThis.turns = [];
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = () => { turns.push(performance.now()); port2.postMessage(0); };
+    port2.postMessage(0);
+    one.src = "curly_ball.rna";
+})()"""
+BUILT = """(() => {
+    const [begin, end] = ["package", "hierarchy"].map(
+        (name) => performance.getEntriesByName(name).at(-1).startTime);
+    return [begin, ...turns.filter((time) => time > begin && time < end), end];
+})()"""
+
+
+def test_hierarchy_is_built_in_steps(page, folder, url):
+    """Others have a turn in between: of 162,000 segments, which take more than half a second."""
+    shutil.copy(CURLS, folder)
+    show(page, folder, url, f'<rna-viewer id="one" loading="eager" {SMALL}></rna-viewer>')
+    page.wait_for("one.stage.engine", 60)
+    page.evaluate(TURNS)
+    loads(page, "one")
+    times = page.evaluate(BUILT)
+    gaps = [b - a for a, b in pairwise(times)]
+    assert len(gaps) > 10 and max(gaps) < (times[-1] - times[0]) / 3

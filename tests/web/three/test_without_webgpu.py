@@ -1,0 +1,81 @@
+"""Renderers without WebGPU: the asset's shape in grey, and one line."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Iterator
+
+import pytest
+
+from tests.render.chromium import Page
+from tests.web.pages import TIMEOUT
+from tests.web.three.pages import PAGE, TINY, installed, opened
+
+pytestmark = pytest.mark.chromium
+
+RENDERERS = {
+    "WebGL 2 backend": "new THREE.WebGPURenderer({ forceWebGL: true })",
+    "WebGLRenderer": "new classic.WebGLRenderer()",
+}
+
+
+@pytest.fixture(scope="module")
+def page(tmp_path_factory) -> Iterator[Page]:
+    folder = tmp_path_factory.mktemp("without")
+    installed(folder)
+    for path in (TINY, PAGE):
+        shutil.copy(path, folder)
+    with opened(folder, PAGE.name, 64, 64) as page:
+        page.wait_for("!!globalThis.test", TIMEOUT)
+        yield page
+
+
+@pytest.mark.parametrize("renderer", RENDERERS)
+def test_grey_shape_and_one_line(page, renderer):
+    """Before a red box; of an instanced mesh, too."""
+    found = page.evaluate(
+        f"""(async () => {{
+            const {{ THREE, rna }} = test;
+            const classic = await import("./node_modules/three/build/three.module.js");
+            const renderer = {RENDERERS[renderer]};
+            const told = [], warn = console.warn;
+            console.warn = (...words) => told.push(words.join(" "));
+            await renderer.init?.();
+            renderer.setSize(64, 64, false);
+            const asset = await new rna.RnaLoader().loadAsync("surface-tiny.rna");
+            const {{ center, radius }} = asset.content.sphere;
+            const red = new THREE.MeshBasicMaterial({{ color: "red" }});
+            const box = new THREE.Mesh(new THREE.BoxGeometry(20, 20, 1), red);
+            const scene = new THREE.Scene();
+            const camera = new THREE.PerspectiveCamera(30, 1, radius, 100);
+            box.position.copy(center).add(new THREE.Vector3(0, 0, -5 - radius));
+            camera.position.copy(center).add(new THREE.Vector3(0, 0, 4 * radius));
+            const sun = test.sun();
+            sun.castShadow = renderer.shadowMap.enabled = true;
+            const [many] = asset.instanced(1);
+            many.setMatrixAt(0, new THREE.Matrix4());
+            const count = (shown) => {{
+                scene.clear().add(box, sun, shown);
+                renderer.render(scene, camera);
+                renderer.render(scene, camera);
+                const context = new OffscreenCanvas(64, 64).getContext("2d");
+                context.drawImage(renderer.domElement, 0, 0);
+                const {{ data }} = context.getImageData(0, 0, 64, 64);
+                const found = {{ red: 0, grey: 0 }};
+                for (let k = 0; k < data.length; k += 4) {{
+                    const [r, g, b] = data.subarray(k, k + 3);
+                    if (r > 200 && g < 20) found.red += 1;
+                    if (r > 40 && Math.abs(r - g) < 4 && Math.abs(r - b) < 4) found.grey += 1;
+                }}
+                return found;
+            }};
+            const counts = [asset, many].map(count);
+            console.warn = warn;
+            asset.dispose();
+            return {{ counts, told }};
+        }})()"""
+    )
+    for count in found["counts"]:
+        assert count["grey"] > 500 and count["red"] > 500
+        assert count["grey"] + count["red"] > 64 * 64 - 200
+    assert len([line for line in found["told"] if line.startswith("rna-three")]) == 1
