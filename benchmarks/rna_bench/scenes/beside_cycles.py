@@ -70,12 +70,11 @@ class Beside:
         return (image * (self.exposure / IRRADIANCE)).astype(np.float32)
 
 
-def denoised(channels: dict[str, np.ndarray], denoiser: Denoiser | None) -> np.ndarray:
-    """RGB (h, w, 3) of a render, denoised where there is a denoiser."""
-    image = np.stack([channels[c] for c in "RGB"], axis=-1)
-    if denoiser is None:
-        return image
-    return denoiser(image, np.stack([channels[f"normal.{c}"] for c in "XYZ"], axis=-1))
+def denoised(film: Film, denoiser: Denoiser | None) -> np.ndarray:
+    """RGB (h, w, 3) of a render, denoised as rna-run does where there is a denoiser."""
+    channels = film.channels()
+    image, normal = (np.stack([channels[c] for c in names], axis=-1) for names in _RGB_AND_NORMAL)
+    return image if denoiser is None else denoiser(image, normal, film.variance())
 
 
 class OurScene:
@@ -93,7 +92,7 @@ class OurScene:
         scene = self._scene.model_copy(update={"samples": samples, "seed": seed})
         integrator = make_integrator(scene, self._world)
         begun = time.perf_counter()
-        image = denoised(render(scene, integrator).channels(), denoiser)
+        image = denoised(render(scene, integrator), denoiser)
         return Timed(image, time.perf_counter() - begun)
 
     def channels(self, samples: int) -> dict[str, np.ndarray]:

@@ -16,6 +16,10 @@ INSTALL = "pip install pyoidn"
 # Of everything that is hit, since the albedo of a neural asset is not known.
 FLAT_ALBEDO = np.float32(0.5)
 
+_RADIUS = 3  # pixels, of the boxes that errors are averaged over, twice
+_DARK = 0.01  # of the image's mean brightness: errors below are not relative
+_PREFERENCE = 4.0  # a bias counts as so many times a noise of its size: the eye sees lost texture
+
 # What Open Image Denoise calls its qualities: oidn.h, OIDNQuality.
 QUALITIES: dict[Quality, int] = {"fast": 4, "high": 6}
 
@@ -52,12 +56,20 @@ class Denoiser:
         """Made anew in another process."""
         return type(self), (self._threads, self._quality)
 
-    def __call__(self, rgb: np.ndarray, normal: np.ndarray | None = None) -> np.ndarray:
+    def __call__(
+        self, rgb: np.ndarray, normal: np.ndarray | None = None, variance: np.ndarray | None = None
+    ) -> np.ndarray:
         """The image without noise, (height, width, 3) float32 as `rgb` is; finite everywhere.
 
         normal: (height, width, 3) float32, unit, or 0 for background; keeps edges sharp. Its own
-        noise is taken out first. The same whatever the number of threads.
+        noise is taken out first. variance: (height, width, 3) float32, of `rgb`: where the filter
+        would change more than the noise explains, the image is kept: see `blended`. The same
+        whatever the number of threads.
         """
+        filtered = self._guided(rgb, normal)
+        return filtered if variance is None else blended(rgb, filtered, variance)
+
+    def _guided(self, rgb: np.ndarray, normal: np.ndarray | None) -> np.ndarray:
         images, flags = {"color": rgb}, {"hdr": True}
         if normal is not None:
             # The filter takes no normals without an albedo: docs/decisions/renderer.md,
@@ -92,3 +104,28 @@ class Denoiser:
         message = self._device.get_error()
         if message is not None:
             raise SceneError(f"Intel Open Image Denoise: {message}")
+
+
+def blended(rgb: np.ndarray, filtered: np.ndarray, variance: np.ndarray) -> np.ndarray:
+    """An image and its filtered form by their errors, (height, width, 3) float32 each.
+
+    The expected square of their difference is the filter's squared bias, which is lost texture, and
+    the image's variance. Both are averaged over a few pixels, relative to the brightness there. The
+    weight of the image is that of the least squared error, but for `_PREFERENCE`.
+    """
+    brightness = _averaged(filtered.mean(axis=-1, dtype=np.float64))
+    scale = 1.0 / (brightness + _DARK * brightness.mean() + np.finfo(np.float32).tiny)[..., None]
+    difference = _averaged(np.square((rgb - filtered) * scale).sum(axis=-1))
+    noise = _averaged((variance * scale * scale).sum(axis=-1))
+    bias = _PREFERENCE * np.maximum(difference - noise, 0.0)
+    share = np.divide(bias, bias + noise, out=np.zeros_like(bias), where=bias > 0.0)
+    return np.asarray(filtered + share[..., None] * (rgb - filtered), np.float32)
+
+
+def _averaged(image: np.ndarray) -> np.ndarray:
+    """Means of (height, width) float64 over a box about each pixel, twice."""
+    size = 2 * _RADIUS + 1
+    for _ in range(4):  # down, across, down, across
+        sums = np.cumsum(np.pad(image, ((_RADIUS + 1, _RADIUS), (0, 0)), "edge"), axis=0)
+        image = ((sums[size:] - sums[:-size]) / size).T
+    return image
