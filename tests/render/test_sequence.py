@@ -91,7 +91,7 @@ def test_each_frame_has_noise_of_its_own(folder):
     sky = "{type: environment, radiance: [1, 1, 1]}"
     lit = SCENE.replace("{type: directional, direction: [0, 0, 1], irradiance: [1, 2, 3]}", sky)
     still = lit.replace("turntable: {}", "turntable: {degrees: 1.0e-6}")
-    still = still.replace("[12, 8]", "[48, 32]").replace("vertical_fov_deg: 5", "vertical_fov_deg: 9")
+    still = still.replace("[12, 8]", "[48, 32]").replace("deg: 5", "deg: 9")
     (folder / "own.yaml").write_text(still)
     (folder / "fixed.yaml").write_text(still + "  fixed_seed: true\n")
     correlations = {}

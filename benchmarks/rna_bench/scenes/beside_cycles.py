@@ -14,6 +14,7 @@ from rna_export.compare.cycles_scene import cycles_scene
 from rna_export.metrics import IRRADIANCE, NoiselessPsnr, display, flip, psnr_without_noise, to_png
 from rna_export.pictures import flip_colours
 from rna_render import Camera, Denoiser, load_world, make_integrator, render
+from rna_render.image.film import Film
 from rna_render.lights import LUMINANCE
 from rna_render.scene import Scene, SceneFile
 
@@ -73,8 +74,11 @@ class Beside:
 def denoised(film: Film, denoiser: Denoiser | None) -> np.ndarray:
     """RGB (h, w, 3) of a render, denoised as rna-run does where there is a denoiser."""
     channels = film.channels()
-    image, normal = (np.stack([channels[c] for c in names], axis=-1) for names in _RGB_AND_NORMAL)
-    return image if denoiser is None else denoiser(image, normal, film.variance())
+    image = np.stack([channels[c] for c in "RGB"], axis=-1)
+    if denoiser is None:
+        return image
+    normal = np.stack([channels[f"normal.{c}"] for c in "XYZ"], axis=-1)
+    return denoiser(image, normal, film.variance())
 
 
 class OurScene:

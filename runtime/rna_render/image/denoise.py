@@ -16,9 +16,11 @@ INSTALL = "pip install pyoidn"
 # Of everything that is hit, since the albedo of a neural asset is not known.
 FLAT_ALBEDO = np.float32(0.5)
 
+# Of `blended`, measured: docs/decisions/renderer.md, "Denoised pixels are blended by their errors".
 _RADIUS = 3  # pixels, of the boxes that errors are averaged over, twice
-_DARK = 0.01  # of the image's mean brightness: errors below are not relative
-_PREFERENCE = 4.0  # a bias counts as so many times a noise of its size: the eye sees lost texture
+_DARK = 0.01  # of the image's mean brightness, below which errors are not relative
+_UNSEEN = 0.05  # of the brightness there: noise that costs little
+_PREFERENCE = 8.0  # squared bias over squared noise that costs as much: lost texture is seen more
 
 # What Open Image Denoise calls its qualities: oidn.h, OIDNQuality.
 QUALITIES: dict[Quality, int] = {"fast": 4, "high": 6}
@@ -62,9 +64,8 @@ class Denoiser:
         """The image without noise, (height, width, 3) float32 as `rgb` is; finite everywhere.
 
         normal: (height, width, 3) float32, unit, or 0 for background; keeps edges sharp. Its own
-        noise is taken out first. variance: (height, width, 3) float32, of `rgb`: where the filter
-        would change more than the noise explains, the image is kept: see `blended`. The same
-        whatever the number of threads.
+        noise is taken out first. variance: (height, width, 3) float32, of `rgb`; what the filter
+        changes beyond it is put back, see `blended`. The same whatever the number of threads.
         """
         filtered = self._guided(rgb, normal)
         return filtered if variance is None else blended(rgb, filtered, variance)
@@ -107,19 +108,20 @@ class Denoiser:
 
 
 def blended(rgb: np.ndarray, filtered: np.ndarray, variance: np.ndarray) -> np.ndarray:
-    """An image and its filtered form by their errors, (height, width, 3) float32 each.
+    """An image and its filtered form, weighted by their errors: (height, width, 3) float32.
 
-    The expected square of their difference is the filter's squared bias, which is lost texture, and
-    the image's variance. Both are averaged over a few pixels, relative to the brightness there. The
-    weight of the image is that of the least squared error, but for `_PREFERENCE`.
+    The square of their difference is that of the filter's bias, which is lost texture, and the
+    image's variance, (height, width, 3). Both are averaged over a few pixels, and relative to the
+    brightness there. The filtered form counts where the variance is large beside the bias, and
+    large enough to be seen.
     """
     brightness = _averaged(filtered.mean(axis=-1, dtype=np.float64))
     scale = 1.0 / (brightness + _DARK * brightness.mean() + np.finfo(np.float32).tiny)[..., None]
     difference = _averaged(np.square((rgb - filtered) * scale).sum(axis=-1))
     noise = _averaged((variance * scale * scale).sum(axis=-1))
-    bias = _PREFERENCE * np.maximum(difference - noise, 0.0)
-    share = np.divide(bias, bias + noise, out=np.zeros_like(bias), where=bias > 0.0)
-    return np.asarray(filtered + share[..., None] * (rgb - filtered), np.float32)
+    bias = _PREFERENCE * np.maximum(difference - noise, 0.0) + 3.0 * _UNSEEN**2
+    share = (noise / (noise + bias))[..., None]  # of the filtered form
+    return np.asarray(rgb + share * (filtered - rgb), np.float32)
 
 
 def _averaged(image: np.ndarray) -> np.ndarray:
