@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from rna_render.command.rna_run import main
-from rna_render.image.denoise import Denoiser
+from rna_render.image.denoise import Denoiser, blended
 from rna_render.image.images import read_exr
 from rna_sdk.errors import SceneError
 from tests.render.assets import sphere
@@ -61,6 +61,33 @@ def test_normals_keep_edges_that_the_noise_hides():
         np.abs(denoiser(noisy, guide) - clean).mean() for guide in (None, normal.astype(np.float32))
     )
     assert guided < 0.8 * alone
+
+
+def test_texture_is_kept_and_noise_is_not():
+    """Both next to each other; the filter is a mean over 9 pixels."""
+    rng = np.random.default_rng(0)
+    clean = np.ones((64, 128, 3), np.float32)
+    clean[:, :64] += 0.3 * rng.choice([-1.0, 1.0], (64, 64, 1))
+    deviation = np.where(np.arange(128) < 64, 0.02, 0.3)[None, :, None].astype(np.float32)
+    noisy = clean + deviation * rng.standard_normal(clean.shape).astype(np.float32)
+    filtered = np.stack([np.roll(noisy, k, axis=1) for k in range(-4, 5)]).mean(axis=0)
+    result = blended(noisy, filtered, deviation**2 * np.ones_like(clean))
+    error = {name: np.square(image - clean) for name, image in [("raw", noisy), ("it", result)]}
+    assert error["it"][:, 8:56].mean() < 1.1 * error["raw"][:, 8:56].mean()
+    assert error["it"][:, 72:120].mean() < 0.25 * error["raw"][:, 72:120].mean()
+
+
+def test_an_image_without_noise_is_not_changed():
+    rng = np.random.default_rng(0)
+    image = rng.random((32, 48, 3)).astype(np.float32)
+    result = blended(image, np.full_like(image, 0.5), np.zeros_like(image))
+    np.testing.assert_array_equal(result, image)
+
+
+def test_black_and_very_bright_images_stay_finite():
+    for value in (0.0, 3e38):
+        image = np.full((16, 16, 3), value, np.float32)
+        np.testing.assert_array_equal(blended(image, image, np.full_like(image, 3e38)), image)
 
 
 def test_the_exr_keeps_the_noise_and_has_the_denoised_colour_beside_it(scene, tmp_path):

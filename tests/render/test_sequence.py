@@ -87,6 +87,23 @@ def test_a_sweep_turns_only_light_from_far_away():
     assert frame_scene(animated, 1).camera == animated.camera
 
 
+def test_each_frame_has_noise_of_its_own(folder):
+    sky = "{type: environment, radiance: [1, 1, 1]}"
+    lit = SCENE.replace("{type: directional, direction: [0, 0, 1], irradiance: [1, 2, 3]}", sky)
+    still = lit.replace("turntable: {}", "turntable: {degrees: 1.0e-6}")
+    still = still.replace("[12, 8]", "[48, 32]").replace("deg: 5", "deg: 9")
+    (folder / "own.yaml").write_text(still)
+    (folder / "fixed.yaml").write_text(still + "  fixed_seed: true\n")
+    correlations = {}
+    for name in ("own", "fixed"):
+        images = folder / f"{name}.%04d.exr"
+        scene = [str(folder / f"{name}.yaml"), "--out", str(images), "--frames", "0-1"]
+        assert main([*scene, "--samples", "2"]) == 0
+        frames = [read_exr(folder / f"{name}.{i:04d}.exr")[0]["R"].ravel() for i in range(2)]
+        correlations[name] = np.corrcoef(*frames)[0, 1]
+    assert abs(correlations["own"]) < 0.1 and correlations["fixed"] > 0.99
+
+
 @pytest.mark.parametrize(
     ("changes", "message"),
     [

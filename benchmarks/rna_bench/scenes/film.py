@@ -106,10 +106,10 @@ class _Ours:
         scene = frame_scene(self._file.scene, frame)
         begun, worked = time.perf_counter(), time.process_time()
         world = load_world(replace(self._file, scene=scene), loaded=self._loaded)
-        channels = render(scene, make_integrator(scene, world)).channels()
-        image = denoised(channels, self._denoiser)
+        film = render(scene, make_integrator(scene, world))
+        image = denoised(film, self._denoiser)
         taken = time.perf_counter() - begun, time.process_time() - worked
-        return _Frame(image, *taken), channels["assetId"] == 1
+        return _Frame(image, *taken), film.channels()["assetId"] == 1
 
 
 class _Cycles:

@@ -16,6 +16,12 @@ INSTALL = "pip install pyoidn"
 # Of everything that is hit, since the albedo of a neural asset is not known.
 FLAT_ALBEDO = np.float32(0.5)
 
+# Of `blended`, measured: docs/decisions/renderer.md, "Denoised pixels are blended by their errors".
+_RADIUS = 3  # pixels, of the boxes that errors are averaged over, twice
+_DARK = 0.01  # of the image's mean brightness, below which errors are not relative
+_UNSEEN = 0.05  # of the brightness there: noise that costs little
+_PREFERENCE = 8.0  # squared bias over squared noise that costs as much: lost texture is seen more
+
 # What Open Image Denoise calls its qualities: oidn.h, OIDNQuality.
 QUALITIES: dict[Quality, int] = {"fast": 4, "high": 6}
 
@@ -52,12 +58,19 @@ class Denoiser:
         """Made anew in another process."""
         return type(self), (self._threads, self._quality)
 
-    def __call__(self, rgb: np.ndarray, normal: np.ndarray | None = None) -> np.ndarray:
+    def __call__(
+        self, rgb: np.ndarray, normal: np.ndarray | None = None, variance: np.ndarray | None = None
+    ) -> np.ndarray:
         """The image without noise, (height, width, 3) float32 as `rgb` is; finite everywhere.
 
         normal: (height, width, 3) float32, unit, or 0 for background; keeps edges sharp. Its own
-        noise is taken out first. The same whatever the number of threads.
+        noise is taken out first. variance: (height, width, 3) float32, of `rgb`; what the filter
+        changes beyond it is put back, see `blended`. The same whatever the number of threads.
         """
+        filtered = self._guided(rgb, normal)
+        return filtered if variance is None else blended(rgb, filtered, variance)
+
+    def _guided(self, rgb: np.ndarray, normal: np.ndarray | None) -> np.ndarray:
         images, flags = {"color": rgb}, {"hdr": True}
         if normal is not None:
             # The filter takes no normals without an albedo: docs/decisions/renderer.md,
@@ -92,3 +105,29 @@ class Denoiser:
         message = self._device.get_error()
         if message is not None:
             raise SceneError(f"Intel Open Image Denoise: {message}")
+
+
+def blended(rgb: np.ndarray, filtered: np.ndarray, variance: np.ndarray) -> np.ndarray:
+    """An image and its filtered form, weighted by their errors: (height, width, 3) float32.
+
+    The square of their difference is that of the filter's bias, which is lost texture, and the
+    image's variance, (height, width, 3). Both are averaged over a few pixels, and relative to the
+    brightness there. The filtered form counts where the variance is large beside the bias, and
+    large enough to be seen.
+    """
+    brightness = _averaged(filtered.mean(axis=-1, dtype=np.float64))
+    scale = 1.0 / (brightness + _DARK * brightness.mean() + np.finfo(np.float32).tiny)[..., None]
+    difference = _averaged(np.square((rgb - filtered) * scale).sum(axis=-1))
+    noise = _averaged((variance * scale * scale).sum(axis=-1))
+    bias = _PREFERENCE * np.maximum(difference - noise, 0.0) + 3.0 * _UNSEEN**2
+    share = (noise / (noise + bias))[..., None]  # of the filtered form
+    return np.asarray(rgb + share * (filtered - rgb), np.float32)
+
+
+def _averaged(image: np.ndarray) -> np.ndarray:
+    """Means of (height, width) float64 over a box about each pixel, twice."""
+    size = 2 * _RADIUS + 1
+    for _ in range(4):  # down, across, down, across
+        sums = np.cumsum(np.pad(image, ((_RADIUS + 1, _RADIUS), (0, 0)), "edge"), axis=0)
+        image = ((sums[size:] - sums[:-size]) / size).T
+    return image

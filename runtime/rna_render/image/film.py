@@ -8,6 +8,7 @@ from dataclasses import dataclass, fields
 import numpy as np
 from numba import prange
 
+from rna_render.image.halves import Halves
 from rna_sdk.compiled import compiled
 from rna_sdk.memory import check_memory
 
@@ -97,6 +98,7 @@ class Film:
         needed = count * sum(getattr(pixel, field.name).nbytes for field in fields(Layers))
         check_memory(needed, f"an image of {self.width} x {self.height} pixels")
         self._sum = Layers.empty(count, len(groups), np.float64)
+        self._halves = Halves(np.zeros((count, 3)), np.zeros((count, 3)))
 
     def add(self, bands: Sequence[Layers], samples: int = 1) -> None:
         """Add one sample of every pixel, or the sum of several: bands, one after the other."""
@@ -104,6 +106,7 @@ class Film:
         for band in bands:
             self._add(slice(start, start := start + len(band.hit)), band)
         self.samples += samples
+        self._halves.follow(self._sum.beauty[:, :3], self.samples)
 
     def _add(self, pixels: slice, band: Layers) -> None:
         for field in fields(Layers):
@@ -119,20 +122,33 @@ class Film:
         end = start + part.width * part.height
         for field in fields(Layers):
             getattr(self._sum, field.name)[start:end] = getattr(part._sum, field.name)
+        self._halves.put(slice(start, end), part._halves)
         self.samples = part.samples
 
     def arrays(self) -> dict[str, np.ndarray]:
         """State from which `of_arrays` restores a film of the same pixels."""
         layers = {field.name: getattr(self._sum, field.name) for field in fields(Layers)}
-        return {**layers, "samples": np.array([self.samples])}
+        return {**layers, **self._halves.arrays(), "samples": np.array([self.samples])}
 
     @classmethod
     def of_arrays(cls, arrays: dict[str, np.ndarray], groups: Sequence[str]) -> Film:
         """The film of a row of pixels, from its `arrays`."""
         film = cls((len(arrays["asset"]), 1), groups)
         film._sum = Layers(**{field.name: arrays[field.name] for field in fields(Layers)})
+        film._halves = Halves.of_arrays(arrays)
         film.samples = int(arrays["samples"][0])
         return film
+
+    def variance(self) -> np.ndarray | None:
+        """Variance of RGB, the mean of all samples, (height, width, 3) float32; None of one sample.
+
+        See `Halves`. The variance in `channels` is that of independent samples, several times
+        larger.
+        """
+        if self._halves.samples < 2:
+            return None
+        variance = self._halves.variance * (self._halves.samples / self.samples)
+        return _float32(variance.reshape(self.height, self.width, 3))
 
     def not_finite(self) -> np.ndarray:
         """Pixels with a value that is NaN or infinite, in row-major order: (k,) int64."""

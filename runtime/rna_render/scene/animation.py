@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from rna_render.scene.light_models import DirectionalModel, EnvironmentModel, LightModel
+from rna_render.scene.limits import MAX_SEED
 from rna_render.scene.model_base import Vector
 from rna_render.scene.scene_model import AssetModel, CameraModel, Scene
 
@@ -14,7 +15,7 @@ def frame_scene(scene: Scene, number: float) -> Scene:
 
     Motions of assets start there; the number may lie between two frames. A turn by d degrees has
     come to d * number / frames: after a whole turn the last frame is one step before the first, and
-    the sequence can be shown in a loop.
+    the sequence can be shown in a loop. Each frame has a seed of its own unless the seed is fixed.
     """
     animation = scene.animation
     if animation is None:
@@ -26,8 +27,9 @@ def frame_scene(scene: Scene, number: float) -> Scene:
         angle = animation.light_sweep.degrees * number / animation.frames
         lights = tuple(_turned_light(light, angle) for light in lights)
     assets = tuple(_moved(asset, number) for asset in scene.assets)
-    changes = {"assets": assets, "camera": camera, "lights": lights, "animation": None}
-    return scene.model_copy(update=changes)
+    seed = scene.seed if animation.fixed_seed else (scene.seed + int(number)) % (MAX_SEED + 1)
+    changes = {"assets": assets, "camera": camera, "lights": lights, "seed": seed}
+    return scene.model_copy(update={**changes, "animation": None})
 
 
 def _moved(asset: AssetModel, number: float) -> AssetModel:

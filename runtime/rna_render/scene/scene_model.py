@@ -191,6 +191,10 @@ class AnimationModel(Model):
         description="Number of times at which the open shutter sees the scene; its samples are "
         "shared among them.",
     )
+    fixed_seed: bool = Field(
+        default=False,
+        description="The same noise in every frame; by default frame i has the seed `seed` + i.",
+    )
 
 
 class Scene(Model):
