@@ -48,9 +48,11 @@ class Points:
     def origin(self, wi: mi.Vector3f, step: float) -> mi.Point3f:
         """Origins of rays along wi; step: 2^-18 of the largest coordinate of the asset."""
         cosine = dr.dot(self.ng, wi)
-        smooth = (cosine < _SMOOTH_BELOW) & (dr.dot(self.n, wi) > 0) & (dr.dot(self.n, self.ng) > 0)
-        share = dr.select(smooth, 1 - dr.maximum(cosine, 0) / _SMOOTH_BELOW, 0)
-        side = dr.select(smooth | (cosine >= 0), step, -step)
+        smooth = dr.dot(self.n, self.ng) > 0
+        above = dr.select(smooth, dr.dot(self.n, wi), cosine)
+        lifted = smooth & (above > 0) & (cosine < _SMOOTH_BELOW)
+        share = dr.select(lifted, 1 - dr.maximum(cosine, 0) / _SMOOTH_BELOW, 0)
+        side = dr.select(above >= 0, step, -step)
         return self.x + share * self.lift + side * self.ng
 
 

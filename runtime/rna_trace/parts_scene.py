@@ -123,7 +123,7 @@ class PartsScene(GeometryScene):
         `shadowed` output. Where the asset transmits, (n, 3) float32 instead, the product of what
         all that they meet lets through, 0 for what is opaque.
 
-        Points of a mesh: the ray starts on the side that `wi` is on (see
+        Points of a mesh: the ray starts on the side of the smooth surface that `wi` is on (see
         surface.leaving_origins), so light from behind a closed surface is blocked, because it has
         to leave through the asset.
 

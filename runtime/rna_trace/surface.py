@@ -140,14 +140,17 @@ def leaving_origins(
 ) -> np.ndarray:
     """Origins of rays that leave surface points and must not hit the surface there: (k, 3) float32.
 
-    Each point moves along its geometric normal, to the side its direction is on (the normal's
-    own side if it is on neither), by OFFSET * extent. Waechter and Binder, "A Fast and Robust
-    Method for Avoiding Self-Intersection" (Ray Tracing Gems, chapter 6), scale the step by the
-    point's own coordinates; that fails near the origin of large triangles, whose corners bring
+    Each point moves along its geometric normal, to the side of the smooth surface that its
+    direction is on (the normal's own side if it is on neither), by OFFSET * extent. Triangles wound
+    against their normals have the side of the geometric normal. Waechter and Binder, "A Fast and
+    Robust Method for Avoiding Self-Intersection" (Ray Tracing Gems, chapter 6), scale the step by
+    the point's own coordinates; that fails near the origin of large triangles, whose corners bring
     the rounding errors. So `extent` is the largest absolute coordinate of the whole scene.
 
     A direction above the smooth surface, but near the triangle's plane or below it, starts from
     the smooth surface: the facets would block light that is seen in Cycles, which does the same.
+    One below the smooth surface, but above the triangle's plane, starts behind the triangle and
+    meets it: the facets would show as teeth of light beyond the terminator.
 
     directions: (k, 3) float32, unit. row: (k,) which points they leave; None for all, in order.
     """
@@ -215,9 +218,12 @@ def smooth_share(n: Vector, ng: Vector, d: Vector) -> tuple[float, bool]:
     """Fraction of the lift applied to a ray along d, and whether its step is along ng: see
     `leaving_origins`."""
     above_plane = dot(ng, d)
-    if above_plane < SMOOTH_BELOW and dot(n, d) > 0.0 and dot(n, ng) > 0.0:
+    if not dot(n, ng) > 0.0:
+        return 0.0, above_plane >= 0.0
+    above = dot(n, d)
+    if above > 0.0 and above_plane < SMOOTH_BELOW:
         return 1.0 - max(above_plane, 0.0) / SMOOTH_BELOW, True
-    return 0.0, above_plane >= 0.0
+    return 0.0, above >= 0.0
 
 
 @compiled(parallel=True, fastmath=())

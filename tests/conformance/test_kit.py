@@ -99,6 +99,21 @@ def test_light_and_shadow_are_on_every_geometry(kit: Kit) -> None:
         assert not between.any() or between.mean() > 0.1
 
 
+def test_facets_that_face_light_behind_the_smooth_surface_block_it(kit: Kit) -> None:
+    """Glass weakens it; triangles wound against their normals have the side of the facet."""
+    seen = {}
+    for case in kit.visibility:
+        for c in case.classes:
+            part, found, _ = c.name.partition("behind the smooth surface")
+            if found:
+                rows = slice(c.first, c.first + c.rows)
+                seen[case.package.stem, part.strip(": ")] = case.expected[rows]
+    assert not seen["surface-float32", ""].any()
+    assert seen["parts-head", "skin"].all()
+    glass = seen["parts-lantern", "panes"]
+    assert glass.max() < 1.0 and (glass > 0.0).mean() > 0.5
+
+
 def test_normals_are_bent_in_every_way(kit: Kit) -> None:
     (case,) = kit.normals
     rows = {c.name: c.rows for c in case.classes}

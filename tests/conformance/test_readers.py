@@ -196,6 +196,18 @@ def from_outside(package: str, records: bytes) -> np.ndarray:
     return leaving_by(above, package, records)
 
 
+def beside_the_facet(package: str, records: bytes) -> np.ndarray:
+    """The side is that of the geometric normal, but where rays start on the smooth surface."""
+
+    def origins(points: SurfacePoints, directions, extent, row) -> np.ndarray:  # type: ignore[no-untyped-def]
+        points = points if row is None else points.take(row)
+        behind = np.sum(points.n * directions, axis=1, keepdims=True) < 0.0
+        n, lift = np.where(behind, points.ng, points.n), np.where(behind, 0.0, points.lift)
+        return leaving_origins(replace(points, n=n, lift=lift), directions, extent)
+
+    return leaving_by(origins, package, records)
+
+
 def of_strands(own_strand: bool):  # type: ignore[no-untyped-def]
     """By brute force, of one part: is the whole strand of x passed through? Entries at joints
     count."""
@@ -224,6 +236,7 @@ def as_colours(seen: np.ndarray) -> np.ndarray:
     [
         (without_lift, "surface", ("terminator", "behind the facet")),
         (from_outside, "surface", ("backs",)),
+        (beside_the_facet, "surface", ("behind the smooth surface",)),
         (of_strands(own_strand=False), "fiber", ("own strand", "at joints")),
         (of_strands(own_strand=True), "fiber", ("inside another strand",)),
     ],

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -170,6 +172,33 @@ def test_visibility_is_the_product_of_all_parts():
     hits = scene.intersect(np.float32([[0.1, 9, 0.1], [9, 9, 9]]), np.float32([[0, -1, 0]] * 2))
     tau = scene.hit_transmittance(hits, np.float32([[0, -1, 0]] * 2))
     np.testing.assert_allclose(tau, [[half] * 3, [1, 1, 1]], rtol=1e-6)
+
+
+def bulged(mesh: Mesh) -> Mesh:
+    """A square that faces +Y, shaded as a dome."""
+    normals = mesh.normals + np.float32(0.3) * mesh.positions
+    return replace(mesh, normals=normals / np.linalg.norm(normals, axis=1, keepdims=True))
+
+
+def test_a_pane_weakens_light_behind_its_smooth_surface():
+    """That light meets the pane that the point is on, if its triangle alone faces the light."""
+    glass = window(1.0, 0.0)
+    directions = {
+        (-1, 0.1, 0): TAU,  # n.wi < 0 < n_g.wi
+        (-0.1, 1, 0): 1.0,  # before the pane
+        (-1, -0.1, 0): 1.0,  # behind it
+        (1, -0.1, 0): 1.0,  # before the smooth surface, behind the triangle
+    }
+    wi = np.float32(list(directions))
+    count = np.zeros(len(wi), np.float32)
+    for table, blocks in ((part_transmittance(glass), TAU), (None, 0.0)):
+        scene = PartsScene([bulged(glass.mesh)], [table])
+        at = scene.points(0, count.astype(np.int32), count + 0.6, count + 0.3, wi)
+        assert at.n[0] @ wi[0] < 0 < at.ng[0] @ wi[0] and at.n[3] @ wi[3] > 0 > at.ng[3] @ wi[3]
+        found = scene.visible(0, at, wi)
+        expected = [blocks if v is TAU else v for v in directions.values()]
+        for ours, v in zip(found, expected, strict=True):
+            np.testing.assert_allclose(ours, v, rtol=1e-6)
 
 
 def test_opaque_assets_ask_no_filter():

@@ -297,7 +297,7 @@ static void add_lift(const RnaMesh *mesh, uint32_t triangle, double corners[3][3
     for (int k = 0; k < 3; k++) x[k] += lift[k];
 }
 
-/* Section 7.1: from the side of the triangle that wi is on; near the terminator from the smooth surface. */
+/* Section 7.1: from the side of the smooth surface that wi is on; near the terminator from that surface. */
 void trace_visible_on_mesh(const Tracer *tracer, int part, uint32_t triangle, double b1, double b2,
                            const double wi[3], double v[3]) {
     const RnaMesh *mesh = tracer->shapes[part].mesh;
@@ -309,11 +309,11 @@ void trace_visible_on_mesh(const Tracer *tracer, int part, uint32_t triangle, do
     subtract(corners[2], corners[0], e2);
     cross(e1, e2, ng);
     normalize(ng);
-    double step = tracer->extent * 0x1p-18, above = dot(ng, wi), side = above < 0 ? -1 : 1;
-    if (dot(n, wi) > 0 && dot(n, ng) > 0 && above < 0.1) {
-        add_lift(mesh, triangle, corners, b, 1 - fmax(0, above) / 0.1, x);
-        side = 1;
-    }
+    const bool smooth = dot(n, ng) > 0;
+    const double above_plane = dot(ng, wi), above = smooth ? dot(n, wi) : above_plane;
+    if (smooth && above > 0 && above_plane < 0.1)
+        add_lift(mesh, triangle, corners, b, 1 - fmax(0, above_plane) / 0.1, x);
+    const double step = tracer->extent * 0x1p-18, side = above < 0 ? -1 : 1;
     for (int k = 0; k < 3; k++) x[k] += side * step * ng[k];
     Query query = new_query(x, wi);
     find_visibility(tracer, &query, v);

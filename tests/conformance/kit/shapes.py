@@ -123,7 +123,8 @@ def floor() -> Mesh:
 
 
 def panes() -> Mesh:
-    """Four upright sheets around the middle, and a slanted opaque one; u, v run over each."""
+    """Four upright sheets around the middle, and a slanted opaque one; u, v run over each. The
+    coated pane is shaded as if it bulged."""
     x, y, z = 0.7, 0.8, 0.6
     mesh = flat(
         ((-x, -0.4, z), (x, -0.4, z), (x, y, z), (-x, y, z)),
@@ -132,8 +133,11 @@ def panes() -> Mesh:
         ((-x, -0.4, -z), (-x, -0.4, z), (-x, y, z), (-x, y, -z)),
         ((-0.5, 0.85, 0.3), (0.5, 0.85, 0.3), (0.5, 0.95, -0.3), (-0.5, 0.95, -0.3)),
     )
-    corners = np.float32([[-0.25, 1.5], [1.75, 1.5], [1.75, -0.25], [-0.25, -0.25]])
-    return replace(mesh, uvs=np.tile(corners, (5, 1)))
+    uvs = np.tile(np.float32([[-0.25, 1.5], [1.75, 1.5], [1.75, -0.25], [-0.25, -0.25]]), (5, 1))
+    coated, normals = slice(8, 12), mesh.normals.copy()
+    outward = mesh.positions[coated] - mesh.positions[coated].mean(axis=0)
+    normals[coated] = unit(normals[coated] + 0.3 * outward)
+    return replace(mesh, uvs=uvs, normals=normals)
 
 
 def pane_records() -> tuple[tuple[str, Transmittance], ...]:

@@ -105,11 +105,11 @@ class MeshHits:
             wi = unit(wi + moves.uniform(-1, 1, wi.shape) * 3e-6)
         n, n_g = self.normals(mesh)
         plane = dot(n_g, wi)
-        side = np.where(plane < 0, -1.0, 1.0)
-        smooth = (dot(n, wi) > 0) & (dot(n, n_g) > 0) & (plane < SMOOTH_BELOW)
+        wound_right = dot(n, n_g) > 0
+        side = np.where(np.where(wound_right, dot(n, wi), plane) < 0, -1.0, 1.0)
+        smooth = wound_right & (dot(n, wi) > 0) & (plane < SMOOTH_BELOW)
         height = np.maximum(0, np.sum((v - x[:, None]) * n_v, axis=2))
         s = np.where(smooth, 1 - np.maximum(0, plane) / SMOOTH_BELOW, 0.0)
-        side = np.where(smooth, 1.0, side)
         lift = s[:, None] * self._at(height[..., None] * n_v)
         return Rays(x + lift + (side * STEP * size)[:, None] * n_g, wi, part)
 
