@@ -48,5 +48,5 @@ class CommandParser(argparse.ArgumentParser):
         unknown = re.findall(r"(?<=\s)--[\w-]+", message)
         known = [name for name in self._option_string_actions if name.startswith("--")]
         close = [get_close_matches(name, known, n=1) for name in unknown]
-        names = [found[0] for found in close if found]
+        names = [match[0] for match in close if match]
         return f"; did you mean {' and '.join(names)}?" if names else ""

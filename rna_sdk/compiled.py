@@ -95,7 +95,7 @@ def callback(*signature: numba.types.Type) -> Callable[[Kernel], Any]:
 
 
 class CacheWarning(UserWarning):
-    """Compiled code cannot be kept for the next process."""
+    """Compiled code cannot be cached for the next process."""
 
 
 def _cache_of(cache_type: Any, function: Callable[..., object]) -> Any:

@@ -83,7 +83,7 @@ def run_command(
                 raise
             return _fail(f"no module {error.name!r}: {install_hint(extra)}", debug)
         except OSError as error:
-            return _fail(_told(error), debug)
+            return _fail(_error_text(error), debug)
         except MemoryError as error:
             return _fail(f"not enough memory: {error}".removesuffix(": "), debug)
         except KeyboardInterrupt:
@@ -111,7 +111,7 @@ def _terminated_as_interrupted() -> Iterator[None]:
         signal.signal(signal.SIGTERM, before)
 
 
-def _told(error: OSError) -> str:
+def _error_text(error: OSError) -> str:
     reason = error.strerror or str(error) or type(error).__name__
     return reason if error.filename is None else f"{error.filename}: {reason}"
 

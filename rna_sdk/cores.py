@@ -29,7 +29,7 @@ def _quota(root: Path) -> float:
         lines = (root / "proc/self/cgroup").read_text().splitlines()
     except OSError:
         return math.inf
-    found = math.inf
+    quota = math.inf
     for line in lines:  # number:controllers:path; version 2 has no controllers
         _, controllers, path = line.split(":", 2)
         if controllers and "cpu" not in controllers.split(","):
@@ -41,8 +41,8 @@ def _quota(root: Path) -> float:
             group = top / path.lstrip("/")
             for folder in (group, *group.parents):
                 if folder.is_relative_to(top):
-                    found = min(found, *_limits(folder))
-    return found
+                    quota = min(quota, *_limits(folder))
+    return quota
 
 
 def _limits(group: Path) -> Iterator[float]:

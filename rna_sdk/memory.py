@@ -23,10 +23,10 @@ def check_memory(needed: int, what: str) -> None:
 def _memory() -> int | None:
     """Bytes; None where the system does not tell."""
     try:
-        found = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
+        result = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
     except (AttributeError, ValueError, OSError):  # Windows has no sysconf
         return None
     try:
-        return min(found, int(_OF_CONTAINER.read_text()))
+        return min(result, int(_OF_CONTAINER.read_text()))
     except (OSError, ValueError):  # no such file, or "max"
-        return found
+        return result

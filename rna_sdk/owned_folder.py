@@ -83,7 +83,7 @@ def owned(
     where the folder cannot be written.
     """
     was_there = folder.exists()
-    _check_own(folder, command, is_of_command)
+    _check_marked(folder, command, is_of_command)
     folder.mkdir(parents=True, exist_ok=True)
     marker = _marker(folder, command)
     with _locked(marker, folder, command) as file:
@@ -98,7 +98,7 @@ def owned(
                         folder.rmdir()
 
 
-def _check_own(folder: Path, command: str, is_of_command: Callable[[Path], bool]) -> None:
+def _check_marked(folder: Path, command: str, is_of_command: Callable[[Path], bool]) -> None:
     if folder.exists() and not folder.is_dir():
         raise RnaError(f"{folder}: is a file, expected a folder")
     if not folder.is_dir() or _marker(folder, command).is_file():

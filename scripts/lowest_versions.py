@@ -18,15 +18,15 @@ def pins(requirements: list[str]) -> list[str]:
 
     Raises ValueError for any other form.
     """
-    found = []
+    result = []
     for requirement in requirements:
         if requirement.startswith("rna-sdk["):
             continue  # the extras that an extra holds
         match = _REQUIREMENT.fullmatch(requirement)
         if match is None:
             raise ValueError(f"pyproject.toml: found {requirement!r}, expected name>=version")
-        found.append(f"{match['name']}=={match['version']}{match['marker'] or ''}")
-    return sorted(found, key=str.lower)
+        result.append(f"{match['name']}=={match['version']}{match['marker'] or ''}")
+    return sorted(result, key=str.lower)
 
 
 def main() -> None:

@@ -37,8 +37,8 @@ def _pages() -> list[Path]:
 
 def _links(page: Path) -> list[Path]:
     """Files that a page links to or shows, but other pages."""
-    found = ((page.parent / (a or b)).resolve() for a, b in _LINK.findall(page.read_text()))
-    return [path for path in found if path.is_file() and path.suffix != ".md"]
+    result = ((page.parent / (a or b)).resolve() for a, b in _LINK.findall(page.read_text()))
+    return [path for path in result if path.is_file() and path.suffix != ".md"]
 
 
 def _copy(path: Path, folder: Path) -> None:

@@ -24,21 +24,21 @@ LAYERS = re.findall(r"^\| `(rna_\w+)` \| `(.*?)` \|[^|]*\|(.*?)\|", PAGE, re.MUL
 
 def imports(folder: Path) -> set[str]:
     """Packages of ours that a folder's files import anywhere."""
-    found = set()
+    actual = set()
     for path in folder.rglob("*.py"):
         for node in ast.walk(ast.parse(path.read_text())):
             if isinstance(node, ast.Import):
-                found |= {alias.name.split(".")[0] for alias in node.names}
+                actual |= {alias.name.split(".")[0] for alias in node.names}
             elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
-                found.add(node.module.split(".")[0])
-    return {name for name in found if name.startswith("rna_")}
+                actual.add(node.module.split(".")[0])
+    return {name for name in actual if name.startswith("rna_")}
 
 
 @pytest.mark.parametrize(("package", "folder", "ours"), LAYERS, ids=[row[0] for row in LAYERS])
 def test_layers(package: str, folder: str, ours: str) -> None:
     packages = {row[0] for row in LAYERS}
-    found = imports(REPOSITORY / folder) & packages - {package}
-    assert ours.strip() == "all" or found == set(re.findall(r"`(\w+)`", ours))
+    actual = imports(REPOSITORY / folder) & packages - {package}
+    assert ours.strip() == "all" or actual == set(re.findall(r"`(\w+)`", ours))
 
 
 def test_files_exist() -> None:

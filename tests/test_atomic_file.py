@@ -60,7 +60,7 @@ def test_the_cost_cache_leaves_no_temporary_file(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, no_rename: None
 ) -> None:
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    assert costs.kept_cost(lambda: 5.0, "package") == 5.0
+    assert costs.cached_cost(lambda: 5.0, "package") == 5.0
     assert os.listdir(tmp_path / "rna-sdk") == []
 
 

@@ -80,10 +80,10 @@ def modules_beyond_the_base() -> frozenset[str]:
 def run(*commands: list[object]) -> list[Done]:
     """Commands, each with its arguments, in a process that can import the base install alone."""
     refused = ",".join(sorted(modules_beyond_the_base()))
-    asked = [[COMMANDS[name], *map(str, arguments)] for name, *arguments in commands]
+    calls = [[COMMANDS[name], *map(str, arguments)] for name, *arguments in commands]
     done = subprocess.run(
         [sys.executable, "-c", WITH_BASE_ALONE, refused],
-        input=json.dumps(asked),
+        input=json.dumps(calls),
         capture_output=True,
         text=True,
         env={**os.environ, "COLUMNS": "100"},
@@ -165,8 +165,8 @@ def test_a_missing_extra_is_one_line(command: str, extra: str, refusals: dict[st
 
 
 def test_what_the_base_can_do_it_does() -> None:
-    told, valid = run(["rna-info", TOY], ["rna-validate", TOY])
-    assert told.status == 0 and "PSNR 38.92 dB" in told.out
+    output, valid = run(["rna-info", TOY], ["rna-validate", TOY])
+    assert output.status == 0 and "PSNR 38.92 dB" in output.out
     said = f"{TOY}: part asset: surface, 8 lobes\n{TOY}: valid\n"
     assert (valid.status, valid.out) == (0, said)
     assert set(COMMANDS) >= set(EXTRAS)

@@ -158,8 +158,8 @@ except RnaError as error:
 @pytest.mark.parametrize("layer", ["default", "workqueue", "omp"])
 def test_parallel_kernels_may_run_side_by_side(tmp_path: Path, layer: str) -> None:
     (tmp_path / "kernels.py").write_text(SIDE_BY_SIDE.format(before=""))
-    told = run([sys.executable, "kernels.py"], tmp_path, NUMBA_THREADING_LAYER=layer)
-    assert told.strip() in ("omp", "tbb")
+    output = run([sys.executable, "kernels.py"], tmp_path, NUMBA_THREADING_LAYER=layer)
+    assert output.strip() in ("omp", "tbb")
 
 
 NO_SAFE_LAYER = """
@@ -180,8 +180,8 @@ def test_without_safe_threads_one_line_says_what_to_do(
     tmp_path: Path, before: str, expected: str
 ) -> None:
     (tmp_path / "kernels.py").write_text(SIDE_BY_SIDE.format(before=before))
-    told = run([sys.executable, "kernels.py"], tmp_path, NUMBA_THREADING_LAYER="workqueue")
-    assert expected in told and len(told.splitlines()) == 1
+    output = run([sys.executable, "kernels.py"], tmp_path, NUMBA_THREADING_LAYER="workqueue")
+    assert expected in output and len(output.splitlines()) == 1
 
 
 def test_without_a_folder_for_code_kernels_work_and_one_warning_says_so(

@@ -27,8 +27,8 @@ RECORDS |= {"TierData", "Transmittance"}
 
 def examples_of(module: ModuleType, name: str) -> list[doctest.DocTest]:
     finder = doctest.DocTestFinder(exclude_empty=True)
-    found = finder.find(getattr(module, name), name, module=False, globs=dict(NAMES))
-    return [test for test in found if test.examples]
+    actual = finder.find(getattr(module, name), name, module=False, globs=dict(NAMES))
+    return [test for test in actual if test.examples]
 
 
 def public() -> Iterator[tuple[ModuleType, str]]:
@@ -53,7 +53,7 @@ def test_example(
     monkeypatch.chdir(tmp_path)
     tests = examples_of(module, name)
     assert tests, f"{module.__name__}.{name} has no example"
-    told: list[str] = []
+    failures: list[str] = []
     for test in tests:
-        doctest.DocTestRunner(optionflags=doctest.ELLIPSIS).run(test, out=told.append)
-    assert not told, "".join(told)
+        doctest.DocTestRunner(optionflags=doctest.ELLIPSIS).run(test, out=failures.append)
+    assert not failures, "".join(failures)

@@ -27,11 +27,11 @@ MISTAKES = [  # what is typed, the exit status, a part of the last line
 ]
 
 
-@pytest.mark.parametrize(("typed", "status", "told"), MISTAKES, ids=[m[0] for m in MISTAKES])
+@pytest.mark.parametrize(("typed", "status", "message"), MISTAKES, ids=[m[0] for m in MISTAKES])
 def test_a_mistake_says_what_to_do(
     typed: str,
     status: int,
-    told: str,
+    message: str,
     tmp_path: Path,
     capsys: pytest.CaptureFixture[str],
     monkeypatch: pytest.MonkeyPatch,
@@ -43,10 +43,10 @@ def test_a_mistake_says_what_to_do(
     module, function = COMMANDS[command].split(":")
     main = getattr(import_module(module), function)
     try:
-        found = main(arguments)
+        actual = main(arguments)
     except SystemExit as ended:
-        found = ended.code
+        actual = ended.code
     said = capsys.readouterr().err.splitlines()
-    assert (found, len(said)) == (status, status)  # bad usage has an example before it
-    assert told in said[-1]
+    assert (actual, len(said)) == (status, status)  # bad usage has an example before it
+    assert message in said[-1]
     assert len(list(tmp_path.iterdir())) == 3

@@ -23,12 +23,12 @@ MOST_FILES = 20
 
 def modules() -> dict[str, Path]:
     """Name -> file, of all packages."""
-    found = {}
+    actual = {}
     for package, folder in ROOTS.items():
         root = REPOSITORY / folder
         for path in (root / package).rglob("*.py"):
-            found[".".join(path.relative_to(root).with_suffix("").parts)] = path
-    return found
+            actual[".".join(path.relative_to(root).with_suffix("").parts)] = path
+    return actual
 
 
 def statements(tree: ast.Module, late: bool) -> Iterator[ast.stmt]:
@@ -46,28 +46,28 @@ def statements(tree: ast.Module, late: bool) -> Iterator[ast.stmt]:
 
 def imports(name: str, path: Path, known: set[str], late: bool = False) -> set[str]:
     """The modules of ours that a module names in its imports. late: in functions, too."""
-    found = set()
+    actual = set()
     package = name.split(".") if path.name == "__init__.py" else name.split(".")[:-1]
     for node in statements(ast.parse(path.read_text()), late):
         if isinstance(node, ast.Import):
-            found |= {alias.name for alias in node.names}
+            actual |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom):
             base = package[: len(package) - node.level + 1] if node.level else []
             source = ".".join([*base, *([node.module] if node.module else [])])
             inner = {f"{source}.{alias.name}" for alias in node.names}
             whole = {source} if not all(n in known for n in inner) else set()
-            found |= (inner & known) | whole
-    return (found & known) - {name}
+            actual |= (inner & known) | whole
+    return (actual & known) - {name}
 
 
 def behind_faces(name: str, path: Path, known: set[str]) -> set[str]:
     """As `imports` with late ones, and the modules that define what it takes from lazy faces."""
-    found = imports(name, path, known, late=True)
+    actual = imports(name, path, known, late=True)
     for node in statements(ast.parse(path.read_text()), late=True):
         if isinstance(node, ast.ImportFrom) and node.module in FACES:
             home = homes(node.module)
-            found |= {home[alias.name] for alias in node.names if alias.name in home}
-    return found - {name}
+            actual |= {home[alias.name] for alias in node.names if alias.name in home}
+    return actual - {name}
 
 
 def room(module: str) -> str:
@@ -95,12 +95,12 @@ def cycle(graph: dict[str, set[str]]) -> list[str]:
         if name in finished:
             return []
         for target in sorted(graph[name]):
-            if found := walk(target, [*way, name]):
-                return found
+            if actual := walk(target, [*way, name]):
+                return actual
         finished.add(name)
         return []
 
-    return next((found for name in sorted(graph) if (found := walk(name, []))), [])
+    return next((actual for name in sorted(graph) if (actual := walk(name, []))), [])
 
 
 FILES = {name.removesuffix(".__init__"): path for name, path in modules().items()}

@@ -31,10 +31,10 @@ def send(server: LocalServer, request: str) -> bytes:
     """All that the server says to these bytes before it hangs up."""
     with socket.create_connection(server.server_address, timeout=10) as connection:
         connection.sendall(request.replace("PORT", str(server.server_port)).encode())
-        found = b""
+        actual = b""
         while more := connection.recv(65536):
-            found += more
-        return found
+            actual += more
+        return actual
 
 
 END = " HTTP/1.1\r\nHost: 127.0.0.1:PORT\r\nConnection: close\r\n\r\n"

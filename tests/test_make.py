@@ -34,8 +34,8 @@ SMALL = (
 
 
 def command(source: Path, out: Path, *options: object) -> list[str]:
-    own = ["-m", "rna_export.make.rna_make", source, "--out", out, *options]
-    return [sys.executable, *map(str, own)]
+    arguments = ["-m", "rna_export.make.rna_make", source, "--out", out, *options]
+    return [sys.executable, *map(str, arguments)]
 
 
 def run(source: Path, out: Path, *options: object) -> str:
@@ -108,8 +108,8 @@ def test_lights_and_steps_make_the_package_of_the_three_commands(tmp_path: Path)
         ),
         ("export.rna_export", *runs, "--out", apart, *export),
     ):
-        own = [sys.executable, "-m", f"rna_export.{module}", *map(str, options)]
-        subprocess.run(own, check=True, capture_output=True)
+        arguments = [sys.executable, "-m", f"rna_export.{module}", *map(str, options)]
+        subprocess.run(arguments, check=True, capture_output=True)
     with Package.open(made) as one, Package.open(apart) as other:
         assert [tier.name for tier in one.manifest.tiers] == ["tiny", "small-int8"]
         assert one.manifest.entries == other.manifest.entries

@@ -57,8 +57,8 @@ def test_a_folder_of_its_own_is_entered(tmp_path: Path, folder: str) -> None:
         folder, []
     ):
         (path / name).touch()
-    with owned(path, "rna-test", lambda path: (path / "x").is_file()) as own:
-        (own.path / "result").touch()
+    with owned(path, "rna-test", lambda path: (path / "x").is_file()) as entered:
+        (entered.path / "result").touch()
     assert {".rna-test", "result"} <= set(names(path))
     assert (path / ".rna-test").read_bytes() == b""
 
@@ -76,16 +76,16 @@ def test_only_what_is_named_is_deleted(tmp_path: Path) -> None:
     work, elsewhere = tmp_path / "work", tmp_path / "elsewhere"
     elsewhere.mkdir()
     (elsewhere / "mine").touch()
-    with owned(work, "rna-test") as own:
+    with owned(work, "rna-test") as folder:
         (work / "rays").mkdir()
         (work / "rays" / "0").touch()
         (work / "state.json").touch()
         (work / "linked").symlink_to(elsewhere)
         (work / "notes.txt").touch()
-        assert own.dissolve("rays", "state.json", "linked", "missing") == ["notes.txt"]
+        assert folder.dissolve("rays", "state.json", "linked", "missing") == ["notes.txt"]
         assert names(work) == [".rna-test", "notes.txt"]
         (work / "notes.txt").unlink()
-        assert own.dissolve() == []
+        assert folder.dissolve() == []
     assert names(tmp_path) == ["elsewhere", "elsewhere/mine"]
 
 

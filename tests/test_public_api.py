@@ -66,13 +66,13 @@ RENDERERS = {"rna_trace": OUR_TOOLS, "rna_render": OUR_TOOLS, "rna_mitsuba": set
 
 def imports(source: str) -> list[tuple[str, str]]:
     """(module, name) of each `from module import name`; name is "" of `import module`."""
-    found = []
+    actual = []
     for node in ast.walk(ast.parse(source)):
         if isinstance(node, ast.Import):
-            found += [(alias.name, "") for alias in node.names]
+            actual += [(alias.name, "") for alias in node.names]
         elif isinstance(node, ast.ImportFrom) and node.module:
-            found += [(node.module, alias.name) for alias in node.names]
-    return found
+            actual += [(node.module, alias.name) for alias in node.names]
+    return actual
 
 
 def strangers(source: str, tools: set[str]) -> list[str]:
@@ -80,11 +80,13 @@ def strangers(source: str, tools: set[str]) -> list[str]:
     return private_names(source, {"rna_sdk"}, PUBLIC, tools)
 
 
-def private_names(source: str, packages: set[str], public: set[str], own: set[str]) -> list[str]:
-    """Imports of the packages that are no public names, modules in `own` excepted."""
+def private_names(
+    source: str, packages: set[str], public: set[str], excepted: set[str]
+) -> list[str]:
+    """Imports of the packages that are no public names, modules in `excepted` excepted."""
     wrong = []
     for module, name in imports(source):
-        if module.split(".")[0] not in packages or module in own:
+        if module.split(".")[0] not in packages or module in excepted:
             continue
         names = getattr(importlib.import_module(module), "__all__", None)
         if module not in public or (names is not None and name not in names):
@@ -95,19 +97,19 @@ def private_names(source: str, packages: set[str], public: set[str], own: set[st
 @pytest.mark.parametrize("renderer", RENDERERS)
 def test_renderers_import_public_names_alone(renderer: str) -> None:
     files = sorted((REPOSITORY / "runtime" / renderer).rglob("*.py"))
-    found = {str(f): strangers(f.read_text(), RENDERERS[renderer]) for f in files}
-    assert files and {file: names for file, names in found.items() if names} == {}
+    actual = {str(f): strangers(f.read_text(), RENDERERS[renderer]) for f in files}
+    assert files and {file: names for file, names in actual.items() if names} == {}
 
 
 @pytest.mark.parametrize("folder", USERS)
 def test_other_packages_import_faces_of_renderers_alone(folder: str) -> None:
     public = {"rna_render", "rna_render.scene", "rna_trace"}
     files = sorted((REPOSITORY / folder).rglob("*.py"))
-    found = {
+    actual = {
         str(f): private_names(f.read_text(), {"rna_render", "rna_trace"}, public, USERS[folder])
         for f in files
     }
-    assert files and {file: names for file, names in found.items() if names} == {}
+    assert files and {file: names for file, names in actual.items() if names} == {}
 
 
 @pytest.mark.parametrize("folder", USERS)

@@ -73,8 +73,8 @@ def test_its_commands_run_in_their_order(tmp_path: Path, monkeypatch: pytest.Mon
             more = SMALL if command == "rna-run" else []
             assert main_of(command)([*arguments, *more]) == 0, command
     assert {"rna-make", "rna-view", "rna-run", "rna-info"} <= set(ran)
-    found = {path.name for path in (tmp_path / "out").iterdir()}
-    assert {"toy.rna", "scene.yaml", "toy.png", "toy.exr"} == found
+    actual = {path.name for path in (tmp_path / "out").iterdir()}
+    assert {"toy.rna", "scene.yaml", "toy.png", "toy.exr"} == actual
 
 
 @pytest.mark.parametrize("page", ["README.md", "CONTRIBUTING.md", *map(str, PAGES)])

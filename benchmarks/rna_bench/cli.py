@@ -49,17 +49,17 @@ def main(argv: Sequence[str] | None = None) -> int:
     """Entry point; returns the exit status."""
     given = list(sys.argv[1:] if argv is None else argv)
     command = COMMANDS[parser().parse_args(given[:1]).name]
-    own, script_arguments = split_script_arguments(given[1:])
+    command_line, script_arguments = split_script_arguments(given[1:])
 
     def measure() -> int | None:
-        args = parser_of(command).parse_args(own)
+        args = parser_of(command).parse_args(command_line)
         _check_out(args)
         args.script_arguments, args.stamp = script_arguments, stamp(given)
         return args.run(args)
 
-    kept = "finished steps are kept: run the same command again to resume"
-    stopped = kept if command.resumes else "nothing was written"
-    return run_command(measure, "--debug" in own, stopped, "bench")
+    note = "finished steps are kept: run the same command again to resume"
+    stopped = note if command.resumes else "nothing was written"
+    return run_command(measure, "--debug" in command_line, stopped, "bench")
 
 
 def _check_out(args: argparse.Namespace) -> None:

@@ -33,12 +33,12 @@ def answer(output, path, tier_name, number, x, axis, h, wo, wi):
     with zipfile.ZipFile(path) as archive:  # 2: a ZIP of stored entries
         manifest = json.loads(archive.read("manifest.json"))  # 3
         tier = next(tier for tier in manifest["tiers"] if tier["name"] == tier_name)
-        part, own = manifest["parts"][number], tier["parts"][number]
-        asked = own.get("emission") if output == "emission" else own
-        if asked is None:
+        part, tier_part = manifest["parts"][number], tier["parts"][number]
+        decoder = tier_part.get("emission") if output == "emission" else tier_part
+        if decoder is None:
             return np.zeros((len(x), 3))
-        planes = read_planes(archive.read(own["planes"]))
-        nodes, constants = read_decoder(archive.read(asked["decoder"]))
+        planes = read_planes(archive.read(tier_part["planes"]))
+        nodes, constants = read_decoder(archive.read(decoder["decoder"]))
     low, high = (np.float32(part["bounds"][corner]).astype(float) for corner in ("min", "max"))
     # 8: what is not finite, or has no direction, gets 0; all else is brought into range.
     rows = np.isfinite(np.column_stack([x, axis, h, wo, wi])).all(axis=1)
@@ -46,7 +46,7 @@ def answer(output, path, tier_name, number, x, axis, h, wo, wi):
     p = np.clip((x[rows] - low) / (high - low), 0, 1)
     directions = (unit(v[rows]) for v in (axis, wo, wi))
     blocks = input_blocks(planes, p, np.clip(h[rows], -1, 1), *directions)
-    queries = np.hstack([blocks[name] for name in asked["inputs"]])
+    queries = np.hstack([blocks[name] for name in decoder["inputs"]])
     result = np.zeros((len(x), {"transport": 6, "emission": 3}[output]))
     result[rows] = run(nodes, {**constants, "queries": queries})[output]
     return result

@@ -87,9 +87,9 @@ def main() -> None:
     options = parser.parse_args()
     scene = make_scene()
     angles, colour = find(scene, photograph(scene), options.steps)
-    found = [*(float(angles[k][0]) for k in range(2)), *(float(colour[k][0]) for k in range(3))]
+    result = [*(float(angles[k][0]) for k in range(2)), *(float(colour[k][0]) for k in range(3))]
     names = ("azimuth", "height", "red", "green", "blue")
-    for name, value, true in zip(names, found, (*TRUE_ANGLES, *TRUE_COLOUR), strict=True):
+    for name, value, true in zip(names, result, (*TRUE_ANGLES, *TRUE_COLOUR), strict=True):
         print(f"{name:8} found {value:6.3f}, true {true:6.3f}")
 
 

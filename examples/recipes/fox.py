@@ -91,17 +91,17 @@ def melted(shape, material):
 
 def stone(points, rng):
     """Linear RGB of the stone at points (n, 3)."""
-    own = (points - HEAD) @ LOOKS  # of the head
+    head_points = (points - HEAD) @ LOOKS  # of the head
     turn = np.degrees(np.arctan2(points[:, 1], points[:, 0])) % 360.0
     out = np.hypot(points[:, 0], points[:, 1])
     tail = smoothstep(272.0, 288.0, turn + 9.0 * np.sin(300.0 * points[:, 2]))
     tail *= smoothstep(0.096, 0.106, out) * (1.0 - smoothstep(318.0, 330.0, turn))
-    near = 1.0 - smoothstep(0.088, 0.098, np.linalg.norm(own, axis=1))
-    tail *= 1.0 - smoothstep(-0.035, -0.028, own[:, 2]) * near  # the chin's end is as clear
-    muzzle = near * (1.0 - smoothstep(-0.022, -0.010, own[:, 2] + 0.08 * own[:, 0]))
+    near = 1.0 - smoothstep(0.088, 0.098, np.linalg.norm(head_points, axis=1))
+    tail *= 1.0 - smoothstep(-0.035, -0.028, head_points[:, 2]) * near  # the chin's end is as clear
+    muzzle = near * (1.0 - smoothstep(-0.022, -0.010, head_points[:, 2] + 0.08 * head_points[:, 0]))
     white = np.maximum(tail, muzzle)[:, None]
-    ear = smoothstep(0.046, 0.068, own[:, 2]) * near
-    nose = 1.0 - smoothstep(0.006, 0.010, np.linalg.norm(own - [-0.090, 0, -0.015], axis=1))
+    ear = smoothstep(0.046, 0.068, head_points[:, 2]) * near
+    nose = 1.0 - smoothstep(0.006, 0.010, np.linalg.norm(head_points - [-0.090, 0, -0.015], axis=1))
     dark = np.maximum(ear, nose)[:, None]
     clouds = np.zeros(len(points))
     for k in range(4):
@@ -139,9 +139,9 @@ def build(depth):
     points = np.empty((len(made.data.vertices), 3), np.float32)
     made.data.vertices.foreach_get("co", points.reshape(-1))
     layer = made.data.color_attributes.new("stone", "FLOAT_COLOR", "POINT")
-    found = np.ones((len(points), 4), np.float32)
-    found[:, :3] = stone(points, np.random.default_rng(3))
-    layer.data.foreach_set("color", found.reshape(-1))
+    result = np.ones((len(points), 4), np.float32)
+    result[:, :3] = stone(points, np.random.default_rng(3))
+    layer.data.foreach_set("color", result.reshape(-1))
     eyes = shading.principled("eyes", (0.09, 0.03, 0.015), Roughness=0.4)
     add_closed_eyes(eyes)
 

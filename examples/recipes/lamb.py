@@ -219,13 +219,13 @@ def pose(rig, frame):
         bend |= {f"thigh {leg}": (thigh - pitch, None), f"shin {leg}": (shin, None)}
     for name, (angle, shift) in bend.items():
         bone = rig.pose.bones[name]
-        own = rig.data.bones[name].matrix_local.to_3x3().transposed()
-        axis = own @ Matrix.Identity(3).col[0]  # of the bone, towards +x
+        rest = rig.data.bones[name].matrix_local.to_3x3().transposed()
+        axis = rest @ Matrix.Identity(3).col[0]  # of the bone, towards +x
         bone.rotation_mode = "AXIS_ANGLE"
         bone.rotation_axis_angle = amount * angle, *axis
         bone.keyframe_insert("rotation_axis_angle", frame=frame)
         if shift is not None:
-            bone.location = amount * (own @ Matrix.Translation(shift).to_translation())
+            bone.location = amount * (rest @ Matrix.Translation(shift).to_translation())
             bone.keyframe_insert("location", frame=frame)
 
 

@@ -51,10 +51,10 @@ def grid(points, closed=False):
             u, v = j / (columns - (not closed)), i / (rows - 1)
             du, dv = 1.0 / (columns - (not closed)), 1.0 / (rows - 1)
             places = [(u, v), (u + du, v), (u + du, v + dv), (u, v + dv)]
-            kept = [k for k in range(4) if corners[k] != corners[k - 1]]
-            if len(kept) > 2:
-                faces.append([int(corners[k]) for k in kept])
-                uvs.append([places[k] for k in kept])
+            distinct = [k for k in range(4) if corners[k] != corners[k - 1]]
+            if len(distinct) > 2:
+                faces.append([int(corners[k]) for k in distinct])
+                uvs.append([places[k] for k in distinct])
     return Shape(flat[first], faces, uvs)
 
 

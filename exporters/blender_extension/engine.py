@@ -100,11 +100,11 @@ class _View:
             if stamp == shown:
                 return shown
             with np.load(path) as arrays:
-                found = dict(arrays)
+                result = dict(arrays)
         except (FileNotFoundError, BadZipFile):
             return shown
         indices = self._described.pass_indices
-        channels = Channels(found, self._camera, self._exposure, indices)
+        channels = Channels(result, self._camera, self._exposure, indices)
         self._put(channels)
         self._engine.update_progress(channels.samples / self._total)
         self._engine.update_stats("", f"sample {channels.samples} of {self._total}")
@@ -123,9 +123,9 @@ class _View:
 
 
 def _arguments(scene, folder, size):
-    own = scene.rna_render
-    more = ["--threads", own.threads] if own.threads else []
-    more += ["--denoise"] if own.denoise else []
+    settings = scene.rna_render
+    more = ["--threads", settings.threads] if settings.threads else []
+    more += ["--denoise"] if settings.denoise else []
     every = max(_EVERY, size[0] * size[1] / _PIXELS_A_SECOND)
     out = ["--out", folder / "image.npz", "--every", every]
     return ["-m", "rna_render.command.rna_run", folder / "scene.yaml", *out, *more]

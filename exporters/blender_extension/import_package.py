@@ -63,15 +63,15 @@ def _fix_to(first, item):
 
 def _data_in_file(path):
     """Data-blocks of all parts of a package, if they are there and the file is no newer."""
-    found = {}
+    result = {}
     for block in (*bpy.data.meshes, *bpy.data.hair_curves):
         record = block.rna_package
         if record.path and Path(bpy.path.abspath(record.path)).resolve() == path:
             if record.stamp == str(path.stat().st_mtime_ns):
-                found[record.part] = block
-    if 0 not in found:
+                result[record.part] = block
+    if 0 not in result:
         return None
-    parts = [found.get(part) for part in range(len(info_of(found[0])["parts"]))]
+    parts = [result.get(part) for part in range(len(info_of(result[0])["parts"]))]
     return parts if None not in parts else None
 
 

@@ -22,21 +22,23 @@ def load_package(path):
         out = Path(folder) / "package.npz"
         sdk_command.run([sdk_command.SIDE / "unpack.py", path, out], Path(folder) / "log")
         with np.load(out) as arrays:
-            found = dict(arrays)
-    info = json.loads(str(found["info"]))
+            result = dict(arrays)
+    info = json.loads(str(result["info"]))
     data = []
     for number, part in enumerate(info["parts"]):
-        own = {n.partition("/")[2]: a for n, a in found.items() if n.startswith(f"{number}/")}
+        part_arrays = {
+            n.partition("/")[2]: a for n, a in result.items() if n.startswith(f"{number}/")
+        }
         alone = len(info["parts"]) == 1
         name = info["name"] if alone else f"{info['name']} {part['name']}"
-        block = _mesh(name, own) if part["kind"] == "surface" else _hair(name, own)
+        block = _mesh(name, part_arrays) if part["kind"] == "surface" else _hair(name, part_arrays)
         block.materials.append(_material(name, (info["standin"] or {number: {}})[number]))
         block.rna_package.path = _stored(path)
         block.rna_package.part = number
         block.rna_package.info = json.dumps(info)
         block.rna_package.stamp = str(path.stat().st_mtime_ns)
         data.append(block)
-    return data, found.get("poster")
+    return data, result.get("poster")
 
 
 def _stored(path):

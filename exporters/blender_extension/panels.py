@@ -76,10 +76,10 @@ class BakePanel(_Properties, bpy.types.Panel):
         return context.object is not None and package_of(context.object) is None
 
     def draw(self, context):
-        column, own = self.layout.column(), context.object.rna_bake
+        column, settings = self.layout.column(), context.object.rna_bake
         column.use_property_split = True
         for name in ("out", "presets", "minutes", "min_psnr", "license", "options"):
-            column.prop(own, name)
+            column.prop(settings, name)
         job = job_of(context.object)
         if job is None or not job.is_begun():
             column.operator("rna.bake")
@@ -140,8 +140,8 @@ CLASSES = (PackagePanel, BakePanel, SamplingPanel, PassesPanel)
 
 
 def _shared():
-    found = (getattr(bpy.types, name, None) for name in _SHARED)
-    return [panel for panel in found if panel is not None and hasattr(panel, "COMPAT_ENGINES")]
+    result = (getattr(bpy.types, name, None) for name in _SHARED)
+    return [panel for panel in result if panel is not None and hasattr(panel, "COMPAT_ENGINES")]
 
 
 def register():

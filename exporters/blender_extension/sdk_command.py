@@ -77,7 +77,7 @@ def log_lines(path, start=0):
 
 
 def failure(lines, status):
-    """The line of a log that tells why a command failed."""
+    """The line of a log with the reason why a command failed."""
     errors = [line for line in lines if line.startswith("error: ")]
     last = errors[-1].removeprefix("error: ") if errors else (lines or ["it said nothing"])[-1]
     return last if errors else f"the command ended with status {status}: {last}"

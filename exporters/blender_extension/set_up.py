@@ -42,9 +42,9 @@ class SetUp(bpy.types.Operator):
             bpy.app.timers.register(_look, first_interval=_POLL)
             return {"FINISHED"}
         _running.wait()
-        return self._told()
+        return self._report_status()
 
-    def _told(self):
+    def _report_status(self):
         try:
             _running.check()
         except sdk.SdkError as error:

@@ -23,10 +23,12 @@ def templates(*packages: str) -> Environment:
     return environment
 
 
-_OWN = templates()
+_TEMPLATES = templates()
 
 
-def write_html(path: Path, template: str, environment: Environment = _OWN, **values: Any) -> None:
+def write_html(
+    path: Path, template: str, environment: Environment = _TEMPLATES, **values: Any
+) -> None:
     """Write a page from a template of the environment."""
     text = environment.get_template(template).render(**values)
     write_atomically(path, f"{text}\n".encode())

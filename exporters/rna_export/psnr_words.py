@@ -19,7 +19,7 @@ def psnr_in_words(db: float) -> str:
     return next((words for below, words in _STEPS if db < below), _BEST)
 
 
-def told_psnr(db: float, in_pixels: float | None = None) -> str:
+def psnr_text(db: float, in_pixels: float | None = None) -> str:
     """A PSNR, dB, in figures and words.
 
     in_pixels: of strands, dB in pixels of several rays, which the words are then of. Validation

@@ -11,7 +11,7 @@ Rows = NDArray[np.float32]
 
 COLUMNS = 14
 COMMAND = "environment"
-"""The word that asks a reader for lobes; also the level's."""
+"""The word of the protocol that requests lobes; also the level's name."""
 
 
 @dataclass(frozen=True)

@@ -99,7 +99,7 @@ def lobes(
 
 
 def command_of(form: DecoderForm) -> str:
-    """The word that asks a reader for a decoder's output."""
+    """The word of the protocol that requests a decoder's output."""
     return "evaluate" if form is TRANSPORT else form.name
 
 
@@ -134,8 +134,8 @@ def _checked(answer: Answer, what: str) -> Answer:
 
 def _read(path: Path, count: int) -> NDArray[np.float32]:
     size = 4 * count
-    found = path.stat().st_size if path.is_file() else None
-    if found != size:
-        wrote = "no file" if found is None else f"{found} bytes"
+    actual = path.stat().st_size if path.is_file() else None
+    if actual != size:
+        wrote = "no file" if actual is None else f"{actual} bytes"
         raise ConformanceError(f"the reader wrote {wrote}, expected {size} bytes")
     return np.fromfile(path, "<f4")

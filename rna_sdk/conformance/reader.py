@@ -30,9 +30,9 @@ def environment(package: str, tier: str, part: int, queries: LobeQueries) -> NDA
     """(n, 6 L) by the runtime."""
     from rna_sdk.runtime import load
 
-    own: Any = load(package, tier).parts[part]  # of either kind: the arguments fit it
-    visibility = own.visibility_at(queries.primitive, queries.u, queries.v)
-    return answer_of(*own.lobes(*queries.arguments(own.kind), visibility))
+    asset: Any = load(package, tier).parts[part]  # of either kind: the arguments fit it
+    visibility = asset.visibility_at(queries.primitive, queries.u, queries.v)
+    return answer_of(*asset.lobes(*queries.arguments(asset.kind), visibility))
 
 
 def check(package: str) -> tuple[bool, list[str]]:

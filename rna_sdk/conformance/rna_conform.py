@@ -25,9 +25,9 @@ _TABLE = "{:<10} {:<24} {:<18} {:>5} {:>6}  {:>10} {:>9}  {}"
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command. Returns 0 when every level that was run passes, 1 when one does not."""
-    own, words = split_script_arguments(arguments)
+    command_line, words = split_script_arguments(arguments)
     parser = _parser()
-    options = parser.parse_args(own)
+    options = parser.parse_args(command_line)
     if not words:
         parser.error("no COMMAND; give it after --, as in: rna-conform -- ./my-reader")
     return run_command(lambda: _run(options, words), options.debug, "no verdict")
@@ -110,13 +110,13 @@ def print_table(scores: Iterable[Score]) -> list[Score]:
             print(_line(one), flush=True)
     print()
     for level in LEVELS:
-        own = [one for one in printed if one.level == level]
-        if own:
-            passed = sum(one.passed for one in own)
-            verdict = "pass" if passed == len(own) else "FAIL"
-            largest = max(one.in_tolerances for one in own)
+        rows = [one for one in printed if one.level == level]
+        if rows:
+            passed = sum(one.passed for one in rows)
+            verdict = "pass" if passed == len(rows) else "FAIL"
+            largest = max(one.in_tolerances for one in rows)
             tail = f", largest difference {largest:.3g} tolerances" if level in MEASURED else ""
-            print(f"{level}: {verdict}, {passed} of {len(own)} cases{tail}")
+            print(f"{level}: {verdict}, {passed} of {len(rows)} cases{tail}")
     return printed
 
 

@@ -80,35 +80,35 @@ def _nothing(case: Case) -> Score:
 def _evaluate(program: Program, case: EvaluateCase, int8_share: float) -> Score:
     form = form_named(case.output)
     where = case.package, case.tier, case.part, case.queries
-    found = reader.evaluate(program, form, case.expected.shape[1], *where)
-    return _compared(case, found, allowed(found), case.step, int8_share)
+    actual = reader.evaluate(program, form, case.expected.shape[1], *where)
+    return _compared(case, actual, allowed(actual), case.step, int8_share)
 
 
 def _lobes(program: Program, case: LobesCase) -> Score:
     where = case.package, case.tier, case.part, case.queries
-    found = reader.lobes(program, case.expected.shape[1], *where)
-    is_axis = np.arange(found.shape[1]) % 6 >= 3
-    return _compared(case, found, allowed(found) | (np.isfinite(found) & is_axis))
+    actual = reader.lobes(program, case.expected.shape[1], *where)
+    is_axis = np.arange(actual.shape[1]) % 6 >= 3
+    return _compared(case, actual, allowed(actual) | (np.isfinite(actual) & is_axis))
 
 
 def _normals(program: Program, case: NormalsCase) -> Score:
-    found = reader.of_hits(program, case.level, case.package, case.hits)
-    return _compared(case, found, np.isfinite(found))
+    actual = reader.of_hits(program, case.level, case.package, case.hits)
+    return _compared(case, actual, np.isfinite(actual))
 
 
 def _compared(
     case: EvaluateCase | NormalsCase,
-    found: NDArray[np.float64],
+    actual: NDArray[np.float64],
     good: NDArray[np.bool_],
     step: float = 0.0,
     int8_share: float = 0.0,
 ) -> Score:
     """Each value against its tolerance; `int8_share` of the rows may be off by a step of int8."""
-    difference = np.where(good, np.abs(found - case.expected), np.inf)
+    difference = np.where(good, np.abs(actual - case.expected), np.inf)
     units = _units(difference, case.tolerance)
     wrong = units.max(axis=1) > 1
     by_a_step = np.all(difference <= case.tolerance + step, axis=1)
-    few = step > 0 and int(np.sum(wrong)) <= int8_share * len(found)
+    few = step > 0 and int(np.sum(wrong)) <= int8_share * len(actual)
     within = not wrong.any() or (few and bool(by_a_step[wrong].all()))
     counted = ~wrong if within else np.ones_like(wrong)
     steps = f"{int(wrong.sum())} rows by one step of int8" if within and wrong.any() else ""
@@ -116,12 +116,12 @@ def _compared(
         case.level,
         case.package.stem,
         _tier(case),
-        len(found),
+        len(actual),
         int(np.sum(~wrong)),
         within,
         float(units[counted].max()),
         float(difference[counted].max()),
-        steps if within else _worst(case, found, int(units.max(axis=1).argmax())),
+        steps if within else _worst(case, actual, int(units.max(axis=1).argmax())),
     )
 
 
@@ -138,10 +138,10 @@ def _units(difference: NDArray[np.float64], tolerance: NDArray[np.float64]) -> N
 
 
 def _worst(
-    case: EvaluateCase | VisibilityCase | NormalsCase, found: NDArray[np.float64], row: int
+    case: EvaluateCase | VisibilityCase | NormalsCase, actual: NDArray[np.float64], row: int
 ) -> str:
     return (
-        f"row {row} ({_class_of(case.classes, row)}): found {_shown(found[row])}, "
+        f"row {row} ({_class_of(case.classes, row)}): found {_shown(actual[row])}, "
         f"expected {_shown(case.expected[row])}"
     )
 
@@ -151,13 +151,13 @@ def _shown(values: NDArray[np.floating]) -> str:
 
 
 def _visibility(program: Program, case: VisibilityCase, tolerance: float) -> Score:
-    found = reader.of_hits(program, case.level, case.package, case.hits)
-    difference = np.where(np.isfinite(found), np.abs(found - case.expected), np.inf).max(axis=1)
+    actual = reader.of_hits(program, case.level, case.package, case.hits)
+    difference = np.where(np.isfinite(actual), np.abs(actual - case.expected), np.inf).max(axis=1)
     wrong, note = np.flatnonzero(difference > tolerance), ""
     if len(wrong):
         where = ", ".join(sorted({_class_of(case.classes, int(k)) for k in wrong}))
-        note = f"{_worst(case, found, int(wrong[0]))}; wrong in: {where}"
-    rows = len(found)
+        note = f"{_worst(case, actual, int(wrong[0]))}; wrong in: {where}"
+    rows = len(actual)
     return Score(case.level, case.package.stem, "", rows, rows - len(wrong), not note, note=note)
 
 

@@ -25,15 +25,15 @@ Rows = NDArray[np.float32]
 def evaluate(form: str, package: str, tier: str, part: int, arrays: dict[str, Rows]) -> Rows:
     """(n, width): the decoder's output, 0 for rows that are no queries."""
     with Package.open(package) as opened:
-        own = opened.tier(tier).parts[part]
-        decoder = next((one for one in own.decoders if one.form.name == form), None)
+        tier_part = opened.tier(tier).parts[part]
+        decoder = next((one for one in tier_part.decoders if one.form.name == form), None)
         width = form_named(form).width(None) if decoder is None else decoder.width
         result = np.zeros((len(arrays["wo"]), width), np.float32)
         if decoder is None:
             return result
         valid = _valid(arrays)
-        asked = {name: rows[valid] for name, rows in arrays.items()}
-        queries = _queries(opened, part, opened.planes(tier, part), decoder.inputs, asked)
+        arguments = {name: rows[valid] for name, rows in arrays.items()}
+        queries = _queries(opened, part, opened.planes(tier, part), decoder.inputs, arguments)
         model = bytes(opened.decoder(tier, part, form))
         result[valid] = Graph(model, optimized=False).run(queries)
         return result
@@ -42,21 +42,23 @@ def evaluate(form: str, package: str, tier: str, part: int, arrays: dict[str, Ro
 def environment(package: str, tier: str, part: int, queries: LobeQueries) -> Rows:
     """(n, 6 L): amplitudes and axes, 0 for rows that are no queries. tier: any."""
     with Package.open(package) as opened:
-        own, kind = opened.environment(part), opened.manifest.parts[part].kind
-        assert own is not None
+        environment, kind = opened.environment(part), opened.manifest.parts[part].kind
+        assert environment is not None
         arrays = {name: getattr(queries, name) for name in ("position", "axis", "h", "wo")}
         valid = _valid(arrays) & np.isfinite(queries.free)
-        asked = {name: rows[valid] for name, rows in arrays.items()}
-        asked["wi"] = mirror_reference(kind, asked["axis"], asked["wo"])
-        inputs = _queries(opened, part, own.planes, own.record.inputs, asked)
-        if own.harmonics is not None:
+        arguments = {name: rows[valid] for name, rows in arrays.items()}
+        arguments["wi"] = mirror_reference(kind, arguments["axis"], arguments["wo"])
+        inputs = _queries(opened, part, environment.planes, environment.record.inputs, arguments)
+        if environment.harmonics is not None:
             corners, weights = _corners(opened, part, queries)
-            mixed = visibility_reference(own.harmonics, corners[valid], weights[valid])
+            mixed = visibility_reference(environment.harmonics, corners[valid], weights[valid])
             inputs = np.hstack([inputs, mixed.astype(np.float32)])
-        output = Graph(bytes(own.decoder), optimized=False).run(inputs)
-        result = np.zeros((len(valid), 6 * own.record.lobes), np.float32)
-        found = lobes_reference(kind, output, asked["axis"], asked["wo"], queries.free[valid])
-        result[valid] = answer_of(*found)
+        output = Graph(bytes(environment.decoder), optimized=False).run(inputs)
+        result = np.zeros((len(valid), 6 * environment.record.lobes), np.float32)
+        results = lobes_reference(
+            kind, output, arguments["axis"], arguments["wo"], queries.free[valid]
+        )
+        result[valid] = answer_of(*results)
         return result
 
 

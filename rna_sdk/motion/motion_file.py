@@ -266,8 +266,8 @@ def _arrays(
     names = tensor_names(data, file.name, _CODES)
     parts = sum(name.startswith("part.") for name in names)
     if {"rate", "topology"} <= names and parts != len(geometries):
-        own = len(geometries)
-        raise MotionError(f"{file}: has {parts} parts, but {package} has {own}")
+        count = len(geometries)
+        raise MotionError(f"{file}: has {parts} parts, but {package} has {count}")
     frames = range(1, MAX_FRAMES + 1)
     forms = {
         "rate": TensorForm("float32", (1,)),

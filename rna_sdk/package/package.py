@@ -288,9 +288,9 @@ class Package:
         Raises:
             QueryError: the package has no such tier, part or decoder, or is closed.
         """
-        for own in self._tier_part(tier, part).decoders:
-            if own.form.name == form:
-                return self._view(own.entry)
+        for record in self._tier_part(tier, part).decoders:
+            if record.form.name == form:
+                return self._view(record.entry)
         raise QueryError(f"no decoder of {form} in part {part} of tier {tier!r}")
 
     def environment(self, part: int = 0) -> EnvironmentLobes | None:

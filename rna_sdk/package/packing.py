@@ -89,10 +89,10 @@ class Lobes:
             lobes=self.lobes,
             visibility=None if self.harmonics is None else visibility,
         )
-        own = {decoder: self.decoder}
+        files = {decoder: self.decoder}
         if self.harmonics is not None:
-            own[visibility] = visibility_to_bytes(self.harmonics)
-        return record, own
+            files[visibility] = visibility_to_bytes(self.harmonics)
+        return record, files
 
 
 @dataclass(frozen=True)
@@ -186,8 +186,8 @@ class Unpacked:
         for k, (part, lobes) in enumerate(zip(self.manifest.parts, parts, strict=True)):
             record = None
             if lobes is not None:
-                record, own = lobes.entries(part.name, tiers[lobes.tier].parts[k])
-                entries |= own
+                record, files = lobes.entries(part.name, tiers[lobes.tier].parts[k])
+                entries |= files
             records.append(record)
         data = Environment(parts=tuple(records), validation=tuple(validation))
         return self.with_extension(data, entries)
@@ -253,8 +253,8 @@ class Unpacked:
             "extensions_required": _other(manifest.extensions_required, kind.NAME),
             "extensions": {k: v for k, v in manifest.extensions.items() if k != kind.NAME},
         }
-        kept = {k: v for k, v in self.entries.items() if not k.startswith(folder)}
-        return Unpacked(manifest.model_copy(update=update), kept)
+        entries = {k: v for k, v in self.entries.items() if not k.startswith(folder)}
+        return Unpacked(manifest.model_copy(update=update), entries)
 
 
 def _other(names: tuple[str, ...], name: str) -> tuple[str, ...]:
@@ -263,6 +263,6 @@ def _other(names: tuple[str, ...], name: str) -> tuple[str, ...]:
 
 def _smallest(data: bytes, channels: int | None) -> tuple[int, int, bytes]:
     """Element size, distance and stream of the coding that makes the fewest bytes."""
-    own = () if channels is None else ((1, channels), (2, channels), (4, channels))
-    coded = ((size, far, encode(data, size, far)) for size, far in (*_CODINGS, *own))
+    sizes = () if channels is None else ((1, channels), (2, channels), (4, channels))
+    coded = ((size, far, encode(data, size, far)) for size, far in (*_CODINGS, *sizes))
     return min(coded, key=lambda one: len(one[2]))

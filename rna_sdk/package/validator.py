@@ -157,13 +157,13 @@ def _check_contents(
     for tier in manifest.tiers:
         for tier_part in tier.parts:
             _check_planes(result, container, tier_part, intact, checked)
-            for own in tier_part.decoders:
-                _check_decoder(result, container, own, intact, checked)
+            for decoder in tier_part.decoders:
+                _check_decoder(result, container, decoder, intact, checked)
     data = extension(manifest, Environment)
     for k, record in enumerate(data.parts if data else ()):
         if record is not None:
             _check_planes(result, container, record, intact, checked)
-            _check_decoder(result, container, record.own_decoder, intact, checked)
+            _check_decoder(result, container, record.optional_decoder, intact, checked)
             name = record.visibility
             if name is not None and name in intact and k in vertices:
                 with result.collect():
@@ -209,18 +209,18 @@ def _check_planes(
 def _check_decoder(
     result: Inspection,
     container: Container,
-    own: PartDecoder,
+    decoder: PartDecoder,
     intact: set[str],
     checked: set[object],
 ) -> None:
-    if own.entry in intact and own not in checked:
-        checked.add(own)
+    if decoder.entry in intact and decoder not in checked:
+        checked.add(decoder)
         with result.collect():
-            result.issues += check_decoder(container.view(own.entry), own)
+            result.issues += check_decoder(container.view(decoder.entry), decoder)
 
 
 class _Textures:
-    """The textures of one part, each issue told once."""
+    """The textures of one part; each issue is reported once."""
 
     def __init__(self, result: Inspection, container: Container, intact: set[str]) -> None:
         self._result, self._container, self._intact = result, container, intact

@@ -155,8 +155,8 @@ class _Contents:
         if len(data) != len(tier.parts):
             found, expected = f"data of {len(data)} parts", f"of {len(tier.parts)}"
             refuse(Code.PARTS_DIFFER, f"/tiers/{i}", found, expected)
-        for k, (part, own) in enumerate(zip(tier.parts, data, strict=True)):
-            self._add_tier_part(i, k, part, own)
+        for k, (part, part_data) in enumerate(zip(tier.parts, data, strict=True)):
+            self._add_tier_part(i, k, part, part_data)
 
     def _add_tier_part(self, i: int, k: int, part: TierPart, data: TierData) -> None:
         where = pointer("tiers", i, "parts", k)
@@ -165,12 +165,12 @@ class _Contents:
             refuse(Code.PLANES_DTYPE, f"{where}/planePrecision", dtype, expected)
         self._add(where, part.planes, planes_to_bytes(data.planes))
         decoders = {TRANSPORT.name: data.decoder, **data.others}
-        declared = {own.form.name: own for own in part.decoders}
+        declared = {decoder.form.name: decoder for decoder in part.decoders}
         for name in [*(decoders.keys() - declared), *(declared.keys() - decoders)]:
             found = "one" if name in decoders else "none"
             refuse(Code.PARTS_DIFFER, f"{where}/{name}", f"{found} in the data", "as here")
-        for name, own in declared.items():
-            self._add("/".join((where, *own.form.path)), own.entry, bytes(decoders[name]))
+        for name, decoder in declared.items():
+            self._add("/".join((where, *decoder.form.path)), decoder.entry, bytes(decoders[name]))
 
     def _add(self, where: str, name: str, data: bytes) -> None:
         """Parts and tiers may share an entry, but then it must be the same."""

@@ -25,7 +25,7 @@ from rna_sdk.package.decoder.decoder_form import COLUMNS, TRANSPORT, form_named
 from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS, Rows
 from rna_sdk.package.manifest.manifest_fields import Kind
 from rna_sdk.runtime.engine.batch import Batch
-from rna_sdk.runtime.engine.costs import kept_cost, median_seconds
+from rna_sdk.runtime.engine.costs import cached_cost, median_seconds
 from rna_sdk.runtime.part_lobes import PartLobes
 
 if TYPE_CHECKING:
@@ -118,8 +118,8 @@ class CompositeAsset(Asset):
         high = np.max([part.bounds[1] for part in parts], axis=0)
         emits = any(part.emits for part in parts)
         bounds = np.stack([low, high])
-        own = first._tiers, first._file_bytes
-        super().__init__(name, first.tier, first.domain, first.threads, bounds, emits, *own)
+        tier_part = first._tiers, first._file_bytes
+        super().__init__(name, first.tier, first.domain, first.threads, bounds, emits, *tier_part)
         self._parts = tuple(parts)
 
     @property
@@ -153,16 +153,16 @@ class AssetPart(Asset):
         from rna_sdk.runtime.engine.decoder_sessions import Decoder
         from rna_sdk.runtime.engine.tiles import QueryFiller, TileEvaluator
 
-        record, own = package.manifest.parts[part], tier.parts[part]
-        box, emits = record.bounds, own.emission is not None
-        own_file = tuple(other.name for other in package.manifest.tiers), package.file_bytes
+        record, tier_part = package.manifest.parts[part], tier.parts[part]
+        box, emits = record.bounds, tier_part.emission is not None
+        file_bytes = tuple(other.name for other in package.manifest.tiers), package.file_bytes
         domain, bounds = package.manifest.domain, box.corners()
-        super().__init__(name, tier, domain, threads, bounds, emits, *own_file)
+        super().__init__(name, tier, domain, threads, bounds, emits, *file_bytes)
         self.kind: Kind = record.kind
-        self.tier_part = own
+        self.tier_part = tier_part
         self.transmittance_records: tuple[Transmittance, ...] = tuple(package.transmittance(part))
         self.normal_maps: tuple[NormalMap, ...] = tuple(package.normal_maps(part))
-        filler = QueryFiller(package.planes(tier.name, part), box, own, self.kind)
+        filler = QueryFiller(package.planes(tier.name, part), box, tier_part, self.kind)
         self._evaluators = {
             one.form.name: TileEvaluator(
                 filler.laying_out(one.inputs),
@@ -172,10 +172,10 @@ class AssetPart(Asset):
                 ),
                 threads,
             )
-            for one in own.decoders
+            for one in tier_part.decoders
         }
         entries = package.manifest.entries
-        self._digests = entries[own.planes].sha256, entries[own.decoder].sha256
+        self._digests = entries[tier_part.planes].sha256, entries[tier_part.decoder].sha256
         self._geometry: Mesh | Curves = package.geometry(part, pixels)
         proxied = any(pixels <= height for height in package.proxy_heights(part))
         lobes = None if proxied else package.environment(part)
@@ -188,7 +188,7 @@ class AssetPart(Asset):
 
     def measured_part_ns(self) -> float:
         """`measured_ns_per_query` of this part."""
-        return kept_cost(self._measure_ns_per_query, *self._digests, self.threads)
+        return cached_cost(self._measure_ns_per_query, *self._digests, self.threads)
 
     def _measure_ns_per_query(self) -> float:
         rng = np.random.default_rng(0)
@@ -215,22 +215,22 @@ class AssetPart(Asset):
             QueryError: an array is missing, or is no float32 array of its shape; they differ in n;
                 `out` is not writable or not contiguous.
         """
-        asked = form_named(form)
-        checked = self._checked(arrays, asked.arrays)
+        decoder_form = form_named(form)
+        checked = self._checked(arrays, decoder_form.arrays)
         count = len(checked["wo"])
-        number = asked.result_count(asked.record(self.tier_part))
+        number = decoder_form.result_count(decoder_form.record(self.tier_part))
         evaluator = self._evaluators.get(form)
         if out is None:
             make = np.zeros if evaluator is None else np.empty
-            found = tuple(make((number, count, COLUMNS), np.float32))
+            result = tuple(make((number, count, COLUMNS), np.float32))
         else:
-            found = _results(out, number, count)
+            result = _results(out, number, count)
         if evaluator is not None:
-            evaluator.run(Batch.of(checked, found))
-        return found
+            evaluator.run(Batch.of(checked, result))
+        return result
 
     def mirror(self, axes: Rows, wo: Rows) -> Rows:
-        """Directions along which lobes are asked: where light comes from that is reflected to wo.
+        """Directions for which lobes are evaluated: the mirror directions of wo.
 
         axes: normals or tangents; wo: towards the viewer; (n, 3) float32, any length, one space. At
         a normal n it is 2 (n . wo) n - wo, at a tangent t wo - 2 (wo . t) t. A host traces one
@@ -271,7 +271,7 @@ class AssetPart(Asset):
             return np.empty((len(primitives), 0), np.float32)
         return self._lobes.visibility_at(self._geometry, primitives, u, v)
 
-    def _asked_lobes(
+    def _lobe_arguments(
         self, arrays: Mapping[str, Rows], free: Rows, visibility: Rows
     ) -> tuple[Rows, Rows]:
         if self._lobes is None:
@@ -281,7 +281,7 @@ class AssetPart(Asset):
         return self._lobes.evaluate(queries, free, visibility)
 
     def _checked(self, arrays: Mapping[str, object], names: tuple[str, ...]) -> dict[str, Rows]:
-        """Those of the arrays that a form with these names asks a part of this kind with."""
+        """The arrays that a form with these names takes for a part of this kind."""
         checked: dict[str, Rows] = {}
         count = None
         for array in QUERY_ARRAYS:

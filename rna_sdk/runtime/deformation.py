@@ -1,4 +1,4 @@
-"""Rest points: where and how a deformed shape asks its decoder. spec/RNA.md, 8.3.
+"""Rest points: the decoder's queries of a deformed shape. spec/RNA.md, 8.3.
 
 A point of the deformed shape is the same place of the same triangle, or of the same segment, at
 rest. Its decoder is asked there, with directions turned by the rotation of the deformation.
@@ -26,7 +26,7 @@ _TO_IDENTITY = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class RestPoints:
-    """What the decoder of a part is asked with, at n points of its deformed shape.
+    """The decoder's query of a part at n points of its deformed shape.
 
     positions: (n, 3) float32, at rest, object space. axes: (n, 3) float32, unit: normals of a mesh,
     before normal maps, or tangents of strands, at rest. rotations: (n, 3, 3) float32, from the

@@ -123,7 +123,7 @@ class FiberAsset(AssetPart):
                 part has no lobes (`environment_form` is None).
         """
         arrays = {"position": positions, "axis": tangents, "h": h, "wo": wo}
-        return self._asked_lobes(arrays, free, visibility)
+        return self._lobe_arguments(arrays, free, visibility)
 
     def deformed(self, points: Rows) -> DeformedCurves:
         """The part in motion: its strands with other points, and the rest points of hits on them.

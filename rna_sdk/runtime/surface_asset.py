@@ -113,7 +113,7 @@ class SurfaceAsset(AssetPart):
                 part has no lobes (`environment_form` is None).
         """
         arrays = {"position": positions, "axis": normals, "wo": wo}
-        return self._asked_lobes(arrays, free, visibility)
+        return self._lobe_arguments(arrays, free, visibility)
 
     def deformed(self, positions: Rows) -> DeformedMesh:
         """The part in motion: its mesh with other positions, and the rest points of hits on it.

@@ -42,18 +42,18 @@ def choose_tier(
     tiers = package.manifest.tiers
     if min_psnr is not None:
         limit = _number("min_psnr", min_psnr, "dB")
-        asked = f"min_psnr: found no tier of {limit:g} dB"
-        return _cheapest(tiers, lambda tier: _psnr(tier) >= limit, asked, _psnr, " dB")
+        request = f"min_psnr: found no tier of {limit:g} dB"
+        return _cheapest(tiers, lambda tier: _psnr(tier) >= limit, request, _psnr, " dB")
     if max_error is not None:
         limit = _number("max_error", max_error, "mean FLIP")
         height = image_height(pixels)
         at = f" at {height:.0f} pixels" if height < math.inf else ""
-        asked = f"max_error: found no tier within {limit:g}{at}"
+        request = f"max_error: found no tier within {limit:g}{at}"
 
         def error(tier: Tier) -> float:
             return expected_error(tier, height)
 
-        return _cheapest(tiers, lambda tier: error(tier) <= limit, asked, error)
+        return _cheapest(tiers, lambda tier: error(tier) <= limit, request, error)
     return tiers[0]
 
 
@@ -97,7 +97,7 @@ def is_no_worse(tier: Tier, other: Tier) -> bool:
 def _cheapest(
     tiers: tuple[Tier, ...],
     is_good: Callable[[Tier], bool],
-    asked: str,
+    request: str,
     measure: Callable[[Tier], float],
     unit: str = "",
 ) -> Tier:
@@ -107,7 +107,7 @@ def _cheapest(
             f"{tier.name} {measure(tier):.3g}{unit}" if tier.validation else f"{tier.name} none"
             for tier in tiers
         )
-        raise QueryError(f"{asked}; recorded are: {recorded}")
+        raise QueryError(f"{request}; recorded are: {recorded}")
     return min(good, key=_work)
 
 

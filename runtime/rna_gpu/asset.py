@@ -35,16 +35,16 @@ class GpuPart:
 
     def __init__(self, device: Device, package: Package, tier: Tier, part: int, name: str) -> None:
         """Raises GpuError: a decoder does not fit."""
-        record, own = package.manifest.parts[part], tier.parts[part]
-        self.name, self.kind, self.tier_part, self.device = name, record.kind, own, device
+        record, tier_part = package.manifest.parts[part], tier.parts[part]
+        self.name, self.kind, self.tier_part, self.device = name, record.kind, tier_part, device
         stored = package.planes(tier.name, part)
         planes = upload_planes(device, stored, name)
 
         self._evaluators: dict[str, Evaluator] = {}
-        for one in own.decoders:
+        for one in tier_part.decoders:
             model = package.decoder(tier.name, part, one.form.name)
-            decoder = _packed(model, one.inputs, own.channels, f"{name}, tier {tier.name}")
-            uniform = part_uniform(decoder, own, record.bounds, stored)
+            decoder = _packed(model, one.inputs, tier_part.channels, f"{name}, tier {tier.name}")
+            uniform = part_uniform(decoder, tier_part, record.bounds, stored)
             buffers = [
                 device.upload(uniform, "UNIFORM", what=f"{name}: record"),
                 upload_weights(device, decoder, name),

@@ -22,8 +22,8 @@ Rows = NDArray[np.float32]
 
 def evaluate(form: str, package: str, tier: str, part: int, arrays: dict[str, Rows]) -> Rows:
     """(n, width)."""
-    found = _part(package, tier, part).decode(form, arrays)
-    return found.reshape(len(found), 3 * found.shape[1])
+    result = _part(package, tier, part).decode(form, arrays)
+    return result.reshape(len(result), 3 * result.shape[1])
 
 
 def visibility(package: str, records: bytes) -> Rows:

@@ -182,13 +182,13 @@ def open_device(prefer: str | None = None) -> Device:
     """
     if prefer is None:
         adapter = wgpu.gpu.request_adapter_sync(power_preference="high-performance")
-        found = [adapter] if adapter else []
+        candidates = [adapter] if adapter else []
     else:
         adapters = wgpu.gpu.enumerate_adapters_sync()
-        found = [one for one in adapters if prefer.lower() in one.summary.lower()]
-    if not found:
+        candidates = [one for one in adapters if prefer.lower() in one.summary.lower()]
+    if not candidates:
         raise GpuError("no GPU found; on Debian `mesa-vulkan-drivers` provides a software one")
-    return Device(found[0])
+    return Device(candidates[0])
 
 
 def _rounded(size: int) -> int:

@@ -66,18 +66,18 @@ class Evaluator:
         source = compose(constants, weights_file(decoder), kind, "evaluate")
         self._pipeline = device.pipeline(source, "rna_evaluate")
         self._part = self._bind(0, buffers)
-        self._own: GpuRows | None = None
+        self._workspace: GpuRows | None = None
 
     def run(self, rows: NDArray[Any]) -> NDArray[np.float32]:
         """(n, colours, 3) float32 of (n,) rows of dtype ROW.dtype."""
         results = np.empty((len(rows), self.colours, 3), np.float32)
         for start in range(0, len(rows), self.batch):
             some = rows[start : start + self.batch]
-            own = self._buffers(len(some))
-            self._device.write(own.rows, some)
-            self._device.write(own.count, np.array([len(some)], np.uint32))
-            self.dispatch(own, len(some))
-            data = self._device.read(own.results, len(some) * self.colours * _COLOUR_BYTES)
+            buffers = self._buffers(len(some))
+            self._device.write(buffers.rows, some)
+            self._device.write(buffers.count, np.array([len(some)], np.uint32))
+            self.dispatch(buffers, len(some))
+            data = self._device.read(buffers.results, len(some) * self.colours * _COLOUR_BYTES)
             whole = data.view(np.float32).reshape(len(some), self.colours, 4)
             results[start : start + len(some)] = whole[..., :3]
         return results
@@ -140,9 +140,9 @@ class Evaluator:
         return GpuRows(rows, results, number, capacity)
 
     def _buffers(self, count: int) -> GpuRows:
-        if self._own is None or self._own.capacity < count:
-            self._own = self.new_rows(count)
-        return self._own
+        if self._workspace is None or self._workspace.capacity < count:
+            self._workspace = self.new_rows(count)
+        return self._workspace
 
     def _bind(self, group: int, buffers: list[Any]) -> Any:
         entries = [{"binding": k, "resource": {"buffer": b}} for k, b in enumerate(buffers)]

@@ -31,8 +31,8 @@ def evaluate(
     }
     with Package.open(package) as opened:
         evaluator = PartEvaluator(opened, tier, part)
-    found = evaluator.decode(form, at, mi.Bool(True))
-    return np.hstack([_rows(colour, len(arrays["wo"])) for colour in found])
+    result = evaluator.decode(form, at, mi.Bool(True))
+    return np.hstack([_rows(colour, len(arrays["wo"])) for colour in result])
 
 
 def visibility(package: str, records: bytes) -> np.ndarray:
@@ -55,15 +55,15 @@ def visibility(package: str, records: bytes) -> np.ndarray:
             at = geometry.points(primitive, b1, b2, mi.Point3f(0), wi, active)
             origin = at.origin(wi, scene.step)
         line = mi.Point3f(origin), wi, mi.Float(dr.inf)
-        found = scene.visibility(*line, mi.UInt32(part), strand, dr.full(mi.Bool, True, len(rows)))
-        seen[rows] = _rows(found, len(rows))
+        result = scene.visibility(*line, mi.UInt32(part), strand, dr.full(mi.Bool, True, len(rows)))
+        seen[rows] = _rows(result, len(rows))
     return seen
 
 
 def normals(package: str, records: bytes) -> np.ndarray:
     """Shading normals of queries at n hits on meshes, (n, 3) float32."""
     words = np.frombuffer(records, "<u4").reshape(-1, 8)
-    numbers, found = words.view("<f4").astype(np.float32), np.empty((len(words), 3), np.float32)
+    numbers, result = words.view("<f4").astype(np.float32), np.empty((len(words), 3), np.float32)
     with Package.open(package) as opened:
         scene = PackageScene(opened)
     for part in np.unique(words[:, 7]).tolist():
@@ -72,8 +72,8 @@ def normals(package: str, records: bytes) -> np.ndarray:
         nowhere = mi.Point3f(0), mi.Vector3f(0)
         primitive = mi.UInt32(words[rows, 0].copy())
         at = scene.geometries[part].points(primitive, b1, b2, *nowhere, mi.Bool(True))
-        found[rows] = _rows(at.axis, len(rows))
-    return found
+        result[rows] = _rows(at.axis, len(rows))
+    return result
 
 
 def _vector(rows: np.ndarray) -> mi.Vector3f:

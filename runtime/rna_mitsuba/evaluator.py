@@ -22,12 +22,12 @@ class PartEvaluator:
 
     def __init__(self, package: Package, tier: str, part: int) -> None:
         """Raises QueryError: there is no such tier."""
-        record, own = package.manifest.parts[part], package.tier(tier).parts[part]
+        record, tier_part = package.manifest.parts[part], package.tier(tier).parts[part]
         name = f"{record.name} in tier {tier}"
         self.is_fiber = record.kind == "fiber"
         self._triplane = Triplane(package.planes(tier, part), record.bounds)
         self._decoders = {}
-        for one in own.decoders:
+        for one in tier_part.decoders:
             called = f"{one.form.name} of {name}"
             model = decoder_from_bytes(package.decoder(tier, part, one.form.name), called)
             self._decoders[one.form.name] = one.inputs, Network(model), len(one.form.results)
@@ -49,8 +49,8 @@ class PartEvaluator:
         valid = active & _is_query(**arrays)
 
         def ask(arrays, valid):  # type: ignore[no-untyped-def]
-            found = network(self._columns(inputs, valid, **arrays))
-            return tuple(mi.Color3f(*found[3 * k : 3 * k + 3]) for k in range(colours))
+            result = network(self._columns(inputs, valid, **arrays))
+            return tuple(mi.Color3f(*result[3 * k : 3 * k + 3]) for k in range(colours))
 
         def nothing(*_):  # type: ignore[no-untyped-def]
             return tuple(mi.Color3f(0) for _ in range(colours))

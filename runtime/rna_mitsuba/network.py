@@ -29,16 +29,16 @@ class Network:
 
     def __call__(self, columns: list[mi.Float]) -> list[mi.Float]:
         """The outputs for the columns of `queries`."""
-        own = self._decoder
-        values = [dr.clip(x, own.low, own.high) for x in columns]
-        if own.gain is not None and own.offset is not None:
-            pairs = zip(own.gain.tolist(), own.offset.tolist(), strict=True)
+        decoder = self._decoder
+        values = [dr.clip(x, decoder.low, decoder.high) for x in columns]
+        if decoder.gain is not None and decoder.offset is not None:
+            pairs = zip(decoder.gain.tolist(), decoder.offset.tolist(), strict=True)
             values = [x * g + b for x, (g, b) in zip(values, pairs, strict=True)]
-        for layer, place in zip(own.layers, self._layers, strict=False):
+        for layer, place in zip(decoder.layers, self._layers, strict=False):
             values = _run_layer(layer, place, values)
-        values = [dr.exp(dr.clip(x, 0, own.top)) - 1 for x in values]
-        if own.matrix is None:
-            return [x * own.unit for x in values]
+        values = [dr.exp(dr.clip(x, 0, decoder.top)) - 1 for x in values]
+        if decoder.matrix is None:
+            return [x * decoder.unit for x in values]
         return list(nn.matvec(self._layers[-1][0], nn.CoopVec(*values)))
 
 

@@ -1,4 +1,4 @@
-"""Where and how a deformed part asks its decoder, in Dr.Jit: spec/RNA.md, 8.3."""
+"""The decoder's queries of a deformed part, in Dr.Jit: spec/RNA.md, 8.3."""
 
 from __future__ import annotations
 
@@ -64,8 +64,8 @@ class RestStrands:
         self._rest = rest
         count = len(shape.curves.segments())
         number, zero = np.arange(count, dtype=np.int32), np.zeros(count, np.float32)
-        found = shape.rest_points(number, zero, np.tile(np.float32([1, 0, 0]), (count, 1)))
-        self._rotations = mi.Float(found.rotations.ravel())
+        rest_points = shape.rest_points(number, zero, np.tile(np.float32([1, 0, 0]), (count, 1)))
+        self._rotations = mi.Float(rest_points.rotations.ravel())
 
     def query(self, hits: Any, points: Points, at: dict[str, Any], active: mi.Bool) -> Any:
         """As of `RestMesh`."""

@@ -51,7 +51,7 @@ class Vertex:
         self.points, self.wo, is_fiber = world.points(state.hits, state.ray, self.on_asset)
         points: Points = dr.detach(self.points)
         self.lobes = Lobes(is_fiber, points.axis, dr.detach(self.wo))
-        self.own = dr.select(self.on_asset, state.hits.instance, NOBODY)
+        self.start_instance = dr.select(self.on_asset, state.hits.instance, NOBODY)
         place = world.to_world_points(state.hits.instance, self.points.x)
         self.place = dr.zeros(mi.Interaction3f)
         self.place.p = dr.select(self.on_asset, place, self.si.p)
@@ -92,19 +92,19 @@ class Tracer:
         return state
 
     def _intersect(
-        self, ray: mi.Ray3f, own: mi.UInt32, sampler: mi.Sampler, active: mi.Bool
+        self, ray: mi.Ray3f, start_instance: mi.UInt32, sampler: mi.Sampler, active: mi.Bool
     ) -> tuple[mi.PreliminaryIntersection3f, AssetHits, mi.Color3f]:
         plain = self._scene.ray_intersect_preliminary(dr.detach(ray), coherent=False, active=active)
         far = dr.select(plain.is_valid(), plain.t, dr.inf)
-        hits, weight = self._world.closest(ray, far, own, sampler, active)
+        hits, weight = self._world.closest(ray, far, start_instance, sampler, active)
         return plain, hits, weight
 
     def _emitted(self, state: Path, at: Vertex) -> mi.Color3f:
         """Radiance emitted by Mitsuba's emitters, with MIS weights, and by assets."""
         emitter = at.si.emitter(self._scene, at.on_plain)
         ds = mi.DirectionSample3f(self._scene, at.si, state.before)
-        asked = at.on_plain & ~state.is_delta
-        pdf = self._scene.pdf_emitter_direction(state.before, ds, asked)
+        queried = at.on_plain & ~state.is_delta
+        pdf = self._scene.pdf_emitter_direction(state.before, ds, queried)
         share = dr.select(state.is_delta, 1, _share(state.pdf, pdf))
         radiance = share * emitter.eval(at.si, at.on_plain)
         radiance = dr.select(at.on_plain, radiance, 0)
@@ -124,7 +124,7 @@ class Tracer:
         wi = self._world.to_object_directions(at.hits.instance, ds.d)
         shadow = self._shadow_ray(at, ds, wi)
         active &= ~self._scene.ray_test(shadow, active=active)
-        left = self._world.transmittance(shadow, at.own, active)
+        left = self._world.transmittance(shadow, at.start_instance, active)
         active &= dr.any(left > 0)
         # Mitsuba's own surfaces.
         wo_local = at.si.to_local(ds.d)
@@ -161,7 +161,7 @@ class Tracer:
         ray.d = dr.select(at.on_asset, direction, ray.d)
         ray = dr.detach(ray)
         alive = (on_plain & dr.any(weight != 0)) | (on_asset & (pdf > 0))
-        pi, hits, passed = self._intersect(ray, at.own, state.sampler, alive)
+        pi, hits, passed = self._intersect(ray, at.start_instance, state.sampler, alive)
         far = dr.minimum(dr.select(pi.is_valid(), pi.t, dr.inf), hits.t)
         if not self._has_environment:
             alive &= dr.isfinite(far)  # a ray into nothing brings nothing

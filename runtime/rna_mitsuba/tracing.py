@@ -72,12 +72,12 @@ class PackageScene:
     def closest(self, o: mi.Point3f, d: mi.Vector3f, far: mi.Float, active: mi.Bool) -> Hits:
         """The first hit of o + t d, unit d, nearer than far."""
         ray = mi.Ray3f(mi.Point3f(o), d, far, 0, [])
-        found = self._scene.ray_intersect_preliminary(ray, coherent=False, active=active)
+        preliminary = self._scene.ray_intersect_preliminary(ray, coherent=False, active=active)
         part = mi.UInt32(0)
         for k, pointer in enumerate(self._pointers[1:], start=1):
-            part = dr.select(found.shape == pointer, mi.UInt32(k), part)
-        t = dr.select(active & found.is_valid(), found.t, dr.inf)
-        return Hits(t, part, found.prim_index, found.prim_uv.x, found.prim_uv.y)
+            part = dr.select(preliminary.shape == pointer, mi.UInt32(k), part)
+        t = dr.select(active & preliminary.is_valid(), preliminary.t, dr.inf)
+        return Hits(t, part, preliminary.prim_index, preliminary.prim_uv.x, preliminary.prim_uv.y)
 
     def visibility(
         self,
@@ -132,13 +132,15 @@ class PackageScene:
         for k, geometry in enumerate(self.geometries):
             here = active & (hits.part == k)
             if isinstance(geometry, FiberGeometry):
-                own = (part == k) & (geometry.strand(hits.primitive, here) == strand)
+                same_strand = (part == k) & (geometry.strand(hits.primitive, here) == strand)
                 n = geometry.outward(hits.primitive, hits.u, x, here)
-                passes = own | (dr.dot(n, d) >= 0) | geometry.is_between(hits.primitive, x, here)
+                passes = (
+                    same_strand | (dr.dot(n, d) >= 0) | geometry.is_between(hits.primitive, x, here)
+                )
                 tau = dr.select(here & passes, mi.Color3f(1), tau)
             elif geometry.transmits:
-                found = geometry.transmittance(hits.primitive, hits.u, hits.v, d, here)
-                tau = dr.select(here, found, tau)
+                through = geometry.transmittance(hits.primitive, hits.u, hits.v, d, here)
+                tau = dr.select(here, through, tau)
         return tau
 
     def is_fiber(self, part: mi.UInt32) -> mi.Bool:

@@ -54,7 +54,7 @@ class AssetHits(Hits):
 
 
 class World:
-    """The assets of a scene as the integrator asks them."""
+    """The assets of a scene as the integrator queries them."""
 
     def __init__(self, shapes: list[RnaShape]) -> None:
         self._shapes = shapes
@@ -67,11 +67,11 @@ class World:
         self,
         ray: mi.Ray3f,
         far: mi.Float,
-        own: mi.UInt32,
+        start_instance: mi.UInt32,
         sampler: mi.Sampler,
         active: mi.Bool,
     ) -> tuple[AssetHits, mi.Color3f]:
-        """The first hits nearer than far but on the instance `own`, and weights of what was passed.
+        """The first hits nearer than far but on `start_instance`, and weights of what was passed.
 
         Where a hit lets light through, the ray goes on at random, as often as it does.
         """
@@ -81,13 +81,13 @@ class World:
         for k, (shape, place) in enumerate(zip(self._shapes, self._places, strict=True)):
             o, d = place.object_point(ray.o), place.object_direction(ray.d)
             o, d, scale = dr.detach(o), dr.detach(d), dr.detach(place.scale)
-            asked = active & (own != k)
-            hits, passed = _closest(shape, o, d, best.t / scale, sampler, asked)
-            nearer = asked & dr.isfinite(hits.t) & (hits.t * scale < best.t)
-            weight *= dr.select(asked, passed, 1)
+            tested = active & (start_instance != k)
+            hits, passed = _closest(shape, o, d, best.t / scale, sampler, tested)
+            nearer = tested & dr.isfinite(hits.t) & (hits.t * scale < best.t)
+            weight *= dr.select(tested, passed, 1)
             place = hits.t * scale, hits.part, hits.primitive, hits.u, hits.v
-            found = AssetHits(*place, instance=mi.UInt32(k))
-            best = dr.select(nearer, found, best)
+            candidate = AssetHits(*place, instance=mi.UInt32(k))
+            best = dr.select(nearer, candidate, best)
         best.t = dr.select(best.instance == NOBODY, dr.inf, best.t)
         return best, weight
 
@@ -177,20 +177,22 @@ class World:
                 if evaluator.emits:
                     at = points.query(wo)
                     at = shape.loaded.scene.query(part, hits, points, at, here)
-                    (found,) = evaluator.decode("emission", at, here)
-                    total = dr.select(here, found, total)
+                    (emitted,) = evaluator.decode("emission", at, here)
+                    total = dr.select(here, emitted, total)
         return total
 
-    def transmittance(self, ray: mi.Ray3f, own: mi.UInt32, active: mi.Bool) -> mi.Color3f:
-        """Transmittance of all instances but `own` along shadow rays."""
+    def transmittance(
+        self, ray: mi.Ray3f, start_instance: mi.UInt32, active: mi.Bool
+    ) -> mi.Color3f:
+        """Transmittance of all instances but `start_instance` along shadow rays."""
         result = mi.Color3f(1)
         for k, (shape, place) in enumerate(zip(self._shapes, self._places, strict=True)):
             o, d = place.object_point(ray.o), place.object_direction(ray.d)
-            asked, far = active & (own != k), ray.maxt / place.scale
+            tested, far = active & (start_instance != k), ray.maxt / place.scale
             line = dr.detach(o), dr.detach(d), dr.detach(far)
             nobody = mi.UInt32(NOBODY), mi.UInt32(NO_STRAND)
-            v = shape.loaded.scene.visibility(*line, *nobody, asked)
-            result = dr.select(asked, result * v, result)
+            v = shape.loaded.scene.visibility(*line, *nobody, tested)
+            result = dr.select(tested, result * v, result)
         return result
 
 
@@ -208,7 +210,7 @@ def _closest(
         return scene.closest(o, d, far, active), mi.Color3f(1)
     nothing = Hits(mi.Float(dr.inf), mi.UInt32(0), mi.UInt32(0), mi.Float(0), mi.Float(0))
 
-    def go_on(weight, near, last, going, found, o, d, far, sampler):  # type: ignore[no-untyped-def]
+    def go_on(weight, near, last, going, result, o, d, far, sampler):  # type: ignore[no-untyped-def]
         hits = scene.closest(o + near * d, d, far - near, going)
         going = going & dr.isfinite(hits.t)
         hits.t = hits.t + near
@@ -220,9 +222,9 @@ def _closest(
         passes = sampler.next_1d(going) < chance
         share = dr.select(passes, tau / dr.maximum(chance, 1e-20), (1 - tau) / (1 - chance))
         weight = dr.select(going, weight * share, weight)
-        found = dr.select(going & ~passes, hits, found)
+        result = dr.select(going & ~passes, hits, result)
         last = dr.select(scene.is_fiber(hits.part), mi.UInt32(NO_STRAND), number)
-        return weight, hits.t + scene.step, last, going & passes, found, o, d, far, sampler
+        return weight, hits.t + scene.step, last, going & passes, result, o, d, far, sampler
 
     start = mi.Color3f(1), mi.Float(0), mi.UInt32(NO_STRAND), mi.Bool(active), nothing
     state = dr.while_loop(

@@ -40,8 +40,8 @@ def visibility(package: str, records: bytes) -> np.ndarray:
     for part, geometry in enumerate(geometries):
         rows = np.flatnonzero(words[:, 7] == part)
         points, wi = _points(geometry, words[rows])
-        found = scene.visible(part, points, wi)
-        seen[rows] = found if found.ndim == 2 else found[:, None]
+        result = scene.visible(part, points, wi)
+        seen[rows] = result if result.ndim == 2 else result[:, None]
     return seen
 
 
@@ -52,7 +52,7 @@ def normals(package: str, records: bytes) -> np.ndarray:
 
     words = np.frombuffer(records, "<u4").reshape(-1, 8)
     b = np.ascontiguousarray(words.view("<f4")[:, 1:3].T.astype(np.float32))
-    found = np.empty((len(words), 3), np.float32)
+    result = np.empty((len(words), 3), np.float32)
     with Package.open(package) as opened:
         for part in np.unique(words[:, 7]).tolist():
             mesh, textures = opened.mesh(part), opened.normal_maps(part)
@@ -60,8 +60,8 @@ def normals(package: str, records: bytes) -> np.ndarray:
             maps = NormalMaps(mesh, textures) if textures else None
             b1, b2 = np.ascontiguousarray(b[:, rows])
             triangle = words[rows, 0].astype(np.int32)
-            found[rows] = SurfacePoints.of(mesh, triangle, b1, b2, maps).mapped
-    return found
+            result[rows] = SurfacePoints.of(mesh, triangle, b1, b2, maps).mapped
+    return result
 
 
 def _points(

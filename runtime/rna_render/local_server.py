@@ -153,8 +153,8 @@ class LocalHandler(BaseHTTPRequestHandler):
         A whole address (RFC 9112, 3.2.2) gives its path.
         """
         target = self.path
-        scheme, found, rest = target.partition("://")
-        if found and scheme.lower() in ("http", "https"):
+        scheme, result, rest = target.partition("://")
+        if result and scheme.lower() in ("http", "https"):
             target = "/" + rest.partition("/")[2]
         path, _, query = target.partition("#")[0].partition("?")
         return path, query

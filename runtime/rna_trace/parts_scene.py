@@ -8,10 +8,10 @@ import numpy as np
 
 from rna_sdk.arrays import vectors
 from rna_sdk.package import Curves, Mesh
-from rna_trace.embree.filters import own_strand_filter, strand_transmittance_filter
+from rna_trace.embree.filters import start_strand_filter, strand_transmittance_filter
 from rna_trace.embree.scenes import add_curves, add_mesh
 from rna_trace.embree.tracing import (
-    NO_OWN,
+    NO_START,
     NOTHING,
     ClosestHits,
     GeometryScene,
@@ -59,7 +59,7 @@ class PartsScene(GeometryScene):
         self._first = [g.segments() if isinstance(g, Curves) else None for g in self.geometries]
         self._strands = _strand_numbers(self.geometries)
         self._tables = [geometry_table(numbers.ctypes.data) for numbers in self._strands]
-        self._filter, self._weakened = own_strand_filter(), strand_transmittance_filter()
+        self._filter, self._weakened = start_strand_filter(), strand_transmittance_filter()
         self._has_strands = any(isinstance(g, Curves) for g in self.geometries)
         for part, geometry in enumerate(self.geometries):
             if isinstance(geometry, Curves):
@@ -143,18 +143,18 @@ class PartsScene(GeometryScene):
         QueryError for other dtypes or shapes, or a segment that is not there.
         """
         wi = vectors("wi", wi, len(points if row is None else row))
-        own = np.full(1, NO_OWN, np.uint32)
+        start_strand = np.full(1, NO_START, np.uint32)
         if isinstance(points, FiberPoints):
             points = points if row is None else points.take(row)
             origins, strands = vectors("positions", points.x), self._strands[part]
             check_numbers("segment", points.segment, len(strands))
-            own = per_ray("strand", strands[points.segment], len(points), np.uint32)
+            start_strand = per_ray("strand", strands[points.segment], len(points), np.uint32)
         else:
             origins = leaving_origins(points.checked(), wi, self.extent, row)
         lines = origins, wi, 0.0, tfar
         if self.transmits:
-            return transmitted(self._scene, self._weakened, *lines, own)
-        passing = Passing(self._filter.ctypes.data, own) if self._has_strands else NOTHING
+            return transmitted(self._scene, self._weakened, *lines, start_strand)
+        passing = Passing(self._filter.ctypes.data, start_strand) if self._has_strands else NOTHING
         return ~any_hits(self._scene, *lines, passing)
 
 

@@ -114,16 +114,16 @@ class _Handler(LocalHandler):
         self.end_headers()
 
 
-def _span(asked: str | None, size: int) -> tuple[int, int] | None:
+def _span(header: str | None, size: int) -> tuple[int, int] | None:
     """First byte and end of a Range header's range; all without one; None for an empty range.
 
     A header of another form, such as one of several ranges, is one that this server does not
     know, and gets all.
     """
-    found = _RANGE.fullmatch(asked or "")
-    if found is None or found.group(1) is found.group(2) is None:
+    match = _RANGE.fullmatch(header or "")
+    if match is None or match.group(1) is match.group(2) is None:
         return 0, size
-    first, last = found.groups()
+    first, last = match.groups()
     if first is None:
         start, end = max(0, size - int(last)), size
     else:

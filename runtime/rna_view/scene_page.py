@@ -61,10 +61,10 @@ def _sun(light: DirectionalModel) -> dict[str, Any]:
 def _environment(scene_file: SceneFile, site: Site) -> dict[str, Any]:
     """The scene's first environment as the page reads it."""
     lights = enumerate(scene_file.scene.lights)
-    found = [(k, light) for k, light in lights if isinstance(light, EnvironmentModel)]
-    if not found:
+    environments = [(k, light) for k, light in lights if isinstance(light, EnvironmentModel)]
+    if not environments:
         return {"strength": 0}
-    index, light = found[0]
+    index, light = environments[0]
     if light.path is None:
         return {"radiance": light.radiance, "strength": 1}
     path = scene_file.resolve(light.path)

@@ -20,7 +20,7 @@ SCENE = "scene.json"
 SITE_NAME = re.compile(rf"[0-9a-f]{{32}}\.(rna|exr|hdr)|{re.escape(SCENE)}")
 """Names that a page's own files can have; those of the viewer are none of them."""
 
-# First bytes of the file, as environment images are told apart everywhere.
+# First bytes of the file, by which environment images are distinguished everywhere.
 _IMAGE_SUFFIXES = {b"\x76\x2f\x31\x01": ".exr", b"#?": ".hdr"}
 
 

@@ -243,7 +243,7 @@ class Pool(Generic[Item, Result]):
         """End workers that hang; returns outcomes of items without retries."""
         if self._timeouts is None:
             return []
-        found = []
+        result = []
         for member in [m for m in self._ready if m.jobs]:
             seconds = monotonic() - member.watch.since
             if seconds <= self._timeouts.least:
@@ -259,8 +259,8 @@ class Pool(Generic[Item, Result]):
             if job.errors < self._attempts:
                 self._run_again(member, job, failure, feed)
                 continue
-            found.append((job.number, self._outcome(member, job, seconds, None, failure)))
-        return found
+            result.append((job.number, self._outcome(member, job, seconds, None, failure)))
+        return result
 
     def _run_again(self, member: _Member, job: _Job, failure: Exception, feed: _Feed) -> None:
         feed.put_back([job])

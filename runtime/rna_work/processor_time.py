@@ -1,4 +1,4 @@
-"""Processor time of threads and processes, as Linux tells it in /proc."""
+"""Processor time of threads and processes, as Linux reports it in /proc."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _PROC = Path("/proc")
 @dataclass(frozen=True)
 class _Times:
     parent: int
-    own: float  # s
+    process_itself: float  # s
     of_ended_children: float  # s
     threads: int
 
@@ -23,8 +23,8 @@ def thread_seconds(thread: int | None) -> float | None:
 
     thread: its `native_id`.
     """
-    found = _times(_PROC / "self" / "task" / str(thread))
-    return None if found is None else found.own
+    times = _times(_PROC / "self" / "task" / str(thread))
+    return None if times is None else times.process_itself
 
 
 def process_seconds(process: int | None) -> float | None:
@@ -32,12 +32,16 @@ def process_seconds(process: int | None) -> float | None:
 
     process: its identifier.
     """
-    found = _tree(process)
-    return sum(times.own + times.of_ended_children for times in found.values()) if found else None
+    processes = _tree(process)
+    return (
+        sum(times.process_itself + times.of_ended_children for times in processes.values())
+        if processes
+        else None
+    )
 
 
 def process_threads(process: int) -> int:
-    """Number of threads of a process and of all it has started; 0 where the system tells none."""
+    """Number of threads of a process and of all it has started; 0 where the system reports none."""
     return sum(times.threads for times in _tree(process).values())
 
 
@@ -50,13 +54,13 @@ def _tree(process: int | None) -> dict[int | None, _Times]:
     for entry in os.listdir(_PROC):
         if entry.isdigit() and (times := _times(_PROC / entry)) is not None:
             children[times.parent].append((int(entry), times))
-    found: dict[int | None, _Times] = {}
+    processes: dict[int | None, _Times] = {}
     pending: list[tuple[int | None, _Times]] = [(process, first)]
     while pending:
         number, times = pending.pop()
-        found[number] = times
+        processes[number] = times
         pending += children[number or 0]
-    return found
+    return processes
 
 
 def _times(folder: Path) -> _Times | None:
@@ -64,7 +68,7 @@ def _times(folder: Path) -> _Times | None:
     try:
         fields = (folder / "stat").read_text(errors="replace").rpartition(")")[2].split()
         ticks = os.sysconf("SC_CLK_TCK")
-        own, ended = (sum(map(int, fields[k : k + 2])) / ticks for k in (11, 13))
-        return _Times(int(fields[1]), own, ended, int(fields[17]))
+        self_time, ended = (sum(map(int, fields[k : k + 2])) / ticks for k in (11, 13))
+        return _Times(int(fields[1]), self_time, ended, int(fields[17]))
     except (OSError, ValueError, IndexError):
         return None  # it has ended, or the system has no such files

@@ -48,9 +48,9 @@ class ThreadSlot:
         return future
 
     def processor_seconds(self) -> float | None:
-        own = thread_seconds(self._thread.native_id)
+        seconds = thread_seconds(self._thread.native_id)
         others = self._worker.processor_seconds() if isinstance(self._worker, Employer) else 0.0
-        return None if own is None or others is None else own + others
+        return None if seconds is None or others is None else seconds + others
 
     def close(self, kill: bool) -> None:
         self._ended = self._ended or kill

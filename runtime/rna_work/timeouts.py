@@ -67,8 +67,8 @@ class Watch:
         seconds, limit = now - self.since, timeouts.limit(item)
         used, most = self.used(processor), timeouts.processor_limit(item)
         if used is None:
-            told = f"no result after {seconds:.0f} s, expected within {limit:.0f} s"
-            return told if seconds > limit else ""
+            reason = f"no result after {seconds:.0f} s, expected within {limit:.0f} s"
+            return reason if seconds > limit else ""
         if used > most:
             return f"no result after {used:.0f} s of processor time, expected within {most:.0f} s"
         then, before = self._seen or (self.since, 0.0)

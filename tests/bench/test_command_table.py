@@ -31,8 +31,8 @@ def imported(path: Path) -> set[str]:
 @pytest.mark.parametrize("command", COMMANDS.values(), ids=COMMANDS)
 def test_help_tells_what_is_measured_and_every_default(command: Command) -> None:
     parser = parser_of(command)
-    told = parser.format_help()
-    assert command.sentence in told and command.sentence.endswith((".", "?"))
+    output = parser.format_help()
+    assert command.sentence in output and command.sentence.endswith((".", "?"))
     example = (parser.description or "").split("\n\n")[1]
     assert f"    rna-bench {command.name}" in example
     formatter = parser._get_formatter()
@@ -46,10 +46,11 @@ def test_help_tells_what_is_measured_and_every_default(command: Command) -> None
 def test_help_lists_every_command(capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit) as ended:
         main(["--help"])
-    told = capsys.readouterr().out
+    output = capsys.readouterr().out
     assert ended.value.code == 0
     assert all(
-        f"  {command.name} " in told and command.sentence in told for command in COMMANDS.values()
+        f"  {command.name} " in output and command.sentence in output
+        for command in COMMANDS.values()
     )
 
 

@@ -24,7 +24,7 @@ animation: {{frames: 3}}
 """
 
 
-def kept_frame(path: Path, level: float, seconds: list[float]) -> None:
+def stored_frame(path: Path, level: float, seconds: list[float]) -> None:
     ours = np.full((16, 24, 3), level, np.float32)
     alpha = np.zeros((16, 24), bool)
     alpha[4:12] = True
@@ -36,12 +36,12 @@ def test_a_film_of_finished_frames(tmp_path: Path) -> None:
     scene, out = tmp_path / "walk.yaml", tmp_path / "film"
     scene.write_text(SCENE.format(path=TOY))
     for k in range(3):
-        kept_frame(out / "frames" / f"{k:04d}.npz", 0.1 - 0.03 * k, [1.0 + k, 10.0, 2.0, 19.0])
+        stored_frame(out / "frames" / f"{k:04d}.npz", 0.1 - 0.03 * k, [1.0 + k, 10.0, 2.0, 19.0])
     assert main(["film", str(scene), "--source", str(scene), "--out", str(out)]) == 0
-    told = json.loads((out / "film.json").read_text())
-    assert told["median"]["ours_seconds"] == 2.0 and told["median"]["cycles_seconds"] == 10.0
-    assert [told["frames"][1][f"{of}_cpu_seconds"] for of in ("ours", "cycles")] == [2.0, 19.0]
-    assert [row["brightness"] for row in told["frames"]] == [[2.0] * 3] * 3
+    record = json.loads((out / "film.json").read_text())
+    assert record["median"]["ours_seconds"] == 2.0 and record["median"]["cycles_seconds"] == 10.0
+    assert [record["frames"][1][f"{of}_cpu_seconds"] for of in ("ours", "cycles")] == [2.0, 19.0]
+    assert [row["brightness"] for row in record["frames"]] == [[2.0] * 3] * 3
     with Image.open(out / "film.webp") as film:
         assert film.n_frames == 3 and film.size == (24 + 2 + 24, 16)
 

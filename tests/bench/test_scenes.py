@@ -14,9 +14,9 @@ from rna_bench.cli import main
 from rna_bench.scenes import scenes_study
 from rna_bench.scenes.beside_cycles import Beside, OurScene
 from rna_bench.scenes.equal_error import equal_error
-from rna_bench.scenes.kept import Kept
 from rna_bench.scenes.scene_list import NEAR_AND_FAR, find_environment, scenes
 from rna_bench.scenes.stage import Stage
+from rna_bench.scenes.stored import StoredResults
 from rna_bench.scenes.time_to_flip import Wait, wait_for
 from rna_render.scene.transforms import world_from_object
 from rna_sdk.errors import RnaError, SceneError
@@ -44,8 +44,8 @@ def test_waits_of_results_are_told_and_drawn(
 ) -> None:
     result, chart = ROOT / "benchmarks/results/scenes-curls.json", tmp_path / "chart.svg"
     assert main(["time-to-flip", str(result), "--out", str(chart)]) == 0
-    told = capsys.readouterr().out
-    assert "| curly ball, forest | 4.22 s | not reached, 0.054 | not reached, 0.037 |" in told
+    output = capsys.readouterr().out
+    assert "| curly ball, forest | 4.22 s | not reached, 0.054 | not reached, 0.037 |" in output
     assert "until FLIP 0.03, denoised" in chart.read_text()
     assert main(["time-to-flip", str(SOURCE)]) == 1
     assert "found no result of `rna-bench scenes`, expected one" in capsys.readouterr().err
@@ -56,10 +56,10 @@ def test_equal_error_is_exact_where_error_and_time_are_as_assumed() -> None:
         {"samples": n, "seconds": 1.0 + 0.5 * n, "psnr": -10 * np.log10(0.08 / n)}
         for n in (4, 8, 16)
     ]
-    found = equal_error({"psnr": -10 * np.log10(0.08 / 10), "seconds": 0.5}, cycles)
-    assert found["cycles_samples"] == pytest.approx(10.0)
-    assert found["cycles_seconds"] == pytest.approx(6.0)
-    assert found["times_as_fast"] == pytest.approx(12.0) and not found["extrapolated"]
+    actual = equal_error({"psnr": -10 * np.log10(0.08 / 10), "seconds": 0.5}, cycles)
+    assert actual["cycles_samples"] == pytest.approx(10.0)
+    assert actual["cycles_seconds"] == pytest.approx(6.0)
+    assert actual["times_as_fast"] == pytest.approx(12.0) and not actual["extrapolated"]
     far = equal_error({"psnr": 40.0, "seconds": 0.5}, cycles)
     assert far["extrapolated"]
 
@@ -90,8 +90,8 @@ def test_what_is_kept_was_made_with_the_same_settings(tmp_path: Path) -> None:
         made.append(1)
         return {"n": len(made)}
 
-    def kept(samples: int, again: bool = False) -> Kept:
-        return Kept(tmp_path / "a", {"samples": samples}, again, "choose another --out")
+    def kept(samples: int, again: bool = False) -> StoredResults:
+        return StoredResults(tmp_path / "a", {"samples": samples}, again, "choose another --out")
 
     assert kept(4).record("x", make) == kept(4).record("x", make) == {"n": 1}
     with pytest.raises(RnaError, match=r"samples 4, now 8\): choose another --out"):

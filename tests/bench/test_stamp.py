@@ -39,12 +39,12 @@ def test_without_a_repository_the_commit_is_unknown(tmp_path: Path) -> None:
 
 def test_the_stamp_says_what_ran_where(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("NUMBA_CPU_NAME", "")
-    found = stamp(
+    actual = stamp(
         ["scenes", str(ROOT / "examples" / "a.rna"), "/elsewhere/b c.py", "--samples", "4"]
     )
-    assert found["command"] == "rna-bench scenes examples/a.rna 'b c.py' --samples 4"
-    assert found["cores"] >= 1 and len(found["load"]) == 3 and found["cpu"]
-    assert set(found) == {
+    assert actual["command"] == "rna-bench scenes examples/a.rna 'b c.py' --samples 4"
+    assert actual["cores"] >= 1 and len(actual["load"]) == 3 and actual["cpu"]
+    assert set(actual) == {
         *("command", "commit", "date", "cpu", "cpu_features", "cores", "load", "system")
     }
 

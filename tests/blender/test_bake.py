@@ -92,7 +92,7 @@ print("OBJECTS", len(bpy.context.scene.objects))
 """
 
 
-def told(printed: str, word: str) -> str:
+def printed_value(printed: str, word: str) -> str:
     """The rest of the line that begins with the word."""
     return printed.partition(f"\n{word} ")[2].splitlines()[0]
 
@@ -107,31 +107,31 @@ def test_a_bake_is_started_stopped_continued_and_replaces_its_original(
     assert "refused: Error: bake running: round 1: rays" in printed
     assert "refused: Error: the bake is running" in printed
     assert "refused: Error: the bake was begun with options --presets small --minutes=20" in printed
-    assert told(printed, "BAKE") == "{'FINISHED'}"
+    assert printed_value(printed, "BAKE") == "{'FINISHED'}"
     states = [("running", 0.42), ("stopped", 0.0), ("finished", 1.0)]
-    assert json.loads(told(printed, "STATES")) == [list(state) for state in states]
-    assert told(printed, "KEPT") == "True"  # no copies are left in the file
+    assert json.loads(printed_value(printed, "STATES")) == [list(state) for state in states]
+    assert printed_value(printed, "KEPT") == "True"  # no copies are left in the file
     job = json.loads((tmp_path / "cubes.bake" / "job.json").read_text())
     assert job["options"] == ["--presets", "small", "--minutes=20", "--min-psnr=30"]
     # The source is what was selected, and what is below it, without place and turn.
-    assert told(printed, "OBJECTS") == "2"
-    low, high = json.loads(told(printed, "BOX"))
+    assert printed_value(printed, "OBJECTS") == "2"
+    low, high = json.loads(printed_value(printed, "BOX"))
     assert low == pytest.approx([-1, -2, -1], abs=1e-5)
     assert high == pytest.approx([1, 2, 2], abs=1e-5)
-    assert told(printed, "HIDDEN") == "True True"
-    scale, turn = map(float, told(printed, "TURNED").split())
+    assert printed_value(printed, "HIDDEN") == "True True"
+    scale, turn = map(float, printed_value(printed, "TURNED").split())
     assert (scale, turn) == pytest.approx((3**0.5, 1.5707963), abs=1e-5)
 
 
 # A file that a stranger sends: data alone. Its properties, and the files that came with it, are all
 # that the stranger chose; the user presses buttons.
-ASKED = [
+OPTIONS = [
     *["--work /", "--out x.rna", "--wor=x", "--cluster local", "--for x.yaml", "-- evil.py"],
     *["evil.py", "--domain hemisphere evil.py", "--lights", "--store file:///x", "--debug"],
 ]
 STRANGER = (
     f"""
-ASKED = {ASKED}"""
+OPTIONS = {OPTIONS}"""
     + """
 import json, pathlib
 here = pathlib.Path.cwd()
@@ -188,7 +188,7 @@ item.name = "chair"
 operators.job_of(item).remove()
 
 # Options that name files, machines and more.
-for options in ASKED:
+for options in OPTIONS:
     press(options=options)
 print("NOTHING", not folder.exists(), not (here / "RAN").exists())
 """
@@ -202,10 +202,10 @@ def test_a_strangers_file_chooses_neither_folders_nor_sources_nor_commands(
     stand_in.write_text("#!/bin/sh\nexit 1\n")
     stand_in.chmod(0o755)
     printed = run_in_blender(STRANGER, python=str(stand_in))
-    assert told(printed, "KEPT") == "True"
-    assert told(printed, "JOBS") == "['evil.py', 'job.json']"
-    assert told(printed, "FOUND") == "chair.rna True"
-    assert told(printed, "NOTHING") == "True True"
+    assert printed_value(printed, "KEPT") == "True"
+    assert printed_value(printed, "JOBS") == "['evil.py', 'job.json']"
+    assert printed_value(printed, "FOUND") == "chair.rna True"
+    assert printed_value(printed, "NOTHING") == "True True"
     refusals = [line for line in printed.splitlines() if line.startswith("refused: ")]
     assert len(refusals) == 2 + 8 + 1 + 1 + 11
     assert sum("not written by a bake of yours" in line for line in refusals) == 10
@@ -234,7 +234,7 @@ print("SAFE", not pathlib.Path("RAN").exists(), len(bpy.context.scene.objects))
 def test_a_capture_runs_no_script_of_a_blend_file(run_in_blender: RunInBlender) -> None:
     """Whatever the user's preferences for files that the user opens."""
     folder = str(REPOSITORY / "exporters" / "rna_export" / "blender")
-    assert told(run_in_blender(AUTORUN.format(folder=folder)), "SAFE") == "True 1"
+    assert printed_value(run_in_blender(AUTORUN.format(folder=folder)), "SAFE") == "True 1"
 
 
 def test_the_options_of_a_bake_are_of_rna_make() -> None:

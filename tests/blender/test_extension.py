@@ -82,20 +82,20 @@ print("FOUND", json.dumps({
 }))
 """
     )
-    found = json.loads(printed.partition("FOUND ")[2].splitlines()[0])
+    actual = json.loads(printed.partition("FOUND ")[2].splitlines()[0])
     with Package.open(TOY) as toy, Package.open(CURLS) as curls:
         mesh, strands = toy.mesh(), curls.curves()
         (x0, y0, z0), (x1, y1, z1) = (corner.tolist() for corner in mesh.box())
         expected = [[x0, -z1, y0], [x1, -z0, y1]]
-        assert found["shared"] and found["tiers"] == ["small", "hq-int8"]
-        np.testing.assert_allclose(found["co"], expected, atol=1e-6)
-        assert found["vertices"] == len(mesh.positions)
-        assert found["triangles"] == len(mesh.triangles)
-        assert found["strands"] == len(strands.offsets) - 1
-        assert found["points"] == len(strands.points)
-        assert found["radius"] == pytest.approx(strands.radii[0])
-    assert found["outward"] > 0.9  # normals and winding agree
-    assert min(found["colours"]) > 0.1  # bricks of many colours
+        assert actual["shared"] and actual["tiers"] == ["small", "hq-int8"]
+        np.testing.assert_allclose(actual["co"], expected, atol=1e-6)
+        assert actual["vertices"] == len(mesh.positions)
+        assert actual["triangles"] == len(mesh.triangles)
+        assert actual["strands"] == len(strands.offsets) - 1
+        assert actual["points"] == len(strands.points)
+        assert actual["radius"] == pytest.approx(strands.radii[0])
+    assert actual["outward"] > 0.9  # normals and winding agree
+    assert min(actual["colours"]) > 0.1  # bricks of many colours
 
 
 def test_the_engine_and_rna_run_give_one_picture(

@@ -160,12 +160,12 @@ def test_both_engines_give_one_picture(
 
 def read_passes(path: Path) -> dict[str, np.ndarray]:
     """Of the one view layer of Blender's multilayer EXR, whose parts are passes since 5.0."""
-    found: dict[str, np.ndarray] = {}
+    actual: dict[str, np.ndarray] = {}
     with OpenEXR.File(str(path)) as file:
         for part in file.parts:
             for name, channel in part.channels.items():
-                found[name.removeprefix("ViewLayer.")] = channel.pixels
-    return found
+                actual[name.removeprefix("ViewLayer.")] = channel.pixels
+    return actual
 
 
 def blocks(image: np.ndarray, side: int = 12) -> np.ndarray:

@@ -22,12 +22,12 @@ def test_the_python_of_the_page(
     run_in_blender: RunInBlender, extension_zip: Path, tmp_path: Path
 ) -> None:
     blocks = re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL)
-    own = {
+    environment = {
         "/home/you/rna-sdk/out/rna_sdk-0.1.0.zip": extension_zip,
         "/home/you/toy.rna": TOY,
         "/home/you": tmp_path,
     }
-    for name, path in own.items():
+    for name, path in environment.items():
         assert any(name in block for block in blocks)
         blocks = [block.replace(name, str(path)) for block in blocks]
     install, imported, bake = blocks
@@ -39,8 +39,8 @@ def test_the_python_of_the_page(
     stand_in.chmod(0o755)
     (engine,) = re.findall(r"`(bpy\.context\.scene\.render\.engine = .*?)`", PAGE)
     object_ = "bpy.ops.mesh.primitive_monkey_add()"
-    told = "print('SEEN', bpy.context.scene.render.engine, 'Suzanne' in bpy.data.objects)"
-    script = "\n".join([install, object_, engine, bake, told])
+    code = "print('SEEN', bpy.context.scene.render.engine, 'Suzanne' in bpy.data.objects)"
+    script = "\n".join([install, object_, engine, bake, code])
     printed = run_in_blender(script, python=str(stand_in))
     assert "SEEN RNA True" in printed and (tmp_path / "suzanne.rna").is_file()
     printed = run_in_blender(f"{imported}\nprint('SEEN', bpy.context.object.name)")

@@ -54,10 +54,10 @@ def evaluate(
     with zipfile.ZipFile(package) as archive:
         manifest = json.loads(archive.read("manifest.json"))
         tier = next(tier for tier in manifest["tiers"] if tier["name"] == tier_name)
-        part, own = manifest["parts"][number], tier["parts"][number]
-        asked = own.get(output, own)
-        planes = minimal.read_planes(archive.read(own["planes"])).astype(F)
-        nodes, constants = minimal.read_decoder(archive.read(asked["decoder"]))
+        part, tier_part = manifest["parts"][number], tier["parts"][number]
+        decoder = tier_part.get(output, tier_part)
+        planes = minimal.read_planes(archive.read(tier_part["planes"])).astype(F)
+        nodes, constants = minimal.read_decoder(archive.read(decoder["decoder"]))
     if not formulas.subnormal_texels:
         planes[np.abs(planes) < F(2.0**-14)] = 0
     directions = queries[:, 3:6], queries[:, 7:10], queries[:, 10:13]
@@ -69,12 +69,12 @@ def evaluate(
     h = queries[rows, 6]
     blocks = _blocks(formulas, planes, p, np.clip(h, -1, 1) if formulas.h_clamped else h, axis)
     made = blocks(wo, wi)
-    inputs = np.hstack([made[name] for name in asked["inputs"]])
+    inputs = np.hstack([made[name] for name in decoder["inputs"]])
     assert inputs.dtype == F
     values = {k: v.astype(F) for k, v in constants.items()}
-    found = _run(formulas, nodes, values, inputs)[output]
-    result = np.zeros((len(queries), found.shape[1]), F)
-    result[rows] = found
+    actual = _run(formulas, nodes, values, inputs)[output]
+    result = np.zeros((len(queries), actual.shape[1]), F)
+    result[rows] = actual
     return result
 
 

@@ -104,8 +104,8 @@ def test_facets_that_face_light_behind_the_smooth_surface_block_it(kit: Kit) -> 
     seen = {}
     for case in kit.visibility:
         for c in case.classes:
-            part, found, _ = c.name.partition("behind the smooth surface")
-            if found:
+            part, actual, _ = c.name.partition("behind the smooth surface")
+            if actual:
                 rows = slice(c.first, c.first + c.rows)
                 seen[case.package.stem, part.strip(": ")] = case.expected[rows]
     assert not seen["surface-float32", ""].any()

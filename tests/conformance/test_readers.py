@@ -150,11 +150,11 @@ def test_few_rows_of_int8_may_differ_by_a_step(
     """2% of 388 are 7; of a float32 decoder, none may."""
 
     def evaluate(form: str, package: str, tier: str, part: int, _: object) -> np.ndarray:
-        asked = package, tier, part, form
-        case = next(c for c in kit.evaluate if (str(c.package), c.tier, c.part, c.output) == asked)
-        found = case.expected.copy()
-        found[:rows] += steps * case.step + 5 * (case.step == 0)
-        return found
+        query = package, tier, part, form
+        case = next(c for c in kit.evaluate if (str(c.package), c.tier, c.part, c.output) == query)
+        actual = case.expected.copy()
+        actual[:rows] += steps * case.step + 5 * (case.step == 0)
+        return actual
 
     scores = run_levels(InProcess(evaluate), kit, ["evaluate"])
     by_tier = {(score.package, score.tier): score for score in scores}
@@ -208,7 +208,7 @@ def beside_the_facet(package: str, records: bytes) -> np.ndarray:
     return leaving_by(origins, package, records)
 
 
-def of_strands(own_strand: bool):  # type: ignore[no-untyped-def]
+def of_strands(start_strand: bool):  # type: ignore[no-untyped-def]
     """By brute force, of one part: is the whole strand of x passed through? Entries at joints
     count."""
 
@@ -221,7 +221,7 @@ def of_strands(own_strand: bool):  # type: ignore[no-untyped-def]
         segment, numbers = words[:, 0], words.view("<f4")
         t = entries(curves, numbers[:, 1:4], unit(numbers[:, 4:7].astype(np.float64)))
         strand, number = strands(curves), np.arange(len(strands(curves)))
-        passed = strand == strand[segment][:, None] if own_strand else number == segment[:, None]
+        passed = strand == strand[segment][:, None] if start_strand else number == segment[:, None]
         return as_colours(~(np.isfinite(t) & ~passed).any(axis=1))
 
     return visibility
@@ -237,8 +237,8 @@ def as_colours(seen: np.ndarray) -> np.ndarray:
         (without_lift, "surface", ("terminator", "behind the facet")),
         (from_outside, "surface", ("backs",)),
         (beside_the_facet, "surface", ("behind the smooth surface",)),
-        (of_strands(own_strand=False), "fiber", ("own strand", "at joints")),
-        (of_strands(own_strand=True), "fiber", ("inside another strand",)),
+        (of_strands(start_strand=False), "fiber", ("own strand", "at joints")),
+        (of_strands(start_strand=True), "fiber", ("inside another strand",)),
     ],
 )
 def test_readers_with_a_simpler_visibility_fail(visibility, kind, classes, kit: Kit) -> None:  # type: ignore[no-untyped-def]
@@ -304,8 +304,8 @@ def test_a_reader_that_asks_the_first_part_alone_fails(kit: Kit) -> None:
     def evaluate(
         form: str, package: str, tier: str, part: int, arrays: dict[str, np.ndarray]
     ) -> np.ndarray:
-        asked = 0 if form == "transport" else part
-        return reader.evaluate(form, package, tier, asked, arrays)
+        query = 0 if form == "transport" else part
+        return reader.evaluate(form, package, tier, query, arrays)
 
     failed = failures(InProcess(evaluate), kit, "evaluate")
     assert {(score.package, score.tier) for score in failed} == {

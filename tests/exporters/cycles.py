@@ -45,11 +45,11 @@ def trace(worker: BlenderWorker, wi: np.ndarray, rays: int = 2048, samples: int 
     rendered = worker.render_rays(drawn.origins, drawn.directions, wi, samples, seed=1)
     visible = scene.visible(points, np.ascontiguousarray(np.broadcast_to(wi, (rays, 3))))
     both = points.hit & (rendered.alpha > 0.999)
-    kept = points.on[0].points.take(np.flatnonzero(both[points.hit]))
+    points_hit = points.on[0].points.take(np.flatnonzero(both[points.hit]))
     missed = 1.0 - both.sum() / points.hit.sum()
     return Traced(
         drawn[both],
-        kept,
+        points_hit,
         rendered.radiance[both],
         rendered.position[both],
         visible[both],

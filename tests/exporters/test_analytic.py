@@ -56,7 +56,7 @@ def test_gltf_is_the_renderers_own_material() -> None:
     outputs = 2.0 * torch.randn(k, 8, generator=torch.Generator().manual_seed(1))
     outputs[:, 5:] *= 0.05
     material = gltf_material(outputs)
-    found = gltf_radiance(material, n, wo, wi)
+    actual = gltf_radiance(material, n, wo, wi)
     arrays = [x.squeeze(1).numpy() for x in (material.roughness**2, material.metallic)]
     reference = Scattering(
         material.base_color.numpy(), *arrays, np.full(k, COAT_F0, np.float32), np.zeros((k, 3))
@@ -66,9 +66,9 @@ def test_gltf_is_the_renderers_own_material() -> None:
     seen &= ((n * wi).sum(1) > 0).numpy() | ((normal * wi).sum(1) < 0).numpy()
     expected = reference.evaluate(*(x.numpy() for x in (normal, n, wo, wi)))
     assert seen.mean() > 0.95 and (expected[seen] > 0).mean() > 0.4
-    np.testing.assert_allclose(found.numpy()[seen], expected[seen], rtol=5e-3, atol=1e-5)
+    np.testing.assert_allclose(actual.numpy()[seen], expected[seen], rtol=5e-3, atol=1e-5)
     other_side = gltf_radiance(material._replace(tilt=-material.tilt), -n, wo, wi)
-    np.testing.assert_allclose(other_side, found, rtol=1e-5, atol=1e-7)
+    np.testing.assert_allclose(other_side, actual, rtol=1e-5, atol=1e-7)
 
 
 @pytest.mark.parametrize("cos_o", [0.2, 0.9])
@@ -130,12 +130,12 @@ def test_a_known_material_is_found_again() -> None:
         fitting.step(rows, k / STEPS)
     with torch.no_grad():
         model = fitting.model
-        found = gltf_material(model.decoder(model.queries(at)))
+        actual = gltf_material(model.decoder(model.queries(at)))
     inside = at["position"][:, 0].abs() > 0.15
     for name, tolerance in (("base_color", 0.04), ("roughness", 0.04), ("metallic", 0.1)):
-        error = (getattr(found, name) - getattr(material, name))[inside].abs().mean()
+        error = (getattr(actual, name) - getattr(material, name))[inside].abs().mean()
         assert float(error) < tolerance, name
-    straight = (found.normal(at["normal"]) * at["normal"]).sum(1)[inside]
+    straight = (actual.normal(at["normal"]) * at["normal"]).sum(1)[inside]
     assert float(torch.rad2deg(torch.arccos(straight.clamp(max=1.0))).mean()) < 1.0
 
 
@@ -159,8 +159,8 @@ def test_a_training_says_its_score_and_no_package_takes_it(tmp_path, monkeypatch
     assert "analytic: PSNR" in printed and "10 of 20,000 steps" in printed
     assert "next:" not in printed
     trained = load_checkpoint(runs / "best.ckpt")
-    found, lines = textures_of([trained], dataset.dataset)
-    assert found == [None]
+    actual, lines = textures_of([trained], dataset.dataset)
+    assert actual == [None]
     assert lines == ["asset: a stand-in without textures: the mesh has no texture coordinates"]
     with pytest.raises(ExportError, match="--standin: found a checkpoint of analytic, expected"):
         textures_of([replace(trained, preset=PRESETS["surface"]["small"])], dataset.dataset)

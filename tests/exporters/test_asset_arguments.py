@@ -23,17 +23,17 @@ def fields_of(kind: str) -> dict[str, np.ndarray]:
 @pytest.mark.parametrize("method", ["evaluate", "emission"])
 def test_arguments_are_those_of_the_runtime(kind: str, method: str) -> None:
     fields = fields_of(kind)
-    found = (evaluate_arguments if method == "evaluate" else emission_arguments)(fields)
+    actual = (evaluate_arguments if method == "evaluate" else emission_arguments)(fields)
     parameters = list(inspect.signature(getattr(ASSETS[kind], method)).parameters)
     expected = [name for name in parameters if name not in ("self", "out")]
-    assert [name.rstrip("s") for name in expected] == list(found._fields)
-    for name, value in found._asdict().items():
+    assert [name.rstrip("s") for name in expected] == list(actual._fields)
+    for name, value in actual._asdict().items():
         assert value is fields[name]
 
 
 def test_queries_of_views_leave_out_what_the_runtime_does_not_take() -> None:
     fields = fields_of("surface")
     view = ValidationView(0, 2, np.arange(2), fields, np.zeros((2, 2, 3), np.float32))
-    found = all_queries([view, view])
-    for values, name in zip(found, ("position", "normal", "wo", "wi"), strict=True):
+    actual = all_queries([view, view])
+    for values, name in zip(actual, ("position", "normal", "wo", "wi"), strict=True):
         assert np.array_equal(values, np.concatenate([fields[name]] * 2))

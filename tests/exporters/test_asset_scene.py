@@ -27,12 +27,12 @@ def test_points_of_a_pose_are_recorded_at_rest() -> None:
     aside = 0.3 * unit_vectors(np.random.default_rng(1), 2000)
     origins, wi = (3.0 * towards + aside).astype(np.float32), np.float32([[0.6, 0.8, 0.0]])
     expected = rest.shade_points(origins, -towards)
-    found = pose.shade_points(origins @ turn.T, -towards @ turn.T)
-    same = expected.part == found.part
+    actual = pose.shade_points(origins @ turn.T, -towards @ turn.T)
+    same = expected.part == actual.part
     assert same.mean() > 0.99
     lit = rest.visible(expected, np.repeat(wi, 2000, axis=0))
-    assert (lit == pose.visible(found, np.repeat(wi @ turn.T, 2000, axis=0))).mean() > 0.98
-    for one, other in zip(expected.on, found.on, strict=True):
+    assert (lit == pose.visible(actual, np.repeat(wi @ turn.T, 2000, axis=0))).mean() > 0.98
+    for one, other in zip(expected.on, actual.on, strict=True):
         row, a, b = np.intersect1d(one.rows, other.rows, return_indices=True)
         assert len(row) > 40
         for name, values in one.fields.items():

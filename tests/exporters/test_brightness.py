@@ -19,16 +19,16 @@ def scaled(lit: float, shadowed: float) -> np.ndarray:
 def test_lit_and_shadowed_are_told_apart() -> None:
     images = [(scaled(0.9, 0.7)[:400], REFERENCE[:400], VISIBLE[:400])]
     images += [(scaled(0.9, 0.7)[400:], REFERENCE[400:], VISIBLE[400:])]
-    found = brightness(images)
-    assert found.lit == pytest.approx([0.9] * 3)
-    assert found.shadowed == pytest.approx([0.7] * 3)
-    assert found.shadow_share == pytest.approx([0.4] * 3, abs=0.05)
+    actual = brightness(images)
+    assert actual.lit == pytest.approx([0.9] * 3)
+    assert actual.shadowed == pytest.approx([0.7] * 3)
+    assert actual.shadow_share == pytest.approx([0.4] * 3, abs=0.05)
 
 
 def test_coloured_visibility_is_lit_where_most_passes() -> None:
     coloured = VISIBLE[:, None] * np.array([1.0, 0.9, 0.3])
-    found = brightness([(scaled(0.5, 1.0), REFERENCE, coloured)])
-    assert found.lit == pytest.approx([0.5] * 3)
+    actual = brightness([(scaled(0.5, 1.0), REFERENCE, coloured)])
+    assert actual.lit == pytest.approx([0.5] * 3)
 
 
 @pytest.mark.parametrize(
@@ -39,5 +39,5 @@ def test_faults(lit: float, shadowed: float, faults: int) -> None:
 
 
 def test_an_asset_without_shadow_has_no_fault_in_it() -> None:
-    found = brightness([(REFERENCE, REFERENCE, np.ones(1000))])
-    assert np.isnan(found.shadowed).all() and not found.faults
+    actual = brightness([(REFERENCE, REFERENCE, np.ones(1000))])
+    assert np.isnan(actual.shadowed).all() and not actual.faults

@@ -73,11 +73,11 @@ def test_a_tier_a_checkpoint_in_their_order(exported: Exported) -> None:
 def test_the_runtime_answers_what_pytorch_answers(exported: Exported, tier: str) -> None:
     model = load_checkpoint(exported.checkpoints[tier]).model
     views = exported.dataset.validation_views()
-    for found, view in zip(evaluate(exported.package, tier, exported.dataset), views, strict=True):
+    for actual, view in zip(evaluate(exported.package, tier, exported.dataset), views, strict=True):
         expected = shade(model, view)
         # Planes are float16 in the package.
-        assert np.abs(found - expected).max() < 5e-3 * max(1.0, float(expected.max()))
-        assert np.abs(found - expected).mean() < 5e-4
+        assert np.abs(actual - expected).max() < 5e-3 * max(1.0, float(expected.max()))
+        assert np.abs(actual - expected).mean() < 5e-4
 
 
 @pytest.mark.parametrize("tier", ["small", "paper-small"])
@@ -87,9 +87,9 @@ def test_the_recorded_error_is_what_a_host_gets(exported: Exported, tier: str) -
     with Package.open(exported.package) as package:
         record = package.tier(tier)
     references = [view.samples["radiance"] for view in views]
-    found = np.mean([psnr(r, t) for r, t in zip(radiance, references, strict=True)])
+    actual = np.mean([psnr(r, t) for r, t in zip(radiance, references, strict=True)])
     assert record.validation is not None
-    assert record.validation.psnr == pytest.approx(found, abs=1e-4)
+    assert record.validation.psnr == pytest.approx(actual, abs=1e-4)
     assert record.validation.flip == pytest.approx(score(radiance, views).flip, abs=1e-6)
     assert record.validation.images == 2
     assert "irradiance pi" in record.validation.definition

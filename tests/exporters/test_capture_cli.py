@@ -66,12 +66,12 @@ def test_a_named_interpreter_that_is_not_there(
     assert "/nowhere/python" in refusal(capsys, source, "--out", tmp_path / "x.rays")
 
 
-@pytest.mark.parametrize(("name", "found"), [("gone.blend", "no such file"), ("a.stl", "'.stl'")])
-def test_a_bad_source(tmp_path: Path, name: str, found: str, capsys) -> None:
+@pytest.mark.parametrize(("name", "actual"), [("gone.blend", "no such file"), ("a.stl", "'.stl'")])
+def test_a_bad_source(tmp_path: Path, name: str, actual: str, capsys) -> None:
     if name == "a.stl":
         (tmp_path / name).write_bytes(b"")
     error = refusal(capsys, tmp_path / name, "--out", tmp_path / "x.rays")
-    assert name in error and found in error
+    assert name in error and actual in error
 
 
 @pytest.mark.parametrize(
@@ -129,8 +129,8 @@ def test_help_starts_with_a_sentence_and_a_command() -> None:
     fixed = {"lights_per_shard", "clamp_direct", "clamp_indirect"}
     for name in surfaces.keys() - fixed - optional:
         same = surfaces[name] == fibers[name]
-        told = f"default {surfaces[name]}" + ("" if same else f", for hair {fibers[name]}")
-        assert told in text, name
+        default = f"default {surfaces[name]}" + ("" if same else f", for hair {fibers[name]}")
+        assert default in text, name
     assert "for hair" in text
 
 
@@ -216,17 +216,17 @@ def test_help_of_a_groom_needs_no_file_no_folder_and_no_blender(
 
 @pytest.mark.blender
 @pytest.mark.parametrize(
-    ("body", "status", "told"),
+    ("body", "status", "text"),
     [
         ("import argparse, rna_hair; argparse.ArgumentParser().parse_args()", 0, "usage: asset.py"),
         ("pass", 1, "the script has no --help of its own"),
     ],
 )
-def test_help_of_a_script_is_its_own(body: str, status: int, told: str, source: Path, capfd):
+def test_help_of_a_script_is_its_own(body: str, status: int, text: str, source: Path, capfd):
     source.write_text(body)
     assert main([str(source), "--", "--help"]) == status
     said = capfd.readouterr()
-    assert told in said.out + said.err
+    assert text in said.out + said.err
 
 
 def test_what_takes_no_arguments_says_so(tmp_path: Path, capsys) -> None:

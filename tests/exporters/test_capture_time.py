@@ -79,19 +79,22 @@ def test_with_time_enough_they_stay_as_they_are(clock: Clock) -> None:
     assert shrunk(usual, settings) is None
 
 
-@pytest.mark.parametrize("kept", ["validation_resolution", "validation_samples"])
-def test_what_was_asked_for_stays(kept: str, clock: Clock) -> None:
+@pytest.mark.parametrize("option", ["validation_resolution", "validation_samples"])
+def test_what_was_asked_for_stays(option: str, clock: Clock) -> None:
     usual = CaptureSettings.usual("surface")
-    settings = planned(usual, TimeLimit(5.0, 0.0), 10.0, SURFACE_RATE, (kept,))
-    assert getattr(settings, kept) == getattr(usual, kept)
+    settings = planned(usual, TimeLimit(5.0, 0.0), 10.0, SURFACE_RATE, (option,))
+    assert getattr(settings, option) == getattr(usual, option)
     assert seconds(settings, SURFACE_RATE)[0] == pytest.approx(0.25 * 290.0, rel=0.15)
 
 
 def test_too_few_minutes_are_refused(clock: Clock) -> None:
-    fiber, told = CaptureSettings.usual("fiber"), r"--minutes 0\.2 leaves .* --minutes (\d+) would"
-    with pytest.raises(CaptureError, match=told) as caught:
+    fiber, message = (
+        CaptureSettings.usual("fiber"),
+        r"--minutes 0\.2 leaves .* --minutes (\d+) would",
+    )
+    with pytest.raises(CaptureError, match=message) as caught:
         planned(fiber, TimeLimit(0.2, 0.0), 12.0, FIBER_RATE, ())
-    enough = int(re.findall(told, str(caught.value))[0])
+    enough = int(re.findall(message, str(caught.value))[0])
     assert planned(fiber, TimeLimit(enough, 0.0), 12.0, FIBER_RATE, ()).lights >= 16
     with pytest.raises(CaptureError, match=f"--minutes {enough} would do"):
         planned(fiber, TimeLimit(enough - 1, 0.0), 12.0, FIBER_RATE, ())

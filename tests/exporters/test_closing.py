@@ -95,11 +95,11 @@ def test_strands_are_told_in_pixels_of_several_rays(tmp_path: Path) -> None:
     best = train(Run(dataset.only, preset, "small", tmp_path / "run"), say=lambda _: None)
     model, views = load_checkpoint(best), dataset.whole_views()
     in_pixels = mean_psnr_of_pixels([shade(model.model, v.parts[0]) for v in views], views)
-    told = f" dB a ray, {in_pixels:.1f} dB in pixels of 16 ({psnr_in_words(in_pixels)})"
-    assert told in training_lines(best, dataset.only)[0]
+    text = f" dB a ray, {in_pixels:.1f} dB in pixels of 16 ({psnr_in_words(in_pixels)})"
+    assert text in training_lines(best, dataset.only)[0]
     package = tmp_path / "spikes.rna"
     manifest = build_package([model], dataset, package, None, "CC0-1.0", lambda _: None)
-    assert told in closing_lines(package, manifest, [model], dataset)[0]
+    assert text in closing_lines(package, manifest, [model], dataset)[0]
 
 
 def test_a_black_reference_is_a_warning_and_no_record(tmp_path: Path) -> None:

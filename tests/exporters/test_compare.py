@@ -133,8 +133,8 @@ def test_the_source_is_known_by_its_hash(tmp_path: Path) -> None:
 
 
 def test_images_are_announced_and_handed_over_one_by_one() -> None:
-    told: list[str] = []
-    found: list[int] = []
+    messages: list[str] = []
+    actual: list[int] = []
     worker = _Cycles()
     with pytest.raises(KeyboardInterrupt):
         compare(
@@ -145,11 +145,11 @@ def test_images_are_announced_and_handed_over_one_by_one() -> None:
             cycles_samples=2,
             resolution=8,
             frame=("Z", "Y"),
-            begin=lambda k, n, shot: told.append(f"{k} of {n}: {shot.name}"),
-            done=lambda pairs: found.append(len(pairs)),
+            begin=lambda k, n, shot: messages.append(f"{k} of {n}: {shot.name}"),
+            done=lambda pairs: actual.append(len(pairs)),
         )
-    assert told[0] == "1 of 9: front, key light" and len(told) == 3
-    assert found == [1, 2]  # before Ctrl-C in the third
+    assert messages[0] == "1 of 9: front, key light" and len(messages) == 3
+    assert actual == [1, 2]  # before Ctrl-C in the third
 
 
 class _Cycles:

@@ -86,8 +86,8 @@ def test_pieces_of_a_quantised_mesh_share_its_vertices(tmp_path: Path) -> None:
     dataset = make_dataset(tmp_path / "ball.rays").dataset
     Dataset.create(dataset.folder, dataset.manifest, {"asset": mesh})
     pieces = [part.geometry() for part in as_cut(Dataset(dataset.folder), 2).parts]
-    found = {tuple(p) for piece in pieces for p in piece.positions.tolist()}
-    assert found == {tuple(p) for p in mesh.positions.tolist()}
+    actual = {tuple(p) for piece in pieces for p in piece.positions.tolist()}
+    assert actual == {tuple(p) for p in mesh.positions.tolist()}
     assert all(piece.quantised is not None for piece in pieces)
 
 

@@ -35,8 +35,10 @@ def test_unfinished_shards_and_views_are_left_out(dataset: Dataset) -> None:
     dataset.train_path(1).unlink()
     dataset.validation_path(0, 1).unlink()
     part = dataset.only.training_samples()
-    kept = np.r_[0 : LIGHTS_A_SHARD * RAYS, 2 * LIGHTS_A_SHARD * RAYS : 3 * LIGHTS_A_SHARD * RAYS]
-    assert np.array_equal(part["wi"], whole["wi"][kept])
+    finished = np.r_[
+        0 : LIGHTS_A_SHARD * RAYS, 2 * LIGHTS_A_SHARD * RAYS : 3 * LIGHTS_A_SHARD * RAYS
+    ]
+    assert np.array_equal(part["wi"], whole["wi"][finished])
     assert [view.index for view in dataset.only.validation_views()] == [1]
 
 

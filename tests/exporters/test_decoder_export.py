@@ -51,9 +51,9 @@ def test_agrees_with_pytorch(kind: str, preset: str) -> None:
     decoder = export_decoder(model)
     queries = torch.cat([random_queries(model, 3000, 7), extreme_queries(model, 7)])
     y = model.decoder(queries).unflatten(1, (-1, 3))
-    found, expected = run(decoder, queries), model.transport(y).flatten(1).numpy()
-    assert np.all(np.abs(found - expected) <= ABSOLUTE + RELATIVE * np.abs(expected))
-    assert found.min() == 0.0 and found[:, 3:].max() == pytest.approx(12.5)  # both clamps reached
+    actual, expected = run(decoder, queries), model.transport(y).flatten(1).numpy()
+    assert np.all(np.abs(actual - expected) <= ABSOLUTE + RELATIVE * np.abs(expected))
+    assert actual.min() == 0.0 and actual[:, 3:].max() == pytest.approx(12.5)  # both clamps reached
     agreement = compare_decoder(decoder, model)
     assert 0.0 < agreement.max_absolute < 1e-3 and agreement.max_relative < RELATIVE
 
@@ -80,8 +80,8 @@ def test_output_is_finite_and_never_negative_whatever_is_asked() -> None:
     for row, value in enumerate((0.0, -0.0, 1e30, -1e30, 3e38, -3e38, 65504.0, -1.0)):
         queries[row] = value
     queries[2, ::2] *= -1.0
-    found = run(export_decoder(model), queries)
-    assert np.isfinite(found).all() and found.min() >= 0.0 and found.max() <= 12.6
+    actual = run(export_decoder(model), queries)
+    assert np.isfinite(actual).all() and actual.min() >= 0.0 and actual.max() <= 12.6
 
 
 @pytest.mark.parametrize(
@@ -114,10 +114,10 @@ def test_large_queries_have_a_tolerance_as_large(
     model = make_model()
 
     def rounded(decoder: bytes, queries: torch.Tensor) -> np.ndarray:
-        found = run(decoder, queries)
+        actual = run(decoder, queries)
         row = int(queries.abs().amax(dim=1).argmax()) if which == "largest" else which
-        found[row] += off * (ABSOLUTE + RELATIVE * found[row])
-        return found
+        actual[row] += off * (ABSOLUTE + RELATIVE * actual[row])
+        return actual
 
     monkeypatch.setattr("rna_export.export.decoder._run", rounded)
     with contextlib.nullcontext() if agrees else pytest.raises(ExportError):

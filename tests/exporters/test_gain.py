@@ -20,10 +20,10 @@ from rna_export.capture.estimate import gain as gain_module
 from rna_export.capture.estimate.gain import (
     MeasuredAsset,
     gain,
+    gain_text,
     left_out,
     predicted,
     table_of,
-    told,
 )
 from rna_export.capture.estimate.pilot import Pilot, measure_pilot, variances
 from rna_export.capture.rays.asset_scene import AssetScene
@@ -110,19 +110,19 @@ def test_a_share_of_the_noise_ratio_is_found_and_left_out_assets_are_told_exactl
     assets = list(HALF.values())
     assert predicted(pilot(10.0), assets) == pytest.approx(5.0)
     assert left_out(HALF) == pytest.approx(dict.fromkeys(HALF, 1.0))
-    found = gain(pilot(10.0), HALF)
-    assert (found.low, found.high) == pytest.approx((found.times, found.times))
-    assert not found.extrapolated
+    actual = gain(pilot(10.0), HALF)
+    assert (actual.low, actual.high) == pytest.approx((actual.times, actual.times))
+    assert not actual.extrapolated
     assert gain(pilot(30.0), HALF).extrapolated and gain(pilot(1.5), HALF).extrapolated
 
 
 def test_the_range_is_the_largest_error_of_a_left_out_asset() -> None:
     assets = {**HALF, "odd": asset(5.0, 7.5)}
     worst = max(max(off, 1.0 / off) for off in left_out(assets).values())
-    found = gain(pilot(5.0), assets)
+    actual = gain(pilot(5.0), assets)
     assert worst > 2.0
-    assert found.high / found.times == pytest.approx(worst)
-    assert found.times / found.low == pytest.approx(worst)
+    assert actual.high / actual.times == pytest.approx(worst)
+    assert actual.times / actual.low == pytest.approx(worst)
 
 
 @pytest.mark.parametrize(
@@ -134,7 +134,7 @@ def test_the_range_is_the_largest_error_of_a_left_out_asset() -> None:
     ],
 )
 def test_two_lines_are_told(ratio: float, words: str) -> None:
-    cost, of_gain = told(pilot(ratio), HALF).split("\n")
+    cost, of_gain = gain_text(pilot(ratio), HALF).split("\n")
     assert cost == (
         f"a path of Cycles takes 12 us, and its variance is {ratio:.2g} times that of its pixel; "
         "here a query of small takes 0.16 us and its ray 0.3 us (processor time)"
@@ -166,7 +166,7 @@ def test_estimate_prints_and_writes_nothing(
     monkeypatch.setattr(gain_module, "table_of", lambda: HALF)
     (tmp_path / "ball.py").write_text("pass")
     assert main(["ball.py", "--estimate"]) == 0
-    assert capsys.readouterr().out == f"{told(pilot(10.0), HALF)}\n"
+    assert capsys.readouterr().out == f"{gain_text(pilot(10.0), HALF)}\n"
     assert [path.name for path in tmp_path.iterdir()] == ["ball.py"]
 
 

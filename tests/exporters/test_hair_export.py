@@ -47,12 +47,12 @@ def test_cycles_hits_what_we_hit(scene: str, open_worker: OpenWorker) -> None:
     directions = directions.astype(np.float32)
 
     rendered = worker.render_rays(origins, directions, np.float32([0, 1, 0]), 1, seed=1)
-    found = ours.shade_points(origins, directions)
+    actual = ours.shade_points(origins, directions)
     hit = rendered.alpha > 0.999
     assert 0.2 < hit.mean() < 0.95
-    assert np.mean(hit != found.hit) < 0.002
-    both = hit & found.hit
-    apart = np.linalg.norm(rendered.position[both] - found.position[both], axis=1)
+    assert np.mean(hit != actual.hit) < 0.002
+    both = hit & actual.hit
+    apart = np.linalg.norm(rendered.position[both] - actual.position[both], axis=1)
     assert np.percentile(apart, 99) < 2e-5
 
 

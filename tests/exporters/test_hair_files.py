@@ -172,6 +172,6 @@ def test_hair_of_one_point_is_left_out_with_a_warning(tmp_path: Path) -> None:
     path = tmp_path / "a.hair"
     path.write_bytes(hair_bytes(strand_count=3, points=6, segments=(1, 0, 2)))
     with pytest.warns(UserWarning, match=r"^a\.hair: 1 of 3 strands have one point"):
-        found = read_hair(path)
-    assert found.offsets.tolist() == [0, 2, 5]
-    assert np.allclose(found.points[2:], from_blender(np.arange(9, 18.0).reshape(3, 3)))
+        actual = read_hair(path)
+    assert actual.offsets.tolist() == [0, 2, 5]
+    assert np.allclose(actual.points[2:], from_blender(np.arange(9, 18.0).reshape(3, 3)))

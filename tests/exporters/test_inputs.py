@@ -57,16 +57,16 @@ def test_equals_the_reference(kind: str, inputs: tuple[str, ...]) -> None:
     frame = ("tangent", "h") if kind == "fiber" else ("normal",)
     arguments = [at[name] for name in ("position", *frame, "wo", "wi")]
     expected = reference(planes, BOUNDS.numpy(), inputs, *arguments)
-    found = model.queries({k: torch.from_numpy(v) for k, v in at.items()}).detach().numpy()
-    assert found.shape == (len(expected), query_width(inputs, 4))
+    actual = model.queries({k: torch.from_numpy(v) for k, v in at.items()}).detach().numpy()
+    assert actual.shape == (len(expected), query_width(inputs, 4))
     # log2(1 - n.h + 1e-4) turns a rounding of n.h, 6e-8, into up to 2e-4 at the mirror direction.
-    mirror = np.zeros(found.shape, bool)
+    mirror = np.zeros(actual.shape, bool)
     mirror[:60] = "half_vector" in inputs or "highlight" in inputs
     if "learned_normal" in inputs:  # which mirrors light anywhere
         first = query_width(inputs[: inputs.index("learned_normal")], 4)
         mirror[:, first : first + INPUT_BLOCKS["learned_normal"]] = True
-    assert np.abs(found - expected)[~mirror].max(initial=0.0) < 1e-5
-    assert np.abs(found - expected).max() < 4e-4
+    assert np.abs(actual - expected)[~mirror].max(initial=0.0) < 1e-5
+    assert np.abs(actual - expected).max() < 4e-4
 
 
 @pytest.mark.parametrize("kind", PRESETS)
@@ -77,12 +77,12 @@ def test_gradients_are_those_of_the_twin(kind: str) -> None:
     features = torch.randn(len(at["wo"]), 4, generator=generator)
     p = torch.rand(len(features), 3, generator=generator)
     weights = torch.randn(len(features), query_width(blocks, 4), generator=generator)
-    found, expected = (
+    actual, expected = (
         torch.autograd.grad((function(blocks, x, p, at) * weights).sum(), x)[0]
         for function, x in ((f, features.clone().requires_grad_()) for f in (assemble, assembled))
     )
     # The twin's float32 loses 1 - q.h next to a highlight.
-    assert torch.allclose(found, expected, rtol=2e-3, atol=2e-3)
+    assert torch.allclose(actual, expected, rtol=2e-3, atol=2e-3)
 
 
 @pytest.mark.parametrize("kind", PRESETS)

@@ -135,13 +135,13 @@ def test_hierarchies_of_gltf(open_worker: OpenWorker, tmp_path: Path) -> None:
     corners = open_worker(tmp_path / "a.glb").export_corners()
     expected = scene.to_geometry()
     assert len(corners["positions"]) == 3 * len(expected.faces)
-    found = trimesh.Trimesh(
+    actual = trimesh.Trimesh(
         corners["positions"], np.arange(len(corners["positions"])).reshape(-1, 3)
     )
-    found.merge_vertices(merge_norm=True, merge_tex=True)
-    np.testing.assert_allclose(found.bounds, expected.bounds, atol=1e-5)
-    np.testing.assert_allclose(found.area, expected.area, rtol=1e-5)
-    assert found.volume == pytest.approx(6 * (8 + 1.5), rel=1e-4)  # all sides face outwards
+    actual.merge_vertices(merge_norm=True, merge_tex=True)
+    np.testing.assert_allclose(actual.bounds, expected.bounds, atol=1e-5)
+    np.testing.assert_allclose(actual.area, expected.area, rtol=1e-5)
+    assert actual.volume == pytest.approx(6 * (8 + 1.5), rel=1e-4)  # all sides face outwards
 
 
 LINKED = """

@@ -52,9 +52,9 @@ def test_the_runtime_runs_the_exported_integers(preset: str) -> None:
     queries = random_queries(model, 5000, 7)
     decoder = export_decoder(model, int8_decoder(model, queries))
     runtime = Decoder(decoder_from_bytes(decoder, "decoder"))
-    for asked in (queries, 1e30 * queries, -queries):
-        found, expected = runtime.run(asked.numpy()), run(decoder, asked)
-        close = np.isclose(found, expected, rtol=1e-4, atol=1e-5).all(axis=1)
+    for inputs in (queries, 1e30 * queries, -queries):
+        actual, expected = runtime.run(inputs.numpy()), run(decoder, inputs)
+        close = np.isclose(actual, expected, rtol=1e-4, atol=1e-5).all(axis=1)
         assert close.mean() > 0.98
     # Those four nodes and the layers are not in what onnxruntime runs.
     fast = fast_graph(decoder_from_bytes(decoder, "decoder"), np.inf)
@@ -105,8 +105,8 @@ def test_output_is_finite_and_never_negative_whatever_is_asked() -> None:
     model = make_model()
     decoder = export_decoder(model, int8_decoder(model, random_queries(model, 5000, 7)))
     values = torch.tensor([0.0, -0.0, 1e30, -1e30, 3e38, -3e38, 1e-45, 65504.0])
-    found = run(decoder, values[torch.randint(8, (500, model.decoder[0].in_features))])
-    assert np.isfinite(found).all() and found.min() >= 0.0 and found.max() <= 12.6
+    actual = run(decoder, values[torch.randint(8, (500, model.decoder[0].in_features))])
+    assert np.isfinite(actual).all() and actual.min() >= 0.0 and actual.max() <= 12.6
 
 
 def test_a_neuron_that_never_fires_and_an_input_that_never_varies_do_no_harm() -> None:

@@ -61,8 +61,8 @@ def test_harmonics_are_orthonormal():
 def test_densities_sum_up_to_one():
     axis = torch.tensor([[[0.001, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 20.0, 30.0]]])
     d = even_directions(50_000)
-    found = densities(axis, torch.from_numpy(d.T)[None]).numpy()
-    assert found.sum(axis=2) * 4 * np.pi / len(d) == pytest.approx(np.ones((1, 3)), rel=1e-3)
+    actual = densities(axis, torch.from_numpy(d.T)[None]).numpy()
+    assert actual.sum(axis=2) * 4 * np.pi / len(d) == pytest.approx(np.ones((1, 3)), rel=1e-3)
 
 
 def test_rotations_keep_lengths_and_handedness():
@@ -107,9 +107,9 @@ def test_the_compiled_loss_and_its_gradient_are_those_of_autograd(model, rows):
     )
     theirs = plain_loss(model, rows)
     assert ours.item() == pytest.approx(theirs.item(), rel=1e-4)
-    found = torch.autograd.grad(ours, list(model.parameters()))
+    actual = torch.autograd.grad(ours, list(model.parameters()))
     expected = torch.autograd.grad(theirs, list(model.parameters()))
-    for one, other in zip(found, expected, strict=True):
+    for one, other in zip(actual, expected, strict=True):
         assert one.numpy() == pytest.approx(other.numpy(), abs=1e-3 * float(other.abs().max()))
 
 
@@ -164,8 +164,8 @@ def test_a_package_answers_as_the_trained_lobes(views, queries, model, tmp_path)
     Unpacked.read(TOY).with_environment([lobes]).write(tmp_path / "lit.rna")
     part = load(tmp_path / "lit.rna")
     points = views.points(300, np.random.default_rng(2))
-    found = part.lobes(points.position, points.axis, points.wo, points.free, points.visibility)
-    for ours, trained in zip(found, model.answering(queries)(points), strict=True):
+    actual = part.lobes(points.position, points.axis, points.wo, points.free, points.visibility)
+    for ours, trained in zip(actual, model.answering(queries)(points), strict=True):
         assert ours == pytest.approx(trained, rel=1e-3, abs=1e-3)
     assert part.mirror(points.axis, points.wo) == pytest.approx(points.mirror, abs=1e-6)
 
@@ -209,7 +209,7 @@ def test_a_stopped_training_leaves_no_file(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize(
-    ("given", "told"),
+    ("given", "output"),
     [
         ([], "or one package with --environment"),
         (["--environment", "--environment-minutes", "0"], "expected a number above 0"),
@@ -217,10 +217,10 @@ def test_a_stopped_training_leaves_no_file(tmp_path, monkeypatch):
         (["--environment", "--proxies", "32"], "argument --proxies: expected checkpoints"),
     ],
 )
-def test_options_that_do_not_belong_together(given, told, tmp_path, capsys):
+def test_options_that_do_not_belong_together(given, output, tmp_path, capsys):
     with pytest.raises(SystemExit):
         main([str(HEAD), "--out", str(tmp_path / "a.rna"), *given])
-    assert told in capsys.readouterr().err
+    assert output in capsys.readouterr().err
 
 
 def test_the_last_quarter_of_a_make_is_for_lobes():

@@ -51,7 +51,7 @@ class Cycles:
     stop_after: float = math.inf
     shards: int = 0
 
-    def begin(self, source: Source, asked: dict[str, Any], out: Path, *_: Any) -> Dataset:
+    def begin(self, source: Source, requested: dict[str, Any], out: Path, *_: Any) -> Dataset:
         dataset = make_dataset(out, shards=1).dataset
         dataset.train_path(0).unlink()
         settings = dataset.manifest.settings
@@ -165,9 +165,9 @@ def test_the_last_phase_is_longer_than_the_rounds(whole: tuple[Made, Cycles]) ->
 def test_minutes_end_it(make: Any, goal: Goal | None, rounds: int, capsys: Any) -> None:
     made, _ = make(minutes=0.1, goal=goal)
     assert made.why == "time is up" and made.rounds == rounds
-    told = capsys.readouterr().out
-    assert " triangles\nplan: " in told
-    assert f"(64 lights x {RAYS:,} view rays fit into the time); then the last training" in told
+    output = capsys.readouterr().out
+    assert " triangles\nplan: " in output
+    assert f"(64 lights x {RAYS:,} view rays fit into the time); then the last training" in output
     assert made.checkpoints[0].name in ("round-01", "last")
 
 
@@ -204,11 +204,11 @@ def test_a_make_stopped_at_any_stage_comes_to_the_same_end(
         stop_in(stage, patch)
         make(stop_after=int(stage.split()[1]) if stage.startswith("rays") else math.inf)
     made, _ = make()
-    found = load_checkpoint(made.checkpoints[0] / "best.ckpt").model.state_dict()
+    actual = load_checkpoint(made.checkpoints[0] / "best.ckpt").model.state_dict()
     assert made.rounds == expected_made.rounds and made.why == expected_made.why
     assert made.checkpoints[0].name == expected_made.checkpoints[0].name
     for name, weights in expected.items():
-        np.testing.assert_array_equal(found[name], weights, name)
+        np.testing.assert_array_equal(actual[name], weights, name)
 
 
 def stop_in(stage: str, patch: pytest.MonkeyPatch) -> None:

@@ -23,7 +23,7 @@ NONE = -math.inf
 
 
 @pytest.mark.parametrize(
-    ("psnr", "goal", "found"),
+    ("psnr", "goal", "actual"),
     [
         ([], 36.0, None),
         ([30.0], 36.0, None),
@@ -39,8 +39,8 @@ NONE = -math.inf
         ([30.0, 50.0], None, None),
     ],
 )
-def test_stop_rule(psnr: list[float], goal: float | None, found: str | None) -> None:
-    assert verdict([-x for x in psnr], NONE if goal is None else -goal) == found
+def test_stop_rule(psnr: list[float], goal: float | None, actual: str | None) -> None:
+    assert verdict([-x for x in psnr], NONE if goal is None else -goal) == actual
 
 
 def test_rounds_grow_and_end_in_full_length() -> None:

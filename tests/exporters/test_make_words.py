@@ -21,7 +21,7 @@ from tests.render.packages import write_lambert_package
 
 
 @pytest.mark.parametrize(
-    ("spent", "limit", "done", "told"),
+    ("spent", "limit", "done", "expected"),
     [
         (60.0, 1200.0, 0.0, ", 19 min left"),
         (1190.0, 1200.0, 0.5, ", 10 s left"),
@@ -30,8 +30,8 @@ from tests.render.packages import write_lambert_package
         (110.0, None, 0.0, ""),
     ],
 )
-def test_time_left_is_that_of_the_limit_or_of_the_step(spent, limit, done, told) -> None:
-    assert Clock(lambda: spent, limit, stage=100.0).left(done) == told
+def test_time_left_is_that_of_the_limit_or_of_the_step(spent, limit, done, expected) -> None:
+    assert Clock(lambda: spent, limit, stage=100.0).left(done) == expected
 
 
 def test_a_resumed_bar_goes_on_where_it_was(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -54,5 +54,5 @@ def test_triangles_without_area_go() -> None:
 def test_a_corner_without_a_normal_gets_its_triangles(value: float) -> None:
     normals = np.float32([[0, 1, 0]] * 5 + [[value] * 3])
     mesh = clean_mesh(corners(TWO_TRIANGLES, normals))
-    found = mesh.normals[mesh.triangles].reshape(-1, 3)
-    assert np.allclose(found, [[0, 1, 0]] * 5 + [[0, 0, 1]])
+    actual = mesh.normals[mesh.triangles].reshape(-1, 3)
+    assert np.allclose(actual, [[0, 1, 0]] * 5 + [[0, 0, 1]])

@@ -75,16 +75,16 @@ def grey(level: float, rows: int = 100_000) -> np.ndarray:
 
 def test_psnr_without_noise_finds_a_known_error() -> None:
     true = grey(0.5)
-    found = psnr_without_noise(true + 0.01 / np.pi, *noisy(true, 0.03, seed=1))
-    assert found.high is not None and found.low <= 40.0 <= found.high
-    assert found.high - found.low < 1.0
+    actual = psnr_without_noise(true + 0.01 / np.pi, *noisy(true, 0.03, seed=1))
+    assert actual.high is not None and actual.low <= 40.0 <= actual.high
+    assert actual.high - actual.low < 1.0
 
 
 def test_psnr_without_noise_interval_holds_the_truth_19_times_in_20() -> None:
     true = grey(0.3, 2_000)
-    found = [psnr_without_noise(true + 0.03 / np.pi, *noisy(true, 0.1, s)) for s in range(300)]
+    actual = [psnr_without_noise(true + 0.03 / np.pi, *noisy(true, 0.1, s)) for s in range(300)]
     truth = -20.0 * np.log10(0.03)
-    inside = [f.high is None or f.low <= truth <= f.high for f in found]
+    inside = [f.high is None or f.low <= truth <= f.high for f in actual]
     assert 0.92 < np.mean(inside) < 0.98
 
 
@@ -95,15 +95,15 @@ def test_a_perfect_model_is_at_least_as_good_as_noise_lets_one_see(
 ) -> None:
     true = grey(level)
     halves = noisy(true, noise, seed=4)
-    found = psnr_without_noise(true, *halves)
+    actual = psnr_without_noise(true, *halves)
     # The mean of 300,000 products of two noises, 1.96 of its standard deviations; more where
     # fewer numbers are within the display range. Of noise that carries a reference across white,
     # a twentieth stays.
     visible = -10.0 * np.log10(1.96 * noise**2 / np.sqrt(true.size))
-    if found.high is not None and found.high - found.low < 3.0:
-        assert 0.8 < level < 1.0 and found.low > psnr(true, halves.mean(axis=0)) + 10.0
+    if actual.high is not None and actual.high - actual.low < 3.0:
+        assert 0.8 < level < 1.0 and actual.low > psnr(true, halves.mean(axis=0)) + 10.0
     else:
-        assert level > 0.8 or found.db > visible - 6.0
+        assert level > 0.8 or actual.db > visible - 6.0
 
 
 @pytest.mark.parametrize("noise", [0.0, 0.05, 0.4])
@@ -116,13 +116,13 @@ def test_taking_noise_out_never_lowers_the_psnr(rows: int, noise: float) -> None
         for shift in (-0.05, 0.0, 0.05):
             ours = gain * true + shift
             with_noise = psnr(ours, halves.mean(axis=0))
-            found = psnr_without_noise(ours, *halves)
-            assert found.db >= with_noise - 1e-9 and found.low >= with_noise - 1e-9
+            actual = psnr_without_noise(ours, *halves)
+            assert actual.db >= with_noise - 1e-9 and actual.low >= with_noise - 1e-9
 
 
 def test_a_dark_model_of_a_white_asset_has_its_error_without_noise_too() -> None:
-    found = psnr_without_noise(grey(0.5, 500), *noisy(grey(3.0, 500), 0.1, seed=1))
-    assert found.high is not None and found.db == pytest.approx(psnr(grey(0.5), grey(3.0)))
+    actual = psnr_without_noise(grey(0.5, 500), *noisy(grey(3.0, 500), 0.1, seed=1))
+    assert actual.high is not None and actual.db == pytest.approx(psnr(grey(0.5), grey(3.0)))
 
 
 def test_skewed_noise_across_white_is_no_error_of_a_perfect_model() -> None:
@@ -138,9 +138,9 @@ def test_a_mean_below_zero_is_a_lower_bound_and_not_120_db() -> None:
     half = true + 0.1 / np.pi
     other = true - 0.1 / np.pi  # the products are all negative
     assert psnr_without_noise(true + 0.001 / np.pi, half, other).high is None
-    found = [psnr_without_noise(true, *noisy(true, 0.1, seed)) for seed in range(40)]
-    assert sum(f.high is None for f in found) >= 35
-    assert all(f.db < 40.0 for f in found)  # 150 products of two noises of 0.1 tell no more
+    actual = [psnr_without_noise(true, *noisy(true, 0.1, seed)) for seed in range(40)]
+    assert sum(f.high is None for f in actual) >= 35
+    assert all(f.db < 40.0 for f in actual)  # 150 products of two noises of 0.1 tell no more
 
 
 def test_mean_of_images_narrows_the_interval_and_keeps_a_lower_bound() -> None:

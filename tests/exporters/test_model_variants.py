@@ -42,9 +42,9 @@ def test_decoder_adds_its_colours_up(kind: str, hint: bool) -> None:
     compare_decoder(decoder, model)
     session = onnxruntime.InferenceSession(decoder, providers=["CPUExecutionProvider"])
     queries = random_queries(model, 50, 3).detach().numpy()
-    (found,) = session.run(None, {"queries": queries})
-    assert found.shape == (50, 6)
-    assert (abs(found[:, :3] - found[:, 3:]).max() < 1e-6) == (not hint)
+    (actual,) = session.run(None, {"queries": queries})
+    assert actual.shape == (50, 6)
+    assert (abs(actual[:, :3] - actual[:, 3:]).max() < 1e-6) == (not hint)
 
 
 @pytest.mark.parametrize("kind", ["surface", "fiber"])

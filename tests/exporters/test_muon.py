@@ -40,9 +40,9 @@ def test_singular_values_become_one(shape: tuple[int, int]) -> None:
 def test_columns_of_zeros_change_nothing() -> None:
     matrix = random((1, 32, 18))
     padded = torch.nn.functional.pad(matrix, (0, 14))
-    found = orthogonalised(padded)
-    assert torch.allclose(found[:, :, :18], orthogonalised(matrix), atol=1e-4)
-    assert not found[:, :, 18:].any()
+    actual = orthogonalised(padded)
+    assert torch.allclose(actual[:, :, :18], orthogonalised(matrix), atol=1e-4)
+    assert not actual[:, :, 18:].any()
 
 
 def test_steps_are_those_of_torch() -> None:

@@ -44,11 +44,11 @@ glossy.inputs["Roughness"].default_value = 0.04
 def test_the_smoothest_material(
     body: str, roughness: float | None, open_worker: OpenWorker
 ) -> None:
-    found = open_worker(MATERIAL + body).opened["smoothest"]
+    actual = open_worker(MATERIAL + body).opened["smoothest"]
     if roughness is None:
-        assert found is None
+        assert actual is None
     else:
-        assert found[1] == pytest.approx(roughness)
+        assert actual[1] == pytest.approx(roughness)
 
 
 @pytest.mark.parametrize(

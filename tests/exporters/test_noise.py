@@ -60,6 +60,6 @@ def test_presets_of_surfaces_choose(dataset: NoisyPart, deviation: float, loss: 
     dataset.deviation = deviation
     assert PRESETS["surface"]["small"].training.loss == "auto"
     assert with_fitting_loss(tiny(), dataset, UNIT).training.loss == loss
-    asked = tiny(loss="log")
-    assert with_fitting_loss(asked, dataset, UNIT) is asked
+    requested = tiny(loss="log")
+    assert with_fitting_loss(requested, dataset, UNIT) is requested
     assert {PRESETS[kind]["paper-hq"].training.loss for kind in PRESETS} == {"log"}

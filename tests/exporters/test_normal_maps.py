@@ -130,9 +130,9 @@ def test_samples_have_the_normal_that_cycles_shades_with(
     shown = (at["visible"] > 0) & (cosine > 0.3) & (at["wi"] @ flat > 0.5) & seen
     assert shown.sum() > 300
     expected = 0.5 / np.pi * cosine[shown]
-    found = at["radiance"][shown].mean(axis=1)
-    assert np.median(np.abs(found - expected)) < 3e-3
-    assert np.percentile(np.abs(found - expected), 90) < 0.01
+    actual = at["radiance"][shown].mean(axis=1)
+    assert np.median(np.abs(actual - expected)) < 3e-3
+    assert np.percentile(np.abs(actual - expected), 90) < 0.01
     assert np.ptp(at["normal"] @ np.float32([0, 1, 0])) > 0.1  # the squares lean differently
 
 

@@ -72,6 +72,6 @@ add(*square({radius / 4}, z={radius / 4}))
     scene, rng, wi = scene_of(exported), np.random.default_rng(1), unit(0.2, 1.0, 0.4)
     rays = sample_view_rays(scene, wi, 512, "sphere", rng)
     traced = TracedRays.of(scene, worker, rays, wi, 16, 1, rng, opaque_cutouts=False)
-    assert traced.kept[traced.points.hit].mean() > 0.97
-    leaf = traced.kept & (traced.points.transmittance[:, 0] > 0.0)
+    assert traced.valid[traced.points.hit].mean() > 0.97
+    leaf = traced.valid & (traced.points.transmittance[:, 0] > 0.0)
     assert traced.rendered.alpha[leaf].mean() == pytest.approx(0.5, abs=0.02)

@@ -59,9 +59,9 @@ def test_layers_are_those_of_autograd() -> None:
     weights = torch.randn(40, 3)
     gradients = []
     for function in (lambda: through(layers, x), lambda: layers(x)):
-        found = function()
-        gradients.append(torch.autograd.grad((found * weights).sum(), [x, *layers.parameters()]))
-    assert torch.allclose(found, through(layers, x), atol=1e-6)
+        actual = function()
+        gradients.append(torch.autograd.grad((actual * weights).sum(), [x, *layers.parameters()]))
+    assert torch.allclose(actual, through(layers, x), atol=1e-6)
     for ours, expected in zip(*gradients, strict=True):
         assert torch.allclose(ours, expected, atol=1e-5)
 
@@ -79,9 +79,9 @@ def test_bfloat16_layers_are_near_those_in_float32() -> None:
         gradients.append(torch.autograd.grad(loss, [x, *layers.parameters()]))
     assert not torch.equal(*answers)
     assert (answers[1] - answers[0]).norm() / answers[0].norm() < 0.01
-    for exact, found in zip(*gradients, strict=True):
-        assert found.dtype == torch.float32
-        assert (found - exact).norm() / exact.norm() < 0.1
+    for exact, actual in zip(*gradients, strict=True):
+        assert actual.dtype == torch.float32
+        assert (actual - exact).norm() / exact.norm() < 0.1
 
 
 @pytest.mark.parametrize(

@@ -54,7 +54,12 @@ def test_all_parts_are_trained_and_exported(
     tier = manifest.tiers[0]
     whole = [
         psnr(
-            np.concatenate([p.shaded_by(own) for p, own in zip(v.parts, asset.parts, strict=True)]),
+            np.concatenate(
+                [
+                    p.shaded_by(part_asset)
+                    for p, part_asset in zip(v.parts, asset.parts, strict=True)
+                ]
+            ),
             v.reference,
         )
         for v in dataset.whole_views()

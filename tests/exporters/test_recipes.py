@@ -58,8 +58,8 @@ def census(python: Path, folder: Path, *calls: Call) -> list[dict]:
     """What recipes leave in the scene; the points of the last strands are in `folder`."""
     out = folder / "census.json"
     script = _CENSUS.format(blender=str(REPOSITORY / "exporters" / "rna_export" / "blender"))
-    asked = json.dumps([(str(RECIPES / recipe), *arguments) for recipe, *arguments in calls])
-    command = [str(python), "-c", script, str(out), asked]
+    request = json.dumps([(str(RECIPES / recipe), *arguments) for recipe, *arguments in calls])
+    command = [str(python), "-c", script, str(out), request]
     ended = subprocess.run(command, capture_output=True, text=True, timeout=900)
     assert ended.returncode == 0, ended.stderr
     return json.loads(out.read_text())
@@ -117,9 +117,9 @@ def test_the_hair_of_the_head_leaves_the_face_free(
 ) -> None:
     scan = str(data_folder / "mesh" / "LeePerrySmith")
     call = ("haired_head.py", scan, "--strands", "1500")
-    (found,) = census(blender_python, tmp_path, call)
-    assert found["strands"] == 1500 and found["triangles"] == 17_684
-    assert {"skin", "brown"} == set(found["materials"])
+    (actual,) = census(blender_python, tmp_path, call)
+    assert actual["strands"] == 1500 and actual["triangles"] == 17_684
+    assert {"skin", "brown"} == set(actual["materials"])
     x, back, y = np.load(tmp_path / "census.json.npy").T  # the face looks along +y of Blender
     face = (abs(x) < 0.06) & (y > 0.2) & (y < 0.36) & (back > 0.1)
     assert not face.any()

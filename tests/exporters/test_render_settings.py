@@ -43,7 +43,7 @@ scene.view_layers.new("second")
 layer.aovs.add().name = "Position"
 layer.use_pass_cryptomatte_object = layer.use_pass_mist = True
 bpy.ops.wm.set_working_color_space(working_space="ACEScg", convert_colors=True)
-render_settings.own()
+render_settings.apply()
 
 def same(a, b):
     return abs(a - b) < 1e-6 if isinstance(b, float) else a == b
@@ -117,20 +117,20 @@ scene.view_layers.new("second").layer_collection.children["held"].exclude = True
 
 
 def test_every_property_of_a_render_is_set_or_known_to_be_harmless(blender_python: Path) -> None:
-    found = answer_of(blender_python, SPOILT)
-    assert len(found["spoilt"]) > 45
-    assert found["wrong"] == []
-    assert (found["layers"], found["aovs"]) == (1, 0)
+    actual = answer_of(blender_python, SPOILT)
+    assert len(actual["spoilt"]) > 45
+    assert actual["wrong"] == []
+    assert (actual["layers"], actual["aovs"]) == (1, 0)
     accurate = "use_pass_cryptomatte_accurate"  # how, not whether
-    assert {*found["passes"]} == {"use_pass_combined", "use_pass_position", accurate}
-    assert found["space"] == "Linear Rec.709"
-    for kind, properties in found["properties"].items():
-        listed = known(kind) | set(found["owned"].get(kind, ()))
+    assert {*actual["passes"]} == {"use_pass_combined", "use_pass_position", accurate}
+    assert actual["space"] == "Linear Rec.709"
+    for kind, properties in actual["properties"].items():
+        listed = known(kind) | set(actual["owned"].get(kind, ()))
         passes = {name for name in properties if name.startswith(("use_pass_", "pass_", "denoi"))}
         new = set(properties) - listed - passes
         assert not new, f"decide on {kind}: {', '.join(sorted(new))}"
         assert listed <= set(properties), f"{kind} has no {sorted(listed - set(properties))}"
-    for kind, owned in found["owned"].items():
+    for kind, owned in actual["owned"].items():
         twice = set(owned) & {*HARMLESS.get(kind, "").split(), *OF_THE_ASSET.get(kind, "").split()}
         assert not twice, f"{kind}: {twice} is owned, and listed as not"
 

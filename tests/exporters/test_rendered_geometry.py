@@ -126,12 +126,12 @@ def test_the_geometry_is_that_of_renders_and_of_camera_rays(open_worker: OpenWor
 
 
 def test_what_cycles_alone_shapes_is_refused_in_one_line(blender_python: Path) -> None:
-    found = answer_of(blender_python, SHAPED_BY_CYCLES)
+    actual = answer_of(blender_python, SHAPED_BY_CYCLES)
     fine = ("plain", "BUMP", "unseen", "off")
-    assert [found[name] for name in fine] == [None] * 4
-    assert "'bark' displaces its surface" in found["DISPLACEMENT"]
-    assert found["BOTH"] == found["DISPLACEMENT"]
-    assert "'Cube' has adaptive subdivision" in found["adaptive"]
+    assert [actual[name] for name in fine] == [None] * 4
+    assert "'bark' displaces its surface" in actual["DISPLACEMENT"]
+    assert actual["BOTH"] == actual["DISPLACEMENT"]
+    assert "'Cube' has adaptive subdivision" in actual["adaptive"]
 
 
 def test_the_material_of_a_view_layer_is_that_of_all_objects(blender_python: Path) -> None:
@@ -175,9 +175,9 @@ def test_nodes_that_gltf_hides_stay_out_with_all_below_them(
             }
         )
     )
-    found = answer_of(blender_python, HIDDEN_NODES, str(path))
-    assert found["meshes"] == ["also", "seen"]
-    assert found["notes"] == [
+    actual = answer_of(blender_python, HIDDEN_NODES, str(path))
+    assert actual["meshes"] == ["also", "seen"]
+    assert actual["notes"] == [
         "left out 2 nodes that the file hides (KHR_node_visibility)",
         "Blender's importer does not know ACME_fog, and passes over it",
     ]

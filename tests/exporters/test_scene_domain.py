@@ -50,9 +50,9 @@ def cones(region: Region) -> list[tuple[list[float], float]]:
 
 
 def test_a_camera_and_a_sun(tmp_path: Path) -> None:
-    found = domain(tmp_path)
-    assert cones(found.wo) == [([0, 0, 1], round(np.degrees(np.arcsin(0.1)), 3))]
-    assert cones(found.wi) == [([1, 0, 0], 0)]
+    actual = domain(tmp_path)
+    assert cones(actual.wo) == [([0, 0, 1], round(np.degrees(np.arcsin(0.1)), 3))]
+    assert cones(actual.wi) == [([1, 0, 0], 0)]
 
 
 @pytest.mark.parametrize(
@@ -86,15 +86,15 @@ def test_each_kind_of_light(
 
 
 def test_a_sky_lights_from_everywhere(tmp_path: Path) -> None:
-    found = domain(tmp_path, "{type: environment}")
-    assert found.wi == "sphere" and found.wo != "sphere"
+    actual = domain(tmp_path, "{type: environment}")
+    assert actual.wi == "sphere" and actual.wo != "sphere"
 
 
 def test_cones_are_in_the_space_of_the_turned_and_scaled_asset(tmp_path: Path) -> None:
-    found = domain(tmp_path, transform="rotation_deg: [0, 90, 0], scale: 2")
+    actual = domain(tmp_path, transform="rotation_deg: [0, 90, 0], scale: 2")
     # The turn takes the asset's +x to the world's -z, and its +z to the world's +x.
-    assert cones(found.wo) == [([-1, 0, 0], round(np.degrees(np.arcsin(0.2)), 3))]
-    assert cones(found.wi) == [([0, 0, 1], 0)]
+    assert cones(actual.wo) == [([-1, 0, 0], round(np.degrees(np.arcsin(0.2)), 3))]
+    assert cones(actual.wi) == [([0, 0, 1], 0)]
 
 
 @pytest.mark.parametrize(
@@ -115,14 +115,14 @@ def test_cones_are_in_the_space_of_the_turned_and_scaled_asset(tmp_path: Path) -
 def test_what_other_things_do(
     more: str, wo_limited: bool, wi_limited: bool, tmp_path: Path
 ) -> None:
-    found = domain(tmp_path, more=more)
-    assert (found.wo != "sphere", found.wi != "sphere") == (wo_limited, wi_limited)
+    actual = domain(tmp_path, more=more)
+    assert (actual.wo != "sphere", actual.wi != "sphere") == (wo_limited, wi_limited)
 
 
 def test_all_frames_of_an_animation_count(tmp_path: Path) -> None:
-    found = domain(tmp_path, more="animation: {frames: 30, turntable: {}, light_sweep: {}}")
+    actual = domain(tmp_path, more="animation: {frames: 30, turntable: {}, light_sweep: {}}")
     up = np.float32([[0, 1, 0], [0, -1, 0]])
-    for region, first_deg in ((found.wo, 0.0), (found.wi, 90.0)):
+    for region, first_deg in ((actual.wo, 0.0), (actual.wi, 90.0)):
         turn = np.radians(first_deg + np.arange(0.0, 360.0, 12.0))
         level = np.stack([np.sin(turn), 0.0 * turn, np.cos(turn)], axis=1).astype(np.float32)
         assert in_region(region, level).all() and not in_region(region, up).any()
@@ -159,9 +159,9 @@ def test_every_sample_of_a_capture_is_in_the_domain(tmp_path: Path) -> None:
 
 def test_the_scene_that_it_was_made_for_stays_inside(tmp_path: Path, capsys) -> None:
     lamp = "{type: rectangle, position: [2, 3, 1], look_at: [0, 0, 0], size: [1, 1], "
-    found = domain(tmp_path, lamp + "radiance: [1, 1, 1]}", "rotation_deg: [20, 30, 0]")
+    actual = domain(tmp_path, lamp + "radiance: [1, 1, 1]}", "rotation_deg: [20, 30, 0]")
     (tmp_path / "packages").mkdir()
-    write_lambert_package(tmp_path / "packages" / "ball.rna", sphere(3), domain=found)
+    write_lambert_package(tmp_path / "packages" / "ball.rna", sphere(3), domain=actual)
     command = [str(tmp_path / "scene.yaml"), "--out", str(tmp_path / "out.exr"), "--samples", "4"]
     assert render([*command, "--resolution", "48x48"]) == 0
     assert "warning" not in capsys.readouterr().err

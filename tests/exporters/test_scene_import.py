@@ -55,10 +55,10 @@ def exported(
 
 def test_units_axes_and_constant_widths(open_worker: OpenWorker, tmp_path: Path) -> None:
     text = curves(LINES + widths([2.0], "constant"))
-    found = exported(open_worker, tmp_path, text)
-    np.testing.assert_allclose(found.points, POINTS, atol=1e-6)
-    np.testing.assert_allclose(found.radii, 0.01)
-    assert found.offsets.tolist() == [0, 2, 5]
+    actual = exported(open_worker, tmp_path, text)
+    np.testing.assert_allclose(actual.points, POINTS, atol=1e-6)
+    np.testing.assert_allclose(actual.radii, 0.01)
+    assert actual.offsets.tolist() == [0, 2, 5]
     np.testing.assert_allclose(
         exported(open_worker, tmp_path, text, "--unit", "10").radii, 0.1, rtol=1e-6
     )
@@ -77,25 +77,25 @@ def test_hierarchies_and_instances(open_worker: OpenWorker, tmp_path: Path) -> N
         + instance.format("two", scaled + 'uniform token[] xformOpOrder = ["xformOp:scale"]\n')
         + "}\n"
     )
-    found = exported(open_worker, tmp_path, text)
+    actual = exported(open_worker, tmp_path, text)
     expected = [k * POINTS + [0, 0, 0.5] for k in (2, 4)]
-    np.testing.assert_allclose(found.points, np.concatenate(expected), atol=1e-5)
+    np.testing.assert_allclose(actual.points, np.concatenate(expected), atol=1e-5)
     radii = np.repeat([0.01, 0.02], [2, 3])
-    np.testing.assert_allclose(found.radii, np.concatenate([2 * radii, 4 * radii]), rtol=1e-5)
+    np.testing.assert_allclose(actual.radii, np.concatenate([2 * radii, 4 * radii]), rtol=1e-5)
 
 
 def test_pinned_splines_keep_their_ends(open_worker: OpenWorker, tmp_path: Path) -> None:
     text = curves(SPLINE + 'uniform token wrap = "pinned"\n' + widths([2, 2, 2, 2, 6], "vertex"))
-    found = exported(open_worker, tmp_path, text)
-    np.testing.assert_allclose(found.points[[0, -1]], [[0, 0, 0], [0, 0, 1]], atol=1e-6)
-    np.testing.assert_allclose(found.radii[[0, -1]], [0.01, 0.03], rtol=1e-5)
-    assert found.points[:, 1].max() < 0.7  # the points themselves are not on the strand
+    actual = exported(open_worker, tmp_path, text)
+    np.testing.assert_allclose(actual.points[[0, -1]], [[0, 0, 0], [0, 0, 1]], atol=1e-6)
+    np.testing.assert_allclose(actual.radii[[0, -1]], [0.01, 0.03], rtol=1e-5)
+    assert actual.points[:, 1].max() < 0.7  # the points themselves are not on the strand
 
 
 def test_strands_without_widths(open_worker: OpenWorker, tmp_path: Path) -> None:
-    found = exported(open_worker, tmp_path, curves(LINES))
+    actual = exported(open_worker, tmp_path, curves(LINES))
     root = np.sqrt(1 + 1 + 4) / 2 / 2000
-    np.testing.assert_allclose(found.radii[[0, 1, 2, 4]], root * np.array([1, 0.3, 1, 0.3]))
+    np.testing.assert_allclose(actual.radii[[0, 1, 2, 4]], root * np.array([1, 0.3, 1, 0.3]))
     given = exported(open_worker, tmp_path, curves(LINES), "--radius", "0.01", "--tip", "1")
     np.testing.assert_allclose(given.radii, 0.01, rtol=1e-6)
 
@@ -112,8 +112,8 @@ def test_a_frame_can_be_chosen(open_worker: OpenWorker, tmp_path: Path) -> None:
     samples = f"point3f[] points.timeSamples = {{ 1: {points}, 5: {moved} }}\n"
     body = LINES.replace(LINES.splitlines()[2], samples) + widths([2, 2], "uniform")
     assert exported(open_worker, tmp_path, curves(body)).points[:, 1].max() == pytest.approx(1.0)
-    found = exported(open_worker, tmp_path, curves(body), rest_frame=5)
-    assert found.points[:, 1].max() == pytest.approx(3.0)
+    actual = exported(open_worker, tmp_path, curves(body), rest_frame=5)
+    assert actual.points[:, 1].max() == pytest.approx(3.0)
 
 
 ALEMBIC = """
@@ -138,10 +138,10 @@ def test_alembic_strands(
     path = tmp_path / "hair.abc"
     script = write_scene(tmp_path, "save", f"TYPE, PATH = {kind!r}, {str(path)!r}\n{ALEMBIC}")
     subprocess.run([blender_python, script], capture_output=True)  # bpy may complain on exit
-    found = open_worker(path).export_curves()
-    assert len(found.points) == points
-    np.testing.assert_allclose(found.radii, 0.02, rtol=1e-5)
-    x, y, z = (found.points - [0, 3, 0]).T / 2
+    actual = open_worker(path).export_curves()
+    assert len(actual.points) == points
+    np.testing.assert_allclose(actual.radii, 0.02, rtol=1e-5)
+    x, y, z = (actual.points - [0, 3, 0]).T / 2
     line = np.array([[0, 0, 0], [0, 1, 0], [1, 0, 0], [1, 1, 0], [0, 0, 1]])
     first = line[0] if kind == "POLY" else (line[0] + 4 * line[1] + line[2]) / 6
     np.testing.assert_allclose([x[0], y[0], z[0]], first, atol=1e-5)

@@ -208,8 +208,8 @@ def _both(
 
 
 def _cycles(worker: BlenderWorker, scene: Scene, folder: Path, seed: int) -> np.ndarray:
-    found = SceneFile(folder / "scene.yaml", scene, {}).resolved
-    described = cycles_scene(found, bounces=scene.max_depth - 1)
+    actual = SceneFile(folder / "scene.yaml", scene, {}).resolved
+    described = cycles_scene(actual, bounces=scene.max_depth - 1)
     view = (
         Camera(scene.camera, scene.resolution).to_world,
         np.radians(scene.camera.vertical_fov_deg),

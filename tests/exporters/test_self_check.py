@@ -19,7 +19,7 @@ from rna_export.capture.opened_source import refuse_nothing
 from rna_export.capture.rays.asset_scene import AssetScene
 from rna_export.capture.rays.traced_rays import TracedRays
 from rna_export.capture.rays.view_rays import ViewRays, sample_view_rays
-from rna_export.make.rna_make import _kept_picture
+from rna_export.make.rna_make import _saved_picture
 from rna_render.scene.scene_model import CameraModel
 from rna_render.world.camera import Camera
 from rna_sdk.errors import CaptureError
@@ -133,7 +133,7 @@ def test_what_is_rendered_as_it_was_exported_has_no_note(scene: AssetScene) -> N
     check = checked(scene, scene, turn=5.0)
     assert check.note() is None
     assert check.picture is None
-    assert check.kept > 0.5 * check.rays  # a ray that passes what is thin may meet nothing
+    assert check.used_rays > 0.5 * check.rays  # a ray that passes what is thin may meet nothing
 
 
 @pytest.mark.parametrize(
@@ -167,11 +167,11 @@ def test_other_normals_are_told_of_surfaces_whose_relief_is_mapped() -> None:
     assert unmapped.note() is None
 
 
-@pytest.mark.parametrize(("radiance", "told"), [(0.3183, False), (1.2732, True), (0.31, True)])
-def test_light_that_settings_change_is_told(radiance: float, told: bool) -> None:
+@pytest.mark.parametrize(("radiance", "reported"), [(0.3183, False), (1.2732, True), (0.31, True)])
+def test_light_that_settings_change_is_told(radiance: float, reported: bool) -> None:
     check = SelfCheck(AssetScene([BALL]), SAMPLES, normals=True)
     check.render_card(Card(radiance))
-    assert (check.note() is not None) == told
+    assert (check.note() is not None) == reported
 
 
 def test_the_picture_is_taken_from_where_most_differs() -> None:
@@ -192,20 +192,20 @@ def test_the_picture_marks_what_is_missing_in_red_and_what_is_not_exported_in_bl
 
 def test_nothing_kept_is_an_error_of_one_line() -> None:
     check = checked(AssetScene([BALL]), AssetScene([moved(sphere(2), (100.0, 0.0, 0.0))]))
-    assert not check.kept
+    assert not check.used_rays
     with pytest.raises(CaptureError, match=r"^ball.gltf: none of 1,024 view rays can be kept: "):
         refuse_nothing(check, Source(Path("ball.gltf")))
 
 
 def test_rna_make_keeps_the_picture_beside_the_package(tmp_path: Path) -> None:
     options = SimpleNamespace(work=tmp_path / "toy.make")
-    assert _kept_picture(options, tmp_path / "toy.rna") is None
+    assert _saved_picture(options, tmp_path / "toy.rna") is None
     rays = tmp_path / "toy.make" / "rays"
     rays.mkdir(parents=True)
     (rays / PICTURE).write_bytes(b"a PNG")
-    kept = _kept_picture(options, tmp_path / "toy.rna")
-    assert kept == tmp_path / "toy.disagreement.png"
-    assert kept.read_bytes() == b"a PNG"
+    picture = _saved_picture(options, tmp_path / "toy.rna")
+    assert picture == tmp_path / "toy.disagreement.png"
+    assert picture.read_bytes() == b"a PNG"
 
 
 @pytest.mark.parametrize(("rays", "side"), [(64, 48), (4096, 101), (16384, 128)])
@@ -220,4 +220,4 @@ def test_a_ray_that_neither_meets_is_no_disagreement() -> None:
     rng = np.random.default_rng(0)
     check.add(TracedRays.of(scene, Cycles(scene), away, WI, SAMPLES, 0, rng, False))
     assert check.note() is None
-    assert (check.rays, check.kept) == (8, 0)
+    assert (check.rays, check.used_rays) == (8, 0)

@@ -54,8 +54,8 @@ def sources(tmp_path_factory: pytest.TempPathFactory, blender_python: Path) -> d
 )
 def test_format(suffix: str, sources: dict[str, Path], open_worker: OpenWorker) -> None:
     positions = open_worker(sources[suffix]).export_corners()["positions"]
-    found = np.unique(np.round(positions, 5) + 0.0, axis=0)
-    assert np.allclose(found, np.unique(VERTICES, axis=0), atol=1e-5)
+    actual = np.unique(np.round(positions, 5) + 0.0, axis=0)
+    assert np.allclose(actual, np.unique(VERTICES, axis=0), atol=1e-5)
 
 
 @pytest.mark.parametrize(
@@ -79,8 +79,8 @@ def test_front_and_up_are_axes_of_the_file(
     front = axes.get("front", "-Y" if up == "Z" else "Z")
     in_file = to_blender(VERTICES) if up_is_z else VERTICES
     positions = open_worker(sources[suffix], **axes).export_corners()["positions"]
-    found = np.unique(np.round(positions, 5) + 0.0, axis=0)
-    assert np.allclose(found, np.unique(in_file @ rotation(front, up), axis=0), atol=1e-5)
+    actual = np.unique(np.round(positions, 5) + 0.0, axis=0)
+    assert np.allclose(actual, np.unique(in_file @ rotation(front, up), axis=0), atol=1e-5)
 
 
 def test_front_and_up_along_one_axis_are_refused(

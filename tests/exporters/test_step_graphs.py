@@ -84,6 +84,6 @@ def test_rows_that_are_loaded_are_those_of_a_table_on_the_device(
     monkeypatch.setattr(torch.Tensor, "pin_memory", lambda rows: rows)
     position = np.arange(3000, dtype=np.float32).reshape(1000, 3)
     table = SampleTable({"position": position}, 64, seed=3, done=done)
-    batches = [torch.cat([next(found) for _ in range(40)]) for found in (iter(table),)]
+    batches = [torch.cat([next(actual) for _ in range(40)]) for actual in (iter(table),)]
     rows = (rows for group in table._loaded() for rows in group.split(64))
     assert torch.equal(batches[0], torch.cat([next(rows) for _ in range(40)]))

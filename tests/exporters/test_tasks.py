@@ -138,16 +138,16 @@ def test_a_capture_without_any_sample_is_an_error(tmp_path: Path) -> None:
         say_dropped(dataset.dataset, print)
 
 
-@pytest.mark.parametrize(("cutouts", "kept"), [(False, 100), (True, 200)])
+@pytest.mark.parametrize(("cutouts", "count"), [(False, 100), (True, 200)])
 def test_see_through_hits_are_kept_for_cutouts_only(
-    tmp_path: Path, cutouts: bool, kept: int
+    tmp_path: Path, cutouts: bool, count: int
 ) -> None:
     def spoil(radiance, alpha):
         alpha[::2] = 0.4
 
     dataset = make(tmp_path, sphere(3), cutouts, lights=1)
     TrainingShard(0).run(dataset.dataset, scene_of(dataset.dataset), Teacher(spoil))
-    assert len(dataset.training_samples()["wo"]) == kept
+    assert len(dataset.training_samples()["wo"]) == count
 
 
 def test_radiance_that_is_not_finite_is_dropped(tmp_path: Path) -> None:

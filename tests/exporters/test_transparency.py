@@ -114,30 +114,30 @@ def holes(worker: BlenderWorker) -> tuple[dict[str, SeeThrough], list[str]]:
 
 
 def test_alpha_of_an_image_is_read_texel_by_texel(open_worker: OpenWorker) -> None:
-    found, notes = holes(open_worker(BLEND))
-    leaf = found["principled"]
+    actual, notes = holes(open_worker(BLEND))
+    leaf = actual["principled"]
     assert (leaf.cutoff, leaf.ior, notes) == (None, None, [])
     assert leaf.texture.shape == (4, 8, 1)
     assert np.abs(leaf.texture[..., 0] / 255.0 - (1.0 - alpha_of_leaf())).max() < 0.003
 
 
 def test_a_threshold_is_a_cutoff_of_what_it_compares(open_worker: OpenWorker) -> None:
-    found, _ = holes(open_worker(MASK))
-    leaf = found["principled"]
+    actual, _ = holes(open_worker(MASK))
+    leaf = actual["principled"]
     assert leaf.cutoff == pytest.approx(0.75)
     assert np.abs(leaf.texture[..., 0] / 255.0 - (1.0 - alpha_of_leaf())).max() < 0.003
 
 
 def test_a_fresnel_mix_is_thin_glass(open_worker: OpenWorker) -> None:
-    found, _ = holes(open_worker(GLASS))
-    glass = found["principled"]
+    actual, _ = holes(open_worker(GLASS))
+    glass = actual["principled"]
     assert glass.texture.tolist() == [[[51, 102, 204]]]
     assert glass.ior == pytest.approx((1.5, 1 / 1.5))
 
 
 def test_nodes_in_groups_are_read(open_worker: OpenWorker) -> None:
-    found, _ = holes(open_worker(GROUP))
-    assert found["principled"].texture.tolist() == [[[191]]]
+    actual, _ = holes(open_worker(GROUP))
+    assert actual["principled"].texture.tolist() == [[[191]]]
 
 
 @pytest.mark.parametrize("scene", ["add(*square(1), principled())", LAMP])
@@ -146,8 +146,8 @@ def test_opaque_materials_have_none(open_worker: OpenWorker, scene: str) -> None
 
 
 def test_what_is_no_function_of_uv_is_named(open_worker: OpenWorker) -> None:
-    found, notes = holes(open_worker(BY_SIDE))
-    assert found == {}
+    actual, notes = holes(open_worker(BY_SIDE))
+    assert actual == {}
     assert len(notes) == 1 and "'principled'" in notes[0] and "'Geometry'" in notes[0]
 
 

@@ -52,7 +52,7 @@ def test_equals_grid_sample(triplane: Triplane, positions: torch.Tensor) -> None
 def test_gradients_are_those_of_grid_sample(triplane: Triplane, positions: torch.Tensor) -> None:
     weights = torch.randn(len(positions), 5, generator=torch.Generator().manual_seed(2))
     (triplane(positions) * weights).sum().backward()
-    found = triplane.planes.grad.clone()
+    actual = triplane.planes.grad.clone()
     p = 2.0 * (positions - LOW) / (HIGH - LOW) - 1.0
     planes = triplane.planes.detach().requires_grad_()
     total = torch.zeros(())
@@ -65,7 +65,7 @@ def test_gradients_are_those_of_grid_sample(triplane: Triplane, positions: torch
         )
         total = total + (sampled[0, :, :, 0].T * weights).sum()
     total.backward()
-    assert torch.allclose(found, planes.grad, atol=1e-4)
+    assert torch.allclose(actual, planes.grad, atol=1e-4)
 
 
 @pytest.mark.parametrize("blur", [1.0, 1.2, 4.0])
@@ -76,9 +76,9 @@ def test_compiled_kernels_equal_their_twins(
     weights = torch.randn(len(p), 5, generator=torch.Generator().manual_seed(3))
     twin = triplane.planes.detach().clone().requires_grad_()
     expected = gathered(blurred(twin, blur) if blur > 1.0 else twin, p)
-    found = triplane(positions, blur)
-    assert torch.allclose(found, expected, atol=1e-5)
-    (found * weights).sum().backward()
+    actual = triplane(positions, blur)
+    assert torch.allclose(actual, expected, atol=1e-5)
+    (actual * weights).sum().backward()
     (expected * weights).sum().backward()
     assert torch.allclose(triplane.planes.grad, twin.grad, atol=1e-4)
 
@@ -118,9 +118,9 @@ def test_smoothing_exchanges_between_neighbours(triplane: Triplane) -> None:
     before = triplane.planes.detach().clone()
     expected = diffused(before, 0.2)
     triplane.smooth(0.2)
-    found = triplane.planes.detach()
-    assert torch.allclose(found, expected, atol=1e-6)
-    assert torch.allclose(found.sum((1, 2)), before.sum((1, 2)), atol=1e-4)
+    actual = triplane.planes.detach()
+    assert torch.allclose(actual, expected, atol=1e-6)
+    assert torch.allclose(actual.sum((1, 2)), before.sum((1, 2)), atol=1e-4)
     texel = torch.zeros(3, 5, 5, 1)
     texel[:, 2, 0] = 1.0  # at an edge: nothing leaves
     row = torch.tensor([0.8, 0.2, 0.0, 0.0, 0.0])

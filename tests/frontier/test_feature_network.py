@@ -39,9 +39,9 @@ def test_feature_network_in_bfloat16_is_near_that_in_float32() -> None:
         gradients.append(torch.autograd.grad(loss, [*model.triplane.parameters()]))
     assert not torch.equal(*answers)
     assert (answers[1] - answers[0]).norm() / answers[0].norm() < 0.01
-    for exact, found in zip(*gradients, strict=True):
-        assert found.dtype == torch.float32
-        assert (found - exact).norm() / exact.norm() < 0.1
+    for exact, actual in zip(*gradients, strict=True):
+        assert actual.dtype == torch.float32
+        assert (actual - exact).norm() / exact.norm() < 0.1
 
 
 def test_muon_takes_its_matrices() -> None:

@@ -137,10 +137,10 @@ def test_findings_compare_with_the_papers_two() -> None:
         point("paper-small", "paper", 50, 25.0),
         point("paper-hq", "paper", 800, 29.0),
     ]
-    found = findings(points)
-    assert found["as_accurate_as_paper_hq"]["name"].startswith("cheap")
-    assert found["as_accurate_as_paper_hq"]["times_as_cheap"] == 80.0
-    assert found["as_cheap_as_paper_small"]["name"].startswith("middle")
-    assert found["as_cheap_as_paper_small"]["db_better"] == 8.0
-    assert len(sentences(found)) == 2
+    actual = findings(points)
+    assert actual["as_accurate_as_paper_hq"]["name"].startswith("cheap")
+    assert actual["as_accurate_as_paper_hq"]["times_as_cheap"] == 80.0
+    assert actual["as_cheap_as_paper_small"]["name"].startswith("middle")
+    assert actual["as_cheap_as_paper_small"]["db_better"] == 8.0
+    assert len(sentences(actual)) == 2
     assert sentences(findings(points[:3])) == []

@@ -20,8 +20,8 @@ def of_table(trials: list[Trial], table: str) -> list[tuple[int, int, int]]:
 @pytest.mark.parametrize("kind", KINDS)
 def test_full_grid_holds_the_papers_tables_row_for_row(kind: str) -> None:
     grid = full_grid(kind)
-    found = of_table(grid, "architecture")
-    assert sorted(found) == sorted((*shape, 8) for shape in PAPER_ARCHITECTURES)
+    actual = of_table(grid, "architecture")
+    assert sorted(actual) == sorted((*shape, 8) for shape in PAPER_ARCHITECTURES)
     assert sorted(c for _, _, c in of_table(grid, "channels")) == [4, 8, 16, 32]
     assert all(t.preset.training.schedule == "halving" for t in grid if t.family == "paper")
 

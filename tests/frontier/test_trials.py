@@ -129,9 +129,9 @@ def test_finished_trial_gets_a_precision_that_is_new(
     others = {k: v for k, v in record.points.items() if k != USUAL}
     record.model_copy(update={"points": others}).write(folder)
     monkeypatch.setattr(run_module, "train", None)
-    found = run_trial(trial(), dataset, folder, "cpu")
-    assert found.points[USUAL].scores == record.points[USUAL].scores
-    assert found.seconds == record.seconds
+    actual = run_trial(trial(), dataset, folder, "cpu")
+    assert actual.points[USUAL].scores == record.points[USUAL].scores
+    assert actual.seconds == record.seconds
 
 
 def test_folder_of_another_model_is_refused(finished: Path, dataset: DatasetPart) -> None:
@@ -147,7 +147,7 @@ def test_one_that_fails_is_named_after_the_others_are_done(
         TrialPool(dataset.folder, CPU) as pool,
         pytest.raises(TrainingError, match=r"^bad: .*log\.txt"),
     ):
-        found = []
+        actual = []
         for record in pool.run([(t, tmp_path / t.name) for t in (bad, good)]):
-            found.append(record.trial.name)
-    assert found == ["good"]
+            actual.append(record.trial.name)
+    assert actual == ["good"]

@@ -77,7 +77,7 @@ _VALUES = [text.encode() for text in (*NUMBERS, *WORDS, *STRICT)] + [
 
 def change_text(data: bytes, rng: np.random.Generator) -> bytes:
     """A string or number of a strict text becomes another one; or members and bytes change."""
-    tokens = [found.span() for found in _TOKEN.finditer(data)]
+    tokens = [actual.span() for actual in _TOKEN.finditer(data)]
     kind = rng.integers(16)
     if not tokens or kind < 1:
         return change_bytes(data, rng)
@@ -162,10 +162,10 @@ def _change_json(data: bytes, rng: np.random.Generator) -> bytes:
 
 
 def _places(value: Any) -> list[tuple[Any, Any]]:
-    found = []
+    actual = []
     for key in _keys(value):
-        found += [(value, key), *_places(value[key])]
-    return found
+        actual += [(value, key), *_places(value[key])]
+    return actual
 
 
 def _keys(value: Any) -> list[Any]:

@@ -132,10 +132,10 @@ _VARINT = re.compile(rb"[\x80-\xff]{0,9}[\x00-\x7f]")
 
 def _read_varint(data: bytes, at: int) -> tuple[int, int]:
     """Its value and where it ends, which is past the data where there is none."""
-    found = _VARINT.match(data, at)
-    if found is None:
+    actual = _VARINT.match(data, at)
+    if actual is None:
         return 0, len(data) + 1
-    return sum((byte & 127) << (7 * k) for k, byte in enumerate(found[0])), found.end()
+    return sum((byte & 127) << (7 * k) for k, byte in enumerate(actual[0])), actual.end()
 
 
 def _varint(value: int) -> bytes:

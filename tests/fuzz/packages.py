@@ -127,11 +127,11 @@ def _of_c_host(mutations: Mutations, folder: Path) -> tuple[list[list[str]], str
 
 def run_viewer(mutations: Mutations, folder: Path) -> Tally:
     """Through the reader of the viewer's page, in Node."""
-    found, tally = viewer_verdicts(mutations.stream()), Tally()
-    for verdict in found["verdicts"]:
+    actual, tally = viewer_verdicts(mutations.stream()), Tally()
+    for verdict in actual["verdicts"]:
         tally.accepted += verdict == "accepted"
         tally.refused.update([verdict] if verdict not in ("accepted", "failed") else [])
-    tally.failures = [f"{mutations.first + k}: {text}" for k, text in found["failures"]]
+    tally.failures = [f"{mutations.first + k}: {text}" for k, text in actual["failures"]]
     return tally
 
 

@@ -16,7 +16,7 @@ from rna_render.world.placements import Placement, mesh_light
 from rna_sdk.errors import RnaError
 from tests.fuzz.scene_seeds import ENVIRONMENTS, MESHES, SCENES, TEXTURES
 
-MOST_ASKED = 48
+MOST_QUERIES = 48
 LONGEST_MESSAGE = 1000
 
 
@@ -81,7 +81,7 @@ def _check_mesh(path: Path) -> None:
 
 
 def _check_surface(mesh: MeshObject) -> None:
-    count = min(len(mesh.triangles), MOST_ASKED)
+    count = min(len(mesh.triangles), MOST_QUERIES)
     triangle = np.tile(np.arange(count, dtype=np.int32), 4)
     u = np.repeat(np.array([0, 1, 0, 1 / 3], np.float32), count)
     v = np.repeat(np.array([0, 0, 1, 1 / 3], np.float32), count)

@@ -78,9 +78,9 @@ def test_holes_glass_and_light_of_assets(
     scene: Callable[..., tuple[SceneFile, World]], device: Device
 ) -> None:
     """A lantern with strands, cut-outs, coloured glass and two parts that emit, twice."""
-    found = on_gpu(*scene(LANTERN_ON_A_FLOOR), lambda: device).channels()
+    actual = on_gpu(*scene(LANTERN_ON_A_FLOOR), lambda: device).channels()
     expected = on_cpu(*scene(LANTERN_ON_A_FLOOR, seed=7)).channels()
-    assert_same_law(found, expected)
+    assert_same_law(actual, expected)
 
 
 def test_light_that_comes_through_an_asset(
@@ -88,8 +88,8 @@ def test_light_that_comes_through_an_asset(
 ) -> None:
     """On the lantern's own floor and on the ground: the sun alone, so that little noise is left."""
     text = LANTERN_IN_THE_SUN
-    found = on_gpu(*scene(text), lambda: device).channels()
-    assert_same_law(found, on_cpu(*scene(text, seed=7)).channels())
+    actual = on_gpu(*scene(text), lambda: device).channels()
+    assert_same_law(actual, on_cpu(*scene(text, seed=7)).channels())
 
 
 @pytest.mark.parametrize(
@@ -99,8 +99,8 @@ def test_an_asset_that_emits_is_sampled(
     material: str, scene: Callable[..., tuple[SceneFile, World]], device: Device
 ) -> None:
     text = GLOW_ON_A_FLOOR.replace("MATERIAL", material)
-    found = on_gpu(*scene(text), lambda: device).channels()
-    assert_same_numbers(found, on_cpu(*scene(text)).channels())
+    actual = on_gpu(*scene(text), lambda: device).channels()
+    assert_same_numbers(actual, on_cpu(*scene(text)).channels())
 
 
 def test_queries_outside_the_domain_are_counted(
@@ -115,12 +115,12 @@ def test_queries_outside_the_domain_are_counted(
 
     load = runtime.load
     monkeypatch.setattr(runtime, "load", narrow)
-    told = []
+    messages = []
     for render_it in (on_cpu, lambda *read: on_gpu(*read, lambda: device)):
         scene_file, world = scene(WATCHED)
         render_it(scene_file, world)
         with pytest.warns(DomainWarning) as caught:
             warn_of_extrapolation(world.objects)
-        told.append([float(x) for x in re.findall(r"[\d.]+(?=%)", str(caught[0].message))])
-    assert len(told[0]) == 3 and min(told[0]) > 3
-    np.testing.assert_allclose(told[0], told[1], atol=0.3)
+        messages.append([float(x) for x in re.findall(r"[\d.]+(?=%)", str(caught[0].message))])
+    assert len(messages[0]) == 3 and min(messages[0]) > 3
+    np.testing.assert_allclose(messages[0], messages[1], atol=0.3)

@@ -117,17 +117,17 @@ def test_hits_are_those_of_embree(device: Device) -> None:
     directions = aims - origins
     directions = (directions / np.linalg.norm(directions, axis=1, keepdims=True)).astype("f4")
     expected = embree.intersect(origins, directions)
-    found = traced(device, geometry, origins, directions, any_hit=False)
-    hit = found["instance"] != 0xFFFFFFFF
+    actual = traced(device, geometry, origins, directions, any_hit=False)
+    hit = actual["instance"] != 0xFFFFFFFF
     assert 0.2 < hit.mean() < 0.99
     assert (hit == (expected.instance >= 0)).mean() > 0.999  # outlines
     both = hit & (expected.instance >= 0)
-    same = np.abs(found["t"] - expected.t)[both] < 1e-4
+    same = np.abs(actual["t"] - expected.t)[both] < 1e-4
     assert same.mean() > 0.998
-    instance = geometry.order[found["instance"][both]]
+    instance = geometry.order[actual["instance"][both]]
     assert (instance == expected.instance[both]).mean() > 0.999
     strands = both & (expected.instance == 1)
-    cosine = (found["normal"][strands] * expected.ng[strands]).sum(axis=1)
+    cosine = (actual["normal"][strands] * expected.ng[strands]).sum(axis=1)
     assert (cosine > 0.999).mean() > 0.99
     any_hit = traced(device, geometry, origins, directions, any_hit=True)
     assert np.array_equal(any_hit["instance"] != 0xFFFFFFFF, hit)

@@ -11,7 +11,7 @@ import pytest
 from rna_gpu import Device
 from rna_render.command import devices
 from rna_render.command import rna_run as cli
-from rna_render.command.kept_pieces import Piece
+from rna_render.command.finished_pieces import Piece
 from rna_render.command.pieces import render_pieces
 from rna_render.image.images import read_exr
 from rna_render.image.output import Output
@@ -73,15 +73,15 @@ def test_frames(scene: Path, device: Device, capsys: pytest.CaptureFixture[str])
 def test_pieces_are_the_whole_and_are_kept(scene: Path, device: Device) -> None:
     scene_file = read_scene(scene)
     folder = scene.parent / "pieces"
-    film, kept = render_pieces(scene_file, this_machine(), 1, folder, "gpu")
+    film, finished = render_pieces(scene_file, this_machine(), 1, folder, "gpu")
     whole = on_gpu(scene_file, load_world(scene_file), lambda: device)
     for name, values in whole.channels().items():
         assert np.array_equal(values, film.channels()[name]), name
-    assert [piece for piece, _ in kept.found()] == [Piece(0, 96)]
+    assert [piece for piece, _ in finished.found()] == [Piece(0, 96)]
     again, _ = render_pieces(scene_file, this_machine(), 1, folder, "gpu")
     assert np.array_equal(again.channels()["R"], film.channels()["R"])
     render_pieces(scene_file, this_machine(), 1, folder, "cpu")  # pieces of its own
-    assert [piece for piece, _ in kept.found()] == []
+    assert [piece for piece, _ in finished.found()] == []
 
 
 def test_machines_of_a_cluster_that_have_a_gpu(monkeypatch: pytest.MonkeyPatch) -> None:

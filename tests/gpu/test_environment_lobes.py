@@ -82,13 +82,13 @@ def by_numpy(kind: str, values: np.ndarray, rows: dict[str, np.ndarray]) -> tupl
     return free * visible + (1 - free) * shadowed, axis - 8 + base
 
 
-@pytest.mark.parametrize("told", [True, False], ids=["told", "untold"])
+@pytest.mark.parametrize("with_visibility", [True, False], ids=["told", "untold"])
 @pytest.mark.parametrize("kind", list(ASSETS))
-def test_lobes(kind: str, told: bool, device: Device) -> None:
+def test_lobes(kind: str, with_visibility: bool, device: Device) -> None:
     package = Package.open(ASSETS[kind])
     tier, part = package.manifest.tiers[0], package.manifest.tiers[0].parts[0]
     bounds, planes = package.manifest.parts[0].bounds, package.planes(tier.name)
-    rows, more = random_rows(bounds.corners()), 16 if told else 0
+    rows, more = random_rows(bounds.corners()), 16 if with_visibility else 0
     columns = query_width(part.inputs, part.channels) + more
     decoder = random_decoder(columns, 40, 2, outputs=9 * LOBES, output="environment")
     m = mirror(kind, rows["axis"], rows["wo"])
@@ -122,12 +122,12 @@ def test_lobes(kind: str, told: bool, device: Device) -> None:
         ],
     )
     _dispatch(device, pipeline, groups)
-    found = device.read(results, 32 * LOBES * COUNT).view(np.float32).reshape(COUNT, LOBES, 2, 4)
+    actual = device.read(results, 32 * LOBES * COUNT).view(np.float32).reshape(COUNT, LOBES, 2, 4)
     size = np.sqrt(np.mean(amplitudes**2))
-    assert np.abs(found[:, :, 0, :3] - amplitudes).max() <= 1e-3 * size
-    assert np.abs(found[:, :, 1, :3] - axes).max() <= 1e-3 * np.sqrt(np.mean(axes**2))
+    assert np.abs(actual[:, :, 0, :3] - amplitudes).max() <= 1e-3 * size
+    assert np.abs(actual[:, :, 1, :3] - axes).max() <= 1e-3 * np.sqrt(np.mean(axes**2))
     kappa = np.linalg.norm(axes, axis=2)
-    assert found[:, :, 0, 3] == pytest.approx(kappa, rel=1e-3, abs=1e-2)
+    assert actual[:, :, 0, 3] == pytest.approx(kappa, rel=1e-3, abs=1e-2)
 
 
 def _gpu_rows(rows: dict[str, np.ndarray], m: np.ndarray) -> np.ndarray:

@@ -34,8 +34,8 @@ def rows(count: int, bounds: np.ndarray) -> list[np.ndarray]:
 
 def test_the_conformance_kit(device: Device) -> None:
     kit: Kit = load_kit(KIT)
-    own = conformance_reader
-    reader = InProcess(own.evaluate, own.visibility, own.normals)
+    reader_module = conformance_reader
+    reader = InProcess(reader_module.evaluate, reader_module.visibility, reader_module.normals)
     scores = list(run_levels(reader, kit, ("evaluate", "visibility", "normals")))
     assert len(scores) == len(kit.evaluate) + len(kit.visibility) + len(kit.normals)
     assert [score for score in scores if not score.passed] == []
@@ -45,8 +45,8 @@ def test_a_surface_as_the_runtime_has_it(device: Device) -> None:
     cpu, gpu = runtime.load(TOY), rna_gpu.load(TOY, device=device)
     assert isinstance(cpu, runtime.SurfaceAsset) and isinstance(gpu, GpuSurface)
     expected = np.hstack(cpu.evaluate(*rows(3000, cpu.bounds)))
-    found = np.hstack(gpu.evaluate(*rows(3000, cpu.bounds)))
-    assert np.abs(found - expected).max() <= 1e-3 * np.sqrt(np.mean(expected**2))
+    actual = np.hstack(gpu.evaluate(*rows(3000, cpu.bounds)))
+    assert np.abs(actual - expected).max() <= 1e-3 * np.sqrt(np.mean(expected**2))
 
 
 def test_fibers_as_the_runtime_has_them(device: Device) -> None:
@@ -55,8 +55,8 @@ def test_fibers_as_the_runtime_has_them(device: Device) -> None:
     x, t, wo, wi = rows(3000, cpu.bounds)
     h = np.linspace(-1.2, 1.2, 3000, dtype=np.float32)
     expected = np.hstack(cpu.evaluate(x, t, h, wo, wi))
-    found = np.hstack(gpu.evaluate(x, t, h, wo, wi))
-    assert np.abs(found - expected).max() <= 1e-3 * np.sqrt(np.mean(expected**2))
+    actual = np.hstack(gpu.evaluate(x, t, h, wo, wi))
+    assert np.abs(actual - expected).max() <= 1e-3 * np.sqrt(np.mean(expected**2))
 
 
 def test_results_do_not_depend_on_the_batch(
@@ -82,10 +82,10 @@ def test_results_that_stay_on_the_gpu(device: Device) -> None:
     device.write(on_gpu.rows, packed)
     device.write(on_gpu.count, np.array([90], np.uint32))
     gpu.evaluate_on_gpu(on_gpu, 100)
-    found = device.read(on_gpu.results, 128 * 32).view(np.float32).reshape(128, 2, 4)
+    actual = device.read(on_gpu.results, 128 * 32).view(np.float32).reshape(128, 2, 4)
     expected = np.stack(gpu.evaluate(x, n, wo, wi), axis=1)
-    assert np.array_equal(found[:90, :, :3], expected[:90])
-    assert not found[90:].any()  # rows beyond the count are left alone
+    assert np.array_equal(actual[:90, :, :3], expected[:90])
+    assert not actual[90:].any()  # rows beyond the count are left alone
 
 
 @pytest.mark.parametrize(("queries_per_second", "times"), [(1e6, 1), (1e7, 1), (2e7, 2), (1e9, 4)])

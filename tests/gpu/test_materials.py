@@ -80,8 +80,8 @@ def test_coats_and_relief(device: Device) -> None:
             ),
         ]
     )
-    found = on_gpu(*scene, lambda: device).channels()
-    assert_same_numbers(found, on_cpu(*scene).channels())
+    actual = on_gpu(*scene, lambda: device).channels()
+    assert_same_numbers(actual, on_cpu(*scene).channels())
 
 
 def test_textures_that_are_moved_and_wrapped(device: Device) -> None:
@@ -94,8 +94,8 @@ def test_textures_that_are_moved_and_wrapped(device: Device) -> None:
             made(material(uv_set=1, wrap=(MIRROR, CLAMP)), material(uv_set=1)),
         ]
     )
-    found = on_gpu(*scene, lambda: device).channels()
-    assert_same_numbers(found, on_cpu(*scene).channels())
+    actual = on_gpu(*scene, lambda: device).channels()
+    assert_same_numbers(actual, on_cpu(*scene).channels())
 
 
 def test_objects_that_emit_light(device: Device) -> None:
@@ -104,8 +104,8 @@ def test_objects_that_emit_light(device: Device) -> None:
     shining = made(Material(**glow, emission=(4, 3, 2)), Material(), Material())
     floor = made(Material(coat_f0=0.04, roughness=0.3))
     scene = in_a_row([shining, floor], lights=(), behind=True)
-    found = on_gpu(*scene, lambda: device).channels()
-    assert_same_numbers(found, on_cpu(*scene).channels())
+    actual = on_gpu(*scene, lambda: device).channels()
+    assert_same_numbers(actual, on_cpu(*scene).channels())
 
 
 def through(kind: str) -> list:
@@ -128,8 +128,8 @@ def through(kind: str) -> list:
 def test_what_lets_light_through(kind: str, device: Device) -> None:
     """Rays pass at random, by numbers of their own; shadows are weakened."""
     scene, world = in_a_row(through(kind), behind=True, samples=16)
-    found = on_gpu(scene, world, lambda: device).channels()
-    assert_same_law(found, on_cpu(scene.with_changes(seed=7), world).channels())
+    actual = on_gpu(scene, world, lambda: device).channels()
+    assert_same_law(actual, on_cpu(scene.with_changes(seed=7), world).channels())
 
 
 def on_a_floor(pane: MeshObject, lights: tuple = (SUN,), **more: object) -> tuple:
@@ -151,13 +151,13 @@ def test_shadows_of_what_lets_light_through(kind: str, device: Device) -> None:
     for pane in through(kind):
         dull = made(*(replace(m, emission=(0.0, 0.0, 0.0)) for m in pane.materials))
         scene = on_a_floor(dull, (above,))
-        found, expected = on_gpu(*scene, lambda: device).channels(), on_cpu(*scene).channels()
-        assert_same_numbers(found, expected)
+        actual, expected = on_gpu(*scene, lambda: device).channels(), on_cpu(*scene).channels()
+        assert_same_numbers(actual, expected)
         assert np.unique(expected["R"].round(1)).size > 3
 
 
 def test_what_shines_in_part_lights_in_part(device: Device) -> None:
     half = made(Material(opacity=0.5, emission=(3, 2, 1), base_color=(0, 0, 0)))
     scene, world = on_a_floor(half, (), samples=32)
-    found = on_gpu(scene, world, lambda: device).channels()
-    assert_same_law(found, on_cpu(scene.with_changes(seed=7), world).channels())
+    actual = on_gpu(scene, world, lambda: device).channels()
+    assert_same_law(actual, on_cpu(scene.with_changes(seed=7), world).channels())

@@ -30,17 +30,17 @@ def test_the_image_of_the_cpu_with_the_same_numbers(
     monkeypatch.setattr("rna_render.paths.integrator.STRAND_BRANCHES", BRANCHES)
     write_files(tmp_path)
     scene_file, world = scene(text)
-    found = on_gpu(scene_file, world, lambda: device).channels()
-    assert_same_numbers(found, on_cpu(scene_file, world).channels())
+    actual = on_gpu(scene_file, world, lambda: device).channels()
+    assert_same_numbers(actual, on_cpu(scene_file, world).channels())
 
 
 def test_the_image_of_the_cpu_with_other_numbers(
     scene: Callable[..., tuple[SceneFile, World]], device: Device, tmp_path: Path
 ) -> None:
     write_files(tmp_path)
-    found = on_gpu(*scene(UNDER_A_SKY), lambda: device).channels()
+    actual = on_gpu(*scene(UNDER_A_SKY), lambda: device).channels()
     expected = on_cpu(*scene(UNDER_A_SKY, seed=7)).channels()
-    assert_same_law(found, expected)
+    assert_same_law(actual, expected)
 
 
 @pytest.mark.parametrize("text", [EVERYTHING, GLOW], ids=["everything", "glow"])
@@ -83,15 +83,15 @@ def test_a_lost_device_is_replaced(
 
     monkeypatch.setattr(rendering.Wavefront, "render", render)
     monkeypatch.setattr(rendering.GpuRenderer, "samples", 1)
-    found = on_gpu(scene_file, world, open_it)
+    actual = on_gpu(scene_file, world, open_it)
     assert (
         len(opened) == 2
-        and found.samples == 3
+        and actual.samples == 3
         and [k for some in samples for k in some] == [0, 1, 1, 2]
     )
     assert "going on with sample 2" in capsys.readouterr().err
     undisturbed = on_gpu(scene_file, world, lambda: opened[1])
-    assert np.array_equal(found.channels()["R"], undisturbed.channels()["R"])
+    assert np.array_equal(actual.channels()["R"], undisturbed.channels()["R"])
 
 
 def test_a_device_that_stays_lost(

@@ -42,10 +42,10 @@ def differences(library: Path, package: Path, tier: str) -> np.ndarray:
     asset, other = load(package, tier, threads=1), CAsset(library, package, tier)
     rows = random_rows(asset.kind, asset.bounds, ROWS)
     expected = np.concatenate(asset.evaluate(*rows), axis=1)
-    found = np.concatenate(other.evaluate(*rows), axis=1)
+    actual = np.concatenate(other.evaluate(*rows), axis=1)
     other.close()
     scale = np.sqrt(np.mean(expected.astype(np.float64) ** 2))
-    return np.abs(found - expected).max(axis=1) / scale
+    return np.abs(actual - expected).max(axis=1) / scale
 
 
 @pytest.mark.parametrize("package", [TOY, CURLS], ids=["toy", "curls"])
@@ -90,10 +90,10 @@ def test_int8_sums_of_a_wide_layer_are_exact(programs: dict[str, Path], tmp_path
     # In place of a good decoder: an engine that sums in float32 calls this one inconsistent.
     package.write_bytes(with_entry(read_entries(package), tier.parts[0].decoder, file))
     asset = CAsset(programs["librna.so"], package, "wide")
-    found = asset.evaluate(*random_rows("surface", np.float32([[-1] * 3, [1] * 3]), 60))
+    actual = asset.evaluate(*random_rows("surface", np.float32([[-1] * 3, [1] * 3]), 60))
     asset.close()
     expected = np.broadcast_to(np.exp(steps * unit) - 1, (60, 6))
-    np.testing.assert_allclose(np.concatenate(found, axis=1), expected, rtol=1e-5)
+    np.testing.assert_allclose(np.concatenate(actual, axis=1), expected, rtol=1e-5)
 
 
 def test_a_row_means_the_same_in_any_batch(programs: dict[str, Path]) -> None:

@@ -18,7 +18,7 @@ from tests.package.relief import make_relief
 
 pytestmark = pytest.mark.skipif(compiler() is None, reason="needs cc and make")
 
-OWN = [case for case in CASES if case.breaker.__module__ == normal_map_cases.__name__]
+NORMAL_MAP_CASES = [case for case in CASES if case.breaker.__module__ == normal_map_cases.__name__]
 BENT = 1  # 0 and 3 have no area in the texture, 2 has no record
 
 
@@ -32,17 +32,17 @@ def test_normals_have_the_relief(programs: dict[str, Path], tmp_path: Path) -> N
         plain = mapped_normals(mesh, [], triangle, b1, b2)
     with closing(CAsset(programs["librna.so"], relief, "small")) as asset:
         rows = zip(triangle.tolist(), b1, b2, strict=True)
-        found = np.array([asset.normal(*row) for row in rows])
+        actual = np.array([asset.normal(*row) for row in rows])
         assert not asset.normal(99, 0.2, 0.3).any()
         assert asset.record.normal_map_count == 2
-    np.testing.assert_allclose(found, expected, atol=2e-6)
+    np.testing.assert_allclose(actual, expected, atol=2e-6)
     bent = np.abs(expected - plain).max(axis=1) > 0.05
     assert bent[triangle == BENT].mean() > 0.9 and not bent[triangle != BENT].any()
 
 
 def test_bad_normal_maps_are_refused(programs: dict[str, Path], tmp_path: Path) -> None:
     good = good_entries(tmp_path)
-    for case in OWN:
+    for case in NORMAL_MAP_CASES:
         path = tmp_path / f"{case.name}.rna"
         path.write_bytes(case.breaker(good[case.base]))
         result = run(programs["conform"], "validate", path)

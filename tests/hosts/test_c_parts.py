@@ -55,16 +55,16 @@ def test_quantised_geometry_is_restored_to_the_bit(library: Path, tmp_path: Path
     with closing(CAsset(library, path, "small", BODY)) as asset:
         mesh = asset.record.mesh.contents
         for name, width in (("positions", 3), ("normals", 3), ("uvs", 2)):
-            found = values(getattr(mesh, name), mesh.vertex_count, width)
-            np.testing.assert_array_equal(found, getattr(expected_mesh, name), name)
-        found = values(mesh.triangles, mesh.triangle_count, 3)
-        np.testing.assert_array_equal(found, expected_mesh.triangles)
+            actual = values(getattr(mesh, name), mesh.vertex_count, width)
+            np.testing.assert_array_equal(actual, getattr(expected_mesh, name), name)
+        actual = values(mesh.triangles, mesh.triangle_count, 3)
+        np.testing.assert_array_equal(actual, expected_mesh.triangles)
     with closing(CAsset(library, path, "small", TUFT)) as asset:
         curves = asset.record.curves.contents
-        found = values(curves.points, curves.point_count, 3)
-        np.testing.assert_array_equal(found, expected_curves.points)
-        found = values(curves.radii, curves.point_count)
-        np.testing.assert_array_equal(found, expected_curves.radii)
+        actual = values(curves.points, curves.point_count, 3)
+        np.testing.assert_array_equal(actual, expected_curves.points)
+        actual = values(curves.radii, curves.point_count)
+        np.testing.assert_array_equal(actual, expected_curves.radii)
 
 
 def test_cut_out_is_open_or_closed(body: CAsset, lantern: Path) -> None:

@@ -53,8 +53,8 @@ def write_pane_before_wall(path: Path) -> Path:
     )
     tier_parts, data, meshes = [], [], []
     for name, colours, z in (("pane", PANE, 0.5), ("wall", WALL, -0.5)):
-        own: Any = emission.model_copy(update={"decoder": f"decoders/{name}-glow.onnx"})
-        part = make_tier_part(name, inputs=("wo", "wi"), emission=own)
+        glow_record: Any = emission.model_copy(update={"decoder": f"decoders/{name}-glow.onnx"})
+        part = make_tier_part(name, inputs=("wo", "wi"), emission=glow_record)
         tier_parts.append(part)
         transport = constant_decoder(6, [*colours["visible"], *colours["shadowed"]])
         glow = constant_decoder(3, colours["emission"], "emission")

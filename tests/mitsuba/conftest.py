@@ -13,9 +13,9 @@ mi = pytest.importorskip("mitsuba", reason="mitsuba is not installed: pip instal
 
 def _usable_llvm() -> str | None:
     """Why there is no LLVM that Dr.Jit can use; None if there is."""
-    found = sorted(Path("/usr/lib").glob("**/libLLVM*.so.19*"))
-    if "DRJIT_LIBLLVM_PATH" not in os.environ and found:
-        os.environ["DRJIT_LIBLLVM_PATH"] = str(found[0])
+    actual = sorted(Path("/usr/lib").glob("**/libLLVM*.so.19*"))
+    if "DRJIT_LIBLLVM_PATH" not in os.environ and actual:
+        os.environ["DRJIT_LIBLLVM_PATH"] = str(actual[0])
     try:
         mi.set_variant("llvm_ad_rgb")
         import drjit as dr

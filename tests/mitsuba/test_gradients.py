@@ -78,10 +78,10 @@ def test_by_the_light(scene: Any) -> None:
     def brighter(x: Any) -> Any:
         return mi.Color3f(2.5, 2.35, 2.1) * (1 + x)
 
-    found = derivative(scene, "sun.irradiance.value", brighter)
+    actual = derivative(scene, "sun.irradiance.value", brighter)
     expected = difference(scene, "sun.irradiance.value", brighter, 0.1)
     assert expected.max() > 0.1
-    np.testing.assert_allclose(found, expected, rtol=1e-3, atol=1e-5)
+    np.testing.assert_allclose(actual, expected, rtol=1e-3, atol=1e-5)
 
 
 @pytest.mark.parametrize(("motion", "step"), [("turn", 0.02), ("move", 1e-4)])
@@ -94,11 +94,11 @@ def test_by_the_pose(scene: Any, motion: str, step: float) -> None:
             return mi.Transform4f().rotate(mi.Vector3f(0, 1, 0), x)
         return mi.Transform4f().translate(mi.Vector3f(x, 0, 0))
 
-    found = derivative(scene, "toy.to_world", posed)
+    actual = derivative(scene, "toy.to_world", posed)
     wide, narrow = (difference(scene, "toy.to_world", posed, s) for s in (step, step / 2))
     scale = np.abs(narrow).mean()
     smooth = np.abs(wide - narrow) < 0.02 * (np.abs(narrow) + scale)
     assert np.mean(smooth & (narrow != 0)) > 0.3
-    off = np.abs(found - narrow)[smooth]
+    off = np.abs(actual - narrow)[smooth]
     # Elsewhere the step crosses a texel's edge, where features have a kink.
     assert np.mean(off < 0.05 * (np.abs(narrow[smooth]) + scale)) > 0.9

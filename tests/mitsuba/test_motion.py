@@ -63,12 +63,12 @@ def test_rest_points_are_those_of_the_sdk(package: Path, tmp_path: Path) -> None
         origin, way = mi.Point3f((c + n).T - d), mi.Vector3f(d)
     points = geometry.points(*at, origin, way, active)
     expected = shape.rest_points(number, u, np.float32(points.n).T if is_fiber else v)
-    asked = scene.query(0, hits, points, points.query(way) | {"wi": -way}, active)
-    np.testing.assert_allclose(np.array(asked["position"]).T, expected.positions, atol=2e-5)
-    np.testing.assert_allclose(np.array(asked["axis"]).T, expected.axes, atol=2e-4)
+    arguments = scene.query(0, hits, points, points.query(way) | {"wi": -way}, active)
+    np.testing.assert_allclose(np.array(arguments["position"]).T, expected.positions, atol=2e-5)
+    np.testing.assert_allclose(np.array(arguments["axis"]).T, expected.axes, atol=2e-4)
     wo = expected.to_rest(np.ascontiguousarray(d.T))
-    np.testing.assert_allclose(np.array(asked["wo"]).T, wo, atol=1e-3)
-    np.testing.assert_allclose(np.array(asked["wi"]).T, -wo, atol=1e-3)
+    np.testing.assert_allclose(np.array(arguments["wo"]).T, wo, atol=1e-3)
+    np.testing.assert_allclose(np.array(arguments["wi"]).T, -wo, atol=1e-3)
 
 
 def test_both_show_the_same_bent_asset(tmp_path: Path) -> None:

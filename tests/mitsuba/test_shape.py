@@ -47,7 +47,7 @@ def test_instances_share_a_package() -> None:
 
 
 @pytest.mark.parametrize(
-    ("change", "found"),
+    ("change", "actual"),
     [
         ({"filename": "nowhere.rna"}, "FILE_UNREADABLE"),
         ({"tier": "huge"}, "no tier 'huge'"),
@@ -55,12 +55,12 @@ def test_instances_share_a_package() -> None:
         ({"to_world": np.diag([-1.0, 1.0, 1.0, 1.0])}, "mirrors"),
     ],
 )
-def test_mistakes_are_told(change: dict[str, Any], found: str) -> None:
+def test_mistakes_are_told(change: dict[str, Any], actual: str) -> None:
     import rna_mitsuba
 
     arguments = {"filename": str(TOY)} | change
     path = arguments.pop("filename")
-    with pytest.raises(Exception, match=re.escape(found)):
+    with pytest.raises(Exception, match=re.escape(actual)):
         load(**{k: v for k, v in rna_mitsuba.asset(path, **arguments).items() if k != "type"})
 
 

@@ -42,8 +42,8 @@ def test_kinds_of_interpolation_of_a_motion(tmp_path: Path, kind: str, at: float
     values = keys if kind != "CUBICSPLINE" else np.stack([0 * keys, keys, 0 * keys], axis=1)
     track = ("translation", [0, 2], values.reshape(-1, 3))
     motion = GltfMotion(moving_node(tmp_path / "a.gltf", MESH, [track], kind), rate=2)
-    found = motion.positions(1)[:, 0] - MESH.positions[:, 0]
-    np.testing.assert_allclose(found, at, atol=1e-6)
+    actual = motion.positions(1)[:, 0] - MESH.positions[:, 0]
+    np.testing.assert_allclose(actual, at, atol=1e-6)
 
 
 def test_morph_targets_in_motion(tmp_path: Path) -> None:

@@ -31,8 +31,8 @@ def test_frames_of_a_motion_come_back(tmp_path: Path) -> None:
     motion = open_motion(written(tmp_path / "a.rnam"), PARTS)
     assert (motion.frames, motion.rate) == (4, 25.0)
     for k in (3, 0, 2):
-        for found, expected in zip(motion.positions(k), frame(k), strict=True):
-            np.testing.assert_array_equal(found, expected)
+        for actual, expected in zip(motion.positions(k), frame(k), strict=True):
+            np.testing.assert_array_equal(actual, expected)
     half = motion.positions(1.5)[0]
     np.testing.assert_allclose(half, MESH.positions + np.float32([0, 0.15, 0]), atol=1e-6)
 

@@ -33,12 +33,12 @@ def in_image(x: np.ndarray, eye: np.ndarray = EYE) -> np.ndarray:
     return focal * np.stack([(x - eye) @ right / depth, (x - eye) @ up / depth], axis=1)
 
 
-def seen(found: dict[str, np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+def seen(actual: dict[str, np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
     """Points and motion vectors of the pixels that show something: (n, 3), (n, 2)."""
-    hit = found["assetId"] > 0
-    points = np.stack([found[f"position.{k}"][hit] for k in "XYZ"], axis=1).astype(float)
-    assert all((found[f"forward.{k}"][~hit] == 0).all() for k in "uv")
-    return points, np.stack([found[f"forward.{k}"][hit] for k in "uv"], axis=1)
+    hit = actual["assetId"] > 0
+    points = np.stack([actual[f"position.{k}"][hit] for k in "XYZ"], axis=1).astype(float)
+    assert all((actual[f"forward.{k}"][~hit] == 0).all() for k in "uv")
+    return points, np.stack([actual[f"forward.{k}"][hit] for k in "uv"], axis=1)
 
 
 @pytest.mark.parametrize("package", [TOY, BALL], ids=["surface", "fiber"])
@@ -52,12 +52,12 @@ def test_of_a_rigid_motion_are_those_of_its_transform(tmp_path: Path, package: P
     write_motion(tmp_path / "rigid.rnam", [geometry], frames, count=2, rate=24)
     turn = Transform(np.diag([0.5, 0.5, 0.5, 1.0]))
     placed = "motion: rigid.rnam\n    transform: {scale: 0.5}"
-    points, found = seen(channels(read_scene(scene(tmp_path, placed, package=package))))
+    points, actual = seen(channels(read_scene(scene(tmp_path, placed, package=package))))
     local = turn.to_object_points(points.astype(np.float32)).astype(float)
     moved = turn.matrix[:3, :3] @ (step[:3, :3] @ local.T + step[:3, 3:])
     expected = in_image(moved.T) - in_image(points)
     assert np.abs(expected).max() > 2
-    np.testing.assert_allclose(found, expected, atol=2e-3)
+    np.testing.assert_allclose(actual, expected, atol=2e-3)
 
 
 def test_of_a_camera_that_turns_are_those_of_its_next_place(tmp_path: Path) -> None:
@@ -70,10 +70,10 @@ def test_of_a_camera_that_turns_are_those_of_its_next_place(tmp_path: Path) -> N
         (read_scene(path), eyes[0], eyes[1]),  # a still image
         (read_scene(path).at(1), eyes[1], eyes[2]),
     ):
-        points, found = seen(channels(file))
+        points, actual = seen(channels(file))
         expected = in_image(points, after) - in_image(points, eye)
         assert np.abs(expected).max() > 1
-        np.testing.assert_allclose(found, expected, atol=1e-3)
+        np.testing.assert_allclose(actual, expected, atol=1e-3)
 
 
 def test_are_0_where_nothing_moves(tmp_path: Path) -> None:
@@ -81,8 +81,8 @@ def test_are_0_where_nothing_moves(tmp_path: Path) -> None:
     bent = mesh.positions + np.float32([0, 0.1, 0])
     write_motion(tmp_path / "up.rnam", [mesh], [[mesh.positions], [bent]], count=2, rate=24)
     for asset in ("tier: small", "motion: {path: up.rnam, start: 1}"):  # its last frame
-        _, found = seen(channels(read_scene(scene(tmp_path, asset))))
-        assert len(found) > 100
-        assert not found.any()
-    _, found = seen(channels(read_scene(scene(tmp_path, "motion: up.rnam"))))
-    assert (found[:, 1] > 1).all()
+        _, actual = seen(channels(read_scene(scene(tmp_path, asset))))
+        assert len(actual) > 100
+        assert not actual.any()
+    _, actual = seen(channels(read_scene(scene(tmp_path, "motion: up.rnam"))))
+    assert (actual[:, 1] > 1).all()

@@ -89,9 +89,9 @@ def test_a_motion_file_of_a_gltf(tmp_path: Path, capsys: pytest.CaptureFixture[s
     mesh = load(TOY).mesh
     bend, out = bending_arm(tmp_path / "bend.gltf", mesh, 30), tmp_path / "bend.rnam"
     assert main([str(bend), str(TOY), "--out", str(out), "--rate", "4"]) == 0
-    told = capsys.readouterr().out
+    output = capsys.readouterr().out
     size = out.stat().st_size
-    assert f"wrote {out}: 5 frames at 4 a second, {size / 1e6:.1f} MB" in told
+    assert f"wrote {out}: 5 frames at 4 a second, {size / 1e6:.1f} MB" in output
     motion = open_motion(out, [mesh])
     direct = open_asset_motion(bend, [mesh], "toy.rna", rate=4.0)
     for frame in (0, 3):
@@ -151,13 +151,13 @@ def test_a_motion_file_of_what_blender_evaluates(
     c, s = np.cos(1.0), np.sin(1.0)
     turn = np.array([[1, 0, 0], [0, c, -s], [0, s, c]])
     assert (mesh.positions[:, 0] > 1.0).mean() == pytest.approx(0.5, abs=0.01)  # the twin
-    for rest, found in zip((mesh.positions, hair.points), motion.positions(0), strict=True):
+    for rest, actual in zip((mesh.positions, hair.points), motion.positions(0), strict=True):
         still = rest[:, :1] > 1.0
         expected = np.where(still, rest, (rest - (0, 0.4, 0)) @ turn)
-        np.testing.assert_allclose(found, expected, atol=2e-5)
+        np.testing.assert_allclose(actual, expected, atol=2e-5)
     np.testing.assert_allclose(motion.positions(0)[1], pose["hair"], atol=1e-6)
-    for rest, found in zip((mesh.positions, hair.points), motion.positions(4), strict=True):
-        np.testing.assert_allclose(found, rest, atol=1e-6)
+    for rest, actual in zip((mesh.positions, hair.points), motion.positions(4), strict=True):
+        np.testing.assert_allclose(actual, rest, atol=1e-6)
     capsys.readouterr()
     assert main([str(source), str(asset), "--out", str(out), "--rest-frame", "1"]) == 1
     assert "arm.rna: was captured at frame 5, found --rest-frame 1" in capsys.readouterr().err

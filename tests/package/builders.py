@@ -112,12 +112,12 @@ def random_int8_decoder(
         weight = rng.integers(-largest, largest + 1, (rows, cols)).astype(np.int8)
         scale = (rng.uniform(0.5, 1.5, cols) * (2 / rows) ** 0.5 / 73).astype(np.float32)
         bias = rng.normal(1 if i == layers else 0, 0.2, cols) / (step * scale)
-        own = step
+        decoder = step
         if i == 0:  # of queries in steps, from -100 of them up
-            own, scale = np.float32(1), scale * step
+            decoder, scale = np.float32(1), scale * step
             bias -= 100 * weight.astype(np.int64).sum(axis=0)
         rounded = np.round(bias).astype(np.int32)
-        made.append(ProfileLayer(weight, rounded, float(own), scale, relu=False))
+        made.append(ProfileLayer(weight, rounded, float(decoder), scale, relu=False))
     gain, offset = (np.full(columns, value, np.float32) for value in (30, 100))
     return decoder_of(made, gain=gain, offset=offset, **overrides)
 
@@ -151,8 +151,8 @@ def make_tier_part(name: str = "small", **changes: Any) -> TierPart:
 
 def make_tier(name: str = "small", **changes: Any) -> Tier:
     """The record of a tier of one part; `changes` are fields of the tier or of its part."""
-    own = {key: changes.pop(key) for key in ("parts", "validation", "cost") if key in changes}
-    return Tier(**{"name": name, "parts": (make_tier_part(name, **changes),), **own})
+    members = {key: changes.pop(key) for key in ("parts", "validation", "cost") if key in changes}
+    return Tier(**{"name": name, "parts": (make_tier_part(name, **changes),), **members})
 
 
 def make_part(**changes: Any) -> Part:
@@ -172,11 +172,13 @@ def make_manifest(*tiers: Tier, **changes: Any) -> Manifest:
 
     `changes` are fields of the manifest or of its one part.
     """
-    own = {key: changes.pop(key) for key in ("kind", "bounds", "geometry") if key in changes}
+    part_members = {
+        key: changes.pop(key) for key in ("kind", "bounds", "geometry") if key in changes
+    }
     fields: dict[str, Any] = {
         "generator": "tests",
         "name": "tetrahedron",
-        "parts": (make_part(**own),),
+        "parts": (make_part(**part_members),),
         "domain": Domain(wo="sphere", wi="sphere"),
         "tiers": tiers or (make_tier(),),
         "provenance": Provenance(source="tests/package/builders.py", tool="tests"),
@@ -211,12 +213,12 @@ def make_tier_data(tier: Tier, width: int = 8, layers: int = 1, seed: int = 1) -
 def make_part_data(part: TierPart, width: int = 8, layers: int = 1, seed: int = 1) -> TierData:
     """Random planes and random decoders that fit the tier part."""
     made = {
-        own.form.name: make_decoder(
-            *(own.precision, own.columns, width, layers, seed),
-            outputs=own.width,
-            output=own.form.name,
+        decoder.form.name: make_decoder(
+            *(decoder.precision, decoder.columns, width, layers, seed),
+            outputs=decoder.width,
+            output=decoder.form.name,
         )
-        for own in part.decoders
+        for decoder in part.decoders
     }
     planes = make_planes(part.resolution, part.channels, part.plane_precision, seed)
     return TierData(planes, made.pop("transport"), made)

@@ -69,9 +69,9 @@ def with_lobes(
     decoder: in place of a random one.
     """
     with Package.open(source) as package:
-        own: list[Lobes | None] = [None] * len(package.manifest.parts)
+        by_part: list[Lobes | None] = [None] * len(package.manifest.parts)
         for k in parts or (0,):
             made = make_lobes(package, k, visibility=visibility)
-            own[k] = replace(made, decoder=decoder or made.decoder)
-    Unpacked.read(source).with_environment(own, [FOREST]).write(target)
+            by_part[k] = replace(made, decoder=decoder or made.decoder)
+    Unpacked.read(source).with_environment(by_part, [FOREST]).write(target)
     return target

@@ -115,12 +115,12 @@ def test_a_defect_takes_no_other_report_along(
 
     monkeypatch.setattr(cli, "inspect", defect_of_one)
     assert cli.main([*options, str(tiny), "defect.rna", str(broken)]) == 1
-    told = capsys.readouterr()
-    assert told.err.startswith("defect.rna: internal error")
+    output = capsys.readouterr()
+    assert output.err.startswith("defect.rna: internal error")
     if options:
-        assert [report["file"] for report in json.loads(told.out)] == [str(tiny), str(broken)]
+        assert [report["file"] for report in json.loads(output.out)] == [str(tiny), str(broken)]
     else:
-        lines = told.out.splitlines()
+        lines = output.out.splitlines()
         assert lines[0] == f"{tiny}: valid" and lines[-1] == f"{broken}: invalid"
 
 

@@ -45,13 +45,13 @@ def test_every_code_has_a_case() -> None:
 
 
 def test_missing_file_folder_and_device(tmp_path: Path) -> None:
-    for path, found in (
+    for path, actual in (
         (tmp_path / "absent.rna", "No such file or directory"),
         (tmp_path, "a folder"),
         ("/dev/null", "a pipe or a device"),
     ):
         (issue,) = validate(path)
-        assert (issue.code, issue.found) == ("FILE_UNREADABLE", found)
+        assert (issue.code, issue.found) == ("FILE_UNREADABLE", actual)
 
 
 def test_pipe_is_refused_and_not_waited_for(tmp_path: Path) -> None:
@@ -107,8 +107,8 @@ def test_all_issues_of_a_manifest_come_at_once(entries: Entries, tmp_path: Path)
         manifest["domain"]["wi"] = [{"axis": [0, 1, 0], "halfAngle": -1}]
 
     path.write_bytes(manifest_cases.with_manifest(entries, edit))
-    found = {(issue.code, issue.pointer_or_offset) for issue in validate(path)}
-    assert found == {
+    actual = {(issue.code, issue.pointer_or_offset) for issue in validate(path)}
+    assert actual == {
         ("FIELD_MISSING", "/license"),
         ("FIELD_VALUE", "/tiers/0/parts/0/channels"),
         ("BOUNDS_EMPTY", "/parts/0/bounds/max"),

@@ -27,15 +27,17 @@ def declared(lobes: int, visibility: str | None = None) -> PartDecoder:
     fields = {"planes": "features/small.safetensors", "decoder": "decoders/lobes.onnx"}
     record = {**fields, "inputs": INPUTS, "resolution": 8, "channels": 4, "lobes": lobes}
     precisions = {"plane_precision": "int8", "decoder_precision": "float32"}
-    return EnvironmentPart(**record, **precisions, visibility=visibility).own_decoder
+    return EnvironmentPart(**record, **precisions, visibility=visibility).optional_decoder
 
 
 def test_a_decoder_of_lobes_is_checked_and_run() -> None:
-    own = declared(4)
-    assert (own.columns, own.width) == (10, 36)
+    decoder = declared(4)
+    assert (decoder.columns, decoder.width) == (10, 36)
     assert declared(4, "visibility.safetensors").columns == 26
-    model = make_decoder("float32", own.columns, 16, 2, outputs=own.width, output="environment")
-    assert check_decoder(memoryview(model), own) == []
+    model = make_decoder(
+        "float32", decoder.columns, 16, 2, outputs=decoder.width, output="environment"
+    )
+    assert check_decoder(memoryview(model), decoder) == []
     queries = np.random.default_rng(0).normal(size=(50, 10)).astype(np.float32)
     assert Decoder(decoder_from_bytes(model, "lobes")).run(queries).shape == (50, 36)
     with pytest.raises(PackageError, match="DECODER_PROFILE") as caught:

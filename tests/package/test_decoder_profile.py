@@ -33,14 +33,14 @@ def test_what_is_written_is_what_is_read(
     decoder = ending(decoder)
     data = decoder_to_bytes(decoder, "tests")
     onnx.checker.check_model(onnx.load_from_string(data))
-    found = decoder_from_bytes(data, "x")
-    assert decoder_to_bytes(found, "tests") == data
-    assert (found.is_int8, found.columns, found.outputs) == (
+    actual = decoder_from_bytes(data, "x")
+    assert decoder_to_bytes(actual, "tests") == data
+    assert (actual.is_int8, actual.columns, actual.outputs) == (
         *(decoder.is_int8, 18, decoder.outputs),
     )
     queries = np.random.default_rng(0).normal(size=(500, 18)).astype(np.float32)
     expected = onnx_result(decoder, queries)
-    close = np.isclose(found.run(queries), expected, rtol=1e-4, atol=1e-5).all(axis=1)
+    close = np.isclose(actual.run(queries), expected, rtol=1e-4, atol=1e-5).all(axis=1)
     assert close.mean() >= (0.98 if decoder.is_int8 else 1)  # ties of int8 round either way
     assert expected.std() > 0.1
 

@@ -42,9 +42,9 @@ def test_normal_maps_come_back(relief: Path) -> None:
             package.normal_maps(1)
     assert (bark.first, bark.count, dent.first, dent.count) == (0, 2, 3, 1)
     maps = make_maps()
-    for found, name in ((bark, BARK), (dent, DENT)):
-        np.testing.assert_array_equal(found.texture, maps[name])
-        assert not found.texture.flags.writeable and not found.texture.flags.owndata
+    for actual, name in ((bark, BARK), (dent, DENT)):
+        np.testing.assert_array_equal(actual.texture, maps[name])
+        assert not actual.texture.flags.writeable and not actual.texture.flags.owndata
     (part,) = load(relief, "small", threads=1).parts
     assert [record.count for record in part.normal_maps] == [2, 1]
 
@@ -81,9 +81,9 @@ def test_maps_stay_with_holes_and_quantised_geometry(tmp_path: Path) -> None:
     write_package(tmp_path / "x.rna", manifest, geometries, data, maps)
     assert validate(tmp_path / "x.rna") == []
     with Package.open(tmp_path / "x.rna") as package:
-        (found,) = package.normal_maps()
+        (actual,) = package.normal_maps()
         assert len(package.transmittance()) == 2
-        np.testing.assert_array_equal(found.texture, maps[BARK])
+        np.testing.assert_array_equal(actual.texture, maps[BARK])
 
 
 def test_packing_keeps_them(relief: Path, tmp_path: Path) -> None:

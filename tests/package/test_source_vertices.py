@@ -23,9 +23,9 @@ def test_they_come_back(tiny: Path, tmp_path: Path) -> None:
     wanted, out = numbers_of(tiny), tmp_path / "numbered.rna"
     Unpacked.read(tiny).with_source([wanted]).deflated().write(out)
     with Package.open(out) as package:
-        found = package.source_vertices()
-    assert found is not None and found.count == wanted.count
-    np.testing.assert_array_equal(found.numbers, wanted.numbers)
+        actual = package.source_vertices()
+    assert actual is not None and actual.count == wanted.count
+    np.testing.assert_array_equal(actual.numbers, wanted.numbers)
     with Package.open(tiny) as package:
         assert package.source_vertices() is None
 

@@ -102,6 +102,6 @@ def test_worked_example_of_the_fiber_blocks() -> None:
     g_o, g_t = np.arcsin(0.5), np.arcsin(0.5 * 0.8 / np.sqrt(1.55**2 - s_o**2))
     lobes = [np.cos(phi - (2 * g_o - 2 * p * g_t - p * np.pi)) for p in range(3)]
     for block, values in (("fiber_angles", angles), ("fiber_lobes", lobes)):
-        found = re.search(rf"`{block}` is ((?:-?[\d.]+,?\s*)+)\.\n", TEXT)
-        assert found is not None
-        np.testing.assert_allclose(np.fromstring(found[1], sep=","), values, atol=5e-5)
+        actual = re.search(rf"`{block}` is ((?:-?[\d.]+,?\s*)+)\.\n", TEXT)
+        assert actual is not None
+        np.testing.assert_allclose(np.fromstring(actual[1], sep=","), values, atol=5e-5)

@@ -83,8 +83,8 @@ def edited(path: Path, edit: Any) -> bytes:
 def test_wrong_data_is_refused(textured: Path, tmp_path: Path, edit: Any, code: str) -> None:
     bad = tmp_path / "bad.rna"
     bad.write_bytes(edited(textured, edit))
-    found = [issue.code for issue in validate(bad)]
-    assert code in found
+    actual = [issue.code for issue in validate(bad)]
+    assert code in actual
 
 
 def test_what_is_no_picture_gets_a_warning(tiny: Path, tmp_path: Path) -> None:

@@ -24,10 +24,10 @@ class Case:
     texels: np.ndarray | None = None
     message: str = ""
 
-    def check(self, found: np.ndarray) -> None:
+    def check(self, actual: np.ndarray) -> None:
         """The texels; those of DWA, the lossy cosine transform, to a step of float16."""
         lossy = 1e-3 if "DWA" in self.path.name else 0
-        np.testing.assert_allclose(found, self.texels, rtol=lossy, err_msg=self.path.name)
+        np.testing.assert_allclose(actual, self.texels, rtol=lossy, err_msg=self.path.name)
 
 
 def picture() -> np.ndarray:
@@ -75,7 +75,7 @@ def cases(folder: Path) -> list[Case]:
 
 
 def _hdr_cases(folder: Path) -> list[Case]:
-    found: list[Case] = []
+    actual: list[Case] = []
     texels, rgbe = picture(), rgbe_of(picture())
     start, size = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n", b"-Y 12 +X 24\n"
 
@@ -83,7 +83,7 @@ def _hdr_cases(folder: Path) -> list[Case]:
         path = folder / f"{name}.hdr"
         path.write_bytes(content)
         text = isinstance(expected, str)
-        found.append(Case(path, message=expected) if text else Case(path, expected))
+        actual.append(Case(path, message=expected) if text else Case(path, expected))
 
     case("plain", start + b"\n" + size + new_code(rgbe), texels)
     case("old code", start + b"\n" + size + old_code(rgbe), texels)
@@ -127,7 +127,7 @@ def _hdr_cases(folder: Path) -> list[Case]:
     case("too large", start + b"\n-Y 32768 +X 32768\n", "2^27 in all")
     case("bomb", start + b"\n-Y 8192 +X 16384\n" + bytes(64), "is at most 1024 times its file")
     case("jpeg", b"\xff\xd8\xff\xe0", "is neither an EXR nor a Radiance HDR image")
-    return found
+    return actual
 
 
 Values = dict[str, np.ndarray]
@@ -147,14 +147,14 @@ def _box(left: int, top: int, right: int, bottom: int) -> tuple[np.ndarray, np.n
 
 
 def _exr_cases(folder: Path) -> list[Case]:
-    found: list[Case] = []
+    actual: list[Case] = []
     texels = picture()
 
     def case(name: str, write: Callable[[Path], None], expected: np.ndarray | str) -> None:
         path = folder / f"{name}.exr"
         write(path)
         text = isinstance(expected, str)
-        found.append(Case(path, message=expected) if text else Case(path, expected))
+        actual.append(Case(path, message=expected) if text else Case(path, expected))
 
     def exr(name: str, channels: Values, expected: np.ndarray | str, **header: object) -> None:
         case(name, lambda path: _write(path, channels, **header), expected)
@@ -238,7 +238,7 @@ def _exr_cases(folder: Path) -> list[Case]:
     large = _header(WIDTH, HEIGHT, [("B", 1), ("G", 1), ("R", 1)])
     large = large.replace(struct.pack("<2i", WIDTH - 1, HEIGHT - 1), struct.pack("<2i", 8191, 8191))
     case("bomb", lambda path: path.write_bytes(large + bytes(64)), "is at most 1024 times its file")
-    return found
+    return actual
 
 
 def _tiles(size: int) -> OpenEXR.TileDescription:

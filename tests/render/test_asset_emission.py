@@ -32,8 +32,8 @@ def plate(**changes) -> GlowingSurface:
 
 def test_emission_is_seen_and_scaled_by_the_instance():
     camera = at_point((0, 0, 0))
-    found = seen(shoot([(plate(), {"scale": 0.5})], camera=camera, samples=1))
-    np.testing.assert_allclose(found.mean, GLOW, rtol=1e-6)
+    actual = seen(shoot([(plate(), {"scale": 0.5})], camera=camera, samples=1))
+    np.testing.assert_allclose(actual.mean, GLOW, rtol=1e-6)
     channels = shoot([(plate(), {})], camera=camera, samples=1)
     assert (channels["A"] == 1).all() and (channels["assetId"] == 1).all()
 
@@ -45,8 +45,8 @@ def test_a_glowing_plate_lights_the_ground_as_the_analytic_rectangle(h, way):
     objects = [(floor, {}), (plate(one_sided=True), upside_down(h))]
     samples = 64 if way == "rays" else 16
     settings = {"camera": at_point((0, 0, 0), (0.3, 0.2, 2.0)), "max_depth": 1}
-    found = seen(shoot(objects, (), way, samples=samples, **settings))
-    assert_is(found, GLOW * parallel_rectangle(1, 1, h), relative=0.01)
+    actual = seen(shoot(objects, (), way, samples=samples, **settings))
+    assert_is(actual, GLOW * parallel_rectangle(1, 1, h), relative=0.01)
 
 
 @pytest.mark.parametrize("way", WAYS)
@@ -73,11 +73,11 @@ def test_a_glowing_furnace(way):
     shell = GlowingSurface(inside(flat(sphere(2, radius=3.0))), albedo=BLACK, one_sided=True)
     body = flat(sphere(2, radius=0.5))
     ball = LambertAsset(body, albedo=WHITE)
-    own = GlowingSurface(body, albedo=WHITE, glow=tuple(GLOW))
+    asset = GlowingSurface(body, albedo=WHITE, glow=tuple(GLOW))
     settings = {"camera": at_point((0, 0.45, 0), (0.3, 0.8, 1.8)), "samples": 48, "max_depth": 2}
-    for scene_object, extra in ((ball, 0), (own, GLOW)):
-        found = seen(shoot([(scene_object, {}), (shell, {})], (), way, **settings))
-        assert_is(found, 1 + extra, relative=0.01)
+    for scene_object, extra in ((ball, 0), (asset, GLOW)):
+        actual = seen(shoot([(scene_object, {}), (shell, {})], (), way, **settings))
+        assert_is(actual, 1 + extra, relative=0.01)
 
 
 @pytest.mark.parametrize("way", ["both", "rays"])
@@ -93,12 +93,12 @@ def test_glowing_strands_light_what_is_beside_them(way):
     floor = made_of(square(3.0))
     samples = 400
     settings = {"camera": at_point((0, 0, 0), (0.3, 0.4, 2.0)), "max_depth": 1}
-    found = seen(shoot([(floor, {}), (strand, {})], (), way, samples=samples, **settings))
+    actual = seen(shoot([(floor, {}), (strand, {})], (), way, samples=samples, **settings))
     s = (np.arange(2000) + 0.5) / 1000 - 1
     angle = np.arcsin(r * s / height)
     width = np.gradient(angle)
     irradiance = np.sum((1 - s**2) * np.cos(angle) * width) * np.pi / 2
-    assert_is(found, GLOW * irradiance / np.pi, relative=0.03)
+    assert_is(actual, GLOW * irradiance / np.pi, relative=0.03)
 
 
 def test_a_package_without_emission_is_no_light():
@@ -179,8 +179,8 @@ def test_what_lets_light_through_sends_out_less():
         square(1.0), albedo=BLACK, glow=tuple(GLOW), transmittance_records=(Record(0, 2, texels),)
     )
     camera = at_point((0, 0, 0))
-    found = seen(shoot([(thin, {})], [SKY], camera=camera, samples=512))
-    assert_is(found, 0.4 * GLOW + 0.6, relative=0.02)
+    actual = seen(shoot([(thin, {})], [SKY], camera=camera, samples=512))
+    assert_is(actual, 0.4 * GLOW + 0.6, relative=0.02)
     floor = made_of(square(50.0))
     settings = {"camera": at_point((0, 0, 0), (0.3, 0.2, 2.0)), "max_depth": 1}
     for way in WAYS:
@@ -204,9 +204,9 @@ def test_parts_are_each_evaluated_with_their_own():
     for z in (0, 2):
         for x, expected in ((0, (1, 0, 0)), (1, (0, 1, 1)), (-1, (np.pi, np.pi / 2, 0.25))):
             camera = at_point((x, 0.1 * (x < 0), z), (x, 3.0, z + 1e-3))
-            found = seen(shoot(objects, [sun], camera=camera, samples=16))
+            actual = seen(shoot(objects, [sun], camera=camera, samples=16))
             # The plates light the strand by 0.006, 0.011 and 0.0005.
-            np.testing.assert_allclose(found.mean, expected, atol=0.015)
+            np.testing.assert_allclose(actual.mean, expected, atol=0.015)
 
 
 def test_brightness_of_what_it_lights_does_not_depend_on_the_way():

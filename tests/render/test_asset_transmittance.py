@@ -34,8 +34,8 @@ def test_a_pane_is_seen_and_seen_through():
     """The sun passes the pane, is scattered by the ground, and passes it once more."""
     objects = [(made_of(square(5.0)), {}), (window(3.0, 1.0), {})]
     camera = at_point((0.1, 1, 0.1), (0.2, 3.0, 0.3))
-    found = seen(shoot(objects, [SUN], camera=camera, samples=1024, max_depth=1))
-    assert_is(found, (1 - TAU) * ALBEDO + TAU * TAU, relative=0.02)
+    actual = seen(shoot(objects, [SUN], camera=camera, samples=1024, max_depth=1))
+    assert_is(actual, (1 - TAU) * ALBEDO + TAU * TAU, relative=0.02)
 
 
 @pytest.mark.parametrize("way", WAYS)
@@ -46,9 +46,9 @@ def test_light_of_a_lamp_is_weakened_by_each_pane(way):
     camera = {"camera": at_point((0, 0, 0), (0.3, 0.2, 2.0)), "max_depth": 1}
     panes = [(window(20.0, 1.0, **black), {}), (window(20.0, 2.0, **black), {})]
     samples = 200 if way == "rays" else 48
-    found = seen(shoot([(made_of(square(30.0)), {}), *panes], [lamp], way, samples=samples,
+    actual = seen(shoot([(made_of(square(30.0)), {}), *panes], [lamp], way, samples=samples,
                        **camera))  # fmt: skip
-    assert_is(found, TAU * TAU * 1.5**2 / 4**2, relative=0.02)
+    assert_is(actual, TAU * TAU * 1.5**2 / 4**2, relative=0.02)
 
 
 @pytest.mark.parametrize("kind", ["surface", "fiber"])
@@ -68,9 +68,9 @@ def test_its_own_light_is_mixed_of_both_colours(kind):
         visible = np.array([1.0, 0.5, 1 / (4 * np.pi)])
     camera = {"camera": at_point(x, (0.0, 0.4, 3.0)), "max_depth": 1, "samples": 1}
     asset = Composite((part, window(2.0, 0.6)))
-    found = seen(shoot([(asset, {})], [SUN], **camera))
+    actual = seen(shoot([(asset, {})], [SUN], **camera))
     expected = np.pi * (TAU * visible + (1 - TAU) * np.float64(shadowed))
-    np.testing.assert_allclose(found.mean, expected, rtol=0.003)
+    np.testing.assert_allclose(actual.mean, expected, rtol=0.003)
     channels = shoot([(asset, {})], [SUN], **camera)
     np.testing.assert_allclose(channels["visibility"], TAU.mean(), rtol=1e-5)
 
@@ -195,9 +195,9 @@ def test_a_pane_weakens_light_behind_its_smooth_surface():
         scene = PartsScene([bulged(glass.mesh)], [table])
         at = scene.points(0, count.astype(np.int32), count + 0.6, count + 0.3, wi)
         assert at.n[0] @ wi[0] < 0 < at.ng[0] @ wi[0] and at.n[3] @ wi[3] > 0 > at.ng[3] @ wi[3]
-        found = scene.visible(0, at, wi)
+        actual = scene.visible(0, at, wi)
         expected = [blocks if v is TAU else v for v in directions.values()]
-        for ours, v in zip(found, expected, strict=True):
+        for ours, v in zip(actual, expected, strict=True):
             np.testing.assert_allclose(ours, v, rtol=1e-6)
 
 

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from rna_render.command import compilation
-from rna_render.command.compilation import compilations_told
+from rna_render.command.compilation import compilations_reported
 from rna_render.command.compile_ahead import compiling_ahead
 from rna_sdk import compiled as compiled_module
 from rna_sdk.compiled import watched_compilations
@@ -49,17 +49,17 @@ def test_a_count_and_a_time_are_told(
 ) -> None:
     monkeypatch.setattr(compilation, "_APART", -1.0)
     monkeypatch.setattr(compilation, "core_count", lambda: 1)
-    with compilations_told():
+    with compilations_reported():
         compile_so_many(25)
-    told = capsys.readouterr().err
+    output = capsys.readouterr().err
     assert (
-        told
+        output
         == "compiling kernels, once: 10\ncompiled 25 kernels in 0 s; the next start finds them\n"
     )
 
 
 def test_few_are_not_worth_a_line(capsys: pytest.CaptureFixture[str]) -> None:
-    with compilations_told():
+    with compilations_reported():
         compile_so_many(9)
     assert capsys.readouterr().err == ""
 
@@ -89,6 +89,6 @@ def test_the_renderers_kernels_are_compiled_ahead(
 
     monkeypatch.setattr(compilation, "compiling_ahead", ahead)
     monkeypatch.setattr(compilation, "core_count", lambda: 2)
-    with compilations_told():
+    with compilations_reported():
         compile_so_many(30)
     assert started == [1]

@@ -60,17 +60,17 @@ def test_closest_hits_are_those_of_the_exact_twin(spread):
     hits = scene_of(curves).intersect(origins, directions)
     exact = entries(curves, origins, directions)
     t = exact.min(axis=1)
-    found = hits.primitive >= 0
-    assert np.sum(found != np.isfinite(t)) <= 1  # one that grazes may fall to either side
-    rows = np.flatnonzero(found & np.isfinite(t))
+    actual = hits.primitive >= 0
+    assert np.sum(actual != np.isfinite(t)) <= 1  # one that grazes may fall to either side
+    rows = np.flatnonzero(actual & np.isfinite(t))
     assert 0.5 < len(rows) / len(t) < 1.0
     np.testing.assert_allclose(hits.t[rows], t[rows], atol=1e-5)
     assert np.mean(hits.primitive[rows] == exact[rows].argmin(axis=1)) > 0.99  # joints are of both
     np.testing.assert_allclose(np.linalg.norm(hits.ng[rows], axis=1), 1, atol=1e-6)
     assert (np.sum(hits.ng[rows] * directions[rows], axis=1) <= 1e-3).all()
-    assert (hits.ng[~found] == 0).all() and (hits.t[~found] == np.inf).all()
+    assert (hits.ng[~actual] == 0).all() and (hits.t[~actual] == np.inf).all()
     scene = scene_of(curves)
-    np.testing.assert_array_equal(scene.occluded(origins, directions), found)
+    np.testing.assert_array_equal(scene.occluded(origins, directions), actual)
 
 
 def test_a_strand_has_no_caps_inside():

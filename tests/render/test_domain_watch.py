@@ -47,8 +47,8 @@ def test_queries_outside_are_counted_and_answered(tmp_path: Path) -> None:
     wo, wi = rows(FRONT, FRONT, UP, UP), rows(UP, DOWN, DOWN, UP)
     points = np.zeros((4, 3), np.float32), rows(UP, UP, UP, UP), wo, wi
     (part,) = watch.parts
-    for found, expected in zip(part.evaluate(*points), asset.evaluate(*points), strict=True):
-        np.testing.assert_array_equal(found, expected)
+    for actual, expected in zip(part.evaluate(*points), asset.evaluate(*points), strict=True):
+        np.testing.assert_array_equal(actual, expected)
     assert watch.complaint() == (
         "a.rna: 75.0% of the queries are outside the directions that it was trained for "
         "(views 50.0%, lights 50.0%)"
@@ -84,9 +84,11 @@ def test_the_command_warns_of_lights_outside(
     (tmp_path / "scene.yaml").write_text(SCENE.replace("DIRECTION", direction))
     with tqdm(total=1):  # the bar of something else in this process
         assert main([str(tmp_path / "scene.yaml"), "--out", str(tmp_path / "out.exr")]) == 0
-    told = [line for line in capsys.readouterr().err.splitlines() if line.startswith("warning")]
+    warnings_said = [
+        line for line in capsys.readouterr().err.splitlines() if line.startswith("warning")
+    ]
     expected = [
         "warning: ball.rna: 100.0% of the queries are outside the directions that it was trained "
         "for (views 0.0%, lights 100.0%)"
     ]
-    assert told == (expected if warns else [])
+    assert warnings_said == (expected if warns else [])

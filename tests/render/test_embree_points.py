@@ -24,7 +24,7 @@ def test_spheres(start):
     target = center + 0.9 * unit_vectors(rng, 20_000)
     d = target - origins
     d = (d / np.linalg.norm(d, axis=1, keepdims=True)).astype(np.float32)
-    found = hits(SphereScene(center, radius), origins, d)
+    actual = hits(SphereScene(center, radius), origins, d)
 
     offset, d64 = (center - origins).astype(np.float64), d.astype(np.float64)
     along = np.sum(offset * d64, axis=1)
@@ -34,12 +34,12 @@ def test_spheres(start):
     expected = np.where(near > 0, near, far)
     clear = np.abs(discriminant) > 1e-3
     hit = (discriminant > 0) & (far > 0)
-    np.testing.assert_array_equal((found.geometry >= 0)[clear], hit[clear])
+    np.testing.assert_array_equal((actual.geometry >= 0)[clear], hit[clear])
     both = clear & hit
-    np.testing.assert_allclose(found.t[both], expected[both], rtol=1e-4)
+    np.testing.assert_allclose(actual.t[both], expected[both], rtol=1e-4)
     normals = (origins + expected[:, None] * d64 - center) / 0.7
-    np.testing.assert_allclose(found.ng[both], normals[both], atol=1e-3)
-    assert (found.u == 0).all() and (found.v == 0).all()
+    np.testing.assert_allclose(actual.ng[both], normals[both], atol=1e-3)
+    assert (actual.u == 0).all() and (actual.v == 0).all()
 
 
 def test_discs_from_both_sides():
@@ -49,25 +49,25 @@ def test_discs_from_both_sides():
     origins = (3 * unit_vectors(rng, 20_000)).astype(np.float32)
     d = center + unit_vectors(rng, 20_000) * np.float32(0.8) - origins
     d = (d / np.linalg.norm(d, axis=1, keepdims=True)).astype(np.float32)
-    found = hits(scene, origins, d)
+    actual = hits(scene, origins, d)
     n = np.array([0, 0.6, 0.8])
     t = ((center - origins) @ n) / (d @ n)
     distance = np.linalg.norm(origins + t[:, None] * d - center, axis=1)
     clear = np.abs(distance - 0.7) > 1e-3
     hit = (distance < 0.7) & (t > 0)
-    np.testing.assert_array_equal((found.geometry >= 0)[clear], hit[clear])
+    np.testing.assert_array_equal((actual.geometry >= 0)[clear], hit[clear])
     both = clear & hit
     assert 0.2 < both.mean() < 0.8
-    np.testing.assert_allclose(found.t[both], t[both], rtol=1e-4)
-    np.testing.assert_allclose(found.ng[both], np.tile(n, (both.sum(), 1)), atol=1e-6)
+    np.testing.assert_allclose(actual.t[both], t[both], rtol=1e-4)
+    np.testing.assert_allclose(actual.ng[both], np.tile(n, (both.sum(), 1)), atol=1e-6)
 
 
 def test_several_are_told_apart_and_none_are_legal():
     centers = np.float32([[0, 0, 0], [0, 0, 5]])
     scene = SphereScene(centers, np.float32([1, 2]))
     ray = np.float32([[0, 0, 10], [0, 0, -10]]), np.float32([[0, 0, -1], [0, 0, 1]])
-    found = hits(scene, *ray)
-    assert found.primitive.tolist() == [1, 0] and found.t.tolist() == pytest.approx([3, 9])
+    actual = hits(scene, *ray)
+    assert actual.primitive.tolist() == [1, 0] and actual.t.tolist() == pytest.approx([3, 9])
     assert scene.extent == 7
     none = np.zeros((0, 3), np.float32)
     for scene in (SphereScene(none, none[:, 0]), DiscScene(none, none, none[:, 0])):

@@ -70,8 +70,8 @@ def test_visibility_is_that_of_the_exact_twin(strands, spread):
     wi = unit_vectors(np.random.default_rng(2), len(points))
     scene = scene_of(curves)
     strand = np.repeat(np.arange(strands), 19)
-    own = strand == strand[segment][:, None]
-    blocked = (np.isfinite(entries(curves, points, wi)) & ~own).any(axis=1)
+    same_strand = strand == strand[segment][:, None]
+    blocked = (np.isfinite(entries(curves, points, wi)) & ~same_strand).any(axis=1)
     assert 0.1 < blocked.mean() < 0.9
     disagreements = np.sum(visible(scene, points, segment, wi) == blocked)
     assert disagreements <= 1  # rays that graze

@@ -98,8 +98,8 @@ def test_large_transforms_of_large_coordinates(wrap, tmp_path):
     """What is within the limits is looked up within the image."""
     path = transformed(tmp_path, wrap, GLTF_UVS * np.float32(1e17), scale=[1e18, -1e18])
     at = np.zeros(50, np.int32), np.linspace(0, 1, 50).astype(np.float32), np.zeros(50, np.float32)
-    found = read(path).scattering(*at).base_color
-    assert (found >= 0).all() and (found <= 1).all()
+    actual = read(path).scattering(*at).base_color
+    assert (actual >= 0).all() and (actual <= 1).all()
 
 
 @pytest.mark.parametrize("value", HUGE[:4])

@@ -45,10 +45,10 @@ def test_a_scene_without_light_has_none():
 
 
 def test_scenes_have_one_unless_they_say_null():
-    told = {"ground": {}, "camera": CAMERA, "lights": [SKY]}
-    assert Scene.model_validate(told).clamp_indirect == "auto"
-    assert Scene.model_validate(told | {"clamp_indirect": None}).clamp_indirect is None
-    assert Scene.model_validate(told | {"clamp_indirect": 2}).clamp_indirect == 2.0
+    scene = {"ground": {}, "camera": CAMERA, "lights": [SKY]}
+    assert Scene.model_validate(scene).clamp_indirect == "auto"
+    assert Scene.model_validate(scene | {"clamp_indirect": None}).clamp_indirect is None
+    assert Scene.model_validate(scene | {"clamp_indirect": 2}).clamp_indirect == 2.0
 
 
 def test_there_are_no_specks(tmp_path: Path) -> None:

@@ -63,7 +63,7 @@ def test_a_ray_passes_through_its_own_instance_and_no_other():
     instance = np.int32([0, 0, 1, 1])
     origins = np.float32([[0, 0, 0], [0, 0, 0], [0, 2, 0], [0, 2, 0]])
     directions = np.float32([[0, 1, 0], [0, -1, 0], [0, 1, 0], [0, -1, 0]])
-    blocked = scene.occluded(origins, directions, own=instance)
+    blocked = scene.occluded(origins, directions, start_instance=instance)
     assert blocked.tolist() == [True, False, False, True]
     near = scene.occluded(origins, directions, np.float32([1.5, 9, 9, 0.5]), instance)
     assert near.tolist() == [False] * 4
@@ -79,15 +79,15 @@ def test_two_copies_of_one_scene_block_one_another_many_times_over():
     rng = np.random.default_rng(4)
     origins = (0.1 * unit_vectors(rng, 2000)).astype(np.float32)
     up = np.tile(np.float32([0, 1, 0]), (2000, 1))
-    own = np.zeros(2000, np.int32)
-    assert scene.occluded(origins, up, own=own).all()
-    assert not scene.occluded(origins, -up, own=own).any()
+    start_instance = np.zeros(2000, np.int32)
+    assert scene.occluded(origins, up, start_instance=start_instance).all()
+    assert not scene.occluded(origins, -up, start_instance=start_instance).any()
 
 
 def test_one_instance_has_no_others():
     scene = InstanceScene([Instance(scene_of(square()), np.eye(4))])
     ray = np.float32([[0, -1, 0]]), np.float32([[0, 1, 0]])
-    assert scene.occluded(*ray, own=np.int32([0])).tolist() == [False]
+    assert scene.occluded(*ray, start_instance=np.int32([0])).tolist() == [False]
 
 
 @pytest.mark.parametrize("mask_bits", [0, 3])
@@ -103,7 +103,7 @@ def test_what_rays_pass_through_does_not_depend_on_how_they_are_told(monkeypatch
         ]
     )
     up = np.float32([[0, 1, 0]])
-    for own, rays, owner in (
+    for start_instance, rays, owner in (
         (None, ALL_RAYS, 2),
         ([0], CAMERA_RAY, 1),
         ([1], INDIRECT_RAY, 0),
@@ -111,8 +111,8 @@ def test_what_rays_pass_through_does_not_depend_on_how_they_are_told(monkeypatch
         ([2], SHADOW_RAY, -1),
     ):
         start = np.float32([[0.25, 1.5 if owner in (2, -1) else 0, 0]])
-        passed = None if own is None else np.int32(own)
+        passed = None if start_instance is None else np.int32(start_instance)
         hits = scene.intersect(start, up, passed, rays)
-        assert hits.instance.tolist() == [owner], (own, rays)
-    blocked = scene.occluded(np.float32([[0.25, 1.5, 0]]), up, own=np.int32([2]))
+        assert hits.instance.tolist() == [owner], (start_instance, rays)
+    blocked = scene.occluded(np.float32([[0.25, 1.5, 0]]), up, start_instance=np.int32([2]))
     assert blocked.tolist() == [False]

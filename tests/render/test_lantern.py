@@ -104,10 +104,10 @@ def test_lookups_are_those_of_the_sdk(tmp_path):
     row = np.flatnonzero(hits.geometry == 0)
     triangle, u, v = hits.primitive[row], hits.u[row], hits.v[row]
     expected = transmittance(mesh, records, triangle, u, v, d[row])
-    found = scene.hit_transmittance(hits, d)
-    assert (found[hits.geometry < 0] == 1).all()
+    actual = scene.hit_transmittance(hits, d)
+    assert (actual[hits.geometry < 0] == 1).all()
     assert set(np.unique(expected[triangle < 2])) == {0, 1}
     for side in (True, False):  # of glass; beyond the critical angle it reflects all
         of_glass = expected[(triangle == 3) & (inside[row, 0] == side)]
         assert len(np.unique(of_glass)) > 100 and (of_glass == 0).any() == side
-    assert np.mean(np.abs(found[row] - expected).max(axis=1) < 1e-5) > 0.999  # cutoffs fall over
+    assert np.mean(np.abs(actual[row] - expected).max(axis=1) < 1e-5) > 0.999  # cutoffs fall over

@@ -102,8 +102,8 @@ def test_a_lamp_stands_in_the_way_of_other_light(visible):
     settings = {"camera": at_point((0, 0, 0)), "max_depth": 1, "samples": 2}
     assert (seen(shoot([(floor, {})], [SUN, lamp], **settings)).mean == 0).all()
     beside = {**settings, "camera": at_point((1.5, 0, 0))}
-    found = seen(shoot([(floor, {})], [SUN, lamp], **beside))
-    np.testing.assert_allclose(found.mean, np.array(WHITE) / np.pi, rtol=1e-5)
+    actual = seen(shoot([(floor, {})], [SUN, lamp], **beside))
+    np.testing.assert_allclose(actual.mean, np.array(WHITE) / np.pi, rtol=1e-5)
 
 
 def test_the_back_of_a_disk_is_dark():

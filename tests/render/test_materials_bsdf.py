@@ -134,12 +134,12 @@ def test_metal_and_black_coat_are_those_of_gltf(alpha, metallic):
     coat = surface * (f0 + (1 - f0) * s)
     expected = metallic * metal + (1 - metallic) * coat
     material = {"base": base, "metallic": metallic, "coat_f0": f0}
-    found = evaluate(material, wo, wi, alpha).astype(np.float64) / wi[:, 2:]
+    actual = evaluate(material, wo, wi, alpha).astype(np.float64) / wi[:, 2:]
     # Blue is black, so its dielectric is the coat alone; red and green have the diffuse part too.
     # What float32 directions make of so narrow a lobe.
     rtol = 2e-3 if alpha < 0.01 else 1e-4
-    np.testing.assert_allclose(found[:, 2], expected[:, 2], rtol=rtol, atol=1e-9)
-    diffuse = found - expected
+    np.testing.assert_allclose(actual[:, 2], expected[:, 2], rtol=rtol, atol=1e-9)
+    diffuse = actual - expected
     limit = rtol * expected[:, :2] + 1e-4
     assert (diffuse[:, :2] >= -limit).all()
     if metallic == 1:
@@ -183,9 +183,9 @@ def test_table_of_albedos_is_the_integral(alpha, cosine):
 
 
 def test_table_of_albedos_is_that_of_its_quadrature():
-    found = np.empty((TABLE_SIZE, TABLE_SIZE, 2))
-    fill_albedo(found)
-    np.testing.assert_allclose(ALBEDO_TABLE, found, atol=1e-6)
+    actual = np.empty((TABLE_SIZE, TABLE_SIZE, 2))
+    fill_albedo(actual)
+    np.testing.assert_allclose(ALBEDO_TABLE, actual, atol=1e-6)
 
 
 @pytest.mark.parametrize("material", [*MATERIALS, DIAMOND])
@@ -209,13 +209,13 @@ def test_white_furnace(alpha, cosine):
     # The roughest surface loses 69 % of the light along its normal: one bounce is all there is.
     assert albedo(WHITE_METAL, alpha, cosine).min() > (0.94 if alpha <= 0.01 else 0.3)
     for material in (GOLD, PAINT, HALF_METAL):
-        found = albedo(material, alpha, cosine)
-        assert (found > 0).all() and found.max() <= 1 + 1e-3
+        actual = albedo(material, alpha, cosine)
+        assert (actual > 0).all() and actual.max() <= 1 + 1e-3
 
 
 def test_lambert_is_its_color():
-    found = albedo(LAMBERT, 0.3, 0.5)
-    np.testing.assert_allclose(found, LAMBERT["base"], rtol=1e-5)
+    actual = albedo(LAMBERT, 0.3, 0.5)
+    np.testing.assert_allclose(actual, LAMBERT["base"], rtol=1e-5)
     wo, wi = at_angle(0.2, 1), at_angle(0.9, 1)
     expected = np.array(LAMBERT["base"]) / np.pi * 0.9
     np.testing.assert_allclose(evaluate(LAMBERT, wo, wi)[0], expected, rtol=1e-5)
@@ -328,8 +328,8 @@ def test_odd_input_gives_finite_numbers():
             wi, _ = points.sample_and_pdf(n, ng, wo, np.full((len(n), 3), value))
             np.testing.assert_allclose(np.linalg.norm(wi, axis=1), 1, atol=1e-6)
             for direction in (wi, -wo, wo, n):
-                for found in points.evaluate_and_pdf(n, ng, wo, direction):
-                    assert np.isfinite(found).all()
+                for actual in points.evaluate_and_pdf(n, ng, wo, direction):
+                    assert np.isfinite(actual).all()
 
 
 def test_points_are_on_their_own():

@@ -75,8 +75,8 @@ def test_holes_are_where_the_image_has_them(tmp_path):
         # Triangle 0 is (0,0) (1,0) (1,1), triangle 1 (0,0) (1,1) (0,1).
         where = (0, x - y, y) if x > y else (1, x, y - x)
         at = np.int32([where[0]]), np.float32([where[1]]), np.float32([where[2]])
-        found = mesh.transmittance.at(*at, -TOWARDS, np.ones(1, bool))
-        assert (found == expected).all(), (x, y)
+        actual = mesh.transmittance.at(*at, -TOWARDS, np.ones(1, bool))
+        assert (actual == expected).all(), (x, y)
 
 
 def test_second_coordinates_and_transforms(tmp_path):
@@ -104,14 +104,14 @@ def test_relief_leans_towards_u_and_up_the_image(tmp_path):
     given = material(tmp_path, tangents=np.tile([1, 0, 0, 1], (4, 1)), **data)
     for mesh in (derived, given):
         for wo in (TOWARDS, -TOWARDS):
-            found = mesh.shading_normals(*CENTRE, TOWARDS, wo)
-            np.testing.assert_allclose(found[0], expected, atol=1e-5)
+            actual = mesh.shading_normals(*CENTRE, TOWARDS, wo)
+            np.testing.assert_allclose(actual[0], expected, atol=1e-5)
     mirrored = material(tmp_path, uvs=GLTF_UVS * (-1, 1), **data)
-    found = mirrored.shading_normals(*CENTRE, TOWARDS, TOWARDS)
-    np.testing.assert_allclose(found[0], expected * (-1, 1, 1), atol=1e-5)
+    actual = mirrored.shading_normals(*CENTRE, TOWARDS, TOWARDS)
+    np.testing.assert_allclose(actual[0], expected * (-1, 1, 1), atol=1e-5)
     turned = material(tmp_path, tangents=np.tile([0, 1, 0, -1], (4, 1)), **data)
-    found = turned.shading_normals(*CENTRE, TOWARDS, TOWARDS)
-    np.testing.assert_allclose(found[0], expected[[1, 0, 2]], atol=1e-5)
+    actual = turned.shading_normals(*CENTRE, TOWARDS, TOWARDS)
+    np.testing.assert_allclose(actual[0], expected[[1, 0, 2]], atol=1e-5)
 
 
 def test_relief_mirrors_nothing_from_inside():
@@ -125,9 +125,9 @@ def test_relief_mirrors_nothing_from_inside():
     corners = np.float32([[0, 0, 0], [1, 0, 0], [0, 1, 0]])
     mesh = corners, corners[:, :2].copy(), None, np.uint32([[0, 1, 2]])
     hits = np.zeros(m, np.int32), np.zeros(m, np.float32), np.zeros(m, np.float32)
-    found = bumped_normals(texture, 1.0, mesh, hits, n, ng, wo).astype(np.float64)
-    np.testing.assert_allclose(np.linalg.norm(found, axis=1), 1, atol=1e-5)
-    mirror = 2 * np.sum(found * wo, axis=1)[:, None] * found - wo
+    actual = bumped_normals(texture, 1.0, mesh, hits, n, ng, wo).astype(np.float64)
+    np.testing.assert_allclose(np.linalg.norm(actual, axis=1), 1, atol=1e-5)
+    mirror = 2 * np.sum(actual * wo, axis=1)[:, None] * actual - wo
     side = np.sum(ng * wo, axis=1)
     above = np.sum(ng * mirror, axis=1) * np.sign(side)
     assert (above > np.minimum(0.8 * abs(side), 0.008)).all()
@@ -161,7 +161,7 @@ def test_thin_glass(tmp_path):
     expected = 0.5 * 0.4 * 0.5 * np.array([0.8, 0.6, 0.4]) * (1 - 1 / 9)
     np.testing.assert_allclose(tau(mesh), expected, atol=0.5 / 255)
     np.testing.assert_allclose(mesh.scattering(*CENTRE).weights, [[1, 0.8]], rtol=1e-6)
-    share = mesh.own_share(*CENTRE, TOWARDS, TOWARDS)
+    share = mesh.base_share(*CENTRE, TOWARDS, TOWARDS)
     np.testing.assert_allclose(share[0], 1 - tau(mesh), rtol=1e-6)
     opaque = replace(mesh, materials=(replace(mesh.materials[0], transmission=0.0),))
-    assert opaque.own_share(*CENTRE, TOWARDS, TOWARDS) is None
+    assert opaque.base_share(*CENTRE, TOWARDS, TOWARDS) is None

@@ -37,9 +37,9 @@ def test_white_furnace(cosine):
         (WHITE_COATED, 0.97),
         (METAL | {"base": (1, 1, 1)}, 0.7),
     ):
-        found, error = albedo(material, cosine)
-        assert (found < 1 + 4 * error + 2e-3).all()
-        assert (found > least - 4 * error).all()
+        actual, error = albedo(material, cosine)
+        assert (actual < 1 + 4 * error + 2e-3).all()
+        assert (actual > least - 4 * error).all()
 
 
 def test_a_clear_coat_alone_is_a_dielectric_of_index_1_5():
@@ -66,8 +66,8 @@ def test_weights_are_of_coat_and_diffuse_part():
     white, black = {"base": (1, 1, 1), "coat_f0": 0.04}, {"base": (0, 0, 0), "coat_f0": 0.04}
     np.testing.assert_allclose(evaluate(**black, coat_weight=0.3), 0.3 * evaluate(**black), 1e-5)
     diffuse = evaluate(**white) - evaluate(**black)
-    found = evaluate(**white, diffuse=0.4) - evaluate(**black)
-    np.testing.assert_allclose(found, 0.4 * diffuse, atol=2e-6)
+    actual = evaluate(**white, diffuse=0.4) - evaluate(**black)
+    np.testing.assert_allclose(actual, 0.4 * diffuse, atol=2e-6)
     lambert = evaluate(**white, coat_weight=0.0)
     np.testing.assert_allclose(lambert, wi[:, 2:] / np.pi * np.ones(3), rtol=1e-5)
 

@@ -52,8 +52,8 @@ def test_texel_centres_give_texels():
     texture = Texture(TEXELS, LINEAR)
     for row in range(2):
         for column in range(3):
-            found = texture.lookup(np.float32([[(column + 0.5) / 3, (row + 0.5) / 2]]))
-            np.testing.assert_allclose(found[0] * 255, TEXELS[row, column], atol=1e-4)
+            actual = texture.lookup(np.float32([[(column + 0.5) / 3, (row + 0.5) / 2]]))
+            np.testing.assert_allclose(actual[0] * 255, TEXELS[row, column], atol=1e-4)
 
 
 def test_between_centres_is_bilinear():
@@ -155,13 +155,19 @@ def test_scattering_gathers_factors():
     first = Material((0.1, 0.2, 0.3), 1.0, 0.5, 0.0, (1, 0, 0))
     second = Material((0.4, 0.5, 0.6), 0.0, 0.0, 0.04)
     mesh = square_of(first, second, numbers=(1, 0), uvs=False)
-    found = mesh.scattering(*hits((0, 0.2, 0.3), (1, 0.5, 0.5), (1, 0, 0)))
-    np.testing.assert_allclose(found.base_color, [[0.4, 0.5, 0.6]] + [[0.1, 0.2, 0.3]] * 2)
-    np.testing.assert_allclose(found.alpha, [MIN_ALPHA, 0.25, 0.25])
-    np.testing.assert_allclose(found.metallic, [0, 1, 1])
-    np.testing.assert_allclose(found.coat_f0, [0.04, 0, 0])
-    np.testing.assert_allclose(found.emission, [[0, 0, 0], [1, 0, 0], [1, 0, 0]])
-    for values in (found.base_color, found.alpha, found.metallic, found.coat_f0, found.emission):
+    actual = mesh.scattering(*hits((0, 0.2, 0.3), (1, 0.5, 0.5), (1, 0, 0)))
+    np.testing.assert_allclose(actual.base_color, [[0.4, 0.5, 0.6]] + [[0.1, 0.2, 0.3]] * 2)
+    np.testing.assert_allclose(actual.alpha, [MIN_ALPHA, 0.25, 0.25])
+    np.testing.assert_allclose(actual.metallic, [0, 1, 1])
+    np.testing.assert_allclose(actual.coat_f0, [0.04, 0, 0])
+    np.testing.assert_allclose(actual.emission, [[0, 0, 0], [1, 0, 0], [1, 0, 0]])
+    for values in (
+        actual.base_color,
+        actual.alpha,
+        actual.metallic,
+        actual.coat_f0,
+        actual.emission,
+    ):
         assert values.dtype == np.float32
     nothing = mesh.scattering(np.zeros(0, np.int32), *np.zeros((2, 0), np.float32))
     assert nothing.base_color.shape == (0, 3)
@@ -183,14 +189,14 @@ def test_textures_multiply_factors():
     plain = Material((0.9, 0.9, 0.9))
     mesh = square_of(material, plain, numbers=(0, 1))
     # x = u + v and y = v in the first triangle; the image is upright, so y = 1/4 is its lower row.
-    found = mesh.scattering(*hits((0, 1 / 6, 0), (0, 0.25, 0.25), (1, 0.1, 0.1)))
+    actual = mesh.scattering(*hits((0, 1 / 6, 0), (0, 0.25, 0.25), (1, 0.1, 0.1)))
     lower = mesh.scattering(*hits((0, 0.25, 0.25)))
     np.testing.assert_allclose(lower.base_color[0] * 255, [0.5 * 40, 90, 7], rtol=1e-5)
     np.testing.assert_allclose(lower.emission[0] * 255, [2 * 40, 4 * 90, 0], rtol=1e-5)
-    np.testing.assert_allclose(found.alpha[0], (0.8 * 128 / 255) ** 2, rtol=1e-5)
-    np.testing.assert_allclose(found.metallic[0], 0.5 * 51 / 255, rtol=1e-5)
-    np.testing.assert_allclose(found.base_color[2], 0.9)
-    np.testing.assert_allclose(found.metallic[2], 0.0)
+    np.testing.assert_allclose(actual.alpha[0], (0.8 * 128 / 255) ** 2, rtol=1e-5)
+    np.testing.assert_allclose(actual.metallic[0], 0.5 * 51 / 255, rtol=1e-5)
+    np.testing.assert_allclose(actual.base_color[2], 0.9)
+    np.testing.assert_allclose(actual.metallic[2], 0.0)
     again = mesh.emission(*hits((0, 0.25, 0.25), (1, 0.1, 0.1)))
     np.testing.assert_allclose(again, [lower.emission[0], [0, 0, 0]])
 
@@ -227,8 +233,8 @@ def test_ground():
     ng = geometric_normals(plane.positions, plane.triangles, np.int32([0, 1]))
     assert ng.tolist() == [[0, 1, 0]] * 2
     np.testing.assert_array_equal(plane.uvs, plane.positions[:, [0, 2]])
-    found = plane.scattering(*hits((0, 0.3, 0.3), (1, 0.3, 0.3)))
-    np.testing.assert_allclose(found.base_color, 0.8)
+    actual = plane.scattering(*hits((0, 0.3, 0.3), (1, 0.3, 0.3)))
+    np.testing.assert_allclose(actual.base_color, 0.8)
     assert not plane.catches_shadows and not plane.is_emissive
     catcher = GroundModel.model_validate({"material": {"type": "shadow_catcher"}})
     assert ground(catcher).catches_shadows

@@ -41,15 +41,15 @@ def read(path, material=None) -> MeshObject:
 
 def colours_at_corners(mesh) -> dict[tuple[float, ...], list[float]]:
     """Colour close to each corner of the square, by its position."""
-    found = {}
+    actual = {}
     for number, triangle in enumerate(mesh.triangles):
         for corner in range(3):
             weights = np.full(3, 0.05)
             weights[corner] = 0.9
             at = (np.int32([number]), np.float32(weights[1:2]), np.float32(weights[2:]))
             color = mesh.scattering(*at).base_color[0]
-            found[tuple(mesh.positions[triangle[corner]].tolist())] = np.round(color).tolist()
-    return found
+            actual[tuple(mesh.positions[triangle[corner]].tolist())] = np.round(color).tolist()
+    return actual
 
 
 UPRIGHT = {
@@ -133,8 +133,8 @@ def assert_is_the_ball(mesh, smooth=True):
     centres = mesh.positions[mesh.triangles].mean(axis=1)
     assert (np.sum(ng * centres, axis=1) > 0.9).all()
     expected = mesh.positions if smooth else np.repeat(ng, 3, axis=0)
-    found = mesh.normals if smooth else mesh.normals[mesh.triangles.ravel()]
-    np.testing.assert_allclose(found, expected, atol=2e-2 if smooth else 1e-5)
+    actual = mesh.normals if smooth else mesh.normals[mesh.triangles.ravel()]
+    np.testing.assert_allclose(actual, expected, atol=2e-2 if smooth else 1e-5)
     for array, dtype in ((mesh.positions, "float32"), (mesh.triangles, "uint32")):
         assert array.dtype == dtype and array.flags.c_contiguous
 
@@ -516,11 +516,11 @@ def test_a_real_gltf_file(data_folder):
     assert np.ptp(mesh.positions, axis=0) == pytest.approx([0.3666, 0.716, 0.3716], abs=1e-3)
     every = np.arange(len(mesh.triangles), dtype=np.int32)
     third = np.full(len(every), 1 / 3, np.float32)
-    found = mesh.scattering(every, third, third)
+    actual = mesh.scattering(every, third, third)
     ng = geometric_normals(mesh.positions, mesh.triangles, every)
     n = mesh.normals[mesh.triangles].sum(axis=1)
     assert (np.sum(n * ng, axis=1) > 0).mean() > 0.99
-    for values in (found.base_color, found.alpha, found.metallic):
+    for values in (actual.base_color, actual.alpha, actual.metallic):
         assert (values >= 0).all() and (values <= 1).all() and values.std() > 0.05
     assert not mesh.is_emissive
     # The lenses alone let light through, and its relief follows tangents of its own.

@@ -39,12 +39,12 @@ def test_equals_the_twin() -> None:
     )
     at = hits(rng, mesh, 4000)
     n = interpolate_normals(mesh.normals, mesh.triangles, *at)
-    found = NormalMaps(mesh, maps).at(n, *at)
-    assert np.abs(found - mapped_normals(mesh, maps, *at)).max() < 2e-6
-    assert np.abs(np.linalg.norm(found, axis=1) - 1.0).max() < 1e-6
+    actual = NormalMaps(mesh, maps).at(n, *at)
+    assert np.abs(actual - mapped_normals(mesh, maps, *at)).max() < 2e-6
+    assert np.abs(np.linalg.norm(actual, axis=1) - 1.0).max() < 1e-6
     plain = (at[0] < 3) | ((at[0] >= 20) & (at[0] < 25)) | (at[0] >= 55)
-    assert np.array_equal(found[plain], n[plain])
-    assert np.abs(found - n)[~plain].max(axis=1).mean() > 0.1
+    assert np.array_equal(actual[plain], n[plain])
+    assert np.abs(actual - n)[~plain].max(axis=1).mean() > 0.1
 
 
 @pytest.mark.parametrize("lean", [(40, 0), (0, 40)])
@@ -58,8 +58,8 @@ def test_a_map_leans_along_u_and_against_v(lean: tuple[int, int]) -> None:
     texture += np.uint8(lean)
     scene = PartsScene([mesh], normal_maps=[NormalMaps(mesh, (NormalMap(0, 2, texture),))])
     above = np.float32([[0.3, 0.6, 1.0]])
-    found = scene.intersect(above, np.float32([[0, 0, -1]]))
-    points = scene.points(0, found.primitive, found.u, found.v, found.ng)
+    actual = scene.intersect(above, np.float32([[0, 0, -1]]))
+    points = scene.points(0, actual.primitive, actual.u, actual.v, actual.ng)
     x, y = (k / 127.0 for k in lean)
     assert points.mapped[0] == pytest.approx([x, y, np.sqrt(1 - x * x - y * y)], abs=1e-6)
     assert np.array_equal(points.n, normals[:1])
@@ -68,6 +68,6 @@ def test_a_map_leans_along_u_and_against_v(lean: tuple[int, int]) -> None:
 def test_without_maps_the_normals_are_the_interpolated_ones() -> None:
     ball = sphere(2)
     scene = PartsScene([ball])
-    found = scene.intersect(np.float32([[0, 0, 5]]), np.float32([[0.01, 0, -1]]))
-    points = scene.points(0, found.primitive, found.u, found.v, found.ng)
+    actual = scene.intersect(np.float32([[0, 0, 5]]), np.float32([[0.01, 0, -1]]))
+    points = scene.points(0, actual.primitive, actual.u, actual.v, actual.ng)
     assert np.array_equal(points.mapped, points.n)

@@ -100,17 +100,17 @@ def test_visibility_of_mixed_parts_is_that_of_each_alone_together():
         assert len(row) > 150
         at = (a[row] for a in (hits.primitive, hits.u, hits.v, hits.ng))
         points, towards = scene.points(part, *at), wi[row]
-        found = scene.visible(part, points, towards)
+        actual = scene.visible(part, points, towards)
         enters = np.isfinite(entries(both, points.x, towards))
         if part != 1:
             strand = np.repeat(np.arange(60), 19)
-            own = strand[points.segment + 570 * (part == 2)]
-            enters &= strand != own[:, None]
+            start_strand = strand[points.segment + 570 * (part == 2)]
+            enters &= strand != start_strand[:, None]
             ball_free = ~alone.occluded(points.x, towards)
         else:
             ball_free = alone.visible(0, points, towards)
-        assert np.sum(found != (ball_free & ~enters.any(axis=1))) <= 2  # rays that graze
-        assert 0.1 < found.mean() < 0.9
+        assert np.sum(actual != (ball_free & ~enters.any(axis=1))) <= 2  # rays that graze
+        assert 0.1 < actual.mean() < 0.9
 
 
 @pytest.mark.parametrize("cut", [0, 1])

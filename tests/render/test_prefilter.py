@@ -57,11 +57,11 @@ def lobes(count: int) -> np.ndarray:
 
 def test_means_are_those_of_the_whole_sphere(rest):
     axes = lobes(3000)
-    found = PrefilteredEnvironment(rest).light(
+    actual = PrefilteredEnvironment(rest).light(
         np.ones((3000, 1, 3), np.float32), axes[:, None].astype(np.float32), ANGLE, np.ones(3)
     )
     expected = direct(rest, axes)
-    error = np.abs(found - expected)
+    error = np.abs(actual - expected)
     assert np.sqrt(np.square(error).sum() / np.square(expected).sum()) < 0.01
     assert np.median(error / expected) < 0.005
 
@@ -72,13 +72,13 @@ def test_lobes_add_up_in_their_colours(rest):
     scale = np.array([1.0, 2.0, 0.5])
     one = np.ones((20, 1, 3), np.float32)
     means = np.stack([sky.light(one, axes[:, k : k + 1], ANGLE, scale) for k in range(3)], axis=1)
-    found = sky.light(amplitudes, axes, ANGLE, scale)
-    assert found == pytest.approx((amplitudes * means).sum(axis=1), rel=1e-5)
+    actual = sky.light(amplitudes, axes, ANGLE, scale)
+    assert actual == pytest.approx((amplitudes * means).sum(axis=1), rel=1e-5)
 
 
 @pytest.mark.parametrize("kappa", [1e-6, 0.1, 3.0, 500.0])
 def test_an_even_sky_stays_what_it_is(kappa):
     sky = PrefilteredEnvironment(np.full((ROWS, COLUMNS, 3), 4 * np.pi / (ROWS * COLUMNS)))
     axes = (lobes(50) / np.linalg.norm(lobes(50), axis=1, keepdims=True) * kappa)[:, None]
-    found = sky.light(np.ones((50, 1, 3), np.float32), axes.astype(np.float32), 0.0, np.ones(3))
-    assert found == pytest.approx(np.ones((50, 3)), rel=1e-5)
+    actual = sky.light(np.ones((50, 1, 3), np.float32), axes.astype(np.float32), 0.0, np.ones(3))
+    assert actual == pytest.approx(np.ones((50, 3)), rel=1e-5)

@@ -42,12 +42,12 @@ def rna_run(scene_path: Path) -> Iterator[tuple[subprocess.Popen, str]]:
     with subprocess.Popen(arguments, stdout=pipe, stderr=pipe, text=True) as started:
         try:
             line = started.stdout.readline()
-            found = re.fullmatch(rf"preview of {scene_path} at (http://127\.0\.0\.1:\d+/)\n", line)
-            if found is None:
+            actual = re.fullmatch(rf"preview of {scene_path} at (http://127\.0\.0\.1:\d+/)\n", line)
+            if actual is None:
                 started.kill()
                 pytest.fail(line + started.stderr.read())
             assert started.stdout.readline() == "Ctrl-C ends it\n"
-            yield started, found[1]
+            yield started, actual[1]
         finally:
             started.kill()
 

@@ -182,9 +182,9 @@ def test_exposure_renders_nothing_again(session):
 def test_reset_is_the_scenes_own_camera(session, scene_file):
     session.change(Change(orbit_deg=(40.0, 20.0), dolly=2.0, pan=(0.1, 0.2)))
     state = session.change(Change(reset=True))
-    own = scene_file.scene.camera
-    np.testing.assert_allclose(state["camera"]["position"], own.position, atol=1e-12)
-    assert state["camera"]["look_at"] == list(own.look_at)
+    camera = scene_file.scene.camera
+    np.testing.assert_allclose(state["camera"]["position"], camera.position, atol=1e-12)
+    assert state["camera"]["look_at"] == list(camera.look_at)
 
 
 def test_nothing_old_is_handed_out_after_a_change(scene_file, world):

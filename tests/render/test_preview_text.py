@@ -31,10 +31,10 @@ def test_what_is_shown_is_read_back(tmp_path: Path) -> None:
     shown = lit(scene, Lighting("own", None), 30.0)
     changes = yaml.safe_load(scene_text(shown, tmp_path))
     assert list(changes) == ["camera", "exposure", "view", "lights"]
-    found = Scene.model_validate({**yaml.safe_load(SCENE), **changes})
-    assert found.camera.position == pytest.approx(shown.camera.position, rel=1e-5)
-    assert (found.exposure, found.view) == (0.5, "filmic")
-    for one, expected in zip(found.lights, shown.lights, strict=True):
+    actual = Scene.model_validate({**yaml.safe_load(SCENE), **changes})
+    assert actual.camera.position == pytest.approx(shown.camera.position, rel=1e-5)
+    assert (actual.exposure, actual.view) == (0.5, "filmic")
+    for one, expected in zip(actual.lights, shown.lights, strict=True):
         for name, value in expected.model_dump().items():
             if isinstance(value, tuple | float):
                 np.testing.assert_allclose(getattr(one, name), value, rtol=1e-5, atol=1e-9)

@@ -185,18 +185,18 @@ VALUES += [[1] * 5, ["a", None], {"type": "x"}, {"kind": "spot"}, {1: 2}, date(2
 
 @pytest.mark.parametrize("value", VALUES, ids=repr)
 def test_no_value_of_any_key_is_reported_in_terms_of_the_program(value):
-    told = 0
+    count = 0
     for key in [*_everywhere(Scene), ()]:
         try:
             Scene.model_validate(_holding(key, value))
         except ValidationError as error:
             for mistake in mistakes(Scene, error.errors()):
-                told += 1
+                count += 1
                 words = set(re.findall(r"[A-Za-z_]+", mistake.message.split("found ")[0]))
                 terms = {"tuple", "valid", "dictionary", "Input", "parse", "instance", "None"}
                 assert not words & terms, mistake
                 assert not any(word.endswith("Model") for word in words), mistake
-    assert told > 100
+    assert count > 100
 
 
 ALIASES = "a: &a [1, 1, 1, 1, 1, 1, 1, 1, 1, 1]\n" + "".join(

@@ -279,21 +279,23 @@ def test_a_sequence_that_was_stopped_goes_on(folder, capsys, number):
         assert process.returncode == INTERRUPTED
         assert "the same command goes on" in error.decode()
         assert not list(folder.glob(".*"))
-    kept = times(folder)
+    times_before = times(folder)
     if number == signal.SIGINT:
-        whole = sum(name.endswith(".png") for name in kept)  # the later one of a frame's files
+        whole = sum(
+            name.endswith(".png") for name in times_before
+        )  # the later one of a frame's files
         assert whole >= 2
         assert f"stopped: {whole} of 2000 frames are written, each of 4 samples; " in (
             error.decode()
         )
-    for name in kept:  # all of them are whole
+    for name in times_before:  # all of them are whole
         if name.endswith(".exr"):
             assert read_exr(folder / name)[1]["rnaSamples"] == "4"
     assert run(folder, frames="0-2", png=True) == 0
     assert capsys.readouterr().out.splitlines() == [
         f"frame {number}: is there already" for number in range(3)
     ]
-    assert times(folder) == kept
+    assert times(folder) == times_before
 
 
 def test_ctrl_c_ends_a_sequence_at_the_frame_under_way(folder, capsys, monkeypatch):

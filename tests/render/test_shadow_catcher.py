@@ -81,8 +81,8 @@ def test_more_lights_than_a_point_samples():
         {"type": "point", "position": (-3, 4, 0), "intensity": (k, k, k)} for k in (50, 60, 70)
     ]
     expected = 6 / (6 + 180 * 4 / 125)
-    found = alpha([shade(offset=-0.5)], [*suns, *lamps], samples=128)
-    assert found == pytest.approx(expected, abs=0.01)
+    actual = alpha([shade(offset=-0.5)], [*suns, *lamps], samples=128)
+    assert actual == pytest.approx(expected, abs=0.01)
 
 
 def test_a_lid_over_all_of_it_keeps_out_the_sky():
@@ -110,8 +110,8 @@ def test_the_sky_behind_it_is_darkened():
 def test_half_of_the_sky_darkened():
     sky = SKY | {"radiance": (1e-5, 2e-5, 4e-5)}
     channels = shown([shade()], [sky, DISK], samples=64)
-    found = rgb(channels).mean(axis=(0, 1))
-    np.testing.assert_allclose(found, np.array((1e-5, 2e-5, 4e-5)) / 2, rtol=0.01)
+    actual = rgb(channels).mean(axis=(0, 1))
+    np.testing.assert_allclose(actual, np.array((1e-5, 2e-5, 4e-5)) / 2, rtol=0.01)
     np.testing.assert_allclose(channels["A"], 1, rtol=1e-5)
 
 

@@ -53,8 +53,8 @@ def test_two_threads_of_a_fresh_process_render_what_one_does(scene: Path, tmp_pa
 
 def test_four_threads_that_switch_all_the_time(tmp_path: Path) -> None:
     scene = REPOSITORY / "examples" / "jade" / "scene.yaml"
-    found = rendered(scene, 4, tmp_path, SWITCH_INTERVAL)
-    assert differing(found, on_one_thread(scene, tmp_path)) == 0
+    actual = rendered(scene, 4, tmp_path, SWITCH_INTERVAL)
+    assert differing(actual, on_one_thread(scene, tmp_path)) == 0
 
 
 def options(out: Path, threads: int) -> list[str]:
@@ -73,9 +73,9 @@ def rendered(
     return read_exr(out)[0]
 
 
-def differing(found: dict[str, np.ndarray], expected: dict[str, np.ndarray]) -> int:
+def differing(actual: dict[str, np.ndarray], expected: dict[str, np.ndarray]) -> int:
     """Values of all channels that differ in any bit."""
-    pairs = ((found[name].view(np.uint32), expected[name].view(np.uint32)) for name in expected)
+    pairs = ((actual[name].view(np.uint32), expected[name].view(np.uint32)) for name in expected)
     return sum(int(np.count_nonzero(a != b)) for a, b in pairs)
 
 

@@ -126,9 +126,9 @@ def test_the_command_says_how_many_samples_there_was_time_for(folder: Path, caps
     out = folder / "out.exr"
     assert main([str(scene(folder, 1e-6)), "--out", str(out)]) == 0
     assert read_exr(out)[1]["rnaSamples"] == "1"
-    told = capsys.readouterr().err
-    assert "tiers of 1 assets: 1 tiny" in told
-    assert "time for 1 of 64 samples" in told
+    output = capsys.readouterr().err
+    assert "tiers of 1 assets: 1 tiny" in output
+    assert "time for 1 of 64 samples" in output
 
 
 def test_a_sequence_keeps_frames_that_a_limit_ended(folder: Path, capsys) -> None:

@@ -87,8 +87,8 @@ def test_lookups_are_those_of_the_plain_twin(channels, cutoff):
     expected = twin(texels, np.einsum("nk,nkc->nc", weights, corners), cutoff)
     expected = np.broadcast_to(expected, (n, 3)) * (triangle == 0)[:, None]
     d = np.tile(np.float32([0, 1, 0]), (n, 1))
-    found = table.at(triangle, u, v, d, np.ones(n, bool))
-    assert np.mean(np.abs(found - expected).max(axis=1) < 1e-5) > 0.998  # cutoffs may fall over
+    actual = table.at(triangle, u, v, d, np.ones(n, bool))
+    assert np.mean(np.abs(actual - expected).max(axis=1) < 1e-5) > 0.998  # cutoffs may fall over
 
 
 def test_an_interface_reflects_by_fresnel_from_both_sides():
@@ -148,21 +148,21 @@ def test_random_hits_have_the_mean_of_alpha_compositing(count):
     assert (hits.instance == 0).all()
     radiance = 1 + np.rint((hits.t * directions[:, 1]) - 1)
     assert hits.weight is not None
-    found = (radiance[:, None] * hits.weight).astype(np.float64)
-    kept, expected = np.ones(3), np.zeros(3)
+    actual = (radiance[:, None] * hits.weight).astype(np.float64)
+    transmitted, expected = np.ones(3), np.zeros(3)
     for k, colour in enumerate([*colours, (0, 0, 0)]):
-        expected += kept * (1 - stepped(colour)) * (k + 1)
-        kept = kept * stepped(colour)
-    error = found.std(axis=0) / np.sqrt(n)
-    assert (np.abs(found.mean(axis=0) - expected) < 4 * error).all()
+        expected += transmitted * (1 - stepped(colour)) * (k + 1)
+        transmitted = transmitted * stepped(colour)
+    error = actual.std(axis=0) / np.sqrt(n)
+    assert (np.abs(actual.mean(axis=0) - expected) < 4 * error).all()
     assert (error < 0.01).all()
     again = placed.intersect(origins + np.float32([5, 0, 0]), directions)
     np.testing.assert_array_equal(again.weight, hits.weight)
     np.testing.assert_array_equal(again.t, hits.t)
     assert not placed.transmittance(origins + np.float32([5, 0, 0]), directions).any()
-    own = np.zeros(n, np.int32)
-    assert (placed.intersect(origins, directions, own).instance == -1).all()
-    assert (placed.transmittance(origins, directions, own=own) == 1).all()
+    start_instance = np.zeros(n, np.int32)
+    assert (placed.intersect(origins, directions, start_instance).instance == -1).all()
+    assert (placed.transmittance(origins, directions, start_instance=start_instance) == 1).all()
 
 
 def _shift(x) -> np.ndarray:
@@ -197,12 +197,12 @@ def test_strands_are_blocked_as_without_transmittance():
     x = curves.points[curves.segments()[segment]]
     d = rng.normal(size=(2000, 3)).astype(np.float32)
     at = FiberPoints(x, x, x, segment)
-    free, kept = opaque.visible(0, at, d), scene.visible(0, at, d)
+    free, transmitted = opaque.visible(0, at, d), scene.visible(0, at, d)
     assert 0.05 < free.mean() < 0.95
     t = -x[:, 1] / d[:, 1]
     through = (t > 0) & (np.abs(x + t[:, None] * d)[:, [0, 2]] < 2.0).all(axis=1)
     expected = np.where(through[:, None], stepped(RED), 1.0) * free[:, None]
-    np.testing.assert_allclose(kept, expected, rtol=1e-6)
+    np.testing.assert_allclose(transmitted, expected, rtol=1e-6)
     assert 0.2 < through.mean() < 0.8
 
 
@@ -227,5 +227,5 @@ def test_the_tables_live_as_long_as_the_scene():
 
     scene = made()
     np.full(10**6, 255, np.uint8)  # memory that was let go would be written over
-    kept = scene.transmittance(np.float32([[0.1, -3, 0.2]]), np.float32([[0, 1, 0]]))
-    np.testing.assert_allclose(kept, stepped(GREY)[None] ** 2, rtol=1e-6)
+    before = scene.transmittance(np.float32([[0.1, -3, 0.2]]), np.float32([[0, 1, 0]]))
+    np.testing.assert_allclose(before, stepped(GREY)[None] ** 2, rtol=1e-6)

@@ -39,8 +39,8 @@ def test_two_instances_of_one_asset_throw_light_on_one_another(h):
     objects = [(plate, {"scale": 0.002}), (plate, upside_down(h))]
     camera = at_point((0, 0, 0), (0.3, 0.2, 2.0))
     settings = {"camera": camera, "samples": 48}
-    found = seen(shoot(objects, [BELOW], max_depth=2, **settings))
-    assert_is(found, shown_by_the_lower_plate(h), relative=0.01)
+    actual = seen(shoot(objects, [BELOW], max_depth=2, **settings))
+    assert_is(actual, shown_by_the_lower_plate(h), relative=0.01)
     direct = seen(shoot(objects, [BELOW], max_depth=1, **settings))
     assert (direct.mean == 0).all()
 
@@ -62,14 +62,14 @@ def test_rays_are_stopped_by_other_instances_of_the_same_package():
     asset = roofed()
     objects = [(asset, {}), (asset, {"translation": (0, 0.5, 0)})]
     camera = at_point((0, 0, 0), (0.3, 0.2, 2.0))
-    found = seen(shoot(objects, [BELOW], camera=camera, samples=48, max_depth=2))
+    actual = seen(shoot(objects, [BELOW], camera=camera, samples=48, max_depth=2))
     # The lower asset's own roof is at 1, and stops no rays from its floor; that of the other one,
     # at 1.5, gets no sun, for the lower roof is in its way. So there is no light at all.
-    assert (found.mean == 0).all()
+    assert (actual.mean == 0).all()
     lifted = [(asset, {}), (asset, {"translation": (0, -0.5, 0)})]
-    found = seen(shoot(lifted, [BELOW], camera=camera, samples=48, max_depth=2))
+    actual = seen(shoot(lifted, [BELOW], camera=camera, samples=48, max_depth=2))
     # Now the other roof is below the own one, at 0.5, and sunlit.
-    assert_is(found, shown_by_the_lower_plate(0.5), relative=0.01)
+    assert_is(actual, shown_by_the_lower_plate(0.5), relative=0.01)
 
 
 def test_light_through_an_opening_of_its_own_asset_counts_as_shadowed():
@@ -80,9 +80,9 @@ def test_light_through_an_opening_of_its_own_asset_counts_as_shadowed():
     camera = at_point((0, 0, 0), (0.3, 0.02, 1.0))
     for way in WAYS:
         settings = {"camera": camera, "samples": 32, "seed": 3}
-        found = seen(shoot([(covered, {})], [SKY], way, **settings))
+        actual = seen(shoot([(covered, {})], [SKY], way, **settings))
         # All of the upper half but the few directions that pass between the two.
-        assert_is(found, 2 * np.pi * np.array([0.1, 0.2, 0.3]), relative=0.02)
+        assert_is(actual, 2 * np.pi * np.array([0.1, 0.2, 0.3]), relative=0.02)
         assert_is(seen(shoot([(open_floor, {})], [SKY], way, **settings)), 1.0, relative=0.01)
 
 

@@ -62,8 +62,8 @@ def cavity(mesh: Mesh, way="both", **changes):
 @pytest.mark.parametrize("way", ["both", "rays"])
 def test_a_glowing_hollow_sphere(way):
     """L = Le + albedo L."""
-    found = cavity(inside(flat(sphere(2))), way)
-    assert_is(found, EMISSION / (1 - ALBEDO), relative=0.01)
+    actual = cavity(inside(flat(sphere(2))), way)
+    assert_is(actual, EMISSION / (1 - ALBEDO), relative=0.01)
 
 
 def test_a_glowing_box():
@@ -80,13 +80,13 @@ def test_max_depth_counts_the_points_that_scatter(depth, way):
 
 
 def test_ending_paths_at_random_changes_no_mean(monkeypatch):
-    found = {}
+    actual = {}
     for first in (1, 3, 1000):
         monkeypatch.setattr("rna_render.paths.integrator.FIRST_ROULETTE", first)
-        found[first] = cavity(inside(flat(sphere(2))), max_depth=8, seed=first)
+        actual[first] = cavity(inside(flat(sphere(2))), max_depth=8, seed=first)
         expected = EMISSION * sum(ALBEDO**k for k in range(9))
-        assert_is(found[first], expected, relative=0.01)
-    assert found[1].error[0] > found[1000].error[0]  # it does end paths
+        assert_is(actual[first], expected, relative=0.01)
+    assert actual[1].error[0] > actual[1000].error[0]  # it does end paths
 
 
 def radiosity(*scene):
@@ -152,8 +152,8 @@ def test_colour_bleeds_from_a_red_wall_to_a_white_asset_and_back(floor_is_neural
         (on_wall, np.array(red) / np.pi * wall_e),
     ):
         camera = at_point(point, (2, 2, 1))
-        found = seen(shoot(objects, [sun], camera=camera, max_depth=16, samples=24))
-        assert_is(found, expected, relative=0.01)
+        actual = seen(shoot(objects, [sun], camera=camera, max_depth=16, samples=24))
+        assert_is(actual, expected, relative=0.01)
     # On the floor red is more than blue, by light that came from the wall.
     assert floor_e[0] > 10 * floor_e[2] > 0
 

@@ -162,8 +162,8 @@ def test_the_image_of_an_environment(tmp_path, turn):
     stands = [(wall, {"rotation_deg": (0, 0, -90)})]  # its normal is +x
     for way in WAYS:
         camera = at_point((0, 0, 0), (2, 0.3, 0.4))
-        found = seen(shoot(stands, [light], way, camera=camera, samples=32, max_depth=1))
-        assert_is(found, RGB * (np.pi + 2 * np.pi / 3 * turned[0]) / np.pi)
+        actual = seen(shoot(stands, [light], way, camera=camera, samples=32, max_depth=1))
+        assert_is(actual, RGB * (np.pi + 2 * np.pi / 3 * turned[0]) / np.pi)
 
 
 @pytest.mark.parametrize("way", WAYS)
@@ -178,8 +178,8 @@ def test_a_neural_asset_finds_the_same_light(way):
         "radiance": RGB,
         "visible_to_camera": False,
     }
-    found = seen(shoot([(asset, {})], [light], way, camera=at_point((0, 0, 0)), samples=48))
-    assert_is(found, RGB * 1.44 / (1.44 + 0.25))
+    actual = seen(shoot([(asset, {})], [light], way, camera=at_point((0, 0, 0)), samples=48))
+    assert_is(actual, RGB * 1.44 / (1.44 + 0.25))
 
 
 @pytest.mark.parametrize("way", ["both", "lights"])
@@ -190,5 +190,5 @@ def test_more_lights_than_a_point_samples(way):
         for k in range(6)
     ]
     settings = {"camera": at_point((0, 0, 0)), "max_depth": 1, "samples": 32}
-    found = seen(shoot([(floor(), {})], points, way, **settings))
-    assert_is(found, RGB * 6 / np.pi)
+    actual = seen(shoot([(floor(), {})], points, way, **settings))
+    assert_is(actual, RGB * 6 / np.pi)

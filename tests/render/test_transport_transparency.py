@@ -47,16 +47,16 @@ def test_a_pane_of_glass_before_the_sky(tint):
     """What shines through and what is mirrored, at an angle: Schlick's share of a white sky."""
     pane = made_of(square(2.0), base_color=tuple(tint), **GLASS)
     camera = at_point((0, 0, 0), (0, 1.0, 1.0))
-    found = seen(shoot([(pane, {})], [SKY], camera=camera, max_depth=8, samples=64))
+    actual = seen(shoot([(pane, {})], [SKY], camera=camera, max_depth=8, samples=64))
     reflected = 0.04 + 0.96 * (1 - np.sqrt(0.5)) ** 5
-    assert_is(found, reflected + (1 - reflected) * tint, relative=0.012)
+    assert_is(actual, reflected + (1 - reflected) * tint, relative=0.012)
 
 
 def test_the_sun_through_coloured_glass():
     floor, pane = made_of(square(), base_color=(0.5, 0.5, 0.5)), square(1.0, height=1.0)
     glass = made_of(pane, base_color=tuple(TINT), **GLASS)
-    found = seen(shoot([(floor, {}), (glass, {})], [SUN], camera=AT_FLOOR, max_depth=1))
-    assert_is(found, 0.5 * 0.96 * np.rint(255 * TINT) / 255, relative=2e-3)
+    actual = seen(shoot([(floor, {}), (glass, {})], [SUN], camera=AT_FLOOR, max_depth=1))
+    assert_is(actual, 0.5 * 0.96 * np.rint(255 * TINT) / 255, relative=2e-3)
 
 
 @pytest.mark.parametrize("way", WAYS)
@@ -67,8 +67,8 @@ def test_a_lamp_through_a_half_open_pane(way):
     how = {"camera": AT_FLOOR, "max_depth": 1, "samples": 64}
     expected = seen(shoot(scene, [LAMP], "lights", **how)).mean
     scene.append((made_of(pane, opacity=0.6, base_color=(0, 0, 0)), {}))
-    found = seen(shoot(scene, [LAMP], way, **how | {"samples": 128}))
-    assert_is(found, 0.4 * expected, relative=0.012)
+    actual = seen(shoot(scene, [LAMP], way, **how | {"samples": 128}))
+    assert_is(actual, 0.4 * expected, relative=0.012)
 
 
 @pytest.mark.parametrize("way", WAYS)
@@ -110,8 +110,8 @@ def test_a_cut_out_is_a_hole_for_every_ray():
 def test_shadows_of_what_is_there_in_part():
     catcher = made_of(square(), catches_shadows=True)
     leaf = made_of(square(1.0, height=1.0), opacity=0.6)
-    found = shoot([(catcher, {}), (leaf, {})], [SUN], camera=AT_FLOOR, samples=2)
-    assert found["A"].mean() == pytest.approx(0.6, abs=2e-3)
+    actual = shoot([(catcher, {}), (leaf, {})], [SUN], camera=AT_FLOOR, samples=2)
+    assert actual["A"].mean() == pytest.approx(0.6, abs=2e-3)
 
 
 def test_opaque_materials_have_no_table():

@@ -34,24 +34,28 @@ def numbers(*shape: int) -> np.ndarray:
 def test_samples_worth_tracing() -> None:
     n, m = 500, 50
     row, light = np.sort(RNG.integers(0, m, n)), RNG.integers(0, 3, n)
-    instance, own_light = RNG.integers(0, 4, m).astype(np.int32), np.int32([-1, 0, 1, 2])
+    instance, same_light = RNG.integers(0, 4, m).astype(np.int32), np.int32([-1, 0, 1, 2])
     one_sided = np.array([True, False, True, False])
     wi, wo, ng = unit_vectors(RNG, n), unit_vectors(RNG, m), unit_vectors(RNG, m)
     samples = LightSamples(wi, numbers(n), numbers(n, 3), numbers(n))
-    own = RNG.integers(0, 9, m).astype(np.int32)
-    vertices: Any = SimpleNamespace(instance=instance, wo_world=wo, ng_world=ng, own=own)
-    world: Any = SimpleNamespace(own_light=own_light, one_sided=one_sided)
+    start_instance = RNG.integers(0, 9, m).astype(np.int32)
+    vertices: Any = SimpleNamespace(
+        instance=instance, wo_world=wo, ng_world=ng, start_instance=start_instance
+    )
+    world: Any = SimpleNamespace(same_light=same_light, one_sided=one_sided)
     expected = (samples.pdf > 0.0) & samples.radiance.any(axis=1)
-    expected &= own_light[instance[row]] != light
+    expected &= same_light[instance[row]] != light
     same_side = np.sum(ng[row] * wi, axis=1) * np.sum(ng * wo, axis=1)[row] > 0.0
     expected &= same_side | ~one_sided[instance[row]]
-    found = worth_tracing(samples, LightChoice(row, light, numbers(n, 2)), vertices, world)
+    actual = worth_tracing(samples, LightChoice(row, light, numbers(n, 2)), vertices, world)
     rows = np.flatnonzero(expected)
     assert 0 < len(rows) < n
-    assert (found.sample == rows).all() and (found.row == row[rows]).all()
-    assert (found.light == light[rows]).all() and (found.own == own[row[rows]]).all()
-    assert (found.wi_world == wi[rows]).all()
-    assert (found.distance == samples.distance[rows]).all()
+    assert (actual.sample == rows).all() and (actual.row == row[rows]).all()
+    assert (actual.light == light[rows]).all() and (
+        actual.start_instance == start_instance[row[rows]]
+    ).all()
+    assert (actual.wi_world == wi[rows]).all()
+    assert (actual.distance == samples.distance[rows]).all()
 
 
 @pytest.mark.parametrize("channels", [1, 3])
@@ -59,11 +63,11 @@ def test_samples_of_which_something_is_left(channels: int) -> None:
     n = 200
     arrays = (RNG.integers(0, 99, n) for _ in range(3))
     tried = Tried(*arrays, numbers(n, 3), numbers(n), RNG.integers(0, 9, n).astype(np.int32))
-    kept = numbers(n, channels)
-    found, left = tried.where_kept(kept)
-    rows = np.flatnonzero(kept.any(axis=1))
-    assert (left == kept[rows]).all()
-    for of_found, of_tried in zip(found, tried, strict=True):
+    visibility = numbers(n, channels)
+    actual, left = tried.where_visible(visibility)
+    rows = np.flatnonzero(visibility.any(axis=1))
+    assert (left == visibility[rows]).all()
+    for of_found, of_tried in zip(actual, tried, strict=True):
         assert (of_found == of_tried[rows]).all()
 
 
@@ -73,16 +77,21 @@ def test_weights_of_samples(channels: int) -> None:
     radiance, pdf = numbers(n, 3), RNG.random(n).astype(np.float32) + np.float32(0.1)
     sample, row = np.sort(RNG.choice(n, k, replace=False)), np.sort(RNG.integers(0, m, k))
     light, probability, delta = RNG.integers(0, 3, k), RNG.random(3) + 0.1, RNG.random(3) < 0.5
-    transport, kept, seen, beta = numbers(k, 3), numbers(k, channels), numbers(k), numbers(m, 3)
-    own_pdf = numbers(k)
+    transport, visibility, seen, beta = (
+        numbers(k, 3),
+        numbers(k, channels),
+        numbers(k),
+        numbers(m, 3),
+    )
+    light_pdf = numbers(k)
     density = pdf[sample] * probability[light]
-    share = np.where(delta[light], np.float32(1.0), 1.0 / (1.0 + np.square(own_pdf / density)))
+    share = np.where(delta[light], np.float32(1.0), 1.0 / (1.0 + np.square(light_pdf / density)))
     weight = (share / density)[:, None]
-    expected = beta[row] * transport * radiance[sample] * weight * kept
-    expected_seen = seen * kept.mean(axis=1)
+    expected = beta[row] * transport * radiance[sample] * weight * visibility
+    expected_seen = seen * visibility.mean(axis=1)
     samples = LightSamples(numbers(n, 3), numbers(n), radiance, pdf)
     tried = Tried(sample, row, light, numbers(k, 3), numbers(k), np.zeros(k, np.int32))
-    weigh_samples(transport, seen, samples, tried, kept, own_pdf, probability, delta, beta)
+    weigh_samples(transport, seen, samples, tried, visibility, light_pdf, probability, delta, beta)
     assert transport == pytest.approx(expected, rel=1e-5)
     assert seen == pytest.approx(expected_seen, rel=1e-5)
 
@@ -91,12 +100,16 @@ def test_weights_of_samples(channels: int) -> None:
 def test_weights_of_met_light(both: bool) -> None:
     n, k = 90, 40
     row = np.sort(RNG.choice(n, k, replace=False))
-    radiance, pdf, beta, own_pdf = numbers(k, 3), numbers(k), numbers(n, 3), numbers(n)
-    own = own_pdf[row].astype(np.float64)
-    share = own**2 / np.maximum(own**2 + (3.0 * pdf) ** 2, 1e-30) if both else np.ones(k)
-    found = weigh_hit(radiance, pdf, np.full(k, 3.0), own_pdf if both else None, row, beta)
-    assert found == pytest.approx(beta[row] * radiance * share[:, None], rel=1e-5)
-    assert found.any()
+    radiance, pdf, beta, light_pdf = numbers(k, 3), numbers(k), numbers(n, 3), numbers(n)
+    ray_density = light_pdf[row].astype(np.float64)
+    share = (
+        ray_density**2 / np.maximum(ray_density**2 + (3.0 * pdf) ** 2, 1e-30)
+        if both
+        else np.ones(k)
+    )
+    actual = weigh_hit(radiance, pdf, np.full(k, 3.0), light_pdf if both else None, row, beta)
+    assert actual == pytest.approx(beta[row] * radiance * share[:, None], rel=1e-5)
+    assert actual.any()
 
 
 @pytest.mark.parametrize("coloured", [True, False])

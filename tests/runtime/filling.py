@@ -26,10 +26,10 @@ def filled(
     )
     n = len(points.positions)
     if isinstance(points, FiberPoints):
-        kind, own = "fiber", {"axis": points.tangents, "h": points.h}
+        kind, part_arrays = "fiber", {"axis": points.tangents, "h": points.h}
     else:
-        kind, own = "surface", {"axis": points.normals}
-    arrays = {"position": points.positions, "wo": points.wo, "wi": points.wi, **own}
+        kind, part_arrays = "surface", {"axis": points.normals}
+    arrays = {"position": points.positions, "wo": points.wo, "wi": points.wi, **part_arrays}
     batch = Batch.of(arrays, tuple(np.empty((2, n, 3), np.float32)))
     queries = np.full((n, query_width(inputs, channels)), np.nan, np.float32)
     valid = np.zeros(n, np.bool_)

@@ -62,9 +62,9 @@ def test_three_outputs_of_emission() -> None:
     model = random_decoder(20, 16, 2, outputs=3, output="emission")
     queries = random_queries(100, 20)
     expected = plain(model, queries)
-    found = CompiledDecoder(model).run(queries)
-    assert found.shape == (100, 3)
-    np.testing.assert_allclose(found, expected, rtol=1e-4, atol=1e-5)
+    actual = CompiledDecoder(model).run(queries)
+    assert actual.shape == (100, 3)
+    np.testing.assert_allclose(actual, expected, rtol=1e-4, atol=1e-5)
 
 
 @pytest.mark.parametrize(("columns", "width", "layers"), SIZES)
@@ -81,13 +81,13 @@ def test_a_row_depends_on_nothing_else(columns: int, width: int, layers: int) ->
 def test_registers_of_either_width_give_the_same_bits(monkeypatch: pytest.MonkeyPatch) -> None:
     model = random_decoder(22, 16, 2)
     queries = random_queries(200, 22)
-    found = []
+    actual = []
     for lanes in (8, 16):
         monkeypatch.setattr(
             "rna_sdk.runtime.engine.compiled_decoder.register_lanes", lambda n=lanes: n
         )
-        found.append(CompiledDecoder(model).run(queries))
-    np.testing.assert_array_equal(*found)
+        actual.append(CompiledDecoder(model).run(queries))
+    np.testing.assert_array_equal(*actual)
 
 
 def test_queries_are_clipped_and_results_may_be_infinite() -> None:
@@ -99,9 +99,11 @@ def test_queries_are_clipped_and_results_may_be_infinite() -> None:
     np.testing.assert_allclose(decoder.run(queries)[:, :2], expected, rtol=1e-6, atol=1e-7)
     layers[1] = (np.float32(1000) * np.eye(4, dtype=np.float32), np.zeros(4, np.float32))
     decoder = of_layers(*layers)
-    found = decoder.run(np.float32([[1, 0.05], [0.088, 0.0887]]))
-    assert found[0, 0] == np.inf
-    np.testing.assert_allclose(found[1, 0], np.exp(np.float64(np.float32(0.088)) * 1000), rtol=1e-5)
+    actual = decoder.run(np.float32([[1, 0.05], [0.088, 0.0887]]))
+    assert actual[0, 0] == np.inf
+    np.testing.assert_allclose(
+        actual[1, 0], np.exp(np.float64(np.float32(0.088)) * 1000), rtol=1e-5
+    )
 
 
 def test_narrow_decoders_run_in_it_and_wide_ones_do_not() -> None:

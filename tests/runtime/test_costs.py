@@ -27,11 +27,11 @@ def test_a_cost_is_measured_once(make, tmp_path: Path, cache: Path) -> None:
     path = make(tmp_path / "a.rna")
     first = load(path, threads=1).measured_ns_per_query()
     assert 1 < first < 1e6
-    kept = cache.read_text()
+    stored = cache.read_text()
     assert load(path, threads=1).measured_ns_per_query() == first
-    assert cache.read_text() == kept
+    assert cache.read_text() == stored
     load(path, threads=2).measured_ns_per_query()
-    assert cache.read_text() != kept
+    assert cache.read_text() != stored
 
 
 def test_another_processor_or_a_damaged_file_is_measured_anew(
@@ -40,7 +40,7 @@ def test_another_processor_or_a_damaged_file_is_measured_anew(
     numbers = iter([1.0, 2.0, 3.0])
 
     def ask() -> float:
-        return costs.kept_cost(lambda: next(numbers), "package", 1)
+        return costs.cached_cost(lambda: next(numbers), "package", 1)
 
     assert (ask(), ask()) == (1.0, 1.0)
     cache.write_text("{")
@@ -52,7 +52,7 @@ def test_another_processor_or_a_damaged_file_is_measured_anew(
 def test_a_cache_that_cannot_be_written_does_no_harm(cache: Path) -> None:
     cache.parent.parent.mkdir(parents=True)
     cache.parent.write_text("a file where the folder should be")
-    assert costs.kept_cost(lambda: 5.0, "package") == 5.0
+    assert costs.cached_cost(lambda: 5.0, "package") == 5.0
 
 
 def test_a_tenth_of_a_decibel_less_is_no_worse() -> None:

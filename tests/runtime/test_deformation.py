@@ -94,11 +94,11 @@ def test_rigid_motion_by_half_a_turn(asset_path: Callable[..., Path]) -> None:
     shape = asset.deformed(transform.to_world_points(asset.mesh.positions))
     rest = shape.rest_points(*place)
     wo, wi = (unit_vectors(np.random.default_rng(k), 200) for k in (1, 2))
-    found = asset.evaluate(rest.positions, rest.axes, rest.to_rest(wo), rest.to_rest(wi))
+    actual = asset.evaluate(rest.positions, rest.axes, rest.to_rest(wo), rest.to_rest(wi))
     x, n = (at(a, asset.mesh.triangles, place) for a in (asset.mesh.positions, asset.mesh.normals))
     turned = transform.to_object_directions(wo), transform.to_object_directions(wi)
     expected = asset.evaluate(np.float32(x), np.float32(n), *turned)
-    np.testing.assert_allclose(found, expected, rtol=1e-3, atol=1e-5)
+    np.testing.assert_allclose(actual, expected, rtol=1e-3, atol=1e-5)
 
 
 @pytest.mark.parametrize(
@@ -128,8 +128,8 @@ def test_motion_of_one_straight_strand_turns_by_the_smallest_angle() -> None:
     curves = straight(((0, 0, 0), (0, 1, 0), (0, 2, 0)))
     shape = RestCurves(curves).deformed(np.float32([[0, 0, 0], [1, 0, 0], [2, 0, 0]]))
     rest = shape.rest_points(np.int32([0, 1]), np.zeros(2, np.float32), np.float32([[0, 0, 1]] * 2))
-    found = rest.to_rest(np.float32([[1, 0, 0], [0, 0, 1]]))
-    np.testing.assert_allclose(found, [[0, 1, 0], [0, 0, 1]], atol=1e-5)
+    actual = rest.to_rest(np.float32([[1, 0, 0], [0, 0, 1]]))
+    np.testing.assert_allclose(actual, [[0, 1, 0], [0, 0, 1]], atol=1e-5)
 
 
 def test_motion_of_strands_on_skin_that_turns_about_them() -> None:

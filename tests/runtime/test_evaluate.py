@@ -67,9 +67,9 @@ def test_bad_neighbours_change_nothing(asset: Asset) -> None:
     points = points_for(asset, 1000)
     expected = both(asset, points)
     points.wi[::3] = np.nan
-    found = both(asset, points)
-    np.testing.assert_array_equal(found[1::3], expected[1::3])
-    assert not found[::3].any() and expected[::3].any()
+    actual = both(asset, points)
+    np.testing.assert_array_equal(actual[1::3], expected[1::3])
+    assert not actual[::3].any() and expected[::3].any()
 
 
 def test_an_empty_batch_is_legal(asset: Asset) -> None:
@@ -82,8 +82,8 @@ def test_threads_may_call_at_the_same_time(asset: Asset) -> None:
     batches = [points_for(asset, 3001, seed) for seed in range(8)]
     expected = [both(asset, points) for points in batches]
     with ThreadPoolExecutor(8) as pool:
-        for found, want in zip(pool.map(lambda p: both(asset, p), batches), expected, strict=True):
-            np.testing.assert_array_equal(found, want)
+        for actual, want in zip(pool.map(lambda p: both(asset, p), batches), expected, strict=True):
+            np.testing.assert_array_equal(actual, want)
 
 
 def test_each_tile_is_evaluated_once(
@@ -126,10 +126,10 @@ def test_a_number_that_is_not_finite_gives_black(asset: Asset, value: float) -> 
     for array in points:
         numbers = array.reshape(20, -1)
         for component in range(numbers.shape[1]):
-            kept = numbers[7, component]
+            before = numbers[7, component]
             numbers[7, component] = value
             assert not both(asset, points)[7].any()
-            numbers[7, component] = kept
+            numbers[7, component] = before
     np.testing.assert_array_equal(both(asset, points), expected)
 
 
@@ -163,7 +163,7 @@ def test_h_beyond_the_edge_is_at_the_edge(asset_path: Callable[..., Path]) -> No
 
 
 @pytest.mark.parametrize(
-    ("bad", "found"),
+    ("bad", "actual"),
     [
         (np.zeros((5, 3), np.float64), r"\(5, 3\) float64"),
         (np.zeros((5, 4), np.float32), r"\(5, 4\) float32"),
@@ -176,12 +176,12 @@ def test_h_beyond_the_edge_is_at_the_edge(asset_path: Callable[..., Path]) -> No
         (None, "NoneType"),
     ],
 )
-def test_a_wrong_array_is_named(asset: Asset, bad: object, found: str) -> None:
+def test_a_wrong_array_is_named(asset: Asset, bad: object, actual: str) -> None:
     points = points_for(asset, 5)
     for place, field in enumerate(fields(points)):
         arguments: list[object] = list(points)
         arguments[place] = bad
-        message = f"^{field.name}: expected .*float32.* found {found}"
+        message = f"^{field.name}: expected .*float32.* found {actual}"
         with pytest.raises(QueryError, match=message):
             asset.evaluate(*arguments)
 
@@ -217,7 +217,7 @@ def test_results_can_be_written_into_arrays_of_the_caller(asset: Asset) -> None:
 
 
 @pytest.mark.parametrize(
-    ("bad", "found"),
+    ("bad", "actual"),
     [
         (np.zeros((7, 3), np.float32), "found ndarray"),
         ((np.zeros((7, 3), np.float32), np.zeros((6, 3), np.float32)), r"out\[1\]: .*\(6, 3\)"),
@@ -225,6 +225,6 @@ def test_results_can_be_written_into_arrays_of_the_caller(asset: Asset) -> None:
         ((np.zeros((7, 6), np.float32)[:, ::2], np.zeros((7, 3), np.float32)), "contiguous"),
     ],
 )
-def test_results_that_cannot_be_written_are_refused(asset: Asset, bad: object, found: str) -> None:
-    with pytest.raises(QueryError, match=found):
+def test_results_that_cannot_be_written_are_refused(asset: Asset, bad: object, actual: str) -> None:
+    with pytest.raises(QueryError, match=actual):
         asset.evaluate(*points_for(asset, 7), out=bad)

@@ -144,16 +144,16 @@ def test_lobes_peak_where_a_glass_cylinder_sends_the_ray(elevation: float, turn:
         np.testing.assert_allclose(dot(wi, t), -dot(wo, t), atol=1e-12)  # on the cone
         turned = np.cos(turn) * wi + np.sin(turn) * np.cross(t, wi)
         turned += (1 - np.cos(turn)) * dot(t, wi) * t
-        found = lobes(t, n, wo, turned)[:, p]
-        np.testing.assert_allclose(found, np.cos(turn), atol=2e-4 if turn else 2e-6)
+        actual = lobes(t, n, wo, turned)[:, p]
+        np.testing.assert_allclose(actual, np.cos(turn), atol=2e-4 if turn else 2e-6)
 
 
 def test_straight_through_the_middle() -> None:
     """h = 0 seen from across: R comes back, TT goes on, TRT comes back."""
     t = unit_vectors(np.random.default_rng(0), 50)
     wo = in_frame(t, 0.0, 0.0)
-    found = lobes(t, wo, wo, -wo)
-    np.testing.assert_allclose(found, np.tile([-1, 1, -1], (50, 1)), atol=1e-6)
+    actual = lobes(t, wo, wo, -wo)
+    np.testing.assert_allclose(actual, np.tile([-1, 1, -1], (50, 1)), atol=1e-6)
 
 
 def test_lobes_do_not_see_a_mirror() -> None:

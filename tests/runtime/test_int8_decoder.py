@@ -30,11 +30,11 @@ def test_integers_equal_the_format(width: int, layers: int) -> None:
     model = random_int8_decoder(22, width, layers)
     queries = random_queries(2000)
     expected = onnx_result(model, queries)
-    found = Decoder(model).run(queries)
-    close = np.isclose(found, expected, rtol=1e-4, atol=1e-5).all(axis=1)
+    actual = Decoder(model).run(queries)
+    close = np.isclose(actual, expected, rtol=1e-4, atol=1e-5).all(axis=1)
     # Sums in the middle between two steps may round either way; the next step is near.
     assert close.mean() > 0.98
-    assert np.abs(np.log1p(found) - np.log1p(expected)).max() < 0.05
+    assert np.abs(np.log1p(actual) - np.log1p(expected)).max() < 0.05
     assert expected.std() > 0.5
 
 

@@ -166,9 +166,9 @@ def test_planes_stay_in_the_file(asset_path: Callable[..., Path], precision: str
     planes = package.planes
 
     def remembered(tier: str, part: int) -> np.ndarray:
-        found = planes(tier, part)
-        views.append(found.texels if precision == "int8" else found)
-        return found
+        actual = planes(tier, part)
+        views.append(actual.texels if precision == "int8" else actual)
+        return actual
 
     package.planes = remembered  # type: ignore[assignment, method-assign]
     asset = SurfaceAsset(package, package.manifest.tiers[0], 1, 0, "asset")
@@ -199,8 +199,8 @@ PACKAGE_ALONE = (*ENGINES, "rna_sdk.runtime")
 def test_nothing_is_loaded_before_it_is_used(
     tiers_path: Path, code: str, unused: tuple[str, ...]
 ) -> None:
-    found = f"sys.exit(str([m for m in {TRAINER_OR_RENDERER + unused} if m in sys.modules]))"
-    program = f"import sys; path = sys.argv[1]; {code}; {found}"
+    actual = f"sys.exit(str([m for m in {TRAINER_OR_RENDERER + unused} if m in sys.modules]))"
+    program = f"import sys; path = sys.argv[1]; {code}; {actual}"
     done = subprocess.run(
         [sys.executable, "-c", program, tiers_path], capture_output=True, text=True
     )

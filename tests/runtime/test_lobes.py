@@ -54,18 +54,18 @@ def test_lobes_are_those_of_the_package_evaluated_by_hand(part: Part, path: Path
     assert amplitudes.shape == axes.shape == (3000, 4, 3) and axes.dtype == np.float32
     number = 0 if part.kind == "surface" else 1
     with Package.open(path) as package:
-        own = package.environment(number)
+        lobes = package.environment(number)
         box = package.manifest.parts[number].bounds.corners()
-    place = float_planes(own.planes), box, own.record.inputs
+    place = float_planes(lobes.planes), box, lobes.record.inputs
     make = queries_reference if part.kind == "surface" else fiber_queries_reference
     blocks = make(*place, *at, mirror_reference(part.kind, at[1], at[-1]))
-    session = ort.InferenceSession(bytes(own.decoder), providers=["CPUExecutionProvider"])
+    session = ort.InferenceSession(bytes(lobes.decoder), providers=["CPUExecutionProvider"])
     queries = np.hstack([blocks, visibility])
     (output,) = session.run(["environment"], {"queries": queries})
     assert (output > 0).mean() > 0.2
     expected = lobes_reference(part.kind, output, at[1], at[-1], free)
-    for found, right in zip((amplitudes, axes), expected, strict=True):
-        np.testing.assert_allclose(found, right, rtol=2e-4, atol=2e-4)
+    for actual, right in zip((amplitudes, axes), expected, strict=True):
+        np.testing.assert_allclose(actual, right, rtol=2e-4, atol=2e-4)
 
 
 def test_a_row_does_not_depend_on_the_batch(part: Part) -> None:
@@ -101,13 +101,13 @@ def test_free_light_mixes_the_two_colours(part: Part) -> None:
 
 def test_mirror_directions(part: Part) -> None:
     points = random_points(200)
-    found = part.mirror(points.normals, 3 * points.wo)
+    actual = part.mirror(points.normals, 3 * points.wo)
     np.testing.assert_allclose(
-        found, mirror_reference(part.kind, points.normals, points.wo), atol=1e-6
+        actual, mirror_reference(part.kind, points.normals, points.wo), atol=1e-6
     )
     along = np.sum(points.normals * points.wo, axis=1)
     sign = 1 if part.kind == "surface" else -1
-    np.testing.assert_allclose(np.sum(points.normals * found, axis=1), sign * along, atol=1e-6)
+    np.testing.assert_allclose(np.sum(points.normals * actual, axis=1), sign * along, atol=1e-6)
     points.wo[0], points.wo[1] = 0, np.nan
     assert not part.mirror(points.normals, points.wo)[:2].any()
 
@@ -122,8 +122,8 @@ def test_visibility_is_interpolated_between_vertices(part: Part, path: Path) -> 
     else:
         first = part.curves.segments()[primitives]
         corners, weights = np.stack([first, first + 1], axis=1), np.stack([1 - u, u], axis=1)
-    found = part.visibility_at(primitives, u, v)
-    np.testing.assert_allclose(found, visibility_reference(harmonics, corners, weights), atol=1e-6)
+    actual = part.visibility_at(primitives, u, v)
+    np.testing.assert_allclose(actual, visibility_reference(harmonics, corners, weights), atol=1e-6)
     with pytest.raises(QueryError, match="primitives: a number is outside"):
         part.visibility_at(primitives + 97, u, v)
     with pytest.raises(QueryError, match=r"^u: expected"):
@@ -183,5 +183,5 @@ def test_radiance_under_a_wide_light_is_the_integral() -> None:
     np.testing.assert_allclose(density(axes).sum(axis=-1) * weight, 1, rtol=1e-3)
     shares = density(axes) @ density(light) * weight
     expected = np.einsum("nlc,nl->nc", amplitudes, shares) * flux
-    found = radiance_reference(amplitudes, axes, light, flux)
-    np.testing.assert_allclose(found, expected, rtol=1e-3)
+    actual = radiance_reference(amplitudes, axes, light, flux)
+    np.testing.assert_allclose(actual, expected, rtol=1e-3)

@@ -81,11 +81,11 @@ def test_emission_is_that_of_the_package_evaluated_by_hand(path: Path) -> None:
         decoder = bytes(package.decoder("small", form="emission"))
         session = ort.InferenceSession(decoder, providers=["CPUExecutionProvider"])
     (expected,) = session.run(["emission"], {"queries": queries})
-    found = body.emission(*at)
+    actual = body.emission(*at)
     assert (expected > 0).mean() > 0.2
-    np.testing.assert_allclose(found, expected, rtol=1e-4, atol=1e-5)
+    np.testing.assert_allclose(actual, expected, rtol=1e-4, atol=1e-5)
     alone = np.concatenate([body.emission(*(a[k : k + 1] for a in at)) for k in range(0, 50)])
-    np.testing.assert_array_equal(alone, found[:50])
+    np.testing.assert_array_equal(alone, actual[:50])
 
 
 def test_emission_of_rows_that_are_no_points_is_0(path: Path) -> None:
@@ -95,8 +95,8 @@ def test_emission_of_rows_that_are_no_points_is_0(path: Path) -> None:
     assert body.emission(*at)[[3, 7]].any(axis=1).all()
     for array in at:
         array[3, 1], array[7] = np.nan, 0
-    found = body.emission(*at)
-    assert not found[[3, 7]].any() and np.isfinite(found).all()
+    actual = body.emission(*at)
+    assert not actual[[3, 7]].any() and np.isfinite(actual).all()
     assert body.emission(*(a[:0] for a in at)).shape == (0, 3)
 
 

@@ -64,8 +64,8 @@ def test_sums_are_exact(low: int, high: int, width: int, columns: int) -> None:
     expected = onnx_result(model, queries)
     decoder = Decoder(model)
     for rows in (1, 2, 7, 16, 1001):
-        found = decoder.run(queries[:rows])
-        close = np.isclose(found, expected[:rows], rtol=1e-4, atol=1e-5)
+        actual = decoder.run(queries[:rows])
+        close = np.isclose(actual, expected[:rows], rtol=1e-4, atol=1e-5)
         assert close.all(axis=1).mean() > 0.98
     assert len(np.unique(expected)) > 100
 

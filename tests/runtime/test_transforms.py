@@ -43,9 +43,9 @@ def test_points_follow_the_matrix_and_directions_its_rotation() -> None:
     np.testing.assert_allclose(
         transform.to_world_points(points.positions), (homogeneous @ matrix.T)[:, :3], rtol=1e-6
     )
-    found = transform.to_world_directions(points.wo)
-    np.testing.assert_allclose(found, points.wo @ (matrix[:3, :3] / 3).T, atol=2e-7)
-    np.testing.assert_allclose(np.linalg.norm(found, axis=1), 1, atol=3e-7)
+    actual = transform.to_world_directions(points.wo)
+    np.testing.assert_allclose(actual, points.wo @ (matrix[:3, :3] / 3).T, atol=2e-7)
+    np.testing.assert_allclose(np.linalg.norm(actual, axis=1), 1, atol=3e-7)
 
 
 def test_normals_stay_normal_to_their_surface() -> None:

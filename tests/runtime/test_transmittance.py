@@ -60,13 +60,13 @@ def test_cutoff_makes_a_sharp_outline() -> None:
 
 
 def test_channels_are_the_texture_s() -> None:
-    found = tau(record(np.uint8([[[255, 51, 0]]])), 0.3, 0.6)
-    np.testing.assert_allclose(found, [1, 0.2, 0], atol=1e-7)
+    actual = tau(record(np.uint8([[[255, 51, 0]]])), 0.3, 0.6)
+    np.testing.assert_allclose(actual, [1, 0.2, 0], atol=1e-7)
 
 
 def test_one_texel_needs_no_coordinates() -> None:
-    found = tau(record(np.uint8([[[102]]])), 0.3, 0.6, mesh=sheet(uvs=False))
-    np.testing.assert_allclose(found, 0.4, atol=1e-7)
+    actual = tau(record(np.uint8([[[102]]])), 0.3, 0.6, mesh=sheet(uvs=False))
+    np.testing.assert_allclose(actual, 0.4, atol=1e-7)
 
 
 def test_triangles_of_no_record_are_opaque() -> None:

@@ -23,8 +23,8 @@ def environment(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, str]:
 
 
 def test_the_emulated_cpu_saturates(environment: Mapping[str, str]) -> None:
-    asked = "from tests.avx2.saturating import sums_in_16_bits; print(sums_in_16_bits())"
-    command = [sys.executable, "-c", asked]
+    code = "from tests.avx2.saturating import sums_in_16_bits; print(sums_in_16_bits())"
+    command = [sys.executable, "-c", code]
     root = HERE.parents[1]
     done = subprocess.run(command, cwd=root, env=environment, capture_output=True, text=True)
     assert done.stdout == "True\n", done.stdout + done.stderr

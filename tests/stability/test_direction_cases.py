@@ -74,9 +74,9 @@ def test_unseen_directions_are_judged_by_bounds(dataset: Dataset) -> None:
 
 
 def test_only_samples_of_the_upper_half_are_trained(dataset: Dataset) -> None:
-    kept = unseen.upper_half(dataset.training_samples())
-    assert 0 < len(kept["visible"]) < len(dataset.training_samples()["visible"])
-    assert kept["wo"][:, 1].min() >= 0.0 and kept["wi"][:, 1].min() >= 0.0
+    upper = unseen.upper_half(dataset.training_samples())
+    assert 0 < len(upper["visible"]) < len(dataset.training_samples()["visible"])
+    assert upper["wo"][:, 1].min() >= 0.0 and upper["wi"][:, 1].min() >= 0.0
 
 
 def lobe(half: np.ndarray, width_deg: float, peak: float) -> np.ndarray:
@@ -112,5 +112,5 @@ def test_error_in_the_highlight_is_told_apart(dataset: Dataset) -> None:
     h /= np.linalg.norm(h, axis=1, keepdims=True)
     inside = np.sum(h * samples["normal"], axis=1) > np.cos(0.2)
     dim = np.where(inside[:, None], 0.5, 1.0) * samples["radiance"]
-    told = sharp.in_and_out(dim, samples, 0.2)
-    assert told["psnr_in"] < 20.0 and told["psnr_out"] > 100.0
+    errors = sharp.in_and_out(dim, samples, 0.2)
+    assert errors["psnr_in"] < 20.0 and errors["psnr_out"] > 100.0

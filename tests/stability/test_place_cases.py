@@ -40,8 +40,8 @@ def test_visibility_may_have_a_colour() -> None:
     glass = np.float32([0.9, 0.8, 0.7]) * view.visible[:, None]
     through_glass = replace(view, samples={**view.samples, "visible": glass})
     expected = shadow_edges.signed_distance(view)["cast shadow"]
-    found = shadow_edges.signed_distance(through_glass)["cast shadow"]
-    np.testing.assert_array_equal(found, expected)
+    actual = shadow_edges.signed_distance(through_glass)["cast shadow"]
+    np.testing.assert_array_equal(actual, expected)
 
 
 def test_a_terminator_is_where_the_surface_turns_away() -> None:

@@ -65,8 +65,8 @@ class Ranges(Plain):
 @contextmanager
 def served_folder(folder: Path, handler: type[Plain] = Plain) -> Iterator[str]:
     """The address of a folder on a plain server, answering."""
-    own = partial(handler, directory=str(folder))
-    with ThreadingHTTPServer(("127.0.0.1", 0), own) as server:
+    handler_of_folder = partial(handler, directory=str(folder))
+    with ThreadingHTTPServer(("127.0.0.1", 0), handler_of_folder) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()
         yield f"http://127.0.0.1:{server.server_port}/"
         server.shutdown()

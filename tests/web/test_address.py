@@ -75,13 +75,13 @@ def test_an_asset_of_any_name(chromium_page, site_url, name):
 
 def test_what_the_address_cannot_have_is_told(chromium_page, site_url):
     chromium_page.call("Page.navigate", url="about:blank")
-    asked = f"{QUERY}&samples=many&teir=hq&fbclid=1&environment=none.hdr"
-    chromium_page.call("Page.navigate", url=f"{site_url}?{asked}")
+    address = f"{QUERY}&samples=many&teir=hq&fbclid=1&environment=none.hdr"
+    chromium_page.call("Page.navigate", url=f"{site_url}?{address}")
     chromium_page.wait_for("(globalThis.rnaViewer?.viewer?.stats.rounds ?? 0) >= 1", TIMEOUT)
-    told = notice(chromium_page)
-    assert 'samples: expected a whole number from 1 to 1000000, found "many"' in told
-    assert "?teir= is no parameter of this page: did you mean tier=?" in told
-    assert "cannot load none.hdr: HTTP 404" in told and "fbclid" not in told
+    notice_text = notice(chromium_page)
+    assert 'samples: expected a whole number from 1 to 1000000, found "many"' in notice_text
+    assert "?teir= is no parameter of this page: did you mean tier=?" in notice_text
+    assert "cannot load none.hdr: HTTP 404" in notice_text and "fbclid" not in notice_text
     assert chromium_page.evaluate("rnaViewer.viewer.rounds") == 256
 
 

@@ -31,12 +31,14 @@ class PageProgram:
             tier, part, queries, results = rest
             self._load(package, tier)
             output = "transport" if command == "evaluate" else "emission"
-            found = call_reader(self._page, "evaluate", int(part), output, base64_of(Path(queries)))
+            actual = call_reader(
+                self._page, "evaluate", int(part), output, base64_of(Path(queries))
+            )
         else:
             hits, results = rest
             self._load(package, "")
-            found = call_reader(self._page, command, base64_of(Path(hits)))
-        Path(results).write_bytes(base64.b64decode(found))
+            actual = call_reader(self._page, command, base64_of(Path(hits)))
+        Path(results).write_bytes(base64.b64decode(actual))
         return Answer(0, "", "")
 
     def _load(self, package: str, tier: str) -> None:

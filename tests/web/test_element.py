@@ -58,23 +58,23 @@ def test_attributes_are_read_and_written_as_model_viewers():
     """
     command = ["node", "--input-type=module", "-e", program]
     done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=120)
-    found: dict[str, Any] = json.loads(done.stdout)
-    orbits = found["camera-orbit"]
+    actual: dict[str, Any] = json.loads(done.stdout)
+    orbits = actual["camera-orbit"]
     assert orbits[0] == {"azimuth": 0, "elevation": 0, "distance": 2, "share": None}
     assert orbits[1] == {"azimuth": 1, "elevation": None, "distance": 1.5, "share": None}
     assert orbits[2]["share"] == 1.05 and orbits[2]["distance"] is None
     assert all(text.startswith("expected THETA PHI RADIUS") for text in orbits[3:])
-    assert found["camera-target"] == [[1, None, -0.2]]
-    assert found["field-of-view"][:2] == [pytest.approx(30), None]
-    assert found["sun"][:2] == [{"sun": 0}, {"sunAzimuth": 10, "sunHeight": 20, "sun": 1.5}]
-    wrong = (found["field-of-view"][2], found["sun"][2], found["samples"][1])
+    assert actual["camera-target"] == [[1, None, -0.2]]
+    assert actual["field-of-view"][:2] == [pytest.approx(30), None]
+    assert actual["sun"][:2] == [{"sun": 0}, {"sunAzimuth": 10, "sunHeight": 20, "sun": 1.5}]
+    wrong = (actual["field-of-view"][2], actual["sun"][2], actual["samples"][1])
     assert [text.startswith("expected") for text in wrong] == [True] * 3
     camera = {
         "cameraOrbit": "-30deg 60deg 2.5m",
         "cameraTarget": "0m 1m 2m",
         "fieldOfView": "40deg",
     }
-    assert found["camera"] == camera
+    assert actual["camera"] == camera
 
 
 @pytest.mark.chromium
@@ -199,15 +199,15 @@ def test_what_is_below_the_fold_waits(page, folder, url):
         later.then(() => { kept.remove(); return kept.stage.engine === before; })"""
     assert page.evaluate(gone), "an element that moves within its page keeps its GPU"
     page.wait_for("before.closed && kept.stage.engine === null", TIMEOUT)
-    asked = len(Static.asked)
+    requests = len(Static.asked)
     page.evaluate("document.body.prepend(kept), scrollTo(0, 0)")
     page.wait_for("kept.stage.viewer?.stats.rounds >= 1", TIMEOUT)
     assert page.evaluate("kept.cameraOrbit") == "50deg 60deg 3m"
-    assert len(Static.asked) == asked
+    assert len(Static.asked) == requests
     page.evaluate("two.dismissPoster(), 0")
     loads(page, "two")
     assert page.evaluate("count('poster-dismissed', 'two')") == 1
-    assert len(Static.asked) > asked
+    assert len(Static.asked) > requests
 
 
 @pytest.mark.chromium

@@ -40,14 +40,14 @@ def read_by_viewer(paths: list[Path], folder: Path) -> list[np.ndarray | str]:
 
 def test_the_viewer_reads_environments_as_rna_run_does(tmp_path):
     files = cases(tmp_path)
-    for case, found in zip(files, read_by_viewer([c.path for c in files], tmp_path), strict=True):
+    for case, actual in zip(files, read_by_viewer([c.path for c in files], tmp_path), strict=True):
         if case.texels is not None:
-            case.check(found)
+            case.check(actual)
             continue
-        assert isinstance(found, str), case.path.name
-        assert case.message in found and case.path.name in found
+        assert isinstance(actual, str), case.path.name
+        assert case.message in actual and case.path.name in actual
         with pytest.raises(SceneError) as caught:
             read_environment(case.path)
         if case.message:
-            said = found.removeprefix(f"NotSupported: {case.path.name}: ")
+            said = actual.removeprefix(f"NotSupported: {case.path.name}: ")
             assert said.split(":")[0] in str(caught.value)  # the same words

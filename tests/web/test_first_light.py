@@ -24,12 +24,12 @@ def first_light(image: np.ndarray) -> dict[str, Any]:
     height, width = image.shape[:2]
     command = ["node", Path(__file__).with_name("first_light.mjs"), str(width), str(height)]
     done = subprocess.run(command, input=image.astype("<f4").tobytes(), capture_output=True)
-    found = json.loads(done.stdout)
-    rest = found["rest"]
+    actual = json.loads(done.stdout)
+    rest = actual["rest"]
     texels = np.frombuffer(base64.b64decode(rest["texels"]), "<f2").astype(np.float64)
     shape = rest["levels"], rest["height"], rest["width"], 4
-    found["levels"] = rest["unit"] * texels.reshape(shape)[..., :3]
-    return found
+    actual["levels"] = rest["unit"] * texels.reshape(shape)[..., :3]
+    return actual
 
 
 def sphere(height: int, width: int) -> tuple[np.ndarray, np.ndarray]:
@@ -64,37 +64,39 @@ def mean_under(image: np.ndarray, axis: np.ndarray, kappa: float) -> np.ndarray:
 
 def test_bright_directions_are_those_of_the_benchmark() -> None:
     image = sky(suns=True)
-    found, expected = first_light(image), split_environment(image)
-    assert len(found["lights"]) == len(expected.directions) == 8
-    for light in found["lights"]:
+    actual, expected = first_light(image), split_environment(image)
+    assert len(actual["lights"]) == len(expected.directions) == 8
+    for light in actual["lights"]:
         away = np.linalg.norm(expected.directions - light["direction"], axis=1)
         nearest = int(np.argmin(away))
         assert away[nearest] < 0.05
         # Where a cluster is cut, a cell goes to one side or the other.
         assert light["colour"] == pytest.approx(expected.flux[nearest], rel=0.3)
-    total = np.sum([light["colour"] for light in found["lights"]], axis=0)
+    total = np.sum([light["colour"] for light in actual["lights"]], axis=0)
     assert total == pytest.approx(expected.flux.sum(axis=0), rel=0.02)
     d, solid = sphere(*image.shape[:2])
     up = (image * (solid * np.maximum(0, d[..., 1]))[..., None]).sum(axis=(0, 1))
-    split = sum(np.multiply(own["colour"], max(0, own["direction"][1])) for own in found["lights"])
-    assert split + found["up"] == pytest.approx(up, rel=5e-3)
+    split = sum(
+        np.multiply(light["colour"], max(0, light["direction"][1])) for light in actual["lights"]
+    )
+    assert split + actual["up"] == pytest.approx(up, rel=5e-3)
 
 
 def test_levels_are_means_of_the_environment() -> None:
     image = sky(suns=False)
-    found = first_light(image)
-    assert found["lights"] == []
-    _, rows, columns, _ = found["levels"].shape
+    actual = first_light(image)
+    assert actual["lights"] == []
+    _, rows, columns, _ = actual["levels"].shape
     for level, row, column in ((0, 0, 5), (6, 20, 100), (12, 64, 0), (18, 31, 127), (18, 0, 3)):
         theta, phi = np.pi * row / (rows - 1), 2 * np.pi * ((column + 0.5) / columns - 0.5)
         sine = np.sin(theta)
         axis = np.array([sine * np.sin(phi), np.cos(theta), -sine * np.cos(phi)])
         expected = mean_under(image, axis, KAPPAS[level])
-        assert found["levels"][level, row, column] == pytest.approx(expected, rel=5e-3)
+        assert actual["levels"][level, row, column] == pytest.approx(expected, rel=5e-3)
 
 
 def test_an_even_environment_stays_even() -> None:
     """However few its texels are."""
-    found = first_light(np.full((4, 8, 3), 2.5))
-    assert found["lights"] == []
-    assert found["levels"] == pytest.approx(np.full_like(found["levels"], 2.5), rel=2e-3)
+    actual = first_light(np.full((4, 8, 3), 2.5))
+    assert actual["lights"] == []
+    assert actual["levels"] == pytest.approx(np.full_like(actual["levels"], 2.5), rel=2e-3)

@@ -53,9 +53,9 @@ def test_progress_goes_up_and_ranges_are_asked_for_together(page, folder, elsewh
     page.wait_for("one.stage.engine", TIMEOUT)
     page.evaluate(FETCHES)
     loads(page, "one")
-    told, spans = page.evaluate("told"), page.evaluate("spans")
-    on_the_way = [value for value in told if value < 1]
-    assert told == sorted(told) and told[-1] == 1
+    output, spans = page.evaluate("told"), page.evaluate("spans")
+    on_the_way = [value for value in output if value < 1]
+    assert output == sorted(output) and output[-1] == 1
     assert len(set(on_the_way)) > 2 and max(on_the_way) > 0.9
     first, second, *others = spans
     assert re.fullmatch(r"bytes=0-\d+", first["range"])
@@ -72,11 +72,11 @@ size 4100000
 
 
 @pytest.mark.parametrize(
-    ("content", "found"),
+    ("content", "actual"),
     [(PAGE_NOT_FOUND, "an HTML page"), (POINTER, "a pointer of Git LFS")],
     ids=["html", "lfs"],
 )
-def test_what_stands_in_the_place_of_a_file_is_said(page, folder, url, content, found):
+def test_what_stands_in_the_place_of_a_file_is_said(page, folder, url, content, actual):
     wrong = {"src": "other.rna", "environment": "other.hdr", "scene": "other.json"}
     for name in wrong.values():
         (folder / name).write_text(content)
@@ -85,5 +85,5 @@ def test_what_stands_in_the_place_of_a_file_is_said(page, folder, url, content, 
         page.evaluate(f"one.setAttribute('{name}', '{address}'), 0")
         page.wait_for(f"count('error', 'one') === {number}", TIMEOUT)
         message = page.evaluate("heard.at(-1).message")
-        assert message.startswith(address) and found in message
+        assert message.startswith(address) and actual in message
     assert page.evaluate("heard.find(({ type }) => type === 'asset').code") == "ZIP_NOT_ZIP"

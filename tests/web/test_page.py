@@ -186,8 +186,8 @@ def test_dropped_image_lights_the_asset(page, tmp_path, suffix):
     page.wait_for("rnaViewer.lighting.choice.startsWith('image-')", TIMEOUT)
     wait_for_picture(page, 3)
     floats = page.evaluate("[...rnaViewer.lighting.tables().floats]")
-    found = np.reshape(floats[: rows.size], rows.shape)  # texels come first
-    np.testing.assert_allclose(found, rows, rtol=0.01)
+    actual = np.reshape(floats[: rows.size], rows.shape)  # texels come first
+    np.testing.assert_allclose(actual, rows, rtol=0.01)
     page.evaluate("rnaViewer.lighting.choice = 'studio', rnaViewer.changed()")
 
 

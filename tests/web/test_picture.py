@@ -85,10 +85,10 @@ def by_viewer(path: Path, more: str = "") -> np.ndarray:
         return picture(page)
 
 
-def psnr(found: np.ndarray, expected: np.ndarray) -> float:
+def psnr(actual: np.ndarray, expected: np.ndarray) -> float:
     """dB of radiance clamped to [0, 1], over the pixels that show the asset."""
     seen = expected[..., 3] > 0
-    error = (np.clip(found[..., :3], 0, 1) - np.clip(expected[..., :3], 0, 1))[seen]
+    error = (np.clip(actual[..., :3], 0, 1) - np.clip(expected[..., :3], 0, 1))[seen]
     return float(-10 * np.log10(np.mean(error**2)))
 
 
@@ -97,9 +97,9 @@ def psnr(found: np.ndarray, expected: np.ndarray) -> float:
 def test_suns(asset, tmp_path):
     path = write_scene(tmp_path, asset, SUNS, [160, 100], 1)
     expected = by_rna_run(path)
-    found = by_viewer(path, "&jitter=0")
-    assert np.mean(found[..., 3] != expected[..., 3]) < 0.002
-    assert psnr(found, expected) >= LEAST_PSNR
+    actual = by_viewer(path, "&jitter=0")
+    assert np.mean(actual[..., 3] != expected[..., 3]) < 0.002
+    assert psnr(actual, expected) >= LEAST_PSNR
 
 
 def test_environment(tmp_path):
@@ -128,9 +128,9 @@ def test_sun_in_an_image(tmp_path):
     OpenEXR.File({}, {"RGB": sky}).write(str(tmp_path / "sky.exr"))
     path = write_scene(tmp_path, TOY, SKY, [32, 20], 320)
     expected = by_rna_run(path)
-    found = by_viewer(path, "&jitter=0")
-    assert psnr(found, expected) >= LEAST_PSNR
-    assert found[..., :3].max() < 1.2 * expected[..., :3].max()
+    actual = by_viewer(path, "&jitter=0")
+    assert psnr(actual, expected) >= LEAST_PSNR
+    assert actual[..., :3].max() < 1.2 * expected[..., :3].max()
 
 
 def test_emission_holes_and_glass(tmp_path):

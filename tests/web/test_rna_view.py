@@ -58,16 +58,16 @@ def test_server_gives_the_page_and_its_files_alone(package):
 
 
 @pytest.mark.parametrize(
-    ("asked", "first", "end"),
+    ("requested", "first", "end"),
     [("bytes=0-9", 0, 10), ("bytes=5-", 5, None), ("bytes=-7", -7, None), ("bytes=3-3", 3, 4)],
 )
-def test_byte_ranges(package, asked, first, end):
+def test_byte_ranges(package, requested, first, end):
     data = package.read_bytes()
     with served(site_for(package)) as server:
-        status, headers, found = fetch(server.url + name_of(package), Range=asked)
-        assert status == 206 and found == data[first:end]
+        status, headers, actual = fetch(server.url + name_of(package), Range=requested)
+        assert status == 206 and actual == data[first:end]
         start = first % len(data)
-        expected = f"bytes {start}-{start + len(found) - 1}/{len(data)}"
+        expected = f"bytes {start}-{start + len(actual) - 1}/{len(data)}"
         assert headers["Content-Range"] == expected
         assert fetch(server.url + name_of(package), Range=f"bytes={len(data)}-")[0] == 416
         assert fetch(server.url + name_of(package), Range="bytes=0-1,4-5")[0] == 200
@@ -184,8 +184,8 @@ def test_what_is_no_package_or_image_is_refused(package, tmp_path):
 
 def test_attributes_are_escaped(package):
     page = Site({}, {"src": 'a"b&c.rna'}).index().decode()
-    asked = page.split('<rna-viewer src="')[1].split('"')[0]
-    assert unescape(asked) == 'a"b&c.rna'
+    requested = page.split('<rna-viewer src="')[1].split('"')[0]
+    assert unescape(requested) == 'a"b&c.rna'
 
 
 def test_what_is_no_asset_is_refused(tmp_path):

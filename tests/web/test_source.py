@@ -64,9 +64,9 @@ def test_a_file_comes_whole_or_in_ranges() -> None:
 
 def test_a_file_too_large_for_the_memory_is_not_fetched() -> None:
     headers = {"Content-Length": str(2**31)}
-    found = fetched({"status": 200, "headers": headers, "bytes": 2**31})
-    assert "from a server without range requests" in found["result"]
-    assert found["sent"] < 2**22 and found["cancelled"]
+    actual = fetched({"status": 200, "headers": headers, "bytes": 2**31})
+    assert "from a server without range requests" in actual["result"]
+    assert actual["sent"] < 2**22 and actual["cancelled"]
 
 
 @pytest.mark.parametrize(
@@ -77,11 +77,11 @@ def test_a_file_too_large_for_the_memory_is_not_fetched() -> None:
     ],
 )
 def test_a_server_that_sends_more_than_asked_is_stopped(answers: list[dict[str, Any]]) -> None:
-    found = fetched(*answers)
-    assert "sent more than the" in found["result"]
-    assert found["sent"] < 2**22 and found["cancelled"]
+    actual = fetched(*answers)
+    assert "sent more than the" in actual["result"]
+    assert actual["sent"] < 2**22 and actual["cancelled"]
 
 
 def test_a_range_that_is_cut_short_is_told() -> None:
-    found = fetched(HEAD, {"status": 206, "headers": {}, "bytes": 3})
-    assert "sent 3 bytes of 10000" in found["result"]
+    actual = fetched(HEAD, {"status": 206, "headers": {}, "bytes": 3})
+    assert "sent 3 bytes of 10000" in actual["result"]

@@ -31,18 +31,18 @@ def verdicts(*packages: bytes) -> list[str]:
 
 def judged(*packages: bytes) -> tuple[list[str], list[list[str]]]:
     """The verdicts, and each package's warnings."""
-    found = viewer_verdicts(stream(packages))
-    assert found["failures"] == []
-    return found["verdicts"], found["warnings"]
+    actual = viewer_verdicts(stream(packages))
+    assert actual["failures"] == []
+    return actual["verdicts"], actual["warnings"]
 
 
 def test_broken_packages_of_the_kit() -> None:
     """Those that the viewer takes have warnings."""
     cases = load_kit(find_kit()).validate
-    found = verdicts(*(case.package.read_bytes() for case in cases))
+    actual = verdicts(*(case.package.read_bytes() for case in cases))
     wrong = [
         (case.package.name, case.code, verdict)
-        for case, verdict in zip(cases, found, strict=True)
+        for case, verdict in zip(cases, actual, strict=True)
         if case.code is not None
         and Code[case.code].severity is Severity.ERROR
         and case.package.name not in NOT_SEEN

@@ -45,14 +45,14 @@ def test_view_transforms_are_those_of_rna_run(page):
     for view in ("srgb", "filmic"):
         page.evaluate(f"rnaViewer.setView('{view}'), 0")
         wait_for_picture(page, 1)
-        found = canvas(page)
+        actual = canvas(page)
         mean = picture(page)
         page.evaluate("rnaViewer.viewer.start(), 0")
         inside = mean[..., 3] == 1
         expected = 255 * to_display(mean[..., :3], view, 2.0)
         assert inside.sum() > 500
-        np.testing.assert_allclose(found[inside], expected[inside], atol=1.01)
-        white[view] = np.mean(found[inside] == 255)
+        np.testing.assert_allclose(actual[inside], expected[inside], atol=1.01)
+        white[view] = np.mean(actual[inside] == 255)
     assert white["filmic"] < 0.5 * white["srgb"]
     page.evaluate("rnaViewer.setView('srgb'), rnaViewer.setExposure(0), 0")
 
@@ -126,7 +126,7 @@ def test_a_picture_is_saved_once_it_has_all_samples(page):
 
 
 def test_a_cheaper_tier_is_named_where_this_one_is_slow(page):
-    found = page.evaluate(
+    actual = page.evaluate(
         """(() => {
             const tiers = [["hq", 900], ["small", 100], ["tiny", 20], ["unknown"]].map(
                 ([name, multiplyAdds]) => ({ name, cost: multiplyAdds && { multiplyAdds } }));
@@ -144,7 +144,7 @@ def test_a_cheaper_tier_is_named_where_this_one_is_slow(page):
             return told;
         })()"""
     )
-    assert found == [None, "small", "tiny", None, None]
+    assert actual == [None, "small", "tiny", None, None]
 
 
 def test_the_picture_and_its_controls_have_names(page):

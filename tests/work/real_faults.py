@@ -110,11 +110,11 @@ class Trial:
 
     def finished(self) -> dict[Path, tuple[int, int]]:
         """What is finished, and by which file."""
-        found = {}
+        actual = {}
         for path in self.folder.glob(self._kind.files):
             with contextlib.suppress(FileNotFoundError):
-                found[path] = (path.stat().st_ino, path.stat().st_mtime_ns)
-        return found
+                actual[path] = (path.stat().st_ino, path.stat().st_mtime_ns)
+        return actual
 
     def tail(self) -> str:
         return self._log.read_text(errors="replace")[-1500:]
@@ -165,9 +165,9 @@ def act(
 def kill_one(dice: random.Random, name: str, how: signal.Signals) -> None:
     """Of the processes below this one whose command has the name; waits for the first."""
     for _ in range(600):
-        found = [pid for pid in below(os.getpid()) if name in command_of(pid)]
-        if found:
-            os.kill(dice.choice(found), how)
+        actual = [pid for pid in below(os.getpid()) if name in command_of(pid)]
+        if actual:
+            os.kill(dice.choice(actual), how)
             return
         time.sleep(0.1)
     raise AssertionError(f"no {name} was started")
@@ -225,9 +225,9 @@ def expected(kind: Kind, inputs: Path, folder: Path) -> dict[str, bytes]:
     return contents(folder)
 
 
-def check(found: dict[str, bytes], wanted: dict[str, bytes]) -> None:
-    assert found.keys() == wanted.keys(), sorted(found.keys() ^ wanted.keys())
-    other = [name for name in found if found[name] != wanted[name]]
+def check(actual: dict[str, bytes], wanted: dict[str, bytes]) -> None:
+    assert actual.keys() == wanted.keys(), sorted(actual.keys() ^ wanted.keys())
+    other = [name for name in actual if actual[name] != wanted[name]]
     assert not other, f"other bytes: {other}"
 
 

@@ -52,8 +52,8 @@ def test_failures_are_as_on_one_machine(executor: Executor, tmp_path: Path) -> N
 def test_what_hangs_is_ended_and_run_again(executor: Executor, tmp_path: Path) -> None:
     timeouts = Timeouts(least=1.0)
     with Pool(executor.workers(CORE, 2), Repeating, attempts=2, timeouts=timeouts) as pool:
-        found = [o.value() for o in pool.run([1, 2, 3, Once(tmp_path / "mark", "hang"), 4])]
-    assert sorted(map(str, found)) == ["2", "4", "6", "8", "done"]
+        actual = [o.value() for o in pool.run([1, 2, 3, Once(tmp_path / "mark", "hang"), 4])]
+    assert sorted(map(str, actual)) == ["2", "4", "6", "8", "done"]
 
 
 def test_a_worker_that_dies_over_and_over_fails_its_item(executor: Executor) -> None:
@@ -144,9 +144,9 @@ def test_workers_share_a_gpu(cluster: Any, executor: Executor) -> None:
         workers = TrialWorkers.usual("auto", 2, executor)
         assert workers.device == "cuda"
         with Pool(workers.backend(), Doubling) as pool:
-            found = [o.value() for o in pool.run(["gpus"] * 8)]
+            actual = [o.value() for o in pool.run(["gpus"] * 8)]
             assert pool.nodes().total() == 2
-        assert found == ["0"] * 8
+        assert actual == ["0"] * 8
         whole = TrialWorkers.usual("cuda", None, executor).backend()
         assert whole.width() == 1 and whole.options()["num_gpus"] == 1.0
         assert TrialWorkers.usual("cuda", 4, executor).backend().options()["num_gpus"] == 0.25

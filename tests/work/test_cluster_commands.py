@@ -50,9 +50,9 @@ def test_a_capture_has_the_same_bits(
         out.parent.mkdir()
     assert capture([str(source), "--out", str(here), *SETTINGS]) == 0
     assert capture([str(source), "--out", str(there), *SETTINGS, "--cluster", ray_address]) == 0
-    expected, found = contents(here), contents(there)
-    assert [name for name in found if found[name] != expected.get(name)] == []
-    assert found.keys() == expected.keys()
+    expected, actual = contents(here), contents(there)
+    assert [name for name in actual if actual[name] != expected.get(name)] == []
+    assert actual.keys() == expected.keys()
     assert len(list(there.glob("train/*"))) == 32
 
 
@@ -106,8 +106,8 @@ def test_trainings_have_the_same_bits(
         expected = points(TrialWorkers(1, 1, "cpu", here), "a", trials)
     with open_executor(ray_address) as there:
         assert points(TrialWorkers(None, 1, "cpu", there), "b", trials) == expected
-        (found,) = points(TrialWorkers(1, 1, "cpu", there, store), "c", trials[:1]).items()
-    assert found in expected.items()
+        (actual,) = points(TrialWorkers(1, 1, "cpu", there, store), "c", trials[:1]).items()
+    assert actual in expected.items()
     for name, of in (("b", trials), ("c", trials[:1])):
         for trial in of:
             packages = [tmp_path / n / trial.name / "int8-int8.rna" for n in ("a", name)]

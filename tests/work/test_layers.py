@@ -31,13 +31,13 @@ def test_it_lies_below_renderer_and_exporter() -> None:
 
 def test_ray_is_imported_in_three_files_alone() -> None:
     folders = ("rna_sdk", "runtime", "exporters", "benchmarks/rna_bench")
-    found = {
+    actual = {
         path.name
         for folder in folders
         for path in (REPOSITORY / folder).rglob("*.py")
         if any(name.split(".")[0] == "ray" for name in imports(path))
     }
-    assert found == {"ray_cluster.py", "ray_slots.py", "travelling.py"}
+    assert actual == {"ray_cluster.py", "ray_slots.py", "travelling.py"}
 
 
 def test_without_the_option_there_is_no_ray() -> None:

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from rna_render.command.kept_pieces import KeptPieces, Piece, missing_pieces
+from rna_render.command.finished_pieces import FinishedPieces, Piece, missing_pieces
 from rna_render.command.pieces import PieceWorker, render_pieces
 from rna_render.command.rna_run import main as render
 from rna_render.image.film import Film
@@ -59,13 +59,13 @@ def test_finished_pieces_are_not_rendered_again(
 ) -> None:
     folder, whole, pieces = tmp_path / "kept", tmp_path / "a.exr", tmp_path / "b.exr"
     stop(scene_file, folder)
-    film, kept = render_pieces(scene_file, this_machine(), 1, folder)
+    film, finished = render_pieces(scene_file, this_machine(), 1, folder)
     count = len(rendered) - 1
     assert len(set(rendered)) == count > STOPPED + 1  # one of them twice, which had failed
     Output(pieces).write(scene_file.scene, film)
     assert render([str(scene_file.path), "--out", str(whole)]) == 0
     assert whole.read_bytes() == pieces.read_bytes()
-    kept.remove()
+    finished.remove()
     assert not folder.exists()
 
 
@@ -96,13 +96,13 @@ def test_ctrl_c_says_how_much_of_the_image_is_kept(
     tmp_path: Path,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    keep = KeptPieces.keep
+    keep = FinishedPieces.keep
 
-    def keep_and_press(self: KeptPieces, piece: Piece, film: Film) -> None:
+    def keep_and_press(self: FinishedPieces, piece: Piece, film: Film) -> None:
         keep(self, piece, film)
         os.kill(os.getpid(), signal.SIGINT)
 
-    monkeypatch.setattr(KeptPieces, "keep", keep_and_press)
+    monkeypatch.setattr(FinishedPieces, "keep", keep_and_press)
     opened = nullcontext(this_machine())
     monkeypatch.setattr("rna_work.executors.open_executor", lambda address: opened)
     out = tmp_path / "a.exr"
@@ -127,4 +127,4 @@ def test_a_full_disk_is_one_line(tmp_path: Path) -> None:
     blocked = tmp_path / "file"
     blocked.touch()
     with pytest.raises(SceneError, match="cannot be written"):
-        KeptPieces(blocked, "key").keep(Piece(0, 4), Film((4, 1)))
+        FinishedPieces(blocked, "key").keep(Piece(0, 4), Film((4, 1)))

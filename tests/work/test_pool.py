@@ -34,8 +34,8 @@ def test_every_item_has_an_outcome(backend: Backend) -> None:
 def test_order_is_kept_where_it_is_asked_for() -> None:
     slow_first = [0.3, 0.0, 0.01, 0.1, 0.0, 0.02]
     with Pool(Threads(3), Doubling, ahead=1) as pool:
-        found = [o.value() for o in pool.run(slow_first, ordered=True)]
-    assert found == [2 * s for s in slow_first]
+        actual = [o.value() for o in pool.run(slow_first, ordered=True)]
+    assert actual == [2 * s for s in slow_first]
 
 
 class OutOfTurn:
@@ -188,10 +188,10 @@ def test_a_worker_that_does_not_start_is_told_of_once(monkeypatch: pytest.Monkey
 
     monkeypatch.setattr("rna_work.pool._NO_ROOM", 0.1)
     monkeypatch.setattr("rna_work.pool._LOOK", 0.05)
-    told: list[str] = []
-    with Pool(Threads(1), Late, tell=told.append) as pool:
+    messages: list[str] = []
+    with Pool(Threads(1), Late, tell=messages.append) as pool:
         assert [o.value() for o in pool.run([1, 2])] == [2, 4]
-    assert len(told) == 1 and "has started for" in told[0]
+    assert len(messages) == 1 and "has started for" in messages[0]
 
 
 def test_there_are_no_more_workers_than_items() -> None:

@@ -100,9 +100,9 @@ def test_an_object_that_leads_out_of_the_folder_is_refused(key: str, tmp_path: P
     path = f"{root}/{key}"
     system.store[path] = system.store[f"{root}/last.ckpt"]
     folder = tmp_path / "a" / "b" / "c"
-    for asked in (store.names, Mirror(folder, store).fetch, lambda: store.get(key, folder / "x")):
+    for call in (store.names, Mirror(folder, store).fetch, lambda: store.get(key, folder / "x")):
         with pytest.raises(WorkError, match="relative path without"):
-            asked()
+            call()
     with pytest.raises(WorkError, match="relative path without"):
         store.put(tmp_path / "last.ckpt", key)
     assert sorted(p.name for p in tmp_path.rglob("*")) == ["last.ckpt"]
@@ -140,16 +140,16 @@ def test_what_breaks_in_the_middle_is_fetched_again(
 ) -> None:
     store, _, first = sent
     folder, system = StoredFolder.of(first, store), type(store._opened()[0])
-    fetch, asked = system.get_file, []
+    fetch, requests = system.get_file, []
 
     def broken(self: object, path: str, local: str) -> None:
         fetch(self, path, local)
-        asked.append(path)
-        if len(asked) == 1:
+        requests.append(path)
+        if len(requests) == 1:
             Path(local).write_bytes(b"who")
 
     monkeypatch.setattr(system, "get_file", broken)
-    assert folder.here().read_bytes() == b"whole" and len(asked) == 2
+    assert folder.here().read_bytes() == b"whole" and len(requests) == 2
 
 
 def test_a_file_in_a_folder_is_put_whole_or_not(

@@ -128,8 +128,8 @@ def test_what_is_in_the_store_is_not_trained_again(
         logs = []
         for name in ("a", "b"):
             with TrialPool(dataset.folder, workers) as pool:
-                found = list(pool.run([(t, tmp_path / name / t.name) for t in TRIALS]))
-            assert sorted(record.trial.name for record in found) == ["t0", "t1"]
+                actual = list(pool.run([(t, tmp_path / name / t.name) for t in TRIALS]))
+            assert sorted(record.trial.name for record in actual) == ["t0", "t1"]
             logs.append((tmp_path / name / "t0" / "log.txt").read_text())
             assert (tmp_path / name / "t0" / "int8-int8.rna").is_file()
     assert "samples" in logs[0] and logs[1] == logs[0]

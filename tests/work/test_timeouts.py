@@ -17,19 +17,19 @@ linux = pytest.mark.skipif(sys.platform != "linux", reason="no /proc")
 
 def timeouts() -> Timeouts:
     """Of a capture whose items took 40 s, of the processor too."""
-    found = Timeouts()
+    actual = Timeouts()
     for _ in range(5):
-        found.learn("shard", 40.0, 40.0)
-    return found
+        actual.learn("shard", 40.0, 40.0)
+    return actual
 
 
 def faults(rate: float, seconds: int, stuck_at: float = 1e9) -> list[tuple[int, str]]:
     """When an item that gets this share of a core is at fault, looked at each second."""
     watch, learned = Watch(0.0, 100.0), timeouts()
     for now in range(seconds):
-        told = watch.fault(learned, "shard", float(now), 100.0 + rate * min(now, stuck_at))
-        if told:
-            return [(now, told)]
+        reason = watch.fault(learned, "shard", float(now), 100.0 + rate * min(now, stuck_at))
+        if reason:
+            return [(now, reason)]
     return []
 
 
@@ -38,8 +38,8 @@ def test_a_worker_that_uses_the_processor_is_not_hung() -> None:
 
 
 def test_a_worker_that_does_nothing_is_hung_after_ten_times_as_long() -> None:
-    [(when, told)] = faults(rate=0.0, seconds=1000)
-    assert when == 401 and "the last 401 s without use of the processor" in told
+    [(when, reason)] = faults(rate=0.0, seconds=1000)
+    assert when == 401 and "the last 401 s without use of the processor" in reason
 
 
 def test_a_worker_that_stops_in_the_middle_is_found() -> None:
@@ -48,8 +48,8 @@ def test_a_worker_that_stops_in_the_middle_is_found() -> None:
 
 
 def test_a_worker_in_circles_is_ended_by_its_processor_time() -> None:
-    [(when, told)] = faults(rate=1.0, seconds=1000)
-    assert when == 401 and "401 s of processor time, expected within 400 s" in told
+    [(when, reason)] = faults(rate=1.0, seconds=1000)
+    assert when == 401 and "401 s of processor time, expected within 400 s" in reason
 
 
 def test_without_processor_time_the_clock_decides() -> None:

@@ -48,7 +48,7 @@ def add_options(p: argparse.ArgumentParser) -> None:
 
 def run(args: argparse.Namespace) -> None:
     """Measure the source; write its row if its speed is known."""
-    from rna_export.capture.estimate.gain import TABLE, left_out, table_of, told
+    from rna_export.capture.estimate.gain import TABLE, gain_text, left_out, table_of
 
     table = args.table or TABLE
     if args.source is not None:
@@ -62,11 +62,11 @@ def run(args: argparse.Namespace) -> None:
     if len(assets) < 2:
         print(f"found {len(assets)} asset in {table}; an estimate needs two")
         return
-    print(told(pilot, assets))
+    print(gain_text(pilot, assets))
     for name, ratio in left_out(assets).items():
         asset = assets[name]
-        told_ = f"{asset.times:.2f} times as fast as Cycles; left out, {ratio:.2f} of that is told"
-        print(f"{name}: noise ratio {asset.pilot.noise_ratio:.2f}, {told_}")
+        text = f"{asset.times:.2f} times as fast as Cycles; left out, {ratio:.2f} of that is told"
+        print(f"{name}: noise ratio {asset.pilot.noise_ratio:.2f}, {text}")
 
 
 def _pilot(path: Path, arguments: Sequence[str]) -> Pilot:
@@ -96,13 +96,13 @@ def speeds(path: Path) -> dict[str, float]:
     from rna_bench.results import read_scenes
     from rna_export.capture.estimate.gain import SAMPLES
 
-    found = read_scenes(path, lambda result: result["scenes"])
-    if missing := [name for name in SCENES if name not in found]:
+    results = read_scenes(path, lambda result: result["scenes"])
+    if missing := [name for name in SCENES if name not in results]:
         raise RnaError(f"{path}: found no scene {', '.join(missing)}; expected {SCENES}")
     times = {
         name: round(row["equal_error"]["times_as_fast"], 3)
         for name in SCENES
-        for row in found[name]["ours"]
+        for row in results[name]["ours"]
         if row["samples"] == SAMPLES
     }
     if missing := [name for name in SCENES if name not in times]:

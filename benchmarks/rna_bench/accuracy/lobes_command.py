@@ -62,7 +62,7 @@ def _rounded(
 
 def _parts(path: Path) -> list[dict[str, Any]]:
     """Lobes of each part that has them, and what they cost."""
-    found = []
+    result = []
     with Package.open(path) as package:
         for k, part in enumerate(package.manifest.parts):
             lobes = package.environment(k)
@@ -71,7 +71,7 @@ def _parts(path: Path) -> list[dict[str, Any]]:
             layers = decoder_from_bytes(lobes.decoder, lobes.record.decoder).layers
             own = lobes.record.decoder, lobes.record.visibility
             sizes = [package.manifest.entries[name].size for name in own if name is not None]
-            found.append(
+            result.append(
                 {
                     "part": part.name,
                     "kind": part.kind,
@@ -80,20 +80,20 @@ def _parts(path: Path) -> list[dict[str, Any]]:
                     "bytes": sum(sizes),
                 }
             )
-    if not found:
+    if not result:
         raise RnaError(f"{path}: found no {Environment.NAME}; rna-export --environment adds it")
-    return found
+    return result
 
 
 def _environments(files: list[Path]) -> dict[str, np.ndarray]:
     """Texels by name: the generated ones, and the files, each at several turns."""
-    found = generated_environments()
+    result = generated_environments()
     for path in files:
         texels = read_environment(path)
         for turn in range(_TURNS):
             columns = turn * texels.shape[1] // _TURNS
-            found[f"{path.stem}-{360 * turn // _TURNS}"] = np.roll(texels, columns, axis=1)
-    return found
+            result[f"{path.stem}-{360 * turn // _TURNS}"] = np.roll(texels, columns, axis=1)
+    return result
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:

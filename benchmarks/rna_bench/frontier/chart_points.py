@@ -15,11 +15,11 @@ COSTS = {"ns": "ns/query, all threads", "bytes": "bytes of the package"}
 
 def points_of(records: list[Record], costs: Costs | None) -> list[dict[str, Any]]:
     """One object a trained model and precision."""
-    found = []
+    result = []
     for record in records:
         for precision, point in record.points.items():
-            found.append(_point(record, precision, point, costs))
-    return found
+            result.append(_point(record, precision, point, costs))
+    return result
 
 
 def label_of(trial: str, precision: str) -> str:

@@ -106,8 +106,8 @@ def _render(
     for view in views:
         task = ValidationHalf(view.index, _NOISE)
         task.run(dataset.dataset, scene, worker)
-        found = read_part(task.path(dataset.dataset), dataset.name, {"radiance": 3, "pixel": 1})
+        result = read_part(task.path(dataset.dataset), dataset.name, {"radiance": 3, "pixel": 1})
         image = np.zeros((view.resolution**2, 3), np.float32)
-        image[found["pixel"]] = found["radiance"]
+        image[result["pixel"]] = result["radiance"]
         radiance.append(image[view.pixel])
     return radiance

@@ -20,17 +20,17 @@ def findings(points: Points) -> dict[str, Any]:
     }
 
 
-def sentences(found: dict[str, Any]) -> list[str]:
+def sentences(result: dict[str, Any]) -> list[str]:
     """The findings in words."""
     said = []
-    if cheaper := found["as_accurate_as_paper_hq"]:
+    if cheaper := result["as_accurate_as_paper_hq"]:
         said.append(
             f"At the accuracy of paper-hq ({cheaper['paper_psnr']:.1f} dB, "
             f"{cheaper['paper_ns']:,.0f} ns/query) the cheapest of ours is {cheaper['name']}: "
             f"{cheaper['psnr']:.1f} dB, {cheaper['ns']:,.0f} ns, "
             f"1/{cheaper['times_as_cheap']:.0f} of the cost."
         )
-    if better := found["as_cheap_as_paper_small"]:
+    if better := result["as_cheap_as_paper_small"]:
         said.append(
             f"At the cost of paper-small ({better['paper_ns']:,.0f} ns/query, "
             f"{better['paper_psnr']:.1f} dB) the best of ours is {better['name']}: "
@@ -43,16 +43,16 @@ def _cheaper(ours: Points, paper: dict[str, Any] | None) -> dict[str, Any] | Non
     good = [p for p in ours if paper and p["psnr"] >= paper["psnr"]]
     if not good or not paper:
         return None
-    found = min(good, key=lambda p: p["ns"])
-    return {**_pair(found, paper), "times_as_cheap": paper["ns"] / found["ns"]}
+    result = min(good, key=lambda p: p["ns"])
+    return {**_pair(result, paper), "times_as_cheap": paper["ns"] / result["ns"]}
 
 
 def _better(ours: Points, paper: dict[str, Any] | None) -> dict[str, Any] | None:
     cheap = [p for p in ours if paper and p["ns"] <= paper["ns"]]
     if not cheap or not paper:
         return None
-    found = max(cheap, key=lambda p: p["psnr"])
-    return {**_pair(found, paper), "db_better": found["psnr"] - paper["psnr"]}
+    result = max(cheap, key=lambda p: p["psnr"])
+    return {**_pair(result, paper), "db_better": result["psnr"] - paper["psnr"]}
 
 
 def _pair(ours: dict[str, Any], paper: dict[str, Any]) -> dict[str, Any]:

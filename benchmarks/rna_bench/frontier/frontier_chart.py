@@ -55,8 +55,8 @@ def _draw_row(axes: Any, asset: str, reports: list[dict[str, Any]]) -> None:
     axes[0].set_ylim(top=top)
     _draw_cycles(axes[0], next((r["cycles"] for r in reports if r["cycles"]), None), top)
     axes[0].set_ylabel("PSNR, dB (irradiance pi, clamped to [0, 1])")
-    told = "; hollow: ".join(f"{_steps(report):,} steps" for report in reports)
-    axes[0].set_title(f"{asset}: {told} of each model", loc="left")
+    lengths = "; hollow: ".join(f"{_steps(report):,} steps" for report in reports)
+    axes[0].set_title(f"{asset}: {lengths} of each model", loc="left")
 
 
 def _draw_points(

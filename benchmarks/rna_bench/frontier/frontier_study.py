@@ -67,8 +67,8 @@ class Study:
     def records(self) -> list[Record]:
         """Records of the finished trials, in the grid's order."""
         source = self.dataset.manifest.source_sha256
-        found = [read_record(self.folder(trial), trial, source) for trial in self.trials]
-        return [record for record in found if record is not None]
+        result = [read_record(self.folder(trial), trial, source) for trial in self.trials]
+        return [record for record in result if record is not None]
 
     def train(self) -> None:
         """Train, export and score every model that is not finished."""

@@ -49,14 +49,14 @@ class KnownGeometry:
     def hits(self, origins: np.ndarray, directions: np.ndarray, lights: np.ndarray) -> Hits:
         """Of n rays with their lights, (n, 3) float32 each."""
         starts = self._placed(origins)
-        found = self._scene.intersect(starts, directions)
+        hits = self._scene.intersect(starts, directions)
         normals, tangents = np.zeros_like(directions), np.zeros_like(directions)
         visible = np.zeros(len(directions), np.float32)
         for part in range(len(self._scene.geometries)):
-            row = np.flatnonzero(found.geometry == part)
+            row = np.flatnonzero(hits.geometry == part)
             if not len(row):
                 continue
-            at = (a[row] for a in (found.primitive, found.u, found.v, found.ng))
+            at = (a[row] for a in (hits.primitive, hits.u, hits.v, hits.ng))
             points = self._scene.points(part, *at)
             way = self._placed(lights[row]) - points.x
             seen = self._scene.visible(part, points, way, 1.0).astype(np.float32)
@@ -65,8 +65,8 @@ class KnownGeometry:
                 normals[row], tangents[row] = points.n, points.tangent
             else:
                 normals[row] = points.mapped
-        row = np.flatnonzero(found.geometry >= 0)
-        points_at = origins[row] + (found.t[row] / self._radius)[:, None] * directions[row]
+        row = np.flatnonzero(hits.geometry >= 0)
+        points_at = origins[row] + (hits.t[row] / self._radius)[:, None] * directions[row]
         return Hits(row, points_at.astype(np.float32), normals[row], tangents[row], visible[row])
 
     def _placed(self, points: np.ndarray) -> np.ndarray:

@@ -71,7 +71,7 @@ class KnownMethod(LearnedMethod):
         """Rows of the rays that hit, (k,), and their colours, (k, 3)."""
         arrays = (a.cpu().numpy() for a in (rays.origins, rays.directions, rays.lights))
         hits = self.geometry.hits(*arrays)
-        found = (hits.row, hits.points, hits.normals, hits.tangents, hits.visible)
-        row, x, n, t, visible = (torch.from_numpy(a).to(self.device) for a in found)
+        result = (hits.row, hits.points, hits.normals, hits.tangents, hits.visible)
+        row, x, n, t, visible = (torch.from_numpy(a).to(self.device) for a in result)
         at = Points(x, n, t, visible, rays.directions[row], rays.lights[row])
         return row, self.shaded(at)

@@ -19,7 +19,7 @@ from rna_bench.peers.views import PeerCamera, PixelBatch, Views
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import TrainingError
 
-_KEPT_EVERY = 60.0  # seconds of training between checkpoints
+_SAVED_EVERY = 60.0  # seconds of training between checkpoints
 _POINTS = 200  # of a curve in a planned training
 CHECKPOINT = "last.ckpt"
 
@@ -90,7 +90,7 @@ class LearnedMethod:
         optimizer = torch.optim.Adam(self.model.parameters(), lr=self.rate)
         done = self._resume(optimizer, work)
         clock = time.perf_counter if self.device.type == "cuda" else time.process_time
-        start, kept = clock() - done.seconds, done.seconds
+        start, saved_at = clock() - done.seconds, done.seconds
         losses: list[Tensor] = []
         while not _is_over(done, budget):
             progress = _progress(done, budget)
@@ -101,12 +101,12 @@ class LearnedMethod:
             last = done.curve[-1] if done.curve else LossPoint(0.0, 0, 0, 0.0)
             if _share(done, budget) - _share(last, budget) >= 1.0 / _POINTS:
                 done, losses = _with_point(done, losses), []
-            if spent - kept >= _KEPT_EVERY:
+            if spent - saved_at >= _SAVED_EVERY:
                 self._keep(optimizer, done, work)
-                kept = spent
+                saved_at = spent
         if losses:
             done = _with_point(done, losses)
-        if done.seconds > kept:
+        if done.seconds > saved_at:
             self._keep(optimizer, done, work)
         return done
 

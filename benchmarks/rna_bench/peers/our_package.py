@@ -25,9 +25,9 @@ def measured(packages: Sequence[Path], plan: Plan, samples: int) -> list[dict[st
     for package, tier in ((path, name) for path in packages for name in tiers_of(path)):
         images, scores, seconds = {}, {}, []
         for split, held in plan.held_out.items():
-            found = render_package(package, tier, held.views, held.cameras(), samples)
-            images[split] = found[0]
-            seconds.append(found[1])
+            result = render_package(package, tier, held.views, held.cameras(), samples)
+            images[split] = result[0]
+            seconds.append(result[1])
             scores[split] = held.score(images[split]).as_json()
         which = f"{package.stem}, {tier}" if len(packages) > 1 else tier
         rows.append(

@@ -88,12 +88,12 @@ def run(args: argparse.Namespace) -> None:
     for seed in args.seeds:
         for name in args.methods or _possible(args):
             setting = Setting(seed, args.device, args.full, geometry)
-            found = run_method(METHODS[name], setting, plan, args.out, settings, args.again)
-            last = found["points"][-1]
+            result = run_method(METHODS[name], setting, plan, args.out, settings, args.again)
+            last = result["points"][-1]
             print(
                 f"{name}, seed {seed}: {last['cpu_minutes']:.1f} min, {last['scores']}", flush=True
             )
-            rows.append(found)
+            rows.append(result)
     ours = our_package.measured(args.package, plan, args.samples)
     write_report(args.out, args.stamp, settings, plan, rows, ours)
 

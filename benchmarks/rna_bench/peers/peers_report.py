@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from rna_bench.peers.peers_sheets import TITLES, told_share, write_sheets
+from rna_bench.peers.peers_sheets import TITLES, training_share, write_sheets
 from rna_bench.peers.scoring import DEFINITIONS
 from rna_bench.peers.study import Plan
 from rna_bench.plot_style import OURS, figure, save_chart
@@ -59,5 +59,5 @@ def _curves(plan: Plan, rows: list[Row], ours: list[Row]) -> Any:
 
 
 def _label(row: Row) -> str:
-    share = told_share(row["points"][-1])
+    share = training_share(row["points"][-1])
     return f"{row['title']}, seed {row['seed']} ({share})"

@@ -63,7 +63,7 @@ def write_sheets(out: Path, plan: Plan, rows: list[Row], ours: list[Row]) -> lis
     return written
 
 
-def told_share(point: Row) -> str:
+def training_share(point: Row) -> str:
     """The share of the published schedule that a training had."""
     share = point["share_of_schedule"]
     return "schedule not published" if share is None else f"{100.0 * share:.2g}% of the schedule"
@@ -85,8 +85,8 @@ def _drawn(
         for row in shown:
             image = rendered(out, row["method"], row["seed"], split)[k]
             images.append((_of_method(row), image, _psnr(row["points"][-1], split, k)))
-        for column, (title, image, told) in enumerate(images):
-            _draw(grid[2 * pair : 2 * pair + 2, column], image, held, title, told)
+        for column, (title, image, caption) in enumerate(images):
+            _draw(grid[2 * pair : 2 * pair + 2, column], image, held, title, caption)
     return chart
 
 
@@ -98,7 +98,7 @@ def _of_ours(row: Row) -> str:
 
 def _of_method(row: Row) -> str:
     last = row["points"][-1]
-    spent = f"{last['cpu_minutes']:.1f} CPU min, {told_share(last)}"
+    spent = f"{last['cpu_minutes']:.1f} CPU min, {training_share(last)}"
     frame = f"{_size(row['parameters'])}, {last['frame_cpu_seconds']:.2g} CPU s a frame"
     return f"{row['title']}\n{spent}\n{frame}"
 
@@ -111,7 +111,7 @@ def _psnr(scored: Row, split: str, k: int) -> str:
     return f"{scored['scores'][split]['each'][k]:.2f} dB"
 
 
-def _draw(axes: Any, image: np.ndarray, held: HeldOut, title: str, told: str) -> None:
+def _draw(axes: Any, image: np.ndarray, held: HeldOut, title: str, caption: str) -> None:
     picture = to_png(image / IRRADIANCE, held.exposure)
     size = picture.shape[0]
     low, high = round((0.5 - _CROP / 2) * size), round((0.5 + _CROP / 2) * size)
@@ -120,4 +120,4 @@ def _draw(axes: Any, image: np.ndarray, held: HeldOut, title: str, told: str) ->
         one.imshow(shown, interpolation="nearest")
     lines = [line for part in title.split("\n") for line in wrap(part, 30)]
     axes[0].set_title("\n".join(lines), fontsize=6.5)
-    axes[1].set_title(told, fontsize=8)
+    axes[1].set_title(caption, fontsize=8)

@@ -15,7 +15,7 @@ from rna_bench.peers.method import Budget, Method, Training
 from rna_bench.peers.methods import MethodRow, Setting
 from rna_bench.peers.scoring import HeldOut
 from rna_bench.peers.views import Views
-from rna_bench.scenes.kept import Kept
+from rna_bench.scenes.stored import StoredResults
 from rna_export.capture.dataset.sample_files import write_arrays
 
 PARTS = (1 / 8, 1 / 4, 1 / 2, 1.0)
@@ -43,7 +43,7 @@ def run_method(
     settings: what the records depend on beside the method.
     """
     folder = out / f"{row.name}-{setting.seed}"
-    kept = Kept(
+    records = StoredResults(
         folder,
         {**settings, "method": row.name, "seed": setting.seed, "full": setting.full},
         again,
@@ -58,7 +58,7 @@ def run_method(
     for part in PARTS:
         budget = _budget(plan, part)
         make = partial(_point, method, data, budget, plan, row, folder, part)
-        points.append(kept.record(f"point-{part:g}", make))
+        points.append(records.record(f"point-{part:g}", make))
     return {
         "method": row.name,
         "title": row.title,

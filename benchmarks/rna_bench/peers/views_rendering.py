@@ -85,8 +85,10 @@ def _write_meta(path: Path, meta: dict[str, Any]) -> None:
         there = json.loads(path.read_text())
         differ = [key for key in meta if key != "frames" and there.get(key) != meta[key]]
         if differ:
-            told = ", ".join(f"{key} {there.get(key)}, now {meta[key]}" for key in differ)
-            raise CaptureError(f"{path}: made with other settings ({told}): choose another --out")
+            differences = ", ".join(f"{key} {there.get(key)}, now {meta[key]}" for key in differ)
+            raise CaptureError(
+                f"{path}: made with other settings ({differences}): choose another --out"
+            )
     path.parent.mkdir(parents=True, exist_ok=True)
     write_atomically(path, (json.dumps(meta, indent=1) + "\n").encode())
 

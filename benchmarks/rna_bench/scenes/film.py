@@ -54,17 +54,17 @@ def run(args: argparse.Namespace) -> None:
     if animation is None or all(asset.motion is None for asset in scene_file.scene.assets):
         raise SceneError(f"{args.scene}: found no `animation`, or no asset with a `motion`")
     frames = range(animation.frames)
-    missing = [k for k in frames if not _kept(args.out, k).is_file()]
+    missing = [k for k in frames if not _frame_file(args.out, k).is_file()]
     if missing:
         _render(args, scene_file, missing)
-    both = [dict(np.load(_kept(args.out, k))) for k in frames]
+    both = [dict(np.load(_frame_file(args.out, k))) for k in frames]
     exposure = Beside.of(both[0]["cycles"][None], both[0]["alpha"] > 0.5).exposure
     shown = [_shown(frame, exposure) for frame in both]
     rows = [_row(k, frame, exposure) for k, frame in enumerate(both)]
     _write(args, scene_file.scene, rows, shown)
 
 
-def _kept(out: Path, frame: int) -> Path:
+def _frame_file(out: Path, frame: int) -> Path:
     return out / "frames" / f"{frame:04d}.npz"
 
 
@@ -80,7 +80,7 @@ def _render(args: argparse.Namespace, scene_file: SceneFile, frames: list[int]) 
             for k in tqdm(frames, unit="frame", leave=False):
                 mine, alpha = ours.render(k)
                 theirs = cycles.render(first + k)
-                path = _kept(args.out, k)
+                path = _frame_file(args.out, k)
                 path.parent.mkdir(parents=True, exist_ok=True)
                 seconds = np.array([mine.seconds, theirs.seconds, mine.of_cpu, theirs.of_cpu])
                 np.savez(path, ours=mine.pixels, cycles=theirs.pixels, alpha=alpha, seconds=seconds)

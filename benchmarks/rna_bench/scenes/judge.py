@@ -57,7 +57,7 @@ def shown_pictures(measured: MeasuredScene) -> list[Shown]:
     reference.
     """
     plan, images = measured.plan, measured.images
-    found = []
+    result = []
     for denoised in (False, True):
         word = ", denoised" if denoised else ""
         ours = image_of(images, label_of(OURS, plan.shown, denoised))
@@ -65,12 +65,12 @@ def shown_pictures(measured: MeasuredScene) -> list[Shown]:
             continue
         samples, cycles = _of_equal_time(measured, ours.seconds, denoised)
         caption = f"ours{word}: {plan.shown} samples, {ours.seconds:.2f} s"
-        found.append(_shown(measured.beside, caption, ours.pixels))
+        result.append(_shown(measured.beside, caption, ours.pixels))
         caption = f"Cycles{word}: {samples} samples, {cycles.seconds:.2f} s"
-        found.append(_shown(measured.beside, caption, cycles.pixels))
-    found.append(_shown(measured.beside, f"ours: {plan.floor_samples} samples", measured.floor))
+        result.append(_shown(measured.beside, caption, cycles.pixels))
+    result.append(_shown(measured.beside, f"ours: {plan.floor_samples} samples", measured.floor))
     caption = f"reference: Cycles, {plan.reference_samples} samples"
-    return [*found, Shown(caption, measured.beside.picture(measured.beside.reference))]
+    return [*result, Shown(caption, measured.beside.picture(measured.beside.reference))]
 
 
 def _shown(beside: Beside, caption: str, image: np.ndarray) -> Shown:

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from rna_bench.scenes.beside_cycles import Beside, CyclesScene, OurScene
-from rna_bench.scenes.kept import Arrays, Kept
+from rna_bench.scenes.stored import Arrays, StoredResults
 from rna_bench.scenes.timed_images import find_denoiser, render_by_turns
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.compare.comparison_run import Timed
@@ -50,8 +50,8 @@ class MeasuredScene:
         name: str,
         scene: Scene,
         plan: Plan,
-        references: Kept,
-        measured: Kept,
+        references: StoredResults,
+        measured: StoredResults,
         worker: Callable[[], BlenderWorker],
         say: Callable[[str], None],
     ):
@@ -70,21 +70,23 @@ class MeasuredScene:
     @cached_property
     def beside(self) -> Beside:
         """The references, and the pixels that the asset covers."""
-        halves = self._references.arrays(self.name, self._told("reference", self._reference))
+        halves = self._references.arrays(self.name, self._announced("reference", self._reference))
         covered = self._measured.arrays(f"{self.name}-covered", self._covered)["covered"]
         return Beside.of(halves["halves"], covered > 0)
 
     @cached_property
     def floor(self) -> np.ndarray:
         """Our image with hardly any noise, RGB."""
-        return self._measured.arrays(f"{self.name}-floor", self._told("floor", self._floor))["rgb"]
+        return self._measured.arrays(f"{self.name}-floor", self._announced("floor", self._floor))[
+            "rgb"
+        ]
 
     @cached_property
     def images(self) -> Arrays:
         """See `render_by_turns`."""
-        return self._measured.arrays(f"{self.name}-images", self._told("times", self._images))
+        return self._measured.arrays(f"{self.name}-images", self._announced("times", self._images))
 
-    def _told(self, step: str, make: Callable[[], Any]) -> Callable[[], Any]:
+    def _announced(self, step: str, make: Callable[[], Any]) -> Callable[[], Any]:
         def told() -> Any:
             begun = time.perf_counter()
             result = make()

@@ -29,11 +29,11 @@ def scenes(stage: Stage, environments: Sequence[Path], folder: Path) -> dict[str
         raise SceneError("--environment: found two scenes of one name; rename a file")
     light = next(iter(skies.values()), stage.lamp)
     ground = stage.ground
-    found = {name: stage.scene(sky, ground=ground) for name, sky in skies.items()}
-    found[LAMP] = stage.scene(stage.lamp, ground=ground)
-    found[WALL] = stage.scene(stage.lamp, ground=ground, objects=[stage.wall(folder)])
-    found[NEAR_AND_FAR] = stage.scene(light, ground=_wide(ground), assets=_near_and_far(stage))
-    return found
+    result = {name: stage.scene(sky, ground=ground) for name, sky in skies.items()}
+    result[LAMP] = stage.scene(stage.lamp, ground=ground)
+    result[WALL] = stage.scene(stage.lamp, ground=ground, objects=[stage.wall(folder)])
+    result[NEAR_AND_FAR] = stage.scene(light, ground=_wide(ground), assets=_near_and_far(stage))
+    return result
 
 
 def _near_and_far(stage: Stage) -> list[dict[str, Any]]:

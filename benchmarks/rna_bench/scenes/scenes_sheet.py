@@ -16,15 +16,15 @@ from rna_bench.scenes.time_chart import SIZE, draw_charts
 _TITLES = 0.45  # inches, of a row of pictures and what is above it
 
 
-def draw_sheet(done: Sequence[MeasuredScene], found: dict[str, Any], path: Path) -> None:
-    """Write the PNG; found: scene -> what `judge` gave."""
+def draw_sheet(done: Sequence[MeasuredScene], result: dict[str, Any], path: Path) -> None:
+    """Write the PNG; result: scene -> what `judge` gave."""
     heights = [height for one in done for height in (_pictures_height(one), SIZE[1])]
     sheet = figure(SIZE[0], sum(heights))
     parts = sheet.subfigures(len(heights), 1, height_ratios=heights, squeeze=False).flat
     for k, measured in enumerate(done):
         parts[2 * k].suptitle(measured.name, x=0.01, ha="left", fontsize=12, fontweight="bold")
         _draw_pictures(parts[2 * k], measured)
-        draw_charts(parts[2 * k + 1], found[measured.name])
+        draw_charts(parts[2 * k + 1], result[measured.name])
     sheet.savefig(path, dpi=100)
 
 

@@ -14,11 +14,11 @@ from rna_bench.cycles_worker import cycles
 from rna_bench.results import write_results
 from rna_bench.scenes.beside_cycles import EXPOSURE_DEFINITION
 from rna_bench.scenes.judge import judge
-from rna_bench.scenes.kept import Kept
 from rna_bench.scenes.measured_scene import MeasuredScene, Plan
 from rna_bench.scenes.scene_list import find_environment, scenes
 from rna_bench.scenes.scenes_sheet import draw_sheet
 from rna_bench.scenes.stage import Stage
+from rna_bench.scenes.stored import StoredResults
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.metrics import FLIP_DEFINITION
 from rna_render.scene import Scene
@@ -46,16 +46,16 @@ def study(args: argparse.Namespace) -> None:
     stage, plan = _stage(args), _plan(args)
     args.out.mkdir(parents=True, exist_ok=True)
     chosen = _chosen(scenes(stage, environments, args.out.resolve()), args.scenes)
-    references, measured = _kept(args, stage, environments)
-    done, found = [], {}
+    references, measured = _stored_results(args, stage, environments)
+    done, result = [], {}
     with Progress(len(chosen), "scene", "measuring") as progress:
         for name, scene in chosen.items():
             # A Blender of its own for each: one that builds many scenes may crash.
             with ExitStack() as stack:
                 worker = cache(partial(_enter, stack, args))
-                kept = references, measured
-                one = MeasuredScene(name, scene, plan, *kept, worker, progress.tell)
-                found[name] = judge(one)
+                caches = references, measured
+                one = MeasuredScene(name, scene, plan, *caches, worker, progress.tell)
+                result[name] = judge(one)
             done.append(one)
             progress.advance({})
     report = {
@@ -63,10 +63,10 @@ def study(args: argparse.Namespace) -> None:
         "tier": args.tier or "default",
         "resolution": args.resolution,
         "definitions": DEFINITIONS,
-        "scenes": found,
+        "scenes": result,
     }
     write_results(args.out / "scenes.json", args.stamp, report)
-    draw_sheet(done, found, args.out / "scenes.png")
+    draw_sheet(done, result, args.out / "scenes.png")
 
 
 def _enter(stack: ExitStack, args: argparse.Namespace) -> BlenderWorker:
@@ -86,7 +86,9 @@ def _plan(args: argparse.Namespace) -> Plan:
     return Plan(*counts, args.reference_samples, args.floor_samples)
 
 
-def _kept(args: argparse.Namespace, stage: Stage, environments: list[Path]) -> tuple[Kept, Kept]:
+def _stored_results(
+    args: argparse.Namespace, stage: Stage, environments: list[Path]
+) -> tuple[StoredResults, StoredResults]:
     """Stores of Cycles' references, and of measurements on one commit and CPU."""
     shared: dict[str, Any] = {
         "source": _digest(args.source),
@@ -96,7 +98,7 @@ def _kept(args: argparse.Namespace, stage: Stage, environments: list[Path]) -> t
         "camera": json.loads(json.dumps(stage.camera)),
         "reference_samples": args.reference_samples,
     }
-    own = {
+    values = {
         "asset": _digest(args.asset),
         "tier": args.tier,
         "samples": args.samples,
@@ -107,8 +109,8 @@ def _kept(args: argparse.Namespace, stage: Stage, environments: list[Path]) -> t
     }
     elsewhere = "choose another --out"
     return (
-        Kept(args.out / "references", shared, False, elsewhere),
-        Kept(args.out / "measured", own, args.again, f"{elsewhere}, or --again"),
+        StoredResults(args.out / "references", shared, False, elsewhere),
+        StoredResults(args.out / "measured", values, args.again, f"{elsewhere}, or --again"),
     )
 
 

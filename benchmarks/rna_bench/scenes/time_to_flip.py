@@ -73,12 +73,12 @@ def rows_of(result: dict[str, Any]) -> list[Row]:
     name = Path(result["asset"]).stem.replace("_", " ")
     tier = "" if result["tier"] == "default" else f", {result['tier']}"
     rows = []
-    for scene, found in result["scenes"].items():
-        floors = {"ours": found["floor"]["flip"], "Cycles": None}
+    for scene, results in result["scenes"].items():
+        floors = {"ours": results["floor"]["flip"], "Cycles": None}
         waits = {
-            side: {target: wait_for(target, found[key], floors[side]) for target in TARGETS}
+            side: {target: wait_for(target, results[key], floors[side]) for target in TARGETS}
             for side, key in _SIDES.items()
-            if found[key]
+            if results[key]
         }
         rows.append(Row(name + tier, scene, waits))
     return rows

@@ -53,9 +53,9 @@ def main() -> None:
     with makers[name](threads) as task:
         task(_WARM)
         print("ready", flush=True)
-        for asked in sys.stdin:
+        for line in sys.stdin:
             begun = time.perf_counter()
-            done = task(float(asked))
+            done = task(float(line))
             print(json.dumps({"rate": done / (time.perf_counter() - begun)}), flush=True)
             print("ready", flush=True)
 

@@ -33,7 +33,7 @@ from rna_sdk.errors import RnaError
 from rna_work.processor_time import process_seconds, process_threads
 
 _LOOP = "while True: pass"
-KEPT = 0.8
+EFFICIENCY = 0.8
 """Of so many times the rate of one thread: the mark for captures, renders and queries."""
 
 
@@ -81,22 +81,22 @@ def measure(name: str, numbers: list[int], loops: list[int], seconds: float) -> 
             )
             for count in loops if threads == numbers[-1] else ():
                 with busy(count):
-                    found = _measured(process, threads, seconds)
+                    result = _measured(process, threads, seconds)
                 share = threads / (threads + count)
-                of_share = round(found["rate"] / rows[-1]["rate"] / share, 3)
-                record[f"beside {count}"] = {"rate": found["rate"], "of_share": of_share}
+                of_share = round(result["rate"] / rows[-1]["rate"] / share, 3)
+                record[f"beside {count}"] = {"rate": result["rate"], "of_share": of_share}
     return record
 
 
 def lines(name: str, record: dict[str, Any]) -> list[str]:
     """The record as lines of the table."""
-    told = [
+    lines = [
         f"{name:9} {row['threads']:3} threads {row['rate']:14,.1f} {record['unit']}, "
         f"{row['of_linear']:.0%} of linear, {row['cores_a_thread']:.2f} cores a thread, "
         f"{row['existing']} threads exist"
         for row in record["threads"]
     ]
-    return told + [
+    return lines + [
         f"{name:9} {key} busy processes: {value['of_share']:.2f} of its share"
         for key, value in record.items()
         if key.startswith("beside")
@@ -109,7 +109,14 @@ def draw(rows: dict[str, Any], path: Path) -> None:
     axes = chart.subplots()
     most = max(row["threads"] for record in rows.values() for row in record["threads"])
     axes.plot([1, most], [1, most], color="0.6", lw=0.8, label="linear")
-    axes.plot([1, most], [1, KEPT * most], color="0.6", lw=0.8, ls=":", label=f"{KEPT:.0%} of it")
+    axes.plot(
+        [1, most],
+        [1, EFFICIENCY * most],
+        color="0.6",
+        lw=0.8,
+        ls=":",
+        label=f"{EFFICIENCY:.0%} of it",
+    )
     for name, record in rows.items():
         threads = [row["threads"] for row in record["threads"]]
         axes.plot(

@@ -77,7 +77,7 @@ class Result:
         return self.skipped or self.case.judge(self.rows).found
 
     @property
-    def told(self) -> str:
+    def summary(self) -> str:
         """A line for the user."""
         return f"{self.case.name}: {self.status}, {self.found}"
 

@@ -48,8 +48,8 @@ class Subject:
     def given(self) -> set[str]:
         """Names as in `Case.needs`."""
         named = {"dataset": self.dataset, "source": self.source}
-        found = {name for name, value in named.items() if value is not None}
-        return found | ({"package"} if self.package or self.dataset else set())
+        result = {name for name, value in named.items() if value is not None}
+        return result | ({"package"} if self.package or self.dataset else set())
 
 
 class Fixtures:
@@ -167,7 +167,7 @@ class Fixtures:
         """The package's."""
         return of_package(self.asset)
 
-    def kept(self, name: str, make: Callable[[], dict[str, np.ndarray]]) -> dict[str, np.ndarray]:
+    def stored(self, name: str, make: Callable[[], dict[str, np.ndarray]]) -> dict[str, np.ndarray]:
         """Arrays that `make` gives, or gave in an earlier run."""
         path = self._folder / "references" / f"{name}.safetensors"
         if not path.is_file():

@@ -48,7 +48,7 @@ def run_cases(
                 )
             rows = saved["rows"]
         results.append(Result(case, rows, reason))
-        say(results[-1].told)
+        say(results[-1].summary)
     return results
 
 

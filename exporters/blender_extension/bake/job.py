@@ -1,4 +1,4 @@
-"""A bake: a process that outlives Blender, and the folder that tells how far it is."""
+"""A bake: a process that outlives Blender, and the folder with its progress."""
 
 import json
 import os
@@ -50,10 +50,10 @@ class Job:
         if self.folder.is_symlink() or (self.folder.exists() and not self.folder.is_dir()):
             raise SdkError(f"{self.folder}: expected a folder, or none")
         if self.folder.is_dir() and not self.is_begun():
-            found = sorted(path.name for path in self.folder.iterdir())[:3]
-            if found:
+            result = sorted(path.name for path in self.folder.iterdir())[:3]
+            if result:
                 raise SdkError(
-                    f"{self.folder}: found {', '.join(found)}, not written by a bake of yours "
+                    f"{self.folder}: found {', '.join(result)}, not written by a bake of yours "
                     "here; move the folder away, or name another package"
                 )
 

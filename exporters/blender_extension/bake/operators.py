@@ -45,7 +45,7 @@ class Bake(bpy.types.Operator):
             return {"CANCELLED"}
         if bpy.app.background:
             job.wait()
-            return self._told(job.status())
+            return self._report_status(job.status())
         _watch(item)
         return {"FINISHED"}
 
@@ -65,7 +65,7 @@ class Bake(bpy.types.Operator):
         job.start(out, options)
         return job
 
-    def _told(self, status):
+    def _report_status(self, status):
         if status.state == "finished":
             self.report({"INFO"}, status.text)
             return {"FINISHED"}
@@ -77,14 +77,14 @@ def _begin(context, item, job, out, options):
     """Write the selected objects and their children to a file for baking."""
     selected = [*context.selected_objects] if item in context.selected_objects else [item]
     items = with_children(selected)
-    own = item.rna_bake
+    settings = item.rna_bake
     job.folder.mkdir(parents=True, exist_ok=True)
     write_source(job.source, context.scene, items, frame_of(item))
-    own.originals.clear()
+    settings.originals.clear()
     for one in items:
-        own.originals.add().item = one
-    if not own.out:  # by which the job is found again, whatever the object is called then
-        own.out = out.name
+        settings.originals.add().item = one
+    if not settings.out:  # by which the job is found again, whatever the object is called then
+        settings.out = out.name
     job.begin(out, options)
 
 
@@ -99,17 +99,17 @@ def _package_path(item):
     return path if path.suffix == ".rna" else path.with_name(f"{path.name}.rna")
 
 
-def _options(own):
+def _options(settings):
     """Of rna-make. Raises SdkError for those that a .blend file may not ask for."""
-    found = ["--presets", *own.presets.split()]
-    if own.minutes > 0.0:
-        found.append(f"--minutes={own.minutes:g}")
-    if own.min_psnr > 0.0:
-        found.append(f"--min-psnr={own.min_psnr:g}")
-    if own.license:
-        found.append(f"--license={own.license}")
+    result = ["--presets", *settings.presets.split()]
+    if settings.minutes > 0.0:
+        result.append(f"--minutes={settings.minutes:g}")
+    if settings.min_psnr > 0.0:
+        result.append(f"--min-psnr={settings.min_psnr:g}")
+    if settings.license:
+        result.append(f"--license={settings.license}")
     try:
-        return [*found, *options.parsed(own.options)]
+        return [*result, *options.parsed(settings.options)]
     except ValueError as error:
         raise SdkError(str(error)) from None
 

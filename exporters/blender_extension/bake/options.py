@@ -34,20 +34,20 @@ VALUES = (
 
 def parsed(text):
     """The arguments of the options in a line of text. Raises ValueError for any other option."""
-    words, found = shlex.split(text), []
+    words, result = shlex.split(text), []
     while words:
         name, equals, value = words.pop(0).partition("=")
         if name in FLAGS and not equals:
-            found.append(name)
+            result.append(name)
         elif name in LISTS and not equals:
-            found.append(name)
+            result.append(name)
             while words and not words[0].startswith("-"):
-                found.append(words.pop(0))
+                result.append(words.pop(0))
         elif name in VALUES:
             if not equals and (not words or words[0].startswith("--")):
                 raise ValueError(f"Options: {name} has no value")
-            found.append(f"{name}={value if equals else words.pop(0)}")
+            result.append(f"{name}={value if equals else words.pop(0)}")
         else:
             allowed = ", ".join(sorted([*FLAGS, *LISTS, *VALUES]))
             raise ValueError(f"Options: found {name}, expected any of {allowed}")
-    return found
+    return result

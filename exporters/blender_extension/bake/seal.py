@@ -1,4 +1,4 @@
-"""Tells a bake that this user began from one that came with somebody else's files.
+"""Distinguishes a bake that this user began from one that came with somebody else's files.
 
 What a bake's folder says is sealed with a key of the user, which no other file has.
 """

@@ -12,12 +12,12 @@ def frame_of(item):
 
 def with_children(items):
     """The objects and all below them, parents first."""
-    found = []
+    result = []
     for item in items:
         for one in (item, *item.children_recursive):
-            if one not in found:
-                found.append(one)
-    return sorted(found, key=_depth)
+            if one not in result:
+                result.append(one)
+    return sorted(result, key=_depth)
 
 
 def _depth(item):
@@ -29,21 +29,21 @@ def write_source(path, scene, items, frame):
 
     path: of the file. items: parents before children.
     """
-    own = scene.copy()
+    scene_copy = scene.copy()
     copies = {}
     try:
-        for collection in list(own.collection.children):
-            own.collection.children.unlink(collection)
-        for item in list(own.collection.objects):
-            own.collection.objects.unlink(item)
+        for collection in list(scene_copy.collection.children):
+            scene_copy.collection.children.unlink(collection)
+        for item in list(scene_copy.collection.objects):
+            scene_copy.collection.objects.unlink(item)
         for item in items:
             copies[item] = _placed_copy(item, copies, frame)
-            own.collection.objects.link(copies[item])
-        bpy.data.libraries.write(str(path), {own}, path_remap="ABSOLUTE", compress=True)
+            scene_copy.collection.objects.link(copies[item])
+        bpy.data.libraries.write(str(path), {scene_copy}, path_remap="ABSOLUTE", compress=True)
     finally:
         for copy in copies.values():
             bpy.data.objects.remove(copy)
-        bpy.data.scenes.remove(own)
+        bpy.data.scenes.remove(scene_copy)
 
 
 def _placed_copy(item, copies, frame):

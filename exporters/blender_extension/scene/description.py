@@ -40,11 +40,11 @@ class Description:
     notes: list[str]
 
     def in_blenders_words(self, message):
-        """An error of rna-run about the file, told of the object instead of `assets[0]`."""
+        """An error of rna-run about the file, naming the object instead of `assets[0]`."""
         message = re.sub(rf"{re.escape(str(self.path))}(:\d+)?: ", "", message)
         return re.sub(
             r"\b(assets|objects)\[(\d+)\]\.?",
-            lambda found: f"object {self.names[found[1]][int(found[2])]!r}: ",
+            lambda place: f"object {self.names[place[1]][int(place[2])]!r}: ",
             message,
         )
 
@@ -84,12 +84,12 @@ class _SceneObjects:
         path = Path(bpy.path.abspath(record.path, library=item.original.data.library)).resolve()
         if not path.is_file():
             raise SdkError(f"object {item.name!r}: there is no package {path}")
-        own = item.original.rna_instance
+        settings = item.original.rna_instance
         asset = {"path": str(path), "transform": transform(matrix)}
-        if own.tier:
-            asset["tier"] = own.tier
-        if own.emission != 1.0:
-            asset["emission"] = own.emission
+        if settings.tier:
+            asset["tier"] = settings.tier
+        if settings.emission != 1.0:
+            asset["emission"] = settings.emission
         self._add_motion(item, asset)
         self.assets.append(asset)
         self.placed["assets"].append((item.name, item.pass_index))
@@ -170,7 +170,7 @@ def _is_shown(instance):
 
 
 def _settings(scene, resolution, notes):
-    own = scene.rna_render
+    rna_settings = scene.rna_render
     if scene.render.use_motion_blur:
         notes.add("motion blur is left out")
     space = getattr(bpy.data, "colorspace", None)  # since Blender 5
@@ -178,12 +178,12 @@ def _settings(scene, resolution, notes):
         notes.add("colours are taken as linear Rec.709, which is not this file's working space")
     settings = {
         "resolution": list(resolution),
-        "samples": own.samples,
-        "max_depth": own.max_depth,
-        "seed": own.seed + (scene.frame_current if own.animate_seed else 0),
+        "samples": rna_settings.samples,
+        "max_depth": rna_settings.max_depth,
+        "seed": rna_settings.seed + (scene.frame_current if rna_settings.animate_seed else 0),
     }
-    if not own.auto_clamp:
-        settings["clamp_indirect"] = own.clamp_indirect or None
-    if own.max_error > 0.0:
-        settings["quality"] = {"max_error": own.max_error}
+    if not rna_settings.auto_clamp:
+        settings["clamp_indirect"] = rna_settings.clamp_indirect or None
+    if rna_settings.max_error > 0.0:
+        settings["quality"] = {"max_error": rna_settings.max_error}
     return settings

@@ -66,20 +66,20 @@ class Glb:
 
     def to_bytes(self):
         """The file."""
-        own = self._json
+        document = self._json
         self._buffer += bytes(-len(self._buffer) % 4)
         described = {
             "asset": {"version": "2.0", "generator": "RNA SDK extension for Blender"},
             "scene": 0,
             "scenes": [{"nodes": [0]}],
             "nodes": [{"mesh": 0}],
-            "meshes": [{"primitives": own["primitives"]}],
-            "accessors": own["accessors"],
-            "bufferViews": own["bufferViews"],
+            "meshes": [{"primitives": document["primitives"]}],
+            "accessors": document["accessors"],
+            "bufferViews": document["bufferViews"],
             "buffers": [{"byteLength": len(self._buffer)}],
         }
-        if own["materials"]:
-            described["materials"] = own["materials"]
+        if document["materials"]:
+            described["materials"] = document["materials"]
         if self._images:
             described["images"] = self._images
             described["textures"] = [{"source": k} for k in range(len(self._images))]

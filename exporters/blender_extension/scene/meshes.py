@@ -8,7 +8,7 @@ from .materials import describe_material
 
 
 class Meshes:
-    """Writes each mesh once, and tells where it is.
+    """Writes each mesh once; returns its path.
 
     folder: for the files.
     """
@@ -47,9 +47,9 @@ def _key(item):
     data = item.data.original or item.data
     changed = item.original.session_uid if item.modifiers or item.data.shape_keys else 0
     # What geometry nodes instance has no original: its address is its own during a render.
-    own = data.session_uid or item.data.as_pointer()
+    identifier = data.session_uid or item.data.as_pointer()
     slots = tuple(slot.material.session_uid if slot.material else 0 for slot in item.material_slots)
-    return own, changed, slots
+    return identifier, changed, slots
 
 
 def mesh_glb(item, mesh, matrix, notes):

@@ -19,23 +19,23 @@ class Textures:
 
     def number(self, socket):
         """The value of a socket that glTF, as rna-run reads it, has no texture for."""
-        found = follow(socket)
-        if isinstance(found, float | int):
-            return float(found)
+        source = follow(socket)
+        if isinstance(source, float | int):
+            return float(source)
         self._miss(socket)
         return float(socket.default_value)
 
     def base(self, colour, alpha):
         """`baseColorFactor` and `baseColorTexture`; alpha: a socket, or None for 1."""
         opacity = 1.0 if alpha is None else self._opacity(alpha)
-        found = follow(colour)
-        if isinstance(found, Channel):
-            texture = {"baseColorTexture": self._texture(found)}
+        source = follow(colour)
+        if isinstance(source, Channel):
+            texture = {"baseColorTexture": self._texture(source)}
             return {**texture, "baseColorFactor": [1.0, 1.0, 1.0, opacity]}
-        if found is None:
+        if source is None:
             self._miss(colour)
-            found = list(colour.default_value)
-        return {"baseColorFactor": [*(min(max(c, 0.0), 1.0) for c in found[:3]), opacity]}
+            source = list(colour.default_value)
+        return {"baseColorFactor": [*(min(max(c, 0.0), 1.0) for c in source[:3]), opacity]}
 
     def _opacity(self, socket):
         return follow(socket) if isinstance(follow(socket), float) else 1.0
@@ -45,11 +45,11 @@ class Textures:
         cut = cut_off(socket)
         if cut is not None:
             return {"alphaMode": "MASK", "alphaCutoff": cut[1]}
-        found = follow(socket)
-        if isinstance(found, Channel) and found.index == 3:
+        source = follow(socket)
+        if isinstance(source, Channel) and source.index == 3:
             return {"alphaMode": "BLEND"}
-        if isinstance(found, float):
-            return {"alphaMode": "BLEND"} if found < 1.0 else {}
+        if isinstance(source, float):
+            return {"alphaMode": "BLEND"} if source < 1.0 else {}
         self._miss(socket)
         return {}
 
@@ -59,7 +59,7 @@ class Textures:
         metallic: None for a metal.
         """
         names = ("metallicFactor", metallic, 1.0), ("roughnessFactor", roughness, None)
-        found, result = {}, {}
+        sources, result = {}, {}
         for name, socket, usual in names:
             value = usual if socket is None else follow(socket)
             if value is None:
@@ -67,9 +67,9 @@ class Textures:
                 value = socket.default_value
             result[name] = 1.0 if isinstance(value, Channel) else value
             if isinstance(value, Channel):
-                found[name] = value
-        if found:
-            result["metallicRoughnessTexture"] = self._packed(found)
+                sources[name] = value
+        if sources:
+            result["metallicRoughnessTexture"] = self._packed(sources)
         return result
 
     def _packed(self, channels):
@@ -90,27 +90,27 @@ class Textures:
         if not socket.is_linked:
             return {}
         node = socket.links[0].from_node
-        found = follow(node.inputs["Color"]) if node.type == "NORMAL_MAP" else None
-        if not isinstance(found, Channel) or node.space != "TANGENT":
+        source = follow(node.inputs["Color"]) if node.type == "NORMAL_MAP" else None
+        if not isinstance(source, Channel) or node.space != "TANGENT":
             self._notes.add("relief of other nodes than normal maps is left out", self.material)
             return {}
-        return {"normalTexture": {**self._texture(found), "scale": self.number(node.inputs[0])}}
+        return {"normalTexture": {**self._texture(source), "scale": self.number(node.inputs[0])}}
 
     def emission(self, colour, strength):
         """`emissiveFactor`, its texture and strength; nothing where it is dark."""
-        factor, found = self.number(strength), follow(colour)
+        factor, source = self.number(strength), follow(colour)
         if factor <= 0.0:
             return {}
-        if isinstance(found, Channel):
-            texture = {"emissiveTexture": self._texture(found), "emissiveFactor": [1.0] * 3}
+        if isinstance(source, Channel):
+            texture = {"emissiveTexture": self._texture(source), "emissiveFactor": [1.0] * 3}
             return {**texture, **_strength(factor)}
-        if found is None:
+        if source is None:
             self._miss(colour)
-            found = list(colour.default_value)
-        greatest = max(found[:3])
+            source = list(colour.default_value)
+        greatest = max(source[:3])
         if greatest <= 0.0:
             return {}
-        factors = [c / greatest for c in found[:3]]
+        factors = [c / greatest for c in source[:3]]
         return {"emissiveFactor": factors, **_strength(factor * greatest)}
 
     def _texture(self, channel):

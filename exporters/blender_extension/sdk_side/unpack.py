@@ -52,11 +52,11 @@ def facts(manifest):
 
 
 def tier_facts(tier):
-    found, cost = tier.validation, tier.cost
+    validation, cost = tier.validation, tier.cost
     return {
         "name": tier.name,
-        "psnr": None if found is None else found.psnr,
-        "flip": None if found is None else found.flip,
+        "psnr": None if validation is None else validation.psnr,
+        "flip": None if validation is None else validation.flip,
         "nsPerQuery": None if cost is None else cost.ns_per_query,
     }
 

@@ -1,4 +1,4 @@
-"""Blender's thread pools as small as the number of threads that it is asked to use."""
+"""Limits Blender's thread pools to the requested number of threads."""
 
 from __future__ import annotations
 

@@ -52,7 +52,7 @@ def open_scene(request: dict[str, Any]) -> dict[str, Any]:
     shown_frame.opening()
     axes = request["front"], request["up"]
     notes = source_scene.load(request["source"], request["arguments"], request["frame"], *axes)
-    render_settings.own()
+    render_settings.apply()
     object_materials.override()
     notes += source_scene.keep_only_the_asset()
     parts, smooth = as_rendered(
@@ -73,7 +73,7 @@ def open_scene(request: dict[str, Any]) -> dict[str, Any]:
 
 
 def show_frame(request: dict[str, Any]) -> None:
-    if shown_frame.is_kept():
+    if shown_frame.is_fixed():
         open_scene({**_last_opened, "frame": request["frame"]})
     else:
         bpy.context.scene.frame_set(request["frame"])

@@ -23,7 +23,7 @@ from rna_export.capture.check.self_check import PICTURE, WORTH_A_NOTE, SelfCheck
 from rna_export.capture.dataset.collect import Collector
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_manifest import CaptureManifest
-from rna_export.capture.estimate.gain import table_of, told
+from rna_export.capture.estimate.gain import gain_text, table_of
 from rna_export.capture.estimate.pilot import LIGHTS, Pilot
 from rna_export.capture.geometry.followed_source import captured_poses
 from rna_export.capture.geometry.source_notes import narrow_highlights
@@ -129,7 +129,7 @@ def begin(
         worker.show_frame(opened["frame"])
         check, speed = asset.checked(asset.scene)
         rate = speed.rate * workers.backend().width()
-        (say_gain or say)(told(asset.pilot(speed), table_of()))
+        (say_gain or say)(gain_text(asset.pilot(speed), table_of()))
         checks = {"": check}
         for frame, positions in poses.items():
             worker.show_frame(frame)
@@ -158,7 +158,7 @@ def begin(
             *opened["notes"],
             *narrow_highlights(opened["smoothest"], settings.sharpest),
             *exported.notes,
-            *_found(checks, out),
+            *_check_notes(checks, out),
         ),
         processors=(processor_key(),),
         scene_domain=asset.limited,
@@ -218,17 +218,17 @@ def finish(
 
 def say_dropped(dataset: Dataset, say: Callable[[str], None]) -> None:
     """Say how many view rays made no sample, from 1% on; CaptureError if none did."""
-    rays, kept = dataset.rays_captured(), dataset.kept_rays()
+    rays, used = dataset.rays_captured(), dataset.used_rays()
     if not rays:
         return
-    if not kept:
+    if not used:
         raise CaptureError(
             f"{dataset.folder}: none of {rays:,} view rays made a sample: Cycles met nothing at "
             "their points"
         )
-    if rays - kept >= WORTH_A_NOTE * rays:
+    if rays - used >= WORTH_A_NOTE * rays:
         say(
-            f"note: {rays - kept:,} of {rays:,} view rays ({1.0 - kept / rays:.1%}) made no "
+            f"note: {rays - used:,} of {rays:,} view rays ({1.0 - used / rays:.1%}) made no "
             "sample: Cycles met nothing at their points"
         )
 
@@ -263,7 +263,7 @@ class _TaskClock:
         return first >= LEAST_LIGHTS and self.limit.left() < self.took / 2.0
 
 
-def _found(checks: Mapping[str, SelfCheck], out: Path) -> list[str]:
+def _check_notes(checks: Mapping[str, SelfCheck], out: Path) -> list[str]:
     """The notes of checks, by their beginning; the first picture is written into the dataset."""
     notes, path = [], out / PICTURE
     shown = next((check for check in checks.values() if check.picture is not None), None)

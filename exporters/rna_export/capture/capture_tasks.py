@@ -202,7 +202,7 @@ def _capture(
         **(extra or {}),
     }
     return {
-        part.name: _kept(on, traced.kept, of_ray, (*_fields(part, wi), *(extra or {})))
+        part.name: _selected(on, traced.valid, of_ray, (*_fields(part, wi), *(extra or {})))
         for part, on in zip(dataset.parts, points.on, strict=True)
     }
 
@@ -223,15 +223,15 @@ def _of_light(
     return {"wi": rows, "visible": np.round(scale * visible.astype(np.float32)).astype(np.uint8)}
 
 
-def _kept(
+def _selected(
     on: PartRows, keep: np.ndarray, of_ray: dict[str, Any], fields: Iterable[str]
 ) -> dict[str, np.ndarray]:
     """The fields of the rows of one part that are to be kept."""
-    kept, found = keep[on.rows], {}
+    selected, result = keep[on.rows], {}
     for name in fields:
         rows = on.fields[name] if name in on.fields else of_ray[name][on.rows]
-        found[name] = (on.at_rest(rows) if name in _DIRECTIONS else rows)[kept]
-    return found
+        result[name] = (on.at_rest(rows) if name in _DIRECTIONS else rows)[selected]
+    return result
 
 
 def _validation_rays(

@@ -134,6 +134,6 @@ def _speed(
 
 def refuse_nothing(check: SelfCheck, source: Source) -> None:
     """Raise CaptureError if no ray would make a sample."""
-    if not check.kept:
+    if not check.used_rays:
         why = check.note() or "Cycles met nothing at their points"
         raise CaptureError(f"{source.path}: none of {check.rays:,} view rays can be kept: {why}")

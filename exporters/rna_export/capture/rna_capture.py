@@ -154,10 +154,10 @@ def _usual(name: str) -> str:
 
 def main(argv: list[str] | None = None) -> int:
     """Entry point; returns the exit status."""
-    own, arguments = split_script_arguments(argv)
+    command_line, arguments = split_script_arguments(argv)
     options = parser()
-    args = options.parse_args(joined_axes(own))
-    if args.source is not None and source_help.is_asked(arguments):
+    args = options.parse_args(joined_axes(command_line))
+    if args.source is not None and source_help.is_requested(arguments):
         return run_command(lambda: source_help.show(args.source), args.debug, _GO_ON, "capture")
     if args.estimate and (args.source is None or args.out is not None):
         options.error("--estimate takes a source and writes nothing: give no --out")
@@ -239,7 +239,7 @@ def _estimate(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     """Print what the source is made of and is expected to gain."""
     from rna_export.capture.blender_process.blender_process import Source
     from rna_export.capture.capture_run import CaptureWorkers, measured_pilot
-    from rna_export.capture.estimate.gain import table_of, told
+    from rna_export.capture.estimate.gain import gain_text, table_of
     from rna_render.scene import read_scene
 
     given = given_settings(args)
@@ -248,7 +248,7 @@ def _estimate(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     python = blender_env.find_python()
     with tempfile.TemporaryDirectory(prefix="rna-capture-") as scratch:
         workers = CaptureWorkers(python, Path(scratch), args.workers)
-        print(told(measured_pilot(source, given, workers, print, for_scene), table_of()))
+        print(gain_text(measured_pilot(source, given, workers, print, for_scene), table_of()))
 
 
 def check_source(source: Path) -> None:

@@ -42,7 +42,7 @@ class Origin:
         """tier: None for the first."""
         with Package.open(package) as opened:
             manifest = opened.manifest
-        found = manifest.tiers[0] if tier is None else opened.tier(tier)
+        chosen = manifest.tiers[0] if tier is None else opened.tier(tier)
         provenance = manifest.provenance
         capture, in_text = provenance.capture, _IN_TEXT.search(provenance.source)
         sha256 = capture.get(SOURCE_SHA256) or (in_text and in_text[1])
@@ -54,10 +54,10 @@ class Origin:
             front=front,
             up=up,
             rest_frame=provenance.rest_frame,
-            steps=_steps(provenance.training, found),
+            steps=_steps(provenance.training, chosen),
             lights=lights if isinstance(lights, int) else None,
-            tier=found.name,
-            validation=found.validation,
+            tier=chosen.name,
+            validation=chosen.validation,
         )
 
     def doubt(self, source: Path) -> str | None:
@@ -69,12 +69,12 @@ class Origin:
                 "another one"
             )
         with source.open("rb") as file:
-            found = hashlib.file_digest(file, "sha256").hexdigest()
-        if found == self.sha256:
+            digest = hashlib.file_digest(file, "sha256").hexdigest()
+        if digest == self.sha256:
             return None
         return (
             f"warning: {name} is not the file that the package was captured from, or was changed "
-            f"since: found SHA-256 {found[:12]}..., expected {self.sha256[:12]}...; differences "
+            f"since: found SHA-256 {digest[:12]}..., expected {self.sha256[:12]}...; differences "
             "may be those of the files"
         )
 

@@ -63,9 +63,9 @@ def parser() -> argparse.ArgumentParser:
 
 def main(argv: list[str] | None = None) -> int:
     """Entry point; returns the exit status."""
-    own, arguments = split_script_arguments(argv)
+    command_line, arguments = split_script_arguments(argv)
     options = parser()
-    args = options.parse_args(joined_axes(own))
+    args = options.parse_args(joined_axes(command_line))
     if args.cycles_samples < 2:
         options.error(
             f"argument --cycles-samples: expected at least 2, found {args.cycles_samples}"

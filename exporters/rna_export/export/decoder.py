@@ -43,7 +43,7 @@ class Answering(Protocol):
 
 
 class EmissionModel:
-    """The part of a model that tells what its asset emits, as the functions below take a model."""
+    """The emission of a model, in the form in which the functions below take a model."""
 
     output, colour_sums = "emission", ((1,),)
 
@@ -132,11 +132,11 @@ def compare_answers(decoder: bytes, model: Answering, usual: Tensor, extreme: Te
     Where a query is larger than usual ones are, its tolerance is as many times larger.
     """
     queries = torch.cat([usual, extreme])
-    found, expected = _run(decoder, queries), _transport(model, model.decoder(queries))
-    absolute, relative = _differences(found, expected)
+    actual, expected = _run(decoder, queries), _transport(model, model.decoder(queries))
+    absolute, relative = _differences(actual, expected)
     sizes = queries.abs().amax(dim=1).numpy()
     reach = np.maximum(sizes / sizes[: len(usual)].max(), 1.0)
-    if not close_rows(found, expected, reach).all():
+    if not close_rows(actual, expected, reach).all():
         raise ExportError(
             f"the ONNX decoder differs from PyTorch by up to {absolute:.2e} "
             f"absolute, {relative:.2e} relative; expected at most {ABSOLUTE:g} + "
@@ -156,9 +156,9 @@ def compare_int8_decoder(
 
     Returns how far ONNX is from the trained decoder on the real `queries`, (n, K).
     """
-    asked = torch.cat([queries, extreme_queries(model, seed)])
-    found, twin = _run(decoder, asked), _transport(model, int8(asked))
-    differing = 1.0 - float(close_rows(found, twin).mean())
+    inputs = torch.cat([queries, extreme_queries(model, seed)])
+    actual, twin = _run(decoder, inputs), _transport(model, int8(inputs))
+    differing = 1.0 - float(close_rows(actual, twin).mean())
     if differing > TIES:
         raise ExportError(
             f"the int8 ONNX decoder differs from its PyTorch reference in {differing:.1%} of the "
@@ -171,17 +171,17 @@ def compare_int8_decoder(
 
 def _run(decoder: bytes, queries: Tensor) -> np.ndarray:
     session = onnxruntime.InferenceSession(decoder, providers=["CPUExecutionProvider"])
-    (found,) = session.run(None, {"queries": queries.numpy()})
-    return np.asarray(found, np.float64)
+    (actual,) = session.run(None, {"queries": queries.numpy()})
+    return np.asarray(actual, np.float64)
 
 
 def _transport(model: Answering, y: Tensor) -> np.ndarray:
     return model.transport(y.unflatten(1, (-1, 3))).flatten(1).numpy()
 
 
-def _differences(found: np.ndarray, expected: np.ndarray) -> tuple[float, float]:
+def _differences(actual: np.ndarray, expected: np.ndarray) -> tuple[float, float]:
     """Largest absolute difference, and largest relative one of values above ABSOLUTE / RELATIVE."""
-    difference = np.abs(found - expected)
+    difference = np.abs(actual - expected)
     large = np.abs(expected) > ABSOLUTE / RELATIVE
     relative = (difference[large] / np.abs(expected[large])).max(initial=0.0)
     return float(difference.max()), float(relative)

@@ -11,7 +11,7 @@ from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.validation_view import WholeView
 from rna_export.metrics import plain
 from rna_export.pictures import sheet_of
-from rna_export.psnr_words import told_psnr
+from rna_export.psnr_words import psnr_text
 from rna_export.training.checkpoint import Trained
 from rna_export.training.training_summary import Effort
 from rna_export.training.validation import (
@@ -47,7 +47,7 @@ def closing_lines(
             in_pixels = None
             if strands_alone:
                 in_pixels = mean_psnr_of_pixels([_shaded(asset, view) for view in views], views)
-            psnr = told_psnr(tier.validation.psnr, in_pixels)
+            psnr = psnr_text(tier.validation.psnr, in_pixels)
             score = f"PSNR {psnr}, FLIP {tier.validation.flip:.4f}"
         lines.append(f"{tier.name}: {score}; {effort}")
         lines += _emission_line(tier.name, asset, dataset)
@@ -61,17 +61,17 @@ def closing_lines(
 def _emission_line(name: str, asset: Asset, dataset: Dataset) -> list[str]:
     """PSNR of what the asset emits, over the images of each emitting part."""
     views, rows = [], []
-    for part, own in zip(dataset.parts, asset.parts, strict=True):
-        for view in part.emission_views() if own.emits else ():
+    for part, part_asset in zip(dataset.parts, asset.parts, strict=True):
+        for view in part.emission_views() if part_asset.emits else ():
             if len(view.pixel):
                 views.append(view)
-                rows.append(view.shaded_by(own))
+                rows.append(view.shaded_by(part_asset))
     if not views or plain([view.reference for view in views]) == "black":
         return []
-    return [f"{name}: PSNR of emission {told_psnr(mean_psnr(rows, views))}"]
+    return [f"{name}: PSNR of emission {psnr_text(mean_psnr(rows, views))}"]
 
 
 def _shaded(asset: Asset, view: WholeView) -> np.ndarray:
     """Radiance of the view's rows, (n, 3)."""
     pairs = zip(view.parts, asset.parts, strict=True)
-    return np.concatenate([part.shaded_by(own) for part, own in pairs])
+    return np.concatenate([part.shaded_by(part_asset) for part, part_asset in pairs])

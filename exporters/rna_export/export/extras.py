@@ -66,7 +66,7 @@ def _proxies(
         say(f"{record.name}: no proxy, its textures are mapped to its triangles")
         return []
     mesh = package.mesh(part)
-    found: list[tuple[Geometry, int]] = []
+    result: list[tuple[Geometry, int]] = []
     for pixels in heights:
         proxy = proxy_of(mesh, pixels)
         whole = f"{record.name}: {len(mesh.triangles):,} triangles"
@@ -74,18 +74,18 @@ def _proxies(
             say(f"{whole} are sufficient at {pixels} pixels, no proxy")
             continue
         say(f"{whole}, proxy at {pixels} pixels: {len(proxy.triangles):,}")
-        found.append((proxy, pixels))
-    return found
+        result.append((proxy, pixels))
+    return result
 
 
 def _sources(dataset: Dataset) -> list[SourceVertices | None]:
-    found = [part.source_vertices() for part in dataset.parts]
-    if not any(found):
+    result = [part.source_vertices() for part in dataset.parts]
+    if not any(result):
         raise ExportError(
             f"{dataset.folder}: has no numbers of the source's vertices, expected a surface "
             "that is not cut, captured by this version (--source-vertices)"
         )
-    return found
+    return result
 
 
 def _read_png(path: Path) -> bytes:

@@ -32,7 +32,10 @@ def measured(
 ) -> Tier:
     """The tier with its error and cost. asset: the tier, loaded."""
     of_parts = [
-        [part.shaded_by(own) for part, own in zip(view.parts, asset.parts, strict=True)]
+        [
+            part.shaded_by(part_asset)
+            for part, part_asset in zip(view.parts, asset.parts, strict=True)
+        ]
         for view in views
     ]
     radiance = [np.concatenate(rows) for rows in of_parts]
@@ -42,7 +45,7 @@ def measured(
     )
     cost = _cost(asset, trained, views)
     say(
-        f"{tier.name}: {_told(validation)}\n"
+        f"{tier.name}: {_validation_text(validation)}\n"
         + f"{tier.name}: {light}\n"
         + "".join(f"warning: {tier.name}: {fault}\n" for fault in light.faults)
         + "".join(_part_lines(tier.name, asset, of_parts, views))
@@ -51,7 +54,7 @@ def measured(
     return tier.model_copy(update={"validation": validation, "cost": cost})
 
 
-def _told(validation: Validation | None) -> str:
+def _validation_text(validation: Validation | None) -> str:
     if validation is None:
         return "no PSNR: the validation images show nothing to compare"
     scores = f"PSNR {validation.psnr:.2f} dB, FLIP {validation.flip:.4f}"

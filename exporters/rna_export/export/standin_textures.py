@@ -171,12 +171,12 @@ def _triangles_at(
     height = np.broadcast_to(number[:, None, None], (count, 3, 1))  # a plane for each
     flat = np.concatenate([corners, height], axis=2).reshape(-1, 3)
     scene = TriangleScene([(flat, np.arange(3 * count, dtype=np.uint32).reshape(-1, 3))])
-    found = []
+    result = []
     for z in (2.0, -2.0):
         start = np.column_stack([places, np.full(n, z)]).astype(np.float32)
         way = np.tile(np.array([0.0, 0.0, -z], np.float32), (n, 1))
-        found.append(scene.intersect(start, way))
-    above, below = found
+        result.append(scene.intersect(start, way))
+    above, below = result
     return (above.primitive, above.u, above.v), below.primitive
 
 
@@ -215,15 +215,15 @@ def textures_of(
     """
     check_analytic(trained, dataset)
     by_part = {one.part: one for one in trained}
-    found: list[dict[str, bytes] | None] = []
+    result: list[dict[str, bytes] | None] = []
     lines = []
     for part in dataset.parts:
         try:
-            found.append(_of_part(part, by_part.get(part.name)))
+            result.append(_of_part(part, by_part.get(part.name)))
         except ExportError as error:
-            found.append(None)
+            result.append(None)
             lines.append(f"{part.name}: a stand-in without textures: {error}")
-    return found, lines
+    return result, lines
 
 
 def _of_part(part: DatasetPart, trained: Trained | None) -> dict[str, bytes]:

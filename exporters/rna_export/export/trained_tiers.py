@@ -55,14 +55,14 @@ def trained_tiers(trained: Sequence[Trained], dataset: Dataset) -> list[TrainedT
 
 
 def _of_preset(preset: str, trained: Sequence[Trained], names: list[str]) -> tuple[Trained, ...]:
-    own = {one.part: one for one in trained if one.preset_name == preset}
-    found = [one.part for one in trained if one.preset_name == preset]
-    if sorted(found) != sorted(names):
+    by_part = {one.part: one for one in trained if one.preset_name == preset}
+    result = [one.part for one in trained if one.preset_name == preset]
+    if sorted(result) != sorted(names):
         raise ExportError(
-            f"preset {preset}: found checkpoints of {', '.join(found)}; expected one of each part: "
-            + ", ".join(names)
+            f"preset {preset}: found checkpoints of {', '.join(result)}; "
+            f"expected one of each part: {', '.join(names)}"
         )
-    return tuple(own[name] for name in names)
+    return tuple(by_part[name] for name in names)
 
 
 def _check_capture(one: Trained, dataset: Dataset) -> None:

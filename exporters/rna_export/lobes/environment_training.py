@@ -57,10 +57,10 @@ def add_lobes(package: Path, out: Path, minutes: float, files: Sequence[Path]) -
         lobes = _trained(
             package, asset, views, begun + _TRAINED * 60.0 * minutes, bar, lines.append
         )
-        found = _measured(unpacked.with_environment(lobes), views, environments, bar)
-    whole = unpacked.with_environment(lobes, found)
+        result = _measured(unpacked.with_environment(lobes), views, environments, bar)
+    whole = unpacked.with_environment(lobes, result)
     (whole.deflated() if is_deflated else whole).write(out)
-    return [*lines, *_told(found)]
+    return [*lines, *_told(result)]
 
 
 def _trained(
@@ -142,14 +142,14 @@ def _read(files: Sequence[Path]) -> dict[str, np.ndarray]:
     return {name or "file": read_environment(path) for name, path in zip(names, files, strict=True)}
 
 
-def _told(found: Sequence[EnvironmentValidation]) -> list[str]:
+def _told(result: Sequence[EnvironmentValidation]) -> list[str]:
     lines = [
         f"environment {one.environment}: PSNR {one.psnr_with_lights:.1f} dB, FLIP {one.flip:.3f}, "
         f"brightness {' '.join(f'{share:.2f}' for share in one.brightness)}; PSNR {one.psnr:.1f} "
         "dB without its brightest directions asked of the transport"
-        for one in found
+        for one in result
     ]
-    worst = min(found, key=lambda one: one.psnr_with_lights)
+    worst = min(result, key=lambda one: one.psnr_with_lights)
     if worst.psnr_with_lights < ROUGH_DB:
         lines.append(
             f"warning: the first look by lobes is rough: {worst.psnr_with_lights:.1f} dB under "

@@ -69,8 +69,8 @@ class LobePictures:
         start = np.searchsorted(place[order], np.arange(len(pixel)))
         count = np.bincount(place)[:, None]
         truth, lobes, both = (
-            np.add.reduceat(found[:, order], start, axis=1) / count
-            for found in (self.truth, self.lobes, self.both)
+            np.add.reduceat(result[:, order], start, axis=1) / count
+            for result in (self.truth, self.lobes, self.both)
         )
         return LobePictures(self.names, self.size, pixel, truth, lobes, both)
 
@@ -123,7 +123,7 @@ def lobe_pictures(
     cells = cell_directions().astype(np.float32)
     rest = np.stack([split.rest.reshape(-1, 3) for split in splits])
     whole = rest / np.stack([split.share.reshape(-1, 1) for split in splits])
-    places, found = [], []
+    places, result = [], []
     for viewer in range(_VIEWERS):
         for views, lobes_at in parts:
             points, pixel = views.picture(2 * np.pi * (viewer + 0.3) / _VIEWERS, grid)
@@ -131,30 +131,30 @@ def lobe_pictures(
             lobes = _lobe_light(*lobes_at(points), cells, np.stack([whole, rest]))
             lit = [_light(views, points, s.directions, s.flux[None])[0] for s in splits]
             truth = _light(views, points, cells, whole)
-            found.append(np.stack([truth, lobes[0], lobes[1] + np.stack(lit)]))
+            result.append(np.stack([truth, lobes[0], lobes[1] + np.stack(lit)]))
             advance(1 / _VIEWERS / len(parts))
-    pictures = np.concatenate(found, axis=2)
+    pictures = np.concatenate(result, axis=2)
     return LobePictures(list(environments), grid.size, np.concatenate(places), *pictures)
 
 
 def _light(views: PartViews, points: ViewPoints, d: np.ndarray, flux: np.ndarray) -> np.ndarray:
     """Sum of the transport along k directions, in flux (e, k, 3): (e, n, 3)."""
-    found = [np.zeros((len(flux), 0, 3), np.float32)]
+    result = [np.zeros((len(flux), 0, 3), np.float32)]
     for start in range(0, len(points), _AT_ONCE):
         row = np.arange(start, min(start + _AT_ONCE, len(points)))
         asked = np.repeat(row, len(d)), np.tile(d.astype(np.float32), (len(row), 1))
         transport = views.transport(points, *asked).reshape(len(row), -1, 3)
-        found.append(np.einsum("nkc,ekc->enc", transport, flux))
-    return np.concatenate(found, axis=1)
+        result.append(np.einsum("nkc,ekc->enc", transport, flux))
+    return np.concatenate(result, axis=1)
 
 
 def _lobe_light(amplitude: Rows, axis: Rows, d: np.ndarray, flux: np.ndarray) -> np.ndarray:
     """What lobes give of flux (..., k, 3) along k directions: (..., n, 3)."""
     along = torch.from_numpy(d.T)[None]
-    found = [np.zeros((*flux.shape[:-2], 0, 3), np.float32)]
+    result = [np.zeros((*flux.shape[:-2], 0, 3), np.float32)]
     for start in range(0, len(axis), _AT_ONCE):
         part = slice(start, start + _AT_ONCE)
         density = densities(torch.from_numpy(axis[part]), along).numpy()
         mean = np.einsum("nlk,...kc->...nlc", density, flux, optimize=True)
-        found.append(np.einsum("...nlc,nlc->...nc", mean, amplitude[part]))
-    return np.concatenate(found, axis=-2)
+        result.append(np.einsum("...nlc,nlc->...nc", mean, amplitude[part]))
+    return np.concatenate(result, axis=-2)

@@ -139,13 +139,13 @@ class PartViews:
 
     def points(self, count: int, rng: np.random.Generator) -> ViewPoints:
         """`count` random points that random viewers see of a part that is not hidden."""
-        found: list[tuple[np.ndarray, ...]] = []
+        result: list[tuple[np.ndarray, ...]] = []
         have = 0
         while have < count:
             _, seen = self._seen(*self._random_rays(3 * (count - have) + 64, rng))
-            found.append(seen)
+            result.append(seen)
             have += len(seen[0])
-        columns = zip(*found, strict=True)
+        columns = zip(*result, strict=True)
         return self._view_points(*(np.concatenate(rows)[:count] for rows in columns))
 
     def picture(self, azimuth: float, grid: Grid) -> tuple[ViewPoints, NDArray[np.int64]]:

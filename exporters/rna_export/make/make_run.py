@@ -73,7 +73,7 @@ class Make:
         self._goal = options.goal or Goal("min_psnr", math.inf)
         self._plan = self._chosen_plan(dataset)
         geometries = {part.name: part.geometry() for part in dataset.parts}
-        say(f"{parts_lines(dataset.manifest.name, geometries)}{self._told_plan(dataset)}")
+        say(f"{parts_lines(dataset.manifest.name, geometries)}{self._plan_text(dataset)}")
 
     def run(self) -> Made:
         """Capture and train to the end."""
@@ -98,7 +98,7 @@ class Make:
             for preset in self._by_cost:
                 if preset != self._lead or why != "goal met":
                     self._last_phase(preset)
-            self._progress.say(self._told_times())
+            self._progress.say(self._times_text())
         finally:
             self._progress.close()
             self._save()
@@ -113,7 +113,7 @@ class Make:
         shutil.rmtree(rays_folder(options), ignore_errors=True)  # of a start that was not finished
         options.work.mkdir(parents=True, exist_ok=True)
         dataset = open_rays(options, self._begun, say)
-        state = State(asked=options.asked, lights=dataset.manifest.settings.lights)
+        state = State(settings=options.asked, lights=dataset.manifest.settings.lights)
         state.seconds = monotonic() - self._begun
         state.save(options.work)
         self._begun = monotonic()
@@ -174,8 +174,8 @@ class Make:
         stage.done()
         round_.score = score(trained_in(folder, dataset), dataset)
         self._save()
-        told = f"{round_.lights:,} lights, {lead} has {_told(round_.score)}"
-        self._progress.say(f"round {number + 1}: {told}")
+        text = f"{round_.lights:,} lights, {lead} has {_score_text(round_.score)}"
+        self._progress.say(f"round {number + 1}: {text}")
 
     def _last_phase(self, preset: str) -> None:
         """The full one, on all rays."""
@@ -194,26 +194,26 @@ class Make:
                 phase.run(dataset.finished_shards(), stage)
             last.score = score(trained_in(folder, dataset), dataset)
             self._save()
-            self._progress.say(f"last training: {preset} has {_told(last.score)}")
+            self._progress.say(f"last training: {preset} has {_score_text(last.score)}")
         stage.done()
 
     def _verdict(self) -> Verdict | None:
         rounds = self._state.rounds
         errors = [self._goal.error_db(r.score) for r in rounds if r.score is not None]
-        found = verdict(errors, self._goal.limit_db)
-        if self._plan.rounds is None or found == "goal met":
-            return found
+        result = verdict(errors, self._goal.limit_db)
+        if self._plan.rounds is None or result == "goal met":
+            return result
         captured = sum(r.is_captured for r in rounds)
         return self._plan.end if captured == self._plan.rounds else None
 
     def _best_folder(self, preset: str) -> Path:
         """Folder of the phase with the smallest error."""
-        found: dict[int | None, Score | None] = {}
+        result: dict[int | None, Score | None] = {}
         if preset == self._lead:
-            found |= {k: r.score for k, r in enumerate(self._state.rounds)}
+            result |= {k: r.score for k, r in enumerate(self._state.rounds)}
         if preset in self._state.last:
-            found[None] = self._state.last[preset].score
-        errors = {k: self._goal.error_db(s) for k, s in found.items() if s is not None}
+            result[None] = self._state.last[preset].score
+        errors = {k: self._goal.error_db(s) for k, s in result.items() if s is not None}
         return phase_folder(self._options.work, preset, min(errors, key=errors.__getitem__))
 
     def _left(self) -> float:
@@ -226,14 +226,14 @@ class Make:
 
     @contextmanager
     def _timed(self, what: str) -> Iterator[None]:
-        """Adds the block's seconds to what is told at the end."""
+        """Adds the block's seconds to the final summary."""
         begun = monotonic()
         try:
             yield
         finally:
             self._seconds[what] += monotonic() - begun
 
-    def _told_times(self) -> str:
+    def _times_text(self) -> str:
         """What this run used, how long, and what took longest."""
         capture, training = self._seconds["capture"] / 60, self._seconds["training"] / 60
         workers, device = self._options.workers, device_name(self._options.device)
@@ -247,7 +247,7 @@ class Make:
         self._state.seconds = self._spent()
         self._state.save(self._options.work)
 
-    def _told_plan(self, dataset: Dataset) -> str:
+    def _plan_text(self, dataset: Dataset) -> str:
         """What is going to happen, in a line."""
         rounds, presets = self._plan.rounds, " and ".join(self._options.presets)
         settings = dataset.manifest.settings
@@ -259,12 +259,12 @@ class Make:
                 "" if self._options.goal is None else f"the goal is met ({self._options.goal}) or "
             )
             until = f"until {goal}the error stops falling"
-            told = f"rounds of rendering in Cycles and training, {until}"
+            text = f"rounds of rendering in Cycles and training, {until}"
         elif rounds == 1:
-            told = "rendering in Cycles"
+            text = "rendering in Cycles"
         else:
-            told = f"{rounds} rounds of rendering in Cycles and training"
-        return f"plan: {told} ({rays}); then the last training of {presets}, and the package"
+            text = f"{rounds} rounds of rendering in Cycles and training"
+        return f"plan: {text} ({rays}); then the last training of {presets}, and the package"
 
     def _finished_weight(self) -> float:
         """Weight of the rounds that earlier runs finished, which have no stage any more."""
@@ -297,5 +297,5 @@ def _decoder_size(preset: str) -> int:
     return model.hidden_layers * model.width**2
 
 
-def _told(found: Score) -> str:
-    return f"PSNR {found.psnr:.2f} dB, FLIP {found.flip:.4f}"
+def _score_text(score: Score) -> str:
+    return f"PSNR {score.psnr:.2f} dB, FLIP {score.flip:.4f}"

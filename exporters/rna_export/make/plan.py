@@ -155,8 +155,8 @@ class TimedPlan:
 
     def capture_seconds(self, round_: int, left: float) -> float:
         """Time limit of a round's capture."""
-        own = self.capture / self.rounds
-        return self._usable(left) * own / self._ahead(round_)
+        share = self.capture / self.rounds
+        return self._usable(left) * share / self._ahead(round_)
 
     def phase(self, round_: int, left: float) -> Length | None:
         """A round's training; None after the last capture."""

@@ -131,10 +131,10 @@ def parser() -> argparse.ArgumentParser:
 def main(argv: list[str] | None = None) -> int:
     """Entry point; returns the exit status."""
     begun = monotonic()
-    own, arguments = split_script_arguments(argv)
+    command_line, arguments = split_script_arguments(argv)
     options = parser()
-    args = options.parse_args(joined_axes(own))
-    if source_help.is_asked(arguments):
+    args = options.parse_args(joined_axes(command_line))
+    if source_help.is_requested(arguments):
         return run_command(lambda: source_help.show(args.model), args.debug, _GO_ON, "capture")
     if args.out is None:
         options.error("the following arguments are required: --out")
@@ -205,7 +205,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
             made = Make(options, begun, print).run()
         print("writing the package: measuring its error and cost, rendering its poster", flush=True)
         manifest = export(made, args.out, args.source, args.license, precisions)
-        marked = _kept_picture(options, args.out)
+        marked = _saved_picture(options, args.out)
         lines = closing_lines(args.out, manifest, made.trained(), made.dataset)
         if args.environment:
             lines += add_lobes(args.out, args.out, lobes_take, args.environment_files)
@@ -214,8 +214,8 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
         print(f"kept {work}: rna-make did not write {', '.join(others)}")
     print("\n".join([*lines, _outcome(made, manifest, goal)]))
     size = args.out.stat().st_size / 1e6
-    kept = f", {work}" if args.keep else ""
-    print(f"wrote {args.out}, {size:.2f} MB, {sheet_of(args.out)}{kept}")
+    also_kept = f", {work}" if args.keep else ""
+    print(f"wrote {args.out}, {size:.2f} MB, {sheet_of(args.out)}{also_kept}")
     if marked is not None:
         print(f"note: the exported geometry is not what Cycles renders; {marked} marks it")
     _tell_next(args)
@@ -239,7 +239,7 @@ def _tell_next(args: argparse.Namespace) -> None:
     print(f"      {command_line(*compare)}")
 
 
-def _kept_picture(options: MakeOptions, out: Path) -> Path | None:
+def _saved_picture(options: MakeOptions, out: Path) -> Path | None:
     """A copy, beside the package, of what the capture's check marked; None if it found nothing."""
     from rna_export.capture.check.self_check import PICTURE
     from rna_export.make.capture_rounds import rays_folder

@@ -17,7 +17,7 @@ WRITTEN = (_NAME, "rays", "runs", "scratch")
 
 
 class RunSettings(BaseModel):
-    """Settings that must match to resume a run; `asked` in the file."""
+    """Settings that must match to resume a run; `settings` in the file."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
@@ -67,7 +67,7 @@ class State(BaseModel):
 
     model_config = ConfigDict(extra="forbid")
 
-    asked: RunSettings
+    settings: RunSettings
     lights: int  # that the capture was planned with
     seconds: float = 0.0  # spent so far
     rounds: list[Round] = []
@@ -98,7 +98,7 @@ def load_state(work: Path, settings: RunSettings) -> State | None:
             f"{path}: {what_is_wrong(error)}; delete {work} to start over"
         ) from error
     for name in RunSettings.model_fields:
-        begun, now = getattr(state.asked, name), getattr(settings, name)
+        begun, now = getattr(state.settings, name), getattr(settings, name)
         if begun != now:
             raise TrainingError(
                 f"{work} was started with {name} {begun}, found {now}: delete it to start over, or "

@@ -71,8 +71,8 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _frames(text: str) -> tuple[int, int]:
-    found = re.fullmatch(r"(-?\d{1,6})(?:-(-?\d{1,6}))?", text)
-    span = (int(found[1]), int(found[2] or found[1])) if found else (1, 0)
+    match = re.fullmatch(r"(-?\d{1,6})(?:-(-?\d{1,6}))?", text)
+    span = (int(match[1]), int(match[2] or match[1])) if match else (1, 0)
     if span[0] > span[1]:
         raise argparse.ArgumentTypeError(f"expected frames such as 1-24, found {text!r}")
     return span
@@ -108,13 +108,13 @@ def _run(options: argparse.Namespace, script: tuple[str, ...]) -> None:
 
 
 def _rest_frame(options: argparse.Namespace, captured: int | None) -> int | None:
-    """The frame that was asked for, or that of the package's capture."""
+    """The requested frame, or that of the package's capture."""
     from rna_sdk.errors import MotionError
 
-    asked: int | None = options.rest_frame
-    if asked is None or captured in (None, asked):
-        return captured if asked is None else asked
-    found = f"was captured at frame {captured}, found --rest-frame {asked}"
+    given: int | None = options.rest_frame
+    if given is None or captured in (None, given):
+        return captured if given is None else given
+    found = f"was captured at frame {captured}, found --rest-frame {given}"
     raise MotionError(f"{options.package}: {found}: leave it out, or capture that frame")
 
 

@@ -84,14 +84,14 @@ def _saved(path: Path) -> dict[str, Any]:
     of ZIP files disagree on where a directory is, so torch gets a file of the records checked here.
     """
     checked = BytesIO()
-    with zipfile.ZipFile(path) as found, zipfile.ZipFile(checked, "w") as written:
-        records = found.infolist()
+    with zipfile.ZipFile(path) as weight, zipfile.ZipFile(checked, "w") as written:
+        records = weight.infolist()
         if any(record.compress_type != zipfile.ZIP_STORED for record in records):
             raise ValueError("compressed records")
         if sum(record.file_size for record in records) > path.stat().st_size:
             raise ValueError("records that are larger than the file")
         for record in records:
-            written.writestr(record.filename, found.read(record))
+            written.writestr(record.filename, weight.read(record))
     checked.seek(0)
     saved: dict[str, Any] = torch.load(checked, map_location="cpu", weights_only=True)
     return saved
@@ -123,12 +123,12 @@ def _check_weights(config: ModelConfig, bounds: Tensor, weights: dict[str, Tenso
     with torch.device("meta"):
         planned = new_model(config, bounds.to("meta")).state_dict()
     for name, value in planned.items():
-        found = weights.get(name)
-        if not isinstance(found, Tensor) or found.shape != value.shape:
-            shape = list(found.shape) if isinstance(found, Tensor) else "nothing"
+        weight = weights.get(name)
+        if not isinstance(weight, Tensor) or weight.shape != value.shape:
+            shape = list(weight.shape) if isinstance(weight, Tensor) else "nothing"
             raise ValueError(f"{name}: found {shape}, expected {list(value.shape)}")
-        if found.untyped_storage().nbytes() < found.numel() * found.element_size():
-            raise ValueError(f"{name}: fewer values than its shape {list(found.shape)}")
+        if weight.untyped_storage().nbytes() < weight.numel() * weight.element_size():
+            raise ValueError(f"{name}: fewer values than its shape {list(weight.shape)}")
 
 
 def _summary(error: Exception) -> str:

@@ -36,7 +36,7 @@ MAX_MODEL_CHANNELS = 4096
 
 
 class ModelConfig(BaseModel):
-    """The shape of a model; kept in its checkpoints and, by way of them, in packages."""
+    """The shape of a model; stored in its checkpoints and, from them, in packages."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 

@@ -66,7 +66,7 @@ def train(
     begun = monotonic() if run.begun is None else run.begun
     if table is None:
         table = SampleTable(run.dataset.training_samples(), device=run.device)
-    # Nothing brighter than the training data: a network asked beyond it may answer anything.
+    # Nothing brighter than the training data: a network extrapolates arbitrarily beyond it.
     ceiling = 1.5 * table.largest_radiance
     # Radiance that the loss calls 1.
     unit = table.usual_radiance if run.preset.training.unit == "usual" else 1.0
@@ -92,10 +92,10 @@ def train(
         bars(initial=done, total=run.preset.training.steps, unit="step", mininterval=0.5) as bar,
         StepThreads.of(fitting, batches) as threads,
     ):
-        with _memory_told(run, fitting.model):
-            found = _fit(run, fitting, table, pace, done, bar, threads)
-    if found is not None:
-        say(str(found))
+        with _memory_reported(run, fitting.model):
+            result = _fit(run, fitting, table, pace, done, bar, threads)
+    if result is not None:
+        say(str(result))
     if so_far.is_file():
         so_far.replace(best)
     if not best.is_file():
@@ -104,7 +104,7 @@ def train(
 
 
 @contextmanager
-def _memory_told(run: Run, model: NeuralAsset) -> Iterator[None]:
+def _memory_reported(run: Run, model: NeuralAsset) -> Iterator[None]:
     """Raises TrainingError where the GPU's memory is too small for a step, with what would fit."""
     free = torch.cuda.mem_get_info()[0] if run.device == "cuda" else 0
     try:
@@ -236,9 +236,9 @@ def _continued(last: Path, run: Run) -> dict[str, Any] | None:
         ("dataset", begun["capture"], record["capture"]),
     ):
         if before != now:
-            told = f" {before}, found {now}" if isinstance(now, str | int) else ""
+            values = f" {before}, found {now}" if isinstance(now, str | int) else ""
             raise TrainingError(
-                f"{last} belongs to a run with another {what}{told}: choose another --out"
+                f"{last} belongs to a run with another {what}{values}: choose another --out"
             )
     progress: dict[str, Any] = saved["progress"]
     return progress

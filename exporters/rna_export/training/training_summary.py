@@ -9,7 +9,7 @@ from pathlib import Path
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_part import DatasetPart
-from rna_export.psnr_words import told_psnr
+from rna_export.psnr_words import psnr_text
 from rna_export.training.checkpoint import Trained, load_checkpoint
 from rna_export.training.presets import named_preset
 from rna_export.training.report import read_curves
@@ -38,15 +38,15 @@ class Effort:
         return cls(least.steps, steps, dataset.lights_finished(), usual.lights)
 
     def __str__(self) -> str:
-        return f"{self.told_steps}, {self.told_lights}"
+        return f"{self.steps_text}, {self.lights_text}"
 
     @property
-    def told_steps(self) -> str:
+    def steps_text(self) -> str:
         """As "98 of 40,000 steps"."""
         return _told(self.steps, self.usual_steps, "steps")
 
     @property
-    def told_lights(self) -> str:
+    def lights_text(self) -> str:
         """As "16 of 2,000 lights"."""
         return _told(self.lights, self.usual_lights, "lights")
 
@@ -54,8 +54,8 @@ class Effort:
     def warnings(self) -> list[str]:
         """A line where less than a tenth of the usual was done."""
         told = [
-            (self.steps < _LITTLE * self.usual_steps, self.told_steps),
-            (self.lights < _LITTLE * self.usual_lights, self.told_lights),
+            (self.steps < _LITTLE * self.usual_steps, self.steps_text),
+            (self.lights < _LITTLE * self.usual_lights, self.lights_text),
         ]
         few = " and ".join(line for is_little, line in told if is_little)
         if not few:
@@ -77,7 +77,7 @@ def closing_lines(best: Path, part: DatasetPart) -> list[str]:
         name, in_pixels = trained.preset_name, None
         if part.kind == "fiber":
             in_pixels = mean_psnr_of_pixels([shade(trained.model, view) for view in views], views)
-        lines.append(f"{name}: PSNR {told_psnr(row['psnr'], in_pixels)}; {effort}")
+        lines.append(f"{name}: PSNR {psnr_text(row['psnr'], in_pixels)}; {effort}")
         if "emission_psnr" in row:
-            lines.append(f"{name}: PSNR of emission {told_psnr(row['emission_psnr'])}")
+            lines.append(f"{name}: PSNR of emission {psnr_text(row['emission_psnr'])}")
     return [*lines, *reference_warnings(views), *effort.warnings]

@@ -71,23 +71,23 @@ def _part(package: Package, index: int, has: list[str]) -> Info:
 
 def contents(manifest: Manifest) -> list[tuple[Part, list[str]]]:
     """Each part, and what it has beside geometry and transport: normal maps, emission, ..."""
-    found, data = [], extension(manifest, Environment)
+    result, data = [], extension(manifest, Environment)
     lobes = data.parts if data else (None,) * len(manifest.parts)
-    for part, own, light in zip(manifest.parts, manifest.tiers[0].parts, lobes, strict=True):
+    for part, tier_part, light in zip(manifest.parts, manifest.tiers[0].parts, lobes, strict=True):
         named = {"transmittance": part.transmittance, "normal maps": part.normal_maps}
         has = [name for name, records in named.items() if records]
-        has += [decoder.form.name for decoder in own.decoders[1:]]
-        found.append((part, [*has, *([f"{light.lobes} lobes"] if light else [])]))
-    return found
+        has += [decoder.form.name for decoder in tier_part.decoders[1:]]
+        result.append((part, [*has, *([f"{light.lobes} lobes"] if light else [])]))
+    return result
 
 
 def _tier(tier: Tier) -> Info:
-    found, cost = tier.validation, tier.cost
+    validation, cost = tier.validation, tier.cost
     return {
         "name": tier.name,
-        "psnr": found and found.psnr,
-        "flip": found and found.flip,
-        "images": found and found.images,
+        "psnr": validation and validation.psnr,
+        "flip": validation and validation.flip,
+        "images": validation and validation.images,
         "ns_per_query": cost and cost.ns_per_query,
         "threads": cost and cost.threads,
         "machine": cost and cost.machine,
@@ -185,12 +185,12 @@ def _directions_text(domain: Info) -> str:
 def _capture_text(capture: Info) -> str:
     words = {"lights": "lights", "rays": "rays a light", "samples": "samples a ray"}
     shown = [(words[key], capture.get(key)) for key in words]
-    told = [f"{value:,} {word}" for word, value in shown if isinstance(value, int)]
+    counts = [f"{value:,} {word}" for word, value in shown if isinstance(value, int)]
     if isinstance(frame := capture.get(REST_FRAME), int):
-        told.append(f"rest frame {frame}")
+        counts.append(f"rest frame {frame}")
     if isinstance(poses := capture.get(POSES), list) and poses:
-        told.append(f"poses at frames {', '.join(map(str, poses))}")
-    return ", ".join(told) or "not recorded"
+        counts.append(f"poses at frames {', '.join(map(str, poses))}")
+    return ", ".join(counts) or "not recorded"
 
 
 def _training_text(item: tuple[str, Any]) -> str:

@@ -27,19 +27,19 @@ def _run(options: argparse.Namespace) -> int:
     status, records = VALID, []
     for path in options.files:
         try:
-            found = inspect(path)
+            inspection = inspect(path)
         except Exception as error:  # a defect of the validator: say so, in one line, and go on
             if options.debug:
                 raise
             print(f"{path}: internal error, {error!r}; try --debug", file=sys.stderr)
             status = INVALID
             continue
-        if not is_valid(found.issues):
+        if not is_valid(inspection.issues):
             status = INVALID
         if options.json:
-            records.append(_as_json(path, found))
+            records.append(_as_json(path, inspection))
         else:
-            _print_report(path, found)
+            _print_report(path, inspection)
     if options.json:
         print(json.dumps(records, indent=2))
     return status
@@ -62,28 +62,28 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
-def _as_json(path: str, found: Inspection) -> dict[str, object]:
+def _as_json(path: str, inspection: Inspection) -> dict[str, object]:
     """Parts are null where the manifest cannot be read."""
     return {
         "file": path,
-        "valid": is_valid(found.issues),
-        "parts": found.manifest
+        "valid": is_valid(inspection.issues),
+        "parts": inspection.manifest
         and [
             {"name": part.name, "kind": part.kind, **dict.fromkeys(has, True)}
-            for part, has in contents(found.manifest)
+            for part, has in contents(inspection.manifest)
         ],
-        "issues": [asdict(issue) for issue in found.issues],
+        "issues": [asdict(issue) for issue in inspection.issues],
     }
 
 
-def _print_report(path: str, found: Inspection) -> None:
-    for issue in found.issues:
+def _print_report(path: str, inspection: Inspection) -> None:
+    for issue in inspection.issues:
         print(f"{path}: {issue}")
-    parts = contents(found.manifest) if found.manifest else []
+    parts = contents(inspection.manifest) if inspection.manifest else []
     if len(parts) > 1 or any(has for _, has in parts):
         for part, has in parts:
             print(f"{path}: part {part.name}: {', '.join((part.kind, *has))}")
-    print(f"{path}: {'valid' if is_valid(found.issues) else 'invalid'}")
+    print(f"{path}: {'valid' if is_valid(inspection.issues) else 'invalid'}")
 
 
 if __name__ == "__main__":

@@ -15,7 +15,7 @@ _EXPECTED = "the file as it was exported, or as rna-pack writes it: readers use 
 
 
 def explained(error: PackageError, path: str | PathLike[str], manifest: str) -> PackageError:
-    """The error of a container, told as what it is if the archive was zipped again."""
+    """The error of a container; of an archive that was zipped again, an error that says so."""
     issue = error.issues[0]
     if not issue.code.startswith("ZIP_") or not (traces := _traces(path, manifest)):
         return error

@@ -16,7 +16,7 @@ _PROBES = (0.0, 1.0, -1.0, 1e4, -1e4, float(np.finfo(np.float32).max), -3.4e38)
 _RANDOM_ROWS = 17
 
 
-def check_decoder(data: memoryview, own: PartDecoder) -> list[Issue]:
+def check_decoder(data: memoryview, part_decoder: PartDecoder) -> list[Issue]:
     """Check the entry `data` against the spec; returns warnings.
 
     Raises:
@@ -24,34 +24,43 @@ def check_decoder(data: memoryview, own: PartDecoder) -> list[Issue]:
     """
     if len(data) > MAX_DECODER_BYTES:
         expected = f"at most {MAX_DECODER_BYTES}"
-        refuse(Code.DECODER_TOO_LARGE, own.entry, f"{len(data)} bytes", expected)
-    decoder = decoder_from_bytes(data, own.entry)
-    _check_declared(decoder, own)
-    for found, what, limit in (
+        refuse(Code.DECODER_TOO_LARGE, part_decoder.entry, f"{len(data)} bytes", expected)
+    decoder = decoder_from_bytes(data, part_decoder.entry)
+    _check_declared(decoder, part_decoder)
+    for result, what, limit in (
         (decoder.values, "values", MAX_QUERY_VALUES),
         (decoder.multiply_adds, "multiply-adds", MAX_QUERY_WORK),
     ):
-        if found > limit:
-            refuse(Code.DECODER_COST, own.entry, f"{found} {what} a query", f"at most {limit}")
-    _check_finite(decoder, own.entry)
-    _check_results(decoder, own)
-    return _warnings(decoder, own.entry)
+        if result > limit:
+            refuse(
+                Code.DECODER_COST,
+                part_decoder.entry,
+                f"{result} {what} a query",
+                f"at most {limit}",
+            )
+    _check_finite(decoder, part_decoder.entry)
+    _check_results(decoder, part_decoder)
+    return _warnings(decoder, part_decoder.entry)
 
 
-def _check_declared(decoder: ProfileDecoder, own: PartDecoder) -> None:
+def _check_declared(decoder: ProfileDecoder, part_decoder: PartDecoder) -> None:
     """Whether the decoder is the one of the manifest."""
     precision = "int8" if decoder.is_int8 else "float32"
-    for where, found, expected in (
-        ("input", f"queries of {decoder.columns} columns", f"queries of {own.columns} columns"),
+    for where, result, expected in (
+        (
+            "input",
+            f"queries of {decoder.columns} columns",
+            f"queries of {part_decoder.columns} columns",
+        ),
         (
             "output",
             f"{decoder.output} of {decoder.outputs} columns",
-            f"{own.form.name} of {own.width} columns",
+            f"{part_decoder.form.name} of {part_decoder.width} columns",
         ),
-        ("node", f"layers in {precision}", f"layers in {own.precision}"),
+        ("node", f"layers in {precision}", f"layers in {part_decoder.precision}"),
     ):
-        if found != expected:
-            refuse(Code.DECODER_PROFILE, f"{own.entry}#/graph/{where}", found, expected)
+        if result != expected:
+            refuse(Code.DECODER_PROFILE, f"{part_decoder.entry}#/graph/{where}", result, expected)
 
 
 def _check_finite(decoder: ProfileDecoder, name: str) -> None:
@@ -63,15 +72,17 @@ def _check_finite(decoder: ProfileDecoder, name: str) -> None:
         refuse(Code.DECODER_RESULT, name, "a constant that is NaN or infinite", "finite ones")
 
 
-def _check_results(decoder: ProfileDecoder, own: PartDecoder) -> None:
-    queries = _probes(own.columns)
+def _check_results(decoder: ProfileDecoder, part_decoder: PartDecoder) -> None:
+    queries = _probes(part_decoder.columns)
     with np.errstate(all="ignore"):
         output = decoder.run(queries)
     good = allowed(output).all(axis=1)
     if not good.all():
         row = int(np.argmin(good))
         found = f"{output[row].tolist()} for inputs that begin with {queries[row, 0]:g}"
-        refuse(Code.DECODER_RESULT, own.entry, found, "finite and >= 0 for any finite input")
+        refuse(
+            Code.DECODER_RESULT, part_decoder.entry, found, "finite and >= 0 for any finite input"
+        )
 
 
 def _probes(columns: int) -> NDArray[np.float32]:

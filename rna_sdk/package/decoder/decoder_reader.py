@@ -190,10 +190,10 @@ class _Chain:
             self._at += 1
         return "nothing"
 
-    def _outside(self, found: object, expected: object, node: Node | None = None) -> OutsideFormat:
+    def _outside(self, result: object, expected: object, node: Node | None = None) -> OutsideFormat:
         """About a node that was read, or else the next one."""
         at = self._at if node is None else self._nodes.index(node)
-        return OutsideFormat(f"/graph/node/{at}", found, expected)
+        return OutsideFormat(f"/graph/node/{at}", result, expected)
 
     def _take(self, operator: str, *operands: _Operand) -> list[Numbers]:
         """Constants of the next node, which is this one, of the value and such constants."""

@@ -1,4 +1,4 @@
-"""The query record: the arrays that a decoder can be asked with, a row for each query.
+"""The query record: the arrays of a decoder's query, a row for each query.
 
 Whatever lists them reads this: batches and their kernel, decoder forms, the files of the
 conformance kit and the readers that answer it.
@@ -58,9 +58,9 @@ def column_count(names: Iterable[str]) -> int:
 
 def arrays_of(queries: Rows, names: Iterable[str]) -> dict[str, Rows]:
     """The arrays of these names in (n, columns) rows of a file of queries."""
-    found, column, names = {}, 0, set(names)
+    result, column, names = {}, 0, set(names)
     for array in (array for array in QUERY_ARRAYS if array.name in names):
-        own = queries[:, column : column + array.columns]
+        columns = queries[:, column : column + array.columns]
         column += array.columns
-        found[array.name] = np.ascontiguousarray(own[:, 0] if array.columns == 1 else own)
-    return found
+        result[array.name] = np.ascontiguousarray(columns[:, 0] if array.columns == 1 else columns)
+    return result

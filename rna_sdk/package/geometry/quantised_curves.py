@@ -99,12 +99,12 @@ def quantise_curves(curves: Curves) -> Curves:
     from_origin = curves.points.astype(np.float64) - origins[of_point]
     sums = np.rint(from_origin / np.float64(length)).astype(np.int64)
     _move_tips_off_origins(sums, from_origin, old)
-    kept, offsets = _distinct(sums, old)
-    sums = sums[kept]
+    distinct, offsets = _distinct(sums, old)
+    sums = sums[distinct]
     is_first = np.zeros(len(sums), np.bool_)
     is_first[offsets[:-1]] = True
     steps = (sums[1:] - sums[:-1])[~is_first[1:]]
-    radii, unit = _quantised_radii(curves.radii[kept])
+    radii, unit = _quantised_radii(curves.radii[distinct])
     return QuantisedCurves(
         scales=np.array([length, unit], np.float32),
         origins=np.ascontiguousarray(origins),
@@ -129,11 +129,11 @@ def _distinct(
     sums: NDArray[np.int64], offsets: NDArray[np.int64]
 ) -> tuple[NDArray[np.bool_], NDArray[np.int64]]:
     """(p,) whether a point differs from the one before it on its strand, and the new offsets."""
-    kept = np.ones(len(sums), np.bool_)
-    kept[1:] = (sums[1:] != sums[:-1]).any(axis=1)
-    kept[offsets[:-1]] = True
-    counts = np.add.reduceat(kept.astype(np.int64), offsets[:-1])
-    return kept, np.concatenate([[0], np.cumsum(counts)])
+    distinct = np.ones(len(sums), np.bool_)
+    distinct[1:] = (sums[1:] != sums[:-1]).any(axis=1)
+    distinct[offsets[:-1]] = True
+    counts = np.add.reduceat(distinct.astype(np.int64), offsets[:-1])
+    return distinct, np.concatenate([[0], np.cumsum(counts)])
 
 
 def _narrowest(steps: NDArray[np.int64]) -> NDArray[np.int16] | NDArray[np.int32]:

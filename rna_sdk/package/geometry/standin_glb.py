@@ -46,13 +46,16 @@ def standin_glb(package: Package, colors: Mapping[int, NDArray[np.float32]] | No
         mesh = geometry if isinstance(geometry, Mesh) else tubes(geometry)
         base = standin.parts[i] if standin else _GREY
         textures = package.standin_textures(i)
-        own = None if textures else (colors or {}).get(i)
-        if own is not None:
+        vertex_colors = None if textures else (colors or {}).get(i)
+        if vertex_colors is not None:
             base = base.model_copy(update={"base_color": (1.0, 1.0, 1.0)})
         holes, reliefs = package.transmittance(i), package.normal_maps(i)
         looks = _Looks(file, part.name, base, holes, reliefs, textures)
         file.add("nodes", {"mesh": i, "name": part.name})
-        file.add("meshes", {"name": part.name, "primitives": _primitives(file, mesh, own, looks)})
+        file.add(
+            "meshes",
+            {"name": part.name, "primitives": _primitives(file, mesh, vertex_colors, looks)},
+        )
     return file.packed(
         generator=f"rna-info {__version__}",
         copyright=f"{manifest.provenance.source}; {manifest.license}",

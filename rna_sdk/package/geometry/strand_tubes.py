@@ -66,9 +66,9 @@ def _tangents(points: Array) -> Array:
     """Unit directions at points (s, n, 3); that of a segment where those on both sides cancel."""
     steps = _unit(np.diff(points, axis=1))
     sums = np.concatenate([steps[:, :1], steps[:, 1:] + steps[:, :-1], steps[:, -1:]], axis=1)
-    own = np.concatenate([steps, steps[:, -1:]], axis=1)
+    directions = np.concatenate([steps, steps[:, -1:]], axis=1)
     short = np.linalg.norm(sums, axis=2, keepdims=True) < 1e-6
-    return _unit(np.where(short, own, sums))
+    return _unit(np.where(short, directions, sums))
 
 
 def _outward(tangents: Array) -> Array:

@@ -62,10 +62,10 @@ def _data_issues(data: Extension, manifest: Manifest) -> Iterator[Issue]:
         for k, (part, lobes) in enumerate(zip(manifest.parts, data.parts, strict=True)):
             if lobes:
                 where, what = _place(data, k, "inputs"), f"environment of {part.kind}"
-                yield from input_issues(lobes.own_decoder, part.kind, what, where)
+                yield from input_issues(lobes.optional_decoder, part.kind, what, where)
     if isinstance(data, Proxy | StandinTextures):
-        for k, (part, own) in enumerate(zip(manifest.parts, data.parts, strict=True)):
-            if (part.transmittance or part.normal_maps) and own:
+        for k, (part, item) in enumerate(zip(manifest.parts, data.parts, strict=True)):
+            if (part.transmittance or part.normal_maps) and item:
                 where, found = _place(data, k), f"{data.NAME} of a part with textures"
                 yield Issue.of(Code.FIELD_VALUE, where, found, "null")
     if isinstance(data, Source | StandinTextures):

@@ -163,7 +163,7 @@ class EnvironmentPart(TierPartFields, SparseRecord):
     )
 
     @property
-    def own_decoder(self) -> PartDecoder:
+    def optional_decoder(self) -> PartDecoder:
         """Its decoder, whose queries are the input blocks and, behind them, the visibility."""
         more = HARMONICS if self.visibility else 0
         columns = query_width(self.inputs, self.channels) + more

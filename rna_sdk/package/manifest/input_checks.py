@@ -9,12 +9,12 @@ from rna_sdk.package.issues import Code, Issue
 from rna_sdk.package.manifest.manifest_fields import Kind
 
 
-def input_issues(own: PartDecoder, kind: Kind, what: str, where: str) -> Iterator[Issue]:
+def input_issues(decoder: PartDecoder, kind: Kind, what: str, where: str) -> Iterator[Issue]:
     """INPUT_KIND of each block that the kind of part cannot fill, or the decoder's form does not.
 
     what: it is for, for the message. where: JSON pointer of the decoder's `inputs`.
     """
-    known = own.form.blocks(kind)
-    for j, name in enumerate(own.inputs):
+    known = decoder.form.blocks(kind)
+    for j, name in enumerate(decoder.inputs):
         if name not in known:
             yield Issue.of(Code.INPUT_KIND, f"{where}/{j}", name, f"for {what}: {', '.join(known)}")

@@ -45,8 +45,8 @@ def references(manifest: Manifest) -> Iterator[tuple[str, str]]:
     for i, tier in enumerate(manifest.tiers):
         for k, tier_part in enumerate(tier.parts):
             yield pointer("tiers", i, "parts", k, "planes"), tier_part.planes
-            for own in tier_part.decoders:
-                yield pointer("tiers", i, "parts", k, *own.form.path, "decoder"), own.entry
+            for decoder in tier_part.decoders:
+                yield pointer("tiers", i, "parts", k, *decoder.form.path, "decoder"), decoder.entry
 
 
 def _differing_parts(manifest: Manifest) -> Iterator[Issue]:
@@ -84,10 +84,10 @@ def _input_issues(manifest: Manifest) -> list[Issue]:
     for i, tier in enumerate(manifest.tiers):
         for k, part in enumerate(tier.parts):
             kind = manifest.parts[k].kind
-            for own in part.decoders:
-                what = f"{own.form.name} of {kind}" if own.form.member else kind
-                where = pointer("tiers", i, "parts", k, *own.form.path, "inputs")
-                issues += input_issues(own, kind, what, where)
+            for decoder in part.decoders:
+                what = f"{decoder.form.name} of {kind}" if decoder.form.member else kind
+                where = pointer("tiers", i, "parts", k, *decoder.form.path, "inputs")
+                issues += input_issues(decoder, kind, what, where)
     return issues
 
 

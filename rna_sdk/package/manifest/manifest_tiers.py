@@ -109,9 +109,10 @@ class TierPart(TierPartFields, SparseRecord):
     def decoders(self) -> tuple[PartDecoder, ...]:
         """Its decoders, in the order of FORMS: that of transport first."""
         records = ((form, form.record(self)) for form in FORMS)
-        found = ((form, own) for form, own in records if own is not None)
+        result = ((form, record) for form, record in records if record is not None)
         return tuple(
-            part_decoder(form, own, query_width(own.inputs, self.channels)) for form, own in found
+            part_decoder(form, record, query_width(record.inputs, self.channels))
+            for form, record in result
         )
 
     @property
@@ -120,10 +121,14 @@ class TierPart(TierPartFields, SparseRecord):
         return query_width(self.inputs, self.channels)
 
 
-def part_decoder(form: DecoderForm, own: TierPartFields | TierDecoder, columns: int) -> PartDecoder:
+def part_decoder(
+    form: DecoderForm, record: TierPartFields | TierDecoder, columns: int
+) -> PartDecoder:
     """The decoder that a record declares, with so many columns of `queries`."""
-    width = form.width(own)
-    return PartDecoder(form, own.decoder, columns, width, own.decoder_precision, own.inputs)
+    width = form.width(record)
+    return PartDecoder(
+        form, record.decoder, columns, width, record.decoder_precision, record.inputs
+    )
 
 
 class Tier(Record):

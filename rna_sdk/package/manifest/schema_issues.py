@@ -34,7 +34,7 @@ def _schema_issue(detail: ErrorDetails, *holder: str | int) -> Issue:
     if kind in Code.__members__:
         code = Code[kind]
     # Pydantic's own parts, and the tags of unions, stand in brackets.
-    own = (part for part in detail["loc"] if not str(part).startswith("["))
-    where = pointer(*holder, *own)
+    members = (part for part in detail["loc"] if not str(part).startswith("["))
+    where = pointer(*holder, *members)
     found = "nothing" if code is Code.FIELD_MISSING else repr(detail["input"])
     return Issue.of(code, where, found, detail["msg"])

@@ -47,7 +47,7 @@ def _tier_names(tier: Tier) -> Iterator[str]:
     """Entries of the tier, some perhaps twice: planes and decoders of its parts."""
     for part in tier.parts:
         yield part.planes
-        yield from (own.entry for own in part.decoders)
+        yield from (decoder.entry for decoder in part.decoders)
 
 
 def ordered(manifest: Manifest, entries: Iterable[str]) -> list[str]:
@@ -57,9 +57,9 @@ def ordered(manifest: Manifest, entries: Iterable[str]) -> list[str]:
     others, which are those of extensions, in their own order. A reader then finds all of one tier
     in two ranges of bytes.
     """
-    own = [dict.fromkeys(_tier_names(tier)) for tier in manifest.tiers]
-    users = Counter(name for names in own for name in names)
-    of_tiers = [name for names in own for name in names]
+    tier_names = [dict.fromkeys(_tier_names(tier)) for tier in manifest.tiers]
+    users = Counter(name for names in tier_names for name in names)
+    of_tiers = [name for names in tier_names for name in names]
     first = dict.fromkeys(_shared_names(manifest.parts))
     order = [*first, *(name for name in of_tiers if users[name] > 1), *of_tiers, *entries]
     return list(dict.fromkeys(order))

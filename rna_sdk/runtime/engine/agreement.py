@@ -12,7 +12,7 @@ either way."""
 
 
 def close_rows(
-    found: NDArray[np.floating],
+    actual: NDArray[np.floating],
     expected: NDArray[np.floating],
     reach: float | NDArray[np.floating] = 1.0,
 ) -> NDArray[np.bool_]:
@@ -23,6 +23,6 @@ def close_rows(
     """
     wide = expected.astype(np.float64)
     allowed = (ABSOLUTE + RELATIVE * np.abs(wide)) * np.reshape(reach, (-1, 1))
-    close = np.abs(found.astype(np.float64) - wide) <= allowed
+    close = np.abs(actual.astype(np.float64) - wide) <= allowed
     rows: NDArray[np.bool_] = np.logical_and.reduce(close, axis=1)
     return rows

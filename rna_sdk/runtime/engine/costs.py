@@ -1,4 +1,4 @@
-"""Cost of queries on this processor: measured once, then kept in the user's cache folder."""
+"""Cost of queries on this processor: measured once, then stored in the user's cache folder."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from rna_sdk.cpu import processor_key
 _REPEATS = 5
 
 
-def kept_cost(measure: Callable[[], float], *what: object) -> float:
+def cached_cost(measure: Callable[[], float], *what: object) -> float:
     """The cached result of `measure` for `what`, this processor and these versions.
 
     measure: called if there is no cached result. what: values whose `repr` identifies what is

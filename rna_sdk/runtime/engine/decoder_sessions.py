@@ -119,6 +119,6 @@ def _agree(
     reach = np.where(np.arange(_CHECKED_ROWS) % 4, 1.0, min(largest_query, 100.0))
     queries[:, : graph.columns] = rng.uniform(-1, 1, shape) * reach[:, None]
     expected = graph.run(np.ascontiguousarray(queries[:, : graph.columns]))
-    found = fast.run(np.ascontiguousarray(queries[:, : fast.columns]))
-    close = close_rows(found, expected, reach)
+    result = fast.run(np.ascontiguousarray(queries[:, : fast.columns]))
+    close = close_rows(result, expected, reach)
     return bool(close.mean() >= (1 - TIES if is_int8 else 1.0))

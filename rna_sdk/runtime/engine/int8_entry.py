@@ -52,7 +52,7 @@ class Entry:
 
 @cache
 def _quantizer() -> Callable[..., None]:
-    """The kernel, compiled when the first int8 decoder asks for it."""
+    """The kernel, compiled for the first int8 decoder."""
 
     @compiled(
         types.Array(types.float32, 2, "C", readonly=True),

@@ -89,9 +89,9 @@ def _operand(context: Any, builder: ir.IRBuilder, value: Any, kind: Any, lanes: 
 
 def _lanes_of(arguments: tuple[Any, ...]) -> LanesType | None:
     """The one type of lanes among the arguments, where the others are numbers; else None."""
-    found = {a for a in arguments if isinstance(a, LanesType)}
+    result = {a for a in arguments if isinstance(a, LanesType)}
     others = [a for a in arguments if not isinstance(a, (LanesType, types.Number))]
-    return found.pop() if len(found) == 1 and not others else None
+    return result.pop() if len(result) == 1 and not others else None
 
 
 _ARITHMETIC = {

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from rna_sdk.compiled import compiled
 from rna_sdk.reference.lobes import NARROW, SHIFT, WIDE
-from rna_sdk.runtime.kernels.output_kernel import OUTPUT, kept
+from rna_sdk.runtime.kernels.output_kernel import OUTPUT, sanitised
 from rna_sdk.runtime.kernels.vectors import Rows, dot, unit
 
 _VECTORS = types.Array(types.float32, 2, "C", readonly=True)
@@ -114,7 +114,10 @@ def write_lobes(
         turned = -WIDE if backwards else WIDE
         for j in range(count):
             for k in range(3):
-                visible, shadowed = kept(output[i, 9 * j + k]), kept(output[i, 9 * j + 3 + k])
-                amplitudes[i, j, k] = kept(v * visible + (np.float32(1.0) - v) * shadowed)
+                visible, shadowed = (
+                    sanitised(output[i, 9 * j + k]),
+                    sanitised(output[i, 9 * j + 3 + k]),
+                )
+                amplitudes[i, j, k] = sanitised(v * visible + (np.float32(1.0) - v) * shadowed)
                 base = turned * about[k] if j < count // 2 else NARROW * mirror[i, k]
-                axes[i, j, k] = kept(output[i, 9 * j + 6 + k]) - SHIFT + base
+                axes[i, j, k] = sanitised(output[i, 9 * j + 6 + k]) - SHIFT + base

@@ -1,4 +1,4 @@
-"""The compiled kernel that hands a decoder's output to the caller, with its promises kept."""
+"""The compiled kernel that copies a decoder's output to the caller: finite, not negative."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ OUTPUT = numba.types.Array(numba.types.float32, 2, "C", readonly=True)
 
 
 @compiled()
-def kept(value: Any) -> Any:
+def sanitised(value: Any) -> Any:
     """A decoder's value as results have it: 0 for NaN and what is negative, and never infinite."""
     return min(value, _LARGEST) if value > 0.0 else np.float32(0.0)  # NaN fails the comparison
 
@@ -40,4 +40,4 @@ def write_results(
     """
     for i in range(len(results)):
         for k in range(3):
-            results[i, k] = kept(output[i, column + k]) if valid[i] else np.float32(0.0)
+            results[i, k] = sanitised(output[i, column + k]) if valid[i] else np.float32(0.0)

@@ -190,14 +190,14 @@ class _Footprint:
 
     def starts(self, planes: ir.Value, count: int, side: ir.Value) -> list[list[ir.Value]]:
         """Addresses of the four texels on each plane, of `count` channels each."""
-        builder, found = self._builder, []
+        builder, result = self._builder, []
         next_row = builder.mul(side, _WORD(count))
         for plane in range(PLANES):
             number = builder.zext(self._load(self._texels, PLANES, plane), _WORD)
             corner = builder.gep(planes, [builder.mul(number, _WORD(count))])
             pair = [corner, builder.gep(corner, [next_row])]
-            found.append([start for c in pair for start in (c, builder.gep(c, [_WORD(count)]))])
-        return found
+            result.append([start for c in pair for start in (c, builder.gep(c, [_WORD(count)]))])
+        return result
 
     def _load(self, array: ir.Value, groups: int, group: int) -> ir.Value:
         """Value of array[slot, group, lane] with the given number of groups per slot."""

@@ -34,7 +34,7 @@ def files() -> dict[str, str]:
     of_bodies = geometry.NODE, geometry.PRIMITIVE, geometry.INSTANCE
     of_scenes = scene.FRAME, scene.PATH, scene.QUERY, scene.QUERIES
     records = *of_parts, part.ROW, *of_bodies, *of_scenes, *_SECTIONS.values()
-    found = {
+    result = {
         "note": note(_MODULE),
         "constants": _LIMITS
         | part.PART_CONSTANTS
@@ -52,7 +52,7 @@ def files() -> dict[str, str]:
         f"{_SHADERS}/render/scene_records.wgsl": _wgsl(scene.SCENE_CONSTANTS, *of_scenes),
         f"{_SHADERS}/render/table_records.wgsl": _tables(),
         f"{_SHADERS}/render/lobe_constants.wgsl": _wgsl(tables.LOBE_CONSTANTS),
-        f"{_SHADERS}/records.json": _json(found),
+        f"{_SHADERS}/records.json": _json(result),
     }
 
 

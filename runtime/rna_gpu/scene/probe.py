@@ -81,8 +81,8 @@ class Probe:
             device.groups(len(paths)).dispatch(run)
             run.end()
             device.wgpu.queue.submit([encoder.finish()])
-        found = device.read(results, 16 * len(paths)).view(np.float32).reshape(-1, 4)
-        return np.ascontiguousarray(found[:, :3])
+        result = device.read(results, 16 * len(paths)).view(np.float32).reshape(-1, 4)
+        return np.ascontiguousarray(result[:, :3])
 
 
 def _parts(path: str | PathLike[str]) -> list[Any]:
@@ -97,10 +97,10 @@ def _parts(path: str | PathLike[str]) -> list[Any]:
                     "normal_maps": package.normal_maps(number),
                 }
                 count = len(geometry.triangles)
-                own = {"kind": "surface", "mesh": geometry, "count": count}
-                parts.append(SimpleNamespace(**own, **records, **none))
+                fields = {"kind": "surface", "mesh": geometry, "count": count}
+                parts.append(SimpleNamespace(**fields, **records, **none))
             else:
                 count = len(geometry.segments())
-                own = {"kind": "fiber", "curves": geometry, "count": count}
-                parts.append(SimpleNamespace(**own, **none))
+                fields = {"kind": "fiber", "curves": geometry, "count": count}
+                parts.append(SimpleNamespace(**fields, **none))
     return parts

@@ -150,8 +150,8 @@ _LOADED: WeakKeyDictionary[World, tuple[Device, _Loaded]] = WeakKeyDictionary()
 def _parts(
     scene: Scene, world: World, wanted: Sequence[tuple[int, int]], device: Device
 ) -> list[GpuPart]:
-    kept, loaded = _LOADED.get(world, (device, {}))
-    if kept is not device:
+    loaded_device, loaded = _LOADED.get(world, (device, {}))
+    if loaded_device is not device:
         loaded = {}
     result: list[GpuPart] = []
     for place, part in wanted:

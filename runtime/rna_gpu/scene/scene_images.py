@@ -26,7 +26,7 @@ class Images:
     def __init__(self) -> None:
         self._arrays: list[NDArray[np.uint32]] = [np.zeros(4, np.uint32)]
         self._length = 4
-        self._kept: dict[int, tuple[int, object]] = {}
+        self._offsets: dict[int, tuple[int, object]] = {}
         self.textures: list[NDArray[Any]] = []
 
     def add(self, values: NDArray[Any]) -> int:
@@ -66,12 +66,12 @@ class Images:
 
     def _place(self, texels: NDArray[np.uint8]) -> int:
         """Offset of the texels, which are stored once; a single channel represents grey."""
-        if id(texels) not in self._kept:
+        if id(texels) not in self._offsets:
             channels = texels.shape[2]
             words = np.zeros((*texels.shape[:2], 4), np.uint8)
             words[..., : max(channels, 3 if channels == 1 else channels)] = texels
-            self._kept[id(texels)] = self.add(words), texels
-        return self._kept[id(texels)][0]
+            self._offsets[id(texels)] = self.add(words), texels
+        return self._offsets[id(texels)][0]
 
     def texture_rows(self) -> NDArray[np.float32]:
         """(n, 4): the textures' records, one behind the other."""

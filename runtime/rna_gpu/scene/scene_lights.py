@@ -75,15 +75,15 @@ class _Triangles:
 
     def __init__(self, images: Images, geometry: Geometry, bodies: dict[int, int]) -> None:
         self._images, self._geometry, self._bodies = images, geometry, bodies
-        self._kept: dict[int, NDArray[np.uint32]] = {}
+        self._tables: dict[int, NDArray[np.uint32]] = {}
 
     def places(self, light: AssetLight | MeshLight, scene_object: Any) -> NDArray[np.uint32]:
         """(4,): LIGHT_PLACES of triangles."""
         if not len(light.cumulative):
             return np.zeros(4, np.uint32)
-        if id(scene_object) not in self._kept:
-            self._kept[id(scene_object)] = self._added(light.cumulative, scene_object)
-        return self._kept[id(scene_object)]
+        if id(scene_object) not in self._tables:
+            self._tables[id(scene_object)] = self._added(light.cumulative, scene_object)
+        return self._tables[id(scene_object)]
 
     def _added(self, sums: NDArray[np.float64], scene_object: Any) -> NDArray[np.uint32]:
         places = self._geometry.places[self._bodies[id(scene_object)]]
@@ -96,8 +96,8 @@ class _Triangles:
         density = np.zeros(len(places), np.float32)
         density[places[local] - first] = per_area
         add = self._images.add
-        own = add(cumulative), add(places[local].astype(np.uint32)), add(density)
-        return np.array([*own[:2], (own[2] - first) % 2**32, len(local)], np.uint32)
+        offsets = add(cumulative), add(places[local].astype(np.uint32)), add(density)
+        return np.array([*offsets[:2], (offsets[2] - first) % 2**32, len(local)], np.uint32)
 
 
 def _shining_triangles(scene_object: Any) -> tuple[NDArray[np.int64], NDArray[np.float64]]:

@@ -85,16 +85,18 @@ class Surfaces:
             for values in (mesh.second_uvs, mesh.tangents)
         ]
         numbers = np.array([self._material(material, catches, places) for material in materials])
-        own = numbers[np.minimum(mesh.material_numbers, len(materials) - 1)]
-        return Triangles(mesh.positions, mesh.normals, mesh.triangles, own, mesh.uvs)
+        material_of_triangle = numbers[np.minimum(mesh.material_numbers, len(materials) - 1)]
+        return Triangles(
+            mesh.positions, mesh.normals, mesh.triangles, material_of_triangle, mesh.uvs
+        )
 
     def _material(self, material: Material, catches: bool, places: list[np.uint32]) -> int:
         row = _surface(OF_MATERIAL, 0)
         for name in _FACTORS:
             row[name] = getattr(material, name)
         row["second_uvs"], row["tangents"] = places
-        found = [getattr(material, name) for name in MATERIAL_TEXTURES.values()]
-        numbers = [NONE if t is None else self.images.add_texture(t) for t in found]
+        textures = [getattr(material, name) for name in MATERIAL_TEXTURES.values()]
+        numbers = [NONE if t is None else self.images.add_texture(t) for t in textures]
         row["textures"] = np.array(numbers, np.uint32).reshape(-1, 4)
         if any(material.emission) and not catches:
             row["flags"] |= EMITS
@@ -114,10 +116,10 @@ class Surfaces:
         mesh = part.mesh
         maps = texture_numbers(mesh, part.normal_maps)
         panes = texture_numbers(mesh, part.transmittance_records)
-        pairs, own = np.unique(np.stack([maps, panes]), axis=1, return_inverse=True)
+        pairs, pair_of_triangle = np.unique(np.stack([maps, panes]), axis=1, return_inverse=True)
         numbers = np.array([self._part_surface(part, *pair) for pair in pairs.T.tolist()])
         arrays = mesh.positions, mesh.normals, mesh.triangles
-        return Triangles(*arrays, numbers[own.reshape(-1)], mesh.uvs)
+        return Triangles(*arrays, numbers[pair_of_triangle.reshape(-1)], mesh.uvs)
 
     def _part_surface(self, part: Any, normal_map: int, pane: int) -> int:
         """Number of the surface of triangles with that normal map and that pane; -1 for none."""

@@ -55,7 +55,7 @@ def scene_tables(world: World, lights: Sequence[Light]) -> SceneTables:
     surfaces = Surfaces(Images())
     bodies: list[list[Shape]] = []
     numbers: dict[int, int] = {}
-    placed, kept = [], []
+    placed, visible = [], []
     for k, placement in enumerate(world.placements):
         if isinstance(placement.object, PlacedLight):
             continue
@@ -65,10 +65,10 @@ def scene_tables(world: World, lights: Sequence[Light]) -> SceneTables:
             bodies.append(surfaces.add(placement.object, place, len(bodies)))
         body = numbers[id(placement.object)]
         placed.append(Placed(body, placement.world_from_object, world.met_by[k]))
-        kept.append(k)
+        visible.append(k)
     geometry = _BUILT.get(world) or build_geometry(bodies, placed)
     _BUILT[world] = geometry
-    ordered = [kept[i] for i in geometry.order]
+    ordered = [visible[i] for i in geometry.order]
     shining = np.where(world.light[ordered] < 0, NONE, world.light[ordered]).astype(np.uint32)
     geometry.instances["own"] = shining
     stored = {k: at for at, k in enumerate(ordered)}
@@ -106,11 +106,11 @@ def asset_at(world: World, place: int) -> Asset:
 
 
 def _scene_objects(
-    world: World, kept: Sequence[int], geometry: Geometry, placed: Sequence[Placed]
+    world: World, visible: Sequence[int], geometry: Geometry, placed: Sequence[Placed]
 ) -> NDArray[np.float32]:
     """(k, 4): a row of OBJECT an instance."""
-    rows = np.zeros(len(kept), OBJECT.dtype)
-    for row, k, stored in zip(rows, kept, geometry.order, strict=True):
+    rows = np.zeros(len(visible), OBJECT.dtype)
+    for row, k, stored in zip(rows, visible, geometry.order, strict=True):
         scene_object = world.placements[k].object
         is_object = isinstance(scene_object, MeshObject)
         matrix = world.placements[k].world_from_object

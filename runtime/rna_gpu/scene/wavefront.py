@@ -28,7 +28,7 @@ _MOST_PATHS = 1 << 18
 
 _HEADER = 16  # bytes at the start of a list of paths, and of the count of rows
 _NOTHING = 0, 0, 1, 1, 0  # no rows; from the second number on an empty list
-_OWN_SUMS = SUMS.dtype.itemsize // 16  # vec4f a path, then two for each group of lights
+_DIRECT_SUMS = SUMS.dtype.itemsize // 16  # vec4f a path, then two for each group of lights
 
 
 class Wavefront:
@@ -59,7 +59,7 @@ class Wavefront:
         self._bindings = Bindings(device, FRAME.dtype.itemsize)
         self.groups = sorted({light.group for light in lights} - {""})
         width, height = scene.resolution
-        self._sums = _OWN_SUMS + 2 * len(self.groups)
+        self._sums = _DIRECT_SUMS + 2 * len(self.groups)
         self._film_record = np.dtype(
             [("own", FILM.dtype), ("groups", "<f4", (2 * len(self.groups), 4))]
         )
@@ -112,18 +112,18 @@ class Wavefront:
         """(parts, 4): queries of each part that is watched since the last call, those from outside
         the views and those from outside the lights that it was trained for, and those of either."""
         count = 4 * len(self._parts)
-        found = self._device.read(self._counts, max(4 * count, 16)).view(np.uint32)[:count]
+        result = self._device.read(self._counts, max(4 * count, 16)).view(np.uint32)[:count]
         self._device.write(self._counts, np.zeros(max(count, 4), np.uint32))
-        return found.reshape(-1, 4)
+        return result.reshape(-1, 4)
 
     def _record(self, encoder: Any, step: Step, count: int) -> None:
         copy = encoder.copy_buffer_to_buffer
         if step.name == "clear":
             copy(self._nothing, 0, self._rows.count, 0, _HEADER)
         elif step.name == "keep":
-            copy(self._paths, 0, self._kept_paths, 0, count * PATH.dtype.itemsize)
+            copy(self._paths, 0, self._surviving_paths, 0, count * PATH.dtype.itemsize)
         elif step.name == "restore":
-            copy(self._kept_paths, 0, self._paths, 0, count * PATH.dtype.itemsize)
+            copy(self._surviving_paths, 0, self._paths, 0, count * PATH.dtype.itemsize)
         elif step.name == "gather":
             self._dispatch(encoder, step, count)
             copy(self._rows.count, 4, self._groups, _HEADER * LISTS, 12)
@@ -158,7 +158,7 @@ class Wavefront:
         device, count = self._device, self.band
         self._uniform = device.buffer(len(self._steps.frames) * STRIDE, "UNIFORM", what="steps")
         self._pixels = device.buffer(count * 4, "STORAGE", what="pixels")
-        self._paths, self._kept_paths = (
+        self._paths, self._surviving_paths = (
             device.buffer(count * PATH.dtype.itemsize, "STORAGE", what="paths") for _ in range(2)
         )
         self._film = device.buffer(count * self._film_record.itemsize, "STORAGE", what="film")
@@ -211,8 +211,8 @@ class Wavefront:
 
 def _layers(film: NDArray[Any]) -> Layers:
     """film: (n,) of FILM, and of vec4f, two for each group of lights."""
-    own, by_group = film["own"], film["groups"][..., :3]
-    sums = own["sums"]
+    direct, by_group = film["own"], film["groups"][..., :3]
+    sums = direct["sums"]
     return Layers(
         beauty=sums["beauty"],
         groups=by_group[:, 0::2],
@@ -224,7 +224,7 @@ def _layers(film: NDArray[Any]) -> Layers:
         caught=sums["caught"],
         behind_catcher=sums["behind"],
         groups_behind=by_group[:, 1::2],
-        catcher=own["catcher"],
-        squares=own["squares"],
+        catcher=direct["catcher"],
+        squares=direct["squares"],
         asset=sums["number"].astype(np.uint32),
     )

@@ -47,7 +47,7 @@ fn rna_descend(
 }
 
 // Tests a primitive; whether it is hit nearer than `hit`, which is then set to it.
-fn rna_meet(primitive: u32, ray: RnaRay, own_strand: u32, hit: ptr<function, RnaHit>) -> bool {
+fn rna_meet(primitive: u32, ray: RnaRay, start_strand: u32, hit: ptr<function, RnaHit>) -> bool {
     let record = rna_primitives[primitive];
     let line = RnaRay(ray.origin, ray.near, ray.direction, (*hit).t);
     if !rna_is_segment(record) {
@@ -60,7 +60,7 @@ fn rna_meet(primitive: u32, ray: RnaRay, own_strand: u32, hit: ptr<function, Rna
         *hit = RnaHit(found.x, (*hit).instance, primitive, found.y, found.z, vec3f(0.0));
         return true;
     }
-    if rna_strand(record) == own_strand {
+    if rna_strand(record) == start_strand {
         return false;
     }
     let entry = rna_meet_segment(line, record);
@@ -74,7 +74,7 @@ fn rna_meet(primitive: u32, ray: RnaRay, own_strand: u32, hit: ptr<function, Rna
 // The closest hit of a body below `root`, ray in its object space, nearer than `hit`; with `any`
 // the first that is found.
 fn rna_trace_body(
-    root: u32, ray: RnaRay, own_strand: u32, any: bool, hit: ptr<function, RnaHit>,
+    root: u32, ray: RnaRay, start_strand: u32, any: bool, hit: ptr<function, RnaHit>,
 ) -> bool {
     var top = RNA_STACK;
     var node = root;
@@ -88,7 +88,7 @@ fn rna_trace_body(
         }
         let first = rna_nodes[node].child;
         for (var k = 0u; k < count; k++) {
-            if rna_meet(first + k, ray, own_strand, hit) {
+            if rna_meet(first + k, ray, start_strand, hit) {
                 found = true;
                 if any {
                     return true;

@@ -1,4 +1,4 @@
-"""Kernels of a first render: told, since it shows nothing meanwhile, and compiled in parallel."""
+"""Compilation of kernels before a first render: its progress is shown, and it runs in parallel."""
 
 from __future__ import annotations
 
@@ -16,28 +16,28 @@ _WORTH_TELLING = 10  # kernels: fewer take no more than a second or two
 
 
 @contextmanager
-def compilations_told() -> Iterator[None]:
+def compilations_reported() -> Iterator[None]:
     """A context whose compilations are counted on standard error.
 
     On a terminal the count is renewed in place, else told once. At the end comes the time that
     they took. Where there is a second core, `compile_ahead` helps from the first lines on.
     """
-    count, begun, last, told = 0, 0.0, 0.0, 0.0
+    count, begun, last, reported = 0, 0.0, 0.0, 0.0
     is_terminal = sys.stderr.isatty()
 
     def watch() -> None:
-        nonlocal count, begun, last, told
+        nonlocal count, begun, last, reported
         now = last = time.monotonic()
         begun, count = begun or now, count + 1
         if count == _WORTH_TELLING and core_count() > 1:
             ahead.enter_context(compiling_ahead())
-        if count >= _WORTH_TELLING and (is_terminal or not told) and now - told > _APART:
-            told = now
+        if count >= _WORTH_TELLING and (is_terminal or not reported) and now - reported > _APART:
+            reported = now
             start, end = ("\r", "") if is_terminal else ("", "\n")
             print(f"{start}compiling kernels, once: {count}", end=end, file=sys.stderr, flush=True)
 
     with ExitStack() as ahead, watched_compilations(watch):
         yield
-    if told:
+    if reported:
         seconds = f"{last - begun:.0f} s"
         print(f"compiled {count} kernels in {seconds}; the next start finds them", file=sys.stderr)

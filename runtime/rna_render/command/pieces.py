@@ -15,8 +15,8 @@ from pathlib import Path
 import numpy as np
 
 from rna_render.command.devices import CPU
+from rna_render.command.finished_pieces import FinishedPieces, Piece, missing_pieces
 from rna_render.command.frame_worker import SceneWorker
-from rna_render.command.kept_pieces import KeptPieces, Piece, missing_pieces
 from rna_render.image.film import Film
 from rna_render.paths.bands import SMALL_BAND, BandRenderer
 from rna_render.paths.render import render
@@ -35,8 +35,8 @@ _MOST = 1 << 18  # pixels: of more, what comes back would be hundreds of megabyt
 
 def render_pieces(
     scene_file: SceneFile, executor: Executor, threads: int | None, folder: Path, device: str = CPU
-) -> tuple[Film, KeptPieces]:
-    """The finished image, and what was kept of it, which its owner removes with the image written.
+) -> tuple[Film, FinishedPieces]:
+    """The finished image and its stored pieces, which the caller deletes once the image is written.
 
     folder: where finished pieces are kept; those of the same device that are there are not
     rendered again. device: of `devices`, on every machine. Raises
@@ -49,10 +49,10 @@ def render_pieces(
         )
     files = carried_scene(scene_file, executor)
     backend, threads = executor.whole_machines(threads, needs_gpu=device != CPU)
-    kept = KeptPieces(folder, f"{device} {scene_key(scene_file)}")
+    finished = FinishedPieces(folder, f"{device} {scene_key(scene_file)}")
     count, image = prod(scene.resolution), _Image(scene.resolution)
     there = []
-    for piece, film in kept.found():
+    for piece, film in finished.saved():
         image.put(piece, film)
         there.append(piece)
     size = _size(count, backend.width(), threads, scene.samples)
@@ -64,9 +64,9 @@ def render_pieces(
     pool: Pool[Piece, Film] = Pool(backend, make, tell=progress.tell)
     with progress, pool, closing(pool.run(pieces)) as outcomes:
         for outcome in progress.of(pool, outcomes, lambda piece: piece.pixels * scene.samples):
-            kept.keep(outcome.item, outcome.value())
+            finished.keep(outcome.item, outcome.value())
             image.put(outcome.item, outcome.value())
-    return image.whole(), kept
+    return image.whole(), finished
 
 
 class _Image:

@@ -227,9 +227,9 @@ def _check_usage(parser: argparse.ArgumentParser, options: argparse.Namespace) -
 
 
 def _run(options: argparse.Namespace) -> int:
-    from rna_render.command.compilation import compilations_told
+    from rna_render.command.compilation import compilations_reported
 
-    with compilations_told():
+    with compilations_reported():
         return _shown(options)
 
 
@@ -321,7 +321,7 @@ def _render_still(scene_file: SceneFile, output: Output, options: argparse.Names
 
 
 def _render_in_pieces(scene_file: SceneFile, output: Output, options: argparse.Namespace) -> int:
-    from rna_render.command.kept_pieces import is_of_pieces, kept_pixels
+    from rna_render.command.finished_pieces import finished_pixels, is_of_pieces
     from rna_render.command.pieces import render_pieces
     from rna_render.world.scene_sources import files_of
     from rna_sdk.owned_folder import owned
@@ -332,18 +332,18 @@ def _render_in_pieces(scene_file: SceneFile, output: Output, options: argparse.N
     folder = first.with_name(f"{first.name}.pieces")
     try:
         with (
-            owned(folder, "rna-run", is_of_pieces) as own,
+            owned(folder, "rna-run", is_of_pieces) as work_folder,
             open_executor(options.cluster) as executor,
         ):
-            film, kept = render_pieces(
+            film, finished = render_pieces(
                 scene_file, executor, options.threads, folder, options.device
             )
             output.write(scene_file.scene, film)
-            kept.remove()
-            own.dissolve()
+            finished.remove()
+            work_folder.dissolve()
     except KeyboardInterrupt:
         scene = scene_file.scene
-        share = kept_pixels(folder) / math.prod(scene.resolution)
+        share = finished_pixels(folder) / math.prod(scene.resolution)
         print(
             f"stopped: no image was written; {share:.0%} of its pixels, each with all "
             f"{scene.samples} samples, are in {folder}; the same command goes on",

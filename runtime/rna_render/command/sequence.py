@@ -85,8 +85,8 @@ def _take(pool: Pool[Frame, FrameFiles], missing: list[Frame], executor: Executo
     """Say of each frame that it is finished; on a cluster below a bar of the whole."""
     seconds: list[float] = []
     with ExitStack() as stack:
-        found = stack.enter_context(closing(pool.run(missing)))
-        outcomes: Iterator[Outcome[Frame, FrameFiles]] = found
+        running = stack.enter_context(closing(pool.run(missing)))
+        outcomes: Iterator[Outcome[Frame, FrameFiles]] = running
         tell: Callable[[str], None] = partial(print, flush=True)
         if executor.far:  # this machine's own worker has a bar for each frame
             progress = stack.enter_context(Progress(len(missing), "frame", "frames"))
@@ -98,7 +98,7 @@ def _take(pool: Pool[Frame, FrameFiles], missing: list[Frame], executor: Executo
                 warnings.warn(line, QualityWarning, stacklevel=1)
             workers = max(1, pool.nodes().total())
             left = (len(missing) - len(seconds)) / workers * sum(seconds) / len(seconds)
-            tell(f"{_told(outcome, frame)}; about {_in_words(left)} left")
+            tell(f"{_outcome_text(outcome, frame)}; about {_in_words(left)} left")
 
 
 def _missing(scene: Scene, inputs: Sequence[Path], numbers: range, output: Output) -> list[Frame]:
@@ -127,7 +127,7 @@ def _there(scene: Scene, numbers: range, output: Output) -> str:
     return f"{count} of {len(numbers)} frames are written, each of {of} samples"
 
 
-def _told(outcome: Outcome[Frame, FrameFiles], frame: FrameFiles) -> str:
+def _outcome_text(outcome: Outcome[Frame, FrameFiles], frame: FrameFiles) -> str:
     paths = ", ".join(str(path) for path in frame.paths)
     on = "" if outcome.node == HERE else f" on {outcome.node}"
     return f"{outcome.item.what}: wrote {paths} in {frame.seconds:.1f} s{on}"

@@ -27,13 +27,13 @@ _FASTER = 0.9
 
 
 class Interrupt:
-    """While entered, the first Ctrl-C asks for a stop and the second one ends the program."""
+    """While entered, the first Ctrl-C requests a stop and the second one ends the program."""
 
     def __init__(self) -> None:
-        self._asked = False
+        self._stop_requested = False
 
     def requested(self) -> bool:
-        return self._asked
+        return self._stop_requested
 
     def __enter__(self) -> Interrupt:
         self._previous = signal.signal(signal.SIGINT, self._ask)
@@ -43,9 +43,9 @@ class Interrupt:
         signal.signal(signal.SIGINT, self._previous)
 
     def _ask(self, number: int, frame: object) -> None:
-        if self._asked:
+        if self._stop_requested:
             raise KeyboardInterrupt
-        self._asked = True
+        self._stop_requested = True
         print("\nstopping after this band of pixels; Ctrl-C again ends at once", file=sys.stderr)
 
 
@@ -62,10 +62,10 @@ def tell_tiers(quality: QualityModel | None, world: World) -> None:
     """Print which tiers the scene's `quality` led to, if it has one."""
     assets = world.assets
     if quality is not None and quality.has_limit and assets:
-        told = _counted(assets)
+        tiers = _counted(assets)
         if world.indirect:
-            told += f"; of indirect radiance: {_counted(world.indirect)}"
-        print(f"tiers of {len(assets)} assets: {told}", file=sys.stderr)
+            tiers += f"; of indirect radiance: {_counted(world.indirect)}"
+        print(f"tiers of {len(assets)} assets: {tiers}", file=sys.stderr)
 
 
 def _counted(assets: Sequence[Asset]) -> str:
@@ -125,10 +125,10 @@ def cost_lines(paths: Sequence[Path], world: World) -> Iterator[str]:
 
     paths: of the world's assets. Measures what was not measured before.
     """
-    told = set()
+    reported = set()
     for path, asset in zip(paths, world.assets, strict=True):
-        if (path, asset.tier.name) not in told:
-            told.add((path, asset.tier.name))
+        if (path, asset.tier.name) not in reported:
+            reported.add((path, asset.tier.name))
             ns = asset.measured_ns_per_query()
             yield f"{path.name}: {asset.tier.name}, {ns:.0f} ns/query on this CPU" + "".join(
                 f"; {name} takes {other:.0f} and is no worse"

@@ -90,11 +90,11 @@ class Output:
                 file=self.paths()[0],
             )
 
-    def _is_of(self, scene: Scene, found: dict[str, str]) -> bool:
+    def _is_of(self, scene: Scene, attributes: dict[str, str]) -> bool:
         """Whether attributes are those of the finished image; a time limit may end it early."""
         limited = scene.quality is not None and scene.quality.seconds is not None
-        samples = found.get("rnaSamples") if limited else scene.samples
-        return found == self._attributes(scene, samples)
+        samples = attributes.get("rnaSamples") if limited else scene.samples
+        return attributes == self._attributes(scene, samples)
 
     def _attributes(self, scene: Scene, samples: object) -> dict[str, str]:
         attributes = {"rnaScene": scene.model_dump_json(), "rnaSamples": str(samples)}

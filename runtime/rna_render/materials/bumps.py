@@ -56,7 +56,7 @@ def _given(tangents: np.ndarray, corners: np.ndarray, u: float, v: float) -> tup
 
 
 @compiled(fastmath=())
-def _kept_above(m: Vector, g: Vector, o: Vector) -> Vector:
+def _raised_above(m: Vector, g: Vector, o: Vector) -> Vector:
     """m, or the nearest normal that mirrors o above the surface; g is on o's side."""
     twice = 2.0 * dot(m, o)
     mirror = (twice * m[0] - o[0], twice * m[1] - o[1], twice * m[2] - o[2])
@@ -96,10 +96,10 @@ def bumped_normal(
     bent = unit(plus(plus((z * m[0], z * m[1], z * m[2]), x, t), y * sign, cross(m, t)))
     # All on the side of the surface that wo is on, and back.
     side = -1.0 if dot(g, o) < 0.0 else 1.0
-    own = side if dot(m, g) >= 0.0 else -side
+    facing = side if dot(m, g) >= 0.0 else -side
     g = (side * g[0], side * g[1], side * g[2])
-    bent = _kept_above((own * bent[0], own * bent[1], own * bent[2]), g, o)
-    return own * bent[0], own * bent[1], own * bent[2]
+    bent = _raised_above((facing * bent[0], facing * bent[1], facing * bent[2]), g, o)
+    return facing * bent[0], facing * bent[1], facing * bent[2]
 
 
 @compiled(parallel=True, fastmath=())

@@ -64,7 +64,7 @@ class MeshObject:
         object.__setattr__(self, "_factors", _factors_of(self.materials))
 
     def uv_set(self, number: int) -> np.ndarray:
-        """The first or the second texture coordinates; a texture that asks for them has them."""
+        """The first or the second texture coordinates; they exist where a texture uses them."""
         uvs = self.second_uvs if number else self.uvs
         assert uvs is not None
         return uvs
@@ -109,7 +109,7 @@ class MeshObject:
             n[row] = bumped_normals(values, scale, mesh, (t, a, b), m, g, o)
         return n
 
-    def own_share(
+    def base_share(
         self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray, ng: np.ndarray, wo: np.ndarray
     ) -> np.ndarray | None:
         """Fraction of rays that end at hits, by which scattered light is divided:

@@ -1,4 +1,4 @@
-"""The material at points of a mesh, and what can be asked of it; `bsdf` has the formulas."""
+"""The material at points of a mesh: evaluation, sampling, density; `bsdf` has the formulas."""
 
 from __future__ import annotations
 

@@ -153,13 +153,13 @@ class GltfMotion:
         world: dict[int, np.ndarray] = {}
         for number, parent in self._order:
             node = self._nodes[number]
-            own = {
+            local_matrices = {
                 path: value
                 for path in ("translation", "rotation", "scale")
                 if (value := moved.get((number, path))) is not None
             }
-            if own:  # section 3.11: a node that is animated has no matrix
-                node = {**{k: v for k, v in node.items() if k != "matrix"}, **own}
+            if local_matrices:  # section 3.11: a node that is animated has no matrix
+                node = {**{k: v for k, v in node.items() if k != "matrix"}, **local_matrices}
             local = local_matrix(node)
             world[number] = local if parent is None else world[parent] @ local
         return world

@@ -23,7 +23,15 @@ from rna_render.lights import InfiniteLight, Light
 from rna_render.paths.bands import BAND
 from rna_render.paths.light_sampling import LightChoice, LightSampling, caught_light
 from rna_render.paths.lobe_lighting import LobeLighting
-from rna_render.paths.path_arrays import KINDS, LOBED, STRAND, Found, Paths, Rays, point_kinds
+from rna_render.paths.path_arrays import (
+    KINDS,
+    LOBED,
+    STRAND,
+    Paths,
+    Rays,
+    WeightedSamples,
+    point_kinds,
+)
 from rna_render.paths.sampling import (
     BRANCHES,
     PIXEL_DIMENSION,
@@ -80,7 +88,7 @@ class Integrator:
     ) -> None:
         self._world = world
         self._camera, self._next_camera = camera, next_camera or camera
-        self._lobes, own = lobes, range(len(lights))
+        self._lobes, indices = lobes, range(len(lights))
         self._carried = set() if lobes is None else {k for k, _ in lobes.environments}
         lights = [*lights, *(() if lobes is None else lobes.bright)]
         both = strategy == "both"
@@ -93,11 +101,11 @@ class Integrator:
         self._clamp = None if clamp is None else np.float32(clamp)
         self._strategy = strategy
         most = (None, STRAND_SAMPLES)
-        self._samplings = [LightSampling(world, self._lights, own, most=n) for n in most]
+        self._samplings = [LightSampling(world, self._lights, indices, most=n) for n in most]
         if lobes is not None:
             self._samplings += [lobes.sampling(world, self._lights, n) for n in most]
         self._sampling = self._samplings[0]
-        self._sampling_alone = LightSampling(world, lights, own)
+        self._sampling_alone = LightSampling(world, lights, indices)
         self.groups = sorted({light.group for light in lights} - {""})
         self._group = [self.groups.index(x.group) if x.group else None for x in lights]
         self._infinite = [
@@ -122,12 +130,12 @@ class Integrator:
                 self._add_lobes(band, vertices, paths)
             choices, probability = self._choose(paths)
             for choice, shares in choices if self._strategy != "rays" else ():
-                found = self._sample_lights(vertices, choice, shares, paths.beta)
-                light = path[found.row], found.light, found.radiance, paths.share[found.row]
+                samples = self._sample_lights(vertices, choice, shares, paths.beta)
+                light = path[samples.row], samples.light, samples.radiance, paths.share[samples.row]
                 self._add(band, *light, depth)
                 if depth == 1:
-                    band.light_samples[path, 0] += np.bincount(found.tried, minlength=len(path))
-                    arrived = np.bincount(found.row, found.seen, len(path))
+                    band.light_samples[path, 0] += np.bincount(samples.tried, minlength=len(path))
+                    arrived = np.bincount(samples.row, samples.seen, len(path))
                     band.light_samples[path, 1] += arrived
             last = depth == self._max_depth or not self._world.scatters
             if last and not self._rays_meet_lights:
@@ -212,11 +220,11 @@ class Integrator:
         """Take away what lobes carry from directions in which rays did not find the environment."""
         if rays.unweakened is None or self._lobes is None:
             return
-        kept = (rays.hits.instance < 0).astype(np.float32)[:, None]
+        missed = (rays.hits.instance < 0).astype(np.float32)[:, None]
         if rays.hits.weight is not None:
-            kept = kept * rays.hits.weight
-        row = np.flatnonzero((rays.kind >= LOBED) & (kept != 1.0).any(axis=1))
-        scale = (kept[row] - 1.0) * rays.unweakened[row]
+            missed = missed * rays.hits.weight
+        row = np.flatnonzero((rays.kind >= LOBED) & (missed != 1.0).any(axis=1))
+        scale = (missed[row] - 1.0) * rays.unweakened[row]
         for k, split in self._lobes.environments:
             missing = scale * split.rest(rays.direction.take(row, axis=0))
             light = np.full(len(row), k)
@@ -239,9 +247,9 @@ class Integrator:
         radiance: np.ndarray,
         pdf: np.ndarray,
     ) -> None:
-        own_pdf = rays.pdf if self._strategy == "both" else None
+        light_pdf = rays.pdf if self._strategy == "both" else None
         samples = rays.probability[rays.kind[row], light]
-        brought = weigh_hit(radiance, pdf, samples, own_pdf, row, rays.beta)
+        brought = weigh_hit(radiance, pdf, samples, light_pdf, row, rays.beta)
         of_light = np.full(len(row), light)
         self._add(band, rays.path[row], of_light, brought, rays.share[row], depth)
 
@@ -278,12 +286,12 @@ class Integrator:
 
         The second is (KINDS, k), how many at points of each kind.
         """
-        found, of_kind = [], np.zeros((KINDS, len(self._lights)))
+        chosen, of_kind = [], np.zeros((KINDS, len(self._lights)))
         for kind in np.flatnonzero(np.bincount(paths.kind)).tolist():
             row = np.flatnonzero(paths.kind == kind)
             choices, of_kind[kind] = self._samplings[kind].choose(paths.numbers.take(row))
-            found += [(replace(choice, row=row[choice.row]), of_kind[kind]) for choice in choices]
-        return found, of_kind
+            chosen += [(replace(choice, row=row[choice.row]), of_kind[kind]) for choice in choices]
+        return chosen, of_kind
 
     def _sample_lights(
         self,
@@ -291,27 +299,29 @@ class Integrator:
         choice: LightChoice,
         probability: np.ndarray,
         beta: np.ndarray,
-    ) -> Found:
+    ) -> WeightedSamples:
         """Light from samples of lights, and which of them arrive. beta: of the vertices' paths."""
         world = self._world
         samples = self._sampling.sample(choice, vertices.x_world.take(choice.row, axis=0))
         tried = worth_tracing(samples, choice, vertices, world)
-        kept = self._sampling.kept(vertices, tried.row, tried.wi_world, tried.distance, tried.own)
-        free, kept = tried.where_kept(kept)
+        visibility = self._sampling.visibility(
+            vertices, tried.row, tried.wi_world, tried.distance, tried.start_instance
+        )
+        free, visibility = tried.where_visible(visibility)
         row, instance = free.row, vertices.instance.take(free.row)
         wi = world.to_object_directions(instance, free.wi_world)
         distance = free.distance / world.scale.take(instance)
         radiance, seen = np.empty((len(row), 3), np.float32), np.empty(len(row), np.float32)
-        own_pdf = np.zeros(len(row), np.float32)
+        light_pdf = np.zeros(len(row), np.float32)
         for part, place, points in vertices.local_rows(row):
             at = place, wi[part], distance[part]
             if self._rays_meet_lights:
-                radiance[part], seen[part], own_pdf[part] = points.transport_and_pdf(*at)
+                radiance[part], seen[part], light_pdf[part] = points.transport_and_pdf(*at)
             else:
                 radiance[part], seen[part] = points.transport(*at)
         lights = probability, self._sampling.delta
-        weigh_samples(radiance, seen, samples, free, kept, own_pdf, *lights, beta)
-        return Found(tried.row, row, free.light, radiance, seen)
+        weigh_samples(radiance, seen, samples, free, visibility, light_pdf, *lights, beta)
+        return WeightedSamples(tried.row, row, free.light, radiance, seen)
 
     def _scatter(
         self,
@@ -342,7 +352,7 @@ class Integrator:
         instance = vertices.instance[row]
         direction = world.to_world_directions(instance, wi)
         origin = world.origins(vertices, row, direction)
-        hits = world.scene.intersect(origin, direction, vertices.own[row], INDIRECT_RAY)
+        hits = world.scene.intersect(origin, direction, vertices.start_instance[row], INDIRECT_RAY)
         transport, distance = np.zeros_like(wi), hits.t / world.scale[instance]
         kind = paths.kind[row]
         lobed = kind >= LOBED

@@ -52,9 +52,9 @@ def make_first_look(scene: Scene, world: World) -> Integrator | None:
     None where that changes nothing: no asset has lobes, no light is an environment, or the scene
     asks for lobes itself.
     """
-    asked = scene.quality is not None and scene.quality.by_lobes
+    uses_lobes = scene.quality is not None and scene.quality.by_lobes
     lit = any(isinstance(light, EnvironmentModel) for light in scene.lights)
-    if asked or not lit or not lobed_objects(world):
+    if uses_lobes or not lit or not lobed_objects(world):
         return None
     by_lobes = QualityModel(environment="lobes")
     return make_integrator(scene.model_copy(update={"quality": by_lobes}), world)
@@ -67,18 +67,18 @@ def all_lights(scene: Scene, world: World) -> list[Light]:
 
 
 def indirect_clamp(
-    asked: float | Literal["auto"] | None, lights: Sequence[Light], scene_radius: float
+    setting: float | Literal["auto"] | None, lights: Sequence[Light], scene_radius: float
 ) -> float | None:
-    """The most radiance that a path may bring by way of more than one object; None for any.
+    """Clamp on per-path indirect radiance; None for no clamp.
 
-    Light that reaches a dull surface by way of an asset's highlight is found by chance alone:
+    Light that reaches a diffuse surface via an asset's highlight is sampled by chance alone:
     rarely, and then much of it at once, as specks.
 
-    asked: by the scene file; "auto" for AUTO times the mean radiance of a white ball as large as
+    setting: by the scene file; "auto" for AUTO times the mean radiance of a white ball as large as
     the scene, which follows from the lights' power.
     """
-    if asked != "auto":
-        return asked
+    if setting != "auto":
+        return setting
     power = sum(light.power(scene_radius) for light in lights)
     ball = 4.0 * np.pi**2 * scene_radius**2
     if not (ball > 0.0 and power > 0.0 and np.isfinite(power / ball)):

@@ -57,8 +57,8 @@ class LightSampling:
         self._only = np.arange(len(lights)) if only is None else np.array(only, np.int64)
         self._selection = LightSelection([lights[k] for k in self._only], world.radius)
         self._delta = np.array([light.delta for light in lights], bool)
-        asked = [light.samples for light in lights]
-        self._times = np.array([min(n, most or n) for n in asked], np.int64)
+        counts = [light.samples for light in lights]
+        self._times = np.array([min(n, most or n) for n in counts], np.int64)
 
     def choose(self, numbers: PathNumbers) -> tuple[list[LightChoice], np.ndarray]:
         """The samples of lights at each of n points, and how many each light gets on average.
@@ -102,27 +102,29 @@ class LightSampling:
         """Lights that no ray can hit: (k,) bool."""
         return self._delta
 
-    def kept(
+    def visibility(
         self,
         vertices: Vertices,
         row: np.ndarray,
         wi_world: np.ndarray,
         distance: np.ndarray,
-        own: np.ndarray | None,
+        start_instance: np.ndarray | None,
     ) -> np.ndarray:
         """Transmittance of the scene between the rows and the lights along wi.
 
         Returns (k, 3) float32; (k, 1), 0 or 1, where nothing in the scene lets light through.
-        wi_world, distance: (k, 3) and (k,) float32, as in LightSamples. own: (k,) int32, the
-        instances that the shadow rays pass through, if any.
+        wi_world, distance: (k, 3) and (k,) float32, as in LightSamples. start_instance: (k,) int32,
+        the instances that the shadow rays pass through, if any.
         """
         origin = self._world.origins(vertices, row, wi_world)
         direction, length = np.empty_like(wi_world), np.empty_like(distance)
         _aim(vertices.x_world, row, wi_world, distance, origin, direction, length)
         scene = self._world.scene
         if scene.transmits:
-            return scene.transmittance(origin, direction, length, own)
-        return (~scene.occluded(origin, direction, length, own)).astype(np.float32)[:, None]
+            return scene.transmittance(origin, direction, length, start_instance)
+        return (~scene.occluded(origin, direction, length, start_instance)).astype(np.float32)[
+            :, None
+        ]
 
 
 @compiled(parallel=True, fastmath=())
@@ -182,12 +184,12 @@ def _one_light(
 ) -> np.ndarray:
     row = choice.row
     samples = lighting.sample(choice, vertices.x_world[row])
-    kept = lighting.kept(vertices, row, samples.wi_world, samples.distance, None)
+    visibility = lighting.visibility(vertices, row, samples.wi_world, samples.distance, None)
     cosine = np.abs(np.sum(vertices.n_world[row] * samples.wi_world, axis=1))
     side = np.sum(vertices.ng_world * d_world, axis=1)[row]
     side *= np.sum(vertices.ng_world[row] * samples.wi_world, axis=1)
     cosine = np.where(side < 0.0, cosine, np.float32(0.0))
     pdf = samples.pdf * probability[choice.light]
     weight = np.divide(cosine, pdf, out=np.zeros_like(cosine), where=pdf > 0.0)
-    received = (samples.radiance * kept).mean(axis=1) * weight
+    received = (samples.radiance * visibility).mean(axis=1) * weight
     return np.column_stack([received, samples.radiance.mean(axis=1) * weight])

@@ -58,7 +58,7 @@ class Paths:
 
 
 @dataclass(frozen=True, slots=True)
-class Found:
+class WeightedSamples:
     """Light that was found by sampling lights.
 
     tried: vertices for which there was light to be found. row: (k,) vertices that nothing else

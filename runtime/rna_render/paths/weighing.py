@@ -17,8 +17,8 @@ class Tried(NamedTuple):
     """Samples of lights for which shadow rays are traced, k of n.
 
     sample: (k,) int64, which samples, ascending. row: (k,) int64, the points that they are for.
-    light: (k,) int64. wi_world, distance: (k, 3) and (k,) float32, see LightSamples. own: (k,)
-    int32, see Vertices.
+    light: (k,) int64. wi_world, distance: (k, 3) and (k,) float32, see LightSamples.
+    start_instance: (k,) int32, see Vertices.
     """
 
     sample: np.ndarray
@@ -26,17 +26,17 @@ class Tried(NamedTuple):
     light: np.ndarray
     wi_world: np.ndarray
     distance: np.ndarray
-    own: np.ndarray
+    start_instance: np.ndarray
 
-    def where_kept(self, kept: np.ndarray) -> tuple[Tried, np.ndarray]:
+    def where_visible(self, visibility: np.ndarray) -> tuple[Tried, np.ndarray]:
         """Samples that are not fully blocked, and their transmittance: (j, 1) or (j, 3) float32.
 
-        kept: (k, 1) or (k, 3) float32, see LightSampling.kept.
+        visibility: (k, 1) or (k, 3) float32, see LightSampling.visibility.
         """
-        row = np.flatnonzero(kept.any(axis=1))
-        if len(row) == len(kept):
-            return self, kept
-        return Tried(*(values.take(row, axis=0) for values in self)), kept.take(row, axis=0)
+        row = np.flatnonzero(visibility.any(axis=1))
+        if len(row) == len(visibility):
+            return self, visibility
+        return Tried(*(values.take(row, axis=0) for values in self)), visibility.take(row, axis=0)
 
 
 def worth_tracing(
@@ -51,9 +51,9 @@ def worth_tracing(
     sample, row, light = (np.empty(n, np.int64) for _ in range(3))
     wi_world, distance = np.empty((n, 3), np.float32), np.empty(n, np.float32)
     result = Tried(sample, row, light, wi_world, distance, np.empty(n, np.int32))
-    points = vertices.wo_world, vertices.ng_world, vertices.instance, vertices.own
+    points = vertices.wo_world, vertices.ng_world, vertices.instance, vertices.start_instance
     chosen = choice.row, choice.light
-    count = _worth_tracing(samples, *chosen, *points, world.own_light, world.one_sided, result)
+    count = _worth_tracing(samples, *chosen, *points, world.same_light, world.one_sided, result)
     return Tried(*(values[:count] for values in result))
 
 
@@ -65,8 +65,8 @@ def _worth_tracing(
     wo_world: np.ndarray,
     ng_world: np.ndarray,
     instance: np.ndarray,
-    own: np.ndarray,
-    own_light: np.ndarray,
+    start_instance: np.ndarray,
+    same_light: np.ndarray,
     one_sided: np.ndarray,
     result: Tried,
 ) -> int:
@@ -75,7 +75,7 @@ def _worth_tracing(
     for i in range(len(row)):
         at, k = row[i], instance[row[i]]
         bright = radiance[i, 0] != 0.0 or radiance[i, 1] != 0.0 or radiance[i, 2] != 0.0
-        if not (pdf[i] > 0.0 and bright and own_light[k] != light[i]):
+        if not (pdf[i] > 0.0 and bright and same_light[k] != light[i]):
             continue
         g, wi = vector_at(ng_world, at), vector_at(wi_world, i)
         if one_sided[k] and not dot(g, wi) * dot(g, vector_at(wo_world, at)) > 0.0:
@@ -83,7 +83,8 @@ def _worth_tracing(
         result.sample[count], result.row[count], result.light[count] = i, at, light[i]
         for axis in range(3):
             result.wi_world[count, axis] = wi_world[i, axis]
-        result.distance[count], result.own[count] = samples.distance[i], own[at]
+        result.distance[count] = samples.distance[i]
+        result.start_instance[count] = start_instance[at]
         count += 1
     return count
 
@@ -94,8 +95,8 @@ def weigh_samples(
     seen: np.ndarray,
     samples: LightSamples,
     tried: Tried,
-    kept: np.ndarray,
-    own_pdf: np.ndarray,
+    visibility: np.ndarray,
+    light_pdf: np.ndarray,
     probability: np.ndarray,
     delta: np.ndarray,
     beta: np.ndarray,
@@ -103,23 +104,23 @@ def weigh_samples(
     """Make of transport, (k, 3) float32, the radiance that samples bring along their paths.
 
     seen: (k,) float32, multiplied by the mean of what is kept. samples: n, from which those tried
-    are. kept: (k, 1) or (k, 3) float32. own_pdf: (k,), density of rays. probability, delta: of each
-    light, and whether no ray can find it. beta: (m, 3) float32, throughput of the rows' paths.
+    are. visibility: (k, 1) or (k, 3) float32. light_pdf: (k,), density of rays. probability,
+    delta: of each light, and whether no ray can find it. beta: (m, 3) float32, throughput of the rows' paths.
     """
-    channels = kept.shape[1]
+    channels = visibility.shape[1]
     for i in range(len(tried.sample)):
         at, light, row = tried.sample[i], tried.light[i], tried.row[i]
         density = samples.pdf[at] * probability[light]
-        ratio = own_pdf[i] / density
+        ratio = light_pdf[i] / density
         share = np.float32(1.0) if delta[light] else np.float32(1.0 / (1.0 + ratio * ratio))
         weight = np.float32(share / density)
         mean = np.float32(0.0)
         for channel in range(3):
-            left = kept[i, min(channel, channels - 1)]
+            left = visibility[i, min(channel, channels - 1)]
             value = transport[i, channel] * (samples.radiance[at, channel] * weight * left)
             transport[i, channel] = beta[row, channel] * value
         for channel in range(channels):
-            mean += kept[i, channel]
+            mean += visibility[i, channel]
         seen[i] *= mean / np.float32(channels)
 
 
@@ -128,21 +129,21 @@ def weigh_hit(
     radiance: np.ndarray,
     pdf: np.ndarray,
     probability: np.ndarray,
-    own_pdf: np.ndarray | None,
+    light_pdf: np.ndarray | None,
     row: np.ndarray,
     beta: np.ndarray,
 ) -> np.ndarray:
     """Contribution of radiance that rays of paths hit, with MIS weights: (k, 3) float32.
 
     radiance: (k, 3) float32. pdf: (k,) float32, density with which each of `probability` samples,
-    (k,) float64, finds the light there. own_pdf: (n,) float32, of all rays; None if rays alone find
-    light. row: (k,) which rays these are. beta: (n, 3) float32, throughput of all paths.
+    (k,) float64, finds the light there. light_pdf: (n,) float32, of all rays; None if rays alone
+    find light. row: (k,) which rays these are. beta: (n, 3) float32, throughput of all paths.
     """
     result = np.empty_like(radiance)
     for i in range(len(row)):
         share = np.float32(1.0)
-        if own_pdf is not None:
-            density = own_pdf[row[i]]
+        if light_pdf is not None:
+            density = light_pdf[row[i]]
             ratio = probability[i] * pdf[i] / density if density > 0.0 else np.inf
             share = np.float32(1.0 / (1.0 + ratio * ratio))
         for channel in range(3):

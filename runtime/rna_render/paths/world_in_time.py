@@ -1,4 +1,4 @@
-"""The world of a scene file, with the tiers that the scene's `quality` asks for."""
+"""The world of a scene file, with the tiers that the scene's `quality` requires."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from rna_render.world.world_loading import Loaded, placed_world
 
 
 class QualityWarning(UserWarning):
-    """A scene asks for more accuracy than its packages have."""
+    """A scene requires more accuracy than its packages have."""
 
 
 def load_world(

@@ -78,12 +78,12 @@ def lit(scene: Scene, lighting: Lighting, degrees: float) -> Scene:
 
 
 def _images(*folders: Path | None) -> list[Path]:
-    found: dict[Path, None] = {}
+    result: dict[Path, None] = {}
     for folder in folders:
         for path in sorted(folder.iterdir()) if folder is not None else ():
             if path.suffix.lower() in IMAGE_SUFFIXES and path.is_file() and not _is_render(path):
-                found[path.resolve()] = None
-    return list(found)
+                result[path.resolve()] = None
+    return list(result)
 
 
 def _is_render(path: Path) -> bool:

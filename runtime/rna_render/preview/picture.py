@@ -38,7 +38,7 @@ class Label:
 
 @dataclass(frozen=True)
 class Picture:
-    """A picture, encoded when it is first asked for.
+    """A picture, encoded on first use.
 
     rgba: (h, w, 4) float32, linear and premultiplied; None after an error. exposure: stops.
     view: see to_display. denoise: what is done to (h, w, 3) float32 radiance before it is shown.

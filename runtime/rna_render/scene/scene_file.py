@@ -169,9 +169,9 @@ def _collect_lines(path: Path, node: yaml.Node, key: Key, lines: dict[Key, int])
 
 def _scene_error(path: Path, lines: dict[Key, int], error: ValidationError) -> SceneError:
     """The first of pydantic's errors, in the order of the file."""
-    found = mistakes(Scene, error.errors())
-    first = min(found, key=lambda mistake: _line(lines, mistake.key) or 0)
-    more = f" ({len(found) - 1} more after this)" if len(found) > 1 else ""
+    errors = mistakes(Scene, error.errors())
+    first = min(errors, key=lambda mistake: _line(lines, mistake.key) or 0)
+    more = f" ({len(errors) - 1} more after this)" if len(errors) > 1 else ""
     line, key = _line(lines, first.key), _dotted(first.key) or None
     return SceneError(first.message + more, file=path, line=line, key=key)
 

@@ -1,4 +1,4 @@
-"""What is wrong in a scene file, in plain words: pydantic's errors, told from the model's types."""
+"""Errors of a scene file in plain words: pydantic's, described by the model's types."""
 
 from __future__ import annotations
 
@@ -49,14 +49,14 @@ def mistakes(model: type[BaseModel], details: Sequence[ErrorDetails]) -> list[Mi
     A misspelt key takes the place of the one that is missing for it.
     """
     unknown = [_place(model, d) for d in details if d["type"] == "extra_forbidden"]
-    found: dict[Key, Mistake] = {}
+    by_key: dict[Key, Mistake] = {}
     for detail in details:
         place = _place(model, detail)
         if detail["type"] == "missing" and _is_misspelt(place, unknown):
             continue
         mistake = _mistake(place, detail)
-        found.setdefault(mistake.key, mistake)  # each choice of a union, or item, has its own
-    return list(found.values())
+        by_key.setdefault(mistake.key, mistake)  # each choice of a union, or item, has its own
+    return list(by_key.values())
 
 
 @dataclass(frozen=True)
@@ -160,8 +160,8 @@ def _unknown_type(found: str, kind: Any) -> str:
 def _untyped(place: _Place, value: Any) -> Mistake:
     """A mapping without `type`: a key that is there for it, or that it is missing."""
     types = _types(place.kind)
-    for name, found in value.items() if isinstance(value, dict) else ():
-        if found in types or sorted(str(name)) == sorted("type"):
+    for name, member in value.items() if isinstance(value, dict) else ():
+        if member in types or sorted(str(name)) == sorted("type"):
             return Mistake((*place.key, name), "is not a known key; did you mean type?")
     return Mistake((*place.key, "type"), f"is missing: expected {_or(types)}")
 
@@ -171,8 +171,8 @@ def _close(name: str, known: Sequence[str]) -> str | None:
     if len(holding) == 1:
         return holding[0]
     plain = {one.replace("_", "").lower(): one for one in known}
-    found = get_close_matches(name.replace("_", "").lower(), plain, n=1, cutoff=_LIKENESS)
-    return plain[found[0]] if found else None
+    matches = get_close_matches(name.replace("_", "").lower(), plain, n=1, cutoff=_LIKENESS)
+    return plain[matches[0]] if matches else None
 
 
 def _of(place: _Place, key: Key) -> str:

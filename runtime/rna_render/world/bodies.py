@@ -117,7 +117,7 @@ def rest_maps_of(asset: Asset) -> RestMaps:
 
 
 class _NeuralPoints(Points):
-    """Points of a part of an asset: its decoder knows what scatters, and asks if wi is free.
+    """Points of a part of an asset: its decoder evaluates scattering, given visibility along wi.
 
     rest: what the decoder is asked with instead of the points, where the part is in motion.
     where: primitives and barycentric coordinates of the hits.
@@ -137,7 +137,7 @@ class _NeuralPoints(Points):
     ) -> None:
         self._scene, self._part, self._at, self._wo, self._rest = scene, part, at, wo, rest
         self.x, self.n = at.x, at.n
-        self._asked_wo = wo if rest is None else rest.to_rest(wo)
+        self._query_wo = wo if rest is None else rest.to_rest(wo)
 
     def transport(
         self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
@@ -159,11 +159,11 @@ class _NeuralPoints(Points):
         wi = self._lobes.sample(*frame, u, row)
         return wi, self._lobes.pdf(*frame, wi, row)
 
-    def _asked(
+    def _arguments(
         self, axes: np.ndarray, row: np.ndarray, wi: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         """Positions, axes, wo and wi to ask the decoder with. axes: of all points, not at rest."""
-        x, wo = self.x, self._asked_wo.take(row, axis=0)
+        x, wo = self.x, self._query_wo.take(row, axis=0)
         if self._rest is not None:
             x, axes = self._rest.positions, self._rest.axes
             wi = self._rest.to_rest(wi, row)
@@ -195,7 +195,7 @@ class _MeshPoints(_NeuralPoints):
         self.tangents = np.zeros_like(self.n)
 
     def _evaluate(self, row: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        return self._asset.evaluate(*self._asked(self.n, row, wi))
+        return self._asset.evaluate(*self._arguments(self.n, row, wi))
 
     def lobes(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         free = self._free(self._asset.mirror(self.n, self._wo))
@@ -222,7 +222,7 @@ class _StrandPoints(_NeuralPoints):
         self._h = offset_across(at.n, at.tangent, wo)
 
     def _evaluate(self, row: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        x, tangents, wo, wi = self._asked(self.tangents, row, wi)
+        x, tangents, wo, wi = self._arguments(self.tangents, row, wi)
         return self._asset.evaluate(x, tangents, self._h[row], wo, wi)
 
     def lobes(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -260,7 +260,7 @@ class _ObjectPoints(Points):
         self.n = mesh.shading_normals(*where, ng, wo)
         self._directions = self.n, ng, wo
         self._scattering = mesh.scattering(*where)
-        self._share = mesh.own_share(*where, ng, wo)
+        self._share = mesh.base_share(*where, ng, wo)
 
     def transport(
         self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray

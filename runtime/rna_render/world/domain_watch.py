@@ -30,7 +30,7 @@ class WatchedAsset:
         self.parts = tuple(_WatchedPart(part, self) for part in asset.parts)
         self._counting = Lock()
         self._queries = self._from_outside = self._lit_outside = self._outside = 0
-        self._told = False
+        self._warned = False
 
     def __getattr__(self, name: str) -> object:
         return getattr(self._asset, name)
@@ -51,9 +51,9 @@ class WatchedAsset:
 
     def complaint(self) -> str | None:
         """Warning about the share of queries outside the domain, once; None if there were none."""
-        if self._told or not self._outside:
+        if self._warned or not self._outside:
             return None
-        self._told = True
+        self._warned = True
         whole, views, lights = (
             f"{count / self._queries:.1%}"
             for count in (self._outside, self._from_outside, self._lit_outside)

@@ -21,7 +21,7 @@ Shapes = Sequence[Shape]
 
 
 class MotionLoader:
-    """Opens each motion once, and makes each shape once a frame; those of one frame are kept."""
+    """Opens each motion once, and makes each shape once a frame; those of one frame are cached."""
 
     def __init__(self) -> None:
         self._motions: dict[tuple[object, ...], Motion] = {}
@@ -50,8 +50,8 @@ class MotionLoader:
         frame = _frame(model, motion.frames)
         shape = id(asset), *key, frame
         if shape not in self._shapes:
-            kept, positions = self._after.get(key, (-1.0, []))
-            if kept != frame:
+            stored, positions = self._after.get(key, (-1.0, []))
+            if stored != frame:
                 positions = motion.positions(frame)
             pairs = zip(asset.parts, positions, strict=True)
             self._shapes[shape] = [part.deformed(p) for part, p in pairs]

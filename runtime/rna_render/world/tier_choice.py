@@ -85,10 +85,12 @@ class TierChoice:
         for path, index in worst.items():
             best, error = self._most_accurate(index)
             if not error <= max_error:
-                told = f"{best} with {error:.3g}" if np.isfinite(error) else f"{best}, unmeasured"
+                best_tier = (
+                    f"{best} with {error:.3g}" if np.isfinite(error) else f"{best}, unmeasured"
+                )
                 lines.append(
                     f"{path.name}: no tier has an error of at most {max_error:g} at "
-                    f"{self._pixels[index]:.0f} pixels; the best is taken, {told}"
+                    f"{self._pixels[index]:.0f} pixels; the best is taken, {best_tier}"
                 )
         return lines
 

@@ -11,7 +11,7 @@ from numba import prange
 
 from rna_render.lights.base import PlacedLight
 from rna_render.materials import MeshObject
-from rna_render.world.kept_bodies import KeptBodies, body_key
+from rna_render.world.body_cache import BodyCache, body_key
 from rna_render.world.placements import Placement, SceneObject
 from rna_sdk.compiled import compiled
 from rna_sdk.runtime import Asset, Transform
@@ -30,7 +30,7 @@ class Vertices:
     x_world, n_world: (m, 3) float32, points and shading normals.
     ng_world: (m, 3) float32, geometric normals.
     wo_world: (m, 3) float32, unit, towards where the rays came from.
-    own: (m,) int32, the instance that rays from here pass through, or NO_INSTANCE.
+    start_instance: (m,) int32, the instance that rays from here pass through, or NO_INSTANCE.
     next_world: (m, 3) float32, where the points are in the next frame; of camera rays alone.
     """
 
@@ -41,7 +41,7 @@ class Vertices:
     n_world: np.ndarray
     ng_world: np.ndarray
     wo_world: np.ndarray
-    own: np.ndarray
+    start_instance: np.ndarray
     next_world: np.ndarray
 
     def __len__(self) -> int:
@@ -73,7 +73,7 @@ class World:
         scale: (k,) float32, world units an object unit.
         lights: those of the placements.
         light: (k,) int32, for each instance its place in `lights`; -1 if it does not shine.
-        own_light: (k,) int32, the same where what the light throws on the instance itself is part
+        same_light: (k,) int32, the same where what the light throws on the instance itself is part
             of its transport; else -1.
         met_by: for each instance the sorts of rays that meet it, as in Instance.
         catches_shadows: (k,) bool, for each instance whether it shows nothing but shadows on it.
@@ -83,7 +83,7 @@ class World:
         scatters: whether light can go from one object to another, or to another part of the same.
     """
 
-    def __init__(self, placements: Sequence[Placement], bodies: KeptBodies | None = None) -> None:
+    def __init__(self, placements: Sequence[Placement], bodies: BodyCache | None = None) -> None:
         groups: dict[tuple[int, int, int], list[int]] = {}
         for index, placement in enumerate(placements):
             groups.setdefault(body_key(placement), []).append(index)
@@ -93,7 +93,7 @@ class World:
         self.indirect = [p.indirect for p in placements if p.indirect is not None]
         self.placements = ordered
         firsts = [placements[group[0]] for group in groups.values()]
-        self._bodies = (bodies or KeptBodies()).of(firsts)
+        self._bodies = (bodies or BodyCache()).of(firsts)
         self._after = [placement.after for placement in firsts]
         self._order = _HitOrder(self._bodies, [len(group) for group in groups.values()])
         self.number = np.asarray(order, np.int32) + 1
@@ -113,7 +113,7 @@ class World:
         shines = np.array([placement.light is not None for placement in ordered])
         self.light = np.where(shines, np.cumsum(shines) - 1, -1).astype(np.int32)
         passes = np.array([body.passes_through for body in placed_bodies])
-        self.own_light = np.where(passes, self.light, -1).astype(np.int32)
+        self.same_light = np.where(passes, self.light, -1).astype(np.int32)
         self.one_sided = np.array([body.one_sided for body in placed_bodies])
         self._has_role = {
             role: np.array([body.role is role for body in placed_bodies]) for role in Role
@@ -158,7 +158,7 @@ class World:
             n_world=self.to_world_directions(instance, n),
             ng_world=self.to_world_directions(instance, hits.ng.take(ray, axis=0)),
             wo_world=wo_world,
-            own=np.where(self._passes[instance], instance, NO_INSTANCE).astype(np.int32),
+            start_instance=np.where(self._passes[instance], instance, NO_INSTANCE).astype(np.int32),
             next_world=self._to_world_points(instance, x_next) if bends else x_world,
         )
 
@@ -237,8 +237,8 @@ class _HitOrder:
         order = np.argsort(rank, kind="stable")
         cuts = np.searchsorted(rank[order], self._starts)
         spans = zip(self._groups, pairwise(cuts), strict=True)
-        found = [(*group, slice(*cut)) for group, cut in spans if cut[0] < cut[1]]
-        return ray[order], found
+        groups = [(*group, slice(*cut)) for group, cut in spans if cut[0] < cut[1]]
+        return ray[order], groups
 
 
 def _met_by(scene_object: SceneObject) -> int:

@@ -15,8 +15,8 @@ from rna_render.scene.limits import MAX_SIZE, MIN_SIZE
 from rna_render.scene.scene_file import SceneFile
 from rna_render.scene.scene_model import GroundModel
 from rna_render.scene.transforms import world_from_object
+from rna_render.world.body_cache import BodyCache
 from rna_render.world.domain_watch import watched
-from rna_render.world.kept_bodies import KeptBodies
 from rna_render.world.motion_loading import MotionLoader
 from rna_render.world.placements import Placement, emission_of, mesh_light, place_asset
 from rna_render.world.tier_choice import Tiers
@@ -36,7 +36,7 @@ class Loaded:
         self.assets = _AssetLoader()
         self.motions = MotionLoader()
         self.objects: dict[tuple[Path, str], MeshObject] = {}
-        self.bodies = KeptBodies()
+        self.bodies = BodyCache()
         self.tiers: Tiers = ()
 
 

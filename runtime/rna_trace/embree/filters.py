@@ -1,4 +1,4 @@
-"""What a ray passes through: compiled filters that Embree asks about every hit.
+"""What a ray passes through: compiled filters that Embree calls for every hit.
 
 A filter gets the address of RTCFilterFunctionNArguments and sets `valid` to 0 to refuse the hit.
 What to refuse stands in the ray's id; what a ray carries through refused hits stands in the
@@ -63,7 +63,7 @@ def _refuse(arguments: Any) -> None:
 
 
 @compiled(fastmath=())
-def _on_own_instance(arguments: Any) -> bool:
+def _on_start_instance(arguments: Any) -> bool:
     hit = _word(arguments, FILTER_HIT)
     return bool(_bits(_word(arguments, FILTER_RAY), RAY_ID) == _bits(hit, FILTER_HIT_INSTANCE))
 
@@ -80,7 +80,7 @@ def _along_normal(arguments: Any) -> float:
 
 
 @compiled(fastmath=())
-def _on_own_strand(arguments: Any) -> bool:
+def _on_start_strand(arguments: Any) -> bool:
     """Whether the hit is on a strand from inside, or on the strand that the ray's id names."""
     table = _word(arguments, FILTER_USER_DATA)
     if table == np.uint64(0):
@@ -89,8 +89,8 @@ def _on_own_strand(arguments: Any) -> bool:
     if strands == np.uint64(0):
         return False
     segment = np.uint64(_bits(_word(arguments, FILTER_HIT), FILTER_HIT_PRIMITIVE))
-    own = _bits(_word(arguments, FILTER_RAY), RAY_ID) == load_u32(strands + segment * np.uint64(4))
-    return own or _along_normal(arguments) > 0.0
+    same = _bits(_word(arguments, FILTER_RAY), RAY_ID) == load_u32(strands + segment * np.uint64(4))
+    return same or _along_normal(arguments) > 0.0
 
 
 @compiled(fastmath=())
@@ -173,38 +173,38 @@ def _is_last(arguments: Any) -> bool:
 
 
 @callback(types.uintp)
-def _refuse_own_instance(arguments: Any) -> None:
+def _refuse_start_instance(arguments: Any) -> None:
     """RTCFilterFunctionN: refuse a hit on the instance that the ray's id names."""
-    if _on_own_instance(arguments):
+    if _on_start_instance(arguments):
         _refuse(arguments)
 
 
 @callback(types.uintp)
-def _refuse_own_strand(arguments: Any) -> None:
+def _refuse_start_strand(arguments: Any) -> None:
     """RTCFilterFunctionN: refuse a hit from inside, and one on the strand the ray's id names."""
-    if _on_own_strand(arguments):
+    if _on_start_strand(arguments):
         _refuse(arguments)
 
 
 @callback(types.uintp)
-def _pass_at_random_but_own_instance(arguments: Any) -> None:
-    if _on_own_instance(arguments):
+def _pass_at_random_but_start_instance(arguments: Any) -> None:
+    if _on_start_instance(arguments):
         _refuse(arguments)
     else:
         _pass_at_random(arguments)
 
 
 @callback(types.uintp)
-def _pass_all_but_own_instance(arguments: Any) -> None:
-    if _on_own_instance(arguments):
+def _pass_all_but_start_instance(arguments: Any) -> None:
+    if _on_start_instance(arguments):
         _refuse(arguments)
     else:
         _pass_all(arguments)
 
 
 @callback(types.uintp)
-def _pass_all_but_own_strand(arguments: Any) -> None:
-    if _on_own_strand(arguments):
+def _pass_all_but_start_strand(arguments: Any) -> None:
+    if _on_start_strand(arguments):
         _refuse(arguments)
     else:
         _pass_all(arguments)
@@ -213,7 +213,7 @@ def _pass_all_but_own_strand(arguments: Any) -> None:
 @callback(types.uintp)
 def _weigh_passed(arguments: Any) -> None:
     """Refuse every hit; multiply by colour over mean where `_pass_at_random` has passed."""
-    if not (_on_own_instance(arguments) or _is_last(arguments)):
+    if not (_on_start_instance(arguments) or _is_last(arguments)):
         red, green, blue = _transmittance(arguments)
         mean = (red + green + blue) / 3.0
         if mean > 0.0 and _chance(arguments) < mean:
@@ -222,21 +222,21 @@ def _weigh_passed(arguments: Any) -> None:
     _refuse(arguments)
 
 
-def own_instance_filter() -> np.ndarray:
+def start_instance_filter() -> np.ndarray:
     """Arguments that make a ray of either sort pass through the instance its id names.
 
     Returns (8,) uint64; the caller keeps it alive while its address is in use.
     """
-    return _arguments(_refuse_own_instance.address)
+    return _arguments(_refuse_start_instance.address)
 
 
-def own_strand_filter() -> np.ndarray:
+def start_strand_filter() -> np.ndarray:
     """RTCOccludedArguments that make a ray pass through the strand its id names.
 
     It also leaves every other strand that it starts in. For curves with a `geometry_table` of
-    their strands as user data, among meshes. Returns as `own_instance_filter` does.
+    their strands as user data, among meshes. Returns as `start_instance_filter` does.
     """
-    return _arguments(_refuse_own_strand.address)
+    return _arguments(_refuse_start_strand.address)
 
 
 def random_transmittance_filters() -> tuple[np.ndarray, np.ndarray]:
@@ -244,17 +244,17 @@ def random_transmittance_filters() -> tuple[np.ndarray, np.ndarray]:
 
     The instance that the ray's id names is passed through as well.
     """
-    return _arguments(_pass_at_random_but_own_instance.address), _arguments(_weigh_passed.address)
+    return _arguments(_pass_at_random_but_start_instance.address), _arguments(_weigh_passed.address)
 
 
 def transmittance_filter() -> np.ndarray:
-    """Arguments of `kernels.transmitted`; the ray's id is as for `own_instance_filter`."""
-    return _arguments(_pass_all_but_own_instance.address)
+    """Arguments of `kernels.transmitted`; the ray's id is as for `start_instance_filter`."""
+    return _arguments(_pass_all_but_start_instance.address)
 
 
 def strand_transmittance_filter() -> np.ndarray:
-    """Arguments of `kernels.transmitted`; the ray's id is as for `own_strand_filter`."""
-    return _arguments(_pass_all_but_own_strand.address)
+    """Arguments of `kernels.transmitted`; the ray's id is as for `start_strand_filter`."""
+    return _arguments(_pass_all_but_start_strand.address)
 
 
 def _arguments(filter_address: int) -> np.ndarray:

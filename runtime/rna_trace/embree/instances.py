@@ -9,8 +9,8 @@ import numpy as np
 
 from rna_trace.embree import library as api
 from rna_trace.embree.filters import (
-    own_instance_filter,
     random_transmittance_filters,
+    start_instance_filter,
     transmittance_filter,
 )
 from rna_trace.embree.tracing import (
@@ -66,12 +66,12 @@ class InstanceScene:
         # Embree keeps the geometries alive, but not the tables that filters read.
         self._scenes = {placed.scene for placed in instances}
         self._scene = api.SceneHandle(api.shared_device())
-        self._filter = own_instance_filter()
+        self._filter = start_instance_filter()
         self.transmits = any(placed.scene.transmits for placed in instances)
         self._coloured = any(placed.scene.coloured for placed in instances)
         self._random, self._weakened = random_transmittance_filters(), transmittance_filter()
-        self._own_bits = len(instances) <= MASK_BITS
-        self._met = {rays: _met_by(rays, instances) for rays in _SORTS} if self._own_bits else {}
+        self._start_bits = len(instances) <= MASK_BITS
+        self._met = {rays: _met_by(rays, instances) for rays in _SORTS} if self._start_bits else {}
         embree = api.library()
         for index, placed in enumerate(instances):
             instance = embree.rtcNewGeometry(self._scene.device.handle, api.GEOMETRY_INSTANCE)
@@ -79,7 +79,7 @@ class InstanceScene:
             matrix = np.ascontiguousarray(placed.world_from_object[:3], np.float32)
             layout = api.FORMAT_FLOAT3X4_ROW_MAJOR
             embree.rtcSetGeometryTransform(instance, 0, layout, matrix.ctypes.data)
-            embree.rtcSetGeometryMask(instance, 1 << index if self._own_bits else placed.rays)
+            embree.rtcSetGeometryMask(instance, 1 << index if self._start_bits else placed.rays)
             self._scene.attach(instance, index)
         self._scene.commit()
 
@@ -87,23 +87,23 @@ class InstanceScene:
         self,
         origins_world: np.ndarray,
         directions_world: np.ndarray,
-        own: np.ndarray | None = None,
+        start_instance: np.ndarray | None = None,
         rays: int = ALL_RAYS,
     ) -> ClosestHits:
         """The closest hit of each ray; its normal is in object space.
 
-        origins_world, directions_world: (n, 3) float32; n may be 0. own: (n,) int32, the
+        origins_world, directions_world: (n, 3) float32; n may be 0. start_instance: (n,) int32, the
         instance that each ray passes through; NO_INSTANCE, or None for all, for none of them.
         rays: which sort they are. Raises QueryError for other dtypes or shapes.
 
         Where hits let light through, rays pass as often as they do; see `ClosestHits.weight`.
         """
-        if self._passes_everything(own):
+        if self._passes_everything(start_instance):
             return _misses(len(origins_world))
-        interval, passing = (0.0, np.inf), self._passing(own, len(origins_world), rays)
+        interval, passing = (0.0, np.inf), self._passing(start_instance, len(origins_world), rays)
         lines = origins_world, directions_world, *interval
         if self.transmits:
-            ids = self._ids(own, len(origins_world))
+            ids = self._ids(start_instance, len(origins_world))
             return closest_hits_through(
                 self._scene, self._random, self._coloured, *lines, ids, passing.mask
             )
@@ -114,16 +114,16 @@ class InstanceScene:
         origins_world: np.ndarray,
         directions_world: np.ndarray,
         tfar: np.ndarray | float = np.inf,
-        own: np.ndarray | None = None,
+        start_instance: np.ndarray | None = None,
     ) -> np.ndarray:
         """Whether each shadow ray hits any instance but its own: (n,) bool.
 
         tfar: one number or (n,), distance to the light. Other arguments and errors are those of
         `intersect`.
         """
-        if self._passes_everything(own):
+        if self._passes_everything(start_instance):
             return np.zeros(len(origins_world), bool)
-        passing = self._passing(own, len(origins_world), SHADOW_RAY)
+        passing = self._passing(start_instance, len(origins_world), SHADOW_RAY)
         return any_hits(self._scene, origins_world, directions_world, 0.0, tfar, passing)
 
     def transmittance(
@@ -131,32 +131,37 @@ class InstanceScene:
         origins_world: np.ndarray,
         directions_world: np.ndarray,
         tfar: np.ndarray | float = np.inf,
-        own: np.ndarray | None = None,
+        start_instance: np.ndarray | None = None,
     ) -> np.ndarray:
         """Transmittance along each shadow ray: (n, 3) float32, 0 where it is blocked.
 
         Arguments and errors are those of `occluded`, which knows nothing of transmittance.
         """
-        if self._passes_everything(own):
+        if self._passes_everything(start_instance):
             return np.ones((len(origins_world), 3), np.float32)
-        ids = self._ids(own, len(origins_world))
-        passing = self._passing(own, len(origins_world), SHADOW_RAY)
+        ids = self._ids(start_instance, len(origins_world))
+        passing = self._passing(start_instance, len(origins_world), SHADOW_RAY)
         lines = origins_world, directions_world, 0.0, tfar
         return transmitted(self._scene, self._weakened, *lines, ids, passing.mask)
 
-    def _ids(self, own: np.ndarray | None, count: int) -> np.ndarray:
+    def _ids(self, start_instance: np.ndarray | None, count: int) -> np.ndarray:
         """(n,) or (1,) uint32, the instance that each ray passes through."""
-        values = per_ray("own", NO_INSTANCE if own is None else own, count, np.int32)
+        values = per_ray(
+            "start_instance",
+            NO_INSTANCE if start_instance is None else start_instance,
+            count,
+            np.int32,
+        )
         return values.view(np.uint32)
 
-    def _passes_everything(self, own: np.ndarray | None) -> bool:
-        return self._count == 1 and own is not None and bool((own == 0).all())
+    def _passes_everything(self, start_instance: np.ndarray | None) -> bool:
+        return self._count == 1 and start_instance is not None and bool((start_instance == 0).all())
 
-    def _passing(self, own: np.ndarray | None, count: int, rays: int) -> Passing:
-        if own is None:
+    def _passing(self, start_instance: np.ndarray | None, count: int, rays: int) -> Passing:
+        if start_instance is None:
             return Passing(mask=np.full(1, self._met.get(rays, rays), np.uint32))
-        ids = self._ids(own, count)
-        if not self._own_bits:
+        ids = self._ids(start_instance, count)
+        if not self._start_bits:
             return Passing(self._filter.ctypes.data, ids, np.full(1, rays, np.uint32))
         # A shift by 32, for NO_INSTANCE, leaves no bit in 64.
         bit = np.left_shift(np.uint64(1), np.minimum(ids, MASK_BITS).astype(np.uint64))

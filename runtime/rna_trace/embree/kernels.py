@@ -213,9 +213,9 @@ def occluded(function: int, scene: int, arguments: int, rays: Rays, result: np.n
 def _query(arguments: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """A copy of the arguments with a context of its own, and the context."""
     context = np.full(CONTEXT_WORDS, 0xFFFFFFFFFFFFFFFF, np.uint64)
-    own = arguments.copy()
-    own[ARGUMENT_CONTEXT] = context.ctypes.data
-    return own, context
+    copy = arguments.copy()
+    copy[ARGUMENT_CONTEXT] = context.ctypes.data
+    return copy, context
 
 
 @compiled(fastmath=())

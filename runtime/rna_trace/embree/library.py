@@ -76,11 +76,11 @@ def library() -> ctypes.CDLL:
         raise SceneError(f"Embree is not installed: {install_hint('render')}")
     package = Path(spec.origin).parent
     folders = [package.with_name("embreex.libs"), package, package / ".dylibs"]
-    found = [path for folder in folders for path in sorted(folder.glob("*embree4*"))]
-    if not found:
+    results = [path for folder in folders for path in sorted(folder.glob("*embree4*"))]
+    if not results:
         searched = ", ".join(str(folder) for folder in folders)
         raise SceneError(f"embreex carries no libembree4; searched {searched}")
-    loaded = ctypes.CDLL(str(found[0]))
+    loaded = ctypes.CDLL(str(results[0]))
     for name, (result, arguments) in _SIGNATURES.items():
         function = getattr(loaded, name)
         function.restype, function.argtypes = result, arguments

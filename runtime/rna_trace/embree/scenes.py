@@ -160,8 +160,8 @@ def _check_mesh(index: int, positions: np.ndarray, triangles: np.ndarray) -> Non
         ("triangles", triangles, np.uint32),
     ):
         if not isinstance(values, np.ndarray) or values.dtype != dtype:
-            found = getattr(values, "dtype", type(values).__name__)
-            raise SceneError(f"mesh {index}: {name} must be {dtype.__name__}, found {found}")
+            result = getattr(values, "dtype", type(values).__name__)
+            raise SceneError(f"mesh {index}: {name} must be {dtype.__name__}, found {result}")
         if values.ndim != 2 or values.shape[1] != 3:
             raise SceneError(f"mesh {index}: {name} must be (n, 3), found {values.shape}")
     if not np.isfinite(positions).all():

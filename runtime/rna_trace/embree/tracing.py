@@ -59,8 +59,8 @@ class Passing:
 NOTHING = Passing()
 
 # The id of a ray that passes through no instance and no strand, in a scene of either.
-NO_OWN = 0xFFFFFFFE
-_NO_ID = np.full(1, NO_OWN, np.uint32)
+NO_START = 0xFFFFFFFE
+_NO_ID = np.full(1, NO_START, np.uint32)
 
 
 class GeometryScene:
@@ -177,7 +177,7 @@ def transmitted(
     """Transmittance along rays in any Embree scene: (n, 3) float32.
 
     arguments: of a transmittance filter. ray_id: (n,) or (1,) uint32, the instance or the strand
-    that rays pass through, as the filter has it; NO_OWN if None. mask: as in Passing. The rest,
+    that rays pass through, as the filter has it; NO_START if None. mask: as in Passing. The rest,
     and the errors, are those of GeometryScene.occluded.
     """
     rays = _rays(_NO_ID if ray_id is None else ray_id, mask, origins, directions, tnear, tfar)

@@ -27,7 +27,7 @@ Answer = TypeVar("Answer")
 
 _TRIES = 3
 _ANSWER_SECONDS = 10.0
-_ASKED = {  # of a head, and of the server of its ray:// address
+_HANDSHAKES = {  # of a head, and of the server of its ray:// address
     "": "/ray.rpc.NodeInfoGcsService/CheckAlive",
     "ray": "/ray.rpc.RayletDriver/ClusterInfo",
 }
@@ -120,12 +120,12 @@ class RayCluster:
         from ray.util.scheduling_strategies import NodeAffinitySchedulingStrategy
 
         remote = ray.remote(num_cpus=0, max_retries=0)(_answer_of_node)
-        asked = {}
+        pending = {}
         for node in nodes_with(resource):
             there = NodeAffinitySchedulingStrategy(node["NodeID"], soft=False)
-            asked[node_name(node)] = remote.options(scheduling_strategy=there).remote(do)
+            pending[node_name(node)] = remote.options(scheduling_strategy=there).remote(do)
         answers = {}
-        for name, reference in asked.items():
+        for name, reference in pending.items():
             try:
                 answer, failure = ray.get(reference, timeout=_NODE_SECONDS)
             except ray.exceptions.RayError as error:
@@ -161,7 +161,11 @@ def prepare(address: str) -> None:
         socket.create_connection((host, int(port)), timeout=_ANSWER_SECONDS).close()
     except (OSError, OverflowError, ValueError) as error:  # of ports and names that cannot be
         raise WorkError(f"--cluster {address}: no cluster answers: {error}") from error
-    if "RAY_AUTH_MODE" not in os.environ and scheme in _ASKED and _asks(rest, _ASKED[scheme]):
+    if (
+        "RAY_AUTH_MODE" not in os.environ
+        and scheme in _HANDSHAKES
+        and _asks(rest, _HANDSHAKES[scheme])
+    ):
         if not _has_token():
             raise WorkError(
                 f"--cluster {address}: requires a token: copy ~/.ray/auth_token from its head node "

@@ -58,9 +58,9 @@ class RayWorkers:
     def options(self) -> dict[str, Any]:
         """Options of a Ray actor."""
         wanted = self._wanted()
-        own = {"CPU": "num_cpus", "GPU": "num_gpus", "memory": "memory"}
-        named = {own[name]: need for name, need in wanted.items() if name in own}
-        more = {name: need for name, need in wanted.items() if name not in own}
+        standard = {"CPU": "num_cpus", "GPU": "num_gpus", "memory": "memory"}
+        named = {standard[name]: need for name, need in wanted.items() if name in standard}
+        more = {name: need for name, need in wanted.items() if name not in standard}
         return {**named, "resources": more, "max_restarts": 0, "max_task_retries": 0}
 
     def _wanted(self) -> dict[str, float]:

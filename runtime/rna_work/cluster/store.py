@@ -20,7 +20,7 @@ _ATTEMPTS = 2
 
 
 class _DifferentBytes(Exception):
-    """What was fetched is not what was asked for."""
+    """The fetched object is not the requested one."""
 
 
 def add_store_option(parser: argparse.ArgumentParser, what: str) -> None:
@@ -102,12 +102,12 @@ class Store:
         system, root = self._opened()
         try:
             system.invalidate_cache()
-            found = system.find(root, detail=True)
+            result = system.find(root, detail=True)
         except FileNotFoundError:
             return {}
         except Exception as error:
             raise self._failed("", error) from error
-        named = {str(path)[len(root) :].lstrip("/"): info for path, info in found.items()}
+        named = {str(path)[len(root) :].lstrip("/"): info for path, info in result.items()}
         return {
             self._checked(name): int(info["size"] or 0)
             for name, info in named.items()

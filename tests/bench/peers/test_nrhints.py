@@ -61,9 +61,9 @@ def test_networks_have_the_published_sizes(method: NRHints) -> None:
 
 def test_the_distance_starts_as_that_of_a_sphere(method: NRHints) -> None:
     towards = directions(400)
-    found = {r: method.model.distance.distance(r * towards).detach() for r in (0.0, 0.3, 0.5, 0.9)}
-    assert found[0.5].mean() == pytest.approx(0.0, abs=0.05)
-    assert (found[0.0] < 0).all() and (found[0.3] < 0).all() and (found[0.9] > 0).all()
+    actual = {r: method.model.distance.distance(r * towards).detach() for r in (0.0, 0.3, 0.5, 0.9)}
+    assert actual[0.5].mean() == pytest.approx(0.0, abs=0.05)
+    assert (actual[0.0] < 0).all() and (actual[0.3] < 0).all() and (actual[0.9] > 0).all()
     _, gradient, _ = method.model.distance.with_gradient(0.5 * towards, create_graph=False)
     assert (normalize(gradient, dim=1) * towards).sum(dim=1).mean() > 0.95
     assert gradient.norm(dim=1).mean() == pytest.approx(1.0, abs=0.1)
@@ -106,11 +106,13 @@ def test_visibility_is_the_transmittance_from_the_light() -> None:
     towards = torch.tensor([[0.0, 0.0, 1.0]])
     light, sharpness = 4.0 * towards, torch.tensor(30.0)
     ends = RADIUS * torch.cat([towards, -towards, -0.5 * towards])
-    found = visibilities(light.expand(3, 3), ends, ball, ball_field, sharpness, 1.0, (64, 64))[:, 0]
+    actual = visibilities(light.expand(3, 3), ends, ball, ball_field, sharpness, 1.0, (64, 64))[
+        :, 0
+    ]
     left = 0.01 * (4.0 - RADIUS)  # of the way, before the point
     expected = torch.sigmoid(sharpness * left) / torch.sigmoid(sharpness * (4.0 - RADIUS))
-    assert found[0] == pytest.approx(float(expected), abs=0.02)
-    assert found[1] < 1e-3 and found[2] < 1e-3  # behind the ball, and inside it
+    assert actual[0] == pytest.approx(float(expected), abs=0.02)
+    assert actual[1] < 1e-3 and actual[2] < 1e-3  # behind the ball, and inside it
     beside = visibilities(
         light, torch.tensor([[1.0, 0.0, 0.0]]), ball, ball_field, sharpness, 1.0, (64, 64)
     )

@@ -39,13 +39,13 @@ def toy_views() -> Views:
 
 def test_known_geometry_is_that_of_the_package(toy_views: Views) -> None:
     batch = toy_views.batch(np.arange(2 * 256))
-    found = KnownGeometry(TOY, toy_views).hits(batch.origins, batch.directions, batch.lights)
-    assert 60 < len(found.row) < 512 and np.linalg.norm(found.points, axis=1).max() <= 1.0
-    way = found.points - batch.origins[found.row]
-    along = (way * batch.directions[found.row]).sum(axis=1)
+    actual = KnownGeometry(TOY, toy_views).hits(batch.origins, batch.directions, batch.lights)
+    assert 60 < len(actual.row) < 512 and np.linalg.norm(actual.points, axis=1).max() <= 1.0
+    way = actual.points - batch.origins[actual.row]
+    along = (way * batch.directions[actual.row]).sum(axis=1)
     np.testing.assert_allclose(np.linalg.norm(way, axis=1), along, rtol=1e-5)
-    facing = (found.normals * (batch.lights[found.row] - found.points)).sum(axis=1)
-    assert set(np.unique(found.visible)) == {0.0, 1.0} and found.visible[facing < -0.5].max() == 0
+    facing = (actual.normals * (batch.lights[actual.row] - actual.points)).sum(axis=1)
+    assert set(np.unique(actual.visible)) == {0.0, 1.0} and actual.visible[facing < -0.5].max() == 0
 
 
 def test_a_network_on_known_geometry_learns_a_colour(
@@ -144,7 +144,7 @@ def test_the_sphere_as_an_asset_is_that_of_the_closed_form() -> None:
 
 def test_bad_input_is_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["peers", str(tmp_path), "--out", str(tmp_path / "out")]) == 1
-    told = capsys.readouterr().err
-    assert told.count("\n") == 1 and "transforms_train.json: cannot read it" in told
+    error = capsys.readouterr().err
+    assert error.count("\n") == 1 and "transforms_train.json: cannot read it" in error
     assert main(["peers-data", "no.py", "--out", str(tmp_path / "views")]) == 1
     assert capsys.readouterr().err == "error: no.py: no such file\n"

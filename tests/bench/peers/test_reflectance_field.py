@@ -59,15 +59,15 @@ def test_transmittance_of_the_field_is_its_quadrature() -> None:
             layer.weight *= 1.6  # an untrained network is next to constant
         rays = Rays(torch.tensor([[0.0, 0.1, 4.0]]), torch.tensor([[0.0, 0.0, -1.0]]), LIGHT[None])
         coarse, fine = (torch.linspace(3.0, 5.0, n + 1)[None] for n in (300, 3000))
-        found = []
+        actual = []
         for edges in (coarse, fine):
             points, lengths = sections(rays, edges)
             density = field(points.reshape(-1, 3)).density.reshape(lengths.shape)
-            found.append(transmittances(density, lengths)[0])
+            actual.append(transmittances(density, lengths)[0])
         depth = np.trapezoid(density[0], 0.5 * (edges[0, 1:] + edges[0, :-1]))
     assert density.std() > 0.02 * density.mean()
-    assert float(found[1][-1]) == pytest.approx(math.exp(-depth), rel=2e-3)
-    assert torch.allclose(found[0], found[1][::10], rtol=5e-3)
+    assert float(actual[1][-1]) == pytest.approx(math.exp(-depth), rel=2e-3)
+    assert torch.allclose(actual[0], actual[1][::10], rtol=5e-3)
 
 
 def test_relighting_interpolates_the_transmittance_from_the_light() -> None:
@@ -86,13 +86,13 @@ def test_collocated_light_is_weakened_twice() -> None:
     points, lengths = sections(rays, torch.linspace(3.0, 5.0, 401)[None])
     density, white = gaussian(points[0])[None], torch.ones(1, 400, 3)
     tau = transmittance_through_gaussian(rays.origins.expand(401, 3), points_of_edges(rays))
-    found = single_bounce(white, density, lengths, None)
+    actual = single_bounce(white, density, lengths, None)
     weights = tau[:-1] ** 2 * (1.0 - tau[1:] / tau[:-1])
-    assert torch.allclose(found, weights.sum().expand(1, 3), rtol=2e-3)
+    assert torch.allclose(actual, weights.sum().expand(1, 3), rtol=2e-3)
     total = float(tau[-1])
-    assert float(found[0, 0]) == pytest.approx((1.0 - total**2) / 2.0, rel=2e-2)
+    assert float(actual[0, 0]) == pytest.approx((1.0 - total**2) / 2.0, rel=2e-2)
     lit_as_seen = single_bounce(white, density, lengths, transmittances(density, lengths)[:, :-1])
-    assert torch.equal(lit_as_seen, found)
+    assert torch.equal(lit_as_seen, actual)
     unweakened = single_bounce(white, density, lengths, torch.ones_like(lengths))
     assert float(unweakened[0, 0]) == pytest.approx(1.0 - total, rel=1e-3)
 

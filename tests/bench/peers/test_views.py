@@ -98,8 +98,8 @@ def test_scores_are_of_the_asset_and_of_all_pixels() -> None:
     held = HeldOut(reduced(views, 8), 1.0)
     assert held.views.rgba.shape == (2, 8, 8, 4)
     images = [image[..., :3] + 0.1 for image in held.views.rgba]
-    found = held.score(images)
-    assert [found.psnr, found.psnr_everywhere] == pytest.approx([20.0, 20.0], abs=0.01)
-    assert len(found.each) == 2 and 0.0 < found.flip < 1.0
+    actual = held.score(images)
+    assert [actual.psnr, actual.psnr_everywhere] == pytest.approx([20.0, 20.0], abs=0.01)
+    assert len(actual.each) == 2 and 0.0 < actual.flip < 1.0
     with pytest.raises(SceneError, match="--size 7: expected one that divides 16 x 16"):
         reduced(views, 7)

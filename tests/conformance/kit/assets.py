@@ -44,7 +44,7 @@ _CALIBRATION_ROWS = 600
 
 
 @dataclass(frozen=True)
-class Asked:
+class Query:
     """What is asked of a package."""
 
     tier: str
@@ -52,7 +52,7 @@ class Asked:
     output: str  # name of the decoder's form
 
 
-def write_asset(plan: Plan, folder: Path) -> dict[Asked, Answers]:
+def write_asset(plan: Plan, folder: Path) -> dict[Query, Answers]:
     """Write NAME.rna below `folder`; the answers of its parts in its tiers."""
     made = [_Made(plan, number, part) for number, part in enumerate(plan.parts)]
     names = [tier.name for tier in plan.parts[0].tiers]
@@ -78,7 +78,7 @@ def write_asset(plan: Plan, folder: Path) -> dict[Asked, Answers]:
         Unpacked.read(path).with_environment([part.lobes for part in made]).write(path)
     if plan.name == "surface-odd":
         make_odd(path)
-    return {asked: answers for part in made for asked, answers in part.answers.items()}
+    return {query: answers for part in made for query, answers in part.answers.items()}
 
 
 def _texture(name: str) -> str:
@@ -99,7 +99,7 @@ class _Made:
         self.records: list[TierPart] = []
         self.data: list[TierData] = []
         self.lobes: Lobes | None = None
-        self.answers: dict[Asked, Answers] = {}
+        self.answers: dict[Query, Answers] = {}
         for k, tier in enumerate(part.tiers):
             seed = [len(plan.name), k + 100 * number, *plan.name.encode()]
             rng = np.random.default_rng(seed)
@@ -107,26 +107,26 @@ class _Made:
                 self._planes, self._values = _planes(rng, tier)
             self._add(rng, number, part, tier)
             if k == 0 and part.lobes:
-                own = np.random.default_rng([*seed, 1])
-                self.lobes, answers = make_lobes(own, part, self._values)
-                self.answers[Asked(tier.name, number, "environment")] = answers
+                rng_of_part = np.random.default_rng([*seed, 1])
+                self.lobes, answers = make_lobes(rng_of_part, part, self._values)
+                self.answers[Query(tier.name, number, "environment")] = answers
 
     def _add(self, rng: np.random.Generator, number: int, part: PartPlan, tier: TierPlan) -> None:
         decoder = _decoder(rng, part, tier, self._values)
         shared = self.records[-1].planes if tier.shares_planes else None
         record = _record(tier, self._end, shared)
-        self.answers[Asked(tier.name, number, "transport")] = _answers(
+        self.answers[Query(tier.name, number, "transport")] = _answers(
             int(rng.integers(2**32)), part, tier, tier.inputs, self._values, decoder
         )
         files = {}
         for output, plan in tier.others.items():
-            asked = _as_tier(tier, plan)
-            other = _decoder(rng, part, asked, self._values, output)
+            query = _as_tier(tier, plan)
+            other = _decoder(rng, part, query, self._values, output)
             files[output] = other.file()
-            own = {form_named(output).member: _other(tier.name + self._end, output, plan)}
-            record = TierPart.model_validate({**dict(record), **own})
-            self.answers[Asked(tier.name, number, output)] = _answers(
-                int(rng.integers(2**32)), part, tier, asked.inputs, self._values, other
+            tier_member = {form_named(output).member: _other(tier.name + self._end, output, plan)}
+            record = TierPart.model_validate({**dict(record), **tier_member})
+            self.answers[Query(tier.name, number, output)] = _answers(
+                int(rng.integers(2**32)), part, tier, query.inputs, self._values, other
             )
         self.records.append(record)
         self.data.append(TierData(self._planes, decoder.file(), files))
@@ -163,7 +163,7 @@ def _as_tier(tier: TierPlan, other: DecoderPlan) -> TierPlan:
 
 
 def _record(tier: TierPlan, end: str, planes: str | None) -> TierPart:
-    own = {"planes": planes} if planes else {}
+    members = {"planes": planes} if planes else {}
     return make_tier_part(
         tier.name + end,
         inputs=tier.inputs,
@@ -171,7 +171,7 @@ def _record(tier: TierPlan, end: str, planes: str | None) -> TierPart:
         channels=tier.channels,
         plane_precision=tier.planes,
         decoder_precision="int8" if tier.int8 else "float32",
-        **own,
+        **members,
     )
 
 

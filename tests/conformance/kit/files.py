@@ -14,7 +14,7 @@ import numpy as np
 from rna_sdk.conformance.kit import VERSION
 from rna_sdk.package import Mesh
 from tests.conformance.kit.answers import Answers
-from tests.conformance.kit.assets import Asked, write_asset
+from tests.conformance.kit.assets import Query, write_asset
 from tests.conformance.kit.broken import broken_packages
 from tests.conformance.kit.hits import make_hits
 from tests.conformance.kit.normals import make_normal_hits
@@ -40,9 +40,9 @@ def kit_files() -> Files:
             answers = write_asset(plan, Path(folder))
             package = f"packages/{plan.name}.rna"
             files[package] = (Path(folder) / f"{plan.name}.rna").read_bytes()
-            for asked, answer in answers.items():
-                level = "environment" if asked.output == "environment" else "evaluate"
-                index[level].append(_evaluate_case(files, plan, package, asked, answer))
+            for query, answer in answers.items():
+                level = "environment" if query.output == "environment" else "evaluate"
+                index[level].append(_evaluate_case(files, plan, package, query, answer))
             index["visibility"].append(_visibility_case(files, plan, package))
             index["normals"] += _normals_cases(files, plan, package)
             index["validate"].append(_validate_case(package, True, plan.warning))
@@ -59,10 +59,10 @@ def kit_files() -> Files:
 
 
 def _evaluate_case(
-    files: Files, plan: Plan, package: str, asked: Asked, answers: Answers
+    files: Files, plan: Plan, package: str, query: Query, answers: Answers
 ) -> dict[str, Any]:
-    form = "" if asked.output == "transport" else f".{asked.output}"
-    name = f"{plan.name}.{asked.tier}.{asked.part}{form}"
+    form = "" if query.output == "transport" else f".{query.output}"
+    name = f"{plan.name}.{query.tier}.{query.part}{form}"
     paths = {
         "queries": f"queries/{name}.f32",
         "blocks": f"blocks/{name}.f32",
@@ -74,9 +74,9 @@ def _evaluate_case(
     files[paths["expected"]] = both.astype("<f8").tobytes()
     return {
         "package": package,
-        "tier": asked.tier,
-        "part": asked.part,
-        "output": asked.output,
+        "tier": query.tier,
+        "part": query.part,
+        "output": query.output,
         "what": plan.what,
         **paths,
         "rows": len(answers.queries),
@@ -173,8 +173,8 @@ def differences(folder: Path, files: Files) -> list[str]:
     lines = [f"{name}: missing" for name in sorted(set(files) - present)]
     lines += [f"{name}: not of the kit" for name in sorted(present - set(files))]
     for name in sorted(present & set(files)):
-        found, expected = (folder / name).read_bytes(), files[name]
-        if found != expected and not _alike(name, found, expected):
+        actual, expected = (folder / name).read_bytes(), files[name]
+        if actual != expected and not _alike(name, actual, expected):
             lines.append(f"{name}: stale; run python -m tests.conformance.kit")
     return lines
 
@@ -184,24 +184,24 @@ def _present(folder: Path) -> set[str]:
     return {path.relative_to(folder).as_posix() for path in files} - BY_HAND
 
 
-def _alike(name: str, found: bytes, expected: bytes) -> bool:
+def _alike(name: str, actual: bytes, expected: bytes) -> bool:
     if name == INDEX:
-        return _same_index(json.loads(found), json.loads(expected))
-    if len(found) != len(expected) or not name.startswith(ROUNDED):
+        return _same_index(json.loads(actual), json.loads(expected))
+    if len(actual) != len(expected) or not name.startswith(ROUNDED):
         return False
     dtype, close = ("<f8", 1e-6) if name.endswith("f64") else ("<f4", 1e-6)
-    pair = (np.frombuffer(data, dtype) for data in (found, expected))
+    pair = (np.frombuffer(data, dtype) for data in (actual, expected))
     return np.allclose(*pair, rtol=close, atol=close * 1e-3, equal_nan=True)
 
 
-def _same_index(found: Any, expected: Any) -> bool:
+def _same_index(actual: Any, expected: Any) -> bool:
     if isinstance(expected, dict):
         keys = set(expected) - {"sha256"}
-        same = set(found) - {"sha256"} == keys
-        return same and all(_same_index(found[key], expected[key]) for key in keys)
+        same = set(actual) - {"sha256"} == keys
+        return same and all(_same_index(actual[key], expected[key]) for key in keys)
     if isinstance(expected, list):
-        same = len(found) == len(expected)
-        return same and all(_same_index(a, b) for a, b in zip(found, expected, strict=True))
+        same = len(actual) == len(expected)
+        return same and all(_same_index(a, b) for a, b in zip(actual, expected, strict=True))
     if isinstance(expected, float):
-        return bool(np.isclose(found, expected, rtol=1e-6))
-    return bool(found == expected)
+        return bool(np.isclose(actual, expected, rtol=1e-6))
+    return bool(actual == expected)

@@ -32,14 +32,20 @@ def make_hits(
     """
     rng = np.random.default_rng(seed)
     records, seen, ranges, first = [], [], [], 0
-    for part, own in enumerate(names):
+    for part, part_name in enumerate(names):
         for name, hits in _classes(rng, part, bodies):
-            kept = hits.take(stable(hits, bodies, part)[:60])
-            if len(kept.wi):
-                records.append(kept.records(part))
-                seen.append(visibility(bodies, kept.rays(bodies, part)))
-                ranges.append((f"{own}: {name}" if len(bodies) > 1 else name, first, len(kept.wi)))
-                first += len(kept.wi)
+            stable_hits = hits.take(stable(hits, bodies, part)[:60])
+            if len(stable_hits.wi):
+                records.append(stable_hits.records(part))
+                seen.append(visibility(bodies, stable_hits.rays(bodies, part)))
+                ranges.append(
+                    (
+                        f"{part_name}: {name}" if len(bodies) > 1 else name,
+                        first,
+                        len(stable_hits.wi),
+                    )
+                )
+                first += len(stable_hits.wi)
     return b"".join(records), np.concatenate(seen), ranges
 
 
@@ -136,11 +142,11 @@ def _fiber_classes(rng: np.random.Generator, curves: Curves) -> list[tuple[str, 
         wi = unit(targets - hits.position + 0.02 * rng.normal(size=hits.position.shape))
         return FiberHits(hits.segment, hits.position, wi.astype(np.float32))
 
-    def other(hits: FiberHits, own: bool) -> np.ndarray:
+    def other(hits: FiberHits, same_strand: bool) -> np.ndarray:
         """For each hit a segment of its own strand, or of another."""
         chosen = []
         for k in strand[hits.segment]:
-            choices = np.flatnonzero((strand == k) if own else (strand != k))
+            choices = np.flatnonzero((strand == k) if same_strand else (strand != k))
             chosen.append(rng.choice(choices) if len(choices) else 0)
         return np.array(chosen)
 
@@ -150,10 +156,10 @@ def _fiber_classes(rng: np.random.Generator, curves: Curves) -> list[tuple[str, 
     inside = inside.take(np.arange(len(inside.wi))[:90])
     return [
         ("ordinary", points(90)),
-        ("towards other strands", towards(many, middle[other(many, own=False)])),
-        ("along and through the own strand", towards(many, middle[other(many, own=True)])),
+        ("towards other strands", towards(many, middle[other(many, same_strand=False)])),
+        ("along and through the own strand", towards(many, middle[other(many, same_strand=True)])),
         ("at joints", joints),
-        ("towards joints", towards(many, curves.points[first[other(many, own=False)]])),
+        ("towards joints", towards(many, curves.points[first[other(many, same_strand=False)]])),
         ("inside another strand", inside),
         ("inside another strand, along it", towards(inside, _ends_of_other(inside, curves))),
     ]

@@ -55,16 +55,16 @@ def _vertices(geometry: Mesh | Curves) -> np.ndarray:
 
 def _rows(seed: int, part: PartPlan) -> tuple[np.ndarray, list[tuple[str, int, int]]]:
     """(n, 14) float32 of LobeQueries, and the classes."""
-    queries, found = make_queries(seed, part.is_fiber, part.bounds)
-    kept, classes, first = [], [], 0
-    for name, start, count in found:
+    queries, actual = make_queries(seed, part.is_fiber, part.bounds)
+    valid_rows, classes, first = [], [], 0
+    for name, start, count in actual:
         count = min(count, _OF_A_CLASS.get(name, _FEW))
-        kept.append(queries[start : start + count, : WI.start])
+        valid_rows.append(queries[start : start + count, : WI.start])
         classes.append((name, first, count))
         first += count
-    kept.append(kept[0][:5])
+    valid_rows.append(valid_rows[0][:5])
     classes.append(("other visibility", first, 5))
-    rows, rng = np.concatenate(kept), np.random.default_rng(seed)
+    rows, rng = np.concatenate(valid_rows), np.random.default_rng(seed)
     free = rng.random(len(rows))
     free[-5:] = 0.0, 1.0, np.nan, np.inf, -np.inf
     geometry = part.geometry

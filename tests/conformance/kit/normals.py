@@ -101,10 +101,10 @@ def make_normal_hits(seed: int, part: int, mesh: Mesh, records: Sequence[NormalM
     rng, made, classes, first = np.random.default_rng(seed), [], [], 0
     for name, triangle, b in _classes(rng, mesh, records):
         rows = [_answered(mesh, records, *hit) for hit in zip(triangle.tolist(), b, strict=True)]
-        kept = [k for k, (_, tolerance) in enumerate(rows) if tolerance.max() <= LARGEST]
-        made += [(triangle[k], b[k], *rows[k]) for k in kept]
-        classes.append((name, first, len(kept)))
-        first += len(kept)
+        valid = [k for k, (_, tolerance) in enumerate(rows) if tolerance.max() <= LARGEST]
+        made += [(triangle[k], b[k], *rows[k]) for k in valid]
+        classes.append((name, first, len(valid)))
+        first += len(valid)
     words = np.zeros((len(made), 8), np.uint32)
     words[:, 0], words[:, 7] = [hit[0] for hit in made], part
     words[:, 1:3] = np.float32([hit[1][1:] for hit in made]).view(np.uint32)

@@ -42,8 +42,8 @@ def make_odd(path: Path) -> None:
 def _plain(value: Any) -> Any:
     """Without members that are null, or empty lists and objects of the manifest itself."""
     if isinstance(value, dict):
-        kept = {k: _plain(v) for k, v in value.items() if v is not None}
-        return {k: v for k, v in kept.items() if v not in ([], {})}
+        members = {k: _plain(v) for k, v in value.items() if v is not None}
+        return {k: v for k, v in members.items() if v not in ([], {})}
     return [_plain(v) for v in value] if isinstance(value, list) else value
 
 

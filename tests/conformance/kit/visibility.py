@@ -42,8 +42,8 @@ def visibility(bodies: Sequence[Body], rays: Rays) -> np.ndarray:
         if isinstance(body.geometry, Mesh):
             v *= _through_triangles(body.geometry, body.records, rays)
         else:
-            own = rays.strand if part == rays.part else None
-            v *= ~_enters_strands(body.geometry, rays, own)[:, None]
+            start_strand = rays.strand if part == rays.part else None
+            v *= ~_enters_strands(body.geometry, rays, start_strand)[:, None]
     return v
 
 
@@ -174,12 +174,12 @@ class FiberHits:
         return Rays(x, wi, part, strands(bodies[part].geometry)[self.segment])
 
 
-def _enters_strands(curves: Curves, rays: Rays, own: np.ndarray | None) -> np.ndarray:
-    """(n,) whether each ray enters a strand from outside; own: (n,) the one that it passes."""
+def _enters_strands(curves: Curves, rays: Rays, start_strand: np.ndarray | None) -> np.ndarray:
+    """(n,) whether each ray enters a strand from outside; start_strand: the one that it passes."""
     strand = strands(curves)
     t = entries(curves, rays.origin, rays.wi)  # (n, m)
-    if own is not None:
-        t[strand == own[:, None]] = np.inf
+    if start_strand is not None:
+        t[strand == start_strand[:, None]] = np.inf
     result = np.zeros(len(t), bool)
     for row, segment in zip(*np.nonzero(np.isfinite(t)), strict=True):
         at = depths(curves, (rays.origin[row] + t[row, segment] * rays.wi[row])[None])[0]

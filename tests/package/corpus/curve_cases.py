@@ -19,8 +19,8 @@ def with_tensors(entries: Entries, **changes: Any) -> bytes:
     """The package with other arrays in its curves; None leaves a tensor out."""
     good = make_curves()
     tensors = {"points": good.points, "radii": good.radii, "offsets": good.offsets, **changes}
-    kept = {name: array for name, array in tensors.items() if array is not None}
-    return with_entry(entries, CURVES, tensors_to_bytes(kept))
+    remaining = {name: array for name, array in tensors.items() if array is not None}
+    return with_entry(entries, CURVES, tensors_to_bytes(remaining))
 
 
 def with_header(entries: Entries, edit: Callable[[Header], object], pad: int = 64) -> bytes:

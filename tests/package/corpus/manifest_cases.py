@@ -182,8 +182,8 @@ def malformed_version(entries: Entries) -> bytes:
 def no_tiers(entries: Entries) -> bytes:
     manifest = json.loads(entries[MANIFEST_NAME])
     only_mesh = {MESH: manifest["entries"][MESH]}
-    kept = {name: entries[name] for name in (MANIFEST_NAME, MESH)}
-    return with_manifest(kept, lambda m: m.update(tiers=[], entries=only_mesh))
+    remaining = {name: entries[name] for name in (MANIFEST_NAME, MESH)}
+    return with_manifest(remaining, lambda m: m.update(tiers=[], entries=only_mesh))
 
 
 @case("FIELD_VALUE")
@@ -325,8 +325,8 @@ def fiber_with_a_normal(entries: Entries) -> bytes:
 
 @case("REFERENCE_MISSING")
 def path_to_nowhere(entries: Entries) -> bytes:
-    kept = {name: data for name, data in entries.items() if name != DECODER}
-    return with_manifest(kept, lambda m: m["entries"].pop(DECODER))
+    remaining = {name: data for name, data in entries.items() if name != DECODER}
+    return with_manifest(remaining, lambda m: m["entries"].pop(DECODER))
 
 
 @case("ENTRY_UNDECLARED")

@@ -62,20 +62,20 @@ def fibers_with_normal_maps(entries: Entries) -> bytes:
 
 
 def _without_maps(entries: Entries, edit: Any) -> bytes:
-    kept = {name: data for name, data in entries.items() if name not in (BARK, DENT)}
+    remaining = {name: data for name, data in entries.items() if name not in (BARK, DENT)}
 
     def drop(manifest: dict[str, Any]) -> None:
         edit(manifest)
         for name in (BARK, DENT):
             manifest["entries"].pop(name)
 
-    return with_manifest(kept, drop)
+    return with_manifest(remaining, drop)
 
 
 @case("REFERENCE_MISSING", "relief")
 def normal_map_from_nowhere(entries: Entries) -> bytes:
-    kept = {name: data for name, data in entries.items() if name != DENT}
-    return with_manifest(kept, lambda m: m["entries"].pop(DENT))
+    remaining = {name: data for name, data in entries.items() if name != DENT}
+    return with_manifest(remaining, lambda m: m["entries"].pop(DENT))
 
 
 @case("NORMAL_MAP_RANGE", "relief")

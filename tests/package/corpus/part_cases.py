@@ -55,8 +55,8 @@ def tier_without_the_second_part(entries: Entries) -> bytes:
         for name in names:
             manifest["entries"].pop(name)
 
-    kept = {name: data for name, data in entries.items() if name not in names}
-    return with_manifest(kept, edit)
+    remaining = {name: data for name, data in entries.items() if name not in names}
+    return with_manifest(remaining, edit)
 
 
 @case("PARTS_DIFFER", "parts")
@@ -92,8 +92,8 @@ def emission_of_a_block_twice(entries: Entries) -> bytes:
 
 @case("REFERENCE_MISSING", "parts")
 def emission_from_nowhere(entries: Entries) -> bytes:
-    kept = {name: data for name, data in entries.items() if name != GLOW}
-    return with_manifest(kept, lambda m: m["entries"].pop(GLOW))
+    remaining = {name: data for name, data in entries.items() if name != GLOW}
+    return with_manifest(remaining, lambda m: m["entries"].pop(GLOW))
 
 
 @case("DECODER_PROFILE", "parts")

@@ -31,8 +31,8 @@ def with_quantised_arrays(entries: Entries, **changes: Any) -> bytes:
 def with_steps(entries: Entries, **changes: Any) -> bytes:
     """The package with quantised curves of other tensors; None leaves one out."""
     tensors = {**vars(quantise(make_curves()).quantised), **changes}
-    kept = {name: array for name, array in tensors.items() if array is not None}
-    return with_entry(entries, CURVES, tensors_to_bytes(kept))
+    remaining = {name: array for name, array in tensors.items() if array is not None}
+    return with_entry(entries, CURVES, tensors_to_bytes(remaining))
 
 
 # Meshes

@@ -57,7 +57,7 @@ def by_three(
 ) -> np.ndarray:
     """(h, w, 4) float32. light, more of what `picture` takes, what is loaded: JavaScript."""
     view = json.dumps({"position": asset["position"], "lookAt": asset["look_at"]})
-    found = page.evaluate(
+    actual = page.evaluate(
         f"""(async () => {{
             const {{ THREE, GLTFLoader, rna, picture, imageLight, sun, shadowingSun }} = test;
             const light = (kind, at, ...values) => {{
@@ -75,7 +75,7 @@ def by_three(
             return found;
         }})()"""
     )
-    return np.frombuffer(base64.b64decode(found), "<f4").reshape(size[1], size[0], 4)
+    return np.frombuffer(base64.b64decode(actual), "<f4").reshape(size[1], size[0], 4)
 
 
 @pytest.mark.parametrize(
@@ -92,9 +92,9 @@ def by_three(
 )
 @pytest.mark.usefixtures("middles_of_pixels")
 def test_light(asset, light, of_three, size, samples, least, page, tmp_path):
-    found = by_three(page, asset, of_three, size)
+    actual = by_three(page, asset, of_three, size)
     expected = by_rna_run(write_scene(tmp_path, asset, light, size, samples))
-    assert psnr(found, expected) >= least
+    assert psnr(actual, expected) >= least
 
 
 @pytest.mark.usefixtures("middles_of_pixels")
@@ -108,13 +108,13 @@ def test_hemisphere_and_environment(page, tmp_path):
     for name, values in (("image.exr", image), ("sky.exr", sky + 0.5 * image)):
         OpenEXR.File({}, {"RGB": values}).write(str(tmp_path / name))
     turned = f"...await imageLight('data:;base64,{base64_of(tmp_path / 'image.exr')}', 2.0, 0.5)"
-    found = by_three(page, TOY, SKY_OF_THREE, SIZE, f"environment: {{ {turned} }}")
+    actual = by_three(page, TOY, SKY_OF_THREE, SIZE, f"environment: {{ {turned} }}")
     light = SKY.format(rotation=np.degrees(2.0) - 90)  # three.js has the image's middle at +x
     expected = by_rna_run(write_scene(tmp_path, TOY, light, SIZE, 128))
     seen = expected[..., 3] > 0
-    brightness = found[seen][:, :3].mean(0) / expected[seen][:, :3].mean(0)
+    brightness = actual[seen][:, :3].mean(0) / expected[seen][:, :3].mean(0)
     assert brightness == pytest.approx(1.0, abs=0.03)
-    assert psnr(found, expected) >= 20.0
+    assert psnr(actual, expected) >= 20.0
 
 
 @pytest.mark.usefixtures("middles_of_pixels")
@@ -124,9 +124,9 @@ def test_standin(page, tmp_path):
     load = (
         LOAD_STANDIN.format(base64_of(tmp_path / "toy.glb")).replace("{", "{{").replace("}", "}}")
     )
-    found = by_three(page, TOY, "sun()", SIZE, load=load)
+    actual = by_three(page, TOY, "sun()", SIZE, load=load)
     expected = by_rna_run(write_scene(tmp_path, TOY, SUN, SIZE, 1))
-    assert np.mean((found[..., 3] > 0.5) != (expected[..., 3] > 0.5)) < 0.002
+    assert np.mean((actual[..., 3] > 0.5) != (expected[..., 3] > 0.5)) < 0.002
     seen = expected[..., 3] > 0
-    assert found[seen].mean(0) == pytest.approx(expected[seen].mean(0), rel=0.15)
-    assert psnr(found, expected) >= 24.0
+    assert actual[seen].mean(0) == pytest.approx(expected[seen].mean(0), rel=0.15)
+    assert psnr(actual, expected) >= 24.0

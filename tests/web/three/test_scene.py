@@ -84,7 +84,7 @@ def test_abort_rejects(page):
 @pytest.mark.parametrize("name", ["surface-float32.rna", "fiber-float16.rna"])
 def test_raycaster_meets_the_asset(page, name):
     """Where three.js' own search meets what is drawn; of instances, too; not where it was."""
-    found = run(
+    actual = run(
         page,
         f"""
         const asset = await new rna.RnaLoader().loadAsync("{name}"), [mesh] = asset.meshes;
@@ -112,14 +112,14 @@ def test_raycaster_meets_the_asset(page, name):
         return [rays, radius, ray.intersectObject(asset).length];
         """,
     )
-    theirs, ours, instance = np.transpose(found[0])
-    assert found[2] == 0 and np.sum(ours > 0) > 20
+    theirs, ours, instance = np.transpose(actual[0])
+    assert actual[2] == 0 and np.sum(ours > 0) > 20
     assert np.array_equal(ours, instance)
     if name.startswith("surface"):
-        assert ours == pytest.approx(theirs, abs=1e-4 * found[1])
+        assert ours == pytest.approx(theirs, abs=1e-4 * actual[1])
     else:  # the box about a strand is wider than the strand
         assert np.all(theirs[ours > 0] > 0)
-        assert np.all(ours[ours > 0] > theirs[ours > 0] - 1e-4 * found[1])
+        assert np.all(ours[ours > 0] > theirs[ours > 0] - 1e-4 * actual[1])
 
 
 TWO_TIERS_SEEN = """
@@ -140,7 +140,7 @@ TWO_TIERS_SEEN = """
 
 def test_clones_have_what_the_page_added(page):
     """And each is disposed of once, however often it is asked for."""
-    found = run(
+    actual = run(
         page,
         TWO_TIERS_SEEN
         + """
@@ -174,8 +174,8 @@ def test_clones_have_what_the_page_added(page):
         """,
     )
     facts = ["label", ["mark"], {"article": 7}, {"k": 2}, 5, 2, 2]
-    assert found[0] == [*facts, "hq", 1, 1]
-    assert found[1:] == [1, "RnaMaterial", 0, True]
+    assert actual[0] == [*facts, "hq", 1, 1]
+    assert actual[1:] == [1, "RnaMaterial", 0, True]
 
 
 def test_what_cannot_be_is_said_at_once(page):

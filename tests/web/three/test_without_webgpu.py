@@ -33,7 +33,7 @@ def page(tmp_path_factory) -> Iterator[Page]:
 @pytest.mark.parametrize("renderer", RENDERERS)
 def test_grey_shape_and_one_line(page, renderer):
     """Before a red box; of an instanced mesh, too."""
-    found = page.evaluate(
+    actual = page.evaluate(
         f"""(async () => {{
             const {{ THREE, rna }} = test;
             const classic = await import("./node_modules/three/build/three.module.js");
@@ -75,7 +75,7 @@ def test_grey_shape_and_one_line(page, renderer):
             return {{ counts, told }};
         }})()"""
     )
-    for count in found["counts"]:
+    for count in actual["counts"]:
         assert count["grey"] > 500 and count["red"] > 500
         assert count["grey"] + count["red"] > 64 * 64 - 200
-    assert len([line for line in found["told"] if line.startswith("rna-three")]) == 1
+    assert len([line for line in actual["told"] if line.startswith("rna-three")]) == 1

@@ -21,7 +21,7 @@ from rna_work.executors import Executor, check_shared, this_machine
 from rna_work.pool import Pool
 from rna_work.sources import Carried, InPlace
 
-_OWN_BYTES = 1_000_000_000  # of a worker without samples
+_PROCESS_BYTES = 1_000_000_000  # of a worker without samples
 
 
 @dataclass(frozen=True)
@@ -78,7 +78,7 @@ class TrialWorkers:
 def memory_for(dataset: Path) -> int:
     """Bytes that a worker with a dataset takes, about: its samples twice, while it reads them."""
     shards = sum(path.stat().st_size for path in (dataset / "train").glob("*.safetensors"))
-    return _OWN_BYTES + 2 * shards
+    return _PROCESS_BYTES + 2 * shards
 
 
 class TrialPool:

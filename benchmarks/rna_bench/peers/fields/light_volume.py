@@ -55,12 +55,12 @@ class LightVolume:
         directions = normalize(local @ self._frame, dim=1)
         length = 2.0 / sections
         middles = self._near + length * (torch.arange(sections, device=light.device) + 0.5)
-        found = []
+        result = []
         for rays in directions.split(max(1, _CHUNK // sections)):
             points = light + rays[:, None] * middles[None, :, None]
             there = density(points.reshape(-1, 3)).reshape(len(rays), sections)
-            found.append(transmittances(there, torch.full_like(there, length)))
-        self._volume = torch.cat(found).T.reshape(1, 1, sections + 1, side, side)
+            result.append(transmittances(there, torch.full_like(there, length)))
+        self._volume = torch.cat(result).T.reshape(1, 1, sections + 1, side, side)
 
     def at(self, points: Tensor) -> Tensor:
         """Transmittance (k,) from the light to points (k, 3)."""
@@ -69,5 +69,5 @@ class LightVolume:
         across = local[:, :2] / (self._extent * local[:, 2:].clamp(min=1e-6))
         along = way.norm(dim=1, keepdim=True) - self._near - 1.0
         places = torch.cat([across, along], dim=1)[None, None, None]
-        found = grid_sample(self._volume, places, padding_mode="border", align_corners=True)
-        return found.reshape(-1)
+        samples = grid_sample(self._volume, places, padding_mode="border", align_corners=True)
+        return samples.reshape(-1)

@@ -93,8 +93,8 @@ class ReflectanceField(LearnedMethod):
 
     def loss(self, targets: Targets, progress: float) -> Tensor:
         """Squared error of what a picture shows."""
-        found = self._rendered(targets.rays, None, is_training=True)
-        return (found - targets.colour.clamp(max=1.0)).square().mean()
+        result = self._rendered(targets.rays, None, is_training=True)
+        return (result - targets.colour.clamp(max=1.0)).square().mean()
 
     def radiance(self, rays: Rays) -> Tensor:
         """As `LearnedMethod.radiance`, of the light that `render` has made a volume of."""

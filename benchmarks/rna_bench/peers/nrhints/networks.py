@@ -54,8 +54,8 @@ class DistanceNetwork(FeatureNetwork):
 
     def both(self, points: Tensor) -> tuple[Tensor, Tensor]:
         """Distances (n,) and features (n, 256) of points (n, 3)."""
-        found = self.of_position(points)
-        return found[:, 0] / _SCALE, found[:, 1:]
+        result = self.of_position(points)
+        return result[:, 0] / _SCALE, result[:, 1:]
 
     def distance(self, points: Tensor) -> Tensor:
         """(n,) of points (n, 3)."""

@@ -113,18 +113,18 @@ class NRHints(LearnedMethod):
 
     def loss(self, targets: Targets, progress: float) -> Tensor:
         """L1 over white, as in the authors' synthetic scenes, and eikonal; then of geometry."""
-        found = self._render(targets.rays, min(1.0, progress / ANNEALED), is_training=True)
+        result = self._render(targets.rays, min(1.0, progress / ANNEALED), is_training=True)
         wanted = targets.colour.clamp(max=1.0) + (1.0 - targets.alpha[:, None])
-        shown = found.colour + (1.0 - found.alpha[:, None])
-        loss = (shown - wanted).abs().sum(dim=1).mean() + _EIKONAL * found.eikonal
+        shown = result.colour + (1.0 - result.alpha[:, None])
+        loss = (shown - wanted).abs().sum(dim=1).mean() + _EIKONAL * result.eikonal
         if self.geometry is None:
             return loss
-        alpha = found.alpha.clamp(1e-3, 1.0 - 1e-3)
+        alpha = result.alpha.clamp(1e-3, 1.0 - 1e-3)
         loss = loss + self.geometry.alpha * nn.functional.binary_cross_entropy(alpha, targets.alpha)
         if targets.depth is None:
             return loss
         known = (targets.depth > 0.0) & (targets.alpha > 0.999)
-        error = ((found.depth - targets.depth).abs() * known).sum() / known.sum().clamp(min=1)
+        error = ((result.depth - targets.depth).abs() * known).sum() / known.sum().clamp(min=1)
         return loss + self.geometry.depth * error
 
     def radiance(self, rays: Rays) -> Tensor:

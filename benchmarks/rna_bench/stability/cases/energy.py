@@ -23,10 +23,10 @@ def measure(fixtures: Fixtures) -> list[Row]:
     white = fixtures.capture_white()
     scene, count = scene_of(white.dataset), fixtures.some(_POINTS)
     preset = fixtures.preset("surface", resolution=128)
-    asked = {"white": (of_model(fixtures.train("small", white, preset).model), scene)}
+    models = {"white": (of_model(fixtures.train("small", white, preset).model), scene)}
     if fixtures.subject.dataset is not None:
-        asked["given"] = fixtures.answers(), scene_of(fixtures.dataset.dataset)
-    return [{"asset": name, **row} for name, one in asked.items() for row in furnace(*one, count)]
+        models["given"] = fixtures.answers(), scene_of(fixtures.dataset.dataset)
+    return [{"asset": name, **row} for name, one in models.items() for row in furnace(*one, count)]
 
 
 def furnace(answers: Answers, scene: AssetScene, count: int) -> list[Row]:
@@ -76,13 +76,13 @@ def _lattice(count: int) -> np.ndarray:
 
 
 def judge(rows: list[Row]) -> Verdict:
-    told, passed = [], True
+    figures, passed = [], True
     for asset in dict.fromkeys(values(rows, "asset")):
         total = np.array(values(rows, "integral", asset=asset))
         above = float((total > MOST).mean())
         passed &= above <= SHARE
-        told.append(f"{asset}: {above:.1%} above 1.01, mean {total.mean():.2f}")
-    return Verdict(passed, "; ".join(told))
+        figures.append(f"{asset}: {above:.1%} above 1.01, mean {total.mean():.2f}")
+    return Verdict(passed, "; ".join(figures))
 
 
 def draw(figure: FigureBase, rows: list[Row]) -> None:

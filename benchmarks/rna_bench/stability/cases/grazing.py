@@ -25,7 +25,7 @@ def measure(fixtures: Fixtures) -> list[Row]:
     kind = dataset.kind
     preset = fixtures.preset(kind, inputs=fixtures.paper_inputs(kind))
     paper = fixtures.train("paper-inputs", dataset, preset).model
-    asked = {
+    angles = {
         "package": fixtures.answers(),
         "the paper's inputs": of_model(paper),
         "ours, as long": of_model(fixtures.base.model),
@@ -33,7 +33,7 @@ def measure(fixtures: Fixtures) -> list[Row]:
     samples, halves = joined_views(dataset.validation_views())
     return [
         {"model": name, **row}
-        for name, answers in asked.items()
+        for name, answers in angles.items()
         for row in binned(answers, samples, halves)
     ]
 
@@ -74,8 +74,8 @@ def judge(rows: list[Row]) -> Verdict:
         direction: last_over_median([r for r in rows if r["model"] == "package"], direction)
         for direction in ("wo", "wi")
     }
-    told = ", ".join(f"{k} {v:.1f} times" for k, v in factors.items())
-    return Verdict(max(factors.values()) <= FACTOR, f"85 to 90 degrees: {told} the median bin")
+    figures = ", ".join(f"{k} {v:.1f} times" for k, v in factors.items())
+    return Verdict(max(factors.values()) <= FACTOR, f"85 to 90 degrees: {figures} the median bin")
 
 
 def last_over_median(rows: list[Row], direction: str) -> float:

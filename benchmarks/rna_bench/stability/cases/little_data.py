@@ -27,14 +27,14 @@ def measure(fixtures: Fixtures) -> list[Row]:
     samples = dataset.training_samples()
     light = light_numbers(samples)
     order = np.random.default_rng(11).permutation(light[-1] + 1)
-    kept = round(_HELD_OUT * len(order))
-    held_out = _tested(rows_of(samples, np.isin(light, order[:kept])))
-    most = max(n for n in LIGHTS if n <= len(order) - kept)
+    count = round(_HELD_OUT * len(order))
+    held_out = _tested(rows_of(samples, np.isin(light, order[:count])))
+    most = max(n for n in LIGHTS if n <= len(order) - count)
     plans = [("lights", lights, POINTS[0]) for lights in LIGHTS if lights <= most]
     plans += [("points", most, points) for points in POINTS]
     rows = []
     for series, lights, points in plans:
-        chosen = subset(light, order[kept : kept + lights], fixtures.some(points))
+        chosen = subset(light, order[count : count + lights], fixtures.some(points))
         row = {"series": series, "lights": lights, "points": len(chosen)}
         rows.append(row | _trained(fixtures, dataset, row, chosen, samples, held_out))
     return rows
@@ -60,8 +60,8 @@ def _trained(
     trained = fixtures.train(name, some, fixtures.preset(dataset.kind))
     views = dataset.validation_views()
     scores = scores_of(trained.model, views)
-    own = loss_of(trained, _tested(rows_of(samples, chosen)))
-    gap = 10.0 * np.log10(loss_of(trained, held_out) / own)
+    training_loss = loss_of(trained, _tested(rows_of(samples, chosen)))
+    gap = 10.0 * np.log10(loss_of(trained, held_out) / training_loss)
     return {"psnr": scores.psnr_without_noise.db, "flip": scores.flip, "gap_db": float(gap)}
 
 
@@ -83,11 +83,11 @@ def judge(rows: list[Row]) -> Verdict:
     most, fewer = few[-1], few[-2] if len(few) > 1 else few[-1]
     lost = most["psnr"] - fewer["psnr"]
     gap = max(rows, key=lambda r: r["points"])["gap_db"]
-    found = (
+    result = (
         f"{fewer['lights']:,} lights cost {lost:.2f} dB against {most['lights']:,}; "
         f"overfitting gap {gap:.2f} dB with all samples"
     )
-    return Verdict(lost <= LOSS_DB and gap <= GAP_DB, found)
+    return Verdict(lost <= LOSS_DB and gap <= GAP_DB, result)
 
 
 def draw(figure: FigureBase, rows: list[Row]) -> None:

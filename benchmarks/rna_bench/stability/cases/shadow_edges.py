@@ -136,10 +136,10 @@ def _grown(seed: np.ndarray, index: np.ndarray, lit: np.ndarray) -> np.ndarray:
 
 def judge(rows: list[Row]) -> Verdict:
     ours = [row for row in rows if row["model"] == "with the hint"]
-    found = {kind: flip_beside(ours, kind) for kind in ("terminator", "cast shadow")}
-    told = ", ".join(f"{k} {v:.3f}" for k, v in found.items() if v is not None)
-    worst = max((v for v in found.values() if v is not None), default=0.0)
-    return Verdict(worst <= FLIP, f"FLIP beside the edge: {told}")
+    result = {kind: flip_beside(ours, kind) for kind in ("terminator", "cast shadow")}
+    figures = ", ".join(f"{k} {v:.3f}" for k, v in result.items() if v is not None)
+    worst = max((v for v in result.values() if v is not None), default=0.0)
+    return Verdict(worst <= FLIP, f"FLIP beside the edge: {figures}")
 
 
 def flip_beside(rows: list[Row], edge: str) -> float | None:

@@ -84,7 +84,7 @@ def measure(fixtures: Fixtures) -> list[Row]:
             name, "ball.py", *material.arguments, lights=lights, **views, **_STAYS
         )
         source = Source(ASSETS / "ball.py", material.arguments)
-        truth = fixtures.kept(name, partial(_from_cycles, fixtures, dataset, source))
+        truth = fixtures.stored(name, partial(_from_cycles, fixtures, dataset, source))
         for label, preset in models.items():
             if label == "the paper's" and material.name not in _DRAWN:
                 continue

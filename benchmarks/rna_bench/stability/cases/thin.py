@@ -50,10 +50,10 @@ def measure(fixtures: Fixtures) -> list[Row]:
             up = facing_up(samples)
             one_side = ChosenSamples(dataset, lambda some: rows_of(some, facing_up(some)))
             alone = fixtures.train("one-side", one_side, preset).model
-            asked = {"folded": (model, folded & up), "alone": (alone, folded & up)}
+            models = {"folded": (model, folded & up), "alone": (alone, folded & up)}
         else:
-            asked = {"folded": (model, folded), "clear": (model, ~folded)}
-        for where, (answering, points) in asked.items():
+            models = {"folded": (model, folded), "clear": (model, ~folded)}
+        for where, (answering, points) in models.items():
             shaded = picked(of_model(answering), rows_of(samples, points))
             error = relative_error(shaded, halves[:, points])
             share = float(points.mean())
@@ -115,9 +115,9 @@ def judge(rows: list[Row]) -> Verdict:
     folded = {row["shape"]: row["error"] for row in rows if row["where"] == "folded"}
     other = {row["shape"]: row["error"] for row in rows if row["where"] != "folded"}
     factors = {shape: error / other[shape] for shape, error in folded.items()}
-    told = ", ".join(f"{shape} {factor:.2f} times" for shape, factor in factors.items())
+    figures = ", ".join(f"{shape} {factor:.2f} times" for shape, factor in factors.items())
     return Verdict(
-        max(factors.values()) <= FACTOR, f"the error where folded: {told} that elsewhere"
+        max(factors.values()) <= FACTOR, f"the error where folded: {figures} that elsewhere"
     )
 
 

@@ -41,7 +41,7 @@ def measure(fixtures: Fixtures) -> list[Row]:
                 camera = zoomed(shot.eye, shot.target, footprint * texel(asset))
                 scene = _scene(fixtures, camera, shot.wi)
                 name = f"zoom-{fixtures.name}-{number}-{footprint:g}"
-                reference = fixtures.kept(name, partial(_cycles, worker, camera, shot.wi))
+                reference = fixtures.stored(name, partial(_cycles, worker, camera, shot.wi))
                 halves = reference["halves"]
                 ours = OurScene(scene).render(fixtures.some(_SAMPLES)).pixels
                 rows.append({"view": number, "texels": footprint, **_row(ours, halves, footprint)})
@@ -118,9 +118,9 @@ def _from_text(picture: str) -> np.ndarray:
 
 def judge(rows: list[Row]) -> Verdict:
     finest = [row for row in rows if row["texels"] == min(FOOTPRINTS)]
-    told = ", ".join(f"{row['flip']:.3f} ({row['texture_flip']:.3f})" for row in finest)
+    figures = ", ".join(f"{row['flip']:.3f} ({row['texture_flip']:.3f})" for row in finest)
     passed = all(row["flip"] <= max(FLIP, FACTOR * row["texture_flip"]) for row in finest)
-    return Verdict(passed, f"FLIP (a texture's) at a tenth of a texel a pixel: {told}")
+    return Verdict(passed, f"FLIP (a texture's) at a tenth of a texel a pixel: {figures}")
 
 
 def draw(figure: FigureBase, rows: list[Row]) -> None:

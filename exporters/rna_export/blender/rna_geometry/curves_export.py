@@ -65,11 +65,11 @@ def strands_of(
     moved = np.concatenate([[True], np.any(world[1:] != world[:-1], axis=1)])
     moved[offsets[:-1][np.diff(offsets) > 0]] = True
     counts = np.bincount(strand[moved], minlength=len(offsets) - 1)
-    kept = counts >= 2  # Cycles shows no others
-    if not kept.any():
+    valid = counts >= 2  # Cycles shows no others
+    if not valid.any():
         return None
-    here = moved & kept[strand]
-    return world[here], radii[here], counts[kept]
+    here = moved & valid[strand]
+    return world[here], radii[here], counts[valid]
 
 
 def _scale_of_radii(name: str, matrix: np.ndarray) -> float:

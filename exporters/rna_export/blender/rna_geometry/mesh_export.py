@@ -54,12 +54,12 @@ def export_mesh(
 
 def owners() -> list[str]:
     """Names of the top objects that renders show as a surface, each once."""
-    found = {}
+    result = {}
     for instance in _mesh_instances():
         owner = top_object(instance)
-        if owner not in found and _has_faces(instance.object):
-            found[owner] = True
-    return list(found)
+        if owner not in result and _has_faces(instance.object):
+            result[owner] = True
+    return list(result)
 
 
 def _has_faces(item: bpy.types.Object) -> bool:

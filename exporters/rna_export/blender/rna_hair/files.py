@@ -90,16 +90,16 @@ def _without_lone_points(
     path: Path, points: np.ndarray, radii: np.ndarray, counts: np.ndarray
 ) -> Strands:
     """Strands of the points, without those of one point: roots from which no hair grows."""
-    kept = counts > 1
-    if not kept.all():
-        left_out = int((~kept).sum())
+    valid = counts > 1
+    if not valid.all():
+        left_out = int((~valid).sum())
         warnings.warn(
             f"{path.name}: {left_out:,} of {len(counts):,} strands have one point and were left "
             "out",
             stacklevel=3,
         )
-    rows = np.repeat(kept, counts)
-    return Strands(points[rows], radii[rows], np.concatenate([[0], np.cumsum(counts[kept])]))
+    rows = np.repeat(valid, counts)
+    return Strands(points[rows], radii[rows], np.concatenate([[0], np.cumsum(counts[valid])]))
 
 
 def write_hair(path: Path | str, strands: Strands) -> None:

@@ -44,21 +44,21 @@ def interpolate(
     roots = shapes[:, 0]
     relative = shapes - roots[:, None]
 
-    own = rng.permutation(np.arange(count) % len(guides))
+    guide = rng.permutation(np.arange(count) % len(guides))
     near, alike_near = _neighbours(shapes, neighbours, alike)
     pick = rng.integers(0, near.shape[1], (2, count))
-    others, blends = near[own, pick], alike_near[own, pick]  # (2, s)
+    others, blends = near[guide, pick], alike_near[guide, pick]  # (2, s)
     weights = np.sort(rng.dirichlet((1.0, 1.0, 1.0), count), axis=1)[:, ::-1].astype(np.float32)
 
-    at = np.stack([own, *others], axis=1)
-    shape = np.stack([own, *np.where(blends, others, own)], axis=1)
+    at = np.stack([guide, *others], axis=1)
+    shape = np.stack([guide, *np.where(blends, others, guide)], axis=1)
     grown = np.zeros((count, points, 3), np.float32)
     for j in range(3):
         grown += weights[:, j, None, None] * (roots[at[:, j], None] + relative[shape[:, j]])
     along = np.linspace(0.0, 1.0, points, dtype=np.float32)
-    grown += clump * along[:, None] ** 1.5 * (shapes[own] - grown)
+    grown += clump * along[:, None] ** 1.5 * (shapes[guide] - grown)
     grown += noise * _waves(grown, along, rng)
-    radii = even.radii.reshape(len(guides), points)[own]
+    radii = even.radii.reshape(len(guides), points)[guide]
     return resample(of_equal_length(grown, radii), points, 1.0 - shorten * rng.random(count))
 
 
@@ -79,8 +79,8 @@ def _neighbours(shapes: np.ndarray, k: int, alike: float) -> tuple[np.ndarray, n
         if g > 1:
             apart[np.arange(len(rows)), rows] = np.inf
         near[rows] = np.argpartition(apart, k - 1, axis=1)[:, :k]
-        found = np.take_along_axis(apart, near[rows], axis=1)
-        distance[rows] = np.sqrt(np.maximum(found, 0.0))
+        result = np.take_along_axis(apart, near[rows], axis=1)
+        distance[rows] = np.sqrt(np.maximum(result, 0.0))
     reach = _REACH * np.median(distance.min(axis=1))
     near = np.where(distance <= reach, near, np.arange(g)[:, None])
 

@@ -18,13 +18,13 @@ _NAMED = 3
 
 def problems() -> list[str]:
     """Problems of the materials, one sentence each, with the name of the material."""
-    found, bare = [], []
+    result, bare = [], []
     for material, item in shown_materials():
         if material is None:
             bare.append(item)
         elif material.node_tree is not None:
-            found += [f"material {material.name!r}: {what}" for what in _of_material(material)]
-    return found + _of_bare(bare)
+            result += [f"material {material.name!r}: {what}" for what in _of_material(material)]
+    return result + _of_bare(bare)
 
 
 def shown_materials() -> Iterator[tuple[bpy.types.Material | None, str]]:
@@ -117,13 +117,13 @@ def smoothest() -> tuple[str, float] | None:
 
     Roughness from a texture or a node does not count.
     """
-    found = [
+    result = [
         (roughness, material.name)
         for material, _ in shown_materials()
         if material is not None and material.node_tree is not None
         for roughness in _roughnesses(material)
     ]
-    return min(found)[::-1] if found else None
+    return min(result)[::-1] if result else None
 
 
 def _roughnesses(material: bpy.types.Material) -> Iterator[float]:

@@ -47,12 +47,12 @@ class Wanted:
 
 def shown_materials() -> tuple[set[str], set[str]]:
     """Full names of the materials of rendered surfaces, and of rendered hair."""
-    found: dict[bool, set[str]] = {False: set(), True: set()}
+    materials: dict[bool, set[str]] = {False: set(), True: set()}
     for instance in shown_objects.seen():
         if instance.object.type in (*SURFACES, HAIR):
             names = (m.name_full for m in materials_of(instance.object) if m is not None)
-            found[instance.object.type == HAIR].update(names)
-    return found[False], found[True]
+            materials[instance.object.type == HAIR].update(names)
+    return materials[False], materials[True]
 
 
 def uses_of(wanted: dict[str, Wanted]) -> dict[str, list[Use]]:
@@ -110,18 +110,18 @@ def _add_uses(
 
 
 def _attribute(mesh: bpy.types.Mesh, name: str, at: dict[str, np.ndarray]) -> np.ndarray | None:
-    found = mesh.attributes.get(name or mesh.attributes.default_color_name)
-    if found is None:
+    attribute = mesh.attributes.get(name or mesh.attributes.default_color_name)
+    if attribute is None:
         return None
-    if found.data_type not in _KINDS or found.domain not in at:
+    if attribute.data_type not in _KINDS or attribute.domain not in at:
         return np.full((len(at["POINT"]), 4), np.nan, np.float32)  # equal to nothing
-    what, components = _KINDS[found.data_type]
-    dtype = {"INT": np.int32, "BOOLEAN": bool}.get(found.data_type, np.float32)
-    values = read(found.data, what, components * len(found.data), dtype)
-    own = values.reshape(-1, components)[at[found.domain]].astype(np.float32)
+    what, components = _KINDS[attribute.data_type]
+    dtype = {"INT": np.int32, "BOOLEAN": bool}.get(attribute.data_type, np.float32)
+    values = read(attribute.data, what, components * len(attribute.data), dtype)
+    point_values = values.reshape(-1, components)[at[attribute.domain]].astype(np.float32)
     if components == 1:
-        own = np.repeat(own, 3, axis=1)
-    result = np.zeros((len(own), 4), np.float32)
+        point_values = np.repeat(point_values, 3, axis=1)
+    result = np.zeros((len(point_values), 4), np.float32)
     result[:, 3] = 1.0
-    result[:, : own.shape[1]] = own
+    result[:, : point_values.shape[1]] = point_values
     return result

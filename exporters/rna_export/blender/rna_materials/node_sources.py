@@ -47,10 +47,10 @@ def origin(socket: bpy.types.NodeSocket, inside: Inside = ()) -> Source | None:
             socket, inside = inner, (*inside, node)
         elif node.type == "GROUP_INPUT" and inside:
             outer = (s for s in inside[-1].inputs if s.identifier == output.identifier)
-            found = next(outer, None)
-            if found is None:
+            source = next(outer, None)
+            if source is None:
                 return None
-            socket, inside = found, inside[:-1]
+            socket, inside = source, inside[:-1]
         else:
             return node, output, inside
 
@@ -59,15 +59,15 @@ def sources(socket: bpy.types.NodeSocket, inside: Inside = ()) -> Iterator[Sourc
     """Every node that an input depends on, once for each of its outputs that is used."""
     seen, todo = set(), [(socket, inside)]
     while todo:
-        found = origin(*todo.pop())
-        if found is None:
+        source = origin(*todo.pop())
+        if source is None:
             continue
-        node, output, inside = found
+        node, output, inside = source
         key = (node, output.identifier, inside)
         if key in seen:
             continue
         seen.add(key)
-        yield found
+        yield source
         todo += [(each, inside) for each in node.inputs]
 
 

@@ -18,9 +18,9 @@ def normal_source(material: bpy.types.Material) -> Source | None:
     for node, _, inside in sources(output.inputs["Surface"]):
         socket = node.inputs.get("Normal")
         if node.type.startswith("BSDF_") and socket is not None and linked(socket) is not None:
-            found = origin(socket, inside)
-            if found is not None:
-                return found
+            source = origin(socket, inside)
+            if source is not None:
+                return source
     return None
 
 

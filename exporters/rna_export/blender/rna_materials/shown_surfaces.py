@@ -64,11 +64,11 @@ def shown_surfaces(copies: Copies, folder: Path, with_normals: bool) -> Iterable
             continue
         surface = Surface(material, material.name_full in on_hair)
         copy = copies.of(material)
-        found = transmittance_of(copy)
-        if found is not None:
-            surface.cutoff, surface.ior = found.cutoff, found.ior
-            surface.holes = surface.shown = ColourOfUv(copy, found.colour, folder)
-            if found.cutoff is not None:
+        transmittance = transmittance_of(copy)
+        if transmittance is not None:
+            surface.cutoff, surface.ior = transmittance.cutoff, transmittance.ior
+            surface.holes = surface.shown = ColourOfUv(copy, transmittance.colour, folder)
+            if transmittance.cutoff is not None:
                 copy = copies.of(material)
                 shown = transmittance_of(copy, thresholds=False)
                 assert shown is not None  # as before

@@ -33,7 +33,7 @@ _SHARP = 0.025  # error of a sharp outline where Cycles has one as wide as a tex
 
 
 @dataclass
-class _Found:
+class _Textures:
     """Textures of one material, and notes about it.
 
     captured: whether light that it lets through has no texture. learnt: whether its relief has
@@ -66,56 +66,63 @@ def export_textures(path: str, side: int) -> dict[str, Any]:
     """
     holes: list[dict[str, Any]] = []
     normals: list[str] = []
-    kept, notes, captured, learnt = {}, [], False, side == 0
+    stored, notes, captured, learnt = {}, [], False, side == 0
     textures: dict[str, Any] = {}
     copies = Copies()
     try:
         surfaces = list(shown_surfaces(copies, Path(path).parent, side > 0))
         find_uses(surfaces)
         for surface in surfaces:
-            name, found = surface.material.name_full, _textures_of(surface, side)
-            captured, learnt = captured or found.captured, learnt or found.learnt
-            notes += [f"material {surface.material.name!r} {note}" for note in found.notes]
-            if found.holes is not None:
-                textures[f"holes{len(holes)}"] = found.holes.texture
-                holes.append({"material": name, "cutoff": found.holes.cutoff, "ior": surface.ior})
-            if found.normals is not None:
-                textures[f"normals{len(normals)}"] = found.normals.texture
+            name, surface_textures = surface.material.name_full, _textures_of(surface, side)
+            captured, learnt = (
+                captured or surface_textures.captured,
+                learnt or surface_textures.learnt,
+            )
+            notes += [
+                f"material {surface.material.name!r} {note}" for note in surface_textures.notes
+            ]
+            if surface_textures.holes is not None:
+                textures[f"holes{len(holes)}"] = surface_textures.holes.texture
+                holes.append(
+                    {"material": name, "cutoff": surface_textures.holes.cutoff, "ior": surface.ior}
+                )
+            if surface_textures.normals is not None:
+                textures[f"normals{len(normals)}"] = surface_textures.normals.texture
                 normals.append(name)
-            if (chart := found.chart()) is not None:
-                kept[name] = {"layer": chart.layer, "matrix": chart.matrix.tolist()}
+            if (chart := surface_textures.chart()) is not None:
+                stored[name] = {"layer": chart.layer, "matrix": chart.matrix.tolist()}
     finally:
         copies.remove()
     np.savez(path, **textures)
-    found_all = {"holes": holes, "normals": normals, "charts": kept}
-    return {**found_all, "captured": captured, "learnt": learnt, "notes": notes}
+    all_textures = {"holes": holes, "normals": normals, "charts": stored}
+    return {**all_textures, "captured": captured, "learnt": learnt, "notes": notes}
 
 
-def _textures_of(surface: Surface, side: int) -> _Found:
-    found = _Found()
+def _textures_of(surface: Surface, side: int) -> _Textures:
+    textures = _Textures()
     if surface.holes is not None:
         try:
-            found.holes = _holes_of(surface, found)
+            textures.holes = _holes_of(surface, textures)
         except NotOfUv as problem:
-            found.captured = True
-            found.notes.append(
+            textures.captured = True
+            textures.notes.append(
                 f"is transparent by {problem}, which is no function of its UV coordinates: what is "
                 "seen through it is part of the captured light"
             )
     reason = surface.no_normal
     if surface.normal is not None and surface.uses:
         try:
-            _add_normals(surface, found, side)
+            _add_normals(surface, textures, side)
         except NotOfUv as problem:
             reason = f"{problem}, which is no function of its UV coordinates"
     if reason:
-        found.learnt = True
-        found.notes.append(f"has relief by {reason}: it is learnt, not mapped")
-    return found
+        textures.learnt = True
+        textures.notes.append(f"has relief by {reason}: it is learnt, not mapped")
+    return textures
 
 
-def _holes_of(surface: Surface, found: _Found) -> Fit | None:
-    """The texture of a material's holes, None if it has none; notes go to `found`.
+def _holes_of(surface: Surface, textures: _Textures) -> Fit | None:
+    """The texture of a material's holes, None if it has none; notes go to `textures`.
 
     Raises NotOfUv.
     """
@@ -139,12 +146,12 @@ def _holes_of(surface: Surface, found: _Found) -> Fit | None:
     if fit.texture.max() <= least:
         return None
     if surface.on_hair:
-        found.captured = True
-        found.notes.append(
+        textures.captured = True
+        textures.notes.append(
             "lets light through on strands: what is seen through them is part of the captured light"
         )
     if fit.error > _NOTED:
-        found.notes.append(
+        textures.notes.append(
             f"is transparent by a pattern that no repeated texture of {fit.texture.shape[1]} x "
             f"{fit.texture.shape[0]} texels holds: {fit.error:.1%} of its area differ"
         )
@@ -193,34 +200,34 @@ def _fit_holes(
     return fit
 
 
-def _add_normals(surface: Surface, found: _Found, side: int) -> None:
+def _add_normals(surface: Surface, textures: _Textures, side: int) -> None:
     """Add the normal map of a material, over the chart of its holes if it has any.
 
     Raises NotOfUv.
     """
-    normal, taken = surface.normal, found.chart()
+    normal, taken = surface.normal, textures.chart()
     assert normal is not None  # the caller has asked
     points = UvPoints.of(surface.uses, normal)
     truth = 2.0 * normal.values(points.uvs)[:, :2] - 1.0
     if np.abs(truth).max() < normal_maps.FLAT:
         return
-    own = list(charts(normal.depends, points.layer, points.used))
+    normal_charts = list(charts(normal.depends, points.layer, points.used))
     if taken is None:
-        fit = _fit_normals(normal, own, points, truth)
+        fit = _fit_normals(normal, normal_charts, points, truth)
     else:
         used = joined(surface.uses, taken.layer)
         if not np.allclose(used, points.used, atol=1e-6):
             raise NotOfUv("another UV map than its holes")
         fit = _fit_normals(normal, [taken], points, truth)
         if fit is None:
-            fit = _fit_normals(normal, own, points, truth)
+            fit = _fit_normals(normal, normal_charts, points, truth)
             if fit is not None:
-                found.holes = _refitted(surface, found.holes, fit.chart)
+                textures.holes = _refitted(surface, textures.holes, fit.chart)
     if fit is None:
         raise NotOfUv("nodes whose values do not repeat")
     xy = normal_maps.reduced(fit.texture, side)
     fit.texture = np.round(127.0 + 127.0 * np.clip(xy, -1.0, 1.0)).astype(np.uint8)
-    found.normals = fit
+    textures.normals = fit
 
 
 def _fit_normals(

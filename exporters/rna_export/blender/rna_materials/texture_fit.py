@@ -44,14 +44,14 @@ def best_fit(
             if size == before or (finer > 4 and max(size) > _COARSE):
                 break
             made = make(chart, size)
-            found = Fit(chart, *made, error(chart, made))
-            if best is None or found.error < best.error:
-                best = found
+            fit = Fit(chart, *made, error(chart, made))
+            if best is None or fit.error < best.error:
+                best = fit
             if best.error <= GOOD:
                 return best
-            if found.error > _GAIN * last:
+            if fit.error > _GAIN * last:
                 break
-            last = found.error
+            last = fit.error
     return best
 
 
@@ -79,10 +79,10 @@ def is_binary(texels: np.ndarray) -> bool:
 def hole_error(chart: Chart, made: Texture, uvs: np.ndarray, truth: np.ndarray) -> float:
     """Mean difference of a hole texture from `truth` (n, 3) at UVs (n, 2)."""
     texels, cutoff = made
-    found = looked_up(texels, chart, uvs) / 255.0
+    alpha = looked_up(texels, chart, uvs) / 255.0
     if cutoff is not None:
-        found = (found > cutoff).astype(np.float64)
-    return float(np.abs(found - np.clip(truth, 0.0, 1.0)).mean())
+        alpha = (alpha > cutoff).astype(np.float64)
+    return float(np.abs(alpha - np.clip(truth, 0.0, 1.0)).mean())
 
 
 def looked_up(texels: np.ndarray, chart: Chart, uvs: np.ndarray) -> np.ndarray:

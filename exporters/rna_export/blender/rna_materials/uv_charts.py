@@ -67,14 +67,14 @@ def charts(depends: Dependence, layer: str, uvs: np.ndarray) -> Iterator[Chart]:
     maps = [image.mapping for image in depends.images if _is_regular(image.mapping)]
     maps = _distinct(maps or [IDENTITY])
     extensions = {image.extension for image in depends.images}
-    found: list[np.ndarray] = []
+    result: list[np.ndarray] = []
     if extensions <= {"REPEAT"}:
-        found += maps
+        result += maps
     if extensions == {"MIRROR"}:
-        found += [0.5 * matrix for matrix in maps]
-    found += [_boxed(matrix, depends, uvs) for matrix in maps[:1]]
-    found += [IDENTITY, 0.5 * IDENTITY]
-    for matrix in _distinct(found):
+        result += [0.5 * matrix for matrix in maps]
+    result += [_boxed(matrix, depends, uvs) for matrix in maps[:1]]
+    result += [IDENTITY, 0.5 * IDENTITY]
+    for matrix in _distinct(result):
         yield Chart(layer, matrix)
 
 
@@ -83,11 +83,11 @@ def _is_regular(matrix: np.ndarray) -> bool:
 
 
 def _distinct(maps: list[np.ndarray]) -> list[np.ndarray]:
-    kept: list[np.ndarray] = []
+    distinct: list[np.ndarray] = []
     for matrix in maps:
-        if not any(np.allclose(matrix, other, atol=1e-7) for other in kept):
-            kept.append(matrix)
-    return kept
+        if not any(np.allclose(matrix, other, atol=1e-7) for other in distinct):
+            distinct.append(matrix)
+    return distinct
 
 
 def _boxed(matrix: np.ndarray, depends: Dependence, uvs: np.ndarray) -> np.ndarray:

@@ -59,10 +59,10 @@ class Dependence:
     patterns: bool = False
 
 
-def dependence(found: Iterable[Source]) -> Dependence:
+def dependence(sources: Iterable[Source]) -> Dependence:
     """Of the value that comes from these nodes: all that are before it."""
     result = Dependence()
-    for node, output, inside in found:
+    for node, output, inside in sources:
         if node.type in _OUTSIDE_UV and output.name in (_OUTSIDE_UV[node.type] or (output.name,)):
             result.problems.append(f"the node {node.bl_label!r}")
         elif getattr(node, "from_instancer", False):
@@ -115,8 +115,8 @@ def _mapping(image: bpy.types.Node, inside: Inside) -> np.ndarray:
     """
     result = np.eye(3)
     socket = image.inputs["Vector"]
-    while (found := origin(socket, inside)) is not None:
-        node, _, inside = found
+    while (source := origin(socket, inside)) is not None:
+        node, _, inside = source
         step = _step(node, inside)
         if step is None:
             return result[:2] if node.type in ("UVMAP", "TEX_COORD", "ATTRIBUTE") else IDENTITY

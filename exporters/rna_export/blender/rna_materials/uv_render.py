@@ -82,9 +82,11 @@ class ColourOfUv:
             self._path.unlink(missing_ok=True)
             for item in added:
                 data = item.data
-                kept = bpy.data.meshes if isinstance(data, bpy.types.Mesh) else bpy.data.cameras
+                collection = (
+                    bpy.data.meshes if isinstance(data, bpy.types.Mesh) else bpy.data.cameras
+                )
                 bpy.data.objects.remove(item)
-                kept.remove(data)
+                collection.remove(data)
             bpy.data.scenes.remove(scene)
         return pixels.reshape(size[1], size[0], 4)[..., :3]
 

@@ -96,7 +96,7 @@ OWNED: dict[str, dict[str, Any]] = {
 """RNA type -> property -> its value in every capture."""
 
 
-def own() -> None:
+def apply() -> None:
     """Set the current scene to render its active view layer as captures do."""
     scene, layer = bpy.context.scene, bpy.context.view_layer
     if bpy.data.colorspace.working_space != WORKING_SPACE:

@@ -13,14 +13,14 @@ def leave_out_unseen() -> list[str]:
 
     Before, it would cut holes into what lies behind it. Returns a note for each reason.
     """
-    found: dict[str, list[str]] = {}
+    result: dict[str, list[str]] = {}
     layer = bpy.context.view_layer
     for item in bpy.data.objects:
         reason = _reason(item, layer)
         if reason is not None:
             shows = item.type in (*SURFACES, HAIR) or item.instance_type != "NONE"
             if shows and not item.hide_render:
-                found.setdefault(reason, []).append(item.name)
+                result.setdefault(reason, []).append(item.name)
             item.visible_camera = False
     for item in bpy.data.objects:
         item.is_holdout = item.is_shadow_catcher = False
@@ -30,7 +30,7 @@ def leave_out_unseen() -> list[str]:
         collections += collection.children
     return [
         f"{_listed(names)}: {reason}; lights and shadows the asset, but is no part of the package"
-        for reason, names in found.items()
+        for reason, names in result.items()
     ]
 
 

@@ -33,11 +33,11 @@ def files_of(source: str) -> dict[str, list[str]]:
         kind = "travel" if path.startswith("//") or imported else "fixed"
         kinds[os.path.abspath(bpy.path.abspath(path))] = kind
     kinds.pop(os.path.abspath(source), None)
-    found: dict[str, list[str]] = {"travel": [], "fixed": []}
+    result: dict[str, list[str]] = {"travel": [], "fixed": []}
     for path, kind in sorted(kinds.items()):
         if os.path.isfile(path) and not any(_is_below(path, other) for other in _not_the_users()):
-            found[kind].append(path)
-    return {name: [p for p in paths if "__pycache__" not in p] for name, paths in found.items()}
+            result[kind].append(path)
+    return {name: [p for p in paths if "__pycache__" not in p] for name, paths in result.items()}
 
 
 def _is_below(path: str, folder: str) -> bool:
@@ -46,7 +46,7 @@ def _is_below(path: str, folder: str) -> bool:
 
 def _not_the_users() -> set[str]:
     """Folders of Python, Blender, ours and the system."""
-    own = {sys.prefix, sys.base_prefix, bpy.utils.resource_path("LOCAL")}
-    own |= {bpy.utils.resource_path("USER"), bpy.app.tempdir, str(Path(__file__).parents[1])}
+    installed = {sys.prefix, sys.base_prefix, bpy.utils.resource_path("LOCAL")}
+    installed |= {bpy.utils.resource_path("USER"), bpy.app.tempdir, str(Path(__file__).parents[1])}
     system = ("/proc", "/sys", "/dev", "/usr", "/etc", "/lib", "/var")
-    return {os.path.abspath(folder) for folder in (*own, *system) if folder}
+    return {os.path.abspath(folder) for folder in (*installed, *system) if folder}

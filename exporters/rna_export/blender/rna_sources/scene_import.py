@@ -100,21 +100,21 @@ def _rebuild(
     shown_frame.keep()
     shown = []
     for instance in curves_export.shown_curves():
-        found = curves_export.strands_of(instance)
-        if found is not None:
-            points, radii, counts = found
+        rebuilt = curves_export.strands_of(instance)
+        if rebuilt is not None:
+            points, radii, counts = rebuilt
             offsets = np.concatenate([[0], np.cumsum(counts, dtype=np.int64)])
             strands = rna_hair.Strands(z_up_to_y_up(points), radii, offsets)
             data = instance.object.data
-            own = next((m.original for m in data.materials if m is not None), material)
-            shown.append((instance.object.name, strands, "radius" in data.attributes, own))
+            assigned = next((m.original for m in data.materials if m is not None), material)
+            shown.append((instance.object.name, strands, "radius" in data.attributes, assigned))
     for item in items:
         bpy.data.objects.remove(item, do_unlink=True)
     if not shown:
         return
     usual = groom_source.half_diagonal(np.concatenate([s.points for _, s, _, _ in shown])) / 2000.0
     total = sum(len(strands) for _, strands, _, _ in shown)
-    for name, strands, has_radii, own in shown:
+    for name, strands, has_radii, assigned in shown:
         share = args.strands and max(1, round(args.strands * len(strands) / total))
         shaped = groom_source.shaped(strands, args, share, None if has_radii else usual)
-        add_curves(shaped, name, own)
+        add_curves(shaped, name, assigned)

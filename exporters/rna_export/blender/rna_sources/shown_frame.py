@@ -6,22 +6,22 @@ from typing import Any
 
 import bpy
 
-_kept: dict[str, bool] = {"frame": False}
+_fixed: dict[str, bool] = {"frame": False}
 
 
 def opening() -> None:
     """A source is opened: nothing of it is kept at a frame."""
-    _kept["frame"] = False
+    _fixed["frame"] = False
 
 
 def keep() -> None:
     """Something that the source moves was copied as it is at this frame."""
-    _kept["frame"] = True
+    _fixed["frame"] = True
 
 
-def is_kept() -> bool:
+def is_fixed() -> bool:
     """Whether another frame needs the source to be opened again."""
-    return _kept["frame"]
+    return _fixed["frame"]
 
 
 def go_to(frame: int | None) -> list[str]:

@@ -146,12 +146,12 @@ def _hide_what_no_package_holds() -> list[str]:
 
 
 def _points_and_volumes() -> dict[str, bpy.types.Object]:
-    found = {}
+    result = {}
     for instance in shown_objects.instances():
         item = instance.object
         if item.type == "VOLUME" or (item.type == "POINTCLOUD" and len(item.data.points)):
-            found[item.original.name_full] = item.original
-    return found
+            result[item.original.name_full] = item.original
+    return result
 
 
 def _show_what_is_rendered() -> None:

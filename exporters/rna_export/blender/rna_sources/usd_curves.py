@@ -32,14 +32,14 @@ def prepared(path: Path, folder: Path, frame: int | None) -> Path:
     except Tf.ErrorException:
         raise ValueError(f"{path.name}: not a USD file, or a damaged one") from None
     _make_uninstanced(stage, Usd, UsdGeom)
-    found = [p for p in stage.TraverseAll() if p.IsA(UsdGeom.Curves) and _is_lost(p, UsdGeom)]
-    if not found:
+    result = [p for p in stage.TraverseAll() if p.IsA(UsdGeom.Curves) and _is_lost(p, UsdGeom)]
+    if not result:
         return path
     layer = _layer_over(stage, folder / "curves.usda")
     over = Usd.Stage.Open(layer)
     _make_uninstanced(over, Usd, UsdGeom)
     time = Usd.TimeCode.EarliestTime() if frame is None else Usd.TimeCode(frame)
-    for prim in found:
+    for prim in result:
         _flatten(over.GetPrimAtPath(prim.GetPath()), UsdGeom, time, path.name)
     layer.Save()
     return folder / "curves.usda"

@@ -1,4 +1,4 @@
-"""What is asked of a Blender process: exports of its source, and renders by Cycles."""
+"""Requests to a Blender process: exports of its source, and renders by Cycles."""
 
 from __future__ import annotations
 

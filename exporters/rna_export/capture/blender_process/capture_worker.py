@@ -106,7 +106,7 @@ def stored_name(task: Task, dataset: Dataset) -> str:
 
 @lru_cache(1)
 def opened(folder: Path, manifest: str) -> tuple[Dataset, AssetScene]:
-    """The dataset in a folder, and its parts ready to be asked with rays.
+    """The dataset in a folder, and its parts ready for rays.
 
     manifest: what tells datasets apart that were in the folder one after the other.
     """
@@ -115,7 +115,7 @@ def opened(folder: Path, manifest: str) -> tuple[Dataset, AssetScene]:
 
 
 def scene_of(dataset: Dataset) -> AssetScene:
-    """All parts of a dataset, ready to be asked with rays, and its poses."""
+    """All parts of a dataset, ready for rays, and its poses."""
     geometries = [part.geometry() for part in dataset.parts]
     transmittances = [part.transmittance() for part in dataset.parts]
     maps = [part.normal_maps() for part in dataset.parts]

@@ -13,7 +13,7 @@ _WITH_OPTIONS = {suffix: f.options for suffix, f in SOURCE_FORMATS.items() if f.
 _SCRIPT_HELP = Path(__file__).parents[2] / "blender" / "script_help.py"
 
 
-def is_asked(arguments: tuple[str, ...]) -> bool:
+def is_requested(arguments: tuple[str, ...]) -> bool:
     """Whether the arguments after `--` ask for help."""
     return bool({"-h", "--help"} & set(arguments))
 

@@ -72,11 +72,11 @@ class Disagreement:
 
     def shares(self) -> dict[str, float]:
         """Share of the covered rays of each kind."""
-        found = {kind: int(getattr(self, kind).sum()) for kind in KINDS}
+        counts = {kind: int(getattr(self, kind).sum()) for kind in KINDS}
         thin = abs(self.excess) * self.partly.sum()
-        found[MISSING if self.excess > 0.0 else EXTRA] += int(thin)
+        counts[MISSING if self.excess > 0.0 else EXTRA] += int(thin)
         covered = max(int(self.covered.sum()), 1)
-        return {k: n / covered if n >= _FEWEST else 0.0 for k, n in found.items()}
+        return {k: n / covered if n >= _FEWEST else 0.0 for k, n in counts.items()}
 
     @property
     def any(self) -> np.ndarray:

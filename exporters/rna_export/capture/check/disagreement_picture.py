@@ -29,7 +29,7 @@ def disagreement_picture(
     scene: AssetScene,
     rays: ViewRays,
     rendered: RenderedRays,
-    found: Disagreement,
+    disagreement: Disagreement,
     name: str,
     said: Mapping[str, str],
 ) -> bytes:
@@ -38,7 +38,7 @@ def disagreement_picture(
     rays: of a square image, by rows. said: what to write of each kind of disagreement.
     """
     exported = _shaded(scene, rays)
-    images = _cycles(rendered), exported, _marked(exported, found)
+    images = _cycles(rendered), exported, _marked(exported, disagreement)
     labels = "Cycles", "exported geometry", "what differs"
     side = _PANEL
     line = side // 14
@@ -79,13 +79,13 @@ def _shaded(scene: AssetScene, rays: ViewRays) -> Image.Image:
     return _image(np.repeat(grey[:, None], 3, axis=1))
 
 
-def _marked(exported: Image.Image, found: Disagreement) -> Image.Image:
+def _marked(exported: Image.Image, disagreement: Disagreement) -> Image.Image:
     pixels = np.asarray(exported, np.float32).reshape(-1, 3)
     pixels = 0.5 * pixels + 0.5 * 255.0 * _FIELD
     for kind, colour in _MARKS.items():
-        pixels[getattr(found, kind)] = colour
-    if found.excess:
-        pixels[found.partly] = _MARKS[MISSING if found.excess > 0.0 else EXTRA]
+        pixels[getattr(disagreement, kind)] = colour
+    if disagreement.excess:
+        pixels[disagreement.partly] = _MARKS[MISSING if disagreement.excess > 0.0 else EXTRA]
     return _image(pixels / 255.0)
 
 

@@ -32,7 +32,7 @@ PICTURE = "disagreement.png"
 """File of a dataset, only if something disagrees."""
 
 WORTH_A_NOTE = 0.01
-"""Share of rays from which a disagreement is told."""
+"""Share of rays from which a disagreement is reported."""
 
 _WIDER = 1.2  # than the asset's sphere: what is not exported may stand beside it
 _SIDES = 48, 128  # pixels, at least and at most
@@ -62,7 +62,7 @@ class SelfCheck:
     normals: bool
     side: int = _SIDES[1]
     rays: int = 0
-    kept: int = 0
+    used_rays: int = 0
     shares: dict[str, float] = field(default_factory=lambda: dict.fromkeys(KINDS, 0.0))
     brightness: float = 1.0  # of Cycles' images, over what it should be
     picture: bytes | None = None  # a PNG, if there is something to mark
@@ -79,20 +79,20 @@ class SelfCheck:
         rays = outside_rays(self.scene, n, wo, np.random.default_rng(seed), _WIDER)
         lines = rays.origins, rays.directions
         rendered = worker.render_rays(*lines, wi, self.samples, seed, normals=self.normals)
-        found = Disagreement.of(self.scene, rays, rendered, self.samples, self.normals)
-        self._note(found.shares(), rays, found.any)
+        disagreement = Disagreement.of(self.scene, rays, rendered, self.samples, self.normals)
+        self._note(disagreement.shares(), rays, disagreement.any)
 
     def add(self, traced: TracedRays) -> None:
         """Compare view rays as a capture traces them."""
         n, points, rendered = len(traced.rays), traced.points, traced.rendered
         self.rays += n
-        self.kept += int(traced.kept.sum())
+        self.used_rays += int(traced.valid.sum())
         elsewhere, turned = other_hits(self.scene, traced.rays, points, rendered, self.normals)
-        found = {ELSEWHERE: elsewhere, TURNED: turned}
+        masks = {ELSEWHERE: elsewhere, TURNED: turned}
         if not self.scene.transmits:  # else Cycles' rays start at the points
-            found[MISSING] = points.hit & (rendered.alpha < HIT)
-        shares = {kind: float(rows.mean()) for kind, rows in found.items()}
-        self._note(shares, traced.rays, np.logical_or.reduce(list(found.values())))
+            masks[MISSING] = points.hit & (rendered.alpha < HIT)
+        shares = {kind: float(rows.mean()) for kind, rows in masks.items()}
+        self._note(shares, traced.rays, np.logical_or.reduce(list(masks.values())))
 
     def render_picture(self, worker: BlenderWorker, name: str) -> None:
         """Render an ordinary image of the whole source from where most differs, and compare it."""
@@ -104,11 +104,11 @@ class SelfCheck:
         pixels = np.arange(side**2, dtype=np.uint32)
         directions = camera.directions(pixels, np.full((side**2, 2), 0.5))
         rays = ViewRays(np.tile(camera.position, (side**2, 1)), directions)
-        found = Disagreement.of(self.scene, rays, rendered, self.samples, self.normals)
-        self._note(found.shares(), rays, found.any)
+        disagreement = Disagreement.of(self.scene, rays, rendered, self.samples, self.normals)
+        self._note(disagreement.shares(), rays, disagreement.any)
         if self.worth_telling():
             self.picture = disagreement_picture(
-                self.scene, rays, rendered, found, name, self.worth_telling()
+                self.scene, rays, rendered, disagreement, name, self.worth_telling()
             )
 
     def _note(self, shares: dict[str, float], rays: ViewRays, differ: np.ndarray) -> None:

@@ -117,13 +117,13 @@ class Dataset:
             shards += 1
         return min(shards * settings.lights_per_shard, settings.lights)
 
-    def kept_rays(self) -> int:
+    def used_rays(self) -> int:
         """Samples of the finished training shards, of all parts."""
         shards = [p for k in range(self.manifest.shards) if (p := self.train_path(k)).is_file()]
         return sum(rows_of(p, part.name, "wo") for p in shards for part in self.manifest.parts)
 
     def rays_captured(self) -> int:
-        """View rays of the finished training shards, kept or not."""
+        """View rays of the finished training shards, used or not."""
         settings = self.manifest.settings
         lights = 0
         for k in range(self.manifest.shards):

@@ -109,9 +109,9 @@ class DatasetPart:
 
     def textures(self) -> dict[str, np.ndarray]:
         """Textures of transmittance and normal maps, by the names in their records."""
-        found = {record.texture: self._texture(record) for record in self.captured.transmittance}
+        textures = {record.texture: self._texture(record) for record in self.captured.transmittance}
         maps = {record.texture: self._map(record) for record in self.captured.normal_maps}
-        return {**found, **maps}
+        return {**textures, **maps}
 
     def _texture(self, record: TransmittanceRecord) -> np.ndarray:
         return self._read_texture(record.texture, lambda data: texture_from_bytes(data, record))

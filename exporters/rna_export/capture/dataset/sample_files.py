@@ -44,8 +44,8 @@ def read_part(path: Path, part: str, fields: Mapping[str, int]) -> dict[str, np.
     if len({rows.shape[:1] for rows in arrays.values()}) > 1:
         raise damaged(path, "its arrays differ in length")
     for field, rows in arrays.items():
-        found = rows.shape[1:] or (rows.ndim,)
-        if rows.dtype.kind not in "fiu" or found != (fields[field],):
+        result = rows.shape[1:] or (rows.ndim,)
+        if rows.dtype.kind not in "fiu" or result != (fields[field],):
             shape = f"{rows.dtype} {list(rows.shape)}"
             raise damaged(path, f"{part}/{field} is {shape}, expected {fields[field]} columns")
         usable = (rows >= -MAX_NUMBER) & (rows <= MAX_NUMBER)
@@ -56,7 +56,7 @@ def read_part(path: Path, part: str, fields: Mapping[str, int]) -> dict[str, np.
 
 
 def rows_of(path: Path, part: str, field: str) -> int:
-    """Number of one part's samples, told by the file's header. CaptureError if it is damaged."""
+    """Number of one part's samples, from the file's header. CaptureError if it is damaged."""
     try:
         with safe_open(path, "np") as file:
             return int(file.get_slice(f"{part}/{field}").get_shape()[0])

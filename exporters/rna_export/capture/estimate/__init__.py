@@ -1,1 +1,1 @@
-"""What an asset will gain in scenes, told before its capture starts."""
+"""The predicted speedup of an asset in scenes, before its capture starts."""

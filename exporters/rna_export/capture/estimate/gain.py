@@ -87,7 +87,7 @@ def gain(pilot: Pilot, assets: dict[str, MeasuredAsset]) -> Gain:
     return Gain(times, times / factor, times * factor, not is_among)
 
 
-def told(pilot: Pilot, assets: dict[str, MeasuredAsset]) -> str:
+def gain_text(pilot: Pilot, assets: dict[str, MeasuredAsset]) -> str:
     """What a path costs in Cycles and a query here, and the gain: two lines."""
     cost = (
         f"a path of Cycles takes {pilot.path_us:.2g} us, and its variance is "
@@ -97,13 +97,13 @@ def told(pilot: Pilot, assets: dict[str, MeasuredAsset]) -> str:
     return f"{cost}\ngain: {_in_words(gain(pilot, assets))}"
 
 
-def _in_words(found: Gain) -> str:
+def _in_words(gain: Gain) -> str:
     by = f"in scenes at {SAMPLES} samples"
-    reach = f"{found.low:.2g} to {found.high:.2g}"
-    if found.times < _WORTH:
+    reach = f"{gain.low:.2g} to {gain.high:.2g}"
+    if gain.times < _WORTH:
         return (
-            f"none: about {found.times:.2g} times as fast as Cycles {by} ({reach}), since its "
+            f"none: about {gain.times:.2g} times as fast as Cycles {by} ({reach}), since its "
             "paths have little noise; reasons to go on are portability and one look in all readers"
         )
-    beyond = ", extrapolated: no measured asset is so noisy" if found.extrapolated else ""
-    return f"about {found.times:.2g} times as fast as Cycles {by} ({reach}){beyond}"
+    beyond = ", extrapolated: no measured asset is so noisy" if gain.extrapolated else ""
+    return f"about {gain.times:.2g} times as fast as Cycles {by} ({reach}){beyond}"

@@ -137,19 +137,19 @@ def variances(luminance: np.ndarray, samples: int) -> tuple[float, float]:
 
 def _luminance(traced: TracedRays) -> np.ndarray:
     """(n,) float32, of what a pixel shows of points; black where there is no sample."""
-    return np.where(traced.kept, traced.rendered.radiance @ _LUMINANCE, np.float32(0.0))
+    return np.where(traced.valid, traced.rendered.radiance @ _LUMINANCE, np.float32(0.0))
 
 
 def _hitting(scene: AssetScene, count: int, wo: Region, rng: np.random.Generator) -> ViewRays:
     """Rays from outside that hit the asset, `count` of them if they are found."""
-    origins, directions, found = [], [], 0
+    origins, directions, count_hit = [], [], 0
     for _ in range(_TRIES):
         rays = outside_rays(scene, 4 * count, wo, rng)
         hit = np.flatnonzero(scene.part_hit(rays.origins, rays.directions) >= 0)
         origins.append(rays.origins[hit])
         directions.append(rays.directions[hit])
-        found += len(hit)
-        if found >= count:
+        count_hit += len(hit)
+        if count_hit >= count:
             break
     return ViewRays(np.concatenate(origins)[:count], np.concatenate(directions)[:count])
 

@@ -150,9 +150,9 @@ def _halved(
 ) -> list[np.ndarray]:
     if pieces == 1:
         return [triangles]
-    own = corners[triangles]
-    axis = int(np.argmax(np.ptp(own.reshape(-1, 3), axis=0)))
-    order = np.argsort(own[:, :, axis].mean(axis=1), kind="stable")
+    triangle_corners = corners[triangles]
+    axis = int(np.argmax(np.ptp(triangle_corners.reshape(-1, 3), axis=0)))
+    order = np.argsort(triangle_corners[:, :, axis].mean(axis=1), kind="stable")
     first = pieces // 2
     until = np.cumsum(area[triangles][order])
     count = int(np.searchsorted(until, until[-1] * first / pieces))
@@ -164,14 +164,14 @@ def _halved(
 def _taken(mesh: Mesh, triangles: np.ndarray) -> Mesh:
     """These triangles alone; quantised as the whole is, so that the vertices of seams are equal."""
     used, index = np.unique(mesh.triangles[triangles], return_inverse=True)
-    own = index.reshape(-1, 3).astype(np.uint32)
+    local = index.reshape(-1, 3).astype(np.uint32)
     stored = mesh if mesh.quantised is None else mesh.quantised
     uvs = None if stored.uvs is None else stored.uvs[used]
     arrays = {
         "positions": stored.positions[used],
         "normals": stored.normals[used],
         "uvs": uvs,
-        "triangles": own,
+        "triangles": local,
     }
     if isinstance(stored, QuantisedMesh):
         return replace(stored, **arrays).restored()

@@ -132,11 +132,11 @@ def _add_surface(
         if not len(rows):
             continue
         triangles = int(rows[0]), len(rows)
-        if found := of.see_through.get(name):
+        if pane := of.see_through.get(name):
             texture = f"transmittance/{list(of.see_through).index(name)}.safetensors"
-            exported.textures[texture] = found.texture
+            exported.textures[texture] = pane.texture
             record = TransmittanceRecord(
-                triangles=triangles, texture=texture, cutoff=found.cutoff, ior=found.ior
+                triangles=triangles, texture=texture, cutoff=pane.cutoff, ior=pane.ior
             )
             exported.records.setdefault(part.name, []).append(record)
         if name in of.normals:

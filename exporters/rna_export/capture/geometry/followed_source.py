@@ -47,16 +47,16 @@ class FollowedSource:
         known = numbers or [None] * len(geometries)
         self._bindings: list[Binding | None] = []
         self._points: list[int] = []
-        for geometry, owner, own in zip(geometries, self._owners, known, strict=True):
-            is_own = isinstance(geometry, Curves) and _same_strands(geometry, self._strands(owner))
+        for geometry, owner, indices in zip(geometries, self._owners, known, strict=True):
+            is_same = isinstance(geometry, Curves) and _same_strands(geometry, self._strands(owner))
             self._points.append(len(geometry.points) if isinstance(geometry, Curves) else 0)
-            if is_own:
+            if is_same:
                 self._bindings.append(None)
                 continue
             if not len(mesh):
                 what = "strands" if isinstance(geometry, Curves) else "mesh"
                 raise MotionError(f"{self._name} has not the {what} of {package}")
-            self._bindings += bind([geometry], mesh, triangles, (self._name, package), [own])
+            self._bindings += bind([geometry], mesh, triangles, (self._name, package), [indices])
         self.by_number = any(b is not None and b.by_number for b in self._bindings)
 
     def positions(self, frame: int) -> list[np.ndarray]:

@@ -159,8 +159,8 @@ class AssetScene:
         on = []
         for part, shape in enumerate(self.shapes):
             rows = np.flatnonzero(hits.geometry == part)
-            found = (a[rows] for a in (hits.primitive, hits.u, hits.v, hits.ng))
-            points = self._scene.points(part, *found)
+            arrays = (a[rows] for a in (hits.primitive, hits.u, hits.v, hits.ng))
+            points = self._scene.points(part, *arrays)
             position[rows] = points.x
             fields = shape.sample_fields(points, directions[rows])
             if (rest := self._rest_points(part, hits, rows)) is not None:

@@ -51,18 +51,18 @@ def cap_towards(centre: np.ndarray, radius: float) -> Cap:
 
 def merged(caps: Iterable[Cap], margin: float) -> Region:
     """All the caps' directions, and those `margin` (radians) around, as few cones of a domain."""
-    kept: list[Cap] = []
+    result: list[Cap] = []
     for cap in caps:
         wide = Cap(cap.axis, cap.half_angle + margin)
-        if any(one.holds(wide) for one in kept):
+        if any(one.holds(wide) for one in result):
             continue
-        kept = [one for one in kept if not wide.holds(one)] + [wide]
-        if len(kept) > MAX_CONES:
-            kept = _with_one_less(kept)
-    if not kept or any(cap.half_angle >= np.pi for cap in kept):
+        result = [one for one in result if not wide.holds(one)] + [wide]
+        if len(result) > MAX_CONES:
+            result = _with_one_less(result)
+    if not result or any(cap.half_angle >= np.pi for cap in result):
         return "sphere"
     return tuple(
-        Cone(axis=tuple(cap.axis.tolist()), half_angle=float(cap.half_angle)) for cap in kept
+        Cone(axis=tuple(cap.axis.tolist()), half_angle=float(cap.half_angle)) for cap in result
     )
 
 

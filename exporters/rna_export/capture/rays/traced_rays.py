@@ -13,7 +13,7 @@ from rna_export.capture.rays.view_rays import ViewRays
 
 HIT = 0.999  # least alpha of an opaque hit
 _STEP = 1e-4  # of the asset's radius, before and behind a point
-_LEAST_OWN = 0.05  # of what is seen at a point: of less, the noise would be too much
+_LEAST_OPACITY = 0.05  # of what is seen at a point: of less, the noise would be too much
 
 
 @dataclass(frozen=True)
@@ -21,15 +21,15 @@ class TracedRays:
     """Rays, one row each.
 
     points: where they hit our scene. rendered: Cycles' answer along them. radiance: (n, 3) float32
-    of the points' own: without what lies behind a point that transmits. kept: (n,) bool, which make
-    a sample.
+    of the points' own: without what lies behind a point that transmits. valid: (n,) bool, which are
+    samples.
     """
 
     rays: ViewRays
     points: ShadePoints
     rendered: RenderedRays
     radiance: np.ndarray
-    kept: np.ndarray
+    valid: np.ndarray
 
     @classmethod
     def of(
@@ -57,13 +57,13 @@ class TracedRays:
         # What lets light through has an alpha that is as noisy as its radiance.
         thin = points.transmittance.any(axis=1)
         seen = opaque_cutouts | thin | (rendered.alpha > HIT)
-        kept = points.hit & seen & np.isfinite(rendered.radiance).all(axis=1)
+        valid = points.hit & seen & np.isfinite(rendered.radiance).all(axis=1)
         radiance = rendered.radiance
         if scene.transmits:  # of what Cycles shows, the share that is the point's own
-            own = 1.0 - points.transmittance
-            kept &= own.max(axis=1) > _LEAST_OWN
-            radiance = radiance / np.maximum(own, _LEAST_OWN)
-        return cls(rays, points, rendered, radiance, kept)
+            opacity = 1.0 - points.transmittance
+            valid &= opacity.max(axis=1) > _LEAST_OPACITY
+            radiance = radiance / np.maximum(opacity, _LEAST_OPACITY)
+        return cls(rays, points, rendered, radiance, valid)
 
 
 def _starts(

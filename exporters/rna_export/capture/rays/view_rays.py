@@ -68,17 +68,17 @@ def sample_view_rays(
     lit = 0 if wi is None else round(n * HIGHLIGHT)
     highlights = draw.both_ways(highlight, part_counts(lit, shares), tries=8)
     close = draw.hits(draw.close, part_counts(round(n * CLOSE), shares), tries=32)
-    found = highlights.of_parts + close.of_parts
-    wanted = np.maximum(part_counts(n, shares) - found, 0)
+    counts = highlights.of_parts + close.of_parts
+    wanted = np.maximum(part_counts(n, shares) - counts, 0)
     outside = draw.both_ways(draw.seen, wanted, tries=200)
     return _mixed(n, draw, [outside, close, highlights], rng)
 
 
-def _mixed(n: int, draw: _Draw, kinds: list[_Found], rng: np.random.Generator) -> ViewRays:
+def _mixed(n: int, draw: _Draw, kinds: list[_DrawnRays], rng: np.random.Generator) -> ViewRays:
     """Rays of all kinds; outside rays at any part replace those that were not found."""
-    lacking = n - sum(len(found.rays) for found in kinds)
+    lacking = n - sum(len(drawn.rays) for drawn in kinds)
     rest = draw.hits(draw.seen, np.array([lacking]), tries=200)
-    mixed = _joined([found.rays for found in [*kinds, rest]])
+    mixed = _joined([drawn.rays for drawn in [*kinds, rest]])
     return mixed[rng.permutation(len(mixed))]
 
 
@@ -94,7 +94,7 @@ def _part_shares(scene: AssetScene, wo: Region, rng: np.random.Generator) -> np.
 
 
 @dataclass(frozen=True)
-class _Found:
+class _DrawnRays:
     """Rays that hit, and how many of them each part."""
 
     rays: ViewRays
@@ -123,20 +123,20 @@ class _Draw:
         """Rays from the free space over points."""
         return _close(self.scene, n, among, self.region, self.rng)
 
-    def both_ways(self, draw: Drawing, wanted: np.ndarray, tries: int) -> _Found:
+    def both_ways(self, draw: Drawing, wanted: np.ndarray, tries: int) -> _DrawnRays:
         """Without aim first, which is cheap; then at the parts of which rays are lacking."""
         if len(wanted) == 1:
             return self.hits(draw, wanted, tries)
         free = self.hits(draw, wanted, _TRIES_WITHOUT_AIM, aim=False)
         aimed = self.hits(draw, wanted - free.of_parts, _TRIES_AIMED)
-        return _Found(_joined([free.rays, aimed.rays]), free.of_parts + aimed.of_parts)
+        return _DrawnRays(_joined([free.rays, aimed.rays]), free.of_parts + aimed.of_parts)
 
-    def hits(self, draw: Drawing, wanted: np.ndarray, tries: int, aim: bool = True) -> _Found:
+    def hits(self, draw: Drawing, wanted: np.ndarray, tries: int, aim: bool = True) -> _DrawnRays:
         """Up to `wanted` (parts,) of the drawn rays that hit each part, seen from the region.
 
         wanted of one number: of all parts together.
         """
-        found = [ViewRays(np.zeros((0, 3), np.float32), np.zeros((0, 3), np.float32))]
+        batches = [ViewRays(np.zeros((0, 3), np.float32), np.zeros((0, 3), np.float32))]
         lacking = wanted.copy()
         for _ in range(tries):
             if not lacking.any():
@@ -145,11 +145,11 @@ class _Draw:
             rays = draw(max(2 * int(lacking.sum()), 256), among)
             part = np.minimum(self.scene.part_hit(rays.origins, rays.directions), len(wanted) - 1)
             part = np.where(in_region(self.region, -rays.directions), part, -1)
-            kept = np.concatenate([np.flatnonzero(part == k)[:m] for k, m in enumerate(lacking)])
-            kept.sort()
-            lacking = lacking - np.bincount(part[kept], minlength=len(wanted))
-            found.append(rays[kept])
-        return _Found(_joined(found), wanted - lacking)
+            chosen = np.concatenate([np.flatnonzero(part == k)[:m] for k, m in enumerate(lacking)])
+            chosen.sort()
+            lacking = lacking - np.bincount(part[chosen], minlength=len(wanted))
+            batches.append(rays[chosen])
+        return _DrawnRays(_joined(batches), wanted - lacking)
 
 
 def outside_rays(
@@ -176,8 +176,8 @@ def _aimed(
     """
     points, normals = scene.sample_points(n, rng, among)
     wo = directions_in(region, rng.random((n, 2)))
-    kept = rng.random(n) < np.sum(wo * normals, axis=1)
-    points, normals, wo = points[kept], normals[kept], wo[kept]
+    accepted = rng.random(n) < np.sum(wo * normals, axis=1)
+    points, normals, wo = points[accepted], normals[accepted], wo[accepted]
     free = np.isinf(scene.free_distance(points, normals, wo))
     away = np.float32(2.0 * scene.radius)
     return ViewRays(points[free] + away * wo[free], -wo[free])

@@ -117,8 +117,8 @@ def _coat_albedo(roughness: Tensor, cosine: Tensor | None = None) -> Tensor:
     table = _coat_table(cosine is None, roughness.device)
     column = roughness if cosine is None else torch.sqrt(cosine.clamp(1e-8, 1.0))
     place = 2.0 * torch.cat([column, roughness], dim=1)[None, :, None] - 1.0
-    found = F.grid_sample(table, place, padding_mode="border", align_corners=True)
-    return found[0, 0]
+    albedo = F.grid_sample(table, place, padding_mode="border", align_corners=True)
+    return albedo[0, 0]
 
 
 @cache

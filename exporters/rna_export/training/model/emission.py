@@ -13,7 +13,7 @@ from rna_export.training.model.triplane import Triplane
 from rna_sdk.package import query_width
 
 INPUTS = {"surface": ("features", "normal", "wo"), "fiber": ("features", "tangent", "h", "wo")}
-"""Kind of part -> blocks that a decoder of emission is asked with."""
+"""Kind of part -> input blocks of a decoder of emission."""
 
 HIDDEN_LAYERS = 2
 

@@ -43,12 +43,12 @@ class Muon(torch.optim.Optimizer):
 
     def stacks(self) -> list[Tensor]:
         """Zeros in the shapes (k, rows, columns) and the dtype of what a step orthogonalises."""
-        found = []
+        result = []
         for group in self.param_groups:
             first, columns = group["params"][0], max(m.shape[1] for m in group["params"])
             shape = len(group["params"]), len(first), columns
-            found.append(first.new_zeros(shape, dtype=self._dtype))
-        return found
+            result.append(first.new_zeros(shape, dtype=self._dtype))
+        return result
 
     @torch.no_grad()
     def step(self, closure: None = None) -> None:  # type: ignore[override]
@@ -62,8 +62,8 @@ class Muon(torch.optim.Optimizer):
                 direction[:, : matrix.shape[1]] = nesterov
             steps = orthogonalised(directions).float() * group["lr"]
             for matrix, step in zip(matrices, steps, strict=True):
-                rows, own = matrix.shape
-                matrix.sub_(step[:, :own], alpha=math.sqrt(max(1.0, rows / own)))
+                rows, columns = matrix.shape
+                matrix.sub_(step[:, :columns], alpha=math.sqrt(max(1.0, rows / columns)))
 
 
 def orthogonalised(matrices: Tensor) -> Tensor:

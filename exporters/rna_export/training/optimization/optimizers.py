@@ -65,17 +65,17 @@ def optimizers_of(model: NeuralAsset, config: TrainingConfig) -> list[torch.opti
     features: list[Tensor] = [p for p in model.triplane.parameters() if id(p) not in taken]
     taken |= {id(p) for p in features}
     others: list[Tensor] = [p for p in model.parameters() if id(p) not in taken]
-    found: list[torch.optim.Optimizer] = [_adam(others, config.learning_rate, device)]
+    optimizers: list[torch.optim.Optimizer] = [_adam(others, config.learning_rate, device)]
     if matrices:
         lr = _rate(config.muon_learning_rate, device)
-        found.append(Muon(matrices, lr, model.multiplies_in_bfloat16))
+        optimizers.append(Muon(matrices, lr, model.multiplies_in_bfloat16))
     if isinstance(model.triplane, Triplane) and device.type == "cpu":
-        found.append(PlaneAdam(features[0], config.plane_learning_rate))
+        optimizers.append(PlaneAdam(features[0], config.plane_learning_rate))
     else:
-        found.append(_adam(features, config.plane_learning_rate, device))
-    for group in _groups(found):
+        optimizers.append(_adam(features, config.plane_learning_rate, device))
+    for group in _groups(optimizers):
         group["initial_lr"] = float(group["lr"])
-    return found
+    return optimizers
 
 
 def muon_matrices(model: NeuralAsset, config: TrainingConfig) -> list[Tensor]:
@@ -89,8 +89,8 @@ def muon_matrices(model: NeuralAsset, config: TrainingConfig) -> list[Tensor]:
     if model.emission is not None:
         decoders.append(model.emission.decoder)
     layers = (layer for decoder in decoders for layer in [*decoder][:-1])
-    found: list[Tensor] = [layer.weight for layer in layers if isinstance(layer, nn.Linear)]
-    return found + model.feature_matrices()
+    matrices: list[Tensor] = [layer.weight for layer in layers if isinstance(layer, nn.Linear)]
+    return matrices + model.feature_matrices()
 
 
 def set_rates(optimizers: Iterable[torch.optim.Optimizer], factor: float) -> None:

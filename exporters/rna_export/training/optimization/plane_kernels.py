@@ -108,14 +108,14 @@ def adam(
     mean, square: moving averages of the gradient and its square, by `betas`. rate, epsilon: with
     Adam's corrections for the steps so far: Kingma and Ba, 2015, end of section 2.
     """
-    kept_mean, kept_square = betas
+    first_moment, second_moment = betas
     for task in prange((len(values) + _RUN - 1) // _RUN):
         start = task * _RUN
         x, g = values[start : start + _RUN], gradient[start : start + _RUN]
         m, v = mean[start : start + _RUN], square[start : start + _RUN]
         for i in range(len(x)):
-            m_i = kept_mean * m[i] + (np.float32(1.0) - kept_mean) * g[i]
-            v_i = kept_square * v[i] + (np.float32(1.0) - kept_square) * g[i] * g[i]
+            m_i = first_moment * m[i] + (np.float32(1.0) - first_moment) * g[i]
+            v_i = second_moment * v[i] + (np.float32(1.0) - second_moment) * g[i] * g[i]
             m[i], v[i], g[i] = m_i, v_i, np.float32(0.0)
             x[i] -= rate * m_i / (np.float32(math.sqrt(v_i)) + epsilon)
 

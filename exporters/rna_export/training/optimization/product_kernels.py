@@ -80,12 +80,12 @@ def products_repeat(products: Iterable[Product], stacks: Iterable[Tensor], most:
         sizes = (n, a), (n, b), (b, a), (b,)
         factors.append([torch.randn(size, generator=generator).to(dtype) for size in sizes])
     directions = [torch.randn(s.shape, generator=generator).to(s.dtype) for s in stacks]
-    found = []
+    result = []
     for count in (1, most):
         use_threads(count)
         layers = [p for each in factors for p in _products(*each)]
-        found.append([*layers, *map(orthogonalised, directions)])
-    return all(torch.equal(one, other) for one, other in zip(*found, strict=True))
+        result.append([*layers, *map(orthogonalised, directions)])
+    return all(torch.equal(one, other) for one, other in zip(*result, strict=True))
 
 
 def _products(x: Tensor, gradient: Tensor, weight: Tensor, bias: Tensor) -> list[Tensor]:

@@ -41,8 +41,8 @@ class StepGraphs:
             return self._step(kind, *batches)
         if not self._batches:
             self._batches = tuple(batch.clone() for batch in batches)
-        for own, given in zip(self._batches, batches, strict=True):
-            own.copy_(given)
+        for buffer, given in zip(self._batches, batches, strict=True):
+            buffer.copy_(given)
         if kind not in self._graphs:
             self._graphs[kind] = self._record(lambda: self._step(kind, *self._batches))
         return self._graphs[kind]().clone()

@@ -42,7 +42,7 @@ fn derived_tangent(record: RnaPrimitive, uv: mat3x2f, n: vec3f) -> vec4f {
 }
 
 // m, or the nearest normal that mirrors o above the surface; g is on o's side.
-fn kept_above(m: vec3f, g: vec3f, o: vec3f) -> vec3f {
+fn raised_above(m: vec3f, g: vec3f, o: vec3f) -> vec3f {
     let mirror = 2.0 * dot(m, o) * m - o;
     let missing = min(0.9 * dot(g, o), MIN_MIRROR_COSINE) - dot(g, mirror);
     if missing <= 0.0 {
@@ -75,5 +75,5 @@ fn bumped_normal(record: RnaPrimitive, b1: f32, b2: f32, m: vec3f, g: vec3f, o: 
     // All on the side of the surface that o is on, and back.
     let side = select(1.0, -1.0, dot(g, o) < 0.0);
     let own = select(-side, side, dot(m, g) >= 0.0);
-    return own * kept_above(own * bent, side * g, o);
+    return own * raised_above(own * bent, side * g, o);
 }

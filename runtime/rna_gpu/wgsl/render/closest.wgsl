@@ -27,6 +27,6 @@ fn closest(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     let far = min(hit.t / rna_instances[path.own].scale, RNA_FAR);
     let way = RnaRay(path.leaving, 0.0, query.wi, far);
-    queries[k].at_point.visible = own_kept(path.own, way, query.strand);
+    queries[k].at_point.visible = start_visibility(path.own, way, query.strand);
     queries[k].at_point.weight = query.weight * found.weight;
 }

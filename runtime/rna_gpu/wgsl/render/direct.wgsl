@@ -109,7 +109,7 @@ fn direct_neural(k: u32, path: Path, v: Vertex, light: u32, found: LightSample, 
     let wi = rna_object_direction(found.wi, v.instance);
     let far = min(found.distance / instance_scale(v.instance), RNA_FAR);
     let way = RnaRay(leaving_point(v, wi), 0.0, wi, far);
-    let visible = own_kept(v.instance, way, v.strand);
+    let visible = start_visibility(v.instance, way, v.strand);
     let is_fiber = v.kind == OF_FIBERS;
     let tangent = select(vec3f(0.0), v.axis, is_fiber);
     let own = lobe_density(lobe_frame(v.shading, tangent, v.wo), is_fiber, wi);
@@ -128,7 +128,7 @@ fn count_seen(k: u32, seen: f32) {
 }
 
 // Whether what the light throws on the point's own instance is part of its transport.
-fn is_own_light(light: u32, v: Vertex) -> bool {
+fn is_same_light(light: u32, v: Vertex) -> bool {
     return light_kind(light) == TRIANGLES && light_instance(light) == v.instance
         && object_passes(v.instance) == 1u;
 }
@@ -145,7 +145,7 @@ fn direct(@builtin(global_invocation_id) id: vec3<u32>) {
     let v = vertex_of(path);
     let catches = object_catches(v.instance) == 1u;
     let light = chosen_light(path.pixel);
-    if (catches && frame.depth != 1u) || is_own_light(light, v) {
+    if (catches && frame.depth != 1u) || is_same_light(light, v) {
         return;
     }
     var found = sample_light(light, v.x_world, light_point(path.pixel));
@@ -162,7 +162,7 @@ fn direct(@builtin(global_invocation_id) id: vec3<u32>) {
         sums[frame.sums * k + SUM_LIGHT_SAMPLES].x += 1.0;
     }
     let own = select(NONE, v.instance, object_passes(v.instance) == 1u);
-    let kept = kept_on(shadow_ray(v.x_world, origin_of(v, found.wi), found), own);
+    let kept = visible_on(shadow_ray(v.x_world, origin_of(v, found.wi), found), own);
     if catches {
         catch_light(k, path, v, light, found, kept);
     } else if all(kept <= vec3f(0.0)) {

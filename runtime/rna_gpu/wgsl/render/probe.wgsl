@@ -27,7 +27,7 @@ fn visibility(
     let v = probed(k);
     let wi = paths[k].direction;
     let way = RnaRay(leaving_point(v, wi), 0.0, wi, RNA_FAR);
-    sums[k] = vec4f(own_kept(0u, way, v.strand), 0.0);
+    sums[k] = vec4f(start_visibility(0u, way, v.strand), 0.0);
 }
 
 @compute @workgroup_size(64)

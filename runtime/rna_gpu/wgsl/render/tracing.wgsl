@@ -34,7 +34,7 @@ fn closest_through(ray: RnaRay, own: u32, key: u32) -> Through {
 }
 
 // What a shadow ray keeps of its light.
-fn kept_on(ray: RnaRay, own: u32) -> vec3f {
+fn visible_on(ray: RnaRay, own: u32) -> vec3f {
     start_passing(WEAKEN);
     var hit = rna_trace(ray, own, frame.rays, true);
     if hit.instance == RNA_NOTHING {
@@ -44,7 +44,7 @@ fn kept_on(ray: RnaRay, own: u32) -> vec3f {
 }
 
 // What an asset leaves of light along a ray from itself, in its object space.
-fn own_kept(instance: u32, ray: RnaRay, strand: u32) -> vec3f {
+fn start_visibility(instance: u32, ray: RnaRay, strand: u32) -> vec3f {
     var hit = rna_miss(ray.far);
     let root = rna_instances[instance].root;
     start_passing(WEAKEN);

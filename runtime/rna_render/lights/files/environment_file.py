@@ -19,7 +19,7 @@ EXR_MAGIC = bytes([0x76, 0x2F, 0x31, 0x01])
 
 
 def environment_image(path: Path) -> EquirectangularImage:
-    """The image, ready to be sampled; the last few files are kept while they do not change.
+    """The image, ready to be sampled; the last few files are cached while they do not change.
 
     Errors are those of `read_environment`.
     """
@@ -27,11 +27,11 @@ def environment_image(path: Path) -> EquirectangularImage:
         state = check_regular(path)
     except OSError as error:
         raise SceneError(f"cannot read the image: {error.strerror}", file=path) from error
-    return _kept_image(path, state.st_mtime_ns, state.st_size)
+    return _cached_image(path, state.st_mtime_ns, state.st_size)
 
 
 @lru_cache(maxsize=4)
-def _kept_image(path: Path, modified: int, size: int) -> EquirectangularImage:
+def _cached_image(path: Path, modified: int, size: int) -> EquirectangularImage:
     return EquirectangularImage(read_environment(path))
 
 

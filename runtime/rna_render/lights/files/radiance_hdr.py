@@ -52,7 +52,7 @@ class _Header:
 def read_hdr(path: Path) -> np.ndarray:
     """The picture's values, (h, w, 3) float32, row 0 at the top.
 
-    They are divided by the header's EXPOSURE, as the format asks; COLORCORR and PRIMARIES are left
+    They are divided by the header's EXPOSURE, as required; COLORCORR and PRIMARIES are left
     out. Raises SceneError for a file that cannot be read, is broken or too large, and for XYZE
     pictures.
     """

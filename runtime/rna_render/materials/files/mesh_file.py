@@ -45,8 +45,8 @@ def read_mesh_object(path: Path, material: MaterialModel | None = None) -> MeshO
     if reader is None:
         known = ", ".join(_READERS)
         raise SceneError(f"expected a file that ends with one of {known}", file=path)
-    own = None if material is None else [make_material(material)]
-    file, mesh = _read(reader, path, own, isinstance(material, ShadowCatcherModel))
+    override = None if material is None else [make_material(material)]
+    file, mesh = _read(reader, path, override, isinstance(material, ShadowCatcherModel))
     if file.left_out:
         message = f"{path}: not shown: {', '.join(file.left_out)}"
         warnings.warn(message, MeshFileWarning, stacklevel=2)

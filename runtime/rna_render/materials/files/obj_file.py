@@ -36,12 +36,12 @@ def read_obj(path: Path, with_materials: bool) -> MeshFile:
     used = set(_names(text, "usemtl"))
     geometry = _geometry(text, used)
     left_out: set[str] = set()
-    found = _read_libraries(path, text, left_out) if with_materials else {}
+    libraries = _read_libraries(path, text, left_out) if with_materials else {}
     materials, places = [DEFAULT_MATERIAL], {}
     for name in dict.fromkeys(_material_name(item) for item in geometry):
-        if name in found:
+        if name in libraries:
             places[name] = len(materials)
-            materials.append(_material(path, found[name], left_out))
+            materials.append(_material(path, libraries[name], left_out))
         elif name in used and with_materials:  # trimesh invents names where there are none
             left_out.add(f"material {name!r}, which is in no MTL file")
     if with_materials and any(item.get("vertex_colors") is not None for item in geometry):
@@ -86,26 +86,26 @@ def _part(item: dict[str, Any], material: int) -> Part:
 
 def _read_libraries(path: Path, text: str, left_out: set[str]) -> dict[str, dict[str, str]]:
     """The statements of each material in the MTL files that are there."""
-    found: dict[str, dict[str, str]] = {}
+    result: dict[str, dict[str, str]] = {}
     for name in _names(text, "mtllib"):
         library = path.parent / name
         if library.is_file():
-            found |= _statements(library.read_text(encoding="utf-8", errors="replace"))
+            result |= _statements(library.read_text(encoding="utf-8", errors="replace"))
         else:
             left_out.add(f"materials of {name}, which is not there")
-    return found
+    return result
 
 
 def _statements(text: str) -> dict[str, dict[str, str]]:
-    found: dict[str, dict[str, str]] = {}
+    result: dict[str, dict[str, str]] = {}
     current: dict[str, str] = {}
     for line in text.splitlines():
         key, _, value = line.strip().partition(" ")
         if key.lower() == "newmtl":
-            current = found.setdefault(value.strip(), {})
+            current = result.setdefault(value.strip(), {})
         elif value.strip():
             current[key.lower()] = value.strip()
-    return found
+    return result
 
 
 def _material(path: Path, data: dict[str, str], left_out: set[str]) -> Material:

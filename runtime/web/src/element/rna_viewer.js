@@ -158,10 +158,10 @@ export class RnaViewer extends HTMLElement {
   }
 
   async _openScene() {
-    const asked = (this.askedScene = this.settings.scene);
+    const asked = (this.requestedScene = this.settings.scene);
     if (asked === null) return this.stage.leaveScene();
     const scene = await this.stage.openScene(asked);
-    if (asked !== this.askedScene) return;
+    if (asked !== this.requestedScene) return;
     if (this.settings.src) this._begin();
     else if (scene?.asset) this.stage.open(scene.asset);
   }

@@ -109,20 +109,20 @@ export class Stage extends LastingEngine {
   }
 
   async _openImage(from, name) {
-    const asked = (this.askedImage = {});
+    const asked = (this.requestedImage = {});
     try {
       this.notices.say(null, false, "light");
       const buffer = from instanceof Blob ? await from.arrayBuffer() : await fetched(from);
-      if (asked !== this.askedImage) return;
+      if (asked !== this.requestedImage) return;
       this.setLight({ choice: this.lighting.add(this.labels[name] ?? name, readImage(buffer, name)) });
     } catch (error) {
-      if (asked === this.askedImage) this.failed(error, "light");
+      if (asked === this.requestedImage) this.failed(error, "light");
     }
   }
 
   /** Lights the asset with an image that is there; one on its way is no longer wanted. */
   chooseImage(key) {
-    this.askedImage = null;
+    this.requestedImage = null;
     this.setLight({ choice: key });
   }
 

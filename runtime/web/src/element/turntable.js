@@ -36,10 +36,10 @@ export class Turntable {
 
   /** The next angle, once the picture of the last one is seen. */
   _next() {
-    if (!this.isTurning || this.isAsked) return;
-    this.isAsked = true;
+    if (!this.isTurning || this.isRequested) return;
+    this.isRequested = true;
     requestAnimationFrame((now) => {
-      this.isAsked = false;
+      this.isRequested = false;
       if (!this.isTurning) return;
       const seconds = Math.min(LONGEST_STEP, Math.max(0, now - this.last) / 1e3);
       this.last = now;

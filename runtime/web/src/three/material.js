@@ -128,7 +128,7 @@ function functionsOf(source, buffers) {
   const all = wgsl(source, buffers), primitive = attribute("rnaPrimitive", "uint");
   const make = (head, body) => wgslFn(`fn ${MARK}${head} {\n    return ${body};\n}`, [all]);
   const begin = make("begin(primitive: u32, x: vec3f, wo: vec3f) -> f32", "begin(primitive, x, wo)");
-  const own = make("own(wi: vec3f, entry: bool) -> vec2f", "own_visibility(wi, entry)");
+  const own = make("own(wi: vec3f, entry: bool) -> vec2f", "self_visibility(wi, entry)");
   const emitted = make("emitted(primitive: u32, x: vec3f, wo: vec3f) -> vec3f", "emitted(primitive, x, wo)");
   return {
     begin: (x, wo) => begin(primitive, x, wo),

@@ -5,7 +5,7 @@ const MAP_MARGIN = 0.03;
 
 // x: visibility of the light along wi, 0 or 1. y: how far along wi others may shadow the point: shortly before the light
 // enters the asset, so that a shadow map in which the asset itself is tells of others alone.
-fn own_visibility(wi: vec3f, wants_entry: bool) -> vec2f {
+fn self_visibility(wi: vec3f, wants_entry: bool) -> vec2f {
     let v = vertex;
     var origin = v.x;
     if v.strand == RNA_NOTHING {

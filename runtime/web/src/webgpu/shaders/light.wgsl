@@ -99,7 +99,7 @@ fn visibility_of(pixel: Pixel, wi: vec3f) -> vec3f {
         v.kind = OF_FIBERS;
         v.strand = rna_strand(record);
     }
-    return own_kept(0u, RnaRay(leaving_point(v, wi), 0.0, wi, RNA_FAR), v.strand);
+    return start_visibility(0u, RnaRay(leaving_point(v, wi), 0.0, wi, RNA_FAR), v.strand);
 }
 
 // The ground, seen along d, shows the shadow and fades with the distance: what it sends on of light along wi; and how
@@ -116,7 +116,7 @@ fn ground_seen(d: vec3f, wi: vec3f) -> vec4f {
     }
     let step = 0x1p-18f * rna_instances[0].extent;
     let way = RnaRay(x + vec3f(0.0, step, 0.0), 0.0, wi, RNA_FAR);
-    return vec4f(weight * own_kept(0u, way, RNA_NOTHING), fade);
+    return vec4f(weight * start_visibility(0u, way, RNA_NOTHING), fade);
 }
 
 @compute @workgroup_size(64)

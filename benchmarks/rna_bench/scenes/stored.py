@@ -17,7 +17,7 @@ from rna_sdk.errors import RnaError
 Arrays = dict[str, np.ndarray]
 
 
-class Kept:
+class StoredResults:
     """A folder of results that were all made with the same settings."""
 
     def __init__(self, folder: Path, settings: dict[str, Any], again: bool, remedy: str):
@@ -33,8 +33,8 @@ class Kept:
                     result.unlink()
         elif earlier not in (None, settings):
             differ = [k for k in settings if earlier.get(k) != settings[k]]
-            told = ", ".join(f"{k} {earlier.get(k)}, now {settings[k]}" for k in differ)
-            raise RnaError(f"{folder} was made with other settings ({told}): {remedy}")
+            differences = ", ".join(f"{k} {earlier.get(k)}, now {settings[k]}" for k in differ)
+            raise RnaError(f"{folder} was made with other settings ({differences}): {remedy}")
         folder.mkdir(parents=True, exist_ok=True)
         write_atomically(path, json.dumps(settings, indent=1).encode())
 

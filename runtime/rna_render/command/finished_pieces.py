@@ -1,4 +1,4 @@
-"""Finished pieces of an image, kept in a folder beside it until the image is whole."""
+"""Finished pieces of an image, stored in a folder beside it until the image is complete."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class Piece:
 
 
 @dataclass(frozen=True)
-class KeptPieces:
+class FinishedPieces:
     """Pieces in a folder, a file each.
 
     key: of the image that they are of; pieces of another one are removed.
@@ -44,8 +44,8 @@ class KeptPieces:
     folder: Path
     key: str
 
-    def found(self) -> Iterator[tuple[Piece, Film]]:
-        """Kept pieces of this very image, in order; others are deleted."""
+    def saved(self) -> Iterator[tuple[Piece, Film]]:
+        """Stored pieces of this image, in order; others are deleted."""
         if self.folder.is_dir():
             remove_leftovers(self.folder)
         for path in _paths(self.folder):
@@ -102,7 +102,7 @@ def is_of_pieces(folder: Path) -> bool:
     return all(path.match(_PIECES) for path in folder.iterdir() if not path.name.startswith("."))
 
 
-def kept_pixels(folder: Path) -> int:
+def finished_pixels(folder: Path) -> int:
     """Number of pixels of the pieces that a folder holds; 0 if there is no such folder."""
     return sum(_piece_of(path).pixels for path in _paths(folder))
 

@@ -13,21 +13,21 @@ from rna_trace.points import Body
 Key = tuple[int, int, int]
 
 
-class KeptBodies:
+class BodyCache:
     """Makes bodies, and keeps those at rest for the next world, until one has no such object."""
 
     def __init__(self) -> None:
-        self._kept: dict[Key, tuple[Placement, Body]] = {}
+        self._bodies: dict[Key, tuple[Placement, Body]] = {}
         self._maps: dict[int, tuple[Asset, RestMaps]] = {}
 
     def of(self, placements: Iterable[Placement]) -> list[Body]:
         """A body for each placement; those given differ by `body_key`."""
-        found: dict[Key, tuple[Placement, Body]] = {}
+        bodies: dict[Key, tuple[Placement, Body]] = {}
         for placement in placements:
             key = body_key(placement)
-            found[key] = self._kept.get(key) or (placement, self._made(placement))
-        self._kept = {key: pair for key, pair in found.items() if pair[0].shapes is None}
-        return [body for _, body in found.values()]
+            bodies[key] = self._bodies.get(key) or (placement, self._made(placement))
+        self._bodies = {key: pair for key, pair in bodies.items() if pair[0].shapes is None}
+        return [body for _, body in bodies.values()]
 
     def _made(self, placement: Placement) -> Body:
         if placement.shapes is None:
