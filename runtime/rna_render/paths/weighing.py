@@ -105,7 +105,8 @@ def weigh_samples(
 
     seen: (k,) float32, multiplied by the mean of what is kept. samples: n, from which those tried
     are. visibility: (k, 1) or (k, 3) float32. light_pdf: (k,), density of rays. probability,
-    delta: of each light, and whether no ray can find it. beta: (m, 3) float32, throughput of the rows' paths.
+    delta: of each light, and whether no ray can find it. beta: (m, 3) float32, throughput of the
+    rows' paths.
     """
     channels = visibility.shape[1]
     for i in range(len(tried.sample)):
