@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import socket
 import threading
+import time
 from collections.abc import Iterator
 from contextlib import ExitStack
 
 import pytest
 
+from rna_render import local_server
 from rna_render.local_server import MAX_CONNECTIONS, LocalHandler, LocalServer
 from rna_render.preview.server import PreviewServer
 from rna_view.page_server import PageServer
@@ -66,7 +68,8 @@ def test_other_names_of_this_computer_are_refused(server, hosts):
     assert send(server, request).startswith(b"HTTP/1.1 403")
 
 
-def test_one_connection_too_many_is_refused_and_a_closed_one_makes_room(server):
+def test_one_connection_too_many_is_refused_and_a_closed_one_makes_room(server, monkeypatch):
+    monkeypatch.setattr(local_server, "PATIENCE_S", 60.0)
     before = threading.active_count()
     with ExitStack() as open_ones:
         for _ in range(MAX_CONNECTIONS):
@@ -78,6 +81,21 @@ def test_one_connection_too_many_is_refused_and_a_closed_one_makes_room(server):
         one.close()
         while not (answer := send(server, f"GET /{END}")).startswith(b"HTTP/1.1 200"):
             assert answer.startswith(b"HTTP/1.1 503")
+
+
+@pytest.mark.parametrize(
+    "half", ["", "GET / HT", "POST /change HTTP/1.1\r\nContent-Length: 9\r\n\r\n"]
+)
+def test_half_requests_lock_nobody_out(server, half, monkeypatch):
+    monkeypatch.setattr(local_server, "PATIENCE_S", 0.5)
+    with ExitStack() as open_ones:
+        for _ in range(MAX_CONNECTIONS):
+            one = socket.create_connection(server.server_address, timeout=10)
+            open_ones.enter_context(one)
+            one.sendall(half.encode())
+        time.sleep(0.6)
+        for _ in range(8):
+            assert send(server, f"GET /{END}").startswith(b"HTTP/1.1 200")
 
 
 @pytest.mark.parametrize(

@@ -11,6 +11,7 @@ import ipaddress
 import socket
 import sys
 import threading
+import time
 from contextlib import suppress
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import Any
@@ -20,6 +21,8 @@ MAX_CONNECTIONS = 64
 """Open at a time; each has a thread. A browser opens 6 to a server."""
 IDLE_S = 60.0
 """Seconds that a connection may wait for its next request."""
+PATIENCE_S = 2.0
+"""Seconds for a request to come in whole, where others wait for a connection."""
 
 _BUSY = (
     b"HTTP/1.1 503 Service Unavailable\r\nContent-Length: 0\r\nRetry-After: 1\r\n"
@@ -41,6 +44,8 @@ class LocalServer(ThreadingHTTPServer):
 
     def __init__(self, host: str, port: int, handler: type[LocalHandler]) -> None:
         self._free = threading.BoundedSemaphore(MAX_CONNECTIONS)
+        self._waiting: dict[socket.socket, float] = {}  # for a request, and since when
+        self._lock = threading.Lock()
         try:
             super().__init__((host, port), handler)
         except (OverflowError, UnicodeError) as error:
@@ -70,8 +75,8 @@ class LocalServer(ThreadingHTTPServer):
         return _is_address(name.strip("[]")) or _is_private(name.lower())
 
     def process_request(self, request: Any, client_address: Any) -> None:
-        """A thread for the connection; one too many is refused."""
-        if not self._free.acquire(blocking=False):
+        """A thread for the connection; one too many takes the place of one that waits for long."""
+        if not self._free.acquire(blocking=False) and not self._has_made_room():
             with suppress(OSError):
                 request.sendall(_BUSY)
             self.shutdown_request(request)
@@ -82,11 +87,30 @@ class LocalServer(ThreadingHTTPServer):
             self._free.release()
             raise
 
+    def is_waiting(self, connection: socket.socket, waits: bool) -> None:
+        """Note whether a connection waits for its next request."""
+        with self._lock:
+            self._waiting.pop(connection, None)
+            if waits:
+                self._waiting[connection] = time.monotonic()
+
+    def _has_made_room(self) -> bool:
+        """Whether the connection that has waited longest could be closed, and its place taken."""
+        with self._lock:
+            longest, since = next(iter(self._waiting.items()), (None, 0.0))
+        if longest is None or time.monotonic() - since < PATIENCE_S:
+            return False
+        self.is_waiting(longest, False)
+        with suppress(OSError):
+            longest.shutdown(socket.SHUT_RDWR)
+        return self._free.acquire(timeout=PATIENCE_S)
+
     def process_request_thread(self, request: Any, client_address: Any) -> None:
         """What the connection's thread does."""
         try:
             super().process_request_thread(request, client_address)
         finally:
+            self.is_waiting(request, False)
             self._free.release()
 
     def handle_error(self, request: Any, client_address: Any) -> None:
@@ -102,6 +126,18 @@ class LocalHandler(BaseHTTPRequestHandler):
     protocol_version = "HTTP/1.1"
     disable_nagle_algorithm = True
     timeout = IDLE_S
+
+    def handle_one_request(self) -> None:
+        """Waits for a request, and answers it."""
+        self.server.is_waiting(self.connection, True)
+        super().handle_one_request()
+
+    def parse_request(self) -> bool:
+        """Reads the headers; what has a body is whole with that, and short."""
+        is_whole = super().parse_request()
+        if self.command in ("GET", "HEAD"):
+            self.server.is_waiting(self.connection, False)
+        return is_whole
 
     def log_message(self, *arguments: Any) -> None:
         """Nothing."""

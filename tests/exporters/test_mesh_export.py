@@ -76,3 +76,18 @@ def test_modifiers_are_applied(open_worker: OpenWorker) -> None:
     ).export_corners()
     assert len(corners["positions"]) == 72
     assert corners["positions"][:, 0].max() == pytest.approx(3.0)
+
+
+def test_the_order_of_polygons_does_not_matter(open_worker: OpenWorker) -> None:
+    """Blender's operators, such as that of spheres, give another one in each process."""
+    origins = np.tile(np.float32([0, 0, 3]), (64, 1))
+    directions = np.float32([[0.02 * (k % 8), 0.02 * (k // 8), -1] for k in range(64)])
+    directions /= np.linalg.norm(directions, axis=1, keepdims=True)
+    found = []
+    for faces in ("BALL[1]", "BALL[1][::-1]"):
+        worker = open_worker(f"add(BALL[0], {faces}, smooth=True)")
+        rays = worker.render_rays(origins, directions, np.float32([0, 0.6, 0.8]), 4, seed=1)
+        found.append((worker.export_corners(), rays.radiance))
+    (first, seen), (second, seen_again) = found
+    assert {k: v.tobytes() for k, v in first.items()} == {k: v.tobytes() for k, v in second.items()}
+    assert np.array_equal(seen, seen_again)

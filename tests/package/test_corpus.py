@@ -12,8 +12,9 @@ import pytest
 
 from rna_sdk.errors import PackageError
 from rna_sdk.package import Code, Package, Severity, validate
+from rna_sdk.package.command import rna_pack
 from rna_sdk.package.limits import MAX_FILE_BYTES
-from tests.package.builders import pack
+from tests.package.builders import pack, read_entries
 from tests.package.corpus import container_cases, content_cases, manifest_cases
 from tests.package.corpus.every import CASES
 from tests.package.corpus.registry import Base, Case, Entries, part, tier_part
@@ -81,6 +82,8 @@ def test_package_that_was_zipped_again_says_so(
             archive.writestr(f"{folder}{name}", data)
     (issue,) = validate(path)
     assert issue.found == f"a package that a ZIP program wrote again ({traces})"
+    assert rna_pack.main([str(path), "--out", str(tmp_path / "whole.rna")]) == 0
+    assert read_entries(tmp_path / "whole.rna") == entries
 
 
 def _is_manifest(entry: tuple[str, bytes]) -> bool:

@@ -52,3 +52,49 @@ def test_a_light_beyond_float32_is_one_line(
     (line,) = capsys.readouterr().err.splitlines()
     assert "scene.yaml:6: lights[0].irradiance[0]: expected a number, at most 1e+18" in line
     assert not (tmp_path / "out.exr").exists()
+
+
+@pytest.mark.parametrize(
+    ("size", "scale", "message"),
+    [
+        (1e14, 1.0, "its size is 1e+14 m; expected 1e-12 to 1e+12"),
+        (1e-15, 1.0, "its size is 1e-15 m"),
+        (1e10, 1e10, "its size as placed is 1e+20 m"),
+        (1e-10, 1e-10, "its size as placed is 1e-20 m"),
+        (1.0, 1e13, "transform.scale: expected a number, at most 1e+12"),
+        (1.0, 1e-13, "transform.scale: expected a number, at least 1e-12"),
+        (0.99e12, 1.0, None),
+        (1.01e-12, 1.0, None),
+        (0.99, 1e12, None),
+        (1.01, 1e-12, None),
+        (0.99e12, 1e-12, None),
+        (1.01e-12, 1e12, None),
+    ],
+)
+def test_geometry_is_seen_or_refused(
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    size: float,
+    scale: float,
+    message: str | None,
+) -> None:
+    """A grey square fills the image, or is an error; nothing vanishes."""
+    corners = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
+    lines = [f"v {size / 2 * x:e} {size / 2 * y:e} 0" for x, y in corners]
+    (tmp_path / "square.obj").write_text("\n".join([*lines, "f 1 2 3 4", ""]))
+    away = min(max(size * scale / 2, 1e-13), 1e18)
+    text = f"""
+objects:
+  - path: square.obj
+    material: {{type: diffuse, color: [0.5, 0.5, 0.5]}}
+    transform: {{scale: {scale:e}}}
+camera: {{position: [0, 0, {away:e}], look_at: [0, 0, 0], vertical_fov_deg: 60}}
+lights: [{{type: environment}}]
+resolution: [8, 8]
+samples: 4
+"""
+    assert render(tmp_path, text) == (message is not None)
+    if message is None:
+        np.testing.assert_allclose(read_exr(tmp_path / "out.exr")[0]["R"], 0.5, rtol=0.2)  # else 1
+    else:
+        assert message in capsys.readouterr().err

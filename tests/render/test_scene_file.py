@@ -80,8 +80,8 @@ MISTAKES = [
     ),
     ("resolution: [320, 240]", "samples: many", 17, "samples", "found 'many'"),
     ("scale: 2", "scale: [1, 2, 1]", 6, "assets[0].transform.scale", "uniform"),
-    ("scale: 2", "scale: -1", 6, "assets[0].transform.scale", "at least 1e-18"),
-    ("scale: 2", "scale: 1e-40", 6, "assets[0].transform.scale", "at least 1e-18"),
+    ("scale: 2", "scale: -1", 6, "assets[0].transform.scale", "at least 1e-12"),
+    ("scale: 2", "scale: 1e-40", 6, "assets[0].transform.scale", "at least 1e-12"),
     ("[1, 2, 3]", "[1, 1.0e+39, 3]", 4, "assets[0].transform.translation[1]", "found 1e+39"),
     (
         "[3, 2, 1e-2]",

@@ -258,6 +258,7 @@ def test_memory_is_flat_over_many_loads(page, package):
     for times in (SETTLED, LOADS - SETTLED):
         for _ in range(times // 10):
             page.evaluate(load)
+        wait_for_picture(page, 3)  # whose size, and so its memory, is always the same
         page.call("HeapProfiler.collectGarbage")
         heap = page.call("Runtime.getHeapUsage")["usedSize"]
         readings.append((heap, page.evaluate("alive")))

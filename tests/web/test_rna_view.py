@@ -202,7 +202,8 @@ def test_port_that_is_taken(package):
 
 def test_viewer_needs_no_renderer():
     code = (
-        "import rna_view.rna_view_command, sys; "
-        "sys.exit('rna_render' in sys.modules or 'torch' in sys.modules)"
+        "import rna_view.rna_view_command, sys; renderer = ('rna_render.', 'rna_trace', 'torch'); "
+        "found = {name for name in sys.modules if name.startswith(renderer)}; "
+        "sys.exit(found != {'rna_render.local_server'})"
     )
     subprocess.run([sys.executable, "-c", code], check=True)

@@ -5,10 +5,14 @@ from __future__ import annotations
 import argparse
 import sys
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from rna_sdk.console import command_line, command_parser, run_command
-from rna_sdk.errors import RnaError
+from rna_sdk.errors import PackageError, RnaError
 from rna_sdk.outputs import check_outputs
+from rna_sdk.package.container.zip_container import MANIFEST_NAME
+from rna_sdk.package.container.zip_writer import write_container
+from rna_sdk.package.container.zipped_again import zipped_entries
 from rna_sdk.package.packing import Unpacked
 from rna_sdk.regular_file import read_regular
 
@@ -17,7 +21,8 @@ def parser() -> argparse.ArgumentParser:
     """The options of `rna-pack`."""
     p = command_parser(
         "rna-pack",
-        "Repack a package losslessly: compressed, uncompressed, or with a new poster image.",
+        "Repack a package losslessly: compressed, uncompressed, with a new poster image, or as it "
+        "was before a ZIP program wrote it again.",
         "rna-pack toy.rna --out toy-small.rna --deflate",
         epilog="Without --deflate all entries are stored uncompressed, which every reader "
         "supports.",
@@ -48,7 +53,7 @@ def main(argv: list[str] | None = None) -> int:
 def _run(args: argparse.Namespace) -> None:
     given = [args.package] if args.poster is None else [args.package, args.poster]
     check_outputs([args.out], given)
-    unpacked = Unpacked.read(args.package)
+    unpacked = _unpacked(args.package)
     if args.poster is not None:
         unpacked = unpacked.with_poster(_read(args.poster))
     before = args.package.stat().st_size
@@ -58,6 +63,20 @@ def _run(args: argparse.Namespace) -> None:
         f"wrote {args.out}, {size / 1e6:.2f} MB ({args.package}: {before / 1e6:.2f} MB)\n"
         f"next: {command_line('rna-validate', args.out)}"
     )
+
+
+def _unpacked(path: Path) -> Unpacked:
+    """The package; a ZIP program's copy is repaired."""
+    try:
+        return Unpacked.read(path)
+    except PackageError:
+        if (entries := zipped_entries(path, MANIFEST_NAME)) is None:
+            raise
+    with TemporaryDirectory() as folder:
+        repaired = Path(folder) / path.name
+        with repaired.open("wb") as file:
+            write_container(file, entries)
+        return Unpacked.read(repaired)
 
 
 def _read(path: Path) -> bytes:

@@ -1,14 +1,17 @@
-"""Recognise a package whose archive another ZIP program wrote again."""
+"""Recognise a package whose archive another ZIP program wrote again, and take its entries out."""
 
 from __future__ import annotations
 
+import json
+import os
 import zipfile
 from dataclasses import replace
 from os import PathLike
 
 from rna_sdk.errors import PackageError
+from rna_sdk.package.limits import MAX_DEFLATE_RATIO
 
-_EXPECTED = "the file as it was exported, since readers use its entries in place"
+_EXPECTED = "the file as it was exported, or as rna-pack writes it: readers use entries in place"
 
 
 def explained(error: PackageError, path: str | PathLike[str], manifest: str) -> PackageError:
@@ -18,6 +21,25 @@ def explained(error: PackageError, path: str | PathLike[str], manifest: str) -> 
         return error
     found = f"a package that a ZIP program wrote again ({', '.join(traces)})"
     return PackageError([replace(issue, found=found, expected=_EXPECTED)])
+
+
+def zipped_entries(path: str | PathLike[str], manifest: str) -> list[tuple[str, bytes]] | None:
+    """The manifest and the entries that it names, of a package that was zipped again.
+
+    None where it was not, or is damaged, or holds far more than its size.
+    """
+    if not _traces(path, manifest):
+        return None
+    try:
+        with zipfile.ZipFile(path) as archive:
+            size = sum(entry.file_size for entry in archive.infolist())
+            if size > MAX_DEFLATE_RATIO * os.path.getsize(path):
+                return None
+            (place,) = (n for n in archive.namelist() if f"/{n}".endswith(f"/{manifest}"))
+            names = [manifest, *json.loads(archive.read(place))["entries"]]
+            return [(name, archive.read(place.removesuffix(manifest) + name)) for name in names]
+    except Exception:  # as for `_traces`
+        return None
 
 
 def _traces(path: str | PathLike[str], manifest: str) -> list[str]:

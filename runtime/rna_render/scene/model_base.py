@@ -9,7 +9,14 @@ from typing import Annotated
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, field_validator, model_validator
 
-from rna_render.scene.limits import MAX_NAME_BYTES, MAX_NUMBER, MAX_PATH_BYTES, MIN_LENGTH
+from rna_render.scene.limits import (
+    MAX_NAME_BYTES,
+    MAX_NUMBER,
+    MAX_PATH_BYTES,
+    MAX_SIZE,
+    MIN_LENGTH,
+    MIN_SIZE,
+)
 
 Number = Annotated[float, Field(ge=-MAX_NUMBER, le=MAX_NUMBER)]
 Vector = tuple[Number, Number, Number]
@@ -17,6 +24,7 @@ Quaternion = tuple[Number, Number, Number, Number]
 Nonnegative = Annotated[float, Field(ge=0, le=MAX_NUMBER)]
 Positive = Annotated[float, Field(gt=0, le=MAX_NUMBER)]
 Length = Annotated[float, Field(ge=MIN_LENGTH, le=MAX_NUMBER)]
+Scale = Annotated[float, Field(ge=MIN_SIZE, le=MAX_SIZE)]
 Share = Annotated[float, Field(ge=0, le=1)]
 Rgb = tuple[Nonnegative, Nonnegative, Nonnegative]
 Albedo = tuple[Share, Share, Share]
@@ -64,7 +72,7 @@ class TransformModel(Model):
         description="Rotation as x, y, z, w (glTF's order), of any non-zero length; replaces "
         "rotation_deg.",
     )
-    scale: Length = Field(default=1.0, description="Uniform scale; radiance is unchanged.")
+    scale: Scale = Field(default=1.0, description="Uniform scale; radiance is unchanged.")
 
     @field_validator("scale", mode="before")
     @classmethod

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import cast
 
 import numpy as np
@@ -37,7 +38,12 @@ class Placement:
 
     def box(self) -> tuple[np.ndarray, np.ndarray]:
         """Lower and upper corner of the asset's or the object's box in the world, each (3,)."""
-        return placed_box(self.world_from_object, *_box(self.object, self.shapes))
+        return placed_box(self.world_from_object, *self.own_box)
+
+    @cached_property
+    def own_box(self) -> tuple[np.ndarray, np.ndarray]:
+        """The same in the asset's or the object's own space."""
+        return _box(self.object, self.shapes)
 
 
 def placed_box(

@@ -11,6 +11,7 @@ import numpy as np
 from rna_render.lights import AssetEmission, PlacedLight, make_light
 from rna_render.materials import MeshObject, ground, read_mesh_object
 from rna_render.scene.light_models import AreaModel, LightModel
+from rna_render.scene.limits import MAX_SIZE, MIN_SIZE
 from rna_render.scene.scene_file import SceneFile
 from rna_render.scene.scene_model import GroundModel
 from rna_render.scene.transforms import world_from_object
@@ -50,12 +51,32 @@ def placed_world(scene_file: SceneFile, tiers: Tiers, loaded: Loaded | None = No
     loaded.tiers = tiers
     loaded.motions.begin_frame()
     placed = _placed_assets(scene_file, tiers, loaded), _placed_objects(scene_file, loaded.objects)
+    _check_sizes(scene_file, "assets", placed[0])
+    _check_sizes(scene_file, "objects", placed[1])
     standing = [*placed[0], *placed[1]]
     still = [
         *_placed_ground(scene_file.resolved.ground, standing),
         *_placed_lights(scene_file.scene.lights),
     ]
     return World([*standing, *still], loaded.bodies)
+
+
+def _check_sizes(scene_file: SceneFile, key: str, placements: Sequence[Placement]) -> None:
+    """Raises SceneError for an object that rays would miss: too small or large, or once placed."""
+    sizes: dict[tuple[int, int], float] = {}
+    for index, placement in enumerate(placements):
+        which = id(placement.object), id(placement.shapes)
+        if which not in sizes:
+            low, high = placement.own_box
+            sizes[which] = float((high.astype(np.float64) - low).max())
+        scale = np.linalg.norm(placement.world_from_object[:3, 0])
+        for size, what in (
+            (sizes[which], "its size"),
+            (scale * sizes[which], "its size as placed"),
+        ):
+            if not MIN_SIZE <= size <= MAX_SIZE:
+                message = f"{what} is {size:.3g} m; expected {MIN_SIZE:g} to {MAX_SIZE:g}"
+                raise scene_file.error((key, index), message)
 
 
 def _placed_assets(scene_file: SceneFile, tiers: Tiers, loaded: Loaded) -> list[Placement]:

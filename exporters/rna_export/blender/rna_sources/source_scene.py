@@ -20,6 +20,7 @@ from rna_sources import (
     hair_scene,
     mesh_repair,
     orientation,
+    polygon_order,
     scene_import,
     shown_frame,
     usd_curves,
@@ -70,6 +71,7 @@ def _open(source: str, suffix: str, arguments: list[str], frame: int | None) -> 
             scene_import.load(source, arguments, frame)
         case "script":
             _run_script(source, arguments)
+            polygon_order.sort_polygons()
     return notes
 
 

@@ -127,4 +127,4 @@ export class LastingEngine extends EventTarget {
 }
 
 const isKnown = (error) => error instanceof PackageError || error instanceof NotSupported;
-export const lineOf = (error) => (isKnown(error) ? error.message : `this did not work: ${error.message ?? error}`);
+const lineOf = (error) => (isKnown(error) ? error.message : `this did not work: ${error.message ?? error}`);
