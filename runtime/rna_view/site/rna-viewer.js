@@ -2615,9 +2615,11 @@ fn rna_leaving_origin(
     x: vec3f, n: vec3f, ng: vec3f, lift: vec3f, wi: vec3f, extent: f32,
 ) -> vec3f {
     let step = extent * 0x1p-18f;
-    let above = dot(ng, wi);
-    if dot(n, wi) > 0.0 && dot(n, ng) > 0.0 && above < 0.1 {
-        return x + (1.0 - max(0.0, above) / 0.1) * lift + step * ng;
+    let above_plane = dot(ng, wi);
+    let is_smooth = dot(n, ng) > 0.0;
+    let above = select(above_plane, dot(n, wi), is_smooth);
+    if is_smooth && above > 0.0 && above_plane < 0.1 {
+        return x + (1.0 - max(0.0, above_plane) / 0.1) * lift + step * ng;
     }
     return x + select(step, -step, above < 0.0) * ng;
 }
