@@ -19,8 +19,8 @@ FLAT_ALBEDO = np.float32(0.5)
 # Of `blended`, measured: docs/decisions/renderer.md, "Denoised pixels are blended by their errors".
 _RADIUS = 3  # pixels, of the boxes that errors are averaged over, twice
 _DARK = 0.01  # of the image's mean brightness, below which errors are not relative
-_UNSEEN = 0.05  # of the brightness there: noise that costs little
-_PREFERENCE = 8.0  # squared bias over squared noise that costs as much: lost texture is seen more
+_UNSEEN = 0.09  # of the brightness there: noise that costs little
+_PREFERENCE = 10.0  # squared bias over squared noise that costs as much: lost texture is seen more
 
 # What Open Image Denoise calls its qualities: oidn.h, OIDNQuality.
 QUALITIES: dict[Quality, int] = {"fast": 4, "high": 6}
