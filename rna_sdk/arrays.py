@@ -28,6 +28,22 @@ def scalars(name: str, value: object, count: int | None = None) -> NDArray[np.fl
     return _rows(name, value, count, ())
 
 
+def indices(name: str, value: object, size: int) -> NDArray[np.int64]:
+    """`value` as a C-contiguous (n,) int64 array.
+
+    Raises:
+        QueryError: it is not an (n,) array of integers, or one of them is outside [0, size).
+    """
+    if not isinstance(value, np.ndarray):
+        raise QueryError(f"{name}: expected an (n,) integer array, found {type(value).__name__}")
+    if value.ndim != 1 or not np.issubdtype(value.dtype, np.integer):
+        found = f"{value.shape} {value.dtype}"
+        raise QueryError(f"{name}: expected an (n,) integer array, found {found}")
+    if len(value) and not 0 <= int(value.min()) <= int(value.max()) < size:
+        raise QueryError(f"{name}: a number is outside [0, {size})")
+    return np.ascontiguousarray(value, np.int64)
+
+
 def first_not_finite(rows: NDArray[np.floating]) -> int | None:
     """The first row of (n, k) with NaN or infinity; None if there is none."""
     finite = np.isfinite(rows).all(axis=1)

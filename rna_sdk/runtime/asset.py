@@ -305,4 +305,7 @@ def _results(value: object, number: int, count: int) -> tuple[NDArray[np.float32
         vectors(name := f"out[{k}]", array, count, COLUMNS)
         if not (array.flags.c_contiguous and array.flags.writeable and array.flags.aligned):
             raise QueryError(f"{name}: expected a C-contiguous array that can be written")
+    for k, array in enumerate(value):
+        if any(np.may_share_memory(array, other) for other in value[:k]):
+            raise QueryError("out: expected arrays of their own memory, found one memory twice")
     return value

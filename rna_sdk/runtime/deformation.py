@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.arrays import first_not_finite, scalars, vectors
+from rna_sdk.arrays import first_not_finite, indices, scalars, vectors
 from rna_sdk.errors import QueryError
 from rna_sdk.package import Curves, Mesh
 
@@ -68,8 +68,7 @@ class RestPoints:
     ) -> Float32:
         from rna_sdk.runtime.kernels.rest_kernels import turn_rows  # numba loads when it is used
 
-        at = np.arange(len(self)) if row is None else np.ascontiguousarray(row, np.int64)
-        _check_numbers("row", at, len(self))
+        at = np.arange(len(self)) if row is None else indices("row", row, len(self))
         values = vectors("directions", directions, len(at))
         result = np.empty_like(values)
         turn_rows(self.rotations, inverse, values, at, result)
@@ -132,8 +131,8 @@ class DeformedMesh:
         """
         from rna_sdk.runtime.kernels.rest_kernels import surface_rest_points
 
-        count = len(triangle)
-        number = _numbers("triangle", triangle, len(self._rest.triangles))
+        number = indices("triangle", triangle, len(self._rest.triangles)).astype(np.int32)
+        count = len(number)
         place = scalars("u", u, count), scalars("v", v, count)
         result = _empty(count)
         rest = self._rest.positions, self._rest.normals, self._rest.triangles
@@ -199,8 +198,9 @@ class DeformedCurves:
         """
         from rna_sdk.runtime.kernels.rest_kernels import fiber_rest_points
 
-        count, rest = len(segment), self._rest.curves
-        number = _numbers("segment", segment, len(self._rest.segments))
+        rest = self._rest.curves
+        number = indices("segment", segment, len(self._rest.segments)).astype(np.int32)
+        count = len(number)
         place = scalars("u", u, count), vectors("normals", normals, count)
         result = _empty(count)
         curves = rest.points, rest.radii, self._rest.segments
@@ -227,17 +227,6 @@ def _checked(name: str, value: object, count: int) -> Float32:
     if (at := first_not_finite(moved)) is not None:
         raise QueryError(f"{name}: row {at} is {moved[at].tolist()}, expected finite numbers")
     return moved
-
-
-def _numbers(what: str, values: NDArray[np.integer], count: int) -> NDArray[np.int32]:
-    numbers = np.ascontiguousarray(values, np.int32)
-    _check_numbers(what, numbers, count)
-    return numbers
-
-
-def _check_numbers(what: str, numbers: NDArray[np.integer], count: int) -> None:
-    if len(numbers) and not 0 <= int(numbers.min()) <= int(numbers.max()) < count:
-        raise QueryError(f"{what}: a number is outside [0, {count})")
 
 
 def _corner_angles(p: NDArray[np.float64]) -> Float32:

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.arrays import vectors
+from rna_sdk.errors import QueryError
 from rna_sdk.package.manifest.manifest_fields import Region
 
 
@@ -15,7 +16,7 @@ def in_region(region: Region, directions: NDArray[np.float32]) -> NDArray[np.boo
     region: `wo` or `wi` of `Asset.domain`. directions: (n, 3) float32, unit, object space.
 
     Raises:
-        QueryError: `directions` is not an (n, 3) float32 array.
+        QueryError: `directions` is not an (n, 3) float32 array, or `region` has no such name.
 
     Examples:
         >>> asset = load("toy.rna")  # trained for the whole sphere
@@ -27,6 +28,9 @@ def in_region(region: Region, directions: NDArray[np.float32]) -> NDArray[np.boo
         return np.ones(len(directions), bool)
     if region == "hemisphere":
         return directions[:, 1] >= 0.0
+    if isinstance(region, str):
+        expected = "sphere, hemisphere or cones"
+        raise QueryError(f"region: expected {expected}, found {region!r}")
     axes = np.array([cone.axis for cone in region])
     axes /= np.linalg.norm(axes, axis=1, keepdims=True)
     cosines = np.cos([cone.half_angle for cone in region]).astype(np.float32)

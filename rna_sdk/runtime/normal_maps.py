@@ -10,6 +10,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from rna_sdk.arrays import indices
 from rna_sdk.package import Mesh
 from rna_sdk.package.textures.normal_maps import NormalMap
 from rna_sdk.runtime.transmittance_lookup import bilinear
@@ -33,12 +34,16 @@ def mapped_normals(
 
     Returns (n, 3) float32 unit normals, object space.
 
+    Raises:
+        QueryError: `triangle` is no such array, or a triangle is not there.
+
     Examples:
         >>> asset = load("toy.rna")  # without normal maps: the mesh's own normals
         >>> first, middle = np.zeros(1, np.int32), np.full(1, 1 / 3, np.float32)
         >>> mapped_normals(asset.mesh, asset.normal_maps, first, middle, middle).shape
         (1, 3)
     """
+    triangle = indices("triangle", triangle, len(mesh.triangles))
     corners = mesh.triangles[triangle]
     weights = np.stack([1.0 - u.astype(np.float64) - v, u, v], axis=1, dtype=np.float64)
     n = _unit(np.einsum("nk,nkc->nc", weights, mesh.normals[corners].astype(np.float64)))

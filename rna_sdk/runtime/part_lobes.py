@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.arrays import scalars, vectors
-from rna_sdk.errors import QueryError
+from rna_sdk.arrays import indices, scalars, vectors
 from rna_sdk.package import Curves, EnvironmentLobes, Mesh, decoder_from_bytes, query_width
 from rna_sdk.package.decoder.query_arrays import Rows, in_order
 from rna_sdk.package.manifest.manifest_model import Part
@@ -39,13 +38,12 @@ class PartLobes:
         """Coefficients of the visibility at points of the geometry: (n, columns) float32."""
         from rna_sdk.runtime.kernels.lobe_kernels import mixed_harmonics
 
-        number, count = np.ascontiguousarray(primitives, np.int64), len(primitives)
+        corners = self._corners_of(geometry)
+        number = indices("primitives", primitives, len(corners))
+        count = len(number)
         weights = scalars("u", u, count), scalars("v", v, count)
         result = np.empty((count, self.columns), np.float32)
         if self._lobes.harmonics is not None:
-            corners = self._corners_of(geometry)
-            if count and not 0 <= int(number.min()) <= int(number.max()) < len(corners):
-                raise QueryError(f"primitives: a number is outside [0, {len(corners)})")
             mixed_harmonics(self._lobes.harmonics, corners, number, *weights, result)
         return result
 

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from rna_sdk.arrays import indices
 from rna_sdk.package import Mesh, Transmittance
 
 Float = NDArray[np.float64]
@@ -31,6 +32,9 @@ def transmittance(
 
     Returns (n, 3) float32 RGB, 0 to 1.
 
+    Raises:
+        QueryError: `triangle` is no such array, or a triangle is not there.
+
     Examples:
         >>> asset = load("toy.rna")  # opaque
         >>> first, middle = np.zeros(1, np.int32), np.full(1, 1 / 3, np.float32)
@@ -38,6 +42,7 @@ def transmittance(
         >>> transmittance(asset.mesh, records, first, middle, middle, down).tolist()
         [[0.0, 0.0, 0.0]]
     """
+    triangle = indices("triangle", triangle, len(mesh.triangles))
     tau = np.zeros((len(triangle), 3))
     for record in records:
         rows = np.flatnonzero((triangle >= record.first) & (triangle < record.first + record.count))

@@ -50,6 +50,8 @@ def test_sphere_and_hemisphere() -> None:
 
 
 def test_other_arrays_are_refused() -> None:
+    with pytest.raises(QueryError, match=r"region: expected sphere.* found 'nosuch'"):
+        in_region("nosuch", np.zeros((1, 3), np.float32))
     with pytest.raises(QueryError, match="directions"):
         in_region("sphere", np.zeros((2, 2), np.float32))
 

@@ -223,6 +223,7 @@ def test_results_can_be_written_into_arrays_of_the_caller(asset: Asset) -> None:
         ((np.zeros((7, 3), np.float32), np.zeros((6, 3), np.float32)), r"out\[1\]: .*\(6, 3\)"),
         ((np.zeros((7, 3)), np.zeros((7, 3), np.float32)), r"out\[0\]: .*float64"),
         ((np.zeros((7, 6), np.float32)[:, ::2], np.zeros((7, 3), np.float32)), "contiguous"),
+        ((np.zeros((7, 3), np.float32),) * 2, "out: expected arrays of their own memory"),
     ],
 )
 def test_results_that_cannot_be_written_are_refused(asset: Asset, bad: object, actual: str) -> None:

@@ -29,7 +29,7 @@ _SMALLEST_TILE = 256
 
 
 class QueryFiller:
-    """Gathers features and lays out decoder inputs for one part in one part.
+    """Gathers features and lays out decoder inputs, for one part in one tier.
 
     Attributes:
         largest_query: no number in the queries is further from 0.
