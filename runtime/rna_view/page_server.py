@@ -13,7 +13,7 @@ from urllib.parse import unquote
 
 from rna_render.local_server import LOOPBACK, LocalHandler, LocalServer
 from rna_sdk.errors import ViewError
-from rna_view.site_files import VIEWER_FILES, Site, viewer_file
+from rna_view.site_files import SCENE, SITE_NAME, VIEWER_FILES, Site, viewer_file
 
 TYPES = {
     ".html": "text/html; charset=utf-8",
@@ -25,7 +25,6 @@ HEADERS = {
     "Content-Security-Policy": "default-src 'none'; script-src 'self'; style-src 'self'; "
     "img-src 'self' blob: data:; connect-src 'self' blob:; base-uri 'none'; form-action 'none'",
     "Cross-Origin-Resource-Policy": "same-origin",
-    "Cache-Control": "no-cache",
     "X-Content-Type-Options": "nosniff",
     "Referrer-Policy": "no-referrer",
 }
@@ -88,6 +87,8 @@ class _Handler(LocalHandler):
             self.send_header("Content-Range", f"bytes {start}-{end - 1}/{size}")
         kind = TYPES.get(Path(name).suffix, "application/octet-stream")
         headers = {"Content-Type": kind, "Content-Length": str(end - start)}
+        is_hash = SITE_NAME.fullmatch(name) is not None and name != SCENE
+        headers["Cache-Control"] = "public, max-age=31536000, immutable" if is_hash else "no-cache"
         for key, value in {"Accept-Ranges": "bytes", **headers, **HEADERS}.items():
             self.send_header(key, value)
         self.end_headers()

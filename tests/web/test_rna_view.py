@@ -51,7 +51,9 @@ def test_server_gives_the_page_and_its_files_alone(package):
         status, headers, page = fetch(server.url)
         assert status == 200 and f'src="{name_of(package)}"'.encode() in page
         assert "script-src 'self'" in headers["Content-Security-Policy"]
-        assert fetch(server.url + name_of(package))[2] == package.read_bytes()
+        assert headers["Cache-Control"] == "no-cache"
+        _, headers, content = fetch(server.url + name_of(package))
+        assert content == package.read_bytes() and "immutable" in headers["Cache-Control"]
         for name in ("../cli.py", "site/viewer.js", "etc/passwd", "%2e%2e/x"):
             assert fetch(server.url + name)[0] == 404
         assert fetch(server.url, Host="evil.example")[0] == 403
