@@ -14,6 +14,7 @@ EXTENSION = REPOSITORY / "exporters" / "blender_extension"
 IN_BLENDER = {"bpy", "bpy_extras", "mathutils", "numpy", *sys.stdlib_module_names}
 PUBLIC = {
     "rna_sdk.atomic_file",
+    "rna_sdk.errors",
     "rna_sdk.package",
     "rna_sdk.runtime",
     "rna_sdk.runtime.standin_colors",

@@ -77,11 +77,11 @@ def test_pieces_are_the_whole_and_are_kept(scene: Path, device: Device) -> None:
     whole = on_gpu(scene_file, load_world(scene_file), lambda: device)
     for name, values in whole.channels().items():
         assert np.array_equal(values, film.channels()[name]), name
-    assert [piece for piece, _ in finished.found()] == [Piece(0, 96)]
+    assert [piece for piece, _ in finished.saved()] == [Piece(0, 96)]
     again, _ = render_pieces(scene_file, this_machine(), 1, folder, "gpu")
     assert np.array_equal(again.channels()["R"], film.channels()["R"])
     render_pieces(scene_file, this_machine(), 1, folder, "cpu")  # pieces of its own
-    assert [piece for piece, _ in finished.found()] == []
+    assert [piece for piece, _ in finished.saved()] == []
 
 
 def test_machines_of_a_cluster_that_have_a_gpu(monkeypatch: pytest.MonkeyPatch) -> None:

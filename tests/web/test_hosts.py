@@ -72,12 +72,11 @@ size 4100000
 
 
 @pytest.mark.parametrize(
-    ("content", "actual"),
-    [(PAGE_NOT_FOUND, "an HTML page"), (POINTER, "a pointer of Git LFS")],
-    ids=["html", "lfs"],
+    ("kind", "content", "actual"),
+    [("html", PAGE_NOT_FOUND, "an HTML page"), ("lfs", POINTER, "a pointer of Git LFS")],
 )
-def test_what_stands_in_the_place_of_a_file_is_said(page, folder, url, content, actual):
-    wrong = {"src": "other.rna", "environment": "other.hdr", "scene": "other.json"}
+def test_what_stands_in_the_place_of_a_file_is_said(page, folder, url, kind, content, actual):
+    wrong = {"src": f"{kind}.rna", "environment": f"{kind}.hdr", "scene": f"{kind}.json"}
     for name in wrong.values():
         (folder / name).write_text(content)
     show(page, folder, url, f'<rna-viewer id="one" loading="eager" {SMALL}></rna-viewer>')

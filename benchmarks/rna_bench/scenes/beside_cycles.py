@@ -13,8 +13,7 @@ from rna_export.compare.comparison_run import Timed
 from rna_export.compare.cycles_scene import cycles_scene
 from rna_export.metrics import IRRADIANCE, NoiselessPsnr, display, flip, psnr_without_noise, to_png
 from rna_export.pictures import flip_colours
-from rna_render import Camera, Denoiser, load_world, make_integrator, render
-from rna_render.image.film import Film
+from rna_render import Camera, Denoiser, Film, load_world, make_integrator, render
 from rna_render.lights import LUMINANCE
 from rna_render.scene import Scene, SceneFile
 

@@ -29,8 +29,8 @@ def write_parts(path: Path, parts: Mapping[str, Mapping[str, np.ndarray]]) -> No
 def read_part(path: Path, part: str, fields: Mapping[str, int]) -> dict[str, np.ndarray]:
     """The named fields of one part's samples, with their numbers of columns.
 
-    Raises CaptureError if the file is damaged, or has arrays of another shape or numbers that are
-    not at most MAX_NUMBER.
+    Raises CaptureError if the file is damaged, or has arrays of another shape, or numbers that
+    are not finite or above MAX_NUMBER.
     """
     try:
         with safe_open(path, "np") as file:
@@ -51,7 +51,8 @@ def read_part(path: Path, part: str, fields: Mapping[str, int]) -> dict[str, np.
         usable = (rows >= -MAX_NUMBER) & (rows <= MAX_NUMBER)
         if not usable.all():
             bad = np.count_nonzero(~usable.reshape(len(rows), -1).all(axis=1))
-            raise damaged(path, f"{bad} rows of {part}/{field} are not at most {MAX_NUMBER:g}")
+            what = f"{part}/{field} are not finite numbers up to {MAX_NUMBER:g}"
+            raise damaged(path, f"{bad} rows of {what}")
     return arrays
 
 
