@@ -14,7 +14,7 @@ from tests.render.test_second_opinion import LEVEL, coarser, student_limit, welc
 if TYPE_CHECKING:
     from tests.mitsuba.scene_pairs import Pair
 
-SIZE, BATCHES = (24, 16), 16
+SIZE, BATCHES = (24, 16), 24
 
 
 @pytest.mark.parametrize(
