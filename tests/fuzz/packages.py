@@ -49,8 +49,8 @@ C_FLAGS = [
     *("-DRNA_EXACT_ENTRIES", "-D_POSIX_C_SOURCE=200809L"),  # each entry in a block of its own size
 ]
 _HITS = 4
-_NOT_OF_THE_C_HOST = {"EXTENSION_REQUIRED", "EXTENSION_UNKNOWN", "DECODER_PROFILE"}
-"""Codes where the C host has not looked into the extension, or does not run the decoder."""
+_NOT_OF_THE_C_HOST = {"EXTENSION_REQUIRED", "EXTENSION_UNKNOWN"}
+"""Codes where the C host has not looked into the extension."""
 
 
 @dataclass
