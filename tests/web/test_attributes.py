@@ -63,6 +63,23 @@ def test_a_tier_that_is_not_there_is_told(page):
 
 
 @pytest.mark.usefixtures("element")
+def test_a_tier_that_is_set_while_the_package_loads(page):
+    page.evaluate(
+        """(() => {
+            const { stage } = one, show = stage._show;
+            stage._show = function (...given) {
+                delete stage._show;
+                one.tier = "hq";
+                return show.apply(stage, given);
+            };
+            one.src = "tiny.rna";
+            return 0;
+        })()"""
+    )
+    page.wait_for("one.stage.shown?.name === 'hq'", TIMEOUT)
+
+
+@pytest.mark.usefixtures("element")
 def test_the_same_address_is_tried_again_after_a_failure(page, folder):
     wrong = {"src": "later.rna", "environment": "later.hdr", "scene": "later.json"}
     page.evaluate(f"Object.assign(one, {json.dumps(wrong)}), 0")

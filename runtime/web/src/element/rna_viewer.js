@@ -120,7 +120,7 @@ export class RnaViewer extends HTMLElement {
     if (name === "poster") this._showImage(settings.poster);
     if (name === "scene" && this.isBegun) this._openScene();
     if (name === "environment" && this.isBegun) this._light();
-    if (name === "tier" && stage.opened) stage.switchTier(settings.tier);
+    if (name === "tier" && stage.opened && !stage.loading) stage.switchTier(settings.tier);
     if (name === "first-look" && stage.shown) stage.switchTier(stage.shown.name);
     if (name === "samples") stage.setSampling({ rounds: settings.samples ?? 256 });
     if (name === "jitter") stage.setSampling({ jitter: settings.jitter ?? 1 });

@@ -44,10 +44,11 @@ export class Stage extends LastingEngine {
         : await UrlSource.open(from, progress, signal, this.labels[nameOf(from)]);
       const opened = await Package.open(source);
       signal.throwIfAborted();
-      const tier = this._known(opened, this.settings.tier);
+      const wanted = this.settings.tier, tier = this._known(opened, wanted);
       if (await this.begun) opened.prefetch(tier, this.settings.firstLook !== "off");
       await this._offerPoster(opened);
       await this._show(opened, tier, true, signal);
+      if (this.settings.tier !== wanted) await this._show(opened, this._known(opened, this.settings.tier), false, signal);
     } catch (error) {
       if (!signal.aborted) this.failed(error, "asset");
     } finally {
