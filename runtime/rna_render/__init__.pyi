@@ -1,7 +1,6 @@
 """Public names of `rna_render`."""
 
 from .image.denoise import Denoiser as Denoiser
-from .image.film import Film as Film
 from .image.film import Layers as Layers
 from .image.images import read_exr as read_exr
 from .image.images import write_exr as write_exr

@@ -13,7 +13,7 @@ from rna_export.compare.comparison_run import Timed
 from rna_export.compare.cycles_scene import cycles_scene
 from rna_export.metrics import IRRADIANCE, NoiselessPsnr, display, flip, psnr_without_noise, to_png
 from rna_export.pictures import flip_colours
-from rna_render import Camera, Denoiser, Film, load_world, make_integrator, render
+from rna_render import Camera, Denoiser, load_world, make_integrator, render
 from rna_render.lights import LUMINANCE
 from rna_render.scene import Scene, SceneFile
 
@@ -70,16 +70,6 @@ class Beside:
         return (image * (self.exposure / IRRADIANCE)).astype(np.float32)
 
 
-def denoised(film: Film, denoiser: Denoiser | None) -> np.ndarray:
-    """RGB (h, w, 3) of a render, denoised as rna-run does where there is a denoiser."""
-    channels = film.channels()
-    image = np.stack([channels[c] for c in "RGB"], axis=-1)
-    if denoiser is None:
-        return image
-    normal = np.stack([channels[f"normal.{c}"] for c in "XYZ"], axis=-1)
-    return denoiser(image, normal, film.variance())
-
-
 class OurScene:
     """A scene of ours, loaded."""
 
@@ -95,7 +85,12 @@ class OurScene:
         scene = self._scene.model_copy(update={"samples": samples, "seed": seed})
         integrator = make_integrator(scene, self._world)
         begun = time.perf_counter()
-        image = denoised(render(scene, integrator), denoiser)
+        film = render(scene, integrator)
+        if denoiser is None:
+            channels = film.channels()
+            image = np.stack([channels[c] for c in "RGB"], axis=-1)
+        else:
+            image = denoiser.of_film(film)
         return Timed(image, time.perf_counter() - begun)
 
     def channels(self, samples: int) -> dict[str, np.ndarray]:

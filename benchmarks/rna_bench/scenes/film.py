@@ -23,7 +23,7 @@ from PIL import Image
 from tqdm import tqdm
 
 from rna_bench.results import write_results
-from rna_bench.scenes.beside_cycles import Beside, denoised
+from rna_bench.scenes.beside_cycles import Beside
 from rna_export.capture.blender_process import blender_env
 from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
@@ -107,7 +107,7 @@ class _Ours:
         begun, worked = time.perf_counter(), time.process_time()
         world = load_world(replace(self._file, scene=scene), loaded=self._loaded)
         film = render(scene, make_integrator(scene, world))
-        image = denoised(film, self._denoiser)
+        image = self._denoiser.of_film(film)
         taken = time.perf_counter() - begun, time.process_time() - worked
         return _Frame(image, *taken), film.channels()["assetId"] == 1
 

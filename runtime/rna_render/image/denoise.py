@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
 from rna_sdk.errors import SceneError
+
+if TYPE_CHECKING:
+    from rna_render.image.film import Film
 
 Quality = Literal["fast", "high"]
 
@@ -69,6 +72,15 @@ class Denoiser:
         """
         filtered = self._guided(rgb, normal)
         return filtered if variance is None else blended(rgb, filtered, variance)
+
+    def of_film(self, film: Film) -> np.ndarray:
+        """A film's image without noise, guided by its normals and blended by its variance."""
+        channels = film.channels()
+        rgb, normal = (
+            np.stack([channels[name] for name in names], axis=-1)
+            for names in ("RGB", [f"normal.{c}" for c in "XYZ"])
+        )
+        return self(rgb, normal, film.variance())
 
     def _guided(self, rgb: np.ndarray, normal: np.ndarray | None) -> np.ndarray:
         images, flags = {"color": rgb}, {"hdr": True}

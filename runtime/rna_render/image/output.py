@@ -66,8 +66,7 @@ class Output:
         channels = film.channels()
         rgb = np.stack([channels[name] for name in "RGB"], axis=-1)
         if self.denoiser is not None:
-            normal = np.stack([channels[f"normal.{c}"] for c in "XYZ"], axis=-1)
-            rgb = self.denoiser(rgb, normal, film.variance())
+            rgb = self.denoiser.of_film(film)
             channels |= _layer("denoised", rgb)
         attributes = self._attributes(scene, film.samples)
         if self.linear is not None:
