@@ -15,7 +15,7 @@ PIXELS = 20_000
 @pytest.mark.parametrize("samples", [2, 3, 16, 24, 64])
 def test_independent_samples_have_the_variance_of_their_mean(samples):
     values = RNG.standard_normal((samples, PIXELS, 3))
-    halves, total = Halves(np.zeros((PIXELS, 3)), np.zeros((PIXELS, 3))), np.zeros((PIXELS, 3))
+    halves, total = Halves.empty(PIXELS), np.zeros((PIXELS, 3))
     for count, value in enumerate(values, 1):
         total += value
         halves.follow(total, count)
@@ -26,7 +26,7 @@ def test_independent_samples_have_the_variance_of_their_mean(samples):
 
 def test_samples_that_come_several_at_once():
     values = RNG.standard_normal((12, PIXELS, 3))
-    halves, total, count = Halves(np.zeros((PIXELS, 3)), np.zeros((PIXELS, 3))), 0.0, 0
+    halves, total, count = Halves.empty(PIXELS), 0.0, 0
     for group in np.split(values, [3, 8]):
         total, count = total + group.sum(axis=0), count + len(group)
         halves.follow(total, count)

@@ -86,11 +86,11 @@ class OurScene:
         integrator = make_integrator(scene, self._world)
         begun = time.perf_counter()
         film = render(scene, integrator)
+        channels = film.channels()
         if denoiser is None:
-            channels = film.channels()
             image = np.stack([channels[c] for c in "RGB"], axis=-1)
         else:
-            image = denoiser.of_film(film)
+            image = denoiser.of_channels(channels, film.variance())
         return Timed(image, time.perf_counter() - begun)
 
     def channels(self, samples: int) -> dict[str, np.ndarray]:

@@ -107,9 +107,10 @@ class _Ours:
         begun, worked = time.perf_counter(), time.process_time()
         world = load_world(replace(self._file, scene=scene), loaded=self._loaded)
         film = render(scene, make_integrator(scene, world))
-        image = self._denoiser.of_film(film)
+        channels = film.channels()
+        image = self._denoiser.of_channels(channels, film.variance())
         taken = time.perf_counter() - begun, time.process_time() - worked
-        return _Frame(image, *taken), film.channels()["assetId"] == 1
+        return _Frame(image, *taken), channels["assetId"] == 1
 
 
 class _Cycles:

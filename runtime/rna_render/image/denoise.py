@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import numpy as np
 
 from rna_sdk.errors import SceneError
-
-if TYPE_CHECKING:
-    from rna_render.image.film import Film
 
 Quality = Literal["fast", "high"]
 
@@ -73,14 +70,15 @@ class Denoiser:
         filtered = self._guided(rgb, normal)
         return filtered if variance is None else blended(rgb, filtered, variance)
 
-    def of_film(self, film: Film) -> np.ndarray:
-        """A film's image without noise, guided by its normals and blended by its variance."""
-        channels = film.channels()
+    def of_channels(
+        self, channels: Mapping[str, np.ndarray], variance: np.ndarray | None
+    ) -> np.ndarray:
+        """A film's image without noise, from its `channels` and its `variance`."""
         rgb, normal = (
             np.stack([channels[name] for name in names], axis=-1)
             for names in ("RGB", [f"normal.{c}" for c in "XYZ"])
         )
-        return self(rgb, normal, film.variance())
+        return self(rgb, normal, variance)
 
     def _guided(self, rgb: np.ndarray, normal: np.ndarray | None) -> np.ndarray:
         images, flags = {"color": rgb}, {"hdr": True}

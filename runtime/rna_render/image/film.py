@@ -95,10 +95,11 @@ class Film:
         self.groups = tuple(groups)
         count = self.width * self.height
         pixel = Layers.empty(1, len(groups), np.float64)
-        needed = count * sum(getattr(pixel, field.name).nbytes for field in fields(Layers))
-        check_memory(needed, f"an image of {self.width} x {self.height} pixels")
+        bytes_a_pixel = sum(getattr(pixel, field.name).nbytes for field in fields(Layers))
+        bytes_a_pixel += Halves.empty(1).nbytes
+        check_memory(count * bytes_a_pixel, f"an image of {self.width} x {self.height} pixels")
         self._sum = Layers.empty(count, len(groups), np.float64)
-        self._halves = Halves(np.zeros((count, 3)), np.zeros((count, 3)))
+        self._halves = Halves.empty(count)
 
     def add(self, bands: Sequence[Layers], samples: int = 1) -> None:
         """Add one sample of every pixel, or the sum of several: bands, one after the other."""

@@ -26,6 +26,16 @@ class Halves:
     variance: np.ndarray
     samples: int = 0
 
+    @classmethod
+    def empty(cls, count: int) -> Halves:
+        """Of no samples, for `count` pixels."""
+        return cls(np.zeros((count, 3)), np.zeros((count, 3)))
+
+    @property
+    def nbytes(self) -> int:
+        """Memory of the arrays."""
+        return self.first.nbytes + self.variance.nbytes
+
     def follow(self, total: np.ndarray, samples: int) -> None:
         """Take note of the sum (n, 3) of so many samples."""
         if samples < 2 * self.samples:

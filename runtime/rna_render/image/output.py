@@ -66,7 +66,7 @@ class Output:
         channels = film.channels()
         rgb = np.stack([channels[name] for name in "RGB"], axis=-1)
         if self.denoiser is not None:
-            rgb = self.denoiser.of_film(film)
+            rgb = self.denoiser.of_channels(channels, film.variance())
             channels |= _layer("denoised", rgb)
         attributes = self._attributes(scene, film.samples)
         if self.linear is not None:
