@@ -7,6 +7,7 @@ of the scene, directions towards itself, and what arrives from there.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Callable
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -142,7 +143,16 @@ class PlacedLight(ShapeLight):
     """A black shape, an instance of its own in the scene, one side of which shines evenly.
 
     area: m^2, of the side that shines. shape: members of NUMBERS.
+
+    Attributes:
+        sample_kernel: (numbers, x_world, u, wi_world, distance, pdf): fills in the last three as
+            `sample` does; pdf is 0 where the dark side is sampled.
+        density_kernel: (numbers, x_world, d_world, pdf): fills in the densities of `eval_hit`, 0
+            where rays meet the dark side.
     """
+
+    sample_kernel: ClassVar[Callable[..., None]]
+    density_kernel: ClassVar[Callable[..., None]]
 
     scene: GeometryScene
     world_from_object: np.ndarray  # (4, 4), a similarity
@@ -156,7 +166,8 @@ class PlacedLight(ShapeLight):
         return float(np.pi * self.area * luminance(self.colour))
 
     def _fill(self, x_world: np.ndarray, u: np.ndarray, samples: LightSamples) -> None:
-        self._fill_directions(x_world, u, samples)
+        out = samples.wi_world, samples.distance, samples.pdf
+        self.sample_kernel(self.numbers, x_world, u, *out)
         samples.radiance[samples.pdf > 0.0] = self.colour
 
     def eval_hit(
@@ -164,14 +175,7 @@ class PlacedLight(ShapeLight):
     ) -> tuple[np.ndarray, np.ndarray]:
         x_world = vectors("x_world", x_world)
         radiance, pdf = np.zeros_like(x_world), np.empty(len(x_world), np.float32)
-        self._fill_densities(x_world, vectors("d_world", d_world, len(x_world)), pdf)
+        d_world = vectors("d_world", d_world, len(x_world))
+        self.density_kernel(self.numbers, x_world, d_world, pdf)
         radiance[pdf > 0.0] = self.colour
         return radiance, pdf
-
-    @abstractmethod
-    def _fill_directions(self, x_world: np.ndarray, u: np.ndarray, samples: LightSamples) -> None:
-        """Fill in `sample`, but for the radiance; pdf is 0 where the dark side is sampled."""
-
-    @abstractmethod
-    def _fill_densities(self, x_world: np.ndarray, d_world: np.ndarray, pdf: np.ndarray) -> None:
-        """Fill in the densities of `eval_hit`; 0 where rays meet the dark side."""

@@ -6,35 +6,12 @@ from typing import Any
 
 import numpy as np
 
-from rna_render.lights.base import LightSamples, PlacedLight, light_numbers
+from rna_render.lights.base import PlacedLight, light_numbers
 from rna_render.lights.directions import facing_frame, flat_pdf
 from rna_render.scene.light_models import DiskModel
 from rna_sdk.compiled import compiled
 from rna_trace.embree import DiscScene
 from rna_trace.vectors import Vector, vector_at
-
-
-class DiskLight(PlacedLight):
-    """Sampled uniformly over its area. In its own space it faces +z, about the origin."""
-
-    kind = "disk"
-    NUMBERS = light_numbers(("frame", (3, 4)), ("radius", ()))
-
-    def __init__(self, model: DiskModel) -> None:
-        self.world_from_object = facing_frame(model.position, model.look_at)
-        shape = {"frame": self.world_from_object[:3], "radius": model.radius}
-        super().__init__(model, np.pi * model.radius**2, **shape)
-        centre, normal = np.zeros((1, 3), np.float32), np.array([[0, 0, 1]], np.float32)
-        self.scene = DiscScene(centre, normal, np.array([model.radius], np.float32))
-
-    def _fill_directions(self, x_world: np.ndarray, u: np.ndarray, samples: LightSamples) -> None:
-        _sample(self.numbers, x_world, u, samples.wi_world, samples.distance, samples.pdf)
-
-    def _fill_densities(self, x_world: np.ndarray, d_world: np.ndarray, pdf: np.ndarray) -> None:
-        _densities(self.numbers, x_world, d_world, pdf)
-
-
-make = DiskLight
 
 
 @compiled(fastmath=())
@@ -91,3 +68,22 @@ def _densities(
     light = numbers[0]
     for i in range(len(x_world)):
         pdf[i] = _density(light, vector_at(x_world, i), vector_at(d_world, i))
+
+
+class DiskLight(PlacedLight):
+    """Sampled uniformly over its area. In its own space it faces +z, about the origin."""
+
+    kind = "disk"
+    NUMBERS = light_numbers(("frame", (3, 4)), ("radius", ()))
+    sample_kernel = staticmethod(_sample)
+    density_kernel = staticmethod(_densities)
+
+    def __init__(self, model: DiskModel) -> None:
+        self.world_from_object = facing_frame(model.position, model.look_at)
+        shape = {"frame": self.world_from_object[:3], "radius": model.radius}
+        super().__init__(model, np.pi * model.radius**2, **shape)
+        centre, normal = np.zeros((1, 3), np.float32), np.array([[0, 0, 1]], np.float32)
+        self.scene = DiscScene(centre, normal, np.array([model.radius], np.float32))
+
+
+make = DiskLight

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from rna_render.lights.base import LightSamples, PlacedLight, light_numbers
+from rna_render.lights.base import PlacedLight, light_numbers
 from rna_render.lights.directions import facing_frame, flat_pdf
 from rna_render.scene.light_models import RectangleModel
 from rna_sdk.compiled import compiled
@@ -19,32 +19,6 @@ from rna_trace.vectors import Vector, vector_at
 # Steradians. The solid angle is a difference of angles, exact to 1e-15; below this it is sampled
 # uniformly over the area instead, which is as good for what looks so small.
 MIN_SOLID_ANGLE = 1e-7
-
-
-class RectangleLight(PlacedLight):
-    """A rectangle that faces +z in its own space, centred at the origin, its height along +y."""
-
-    kind = "rectangle"
-    NUMBERS = light_numbers(("frame", (3, 4)), ("half", 2))
-
-    def __init__(self, model: RectangleModel) -> None:
-        width, height = model.size
-        self.world_from_object = facing_frame(model.position, model.look_at, model.up)
-        half = np.array([width / 2.0, height / 2.0])
-        shape = {"frame": self.world_from_object[:3], "half": half}
-        super().__init__(model, width * height, **shape)
-        corners = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]])
-        positions = (corners * [*half, 0.0]).astype(np.float32)
-        self.scene = TriangleScene([(positions, np.array([[0, 1, 2], [0, 2, 3]], np.uint32))])
-
-    def _fill_directions(self, x_world: np.ndarray, u: np.ndarray, samples: LightSamples) -> None:
-        _sample(self.numbers, x_world, u, samples.wi_world, samples.distance, samples.pdf)
-
-    def _fill_densities(self, x_world: np.ndarray, d_world: np.ndarray, pdf: np.ndarray) -> None:
-        _densities(self.numbers, x_world, d_world, pdf)
-
-
-make = RectangleLight
 
 
 @compiled(fastmath=())
@@ -148,3 +122,25 @@ def _densities(
     light = numbers[0]
     for i in range(len(x_world)):
         pdf[i] = _density(light, vector_at(x_world, i), vector_at(d_world, i))
+
+
+class RectangleLight(PlacedLight):
+    """A rectangle that faces +z in its own space, centred at the origin, its height along +y."""
+
+    kind = "rectangle"
+    NUMBERS = light_numbers(("frame", (3, 4)), ("half", 2))
+    sample_kernel = staticmethod(_sample)
+    density_kernel = staticmethod(_densities)
+
+    def __init__(self, model: RectangleModel) -> None:
+        width, height = model.size
+        self.world_from_object = facing_frame(model.position, model.look_at, model.up)
+        half = np.array([width / 2.0, height / 2.0])
+        shape = {"frame": self.world_from_object[:3], "half": half}
+        super().__init__(model, width * height, **shape)
+        corners = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]])
+        positions = (corners * [*half, 0.0]).astype(np.float32)
+        self.scene = TriangleScene([(positions, np.array([[0, 1, 2], [0, 2, 3]], np.uint32))])
+
+
+make = RectangleLight

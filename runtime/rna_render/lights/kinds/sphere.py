@@ -4,35 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from rna_render.lights.base import LightSamples, PlacedLight, light_numbers
+from rna_render.lights.base import PlacedLight, light_numbers
 from rna_render.lights.directions import cone_direction
 from rna_render.scene.light_models import SphereModel
 from rna_sdk.compiled import compiled
 from rna_trace.embree import SphereScene
 from rna_trace.vectors import Vector, vector_at
-
-
-class SphereLight(PlacedLight):
-    """Sampled uniformly over the cone of directions that it fills; dark from within."""
-
-    kind = "sphere"
-    NUMBERS = light_numbers(("centre", 3), ("radius", ()))
-
-    def __init__(self, model: SphereModel) -> None:
-        area = 4.0 * np.pi * model.radius**2
-        super().__init__(model, area, centre=model.position, radius=model.radius)
-        self.world_from_object = np.eye(4)
-        self.world_from_object[:3, 3] = model.position
-        self.scene = SphereScene(np.zeros((1, 3), np.float32), np.array([model.radius], np.float32))
-
-    def _fill_directions(self, x_world: np.ndarray, u: np.ndarray, samples: LightSamples) -> None:
-        _sample(self.numbers, x_world, u, samples.wi_world, samples.distance, samples.pdf)
-
-    def _fill_densities(self, x_world: np.ndarray, d_world: np.ndarray, pdf: np.ndarray) -> None:
-        _densities(self.numbers, x_world, d_world, pdf)
-
-
-make = SphereLight
 
 
 @compiled(fastmath=())
@@ -93,3 +70,22 @@ def _densities(
     light = numbers[0]
     for i in range(len(x_world)):
         pdf[i] = _cone_pdf(_cone(light.centre, light.radius, vector_at(x_world, i))[4])
+
+
+class SphereLight(PlacedLight):
+    """Sampled uniformly over the cone of directions that it fills; dark from within."""
+
+    kind = "sphere"
+    NUMBERS = light_numbers(("centre", 3), ("radius", ()))
+    sample_kernel = staticmethod(_sample)
+    density_kernel = staticmethod(_densities)
+
+    def __init__(self, model: SphereModel) -> None:
+        area = 4.0 * np.pi * model.radius**2
+        super().__init__(model, area, centre=model.position, radius=model.radius)
+        self.world_from_object = np.eye(4)
+        self.world_from_object[:3, 3] = model.position
+        self.scene = SphereScene(np.zeros((1, 3), np.float32), np.array([model.radius], np.float32))
+
+
+make = SphereLight
