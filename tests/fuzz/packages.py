@@ -15,14 +15,12 @@ from __future__ import annotations
 
 import argparse
 import json
-import signal
 import struct
 import subprocess
 import sys
 import tempfile
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -38,6 +36,7 @@ from tests.conftest import REPOSITORY
 from tests.fuzz.package_mutations import mutation
 from tests.hosts.c_host import SOURCES
 from tests.hosts.packages import write_fuzz_packages
+from tests.time_limit import time_limit
 
 SLOW_SECONDS = 20
 BATCH = 1000
@@ -149,7 +148,7 @@ def run_python(mutations: Mutations, folder: Path) -> Tally:
         path.unlink(missing_ok=True)  # what is mapped stays as it is
         path.write_bytes(data)
         try:
-            with _time_limit():
+            with time_limit(SLOW_SECONDS):
                 codes = _codes(path)
         except Exception as error:
             tally.failures.append(f"{number}: {error!r}"[:300])
@@ -241,22 +240,6 @@ def _check_planes(planes: Planes, resolution: int, channels: int) -> None:
     texels = planes if isinstance(planes, np.ndarray) else planes.texels
     if texels.shape != (3, resolution, resolution, channels):
         raise ValueError("planes of another shape")
-
-
-@contextmanager
-def _time_limit() -> Iterator[None]:
-    """Raises TimeoutError in what takes too long."""
-    before = signal.signal(signal.SIGALRM, _too_slow)
-    signal.alarm(SLOW_SECONDS)
-    try:
-        yield
-    finally:
-        signal.alarm(0)
-        signal.signal(signal.SIGALRM, before)
-
-
-def _too_slow(*_: object) -> None:
-    raise TimeoutError(f"more than {SLOW_SECONDS} s")
 
 
 def main() -> int:

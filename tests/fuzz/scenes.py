@@ -17,7 +17,6 @@ from __future__ import annotations
 import argparse
 import faulthandler
 import resource
-import signal
 import sys
 import tempfile
 from collections import Counter
@@ -29,6 +28,7 @@ import numpy as np
 from tests.fuzz.mutations import mutate
 from tests.fuzz.scene_checks import check
 from tests.fuzz.scene_seeds import write_seeds
+from tests.time_limit import time_limit
 
 SLOW_SECONDS = 20
 
@@ -56,25 +56,18 @@ def warm_up(folder: Path) -> None:
 def check_all(first: int, end: int, folder: Path) -> tuple[Counter[str], list[str]]:
     """Counts of "KIND VERDICT", and failures as "NUMBER KIND, FILE: what"."""
     counts, failures = Counter[str](), []
-    signal.signal(signal.SIGALRM, _too_slow)
     for number, name, path in mutations(first, end, folder):
         (folder / "number").write_text(str(number))
         kind = name.partition(",")[0]
         try:
-            signal.alarm(SLOW_SECONDS)
-            verdict = "accepted" if check(kind, path) else "refused"
+            with time_limit(SLOW_SECONDS):
+                verdict = "accepted" if check(kind, path) else "refused"
         except Exception as error:
             cause = f" from {error.__cause__!r}" if error.__cause__ else ""
             failures.append(f"{number} {name}: {error!r}{cause}"[:500])
             verdict = "failed"
-        finally:
-            signal.alarm(0)
         counts[f"{kind} {verdict}"] += 1
     return counts, failures
-
-
-def _too_slow(*_: object) -> None:
-    raise TimeoutError(f"more than {SLOW_SECONDS} s")
 
 
 def main() -> int:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import signal
 import struct
 import tracemalloc
 import zlib
@@ -23,6 +22,7 @@ from rna_render.scene.scene_file import read_scene
 from rna_sdk.errors import SceneError
 from rna_trace.bilinear import CLAMP, MIRROR, REPEAT, texels_around
 from tests.render.test_mesh_files import GLTF_UVS, Gltf, textured
+from tests.time_limit import time_limit
 
 HUGE = [np.nan, np.inf, -np.inf, 1e30, -1e30, 1e308, -1e308]
 WRAPS = {REPEAT: 10497, CLAMP: 33071, MIRROR: 33648}
@@ -30,22 +30,6 @@ WRAPS = {REPEAT: 10497, CLAMP: 33071, MIRROR: 33648}
 
 def read(path: Path):
     return read_mesh_object(path)
-
-
-@contextmanager
-def seconds(limit: int):
-    """A hang is a failure."""
-
-    def stop(*_):
-        raise TimeoutError(f"more than {limit} s")
-
-    before = signal.signal(signal.SIGALRM, stop)
-    signal.alarm(limit)
-    try:
-        yield
-    finally:
-        signal.alarm(0)
-        signal.signal(signal.SIGALRM, before)
 
 
 @contextmanager
@@ -235,7 +219,7 @@ PIPES = {
 def test_a_pipe_is_no_file_of_a_scene(text, tmp_path):
     os.mkfifo(tmp_path / PIPES[text])
     (tmp_path / "scene.yaml").write_text(text + CAMERA)
-    with seconds(20), pytest.raises(SceneError, match="is a pipe or a device"):
+    with time_limit(20), pytest.raises(SceneError, match="is a pipe or a device"):
         load_world(read_scene(tmp_path / "scene.yaml"))
 
 
@@ -245,7 +229,7 @@ def test_a_pipe_is_no_scene_nor_environment_nor_buffer(tmp_path):
     gltf = Gltf().square().node(mesh=0)
     gltf.json["buffers"][0]["uri"] = "buffer.bin"
     gltf.write(tmp_path / "a.gltf")
-    with seconds(20):
+    with time_limit(20):
         for load in (read_scene, read_environment, environment_image, read):
             name = {read_scene: "scene.yaml", read: "a.gltf"}.get(load, "sky.hdr")
             with pytest.raises(SceneError, match="is a pipe or a device"):

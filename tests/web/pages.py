@@ -15,11 +15,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pytest
 
 from rna_view.page_server import PageServer
 from rna_view.site_files import Site
-from tests.render.chromium import INSTALL, SOFTWARE_GPU, Page, find_chromium, open_page
+from tests.render.chromium import SOFTWARE_GPU, Page, find_chromium, open_page
 
 TIMEOUT = 300.0
 """Seconds: SwiftShader compiles shaders for long on a busy machine."""
@@ -81,10 +80,7 @@ def viewer(
     gpu: tuple[str, ...] = SOFTWARE_GPU,
 ) -> Iterator[Page]:
     """The page of a site, its engine begun."""
-    chromium = find_chromium()
-    if chromium is None:
-        pytest.skip(INSTALL)
-    with served(site) as server, open_page(chromium, width, height, gpu) as page:
+    with served(site) as server, open_page(find_chromium(), width, height, gpu) as page:
         page.call("Page.navigate", url=f"{server.url}?{query}")
         page.wait_for(
             "globalThis.rnaViewer?.begun && rnaViewer.begun.then(() => true, () => true)", TIMEOUT

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.render.chromium import INSTALL, SOFTWARE_GPU, Page, find_chromium, open_page
+from tests.render.chromium import SOFTWARE_GPU, Page, find_chromium, open_page
 from tests.web.pages import TIMEOUT, served_folder
 
 REPOSITORY = Path(__file__).parents[3]
@@ -41,12 +41,9 @@ def installed(folder: Path) -> Path:
 @contextmanager
 def opened(folder: Path, name: str, width: int = 96, height: int = 60) -> Iterator[Page]:
     """A page of the folder, served and loaded."""
-    chromium = find_chromium()
-    if chromium is None:
-        pytest.skip(INSTALL)
     with (
         served_folder(folder) as url,
-        open_page(chromium, width, height, SOFTWARE_GPU) as page,
+        open_page(find_chromium(), width, height, SOFTWARE_GPU) as page,
     ):
         page.call("Page.navigate", url=url + name)
         page.wait_for("document.readyState === 'complete'", TIMEOUT)
