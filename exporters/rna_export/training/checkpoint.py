@@ -84,14 +84,14 @@ def _saved(path: Path) -> dict[str, Any]:
     of ZIP files disagree on where a directory is, so torch gets a file of the records checked here.
     """
     checked = BytesIO()
-    with zipfile.ZipFile(path) as weight, zipfile.ZipFile(checked, "w") as written:
-        records = weight.infolist()
+    with zipfile.ZipFile(path) as archive, zipfile.ZipFile(checked, "w") as written:
+        records = archive.infolist()
         if any(record.compress_type != zipfile.ZIP_STORED for record in records):
             raise ValueError("compressed records")
         if sum(record.file_size for record in records) > path.stat().st_size:
             raise ValueError("records that are larger than the file")
         for record in records:
-            written.writestr(record.filename, weight.read(record))
+            written.writestr(record.filename, archive.read(record))
     checked.seek(0)
     saved: dict[str, Any] = torch.load(checked, map_location="cpu", weights_only=True)
     return saved

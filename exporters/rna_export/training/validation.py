@@ -90,10 +90,10 @@ def exposure(views: Sequence[CapturedImage]) -> float:
 
 def reference_warnings(views: Sequence[CapturedImage]) -> list[str]:
     """What keeps a PSNR of these images from saying what it seems to say."""
-    result = plain([view.reference for view in views])
-    if result is not None:
+    appearance = plain([view.reference for view in views])
+    if appearance is not None:
         return [
-            f"warning: the validation images are {result}, so no error can be measured: is the "
+            f"warning: the validation images are {appearance}, so no error can be measured: is the "
             "source lit from outside, and are its textures there?"
         ]
     factor = exposure(views)

@@ -27,15 +27,15 @@ def check_decoder(data: memoryview, part_decoder: PartDecoder) -> list[Issue]:
         refuse(Code.DECODER_TOO_LARGE, part_decoder.entry, f"{len(data)} bytes", expected)
     decoder = decoder_from_bytes(data, part_decoder.entry)
     _check_declared(decoder, part_decoder)
-    for result, what, limit in (
+    for count, what, limit in (
         (decoder.values, "values", MAX_QUERY_VALUES),
         (decoder.multiply_adds, "multiply-adds", MAX_QUERY_WORK),
     ):
-        if result > limit:
+        if count > limit:
             refuse(
                 Code.DECODER_COST,
                 part_decoder.entry,
-                f"{result} {what} a query",
+                f"{count} {what} a query",
                 f"at most {limit}",
             )
     _check_finite(decoder, part_decoder.entry)
@@ -46,7 +46,7 @@ def check_decoder(data: memoryview, part_decoder: PartDecoder) -> list[Issue]:
 def _check_declared(decoder: ProfileDecoder, part_decoder: PartDecoder) -> None:
     """Whether the decoder is the one of the manifest."""
     precision = "int8" if decoder.is_int8 else "float32"
-    for where, result, expected in (
+    for where, found, expected in (
         (
             "input",
             f"queries of {decoder.columns} columns",
@@ -59,8 +59,8 @@ def _check_declared(decoder: ProfileDecoder, part_decoder: PartDecoder) -> None:
         ),
         ("node", f"layers in {precision}", f"layers in {part_decoder.precision}"),
     ):
-        if result != expected:
-            refuse(Code.DECODER_PROFILE, f"{part_decoder.entry}#/graph/{where}", result, expected)
+        if found != expected:
+            refuse(Code.DECODER_PROFILE, f"{part_decoder.entry}#/graph/{where}", found, expected)
 
 
 def _check_finite(decoder: ProfileDecoder, name: str) -> None:

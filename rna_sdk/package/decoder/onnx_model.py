@@ -34,9 +34,9 @@ class OutsideFormat(Exception):
         found, expected: what is there, and what the format wants.
     """
 
-    def __init__(self, where: str, result: object, expected: object) -> None:
-        super().__init__(f"{where}: found {result}, expected {expected}")
-        self.where, self.found, self.expected = where, result, expected
+    def __init__(self, where: str, found: object, expected: object) -> None:
+        super().__init__(f"{where}: found {found}, expected {expected}")
+        self.where, self.found, self.expected = where, found, expected
 
 
 @dataclass(frozen=True)
@@ -110,12 +110,12 @@ def read_model(data: memoryview) -> Model:
 def _check_versions(model: Message) -> None:
     opset = model.message(fields.ModelProto.OPSET_IMPORT)
     _check_domain(opset.text(fields.OperatorSetIdProto.DOMAIN), "/opset_import/0")
-    for where, result, versions in (
+    for where, version, versions in (
         ("/ir_version", model.integer(fields.ModelProto.IR_VERSION), IR_VERSIONS),
         ("/opset_import/0", opset.integer(fields.OperatorSetIdProto.VERSION), OPSET_VERSIONS),
     ):
-        if result not in versions:
-            raise OutsideFormat(where, result, f"{versions.start} to {versions.stop - 1}")
+        if version not in versions:
+            raise OutsideFormat(where, version, f"{versions.start} to {versions.stop - 1}")
 
 
 def _check_domain(domain: str, where: str) -> None:

@@ -25,10 +25,10 @@ class Bindings:
 
     def __init__(self, device: Device, frame_bytes: int) -> None:
         """Raises GpuError: the device binds too few buffers to a shader."""
-        result = device.limits["max-storage-buffers-per-shader-stage"]
-        if result < _STORAGE_BUFFERS:
+        most = device.limits["max-storage-buffers-per-shader-stage"]
+        if most < _STORAGE_BUFFERS:
             needed = f"{_STORAGE_BUFFERS} storage buffers in a shader"
-            raise GpuError(f"{device.name}: rendering takes {needed}, found {result}")
+            raise GpuError(f"{device.name}: rendering takes {needed}, found {most}")
         self._device, self._frame_bytes = device, frame_bytes
         self.path, self.empty = device.layout(*_PATH), device.layout()
         self.pixels, self.film = device.layout(_READ), device.layout("storage")

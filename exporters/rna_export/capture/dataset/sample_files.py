@@ -44,8 +44,8 @@ def read_part(path: Path, part: str, fields: Mapping[str, int]) -> dict[str, np.
     if len({rows.shape[:1] for rows in arrays.values()}) > 1:
         raise damaged(path, "its arrays differ in length")
     for field, rows in arrays.items():
-        result = rows.shape[1:] or (rows.ndim,)
-        if rows.dtype.kind not in "fiu" or result != (fields[field],):
+        columns = rows.shape[1:] or (rows.ndim,)
+        if rows.dtype.kind not in "fiu" or columns != (fields[field],):
             shape = f"{rows.dtype} {list(rows.shape)}"
             raise damaged(path, f"{part}/{field} is {shape}, expected {fields[field]} columns")
         usable = (rows >= -MAX_NUMBER) & (rows <= MAX_NUMBER)
