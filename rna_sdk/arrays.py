@@ -39,9 +39,14 @@ def indices(name: str, value: object, size: int) -> NDArray[np.int64]:
     if value.ndim != 1 or not np.issubdtype(value.dtype, np.integer):
         found = f"{value.shape} {value.dtype}"
         raise QueryError(f"{name}: expected an (n,) integer array, found {found}")
-    if len(value) and not 0 <= int(value.min()) <= int(value.max()) < size:
-        raise QueryError(f"{name}: a number is outside [0, {size})")
+    check_numbers(name, value, size)
     return np.ascontiguousarray(value, np.int64)
+
+
+def check_numbers(name: str, numbers: NDArray[np.integer], size: int) -> None:
+    """Raises QueryError unless all `numbers` of triangles or segments are within [0, size)."""
+    if len(numbers) and not 0 <= int(numbers.min()) <= int(numbers.max()) < size:
+        raise QueryError(f"{name}: a number is outside [0, {size})")
 
 
 def first_not_finite(rows: NDArray[np.floating]) -> int | None:

@@ -12,10 +12,10 @@ from dataclasses import dataclass
 import numpy as np
 from numba import prange
 
+from rna_sdk.arrays import check_numbers
 from rna_sdk.compiled import compiled
 from rna_sdk.errors import QueryError
 from rna_sdk.package import Curves
-from rna_trace.rays import check_numbers
 from rna_trace.vectors import Vector, unit, vector_at
 
 

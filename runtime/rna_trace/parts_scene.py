@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from rna_sdk.arrays import vectors
+from rna_sdk.arrays import check_numbers, vectors
 from rna_sdk.package import Curves, Mesh
 from rna_trace.embree.filters import start_strand_filter, strand_transmittance_filter
 from rna_trace.embree.scenes import add_curves, add_mesh
@@ -21,7 +21,7 @@ from rna_trace.embree.tracing import (
 )
 from rna_trace.fiber import FiberPoints
 from rna_trace.normal_maps import NormalMaps
-from rna_trace.rays import check_numbers, per_ray
+from rna_trace.rays import per_ray
 from rna_trace.surface import SurfacePoints, leaving_origins
 from rna_trace.transmittance import Transmittance, geometry_table
 

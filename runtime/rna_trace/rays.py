@@ -7,12 +7,6 @@ import numpy as np
 from rna_sdk.errors import QueryError
 
 
-def check_numbers(what: str, numbers: np.ndarray, count: int) -> None:
-    """Raises QueryError unless all `numbers` of triangles or segments are within [0, count)."""
-    if len(numbers) and not 0 <= numbers.min() <= numbers.max() < count:
-        raise QueryError(f"a {what} number is outside [0, {count})")
-
-
 def per_ray(
     name: str, values: np.ndarray | float, count: int, dtype: type = np.float32
 ) -> np.ndarray:

@@ -12,11 +12,10 @@ from typing import Protocol
 import numpy as np
 from numba import prange
 
-from rna_sdk.arrays import vectors
+from rna_sdk.arrays import check_numbers, vectors
 from rna_sdk.compiled import compiled
 from rna_sdk.errors import QueryError
 from rna_trace.normal_maps import NormalMaps
-from rna_trace.rays import check_numbers
 from rna_trace.vectors import Vector, cross, dot, unit, vector_at
 
 # An origin moves off the surface by this part of the largest coordinate in its space: some thirty
