@@ -13,8 +13,9 @@ import pytest
 from rna_render.motion.gltf_motion import GltfMotion
 from rna_sdk.errors import MotionError
 from tests.motion.gltf_files import GltfFile, bending_arm, moving_node, quaternion
-from tests.render.test_hostile_files import mebibytes, seconds
+from tests.render.test_hostile_files import mebibytes
 from tests.runtime.test_deformation import grid
+from tests.time_limit import time_limit
 
 MESH = grid(5)
 
@@ -163,7 +164,7 @@ def test_a_long_chain_of_joints(tmp_path: Path) -> None:
         d["skins"].append({"joints": list(range(first + count - 1, first - 1, -1))})
 
     path = changed(tmp_path / "a.gltf", chain)
-    with seconds(20):
+    with time_limit(20):
         np.testing.assert_allclose(GltfMotion(path).positions(0), MESH.positions, atol=1e-6)
 
 
