@@ -80,14 +80,19 @@ class BlenderWorker(BlenderProcess):
         return Curves(points, arrays["radii"], arrays["offsets"].astype(np.uint32))
 
     def export_corners(
-        self, owner: str | None = None, charts: dict[str, Any] | None = None
+        self,
+        owner: str | None = None,
+        charts: dict[str, Any] | None = None,
+        of_hosts: bool = False,
     ) -> dict[str, np.ndarray]:
         """Corners of a top object's triangles, or of the scene's, +Y up: see `mesh_export.py`.
 
         The materials of the triangles by their full name, "" for none. charts: of
-        `MaterialTextures`, for the texture coordinates.
+        `MaterialTextures`, for the texture coordinates. of_hosts: whether those of the glass that
+        is left to hosts, else of all but that.
         """
-        corners, answer = self._exported("exportMesh", owner=owner, charts=charts)
+        request = {"owner": owner, "charts": charts, "ofHosts": of_hosts}
+        corners, answer = self._exported("exportMesh", **request)
         for name in ("positions", "normals"):
             corners[name] = from_blender(corners[name])
         corners["material"] = np.array([*answer["materials"], ""])[corners["material"]]

@@ -26,7 +26,8 @@ class ExportedParts:
     geometries: the mesh or strands of each. records: what lets light through, of each surface.
     maps: its normal maps. textures: those of both, by name. sources: the source's vertices of each
     surface. notes: what of the materials could not be told. has_opaque_cutouts: whether some of it
-    lets light through. has_learnt_relief: whether some relief is in no map.
+    lets light through. has_learnt_relief: whether some relief is in no map. mapped: full names of
+    the materials that have a normal map.
     """
 
     parts: tuple[ScenePart, ...]
@@ -37,6 +38,7 @@ class ExportedParts:
     sources: dict[str, SourceVertices] = field(default_factory=dict)
     has_opaque_cutouts: bool = False
     has_learnt_relief: bool = True
+    mapped: tuple[str, ...] = ()
     notes: list[str] = field(default_factory=list)
 
     def captured(self) -> tuple[CapturedPart, ...]:
@@ -81,6 +83,7 @@ def exported_parts(worker: BlenderWorker, settings: CaptureSettings) -> Exported
         worker.parts,
         has_opaque_cutouts=textures.captured_holes,
         has_learnt_relief=textures.learnt_relief,
+        mapped=tuple(textures.normals),
         notes=list(textures.notes),
     )
     for part in worker.parts:
