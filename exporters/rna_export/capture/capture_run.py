@@ -96,7 +96,7 @@ def measured_pilot(
         say(parts_lines(source.path.stem, opened.exported.geometries).rstrip())
         for line in (*opened.preflight, *(f"note: {note}" for note in opened.exported.notes)):
             say(line)
-        if (why := _no_gain(opened)) is not None:
+        if (why := no_gain(opened)) is not None:
             say(why)
             return None
         with _trial(CHECK_RENDERS + lights) as bar:
@@ -107,7 +107,7 @@ def measured_pilot(
         return pilot
 
 
-def _no_gain(opened: OpenedSource) -> str | None:
+def no_gain(opened: OpenedSource) -> str | None:
     """Why no gain is promised, or None."""
     names = ", ".join(map(repr, not_learnt(opened.materials)))
     return f"gain: none is promised, since {names} will not be learnt" if names else None
@@ -147,7 +147,7 @@ def begin(
         others = [frame for frame in settings.poses if frame != opened["frame"]]
         poses = dict(captured_poses(worker, geometries, exported.sources, others))
         worker.show_frame(opened["frame"])
-        why = _no_gain(asset)
+        why = no_gain(asset)
         lights = LIGHTS if why is None else 0
         with _trial(CHECK_RENDERS * (1 + len(poses)) + lights) as bar:
             check, speed = asset.checked(asset.scene, bar.update)

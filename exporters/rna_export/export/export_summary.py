@@ -9,6 +9,7 @@ import numpy as np
 
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.validation_view import WholeView
+from rna_export.capture.preflight.verdicts import preflight_lines
 from rna_export.metrics import plain
 from rna_export.pictures import sheet_of
 from rna_export.psnr_words import psnr_text
@@ -29,7 +30,8 @@ def closing_lines(
 ) -> list[str]:
     """Score, steps and lights of each tier, warnings, and notes of the capture.
 
-    Writes the contact sheet `sheet_of(package)`: validation images of the default tier.
+    Writes the contact sheet `sheet_of(package)`: validation images of the default tier, and what
+    the pre-flight said of each material.
 
     trained: the models of all parts and presets of the package.
     """
@@ -52,7 +54,8 @@ def closing_lines(
         lines.append(f"{tier.name}: {score}; {effort}")
         lines += _emission_line(tier.name, asset, dataset)
     asset = load(package)
-    write_sheet(sheet_of(package), [_shaded(asset, view) for view in views], views)
+    shaded, notes = [_shaded(asset, view) for view in views], dataset.manifest.materials
+    write_sheet(sheet_of(package), shaded, views, preflight_lines(notes))
     lines += reference_warnings(views)
     lines += dict.fromkeys(line for effort in efforts.values() for line in effort.warnings)
     return [*lines, *(f"note: {note}" for note in dataset.manifest.notes)]

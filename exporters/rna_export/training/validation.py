@@ -156,11 +156,16 @@ def write_images(folder: Path, radiance: list[np.ndarray], views: Sequence[Captu
         write_picture(path, np.concatenate([enlarged(picture) for picture in row], axis=1))
 
 
-def write_sheet(path: Path, radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> None:
-    """A contact sheet of all views in one PNG: ours, Cycles, their difference, FLIP."""
+def write_sheet(
+    path: Path,
+    radiance: list[np.ndarray],
+    views: Sequence[CapturedImage],
+    notes: Sequence[str] = (),
+) -> None:
+    """A contact sheet of all views in one PNG: ours, Cycles, their difference, FLIP; then notes."""
     rows, e = [], exposure(views)
     for shaded, view in zip(radiance, views, strict=True):
         db = psnr(shaded, view.reference, e)
         caption = f"validation image {view.index}: PSNR {db:.1f} dB"
         rows.append((pictures_of(view.image(shaded), view.image(view.reference), e), caption))
-    write_picture(path, comparison_sheet(rows))
+    write_picture(path, comparison_sheet(rows, notes=notes))

@@ -8,7 +8,7 @@ from typing import Any
 import bpy
 from rna_materials import emission
 from rna_materials.material_uses import shown_materials
-from rna_materials.node_sources import sources
+from rna_materials.node_sources import origin, sources
 from rna_materials.shader_values import (
     Shader,
     constant,
@@ -143,11 +143,13 @@ def _of_displacement(material: bpy.types.Material) -> Iterator[Shader]:
 
 
 def _of_mixes(material: bpy.types.Material) -> Iterator[Shader]:
-    """Textures that choose between shaders."""
+    """Textures that choose between shaders, but for those of holes."""
     output = surface_output(material)
     for node, _, inside in () if output is None else sources(output.inputs["Surface"]):
         if node.type == "MIX_SHADER":
-            yield from textures_of(node.inputs[0], inside)
+            mixed = [origin(socket, inside) for socket in node.inputs[1:3]]
+            if not any(s is not None and s[0].type == "BSDF_TRANSPARENT" for s in mixed):
+                yield from textures_of(node.inputs[0], inside)
 
 
 def _of_inputs(shaders: Iterable[Shader], names: Iterable[str]) -> Iterator[Shader]:

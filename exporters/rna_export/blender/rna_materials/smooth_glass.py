@@ -99,7 +99,7 @@ def refracts(shader: Shader) -> bool:
     node = shader[0]
     if node.type == "BSDF_PRINCIPLED":
         return constant(shader, "Transmission Weight") != (0.0,)
-    return node.type in ("BSDF_GLASS", "BSDF_REFRACTION")
+    return bool(node.type in ("BSDF_GLASS", "BSDF_REFRACTION"))
 
 
 def is_smooth_glass(shader: Shader) -> bool:
@@ -110,7 +110,7 @@ def is_smooth_glass(shader: Shader) -> bool:
     if shader[0].type != "BSDF_PRINCIPLED":
         return True
     weight, metallic = (constant(shader, n) for n in ("Transmission Weight", "Metallic"))
-    return weight is not None and weight[0] >= _LEAST_WEIGHT and metallic == (0.0,)
+    return metallic == (0.0,) and weight is not None and weight[0] >= _LEAST_WEIGHT
 
 
 def _absorption(material: bpy.types.Material) -> tuple[float, ...]:

@@ -93,13 +93,13 @@ def _period(texture: Shader) -> float | None:
     if node.type == "TEX_WHITE_NOISE":
         return 0.0
     if node.type == "TEX_IMAGE":
-        width = 0 if node.image is None else max(node.image.size)
+        width = 0 if node.image is None else int(max(node.image.size))
         return 2.0 / width if width else None
     if node.type == "TEX_GRADIENT" or "Scale" not in node.inputs:
         return None
     value = constant(texture, "Scale")
-    scale = None if value is None else abs(value[0])
-    if not scale:
+    scale = 0.0 if value is None else float(abs(value[0]))
+    if scale == 0.0:
         return None
     if node.type == "TEX_WAVE":
         return 1.0 / (_WAVE * scale)

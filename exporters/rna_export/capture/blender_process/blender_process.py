@@ -34,8 +34,8 @@ class Source:
         """The source as a capture of these settings opens it."""
         clamps = settings.clamp_direct, settings.clamp_indirect
         axes = settings.front, settings.up
-        how = settings.parts, settings.rest_frame, settings.glass
-        return cls(path, arguments, *clamps, *axes, *how)
+        frame, glass = settings.rest_frame, settings.glass
+        return cls(path, arguments, *clamps, *axes, settings.parts, frame, glass)
 
 
 _LINES = 5  # of Blender's output, in an error

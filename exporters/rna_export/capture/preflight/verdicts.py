@@ -13,6 +13,7 @@ _WORSE: dict[Learnt, int] = {"well": 0, "left to the host": 0, "roughly": 1, "no
 
 _TEXELS = 2.0  # of a plane, from one detail to the next, at the least
 _MIRROR = 0.05  # roughness below which reflections come out softer
+_NAMED = 3
 _WORDS = {
     "coat": "clear coat",
     "thin": "thin, lit from behind",
@@ -72,9 +73,21 @@ def not_learnt(of: Iterable[MaterialVerdict]) -> list[str]:
 
 
 def preflight_lines(of: Iterable[MaterialVerdict]) -> list[str]:
-    """What is said of all materials before the first ray."""
-    lines = [line for each in of for line in each.lines]
+    """What is said of all materials before the first ray; those without a loss share a line."""
+    of = list(of)
+    lines = [line for each in of if each.reasons for line in each.lines]
+    well: dict[str, list[str]] = {}
+    for each in of:
+        if not each.reasons:
+            well.setdefault(each.is_, []).append(each.name)
+    if well:
+        lines.append("  learnt well: " + "; ".join(f"{_listed(v)} ({k})" for k, v in well.items()))
     return ["materials, and how well they will be learnt:", *lines] if lines else []
+
+
+def _listed(names: list[str]) -> str:
+    more = f" and {len(names) - _NAMED} more" if len(names) > _NAMED else ""
+    return ", ".join(map(repr, names[:_NAMED])) + more
 
 
 def length(metres: float) -> str:
@@ -121,8 +134,8 @@ def _of_kinds(facts: MaterialFacts) -> Iterator[_Reason]:
     if facts.roughness is not None and facts.roughness < _MIRROR and "glass" not in kinds:
         yield _Reason(
             "roughly",
-            "lamps in it come out softer than in the original; --presets hq keeps them sharper, "
-            f"and from a roughness of {_MIRROR:g} on they are right",
+            "reflections of small lamps come out softer than in the original; from a roughness of "
+            f"{_MIRROR:g} on they keep their width",
         )
 
 
@@ -138,7 +151,9 @@ def _of_details(facts: MaterialFacts, texel: float, is_mapped: bool) -> Iterator
 
 def _of_detail(detail: Detail, least: float) -> _Reason | None:
     """least: metres from one detail to the next that planes can hold."""
-    coarser = f"make its details at least {length(least)} large, or train in pieces (--cut)"
+    coarser = (
+        f"make its details at least {length(least)} large, or train in pieces (rna-train --cut)"
+    )
     if detail.size is None or detail.size >= least:
         return None
     finer = f"({length(detail.size)} from one detail to the next; the planes hold {length(least)})"
