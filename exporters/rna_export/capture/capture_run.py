@@ -190,7 +190,8 @@ def begin(
     )
     for note in manifest.notes:
         say(f"note: {note}")
-    dataset = Dataset.create(out, manifest, geometries, exported.textures, poses, exported.sources)
+    stored = exported.textures, poses, exported.sources, exported.glass
+    dataset = Dataset.create(out, manifest, geometries, *stored)
     say(plan_lines(dataset, geometries, rate))
     return dataset
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.validation_view import WholeView
+from rna_export.capture.geometry.glass_mesh import glass_of
 from rna_export.capture.preflight.verdicts import preflight_lines
 from rna_export.metrics import plain
 from rna_export.pictures import sheet_of
@@ -56,6 +57,9 @@ def closing_lines(
     asset = load(package)
     shaded, notes = [_shaded(asset, view) for view in views], dataset.manifest.materials
     write_sheet(sheet_of(package), shaded, views, preflight_lines(notes))
+    if dataset.glass is not None:
+        name = glass_of(package)
+        lines.append(f"{name}: the smooth glass, an ordinary mesh that a scene places with it")
     lines += reference_warnings(views)
     lines += dict.fromkeys(line for effort in efforts.values() for line in effort.warnings)
     return [*lines, *(f"note: {note}" for note in dataset.manifest.notes)]

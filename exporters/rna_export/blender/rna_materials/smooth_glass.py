@@ -27,6 +27,7 @@ class Glass(TypedDict):
     """
 
     name: str
+    fullName: str
     ior: float
     tint: tuple[float, ...]
     roughness: float
@@ -87,6 +88,7 @@ def glass_of(material: bpy.types.Material) -> Glass | None:
     tint = tuple(min(max(c, 0.0), 1.0) ** power for c in colour[:3])
     return Glass(
         name=material.name,
+        fullName=material.name_full,
         ior=(constant(first, "IOR") or (1.5,))[0],
         tint=tint,
         roughness=(constant(first, "Roughness") or (0.0,))[0],
@@ -98,7 +100,7 @@ def refracts(shader: Shader) -> bool:
     """Whether a shader may let light through and bend it."""
     node = shader[0]
     if node.type == "BSDF_PRINCIPLED":
-        return constant(shader, "Transmission Weight") != (0.0,)
+        return bool(constant(shader, "Transmission Weight") != (0.0,))
     return bool(node.type in ("BSDF_GLASS", "BSDF_REFRACTION"))
 
 

@@ -55,6 +55,7 @@ class Glass(DatasetModel):
     """Smooth glass that is left to hosts: see `blender/rna_materials/smooth_glass.py`."""
 
     name: str
+    full_name: str
     ior: float
     tint: tuple[float, float, float]
     roughness: float
