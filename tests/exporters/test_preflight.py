@@ -3,17 +3,24 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
+import numpy as np
 import pytest
 
+from rna_export.capture.blender_process.blender_process import Source
+from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.capture.capture_run import no_gain
 from rna_export.capture.opened_source import OpenedSource
 from rna_export.capture.preflight.material_record import Detail, MaterialFacts
 from rna_export.capture.preflight.sharpest import sharpest_of
 from rna_export.capture.preflight.verdicts import length, preflight_lines, verdicts
+from rna_render import MeshObject, read_mesh_object
+from rna_render.materials.material import Inside
 from rna_sdk.errors import CaptureError
 from tests.conftest import REPOSITORY
 from tests.exporters.conftest import OpenWorker
+from tests.exporters.scenes import write_scene
 
 RECIPE = REPOSITORY / "examples" / "recipes" / "materials.py"
 TEXEL = 0.4e-3
@@ -38,7 +45,7 @@ def facts(**members: object) -> MaterialFacts:
 
 
 @pytest.mark.blender
-def test_ten_materials_in_one_scene(open_worker: OpenWorker) -> None:
+def test_ten_materials_in_one_scene(open_worker: OpenWorker, tmp_path: Path) -> None:
     opened = OpenedSource.of(open_worker(RECIPE, "all"), {}, "x", None)
     actual = {each.name: each for each in opened.materials}
     for name, (learnt, words) in VERDICTS.items():
@@ -51,6 +58,52 @@ def test_ten_materials_in_one_scene(open_worker: OpenWorker) -> None:
     assert set(opened.worker.export_corners(of_hosts=True)["material"]) == {"glass"}
     assert "glass" not in opened.worker.export_corners()["material"]
     assert "'glass'" not in " ".join(opened.exported.notes)
+    ball = written(opened.exported.glass, tmp_path)
+    assert ball.materials[0].inside == Inside(1.5, (0.0, 0.0, 0.0))
+    assert np.ptp(ball.positions, axis=0) == pytest.approx(0.1, rel=1e-3)
+
+
+def written(glb: bytes | None, folder: Path) -> MeshObject:
+    """The glass that a renderer reads."""
+    assert glb is not None
+    path = folder / "it.glass.glb"
+    path.write_bytes(glb)
+    return read_mesh_object(path)
+
+
+BOTTLE = """
+liquid = principled(Transmission_Weight=1.0, Roughness=0.02, IOR=1.33)
+tree = liquid.node_tree
+volume = tree.nodes.new("ShaderNodeVolumeAbsorption")
+volume.inputs["Color"].default_value, volume.inputs["Density"].default_value = (1, 0.5, 0, 1), 4.0
+tree.links.new(volume.outputs[0], tree.nodes["Material Output"].inputs["Volume"])
+both = add(CUBE, SIDES, diffuse((1, 1, 1)))
+both.data.materials.append(liquid)
+both.data.polygons.foreach_set("material_index", [0, 0, 1, 1, 1, 1])
+"""
+
+
+@pytest.mark.blender
+@pytest.mark.parametrize("glass", ["leave", "keep"])
+def test_one_object_of_glass_and_something_else(
+    glass: str, blender_python: Path, tmp_path: Path
+) -> None:
+    """Rays pass its glass, on which the rest's light depends if it is kept."""
+    source = Source(write_scene(tmp_path, "both", BOTTLE), glass=glass)
+    with BlenderWorker(blender_python, source, tmp_path / "scratch", 1) as worker:
+        opened = OpenedSource.of(worker, {}, "x", None)
+        check, _ = opened.checked(opened.scene, lambda: None)
+        # From inside the box, through the glass, onto the white side at x = -1.
+        at = np.float32([[0.0, 0.0, 0.0]]), np.float32([[-1.0, 0.0, 0.0]])
+        lit = worker.render_rays(*at, np.array([0.0, 0.8, 0.6]), 64, seed=1)
+    assert len(opened.exported.geometries["asset"].triangles) == 4
+    assert check.note() is None and check.used_rays == check.rays
+    assert lit.alpha == pytest.approx(1.0)
+    read = written(opened.exported.glass, tmp_path)
+    assert len(read.triangles) == 8
+    assert read.materials[0].roughness == pytest.approx(0.02)
+    assert read.materials[0].inside.ior == pytest.approx(1.33)
+    assert read.materials[0].inside.absorption == pytest.approx((0.0, 2.0, 4.0), abs=1e-5)
 
 
 @pytest.mark.blender

@@ -9,7 +9,6 @@ import numpy as np
 
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.validation_view import WholeView
-from rna_export.capture.geometry.glass_mesh import glass_of
 from rna_export.capture.preflight.verdicts import preflight_lines
 from rna_export.metrics import plain
 from rna_export.pictures import sheet_of
@@ -22,6 +21,7 @@ from rna_export.training.validation import (
     reference_warnings,
     write_sheet,
 )
+from rna_sdk.glass_beside import glass_of
 from rna_sdk.package import Manifest
 from rna_sdk.runtime import Asset, load
 

@@ -12,7 +12,6 @@ import torch
 import rna_sdk
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_manifest import CapturedPart
-from rna_export.capture.geometry.glass_mesh import glass_of
 from rna_export.compare.origin import SOURCE_SHA256
 from rna_export.export.measure import check_loss, measured
 from rna_export.export.precision import MAX_LOSS, Precision
@@ -20,6 +19,7 @@ from rna_export.export.tiers import package_tiers
 from rna_export.export.trained_tiers import TrainedTier, trained_tiers
 from rna_export.training.checkpoint import Trained
 from rna_sdk.atomic_file import write_atomically
+from rna_sdk.glass_beside import glass_of
 from rna_sdk.package import Bounds, Manifest, Part, Provenance, TierData, write_package
 from rna_sdk.package.manifest.manifest_fields import GEOMETRY_ENTRIES
 from rna_sdk.package.manifest.manifest_model import POSES, REST_FRAME

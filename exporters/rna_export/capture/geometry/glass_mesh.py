@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -16,11 +15,6 @@ from rna_sdk.package.geometry.glb_writer import pack_glb
 
 _EXTENSIONS = ["KHR_materials_transmission", "KHR_materials_volume", "KHR_materials_ior"]
 _FLOAT, _UNSIGNED = 5126, 5125
-
-
-def glass_of(package: Path) -> Path:
-    """Where the glass of a package goes: beside it."""
-    return package.with_name(f"{package.stem}.glass.glb")
 
 
 def glass_glb(corners: Mapping[str, np.ndarray], glass: Sequence[Glass]) -> bytes | None:
