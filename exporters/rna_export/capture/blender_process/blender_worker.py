@@ -216,6 +216,7 @@ class BlenderWorker(BlenderProcess):
         width: int,
         height: int,
         denoise: bool = False,
+        emits: bool = False,
     ) -> tuple[np.ndarray, np.ndarray]:
         """A pinhole image of the source in a scene, and the points that it shows.
 
@@ -224,10 +225,10 @@ class BlenderWorker(BlenderProcess):
         nothing.
 
         scene: see `rna_export.compare.cycles_scene`. No clamping. `denoise`: by Cycles' own
-        denoiser, Open Image Denoise with albedo and normals. What the scene describes is built
-        anew when it is another one than in the render before; the numbers of samples may differ
-        without a fresh process, so the same render need not repeat to the bit. `to_world` and
-        `fov_y` as in `render_view`.
+        denoiser, Open Image Denoise with albedo and normals. What the scene describes is
+        built anew when it is another one than in the render before; the numbers of samples may
+        differ without a fresh process, so the same render need not repeat to the bit. `to_world`,
+        `fov_y` and `emits` as in `render_view`.
         """
         self._holds_scene = True
         out = self._folder / f"scene-{self._name}-{self._renders}.exr"
@@ -240,6 +241,7 @@ class BlenderWorker(BlenderProcess):
             samples=samples,
             seed=seed,
             denoise=denoise,
+            emits=emits,
         )
         passes = read_render(out, "Position")
         out.unlink()
