@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, ClassVar, NoReturn, cast
+from typing import TYPE_CHECKING, ClassVar, NoReturn, TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,7 +21,13 @@ from rna_sdk.package import (
     Transmittance,
     decoder_from_bytes,
 )
-from rna_sdk.package.decoder.decoder_form import COLUMNS, TRANSPORT, form_named
+from rna_sdk.package.decoder.decoder_form import (
+    COLUMNS,
+    SHADOWED,
+    TRANSPORT,
+    VISIBLE,
+    form_named,
+)
 from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS, Rows
 from rna_sdk.package.manifest.manifest_fields import Kind
 from rna_sdk.runtime.engine.batch import Batch
@@ -33,6 +39,7 @@ if TYPE_CHECKING:
     from rna_sdk.runtime.surface_asset import SurfaceAsset
 
 _MEASURED_ROWS = 32_768
+Evaluator = TypeVar("Evaluator")
 
 
 class Asset:
@@ -163,7 +170,8 @@ class AssetPart(Asset):
         self.transmittance_records: tuple[Transmittance, ...] = tuple(package.transmittance(part))
         self.normal_maps: tuple[NormalMap, ...] = tuple(package.normal_maps(part))
         filler = QueryFiller(package.planes(tier.name, part), box, tier_part, self.kind)
-        self._evaluators = {
+        self._base_color = tuple(package.base_color(part)) if tier_part.uses_base_color else ()
+        evaluators = {
             one.form.name: TileEvaluator(
                 filler.laying_out(one.inputs),
                 Decoder(
@@ -174,6 +182,7 @@ class AssetPart(Asset):
             )
             for one in tier_part.decoders
         }
+        self._evaluators = _by_answer(evaluators)
         entries = package.manifest.entries
         self._digests = entries[tier_part.planes].sha256, entries[tier_part.decoder].sha256
         self._geometry: Mesh | Curves = package.geometry(part, pixels)
@@ -198,9 +207,9 @@ class AssetPart(Asset):
             np.float32
         )
         arrays["h"] = rng.uniform(-1, 1, _MEASURED_ROWS).astype(np.float32)
-        batch = Batch.of(arrays, tuple(np.empty((2, _MEASURED_ROWS, 3), np.float32)))
-        evaluator = self._evaluators[TRANSPORT.name]
-        return 1e9 * median_seconds(lambda: evaluator.run(batch)) / _MEASURED_ROWS
+        arrays["base_color"] = rng.uniform(size=(_MEASURED_ROWS, 3)).astype(np.float32)
+        seconds = median_seconds(lambda: self.decode(TRANSPORT.name, arrays))
+        return 1e9 * seconds / _MEASURED_ROWS
 
     def decode(
         self, form: str, arrays: Mapping[str, object], out: object = None
@@ -209,7 +218,8 @@ class AssetPart(Asset):
 
         form: name of its form: "transport" gives (visible, shadowed), "emission" (radiance,).
         arrays: by name, those that the form is asked with: position, axis (a normal or tangent), h
-        (of fibers alone), wo, and wi. out: arrays for the results, as for `evaluate`.
+        (of fibers alone), wo, wi, and base_color where the tier part uses it. out: arrays for the
+        results, as for `evaluate`.
 
         Raises:
             QueryError: an array is missing, or is no float32 array of its shape; they differ in n;
@@ -219,14 +229,15 @@ class AssetPart(Asset):
         checked = self._checked(arrays, decoder_form.arrays)
         count = len(checked["wo"])
         number = decoder_form.result_count(decoder_form.record(self.tier_part))
-        evaluator = self._evaluators.get(form)
+        evaluators = self._evaluators.get(form, ())
         if out is None:
-            make = np.zeros if evaluator is None else np.empty
+            make = np.empty if evaluators else np.zeros
             result = tuple(make((number, count, COLUMNS), np.float32))
         else:
             result = _results(out, number, count)
-        if evaluator is not None:
-            evaluator.run(Batch.of(checked, result))
+        for k, evaluator in enumerate(evaluators):
+            own = result if len(evaluators) == 1 else result[k : k + 1]
+            evaluator.run(Batch.of(checked, own))
         return result
 
     def mirror(self, axes: Rows, wo: Rows) -> Rows:
@@ -285,12 +296,23 @@ class AssetPart(Asset):
         checked: dict[str, Rows] = {}
         count = None
         for array in QUERY_ARRAYS:
+            if array.is_factor and not self.tier_part.uses_base_color:
+                continue
             if array.name in names and array.kind in ("", self.kind):
                 check = scalars if array.columns == 1 else vectors
                 label = self._labels.get(array.name, array.name)
                 checked[array.name] = check(label, arrays.get(array.name), count)
                 count = len(checked[array.name])
         return checked
+
+
+def _by_answer(evaluators: dict[str, Evaluator]) -> dict[str, tuple[Evaluator, ...]]:
+    """What answers each of FORMS: one evaluator for all results, or one for each."""
+    apart = tuple(
+        evaluators.pop(form.name) for form in (VISIBLE, SHADOWED) if form.name in evaluators
+    )
+    answers = {name: (evaluator,) for name, evaluator in evaluators.items()}
+    return {TRANSPORT.name: apart, **answers} if apart else answers
 
 
 def _results(value: object, number: int, count: int) -> tuple[NDArray[np.float32], ...]:

@@ -5,12 +5,19 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from functools import cached_property
-from typing import ClassVar, Literal
+from typing import TYPE_CHECKING, ClassVar, Literal
 
+import numpy as np
+from numpy.typing import NDArray
+
+from rna_sdk.errors import QueryError
 from rna_sdk.package import Mesh, Package, Tier
 from rna_sdk.package.decoder.query_arrays import Rows
 from rna_sdk.runtime.asset import AssetPart
 from rna_sdk.runtime.deformation import DeformedMesh, RestMesh
+
+if TYPE_CHECKING:
+    from rna_sdk.runtime.base_color import BaseColorMaps
 
 
 class SurfaceAsset(AssetPart):
@@ -47,6 +54,8 @@ class SurfaceAsset(AssetPart):
         wo: Rows,
         wi: Rows,
         out: tuple[Rows, Rows] | None = None,
+        *,
+        base_color: Rows | None = None,
     ) -> tuple[Rows, Rows]:
         """Transport at surface points: radiance towards wo under irradiance 1 from wi.
 
@@ -54,6 +63,8 @@ class SurfaceAsset(AssetPart):
         the light, both away from the surface. All (n, 3) float32, object space; n may be 0. Vectors
         are normalised; positions outside the bounds are clamped to them. out: two C-contiguous
         (n, 3) float32 arrays that receive the result and are returned, which avoids allocations.
+        base_color: (n, 3) float32 linear RGB, of `base_color_at` or another; required where
+        `uses_base_color`, else not looked at.
 
         Returns (visible, shadowed), each (n, 3) float32 linear RGB, finite and non-negative.
         `shadowed` applies where the asset itself blocks the ray from the position along wi,
@@ -72,9 +83,39 @@ class SurfaceAsset(AssetPart):
             >>> visible.shape
             (100, 3)
         """
+        if base_color is None and self.uses_base_color:
+            raise QueryError(f"base_color: {self.name} needs it; base_color_at looks it up")
         arrays = {"position": positions, "axis": normals, "wo": wo, "wi": wi}
-        visible, shadowed = self.decode("transport", arrays, out)
+        visible, shadowed = self.decode("transport", {**arrays, "base_color": base_color}, out)
         return visible, shadowed
+
+    @property
+    def uses_base_color(self) -> bool:
+        """Whether `evaluate` needs the base colour of its points."""
+        return bool(self.tier_part.uses_base_color)
+
+    def base_color_at(
+        self, primitives: NDArray[np.integer], u: Rows, v: Rows, widths: Rows | float = 0.0
+    ) -> Rows:
+        """Base colour at ray hits, for `evaluate`: spec/RNA.md, 4.6.
+
+        primitives: (n,) indices of triangles. u, v: (n,) float32, barycentric coordinates of the
+        second and third corner. widths: (n,) float32 or one number: the width of a pixel at the
+        hit, object space, metres; images are averaged over it, so that print does not alias. 0
+        takes them as they are.
+
+        Returns (n, 3) float32 linear RGB, from 0 to 1; 1 where the part has no base colour.
+
+        Raises:
+            QueryError: an argument is no such array, or a primitive is not there.
+        """
+        return self._base_color_maps.at(primitives, u, v, widths)
+
+    @cached_property
+    def _base_color_maps(self) -> BaseColorMaps:
+        from rna_sdk.runtime.base_color import BaseColorMaps
+
+        return BaseColorMaps(self.mesh, self._base_color)
 
     def emission(self, positions: Rows, normals: Rows, wo: Rows) -> Rows:
         """Radiance emitted by surface points towards wo, without incident light, W/(m^2 sr).
