@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from rna_sdk.arrays import scalars, vectors
 from rna_sdk.errors import QueryError
 from rna_sdk.package import (
+    BaseColor,
     Curves,
     Domain,
     EnvironmentPart,
@@ -170,7 +171,8 @@ class AssetPart(Asset):
         self.transmittance_records: tuple[Transmittance, ...] = tuple(package.transmittance(part))
         self.normal_maps: tuple[NormalMap, ...] = tuple(package.normal_maps(part))
         filler = QueryFiller(package.planes(tier.name, part), box, tier_part, self.kind)
-        self._base_color = tuple(package.base_color(part)) if tier_part.uses_base_color else ()
+        colored = package.base_color(part) if tier_part.uses_base_color else ()
+        self.base_color_records: tuple[BaseColor, ...] = tuple(colored)
         evaluators = {
             one.form.name: TileEvaluator(
                 filler.laying_out(one.inputs),

@@ -115,7 +115,7 @@ class SurfaceAsset(AssetPart):
     def _base_color_maps(self) -> BaseColorMaps:
         from rna_sdk.runtime.base_color import BaseColorMaps
 
-        return BaseColorMaps(self.mesh, self._base_color)
+        return BaseColorMaps(self.mesh, self.base_color_records)
 
     def emission(self, positions: Rows, normals: Rows, wo: Rows) -> Rows:
         """Radiance emitted by surface points towards wo, without incident light, W/(m^2 sr).

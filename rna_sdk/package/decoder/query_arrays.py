@@ -46,7 +46,7 @@ _NONE = np.empty(0, np.float32)
 
 
 def in_order(arrays: Mapping[str, Rows]) -> tuple[Rows, ...]:
-    """One array for each input of QUERY_ARRAYS; wo, which is checked anyway, for a missing direction.
+    """One array for each input of QUERY_ARRAYS; wo, which is checked anyway, for no direction.
 
     Other missing arrays are empty, (0,).
     """

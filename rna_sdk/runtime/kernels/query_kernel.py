@@ -42,6 +42,9 @@ _TEXELS: dict[str, types.Type] = {
 
 _VECTORS = types.Array(types.float32, 2, "C", readonly=True)
 _SCALARS = types.Array(types.float32, 1, "C", readonly=True)
+_ARRAYS = tuple(
+    _SCALARS if array.columns == 1 else _VECTORS for array in QUERY_ARRAYS if not array.is_factor
+)
 _BOX = types.Array(types.float64, 2, "C", readonly=True)
 _COLUMNS = types.Array(types.int64, 1, "C", readonly=True)
 
@@ -73,7 +76,7 @@ def query_kernel(kind: str, channels: int, precision: str) -> QueryKernel:
         types.intp,
         _BOX,
         _COLUMNS,
-        *(_SCALARS if array.columns == 1 else _VECTORS for array in QUERY_ARRAYS),
+        *_ARRAYS,
         types.float32[:, ::1],
         types.boolean[::1],
     )

@@ -38,10 +38,12 @@ FRAME = Record(
     Field("albedo", "<u4"),
     Field("domains", "<u4"),
     Field("textures", "<u4"),
+    Field("pixel", "<f4", (), "width of a pixel at distance 1"),
 )
 
 HAS_SKY, FOR_BETA, RAYS_MEET_LIGHTS = 1, 2, 4
 FOR_EMISSION, FOR_LIGHT, TRANSMITS = 8, 16, 32
+FOR_VISIBLE, FOR_SHADOWED = 64, 128
 
 PATH = Record(
     "Path",
@@ -59,6 +61,7 @@ PATH = Record(
     Field("b1", "<f4"),
     Field("leaving", "<f4", (3,), "of a ray that leaves an asset: its start in object space"),
     Field("b2", "<f4"),
+    Field("travelled", "<f4", (), "from the camera to the origin"),
 )
 
 QUERY = Record(
@@ -75,6 +78,7 @@ QUERY = Record(
     Field("seen", "<f4", (), "mean of what all that is in the way leaves of the light"),
     Field("visible", "<f4", (3,), "what the asset itself leaves of it"),
     Field("reserved", "<u4"),
+    Field("base_color", "<f4", (3,)),
 )
 
 QUERIES = Record(
@@ -134,4 +138,6 @@ SCENE_CONSTANTS = {
     "FOR_EMISSION": FOR_EMISSION,
     "FOR_LIGHT": FOR_LIGHT,
     "TRANSMITS": TRANSMITS,
+    "FOR_VISIBLE": FOR_VISIBLE,
+    "FOR_SHADOWED": FOR_SHADOWED,
 }

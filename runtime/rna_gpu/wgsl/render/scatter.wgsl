@@ -45,6 +45,7 @@ fn scatter(@builtin(global_invocation_id) id: vec3<u32>) {
         let weight = beta / max(pdf, 1e-30);
         queries[k].at_point = Query(
             v.x, v.h, v.axis, v.part, v.wo, NONE, wi, v.strand, weight, 0.0, vec3f(0.0), 0u,
+            base_color_of(path, v),
         );
         paths[k].leaving = leaving_point(v, wi);
         beta = vec3f(0.0); // until the decoder has answered
@@ -53,6 +54,7 @@ fn scatter(@builtin(global_invocation_id) id: vec3<u32>) {
     paths[k].origin = origin_of(v, wi_world);
     paths[k].direction = wi_world;
     paths[k].pdf = pdf;
+    paths[k].travelled = path.travelled + path.t;
     paths[k].beta = beta;
     paths[k].own = select(NONE, v.instance, object_passes(v.instance) == 1u);
 }
