@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from rna_sdk.arrays import scalars, vectors
 from rna_sdk.errors import QueryError
 from rna_sdk.package import (
+    BaseColor,
     Curves,
     Domain,
     EnvironmentPart,
@@ -142,6 +143,7 @@ class AssetPart(Asset):
         tier_part: the part's record in the tier.
         transmittance_records: holes and thin glass of a surface; see `transmittance`.
         normal_maps: normal maps of a surface; see `mapped_normals`.
+        base_colors: base colour of a surface whose tier uses it; see `base_color_at`.
         environment_form: the manifest's record of the part's lobes, `lobes` of them; see `mirror`.
             None if the package has none for the part, or the geometry is that of a proxy.
     """
@@ -170,7 +172,9 @@ class AssetPart(Asset):
         self.transmittance_records: tuple[Transmittance, ...] = tuple(package.transmittance(part))
         self.normal_maps: tuple[NormalMap, ...] = tuple(package.normal_maps(part))
         filler = QueryFiller(package.planes(tier.name, part), box, tier_part, self.kind)
-        self._base_color = tuple(package.base_color(part)) if tier_part.uses_base_color else ()
+        self.base_colors: tuple[BaseColor, ...] = (
+            tuple(package.base_color(part)) if tier_part.uses_base_color else ()
+        )
         evaluators = {
             one.form.name: TileEvaluator(
                 filler.laying_out(one.inputs),
@@ -238,6 +242,24 @@ class AssetPart(Asset):
         for k, evaluator in enumerate(evaluators):
             own = result if len(evaluators) == 1 else result[k : k + 1]
             evaluator.run(Batch.of(checked, own))
+        return result
+
+    def _transport(self, arrays: Mapping[str, object], visibility: object) -> Rows:
+        """T, (n, 3) float32: of decoders apart, each row by those that count."""
+        checked = self._checked(arrays, TRANSPORT.arrays)
+        count = len(checked["wo"])
+        v = _shares(visibility, count)
+        evaluators = self._evaluators[TRANSPORT.name]
+        if len(evaluators) == 1:
+            visible, shadowed = self.decode(TRANSPORT.name, checked)
+            return v * visible + (np.float32(1.0) - v) * shadowed
+        result = np.zeros((count, COLUMNS), np.float32)
+        for evaluator, share in zip(evaluators, (v, np.float32(1.0) - v), strict=True):
+            row = np.flatnonzero(share.any(axis=1))
+            answer = np.empty((len(row), COLUMNS), np.float32)
+            rows = {name: values.take(row, axis=0) for name, values in checked.items()}
+            evaluator.run(Batch.of(rows, (answer,)))
+            result[row] += share.take(row, axis=0) * answer
         return result
 
     def mirror(self, axes: Rows, wo: Rows) -> Rows:
@@ -308,11 +330,23 @@ class AssetPart(Asset):
 
 def _by_answer(evaluators: dict[str, Evaluator]) -> dict[str, tuple[Evaluator, ...]]:
     """What answers each of FORMS: one evaluator for all results, or one for each."""
-    apart = tuple(
-        evaluators.pop(form.name) for form in (VISIBLE, SHADOWED) if form.name in evaluators
-    )
-    answers = {name: (evaluator,) for name, evaluator in evaluators.items()}
-    return {TRANSPORT.name: apart, **answers} if apart else answers
+    apart = [evaluators[form.name] for form in (VISIBLE, SHADOWED) if form.name in evaluators]
+    answers = {TRANSPORT.name: tuple(apart)} if apart else {}
+    others = {name: (one,) for name, one in evaluators.items() if one not in apart}
+    return {**answers, **others}
+
+
+def _shares(visibility: object, count: int) -> Rows:
+    """Visibility (n,) of bools, or (n,) or (n, 3) of numbers, as (n, 1) or (n, 3) float32.
+
+    Raises:
+        QueryError: it is no such array.
+    """
+    if isinstance(visibility, np.ndarray) and visibility.ndim == 2:
+        return vectors("visibility", visibility, count)
+    if isinstance(visibility, np.ndarray) and visibility.dtype == np.bool_:
+        visibility = visibility.astype(np.float32)
+    return scalars("visibility", visibility, count)[:, None]
 
 
 def _results(value: object, number: int, count: int) -> tuple[NDArray[np.float32], ...]:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.arrays import indices, scalars
+from rna_sdk.errors import QueryError
 from rna_sdk.package import BaseColor, Mesh
 from rna_sdk.package.textures.texture_form import Texture
 from rna_sdk.runtime.kernels.base_color_kernel import LEVELS, look_up
@@ -40,7 +43,7 @@ class BaseColorMaps:
                 levels[k, j] = first, *level.shape[:2]
                 texels.append(level.reshape(-1, 3))
                 first += level.shape[0] * level.shape[1]
-        self._tables = (
+        self._tables: tuple[Any, ...] = (
             *(np.ascontiguousarray(uvs, np.float32), mesh.triangles, number, density),
             np.array(
                 [k if one.image is not None else -1 for k, one in enumerate(records)], np.int64
@@ -64,8 +67,40 @@ class BaseColorMaps:
             widths = np.full(count, widths, np.float32)
         hits = number, scalars("u", u, count), scalars("v", v, count)
         result = np.empty((count, 3), np.float32)
-        look_up(*hits, scalars("widths", widths, count), *self._tables, result)
+        look_up(*hits, scalars("widths", widths, count), result, *self._tables)
         return result
+
+
+def with_images(
+    records: Sequence[BaseColor],
+    images: Mapping[str, NDArray[np.uint8]],
+    tint: tuple[float, float, float],
+) -> tuple[BaseColor, ...]:
+    """The records with other images, by label, and all factors times the tint."""
+    labels = sorted({record.label for record in records if record.image is not None})
+    for label, image in images.items():
+        if label not in labels:
+            known = ", ".join(labels) or "none"
+            raise QueryError(f"images: found the label {label!r}, expected one of: {known}")
+        if image.dtype != np.uint8 or image.ndim != 3 or image.shape[2] != 3 or not image.size:
+            found = f"{image.shape} {image.dtype}"
+            raise QueryError(f"images: {label}: expected an (H, W, 3) uint8 array, found {found}")
+    if len(tint) != 3 or not all(0.0 <= one < np.inf for one in tint):
+        raise QueryError(f"tint: expected three numbers of at least 0, found {tint}")
+    return tuple(
+        replace(
+            record,
+            image=images.get(record.label, record.image) if record.image is not None else None,
+            factor=_times(record.factor, tint),
+        )
+        for record in records
+    )
+
+
+def _times(
+    a: tuple[float, float, float], b: tuple[float, float, float]
+) -> tuple[float, float, float]:
+    return a[0] * b[0], a[1] * b[1], a[2] * b[2]
 
 
 def linear_of(color_space: str) -> Rows:
@@ -88,9 +123,9 @@ def _texel_density(mesh: Mesh, record: BaseColor, own: slice) -> Rows:
     of_uv = np.abs(e1[:, 0] * e2[:, 1] - e1[:, 1] * e2[:, 0]) * abs(a * d - b * c)
     of_texels = of_uv * record.image.shape[0] * record.image.shape[1]
     known = area > 0.0
-    return np.sqrt(np.divide(of_texels, area, out=np.zeros_like(area), where=known)).astype(
-        np.float32
-    )
+    squared = np.divide(of_texels, area, out=np.zeros_like(area), where=known)
+    density: Rows = np.sqrt(squared).astype(np.float32)
+    return density
 
 
 def _pyramid(record: BaseColor) -> list[Texture]:
