@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, ClassVar, NoReturn, TypeVar, cast
+from copy import copy
+from typing import TYPE_CHECKING, ClassVar, NoReturn, Self, TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,6 +32,7 @@ from rna_sdk.package.decoder.decoder_form import (
 )
 from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS, Rows
 from rna_sdk.package.manifest.manifest_fields import Kind
+from rna_sdk.package.textures.exchanged_images import check_images, with_images
 from rna_sdk.runtime.engine.batch import Batch
 from rna_sdk.runtime.engine.costs import cached_cost, median_seconds
 from rna_sdk.runtime.part_lobes import PartLobes
@@ -98,6 +100,22 @@ class Asset:
         """The parts in the manifest's order; an asset of one part is its own only part."""
         raise NotImplementedError
 
+    def with_base_color(
+        self,
+        images: Mapping[str, NDArray[np.uint8]] | None = None,
+        tint: tuple[float, float, float] = (1.0, 1.0, 1.0),
+    ) -> Self:
+        """This asset with another print, which `base_color_at` looks up.
+
+        images: by the label of a record (`base_colors` of a part), (H, W, 3) uint8 in the record's
+        colour space; row 0 is v = 0. tint: linear RGB that every base colour is multiplied by.
+        Light that one surface casts on another keeps the old colours.
+
+        Raises:
+            QueryError: there is no such label, or no such image.
+        """
+        raise NotImplementedError
+
     def measured_ns_per_query(self) -> float:
         """Nanoseconds per query on this processor, with `threads` threads; the mean over parts.
 
@@ -133,6 +151,21 @@ class CompositeAsset(Asset):
     @property
     def parts(self) -> tuple[SurfaceAsset | FiberAsset, ...]:
         return self._parts
+
+    def with_base_color(
+        self,
+        images: Mapping[str, NDArray[np.uint8]] | None = None,
+        tint: tuple[float, float, float] = (1.0, 1.0, 1.0),
+    ) -> Self:
+        """See `Asset`."""
+        images = check_images(images or {}, [c for part in self._parts for c in part.base_colors])
+        other, parts = copy(self), []
+        for part in self._parts:
+            labels = {record.label for record in part.base_colors}
+            own = {label: image for label, image in images.items() if label in labels}
+            parts.append(part.with_base_color(own, tint))
+        other._parts = tuple(parts)
+        return other
 
 
 class AssetPart(Asset):
@@ -202,6 +235,18 @@ class AssetPart(Asset):
     def measured_part_ns(self) -> float:
         """`measured_ns_per_query` of this part."""
         return cached_cost(self._measure_ns_per_query, *self._digests, self.threads)
+
+    def with_base_color(
+        self,
+        images: Mapping[str, NDArray[np.uint8]] | None = None,
+        tint: tuple[float, float, float] = (1.0, 1.0, 1.0),
+    ) -> Self:
+        """See `Asset`."""
+        other = copy(self)
+        images = check_images(images or {}, self.base_colors)
+        other.base_colors = with_images(self.base_colors, images, tint)
+        other.__dict__.pop("_base_color_maps", None)  # what is cached is of the old ones
+        return other
 
     def _measure_ns_per_query(self) -> float:
         rng = np.random.default_rng(0)

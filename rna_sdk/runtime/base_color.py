@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.arrays import indices, scalars
-from rna_sdk.errors import QueryError
 from rna_sdk.package import BaseColor, Mesh
 from rna_sdk.package.textures.texture_form import Texture
 from rna_sdk.runtime.kernels.base_color_kernel import LEVELS, look_up
@@ -69,38 +67,6 @@ class BaseColorMaps:
         result = np.empty((count, 3), np.float32)
         look_up(*hits, scalars("widths", widths, count), result, *self._tables)
         return result
-
-
-def with_images(
-    records: Sequence[BaseColor],
-    images: Mapping[str, NDArray[np.uint8]],
-    tint: tuple[float, float, float],
-) -> tuple[BaseColor, ...]:
-    """The records with other images, by label, and all factors times the tint."""
-    labels = sorted({record.label for record in records if record.image is not None})
-    for label, image in images.items():
-        if label not in labels:
-            known = ", ".join(labels) or "none"
-            raise QueryError(f"images: found the label {label!r}, expected one of: {known}")
-        if image.dtype != np.uint8 or image.ndim != 3 or image.shape[2] != 3 or not image.size:
-            found = f"{image.shape} {image.dtype}"
-            raise QueryError(f"images: {label}: expected an (H, W, 3) uint8 array, found {found}")
-    if len(tint) != 3 or not all(0.0 <= one < np.inf for one in tint):
-        raise QueryError(f"tint: expected three numbers of at least 0, found {tint}")
-    return tuple(
-        replace(
-            record,
-            image=images.get(record.label, record.image) if record.image is not None else None,
-            factor=_times(record.factor, tint),
-        )
-        for record in records
-    )
-
-
-def _times(
-    a: tuple[float, float, float], b: tuple[float, float, float]
-) -> tuple[float, float, float]:
-    return a[0] * b[0], a[1] * b[1], a[2] * b[2]
 
 
 def linear_of(color_space: str) -> Rows:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from copy import copy
 from functools import cached_property
 from typing import TYPE_CHECKING, ClassVar, Literal
 
@@ -145,27 +144,6 @@ class SurfaceAsset(AssetPart):
             QueryError: an argument is no such array, or a primitive is not there.
         """
         return self._base_color_maps.at(primitives, u, v, widths)
-
-    def with_base_color(
-        self,
-        images: Mapping[str, NDArray[np.uint8]] | None = None,
-        tint: tuple[float, float, float] = (1.0, 1.0, 1.0),
-    ) -> SurfaceAsset:
-        """This asset with another print, which `base_color_at` looks up.
-
-        images: by the label of a record (`base_colors`), (H, W, 3) uint8 in the record's colour
-        space; row 0 is v = 0. tint: linear RGB that every base colour is multiplied by. Light that
-        one surface casts on another keeps the old colours.
-
-        Raises:
-            QueryError: there is no such label, or no such image.
-        """
-        from rna_sdk.runtime.base_color import with_images
-
-        other = copy(self)
-        other.base_colors = with_images(self.base_colors, images or {}, tint)
-        other.__dict__.pop("_base_color_maps", None)
-        return other
 
     @cached_property
     def _base_color_maps(self) -> BaseColorMaps:
