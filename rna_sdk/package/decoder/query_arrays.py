@@ -43,13 +43,13 @@ QUERY_ARRAYS = (
 """In the order of a file's columns."""
 
 INPUT_ARRAYS = tuple(array for array in QUERY_ARRAYS if not array.is_factor)
-"""In the order of the kernel's arguments."""
+"""Those that the decoder's blocks are made of, in the order of the kernel's arguments."""
 
 _NONE = np.empty(0, np.float32)
 
 
 def in_order(arrays: Mapping[str, Rows]) -> tuple[Rows, ...]:
-    """One array for each of INPUT_ARRAYS; wo, which is checked anyway, for missing directions.
+    """One array for each of INPUT_ARRAYS; wo, which is checked anyway, for a missing direction.
 
     Other missing arrays are empty, (0,).
     """
