@@ -17,7 +17,7 @@ ROWS = 700
 
 def package(folder: Path, apart: bool, kind: str = "surface") -> Path:
     inputs = INPUTS if kind == "surface" else FIBER_INPUTS
-    shadowed = {"decoder": "decoders/shadowed.onnx", "inputs": inputs}
+    shadowed = {"decoder": "decoders/shadowed.onnx", "inputs": inputs[:3]}
     record = {**shadowed, "decoder_precision": "float32"} if apart else None
     tier = make_tier(inputs=inputs, shadowed=record)
     assert isinstance(tier.parts[0], TierPart)
