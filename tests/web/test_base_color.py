@@ -10,15 +10,15 @@ import pytest
 from rna_sdk import runtime
 from rna_view.site_files import Site
 from tests.gpu.test_evaluate import rows
-from tests.package.printed import make_printed
+from tests.package.prints import make_print
 from tests.web.pages import base64_of, call_reader, viewer
 
 pytestmark = pytest.mark.chromium
 
 
 def test_transport_as_the_runtime_has_it(tmp_path):
-    """By one decoder, and by two in int8."""
-    path = make_printed(tmp_path / "printed.rna")
+    """By one decoder, and by two of which one is for shadowed light."""
+    path = make_print(tmp_path / "print.rna")
     colors = np.random.default_rng(1).uniform(size=(500, 3)).astype(np.float32)
     with viewer(Site({}, {})) as page:
         for tier in ("small", "hq"):

@@ -38,7 +38,7 @@ FRAME = Record(
     Field("albedo", "<u4"),
     Field("domains", "<u4"),
     Field("textures", "<u4"),
-    Field("pixel", "<f4", (), "width of a pixel at distance 1"),
+    Field("spread", "<f4", (), "width of a pixel over the distance to it"),
 )
 
 HAS_SKY, FOR_BETA, RAYS_MEET_LIGHTS = 1, 2, 4
@@ -61,7 +61,6 @@ PATH = Record(
     Field("b1", "<f4"),
     Field("leaving", "<f4", (3,), "of a ray that leaves an asset: its start in object space"),
     Field("b2", "<f4"),
-    Field("travelled", "<f4", (), "from the camera to the origin"),
 )
 
 QUERY = Record(

@@ -103,7 +103,7 @@ def _parts(path: str | PathLike[str]) -> list[Any]:
                 records = {
                     "transmittance_records": package.transmittance(number),
                     "normal_maps": package.normal_maps(number),
-                    "base_color_records": package.base_color(number),
+                    "base_colors": package.base_color(number),
                 }
                 count = len(geometry.triangles)
                 fields = {"kind": "surface", "mesh": geometry, "count": count}

@@ -117,7 +117,7 @@ class Surfaces:
         mesh = part.mesh
         maps = texture_numbers(mesh, part.normal_maps)
         panes = texture_numbers(mesh, part.transmittance_records)
-        colors = texture_numbers(mesh, part.base_color_records)
+        colors = texture_numbers(mesh, part.base_colors)
         numbers = np.stack([maps, panes, colors])
         kinds, kind_of_triangle = np.unique(numbers, axis=1, return_inverse=True)
         surfaces = np.array([self._part_surface(part, *kind) for kind in kinds.T.tolist()])
@@ -135,7 +135,7 @@ class Surfaces:
             self._let_through(row, through, None)
         row["base_color"] = 1.0
         if color >= 0:
-            record = part.base_color_records[color]
+            record = part.base_colors[color]
             row["base_color"] = record.factor
             if record.image is not None:
                 row["textures"].reshape(-1)[_BASE] = self.images.add_base_color(record)

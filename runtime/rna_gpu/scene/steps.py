@@ -86,14 +86,13 @@ class Steps:
     ) -> None:
         """Write what all steps have in common. words: of a list of paths, uint32."""
         camera = Camera(scene.camera, scene.resolution)
-        pixel = np.linalg.norm(camera.step_y)
         common = {
             "camera": camera.position,
             "width": camera.width,
             "corner": camera.corner,
             "step_x": camera.step_x,
             "step_y": camera.step_y,
-            "pixel": pixel,
+            "spread": camera.spread,
             "seed": scene.seed,
             "clamp": (clamp or 0.0) / self._branches,
             "light_count": len(self._lights),

@@ -54,7 +54,6 @@ fn scatter(@builtin(global_invocation_id) id: vec3<u32>) {
     paths[k].origin = origin_of(v, wi_world);
     paths[k].direction = wi_world;
     paths[k].pdf = pdf;
-    paths[k].travelled = path.travelled + path.t;
     paths[k].beta = beta;
     paths[k].own = select(NONE, v.instance, object_passes(v.instance) == 1u);
 }

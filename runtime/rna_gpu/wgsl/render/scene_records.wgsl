@@ -58,10 +58,10 @@ struct Frame { // 160 bytes
     albedo: u32, // 136
     domains: u32, // 140
     textures: u32, // 144
-    pixel: f32, // 148; width of a pixel at distance 1
+    spread: f32, // 148; width of a pixel over the distance to it
 }
 
-struct Path { // 112 bytes
+struct Path { // 96 bytes
     origin: vec3f, // 0
     pixel: u32, // 12
     direction: vec3f, // 16
@@ -76,7 +76,6 @@ struct Path { // 112 bytes
     b1: f32, // 76
     leaving: vec3f, // 80; of a ray that leaves an asset: its start in object space
     b2: f32, // 92
-    travelled: f32, // 96; from the camera to the origin
 }
 
 struct Query { // 112 bytes

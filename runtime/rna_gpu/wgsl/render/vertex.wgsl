@@ -113,12 +113,12 @@ fn vertex_of(path: Path) -> Vertex {
     return v;
 }
 
-// Of the asset's point where a path is; pixels widen along the whole path.
+// Of the asset's point where a path is.
 fn base_color_of(path: Path, v: Vertex) -> vec3f {
     if v.kind == OF_FIBERS {
         return vec3f(1.0);
     }
-    let width = frame.pixel * (path.travelled + path.t) / rna_instances[v.instance].scale;
+    let width = frame.spread * path.t / rna_instances[v.instance].scale;
     return base_color_on(v.record, v.b1, v.b2, width);
 }
 

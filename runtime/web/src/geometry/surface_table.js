@@ -76,7 +76,7 @@ export class SurfaceTable {
 
   _tinted({ factor, label }) {
     const [all, own] = [this.tints[""] ?? WHITE, this.tints[label] ?? WHITE];
-    return factor.map((value, c) => Math.min(1, Math.max(0, value * all[c] * own[c])));
+    return factor.map((value, c) => value * all[c] * own[c]);
   }
 
   _add(surface) {

@@ -251,7 +251,7 @@ export class WebGPUEngine {
     const { lightsAt, arrays, span, target } = this;
     this.device.queue.writeBuffer(this.frameRecord, 0, packed("Frame", {
       camera: position, corner, step_x: stepX, step_y: stepY, width: target.width, paths: span.pixels, sample, branches: 1, depth: 1, rays: constants.CAMERA_RAY,
-      flags: arrays.transmits ? constants.TRANSMITS : 0, textures: arrays.texturesAt, lights: lightsAt, pixel: Math.hypot(...stepY),
+      flags: arrays.transmits ? constants.TRANSMITS : 0, textures: arrays.texturesAt, lights: lightsAt, spread: Math.hypot(...stepY),
     }));
   }
 

@@ -39,7 +39,7 @@ fn pixel_of(hit: RnaHit, wo: vec3f) -> Pixel {
     pixel.b2 = hit.b2;
     pixel.base_color = vec3f(1.0);
     if !rna_is_segment(record) {
-        pixel.base_color = base_color_on(record, hit.b1, hit.b2, frame.pixel * hit.t);
+        pixel.base_color = base_color_on(record, hit.b1, hit.b2, frame.spread * hit.t);
     }
     return pixel;
 }
