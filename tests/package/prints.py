@@ -70,9 +70,7 @@ def tiers(uses_base_color: bool | None = True, precision: str = "float32") -> tu
     return make_tier("small", **same), make_tier("hq", shadowed=shadowed, **same)
 
 
-def make_print(
-    path: str | Path, images: Mapping[str, bytes] | None = None, **changes: Any
-) -> Path:
+def make_print(path: str | Path, images: Mapping[str, bytes] | None = None, **changes: Any) -> Path:
     """Write the package to `path`; images: files by entry; `changes` are fields of the manifest."""
     manifest = make_print_manifest(**changes)
     data = {tier.name: make_tier_data(tier) for tier in manifest.tiers}

@@ -11,9 +11,9 @@ const NOTHING = new Uint32Array(0), WHITE = [1, 1, 1], AS_IS = [1, 0, 0, 0, 1, 0
 export class SurfaceTable {
   #made = new Map();  // by image and colour space: its piece
 
-  /** given: members of another one, as a worker hands them over. */
+  /** tint: linear RGB, a factor of all base colours. given: members of another one, as a worker hands them over. */
   constructor(given) {
-    Object.assign(this, { surfaces: [], textures: [], pieces: [], tints: {} }, given);
+    Object.assign(this, { surfaces: [], textures: [], pieces: [], tint: WHITE }, given);
   }
 
   ofFibers(part) {
@@ -37,10 +37,10 @@ export class SurfaceTable {
    * each.
    */
   arrays() {
-    const { surfaces, textures, pieces } = this, starts = [0];
+    const { surfaces, textures, pieces, tint } = this, starts = [0];
     for (const piece of pieces) starts.push(starts.at(-1) + piece.length);
     const rows = [
-      ...surfaces.map(({ color, ...surface }) => packed("Surface", { ...surface, ...(color && { base_color: this._tinted(color) }) })),
+      ...surfaces.map(({ factor, ...surface }) => packed("Surface", { ...surface, ...(factor && { base_color: factor.map((value, c) => value * tint[c]) }) })),
       ...textures.map(({ piece, width, height, form, row_u, row_v }) =>
         packed("Texture", { place: starts[piece], size: (height << 16) | width, form, row_u, row_v })),
     ];
@@ -48,7 +48,7 @@ export class SurfaceTable {
     pieces.forEach((piece, k) => images.set(piece, starts[k]));
     return {
       table, images, texturesAt: (surfaces.length * records.Surface.words) / 4, hasTextures: textures.some(({ label }) => label === undefined),
-      hasBaseColor: surfaces.some(({ color }) => color), transmits: surfaces.some(({ flags }) => flags & LETS_THROUGH),
+      hasBaseColor: surfaces.some(({ factor }) => factor), transmits: surfaces.some(({ flags }) => flags & LETS_THROUGH),
     };
   }
 
@@ -69,16 +69,6 @@ export class SurfaceTable {
     }
   }
 
-  /** A factor of the base colour of images with that label, or of all ("") where there is one: linear RGB. */
-  setTint(label, color) {
-    this.tints[label] = color;
-  }
-
-  _tinted({ factor, label }) {
-    const [all, own] = [this.tints[""] ?? WHITE, this.tints[label] ?? WHITE];
-    return factor.map((value, c) => value * all[c] * own[c]);
-  }
-
   _add(surface) {
     return this.surfaces.push({ normal_map: NONE, base_color: WHITE, textures: Array(TEXTURES).fill(NONE), ...surface }) - 1;
   }
@@ -90,7 +80,7 @@ export class SurfaceTable {
       surface.flags = LETS_THROUGH | (pane.cutoff == null ? 0 : HAS_CUTOFF);
       Object.assign(surface, { through: this._texture(pane.texture), cutoff: pane.cutoff ?? 0, ior: pane.ior ?? [0, 0] });
     }
-    if (color) surface.color = { factor: color.factor ?? WHITE, label: color.label };
+    if (color) surface.factor = color.factor ?? WHITE;
     if (color?.image) surface.textures[BASE] = yield* this._print(color);
     return number;
   }

@@ -21,6 +21,7 @@ export class Package {
     own.source = source;
     own.directory = await readDirectory(source);
     own.cache = new Map();
+    own.images = new Map();  // decoded
     own.manifest = readManifest(await own._stored(MANIFEST));
     checkEntries(own.manifest, own.directory);
     own.environment = environmentOf(own.manifest);
@@ -55,7 +56,10 @@ export class Package {
     const tier = this.tier(name), names = this._entriesOf(tier), data = new Map();
     this._fetch(this._needed(name, wantsLobes));
     for (const entry of names) data.set(entry, await this._data(entry));
-    for (const entry of this._images()) data.set(entry, await readImage(data.get(entry), entry));
+    for (const entry of this._images()) {
+      if (!this.images.has(entry)) this.images.set(entry, await readImage(data.get(entry), entry));
+      data.set(entry, this.images.get(entry));
+    }
     const parts = this.manifest.parts.map((part, k) => this._part(part, tier.parts[k], k, data));
     if (wantsLobes && this.environment) await this._addEnvironment(parts, tier, data);
     return { name: tier.name, tier, parts };
@@ -88,6 +92,7 @@ export class Package {
   /** Lets go of bytes that were fetched for a tier. */
   forget() {
     this.cache.clear();
+    this.images.clear();
   }
 
   _part(part, own, k, data) {

@@ -73,11 +73,7 @@ export class WebGPUEngine {
       store(arrays.nodes, "hierarchy"), store(arrays.primitives, "geometry"), store(arrays.points, "geometry"),
       store(instance(arrays.extent), "geometry"), store(arrays.normals, "geometry"),
     ];
-    this.lightsAt = arrays.table.length / 4;
-    this.table = buffer(device, 4 * arrays.table.length + bytesOf("Light"));
-    device.queue.writeBuffer(this.table, 0, arrays.table);
-    this.arrays = arrays;
-    this._storeImages();
+    this._storeSurfaces(arrays);
     await this.compiled;
     this.raySources = rayKernels({ hasSegments: arrays.strands > 0, hasTextures: arrays.hasTextures, hasBaseColor: arrays.hasBaseColor });
     const { hit, light } = this.raySources;
@@ -107,6 +103,22 @@ export class WebGPUEngine {
 
   get emits() {
     return this.parts.some(({ emission }) => emission);
+  }
+
+  /** Other images or a tint in the arrays of the asset that is shown. */
+  setSurfaces(arrays) {
+    if (!this.geometry) return;
+    this._storeSurfaces(arrays);
+    this._bind();
+  }
+
+  _storeSurfaces(arrays) {
+    const { device } = this, { table } = arrays;
+    this.table?.destroy();
+    this.table = buffer(device, 4 * table.length + bytesOf("Light"));
+    device.queue.writeBuffer(this.table, 0, table);
+    Object.assign(this, { arrays, lightsAt: table.length / 4 });
+    this._storeImages();
   }
 
   setEnvironment(environment) {
@@ -282,7 +294,7 @@ export class WebGPUEngine {
       for (const own of Object.values(decoders)) own?.delete();
     }
     this.parts = [];
-    this.geometry = this.images = null;
+    this.geometry = this.images = this.table = null;
   }
 
   close() {
