@@ -83,7 +83,7 @@ def test_a_row_depends_on_its_base_colour_alone(printed: tuple[Path, str]) -> No
         ]
         np.testing.assert_array_equal(np.concatenate(parts), expected)
     out = np.empty((5003, 3), np.float32), np.empty((5003, 3), np.float32)
-    assert opened(printed).evaluate(*points, out, base_color=base_color)[0] is out[0]
+    assert opened(printed).evaluate(*points, base_color, out)[0] is out[0]
     np.testing.assert_array_equal(np.hstack(out), expected)
 
 

@@ -93,7 +93,11 @@ def _parts(model: TrainedTier, dataset: Dataset) -> tuple[Part, ...]:
 
 def _textured(part: CapturedPart) -> dict[str, Any]:
     """Textures of a part's materials in the package, by member of `Part`."""
-    members = {"transmittance": part.transmittance, "normal_maps": part.normal_maps}
+    members = {
+        "transmittance": part.transmittance,
+        "normal_maps": part.normal_maps,
+        "base_color": part.base_color,
+    }
     return {name: records for name, records in members.items() if records}
 
 

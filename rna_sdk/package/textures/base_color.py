@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import PurePosixPath
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -41,6 +42,7 @@ class BaseColor:
         factor: linear RGB.
         wrap: what lies beyond the image's edges along u, and along v.
         transform: (a, b, c, d, e, f): the image is looked up at (a u + b v + c, d u + e v + f).
+        label: what the image is called: its entry's name without folder and suffix.
     """
 
     first: int
@@ -50,6 +52,7 @@ class BaseColor:
     factor: tuple[float, float, float] = WHITE
     wrap: tuple[Wrap, Wrap] = ("repeat", "repeat")
     transform: Affine = IDENTITY
+    label: str = ""
 
     @classmethod
     def of(cls, record: BaseColorRecord, image: Texture | None) -> BaseColor:
@@ -61,6 +64,7 @@ class BaseColor:
             record.factor or WHITE,
             record.wrap or ("repeat", "repeat"),
             record.transform or IDENTITY,
+            PurePosixPath(record.image or "").stem,
         )
 
 

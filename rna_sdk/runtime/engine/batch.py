@@ -17,7 +17,7 @@ class Batch:
     """Arguments and results.
 
     Attributes:
-        arrays: one for each of QUERY_ARRAYS, (n, 3) or (n,) float32.
+        arrays: one for each of INPUT_ARRAYS, (n, 3) or (n,) float32.
         results: written by the evaluation: those of the decoder's form, each (n, 3) float32.
         base_color: (n, 3) float32 where the decoder has a factor of each result, behind them.
     """

@@ -12,7 +12,11 @@ from rna_export.capture.capture_settings import CaptureSettings, DatasetModel
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.package import Domain
 from rna_sdk.package.manifest.manifest_fields import Name
-from rna_sdk.package.manifest.manifest_model import NormalMapRecord, TransmittanceRecord
+from rna_sdk.package.manifest.manifest_model import (
+    BaseColorRecord,
+    NormalMapRecord,
+    TransmittanceRecord,
+)
 
 MAX_NUMBER = 1e18
 """Of samples and bounds: float32 holds its square."""
@@ -58,6 +62,7 @@ class CapturedPart(DatasetModel):
     bounds: tuple[tuple[float, float, float], tuple[float, float, float]]
     transmittance: tuple[TransmittanceRecord, ...] = ()  # textures are files of the dataset
     normal_maps: tuple[NormalMapRecord, ...] = ()  # likewise
+    base_color: tuple[BaseColorRecord, ...] = ()  # likewise its images
 
     @model_validator(mode="after")
     def _has_a_box(self) -> Self:
