@@ -75,6 +75,7 @@ class Images:
 
     def add_base_color(self, record: BaseColor) -> int:
         """Number of the texture of a record's image, its levels one behind the other."""
+        assert record.image is not None  # the caller has asked
         if id(record.image) not in self._levels:
             levels = [_words(level) for level in base_color_levels(record)]
             self._levels[id(record.image)] = self.add(np.concatenate(levels)), record.image
