@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 from rna_sdk.arrays import indices, scalars
 from rna_sdk.package import BaseColor, Mesh
 from rna_sdk.package.textures.texture_form import Texture
-from rna_sdk.runtime.kernels.base_color_kernel import LEVELS, look_up
-from rna_sdk.runtime.kernels.texels_around import CLAMP, MIRROR, REPEAT
+from rna_sdk.runtime.kernels.base_color_kernel import CLAMP, LEVELS, MIRROR, REPEAT, look_up
 
 Rows = NDArray[np.float32]
 
@@ -41,8 +40,9 @@ class BaseColorMaps:
                 levels[k, j] = first, *level.shape[:2]
                 texels.append(level.reshape(-1, 3))
                 first += level.shape[0] * level.shape[1]
+        self._density = density
         self._tables: tuple[Any, ...] = (
-            *(np.ascontiguousarray(uvs, np.float32), mesh.triangles, number, density),
+            *(np.ascontiguousarray(uvs, np.float32), mesh.triangles, number),
             np.array(
                 [k if one.image is not None else -1 for k, one in enumerate(records)], np.int64
             ),
@@ -59,13 +59,28 @@ class BaseColorMaps:
         self, primitives: NDArray[np.integer], u: Rows, v: Rows, widths: Rows | float = 0.0
     ) -> Rows:
         """See `SurfaceAsset.base_color_at`."""
+        return self._looked_up(primitives, u, v, widths, self._density)
+
+    def at_levels(self, primitives: NDArray[np.integer], u: Rows, v: Rows, levels: Rows) -> Rows:
+        """The like of `at` in these levels of the images, (n,) float32, 0 or more."""
+        widths = np.exp2(np.minimum(levels, LEVELS))
+        return self._looked_up(primitives, u, v, widths, np.ones_like(self._density))
+
+    def _looked_up(
+        self,
+        primitives: NDArray[np.integer],
+        u: Rows,
+        v: Rows,
+        widths: Rows | float,
+        density: Rows,
+    ) -> Rows:
         number = indices("primitives", primitives, len(self._mesh.triangles))
         count = len(number)
         if not isinstance(widths, np.ndarray):
             widths = np.full(count, widths, np.float32)
         hits = number, scalars("u", u, count), scalars("v", v, count)
         result = np.empty((count, 3), np.float32)
-        look_up(*hits, scalars("widths", widths, count), result, *self._tables)
+        look_up(*hits, scalars("widths", widths, count), density, result, *self._tables)
         return result
 
 

@@ -12,7 +12,7 @@ from rna_render.materials import IDENTITY, SRGB, Texture
 from rna_sdk.errors import GpuError
 from rna_sdk.package import BaseColor
 from rna_sdk.runtime.base_color import base_color_levels
-from rna_sdk.runtime.kernels.texels_around import CLAMP, MIRROR, REPEAT
+from rna_sdk.runtime.kernels.base_color_kernel import CLAMP, MIRROR, REPEAT
 
 NONE = np.uint32(0xFFFFFFFF)
 _SIDE = (1 << 16) - 1
@@ -75,6 +75,7 @@ class Images:
 
     def add_base_color(self, record: BaseColor) -> int:
         """Number of the texture of a record's image, its levels one behind the other."""
+        assert record.image is not None  # the caller has asked
         if id(record.image) not in self._levels:
             levels = [_words(level) for level in base_color_levels(record)]
             self._levels[id(record.image)] = self.add(np.concatenate(levels)), record.image
