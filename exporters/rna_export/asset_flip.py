@@ -1,4 +1,4 @@
-"""How far an asset is from its reference, in one number: FLIP of its pixels alone, as in a scene."""
+"""How far an asset is from its reference: FLIP of its pixels alone, exposed as in a scene."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import numpy as np
 
 from rna_export.metrics import IRRADIANCE, flip
 from rna_render.lights import LUMINANCE
+from rna_sdk.error_words import error_text
 
 DEFINITION = (
     "FLIP of the sRGB images over black, the asset's pixels alone, without the references' noise; "
@@ -41,7 +42,7 @@ class AssetFlip:
     images: int
 
     def __str__(self) -> str:
-        return f"{self.mean:.3f} (95th percentile {self.p95:.2f})"
+        return error_text(self.mean, self.p95)
 
 
 @dataclass(frozen=True)
@@ -94,7 +95,7 @@ def without_noise(error: float, noisier: float) -> float:
     Colour distances of independent errors add up in squares, so FLIP to the power 2 / 0.7 is
     linear in v. Never above `error`, nor below a quarter of it, where noise hides the rest.
     """
-    extrapolated = max(2.0 * error**_POWER - noisier**_POWER, 0.0) ** (1.0 / _POWER)
+    extrapolated: float = max(2.0 * error**_POWER - noisier**_POWER, 0.0) ** (1.0 / _POWER)
     return min(max(extrapolated, _LEAST * error), error)
 
 

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import numpy as np
 
+from rna_export.asset_flip import SHOWN_AT, AssetFlip, ImageFlip, asset_flip, luminance_level
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.compare.comparison_run import Timed
 from rna_export.compare.cycles_scene import cycles_scene
-from rna_export.asset_flip import SHOWN_AT, AssetFlip, ImageFlip, asset_flip, luminance_level
 from rna_export.metrics import IRRADIANCE, NoiselessPsnr, display, flip, psnr_without_noise, to_png
 from rna_export.pictures import flip_colours
 from rna_render import Camera, Denoiser, load_world, make_integrator, render

@@ -13,11 +13,11 @@ from typing import Any
 from rna_bench.cycles_worker import cycles
 from rna_bench.results import write_results
 from rna_bench.scenes.beside_cycles import EXPOSURE_DEFINITION
+from rna_bench.scenes.filled import filled
 from rna_bench.scenes.judge import judge
 from rna_bench.scenes.measured_scene import MeasuredScene, Plan
 from rna_bench.scenes.scene_list import find_environment, scenes
 from rna_bench.scenes.scenes_sheet import draw_sheet
-from rna_bench.scenes.filled import filled
 from rna_bench.scenes.stage import Stage
 from rna_bench.scenes.stored import StoredResults
 from rna_export.capture.blender_process.blender_worker import BlenderWorker

@@ -27,6 +27,10 @@ from rna_sdk.package.manifest.manifest_fields import Region
 _RAYS_A_RENDER = 65536  # of a validation image; keeps ray images small
 _VALIDATION_FOV = np.radians(40.0)
 
+LIT_FROM_BEHIND = (1, 3, 6)
+"""Of eight validation images; the second of them is a close-up."""
+_BEHIND, _LIGHTS_TRIED = np.cos(np.radians(120.0)), 64
+
 _DIRECTIONS = ("wo", "wi")
 
 Samples = dict[str, dict[str, np.ndarray]]
@@ -97,9 +101,11 @@ class ValidationHalf:
         rng = np.random.default_rng([settings.seed, 2, self.view])
         domain = dataset.manifest.domain
         wi = directions_in(domain.wi, rng.random((1, 2)))[0]
+        rays, hit = _validation_rays(scene, settings, domain.wo, self.view, rng)
+        if self.view % 8 in LIT_FROM_BEHIND:
+            wi = _from_behind(domain.wi, rays, np.random.default_rng([settings.seed, 8, self.view]))
         if self.emission:
             wi = None
-        rays, hit = _validation_rays(scene, settings, domain.wo, self.view, rng)
         samples = settings.validation_samples // 2
         noise = np.random.default_rng([settings.seed, 3 + self.emission, self.view, self.half])
         seed = int(noise.integers(2**31))
@@ -249,6 +255,15 @@ def _validation_rays(
     if best is None:
         raise CaptureError(f"validation view {view}: found no camera position that sees the asset")
     return best  # of a wire, which is never more than a few pixels
+
+
+def _from_behind(region: Region, rays: ViewRays, rng: np.random.Generator) -> np.ndarray:
+    """A light direction at least 120 degrees from that to the eye, or as far as the region has."""
+    lights = directions_in(region, rng.random((_LIGHTS_TRIED, 2)))
+    to_eye = -rays.directions.mean(axis=0)
+    cosine = lights @ (to_eye / np.linalg.norm(to_eye))
+    behind = np.flatnonzero(cosine <= _BEHIND)
+    return np.asarray(lights[behind[0] if len(behind) else np.argmin(cosine)])
 
 
 def _validation_camera(
