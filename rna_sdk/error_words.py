@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 _STEPS = (
-    (0.03, "very good: hard to tell from the original"),
-    (0.06, "good: differences show in close-ups"),
-    (0.10, "fair: differences show beside the original, hardly alone"),
-    (0.15, "rough: the asset is recognised, its highlights and shadows are blotchy"),
-    (0.25, "poor: stains or noise that anybody sees"),
+    (0.04, "very good: hard to tell from the original"),
+    (0.07, "good: differences show in close-ups"),
+    (0.11, "fair: differences show beside the original"),
+    (0.18, "rough: right where light falls, blotchy in shade and highlights"),
+    (0.30, "poor: stains or wrong colours that anybody sees"),
 )
 _WORST = "unusable: noise or wrong colours all over"
 

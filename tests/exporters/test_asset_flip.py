@@ -120,6 +120,6 @@ def test_the_worse_of_light_and_emission_counts_and_a_black_board_does_not() -> 
 def test_words_get_worse_with_the_error() -> None:
     words = [error_in_words(flip) for flip in np.arange(0.0, 0.5, 0.005)]
     assert list(dict.fromkeys(words)) == [
-        error_in_words(flip) for flip in (0.0, 0.05, 0.08, 0.12, 0.2, 0.4)
+        error_in_words(flip) for flip in (0.0, 0.05, 0.09, 0.15, 0.25, 0.4)
     ]
     assert sum(a != b for a, b in pairwise(words)) == 5

@@ -1,6 +1,6 @@
 """Draw what errors look like: models of one asset, from bad to good, each with its FLIP and words.
 
-    rna-bench words toy.rays runs/tiny-50 runs/small-400 toy.rna --out docs/images/error-in-words.jpg
+    rna-bench words toy.rays runs/tiny runs/small toy.rna --out docs/images/error-in-words.jpg
 
 Models are folders of rna-train and packages, all of this dataset. Two of its validation images are
 shown: lit from the front, and lit from behind. Words are of the error over all of them, as rna-make

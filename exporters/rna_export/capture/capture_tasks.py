@@ -16,7 +16,11 @@ from rna_export.capture.dataset.dataset_manifest import emission_fields
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.sample_files import joined, write_parts
 from rna_export.capture.rays.asset_scene import AssetScene, PartRows, ShadePoints
-from rna_export.capture.rays.capture_directions import directions_in, light_direction
+from rna_export.capture.rays.capture_directions import (
+    direction_behind,
+    directions_in,
+    light_direction,
+)
 from rna_export.capture.rays.traced_rays import TracedRays
 from rna_export.capture.rays.view_rays import ViewRays, sample_view_rays
 from rna_render import Camera
@@ -29,7 +33,6 @@ _VALIDATION_FOV = np.radians(40.0)
 
 LIT_FROM_BEHIND = (1, 3, 6)
 """Of eight validation images; the second of them is a close-up."""
-_BEHIND, _LIGHTS_TRIED = np.cos(np.radians(120.0)), 64
 
 _DIRECTIONS = ("wo", "wi")
 
@@ -103,7 +106,8 @@ class ValidationHalf:
         wi = directions_in(domain.wi, rng.random((1, 2)))[0]
         rays, hit = _validation_rays(scene, settings, domain.wo, self.view, rng)
         if self.view % 8 in LIT_FROM_BEHIND:
-            wi = _from_behind(domain.wi, rays, np.random.default_rng([settings.seed, 8, self.view]))
+            turns = np.random.default_rng([settings.seed, 8, self.view])
+            wi = direction_behind(domain.wi, -rays.directions.mean(axis=0), turns)
         if self.emission:
             wi = None
         samples = settings.validation_samples // 2
@@ -255,15 +259,6 @@ def _validation_rays(
     if best is None:
         raise CaptureError(f"validation view {view}: found no camera position that sees the asset")
     return best  # of a wire, which is never more than a few pixels
-
-
-def _from_behind(region: Region, rays: ViewRays, rng: np.random.Generator) -> np.ndarray:
-    """A light direction at least 120 degrees from that to the eye, or as far as the region has."""
-    lights = directions_in(region, rng.random((_LIGHTS_TRIED, 2)))
-    to_eye = -rays.directions.mean(axis=0)
-    cosine = lights @ (to_eye / np.linalg.norm(to_eye))
-    behind = np.flatnonzero(cosine <= _BEHIND)
-    return np.asarray(lights[behind[0] if len(behind) else np.argmin(cosine)])
 
 
 def _validation_camera(
