@@ -10,7 +10,10 @@ from rna_sdk.package.manifest.manifest_fields import Region
 # Quasirandom Sequences", 2018.
 _R2 = 1.0 / np.array([1.32471795724474602596, 1.32471795724474602596**2])
 
-_BEHIND, _TRIED = np.cos(np.radians(120.0)), 64
+BEHIND = float(np.cos(np.radians(120.0)))
+"""Cosine of the least angle between the eye and a light that is behind."""
+
+_TRIED = 64
 
 
 def light_direction(index: int, seed: int, region: Region) -> np.ndarray:
@@ -47,7 +50,7 @@ def direction_behind(region: Region, to_eye: np.ndarray, rng: np.random.Generato
     """
     lights = directions_in(region, rng.random((_TRIED, 2)))
     cosine = lights @ (to_eye / np.linalg.norm(to_eye))
-    behind = np.flatnonzero(cosine <= _BEHIND)
+    behind = np.flatnonzero(cosine <= BEHIND)
     return np.asarray(lights[behind[0] if len(behind) else np.argmin(cosine)])
 
 
