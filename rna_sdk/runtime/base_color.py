@@ -32,7 +32,7 @@ class BaseColorMaps:
             if record.image is not None:
                 density[own] = _texel_density(mesh, record, own)
         uvs = np.zeros((len(mesh.positions), 2), np.float32) if mesh.uvs is None else mesh.uvs
-        pyramids = [_pyramid(one) if one.image is not None else [] for one in records]
+        pyramids = [base_color_levels(one) if one.image is not None else [] for one in records]
         levels = np.zeros((max(len(records), 1), LEVELS, 3), np.int64)
         texels: list[Texture] = [np.zeros((1, 3), np.uint8)]
         first = 1
@@ -110,8 +110,8 @@ def _texel_density(mesh: Mesh, record: BaseColor, own: slice) -> Rows:
     return density
 
 
-def _pyramid(record: BaseColor) -> list[Texture]:
-    """The image, and each level of half the size, in 8 bits, down to one texel."""
+def base_color_levels(record: BaseColor) -> list[Texture]:
+    """The record's image, and each level of half the size, in 8 bits, down to one texel."""
     assert record.image is not None
     linear = linear_of(record.color_space)
     edges = (linear[1:] + linear[:-1]) / 2.0  # between the values that 8 bits have
