@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 from rna_sdk.arrays import indices, scalars
 from rna_sdk.package import BaseColor, Mesh
 from rna_sdk.package.textures.texture_form import Texture
-from rna_sdk.runtime.kernels.base_color_kernel import LEVELS, look_up
-from rna_sdk.runtime.kernels.texels_around import CLAMP, MIRROR, REPEAT
+from rna_sdk.runtime.kernels.base_color_kernel import CLAMP, LEVELS, MIRROR, REPEAT, look_up
 
 Rows = NDArray[np.float32]
 

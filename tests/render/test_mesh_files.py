@@ -16,7 +16,7 @@ from pydantic import TypeAdapter
 from rna_render.materials import MeshFileWarning, MeshObject, read_mesh_object
 from rna_render.scene.material_models import MaterialModel
 from rna_sdk.errors import SceneError
-from rna_sdk.runtime.kernels.texels_around import CLAMP, REPEAT
+from rna_trace.bilinear import CLAMP, REPEAT
 from rna_trace.surface import geometric_normals
 
 RED, GREEN, BLUE, WHITE = (255, 0, 0), (0, 255, 0), (0, 0, 255), (255, 255, 255)

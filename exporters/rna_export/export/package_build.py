@@ -70,7 +70,11 @@ def build_package(
 
 def _of_parts(dataset: Dataset, data: dict[str, list[TierData]]) -> tuple[Any, ...]:
     """Geometry, the tiers' data and textures, as `write_package` takes them."""
-    textures = {name: t for part in dataset.parts for name, t in part.textures().items()}
+    textures = {
+        name: texture
+        for part in dataset.parts
+        for name, texture in (part.textures() | part.base_color_files()).items()
+    }
     return [part.geometry() for part in dataset.parts], data, textures
 
 

@@ -9,10 +9,30 @@ from numba import prange
 from numpy.typing import NDArray
 
 from rna_sdk.compiled import compiled
-from rna_sdk.runtime.kernels.texels_around import texels_around
+
+REPEAT, CLAMP, MIRROR = 0, 1, 2
 
 LEVELS = 14
 """Of an image at most: 8192 texels a side to 1."""
+
+
+@compiled(fastmath=())
+def _around(x: float, size: int, wrap: int) -> tuple[int, int, float]:
+    """The texels that x is between, of `size` along the image's side, and its place between."""
+    place = x * size - 0.5
+    first = math.floor(place)
+    return _inside(first, size, wrap), _inside(first + 1, size, wrap), place - first
+
+
+@compiled(fastmath=())
+def _inside(texel: int, size: int, wrap: int) -> int:
+    """The texel of the image that stands at this one."""
+    if wrap == CLAMP:
+        return min(max(texel, 0), size - 1)
+    if wrap == REPEAT:
+        return texel % size
+    m = texel % (2 * size)
+    return m if m < size else 2 * size - 1 - m
 
 
 @compiled(fastmath=())
@@ -29,8 +49,8 @@ def _add_level(
 
     level: its first texel, height and width. linear: (256,), of a value of 8 bits.
     """
-    left, right, a = texels_around(place[0], level[2], wrap[0])
-    upper, lower, b = texels_around(place[1], level[1], wrap[1])
+    left, right, a = _around(place[0], level[2], wrap[0])
+    upper, lower, b = _around(place[1], level[1], wrap[1])
     upper, lower = level[0] + upper * level[2], level[0] + lower * level[2]
     corners = upper + left, upper + right, lower + left, lower + right
     weights = (1.0 - a) * (1.0 - b), a * (1.0 - b), (1.0 - a) * b, a * b

@@ -16,7 +16,7 @@ import numpy as np
 
 from rna_render.materials.material import Material
 from rna_render.materials.textures import Texture
-from rna_sdk.runtime.kernels.texels_around import REPEAT
+from rna_trace.bilinear import REPEAT
 from rna_trace.transmittance import Transmittance, TransmittanceTexture
 
 if TYPE_CHECKING:

@@ -20,7 +20,7 @@ from rna_render.materials.textures import IDENTITY, LINEAR, SRGB, Texture, read_
 from rna_render.materials.transmission import transmitted_by
 from rna_render.scene.limits import MAX_NUMBER
 from rna_render.scene.model_base import Vector
-from rna_sdk.runtime.kernels.texels_around import CLAMP, MIRROR, REPEAT
+from rna_trace.bilinear import CLAMP, MIRROR, REPEAT
 
 # Section 3.8.4.4, from OpenGL.
 WRAPS = {10497: REPEAT, 33071: CLAMP, 33648: MIRROR}
