@@ -31,6 +31,7 @@ from .manifest.manifest_tiers import FlipAtHeight as FlipAtHeight
 from .manifest.manifest_tiers import Tier as Tier
 from .manifest.manifest_tiers import TierEmission as TierEmission
 from .manifest.manifest_tiers import TierPart as TierPart
+from .manifest.manifest_tiers import TierShadowed as TierShadowed
 from .manifest.manifest_tiers import Validation as Validation
 from .manifest.tier_ranges import tier_ranges as tier_ranges
 from .package import EnvironmentLobes as EnvironmentLobes

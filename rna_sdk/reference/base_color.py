@@ -62,7 +62,8 @@ def _means(size: int) -> Float:
     ends = np.arange(half + 1) * size / half
     texel = np.arange(size)
     covered = np.minimum(ends[1:, None], texel + 1.0) - np.maximum(ends[:-1, None], texel)
-    return np.clip(covered, 0.0, None) * half / size
+    weights: Float = np.clip(covered, 0.0, None) * half / size
+    return weights
 
 
 def _looked_up(level: Float, place: Float, wrap: tuple[str, str]) -> Float:

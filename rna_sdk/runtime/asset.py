@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, ClassVar, NoReturn, TypeVar, cast
+from copy import copy
+from typing import TYPE_CHECKING, ClassVar, NoReturn, Self, TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +12,7 @@ from numpy.typing import NDArray
 from rna_sdk.arrays import scalars, vectors
 from rna_sdk.errors import QueryError
 from rna_sdk.package import (
+    BaseColor,
     Curves,
     Domain,
     EnvironmentPart,
@@ -30,6 +32,7 @@ from rna_sdk.package.decoder.decoder_form import (
 )
 from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS, Rows
 from rna_sdk.package.manifest.manifest_fields import Kind
+from rna_sdk.package.textures.exchanged_images import check_images, with_images
 from rna_sdk.runtime.engine.batch import Batch
 from rna_sdk.runtime.engine.costs import cached_cost, median_seconds
 from rna_sdk.runtime.part_lobes import PartLobes
@@ -97,6 +100,22 @@ class Asset:
         """The parts in the manifest's order; an asset of one part is its own only part."""
         raise NotImplementedError
 
+    def with_base_color(
+        self,
+        images: Mapping[str, NDArray[np.uint8]] | None = None,
+        tint: tuple[float, float, float] = (1.0, 1.0, 1.0),
+    ) -> Self:
+        """This asset with another print, which `base_color_at` looks up.
+
+        images: by the label of a record (`base_colors` of a part), (H, W, 3) uint8 in the record's
+        colour space; row 0 is v = 0. tint: linear RGB that every base colour is multiplied by.
+        Light that one surface casts on another keeps the old colours.
+
+        Raises:
+            QueryError: there is no such label, or no such image.
+        """
+        raise NotImplementedError
+
     def measured_ns_per_query(self) -> float:
         """Nanoseconds per query on this processor, with `threads` threads; the mean over parts.
 
@@ -133,6 +152,21 @@ class CompositeAsset(Asset):
     def parts(self) -> tuple[SurfaceAsset | FiberAsset, ...]:
         return self._parts
 
+    def with_base_color(
+        self,
+        images: Mapping[str, NDArray[np.uint8]] | None = None,
+        tint: tuple[float, float, float] = (1.0, 1.0, 1.0),
+    ) -> Self:
+        """See `Asset`."""
+        images = check_images(images or {}, [c for part in self._parts for c in part.base_colors])
+        other, parts = copy(self), []
+        for part in self._parts:
+            labels = {record.label for record in part.base_colors}
+            own = {label: image for label, image in images.items() if label in labels}
+            parts.append(part.with_base_color(own, tint))
+        other._parts = tuple(parts)
+        return other
+
 
 class AssetPart(Asset):
     """Common base of `SurfaceAsset` and `FiberAsset`.
@@ -142,6 +176,7 @@ class AssetPart(Asset):
         tier_part: the part's record in the tier.
         transmittance_records: holes and thin glass of a surface; see `transmittance`.
         normal_maps: normal maps of a surface; see `mapped_normals`.
+        base_colors: base colour of a surface whose tier uses it; see `base_color_at`.
         environment_form: the manifest's record of the part's lobes, `lobes` of them; see `mirror`.
             None if the package has none for the part, or the geometry is that of a proxy.
     """
@@ -170,7 +205,9 @@ class AssetPart(Asset):
         self.transmittance_records: tuple[Transmittance, ...] = tuple(package.transmittance(part))
         self.normal_maps: tuple[NormalMap, ...] = tuple(package.normal_maps(part))
         filler = QueryFiller(package.planes(tier.name, part), box, tier_part, self.kind)
-        self._base_color = tuple(package.base_color(part)) if tier_part.uses_base_color else ()
+        self.base_colors: tuple[BaseColor, ...] = (
+            tuple(package.base_color(part)) if tier_part.uses_base_color else ()
+        )
         evaluators = {
             one.form.name: TileEvaluator(
                 filler.laying_out(one.inputs),
@@ -198,6 +235,18 @@ class AssetPart(Asset):
     def measured_part_ns(self) -> float:
         """`measured_ns_per_query` of this part."""
         return cached_cost(self._measure_ns_per_query, *self._digests, self.threads)
+
+    def with_base_color(
+        self,
+        images: Mapping[str, NDArray[np.uint8]] | None = None,
+        tint: tuple[float, float, float] = (1.0, 1.0, 1.0),
+    ) -> Self:
+        """See `Asset`."""
+        other = copy(self)
+        images = check_images(images or {}, self.base_colors)
+        other.base_colors = with_images(self.base_colors, images, tint)
+        other.__dict__.pop("_base_color_maps", None)  # what is cached is of the old ones
+        return other
 
     def _measure_ns_per_query(self) -> float:
         rng = np.random.default_rng(0)
@@ -238,6 +287,24 @@ class AssetPart(Asset):
         for k, evaluator in enumerate(evaluators):
             own = result if len(evaluators) == 1 else result[k : k + 1]
             evaluator.run(Batch.of(checked, own))
+        return result
+
+    def _transport(self, arrays: Mapping[str, object], visibility: object) -> Rows:
+        """T, (n, 3) float32: of decoders apart, each row by those that count."""
+        checked = self._checked(arrays, TRANSPORT.arrays)
+        count = len(checked["wo"])
+        v = _shares(visibility, count)
+        evaluators = self._evaluators[TRANSPORT.name]
+        if len(evaluators) == 1:
+            visible, shadowed = self.decode(TRANSPORT.name, checked)
+            return v * visible + (np.float32(1.0) - v) * shadowed
+        result = np.zeros((count, COLUMNS), np.float32)
+        for evaluator, share in zip(evaluators, (v, np.float32(1.0) - v), strict=True):
+            row = np.flatnonzero(share.any(axis=1))
+            answer = np.empty((len(row), COLUMNS), np.float32)
+            rows = {name: values.take(row, axis=0) for name, values in checked.items()}
+            evaluator.run(Batch.of(rows, (answer,)))
+            result[row] += share.take(row, axis=0) * answer
         return result
 
     def mirror(self, axes: Rows, wo: Rows) -> Rows:
@@ -308,11 +375,23 @@ class AssetPart(Asset):
 
 def _by_answer(evaluators: dict[str, Evaluator]) -> dict[str, tuple[Evaluator, ...]]:
     """What answers each of FORMS: one evaluator for all results, or one for each."""
-    apart = tuple(
-        evaluators.pop(form.name) for form in (VISIBLE, SHADOWED) if form.name in evaluators
-    )
-    answers = {name: (evaluator,) for name, evaluator in evaluators.items()}
-    return {TRANSPORT.name: apart, **answers} if apart else answers
+    apart = [evaluators[form.name] for form in (VISIBLE, SHADOWED) if form.name in evaluators]
+    answers = {TRANSPORT.name: tuple(apart)} if apart else {}
+    others = {name: (one,) for name, one in evaluators.items() if one not in apart}
+    return {**answers, **others}
+
+
+def _shares(visibility: object, count: int) -> Rows:
+    """Visibility (n,) of bools, or (n,) or (n, 3) of numbers, as (n, 1) or (n, 3) float32.
+
+    Raises:
+        QueryError: it is no such array.
+    """
+    if isinstance(visibility, np.ndarray) and visibility.ndim == 2:
+        return vectors("visibility", visibility, count)
+    if isinstance(visibility, np.ndarray) and visibility.dtype == np.bool_:
+        visibility = visibility.astype(np.float32)
+    return scalars("visibility", visibility, count)[:, None]
 
 
 def _results(value: object, number: int, count: int) -> tuple[NDArray[np.float32], ...]:

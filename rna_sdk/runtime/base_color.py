@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -40,7 +41,7 @@ class BaseColorMaps:
                 levels[k, j] = first, *level.shape[:2]
                 texels.append(level.reshape(-1, 3))
                 first += level.shape[0] * level.shape[1]
-        self._tables = (
+        self._tables: tuple[Any, ...] = (
             *(np.ascontiguousarray(uvs, np.float32), mesh.triangles, number, density),
             np.array(
                 [k if one.image is not None else -1 for k, one in enumerate(records)], np.int64
@@ -64,7 +65,7 @@ class BaseColorMaps:
             widths = np.full(count, widths, np.float32)
         hits = number, scalars("u", u, count), scalars("v", v, count)
         result = np.empty((count, 3), np.float32)
-        look_up(*hits, scalars("widths", widths, count), *self._tables, result)
+        look_up(*hits, scalars("widths", widths, count), result, *self._tables)
         return result
 
 
@@ -88,9 +89,9 @@ def _texel_density(mesh: Mesh, record: BaseColor, own: slice) -> Rows:
     of_uv = np.abs(e1[:, 0] * e2[:, 1] - e1[:, 1] * e2[:, 0]) * abs(a * d - b * c)
     of_texels = of_uv * record.image.shape[0] * record.image.shape[1]
     known = area > 0.0
-    return np.sqrt(np.divide(of_texels, area, out=np.zeros_like(area), where=known)).astype(
-        np.float32
-    )
+    squared = np.divide(of_texels, area, out=np.zeros_like(area), where=known)
+    density: Rows = np.sqrt(squared).astype(np.float32)
+    return density
 
 
 def _pyramid(record: BaseColor) -> list[Texture]:

@@ -53,9 +53,8 @@ class SurfaceAsset(AssetPart):
         normals: Rows,
         wo: Rows,
         wi: Rows,
-        out: tuple[Rows, Rows] | None = None,
-        *,
         base_color: Rows | None = None,
+        out: tuple[Rows, Rows] | None = None,
     ) -> tuple[Rows, Rows]:
         """Transport at surface points: radiance towards wo under irradiance 1 from wi.
 
@@ -83,11 +82,46 @@ class SurfaceAsset(AssetPart):
             >>> visible.shape
             (100, 3)
         """
+        arrays = self._lit(positions, normals, wo, wi, base_color)
+        visible, shadowed = self.decode("transport", arrays, out)
+        return visible, shadowed
+
+    def transport(
+        self,
+        positions: Rows,
+        normals: Rows,
+        wo: Rows,
+        wi: Rows,
+        visibility: Rows | NDArray[np.bool_],
+        base_color: Rows | None = None,
+    ) -> Rows:
+        """`evaluate`, for hosts that have traced the visibility v: v visible + (1 - v) shadowed.
+
+        visibility: of the light from the position along wi, through the asset itself: (n,) bool,
+        or (n,) or (n, 3) float32 from 0 to 1. The others are as for `evaluate`. In a tier with a
+        decoder of its own for shadowed light, a row takes the time of those that count.
+
+        Returns (n, 3) float32 linear RGB, finite and non-negative.
+
+        Raises:
+            QueryError: as `evaluate`.
+
+        Examples:
+            >>> asset = load("toy.rna")
+            >>> x, n = asset.mesh.positions[:100], asset.mesh.normals[:100]
+            >>> asset.transport(x, n, n, n, np.ones(100, bool)).shape
+            (100, 3)
+        """
+        return self._transport(self._lit(positions, normals, wo, wi, base_color), visibility)
+
+    def _lit(
+        self, positions: Rows, normals: Rows, wo: Rows, wi: Rows, base_color: Rows | None
+    ) -> dict[str, Rows | None]:
+        """The arrays of transport, by name."""
         if base_color is None and self.uses_base_color:
             raise QueryError(f"base_color: {self.name} needs it; base_color_at looks it up")
         arrays = {"position": positions, "axis": normals, "wo": wo, "wi": wi}
-        visible, shadowed = self.decode("transport", {**arrays, "base_color": base_color}, out)
-        return visible, shadowed
+        return {**arrays, "base_color": base_color}
 
     @property
     def uses_base_color(self) -> bool:
@@ -115,7 +149,7 @@ class SurfaceAsset(AssetPart):
     def _base_color_maps(self) -> BaseColorMaps:
         from rna_sdk.runtime.base_color import BaseColorMaps
 
-        return BaseColorMaps(self.mesh, self._base_color)
+        return BaseColorMaps(self.mesh, self.base_colors)
 
     def emission(self, positions: Rows, normals: Rows, wo: Rows) -> Rows:
         """Radiance emitted by surface points towards wo, without incident light, W/(m^2 sr).

@@ -40,18 +40,20 @@ QUERY_ARRAYS = (
     QueryArray("wi", 3, is_direction=True),
     QueryArray("base_color", 3, kind="surface", is_factor=True),
 )
-"""In the order of a file's columns; those that are no factor, of the kernel's arguments."""
+"""In the order of a file's columns."""
+
+INPUT_ARRAYS = tuple(array for array in QUERY_ARRAYS if not array.is_factor)
+"""Those that the decoder's blocks are made of, in the order of the kernel's arguments."""
 
 _NONE = np.empty(0, np.float32)
 
 
 def in_order(arrays: Mapping[str, Rows]) -> tuple[Rows, ...]:
-    """One array for each input of QUERY_ARRAYS; wo, which is checked anyway, for a missing direction.
+    """One array for each of INPUT_ARRAYS; wo, which is checked anyway, for a missing direction.
 
     Other missing arrays are empty, (0,).
     """
-    inputs = (array for array in QUERY_ARRAYS if not array.is_factor)
-    instead = {array.name: arrays["wo"] if array.is_direction else _NONE for array in inputs}
+    instead = {array.name: arrays["wo"] if array.is_direction else _NONE for array in INPUT_ARRAYS}
     return tuple(arrays.get(name, other) for name, other in instead.items())
 
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 import io
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import PurePosixPath
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -19,6 +21,9 @@ from rna_sdk.package.manifest.manifest_model import (
     Wrap,
 )
 from rna_sdk.package.textures.texture_form import Texture, check_last_range
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
 
 IMAGE_FORMATS = ("PNG", "JPEG", "WEBP")
 
@@ -37,6 +42,7 @@ class BaseColor:
         factor: linear RGB.
         wrap: what lies beyond the image's edges along u, and along v.
         transform: (a, b, c, d, e, f): the image is looked up at (a u + b v + c, d u + e v + f).
+        label: what the image is called: its entry's name without folder and suffix.
     """
 
     first: int
@@ -46,6 +52,7 @@ class BaseColor:
     factor: tuple[float, float, float] = WHITE
     wrap: tuple[Wrap, Wrap] = ("repeat", "repeat")
     transform: Affine = IDENTITY
+    label: str = ""
 
     @classmethod
     def of(cls, record: BaseColorRecord, image: Texture | None) -> BaseColor:
@@ -57,6 +64,7 @@ class BaseColor:
             record.factor or WHITE,
             record.wrap or ("repeat", "repeat"),
             record.transform or IDENTITY,
+            PurePosixPath(record.image or "").stem,
         )
 
 
@@ -66,21 +74,30 @@ def image_from_bytes(data: bytes | memoryview, name: str) -> Texture:
     Raises:
         PackageError: BASE_COLOR_IMAGE.
     """
-    from PIL import Image, UnidentifiedImageError  # loads with the first image
+    from PIL import UnidentifiedImageError  # loads with the first image
+    from PIL.Image import DecompressionBombError
+    from PIL.Image import open as open_image
 
     expected = f"a PNG, JPEG or WebP of 1 to {MAX_TEXTURE_SIDE} pixels a side"
     try:
-        with Image.open(io.BytesIO(data), formats=IMAGE_FORMATS) as image:
+        with open_image(io.BytesIO(data), formats=IMAGE_FORMATS) as image:
             if max(image.size) > MAX_TEXTURE_SIDE:
                 found = f"{image.width} x {image.height} pixels"
                 refuse(Code.BASE_COLOR_IMAGE, name, found, expected)
-            pixels = np.array(image.convert("RGBA").convert("RGB"))
+            pixels = _rgb(image)
     except UnidentifiedImageError:
         refuse(Code.BASE_COLOR_IMAGE, name, "another file", expected)
-    except (OSError, ValueError, SyntaxError, Image.DecompressionBombError) as error:
+    except (OSError, ValueError, SyntaxError, DecompressionBombError) as error:
         refuse(Code.BASE_COLOR_IMAGE, name, f"what cannot be decoded: {error}", expected)
     pixels.flags.writeable = False
     return pixels
+
+
+def _rgb(image: Image) -> Texture:
+    if image.mode.startswith("I"):  # grey of 16 bits, which Pillow would clip to 255
+        high = (np.asarray(image) >> 8).astype(np.uint8)
+        return np.repeat(high[:, :, None], 3, axis=2)
+    return np.array(image.convert("RGBA").convert("RGB"))
 
 
 def check_base_color(

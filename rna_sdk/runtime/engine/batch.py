@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,19 +17,19 @@ class Batch:
     """Arguments and results.
 
     Attributes:
-        arrays: one for each of QUERY_ARRAYS, (n, 3) or (n,) float32.
+        arrays: one for each of INPUT_ARRAYS, (n, 3) or (n,) float32.
         results: written by the evaluation: those of the decoder's form, each (n, 3) float32.
         base_color: (n, 3) float32 where the decoder has a factor of each result, behind them.
     """
 
     arrays: tuple[Rows, ...]
     results: tuple[Rows, ...]
-    base_color: Rows | None = None
+    base_color: Rows | None = field(default=None, kw_only=True)
 
     @classmethod
     def of(cls, arrays: Mapping[str, Rows], results: tuple[Rows, ...]) -> Batch:
         """arrays: by name, those that the decoder's blocks are made of, and the base colour."""
-        return cls(in_order(arrays), results, arrays.get("base_color"))
+        return cls(in_order(arrays), results, base_color=arrays.get("base_color"))
 
     def __len__(self) -> int:
         return len(self.arrays[0])

@@ -47,6 +47,7 @@ def look_up(
     u: NDArray[np.float32],
     v: NDArray[np.float32],
     widths: NDArray[np.float32],
+    result: NDArray[np.float32],
     uvs: NDArray[np.float32],
     triangles: NDArray[np.uint32],
     record: NDArray[np.int32],
@@ -59,7 +60,6 @@ def look_up(
     levels: NDArray[np.int64],
     linear: NDArray[np.float32],
     texels: NDArray[np.uint8],
-    result: NDArray[np.float32],
 ) -> None:
     """result (n, 3), of hits: their primitives, u, v and widths.
 

@@ -152,5 +152,5 @@ def queries_of(samples: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
 
 def all_queries(views: list[ValidationView]) -> Arguments:
     """The arguments of `evaluate` for every pixel of the images."""
-    names = evaluate_arguments(views[0].samples)._fields
+    names = [n for n, v in evaluate_arguments(views[0].samples)._asdict().items() if v is not None]
     return evaluate_arguments({n: np.concatenate([v.samples[n] for v in views]) for n in names})
