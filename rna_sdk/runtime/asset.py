@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from copy import copy
 from typing import TYPE_CHECKING, ClassVar, NoReturn, Self, TypeVar, cast
 
 import numpy as np
@@ -116,6 +115,12 @@ class Asset:
         """
         raise NotImplementedError
 
+    def _twin(self) -> Self:
+        """Another object with the same members: `copy` is refused, as of what maps a file."""
+        other = object.__new__(type(self))
+        other.__dict__.update(self.__dict__)
+        return other
+
     def measured_ns_per_query(self) -> float:
         """Nanoseconds per query on this processor, with `threads` threads; the mean over parts.
 
@@ -159,7 +164,7 @@ class CompositeAsset(Asset):
     ) -> Self:
         """See `Asset`."""
         images = check_images(images or {}, [c for part in self._parts for c in part.base_colors])
-        other, parts = copy(self), []
+        other, parts = self._twin(), []
         for part in self._parts:
             labels = {record.label for record in part.base_colors}
             own = {label: image for label, image in images.items() if label in labels}
@@ -242,7 +247,7 @@ class AssetPart(Asset):
         tint: tuple[float, float, float] = (1.0, 1.0, 1.0),
     ) -> Self:
         """See `Asset`."""
-        other = copy(self)
+        other = self._twin()
         images = check_images(images or {}, self.base_colors)
         other.base_colors = with_images(self.base_colors, images, tint)
         other.__dict__.pop("_base_color_maps", None)  # what is cached is of the old ones

@@ -32,7 +32,7 @@ class BaseColorMaps:
             if record.image is not None:
                 density[own] = _texel_density(mesh, record, own)
         uvs = np.zeros((len(mesh.positions), 2), np.float32) if mesh.uvs is None else mesh.uvs
-        pyramids = [_pyramid(one) if one.image is not None else [] for one in records]
+        pyramids = [base_color_levels(one) if one.image is not None else [] for one in records]
         levels = np.zeros((max(len(records), 1), LEVELS, 3), np.int64)
         texels: list[Texture] = [np.zeros((1, 3), np.uint8)]
         first = 1
@@ -41,8 +41,9 @@ class BaseColorMaps:
                 levels[k, j] = first, *level.shape[:2]
                 texels.append(level.reshape(-1, 3))
                 first += level.shape[0] * level.shape[1]
+        self._density = density
         self._tables: tuple[Any, ...] = (
-            *(np.ascontiguousarray(uvs, np.float32), mesh.triangles, number, density),
+            *(np.ascontiguousarray(uvs, np.float32), mesh.triangles, number),
             np.array(
                 [k if one.image is not None else -1 for k, one in enumerate(records)], np.int64
             ),
@@ -59,13 +60,28 @@ class BaseColorMaps:
         self, primitives: NDArray[np.integer], u: Rows, v: Rows, widths: Rows | float = 0.0
     ) -> Rows:
         """See `SurfaceAsset.base_color_at`."""
+        return self._looked_up(primitives, u, v, widths, self._density)
+
+    def at_levels(self, primitives: NDArray[np.integer], u: Rows, v: Rows, levels: Rows) -> Rows:
+        """The like of `at` in these levels of the images, (n,) float32, 0 or more."""
+        widths = np.exp2(np.minimum(levels, LEVELS))
+        return self._looked_up(primitives, u, v, widths, np.ones_like(self._density))
+
+    def _looked_up(
+        self,
+        primitives: NDArray[np.integer],
+        u: Rows,
+        v: Rows,
+        widths: Rows | float,
+        density: Rows,
+    ) -> Rows:
         number = indices("primitives", primitives, len(self._mesh.triangles))
         count = len(number)
         if not isinstance(widths, np.ndarray):
             widths = np.full(count, widths, np.float32)
         hits = number, scalars("u", u, count), scalars("v", v, count)
         result = np.empty((count, 3), np.float32)
-        look_up(*hits, scalars("widths", widths, count), result, *self._tables)
+        look_up(*hits, scalars("widths", widths, count), density, result, *self._tables)
         return result
 
 
@@ -94,8 +110,8 @@ def _texel_density(mesh: Mesh, record: BaseColor, own: slice) -> Rows:
     return density
 
 
-def _pyramid(record: BaseColor) -> list[Texture]:
-    """The image, and each level of half the size, in 8 bits, down to one texel."""
+def base_color_levels(record: BaseColor) -> list[Texture]:
+    """The record's image, and each level of half the size, in 8 bits, down to one texel."""
     assert record.image is not None
     linear = linear_of(record.color_space)
     edges = (linear[1:] + linear[:-1]) / 2.0  # between the values that 8 bits have

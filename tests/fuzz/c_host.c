@@ -37,7 +37,7 @@ static void evaluate_part(const RnaAsset *asset, int tier, int part, unsigned se
     float in[5][3 * POINTS], out[3][3 * POINTS];
     for (unsigned k = 0; k < 5; k++)
         for (unsigned i = 0; i < 3 * POINTS; i++) in[k][i] = odd_number(seed + 1000 * k + i);
-    RnaStatus status = rna_evaluate(asset, tier, part, POINTS, in[0], in[1], in[2], in[3], in[4], out[0],
+    RnaStatus status = rna_evaluate(asset, tier, part, POINTS, in[0], in[1], in[2], in[3], in[4], in[0], out[0],
                                     out[1]);
     RnaStatus emitted = rna_emission(asset, tier, part, POINTS, in[0], in[1], in[2], in[3], out[2]);
     if (status != RNA_OK) stop(rna_status_text(status));

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -69,9 +70,9 @@ def tiers(uses_base_color: bool | None = True, precision: str = "float32") -> tu
     return make_tier("small", **same), make_tier("hq", shadowed=shadowed, **same)
 
 
-def make_print(path: str | Path, **changes: Any) -> Path:
-    """Write the package to `path`; `changes` are fields of the manifest."""
+def make_print(path: str | Path, images: Mapping[str, bytes] | None = None, **changes: Any) -> Path:
+    """Write the package to `path`; images: files by entry; `changes` are fields of the manifest."""
     manifest = make_print_manifest(**changes)
     data = {tier.name: make_tier_data(tier) for tier in manifest.tiers}
-    write_package(path, manifest, [make_mesh()], data, make_images())
+    write_package(path, manifest, [make_mesh()], data, images or make_images())
     return Path(path)

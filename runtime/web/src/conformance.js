@@ -27,13 +27,14 @@ export class Reader {
     this.engine.resize(1, 1);
   }
 
-  /** Rows of 13, or of 10 for emission, float32. */
+  /** Rows of 16, or of 10 for emission, float32. */
   async evaluate(part, output, text) {
-    const columns = output === "transport" ? 13 : 10, given = new Float32Array(bytesOf(text).buffer);
+    const columns = output === "transport" ? 16 : 10, given = new Float32Array(bytesOf(text).buffer);
     const rows = new Float32Array((16 * given.length) / columns);
     for (let k = 0; 16 * k < rows.length; k++) {
       const row = given.subarray(columns * k, columns * (k + 1)), wo = row.subarray(7, 10);
-      rows.set([...row.subarray(0, 3), row[6], ...row.subarray(3, 6), 0, ...wo, 0, ...(columns === 13 ? row.subarray(10) : wo)], 16 * k);
+      const wi = columns === 16 ? row.subarray(10, 13) : wo, [red = 0, green = 0, blue = 0] = row.subarray(13);
+      rows.set([...row.subarray(0, 3), row[6], ...row.subarray(3, 6), red, ...wo, green, ...wi, blue], 16 * k);
     }
     return textOf(await this.answer(part, output, rows));
   }

@@ -233,6 +233,15 @@ def decoder_of_visible_light_for_shadowed(entries: Entries) -> bytes:
     return with_entry(entries, SHADOWED, data)
 
 
+@case("DECODER_PROFILE", "print")
+def one_decoder_for_visible_and_for_shadowed_light(entries: Entries) -> bytes:
+    def edit(manifest: dict[str, Any]) -> None:
+        record = manifest["tiers"][1]["parts"][0]
+        record["shadowed"].update(decoder=record["decoder"], inputs=record["inputs"])
+
+    return without(entries, (SHADOWED,), edit)
+
+
 @case("INPUT_KIND", "print")
 def shadowed_light_of_a_tangent(entries: Entries) -> bytes:
     inputs = ["features", "tangent", "wo", "wi"]

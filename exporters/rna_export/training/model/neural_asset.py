@@ -115,8 +115,9 @@ class NeuralAsset(nn.Module):
         y = y.reshape(len(y), -1, 3)
         if not self.config.uses_base_color:
             return y
-        # A package cuts both terms off at 0. So does this, but for a gradient that leads back.
-        rest, factor = nn.functional.leaky_relu(y, _LEAK).chunk(2, dim=1)
+        # A package cuts both terms off at 0. In training a gradient leads back from there.
+        slope = _LEAK if torch.is_grad_enabled() else 0.0
+        rest, factor = nn.functional.leaky_relu(y, slope).chunk(2, dim=1)
         total = torch.exp(rest) + at["base_color"][:, None] * torch.expm1(factor)
         return torch.log(total.clamp(min=_LEAST))
 

@@ -4,15 +4,15 @@ import { dispatch, read } from "./gpu_device.js";
 
 const CAMERA = { position: [0, 0, 0], corner: [0, 0, 0], stepX: [0, 0, 0], stepY: [0, 0, 0] };
 
-/** (n, outputs) numbers for rows of 16: position and h; n or t; wo; wi. The last of each four but h is free. */
+/** (n, colours, 3) numbers for rows of 16: position and h; n or t and red; wo and green; wi and blue, of the base colour. */
 export async function evaluate(engine, part, output, rows, wantsAnswers = true) {
-  const own = engine.parts[part][output], { device, queue, bandPixels } = engine;
-  const colours = output === "transport" ? 2 : 1, count = rows.length / 16, result = new Float32Array(3 * colours * count);
+  const { [output]: one, visible, shadowed } = engine.parts[part], { device, queue, bandPixels } = engine;
+  const evaluators = one ? [one] : [visible, shadowed], colours = output === "transport" ? 2 : 1, count = rows.length / 16, result = new Float32Array(3 * colours * count);
   for (let first = 0; first < count; first += bandPixels) {
     const some = Math.min(bandPixels, count - first);
     device.queue.writeBuffer(queue.rows, 0, rows, 16 * first, 16 * some);
     device.queue.writeBuffer(queue.count, 0, Uint32Array.of(some));
-    engine._run((pass) => own.run(pass, queue, some));
+    engine._run((pass) => evaluators.forEach((own) => own.run(pass, queue, some)));
     await engine.done();
     if (!wantsAnswers) continue;
     const answers = new Float32Array(await read(device, queue.answers, 16 * colours * some));

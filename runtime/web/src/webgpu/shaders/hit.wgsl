@@ -37,6 +37,10 @@ fn pixel_of(hit: RnaHit, wo: vec3f) -> Pixel {
     pixel.axis = words(v.axis, surface_part(rna_surface(record)) + 1u);
     pixel.b1 = select(hit.b1, along_segment(record, v.x), rna_is_segment(record));
     pixel.b2 = hit.b2;
+    pixel.base_color = vec3f(1.0);
+    if !rna_is_segment(record) {
+        pixel.base_color = base_color_on(record, hit.b1, hit.b2, frame.spread * hit.t);
+    }
     return pixel;
 }
 
