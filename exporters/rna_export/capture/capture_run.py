@@ -95,7 +95,8 @@ def measured_pilot(
         check, speed = opened.checked(opened.scene)
         say(parts_lines(source.path.stem, opened.exported.geometries).rstrip())
         note = check.note()
-        for line in (*opened.exported.notes, *([] if note is None else [note])):
+        notes = *worker.opened["notes"], *opened.exported.notes, *([] if note is None else [note])
+        for line in notes:
             say(f"note: {line}")
         return opened.pilot(speed, lights)
 

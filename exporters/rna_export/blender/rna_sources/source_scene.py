@@ -68,7 +68,7 @@ def _open(source: str, suffix: str, arguments: list[str], frame: int | None) -> 
         case "ply":
             bpy.ops.wm.ply_import(filepath=source)
         case "scene":
-            scene_import.load(source, arguments, frame)
+            notes = scene_import.load(source, arguments, frame)
         case "script":
             _run_script(source, arguments)
             polygon_order.sort_polygons()
