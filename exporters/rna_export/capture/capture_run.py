@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
@@ -94,7 +94,8 @@ def measured_pilot(
     with workers.probe(source) as worker:
         opened = OpenedSource.of(worker, given, source.path.stem, for_scene)
         say(parts_lines(source.path.stem, opened.exported.geometries).rstrip())
-        for line in (*opened.preflight, *(f"note: {note}" for note in opened.exported.notes)):
+        notes = *worker.opened["notes"], *opened.exported.notes
+        for line in (*opened.preflight, *(f"note: {note}" for note in notes)):
             say(line)
         if (why := no_gain(opened)) is not None:
             say(why)
@@ -183,13 +184,15 @@ def begin(
         notes=(
             *opened["notes"],
             *exported.notes,
-            *_check_notes(checks, out),
+            *(f"{begin}{note}" for begin, c in checks.items() if (note := c.note()) is not None),
         ),
         processors=(processor_key(),),
         scene_domain=asset.limited,
     )
     for note in manifest.notes:
         say(f"note: {note}")
+    if (marked := _write_picture(list(checks.values()), out / PICTURE)) is not None:
+        say(marked)
     stored = exported.textures, poses, exported.sources, exported.glass
     dataset = Dataset.create(out, manifest, geometries, *stored)
     say(plan_lines(dataset, geometries, rate))
@@ -289,14 +292,11 @@ class _TaskClock:
         return first >= LEAST_LIGHTS and self.limit.left() < self.took / 2.0
 
 
-def _check_notes(checks: Mapping[str, SelfCheck], out: Path) -> list[str]:
-    """The notes of checks, by their beginning; the first picture is written into the dataset."""
-    notes, path = [], out / PICTURE
-    shown = next((check for check in checks.values() if check.picture is not None), None)
-    if shown is not None and shown.picture is not None:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        write_atomically(path, shown.picture)
-    for begin, check in checks.items():
-        if (note := check.note()) is not None:
-            notes.append(f"{begin}{note}" + (f"; {path} marks it" if check is shown else ""))
-    return notes
+def _write_picture(checks: Sequence[SelfCheck], path: Path) -> str | None:
+    """Write the first picture of what differs; returns a line that names it, None without one."""
+    picture = next((check.picture for check in checks if check.picture is not None), None)
+    if picture is None:
+        return None
+    path.parent.mkdir(parents=True, exist_ok=True)
+    write_atomically(path, picture)
+    return f"{path} marks what differs from Cycles"

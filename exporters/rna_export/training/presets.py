@@ -61,6 +61,16 @@ class ModelConfig(BaseModel):
         description="what the decoder's outputs are: colours, or parameters of a known material, "
         "whose shadows are black: to compare, or to bake, packages have no such decoder",
     )
+    uses_base_color: bool = Field(
+        False, description="each colour is a sum of two, of which the base colour multiplies one"
+    )
+    shadow_width: int = Field(
+        0,
+        ge=0,
+        le=MAX_MODEL_WIDTH,
+        description="neurons of a hidden layer of a decoder for shadowed light; 0: it has none",
+    )
+    shadow_inputs: tuple[str, ...] = Field((), description="input blocks of that decoder")
     emission_inputs: tuple[str, ...] = Field(
         (), description="blocks of the decoder of emission; none where the asset emits nothing"
     )
@@ -195,6 +205,7 @@ def _ours(
     learning_rate: float,
     hidden_layers: int = 4,
     planes: dict[str, tuple[int, int]] = _PLANES,
+    shadow_width: int = 24,
 ) -> Preset:
     resolution, channels = planes[kind]
     return Preset(
@@ -205,6 +216,8 @@ def _ours(
             resolution=resolution,
             channels=channels,
             separates_direct=kind == "fiber",
+            shadow_width=shadow_width,
+            shadow_inputs=_PAPER_INPUTS[kind] if shadow_width else (),
         ),
         training=TrainingConfig(
             steps=steps,
@@ -224,9 +237,9 @@ def _ours(
 
 PRESETS = {
     kind: {
-        "tiny": _ours(kind, 32, 20_000, 4e-3, hidden_layers=2, planes=_TINY_PLANES),
+        "tiny": _ours(kind, 32, 20_000, 4e-3, 2, _TINY_PLANES, shadow_width=16),
         "small": _ours(kind, 64, 20_000, 4e-3),
-        "hq": _ours(kind, 256, 20_000, 2e-3),
+        "hq": _ours(kind, 256, 20_000, 2e-3, shadow_width=64),
         "paper-small": _paper(kind, 64),
         "paper-hq": _paper(kind, 512),
     }
@@ -243,6 +256,8 @@ def _analytic(kind: str) -> Preset:
         inputs=_PAPER_INPUTS[kind][:2],  # features, and normal or tangent
         hidden_layers=2,
         separates_direct=False,
+        shadow_width=0,
+        shadow_inputs=(),
     ).with_training(loss="auto")
 
 

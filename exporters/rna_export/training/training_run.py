@@ -48,6 +48,7 @@ class Run:
     begun: float | None = None  # when the minutes began, of `time.monotonic`; None: with `train`
     device: str = "cpu"
     validations: int = 10  # over the run; the best checkpoint is one of as many
+    base_color: bool = True  # whether the part's, if it has one, is a factor
     after_checkpoint: Callable[[], None] = lambda: None
 
 
@@ -74,6 +75,8 @@ def train(
     if run.dataset.manifest.emitters:
         inputs = INPUTS[run.dataset.kind]
         run = replace(run, preset=run.preset.with_model(emission_inputs=inputs))
+    if run.dataset.captured.base_color and run.preset.model.packageable:
+        run = replace(run, preset=run.preset.with_model(uses_base_color=run.base_color))
     run.out.mkdir(parents=True, exist_ok=True)
     saved = _continued(run.out / "last.ckpt", run)
     done = saved["step"] if saved else 0
