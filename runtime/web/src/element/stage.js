@@ -114,6 +114,7 @@ export class Stage extends LastingEngine {
   async print() {
     const { arrays, settings: { maps, tint } } = this, wanted = maps ?? {};
     if (!arrays?.hasBaseColor) return this.notices.say(maps || tint ? "maps, tint: this asset has no base colour" : null, true, "maps");
+    if (!maps && !tint && !arrays.maps) return;  // as it came
     arrays.surfaces.tint = tint ?? [1, 1, 1];
     this._printed();
     try {
