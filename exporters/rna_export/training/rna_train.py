@@ -85,7 +85,8 @@ def parser() -> argparse.ArgumentParser:
         "--shadow-weight",
         type=float,
         help="weight of samples in shadow in the loss; 10 in configurations of the paper's code "
-        "(float, default: the preset's, 1)",
+        "(float, default: the preset's: 1, and 0.1 in ours of surfaces, whose shadowed light has a "
+        "decoder of its own)",
     )
     p.add_argument(
         "--without-base-color",
