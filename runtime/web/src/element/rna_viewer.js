@@ -23,6 +23,7 @@ export class RnaViewer extends HTMLElement {
     this.settings = Object.fromEntries(Object.keys(READERS).map((name) => [propertyOf(name), null]));
     this.notices = new Notices(part("notice"));
     this.stage = new Stage(this.parts.view, this.notices, this.settings);
+    this.stage.look.isCovered = () => this._isCovered;
     this.turntable = new Turntable(this.stage);
     this.stillness = matchMedia("(prefers-reduced-motion: reduce)");
     Object.assign(this, { loaded: false, observer: null, isNear: false, isDismissed: false, isBegun: false, asked: null, failures: new Set() });
@@ -234,6 +235,12 @@ export class RnaViewer extends HTMLElement {
     if (address) image.src = address;
     else image.removeAttribute("src");
     if (address) poster.hidden = false;
+  }
+
+  /** Whether a poster is seen in place of the picture. */
+  get _isCovered() {
+    const { poster, image } = this.parts;
+    return !poster.hidden && (!image.hidden || poster.firstChild.assignedElements().length > 0);
   }
 
   _hidePoster() {

@@ -13,6 +13,7 @@ import { LastingEngine } from "./lasting_engine.js";
 import { Lighting } from "./lighting.js";
 import { Orbit, viewFrom } from "./orbit.js";
 import { beforeFilmic } from "./view_transform.js";
+import { SHARP } from "./viewer.js";
 
 /**
  * Events: "engine"; "loading", "progress" (got, all), "package", "load", "ended", of an asset; "shown", of a picture;
@@ -44,6 +45,7 @@ export class Stage extends LastingEngine {
         : await UrlSource.open(from, progress, signal, this.labels[nameOf(from)]);
       const opened = await Package.open(source);
       signal.throwIfAborted();
+      if (opened.environment && this.settings.firstLook !== "off") this.lit.then(() => this.lighting.prepare());
       const wanted = this.settings.tier, tier = this._known(opened, wanted);
       if (await this.begun) opened.prefetch(tier, this.settings.firstLook !== "off");
       await this._offerPoster(opened);
@@ -135,10 +137,10 @@ export class Stage extends LastingEngine {
     this.changed(moving);
   }
 
-  /** Something about the light changed. */
-  changed(moving = false) {
+  /** Something about the light changed. moving, coarsest: see Viewer.restart. */
+  changed(moving = false, coarsest = undefined) {
     if (!this.viewer) return;
-    if (this.engine.hasLobes && !this.lighting.isPrepared) return void this.lighting.prepare().then(() => this.changed(moving));
+    if (this.engine.hasLobes && !this.lighting.isPrepared) return void this.lighting.prepare().then(() => this.changed(moving, coarsest));
     const { lights, irradiance } = this.lighting.lights();
     if (lights.some(({ kind }) => kind === "environment") && this.uploaded !== this.lighting.tables()) {
       this.uploaded = this.lighting.tables();
@@ -147,7 +149,7 @@ export class Stage extends LastingEngine {
     this.viewer.lights = lights;
     this.viewer.firstLights = this.engine.hasLobes ? this.lighting.firstLights() : null;
     this.viewer.ground = this._ground(irradiance);
-    this.viewer.restart(moving);
+    this.viewer.restart(moving, coarsest);
   }
 
   /** Camera and lights as the scene and the attributes have them, which go before it. */
@@ -187,11 +189,11 @@ export class Stage extends LastingEngine {
     this.setLight({ rotation: wrappedDegrees(lightRotation ?? 0), strength: environmentIntensity ?? lighting.strength });
   }
 
-  /** Turns the asset under the lights and the camera, which keep their places. Radians. */
+  /** Turns the asset under the lights and the camera, which keep their places, in sharp pictures. Radians. */
   turnTable(angle, moving) {
     this.orbit.turntable = -angle;
     this.lighting.turntable = (-angle * 180) / Math.PI;
-    this.changed(moving);
+    this.changed(moving, SHARP);
   }
 
   /** relights: the ground, which has the colour of the page. */
@@ -249,11 +251,11 @@ export class Stage extends LastingEngine {
     if (!this.viewer || (!isNew && this.opened !== opened)) return;
     if (isNew) this.viewer.hasShown = false;
     this.viewer.pause();
-    const arrays = isNew ? await sceneArrays(shown.parts) : this.arrays;
-    if (shown.parts.every(({ environment }) => environment)) await this.lighting.prepare();
+    const building = isNew ? sceneArrays(shown.parts) : this.arrays;
+    if (!(await this._upload(building, shown))) return;
+    const arrays = await building;
+    if (this.engine.hasLobes) await this.lighting.prepare();
     signal?.throwIfAborted();
-    performance.mark("hierarchy");
-    if (!(await this._upload(arrays, shown))) return;
     performance.mark("asset");
     Object.assign(this, { opened, shown, arrays, box: arrays.box, isNew });
     if (isNew && this.scene) this.reset();
@@ -267,11 +269,11 @@ export class Stage extends LastingEngine {
   }
 
   /** Hands the asset to the engine, and to the next one where that is lost meanwhile; false if there is none any more. */
-  async _upload(arrays, { parts }) {
+  async _upload(building, { parts }) {
     while ((await this.begun) && this.engine) {
       const { engine } = this;
       try {
-        await engine.setAsset(arrays, parts);
+        await engine.setAsset(building, parts);
         if (engine === this.engine) return true;
       } catch (error) {
         if (engine === this.engine) throw error;
@@ -296,7 +298,7 @@ export class Stage extends LastingEngine {
 
   pictured() {
     this.tell("shown");
-    if (!this.isNew) return;
+    if (!this.isNew || !this.viewer.stats.isSharp) return;
     this.isNew = false;
     this.tell("load");
   }
