@@ -1,5 +1,6 @@
 // An asset on a canvas: engine, package, camera and lights, and what becomes of them where one fails. It tells what
 // happens by events; a page's panel and the element listen.
+import { nearestHit } from "../geometry/nearest_hit.js";
 import { sceneArrays } from "../geometry/scene_arrays.js";
 import { evenImage } from "../light/environment.js";
 import { readImage } from "../light/image_files.js";
@@ -9,9 +10,10 @@ import { otherFile } from "../package/other_files.js";
 import { Package } from "../package/package.js";
 import { BlobSource, nameOf, UrlSource } from "../package/source.js";
 import { wrappedDegrees } from "../ui/elements.js";
+import { rayThrough } from "./hotspots.js";
 import { LastingEngine } from "./lasting_engine.js";
 import { Lighting } from "./lighting.js";
-import { Orbit, viewFrom } from "./orbit.js";
+import { limitsOf, Orbit, viewFrom } from "./orbit.js";
 import { beforeFilmic } from "./view_transform.js";
 import { SHARP } from "./viewer.js";
 
@@ -169,10 +171,25 @@ export class Stage extends LastingEngine {
       { target: settings.cameraTarget, fov: settings.fieldOfView },
     ];
     this.isTouched = false;
+    this.orbit.limits = limitsOf(settings);
     const { width, height } = this.canvas ?? { width: 1, height: 1 };
-    this.orbit.place(views, this.box, width / height, settings.autoRotate);
+    this.orbit.place(views, this.box, width / height);
     this.tell("camera", { byUser: false });
     this.viewer?.restart();
+  }
+
+  /** The camera where it is, if the settings still allow that. */
+  limitCamera() {
+    this.orbit.limits = limitsOf(this.settings);
+    this.orbit.limit();
+    this.tell("camera", { byUser: false });
+    this.viewer?.restart();
+  }
+
+  /** Where the asset is at a place of the picture, shares of its width and height: { position, normal }, or null. */
+  hitAt(x, y) {
+    const camera = this.viewer?.shownCamera;
+    return camera && this.arrays ? nearestHit(this.arrays, camera.position, rayThrough(camera, x, y)) : null;
   }
 
   placeLights() {

@@ -17,7 +17,7 @@ export class Viewer extends EventTarget {
     super();
     Object.assign(this, { engine, canvas, orbit });
     Object.assign(this, {
-      lights: [], firstLights: null, ground: null, exposure: 0, view: "srgb", denoise: true, rounds: 256, jitter: 1, generation: 0, msPerPixel: 0.005, shown: null, rowsAhead: 0,
+      lights: [], firstLights: null, shownCamera: null, ground: null, exposure: 0, view: "srgb", denoise: true, rounds: 256, jitter: 1, generation: 0, msPerPixel: 0.005, shown: null, rowsAhead: 0,
       ready: false, stopped: false, moving: false, resting: false, backdrop: null, coarsest: COARSEST, isCovered: () => false, stats: { ms: 0, rounds: 0 },
     });
     this.wake = null;
@@ -127,17 +127,17 @@ export class Viewer extends EventTarget {
     if (firstLights) {
       const begun = performance.now();
       if (!(await this._look(generation, { ...camera, jitter: 0 }))) return false;
-      this._present(0, scale, 1);
+      this._present(camera, 0, scale, 1);
       this._measure(performance.now() - begun, width * height, firstLights.length);
     } else if (!this.hasShown && !this._isHidden) {  // one light is better than none
       if (!(await this._round(generation, camera, 0, this.lights.slice(0, 1)))) return false;
-      this._present(1, scale, 0, false);
+      this._present(camera, 1, scale, 0, false);
     }
     for (let round = 0; round < rounds; round++) {
       const begun = performance.now();
       if (!(await this._round(generation, camera, round, this.lights))) return false;
       const ms = performance.now() - begun;
-      this._present(round + 1, scale, firstLights ? lookShare(round + 1) : 0);
+      this._present(camera, round + 1, scale, firstLights ? lookShare(round + 1) : 0);
       this._measure(ms, width * height, this.lights.length);
       if (scale === 1) this.stats.ms = this.stats.ms ? 0.7 * this.stats.ms + 0.3 * ms : ms;
     }
@@ -190,8 +190,8 @@ export class Viewer extends EventTarget {
   }
 
   /** firstLook: share of the first look in the picture. isLit: by all lights. */
-  _present(rounds, scale, firstLook, isLit = true) {
-    Object.assign(this, { shown: { rounds, firstLook }, rowsAhead: 0 });
+  _present(camera, rounds, scale, firstLook, isLit = true) {
+    Object.assign(this, { shown: { rounds, firstLook }, shownCamera: { ...camera, ...this.engine.target }, rowsAhead: 0 });
     this.show();
     if (!this.hasShown) performance.mark("picture");
     this.hasShown = true;
