@@ -48,6 +48,7 @@ _SETTINGS = (
     "domain",
     "parts",
     "sharpest",
+    "glass",
     "normal_texels",
     "validation_views",
     "validation_resolution",
