@@ -320,4 +320,4 @@ def export(
 
 
 def _score_text(score: Score) -> str:
-    return f"PSNR {score.psnr:.2f} dB, FLIP {score.flip:.4f}"
+    return f"FLIP {score.flip:.3f}, PSNR {score.psnr:.2f} dB"

@@ -91,7 +91,7 @@ def parser() -> argparse.ArgumentParser:
         "--max-error",
         type=float,
         metavar="FLIP",
-        help="target mean FLIP of the validation images (float, default: none)",
+        help="target mean FLIP of the asset's pixels, validation images (float, default: none)",
     )
     goal.add_argument(
         "--min-psnr",

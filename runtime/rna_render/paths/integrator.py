@@ -181,7 +181,8 @@ class Integrator:
         return Paths(path, beta, share, kind, numbers)
 
     def _vertices(self, role: Role, rays: Rays) -> Vertices:
-        return self._world.vertices(role, rays.hits, rays.direction, seen=rays.pdf is None)
+        spread = self._camera.spread
+        return self._world.vertices(role, rays.hits, rays.direction, rays.pdf is None, spread)
 
     def _describe(self, band: Layers, vertices: Vertices) -> None:
         """Write the AOVs of the first hits."""

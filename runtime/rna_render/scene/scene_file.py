@@ -128,6 +128,8 @@ def _with_paths(part: Any, resolve: Callable[[Path], Path]) -> Any:
         return resolve(part)
     if isinstance(part, tuple):
         return tuple(_with_paths(item, resolve) for item in part)
+    if isinstance(part, dict):
+        return {key: _with_paths(item, resolve) for key, item in part.items()}
     if isinstance(part, BaseModel):
         return part.model_copy(update={k: _with_paths(v, resolve) for k, v in part})
     return part

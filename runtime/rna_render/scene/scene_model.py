@@ -66,6 +66,14 @@ class AssetModel(Model):
         default=TransformModel(), description="Placement in the world; identity if omitted."
     )
     emission: Nonnegative = Field(default=1.0, description="Scale factor on the asset's emission.")
+    maps: dict[str, FilePath] = Field(
+        default={},
+        description="Other images for its base colour: the label of an image, as `rna-info` lists "
+        "them, and a PNG, JPEG or WebP file.",
+    )
+    tint: tuple[Nonnegative, Nonnegative, Nonnegative] = Field(
+        default=(1.0, 1.0, 1.0), description="Factor of all its base colours, linear RGB."
+    )
     motion: Annotated[MotionModel | None, BeforeValidator(_path_of_motion)] = Field(
         default=None,
         description="Bends the asset, frame by frame: a path, or a mapping; see below.",

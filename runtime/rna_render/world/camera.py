@@ -17,6 +17,7 @@ class Camera:
     to_world: (4, 4) float64, from the camera's space, which looks along -z with +y up.
     corner, step_x, step_y: (3,) float64, direction through the image's top left corner, and the
     steps of a pixel. has_lens: whether rays start all over a lens.
+    spread: width of a pixel over the distance to it.
     """
 
     def __init__(self, model: CameraModel, resolution: tuple[int, int]) -> None:
@@ -32,6 +33,7 @@ class Camera:
         half_width = half_height * self.width / self.height
         self.corner = forward - half_width * right + half_height * up
         self.step_x = right * (2.0 * half_width / self.width)
+        self.spread = 2.0 * half_height / self.height
         self.step_y = -up * (2.0 * half_height / self.height)
         self._lens_radius, self._focus = model.aperture / 2.0, model.focus_distance
         self.has_lens = self._lens_radius > 0.0

@@ -23,7 +23,8 @@ def load(source: str, arguments: list[str], frame: int | None) -> list[str]:
 
     arguments: see `source_formats`. frame: of strands that have to be copied; None for the first.
     """
-    path, notes = Path(source), []
+    path = Path(source)
+    notes: list[str] = []
     args = groom_source.options(path, arguments)
     if path.suffix.lower() == ".abc":
         if bpy.ops.wm.alembic_import(filepath=source, scale=args.unit) != {"FINISHED"}:

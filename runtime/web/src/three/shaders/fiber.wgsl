@@ -1,6 +1,6 @@
 // What the fragment shows: a segment, where the ray through the fragment, which lies on a box about it, meets it.
 
-fn begin(primitive: u32, x: vec3f, wo: vec3f) -> f32 {
+fn begin(primitive: u32, x: vec3f, wo: vec3f, width: f32) -> f32 {
     let record = rna_primitives[primitive];
     let cone = rna_cone(record.a);
     let origin = x + 4.0 * max(cone.ra, cone.rb) * wo;
