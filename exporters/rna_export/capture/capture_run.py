@@ -24,7 +24,7 @@ from rna_export.capture.dataset.collect import Collector
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_manifest import CaptureManifest
 from rna_export.capture.estimate.gain import gain_text, table_of
-from rna_export.capture.estimate.pilot import LIGHTS, Pilot
+from rna_export.capture.estimate.pilot import LIGHTS, Pilot, pilot_paths
 from rna_export.capture.geometry.followed_source import captured_poses
 from rna_export.capture.geometry.source_notes import narrow_highlights
 from rna_export.capture.opened_source import OpenedSource
@@ -130,6 +130,8 @@ def begin(
         worker.show_frame(opened["frame"])
         check, speed = asset.checked(asset.scene)
         rate = speed.rate * workers.backend().width()
+        if limit is not None:  # too few minutes are told before the estimate takes some of them
+            planned(settings, limit, opening + pilot_paths(settings) / speed.rate, rate, given)
         (say_gain or say)(gain_text(asset.pilot(speed), table_of()))
         checks = {"": check}
         for frame, positions in poses.items():
