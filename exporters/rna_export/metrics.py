@@ -24,6 +24,7 @@ WITHOUT_NOISE_DEFINITION = (
     "of the PSNR itself, which it is never below; 95% interval; a lower bound (high: null) where "
     "that mean is not above its own error"
 )
+FLIP_DEFINITION = "mean LDR-FLIP of the sRGB image over black, whole image"
 P99_DEFINITION = (
     "99th percentile over the asset's pixels of |error| / (reference + a tenth of its image's "
     "mean), each the mean of RGB; mean over images"

@@ -122,8 +122,7 @@ def with_reference(name: str, function: Callable[..., object]) -> InProcess:
 
 def linear_last(record: BaseColor) -> list[np.ndarray]:
     """Levels whose values of sRGB are averaged as they are."""
-    levels = LEVELS(replace(record, color_space="linear"))
-    return [np.where(v <= 0.04045, v / 12.92, ((v + 0.055) / 1.055) ** 2.4) for v in levels]
+    return LEVELS(replace(record, color_space="linear"))
 
 
 LEVELS, LOOKED_UP = reference._levels, reference._looked_up
