@@ -35,25 +35,37 @@ def base_color_reference(
         for row, where in zip(own, place, strict=True):
             k = min(int(level[row]), len(levels) - 1)
             rest = level[row] - k if k < len(levels) - 1 else 0.0
-            color = (1.0 - rest) * _looked_up(levels[k], where, record.wrap)
+            space = record.color_space
+            color = (1.0 - rest) * linear(_looked_up(levels[k], where, record.wrap), space)
             if rest > 0.0:
-                color = color + rest * _looked_up(levels[k + 1], where, record.wrap)
+                color += rest * linear(_looked_up(levels[k + 1], where, record.wrap), space)
             result[row] *= color
     return result
 
 
 def _levels(record: BaseColor) -> list[Float]:
-    """The image and its means, linear."""
+    """The image and its means, encoded as it is."""
     assert record.image is not None
-    value = record.image / 255.0
-    if record.color_space == "srgb":
-        value = np.where(value <= 0.04045, value / 12.92, ((value + 0.055) / 1.055) ** 2.4)
-    levels = [value]
+    levels = [linear(record.image / 255.0, record.color_space)]
     while max(levels[-1].shape[:2]) > 1:
         height, width = levels[-1].shape[:2]
         rows, columns = _means(height), _means(width)
         levels.append(np.einsum("ah,hwc,bw->abc", rows, levels[-1], columns))
-    return levels
+    return [encoded(level, record.color_space) for level in levels]
+
+
+def linear(value: Float, space: str) -> Float:
+    """Of values from 0 to 1."""
+    if space == "linear":
+        return value
+    return np.where(value <= 0.04045, value / 12.92, ((value + 0.055) / 1.055) ** 2.4)
+
+
+def encoded(value: Float, space: str) -> Float:
+    """The inverse of `linear`."""
+    if space == "linear":
+        return value
+    return np.where(value <= 0.0031308, value * 12.92, 1.055 * value ** (1 / 2.4) - 0.055)
 
 
 def _means(size: int) -> Float:

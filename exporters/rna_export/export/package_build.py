@@ -115,11 +115,12 @@ def _measure(
 ) -> Manifest:
     """The manifest with each tier's error and cost, as the runtime gives them."""
     views, tiers = dataset.whole_views(), []
+    glowing = [part.emission_views() for part in dataset.parts]
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "measured.rna"
         write_package(path, manifest, *_of_parts(dataset, data))
         for tier, model in zip(manifest.tiers, models, strict=True):
-            tier = measured(tier, load(path, tier=tier.name), model, views, say)
+            tier = measured(tier, load(path, tier=tier.name), model, views, glowing, say)
             check_loss(tier, model, views, max_loss)
             tiers.append(tier)
     return manifest.model_copy(update={"tiers": tuple(tiers)})

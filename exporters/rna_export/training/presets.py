@@ -247,6 +247,9 @@ PRESETS = {
 }
 """Kind of asset -> name -> preset."""
 
+PAPER_PRESETS = ("paper-small", "paper-hq")
+"""Those of the paper, which knows no base colour."""
+
 
 def _analytic(kind: str) -> Preset:
     """A material's parameters by place, with the training of `small`."""

@@ -38,7 +38,7 @@ def _inside(texel: int, size: int, wrap: int) -> int:
 @compiled(fastmath=())
 def _add_level(
     texels: NDArray[np.uint8],
-    linear: NDArray[np.float32],
+    is_srgb: bool,
     level: NDArray[np.int64],
     wrap: NDArray[np.int64],
     place: tuple[float, float],
@@ -47,7 +47,7 @@ def _add_level(
 ) -> None:
     """Add `weight` times the level's linear colour at a place of the image.
 
-    level: its first texel, height and width. linear: (256,), of a value of 8 bits.
+    level: its first texel, height and width. is_srgb: what its values are encoded in.
     """
     left, right, a = _around(place[0], level[2], wrap[0])
     upper, lower, b = _around(place[1], level[1], wrap[1])
@@ -57,8 +57,11 @@ def _add_level(
     for c in range(3):
         total = 0.0
         for k in range(4):
-            total += weights[k] * linear[texels[corners[k], c]]
-        color[c] += np.float32(weight * total)
+            total += weights[k] * texels[corners[k], c]
+        value = total / 255.0
+        if is_srgb:
+            value = value / 12.92 if value <= 0.04045 else ((value + 0.055) / 1.055) ** 2.4
+        color[c] += np.float32(weight * value)
 
 
 @compiled(parallel=True, fastmath=())
@@ -78,14 +81,14 @@ def look_up(
     transform: NDArray[np.float64],
     counts: NDArray[np.int64],
     levels: NDArray[np.int64],
-    linear: NDArray[np.float32],
+    is_srgb: NDArray[np.bool_],
     texels: NDArray[np.uint8],
 ) -> None:
     """result (n, 3), of hits: their primitives, u, v and widths.
 
     record: (t,), the number of each triangle's record, -1 for none; density: (t,), texels a metre.
     Of each record r the image, -1 for none, factor (r, 3), wrap (r, 2), transform (r, 6) and
-    linear (r, 256). counts: (images,) of levels; levels: (images, LEVELS, 3) first texel, height
+    is_srgb (r,). counts: (images,) of levels; levels: (images, LEVELS, 3) first texel, height
     and width.
     """
     for i in prange(len(primitives)):
@@ -110,7 +113,7 @@ def look_up(
         lower = int(level)
         rest, color = level - lower, result[i]
         color[:] = 0.0
-        _add_level(texels, linear[r], levels[k, lower], wrap[r], place, 1.0 - rest, color)
+        _add_level(texels, is_srgb[r], levels[k, lower], wrap[r], place, 1.0 - rest, color)
         if rest > 0.0:
-            _add_level(texels, linear[r], levels[k, lower + 1], wrap[r], place, rest, color)
+            _add_level(texels, is_srgb[r], levels[k, lower + 1], wrap[r], place, rest, color)
         color *= factor[r]

@@ -5,11 +5,12 @@
 const RNA_REPEAT: u32 = 0u;
 const RNA_MIRROR: u32 = 2u;
 const RNA_IS_SRGB: u32 = 16u;
+const RNA_MIXES_SRGB: u32 = 256u; // of base colours: encoded values are mixed
 
 struct RnaImage {
     place: u32,
     size: vec2<u32>, // columns, rows
-    form: u32, // wrap in u and in v, 2 bits each; RNA_IS_SRGB
+    form: u32, // wrap in u and in v, 2 bits each; RNA_IS_SRGB or RNA_MIXES_SRGB
 }
 
 fn rna_texel_of(at: RnaImage, column: u32, row: u32) -> vec3f {
@@ -18,6 +19,10 @@ fn rna_texel_of(at: RnaImage, column: u32, row: u32) -> vec3f {
     if (at.form & RNA_IS_SRGB) == 0u {
         return c;
     }
+    return rna_linear(c);
+}
+
+fn rna_linear(c: vec3f) -> vec3f {
     return select(pow((c + 0.055) / 1.055, vec3f(2.4)), c / 12.92, c <= vec3f(0.04045));
 }
 
@@ -47,13 +52,17 @@ fn rna_texels_around(x: f32, size: u32, wrap: u32) -> RnaAround {
     return RnaAround(u32(max(first, 0)), u32(min(first + 1, last)), place - low);
 }
 
-// Bilinear, mixed after decoding, at coordinates of the image.
+// Bilinear, at coordinates of the image.
 fn rna_image_color(at: RnaImage, place: vec2f) -> vec3f {
     let x = rna_texels_around(place.x, at.size.x, at.form & 3u);
     let y = rna_texels_around(place.y, at.size.y, (at.form >> 2u) & 3u);
     let upper = mix(rna_texel_of(at, x.first, y.first), rna_texel_of(at, x.second, y.first), x.part);
     let lower = mix(rna_texel_of(at, x.first, y.second), rna_texel_of(at, x.second, y.second), x.part);
-    return mix(upper, lower, y.part);
+    let color = mix(upper, lower, y.part);
+    if (at.form & RNA_MIXES_SRGB) == 0u {
+        return color;
+    }
+    return rna_linear(color);
 }
 
 // The next level, of half the size.

@@ -64,20 +64,28 @@ def _filtered(record: BaseColor, p: float, q: float, level: float) -> np.ndarray
     levels = pyramid(record)
     k = math.floor(level)
     if k >= len(levels) - 1:
-        return _looked_up(levels[-1], p, q, record.wrap)
-    near, far = (_looked_up(levels[k + i], p, q, record.wrap) for i in (0, 1))
+        return linear(_looked_up(levels[-1], p, q, record.wrap), record.color_space)
+    near, far = (
+        linear(_looked_up(levels[k + i], p, q, record.wrap), record.color_space) for i in (0, 1)
+    )
     return (1 - (level - k)) * near + (level - k) * far
 
 
 def pyramid(record: BaseColor) -> list[np.ndarray]:
-    """The image in linear colours, and its means down to one texel."""
-    texels = record.image.astype(np.float64) / 255
-    if record.color_space == "srgb":
-        texels = np.where(texels <= 0.04045, texels / 12.92, ((texels + 0.055) / 1.055) ** 2.4)
-    levels = [texels]
+    """The image, and its means in linear colours down to one texel, encoded as it is."""
+    levels = [linear(record.image.astype(np.float64) / 255, record.color_space)]
     while levels[-1].shape[0] > 1 or levels[-1].shape[1] > 1:
         levels.append(_narrowed(_narrowed(levels[-1]).swapaxes(0, 1)).swapaxes(0, 1))
-    return levels
+    if record.color_space == "linear":
+        return levels
+    return [np.where(v <= 0.0031308, v * 12.92, 1.055 * v ** (1 / 2.4) - 0.055) for v in levels]
+
+
+def linear(values: np.ndarray, space: str) -> np.ndarray:
+    """Of values from 0 to 1."""
+    if space == "linear":
+        return values
+    return np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
 
 
 def _narrowed(texels: np.ndarray) -> np.ndarray:
