@@ -43,6 +43,8 @@ COMMANDS = {
         Command("stability", "stability.stability_command", resumes=True),
         Command("peers", "peers.peers_command", resumes=True),
         Command("peers-data", "peers.views_command", resumes=True),
+        Command("assets", "accuracy.assets_command"),
+        Command("words", "accuracy.words_command"),
         Command("lobes", "accuracy.lobes_command"),
         Command("evaluate", "speed.evaluate"),
         Command("cores", "speed.cores"),

@@ -39,7 +39,7 @@ with few_cores(THREADS):
     import bpy
     from rna_geometry import curves_export, mesh_export, scene_parts
     from rna_geometry.shown_objects import as_rendered
-    from rna_materials import material_check, object_materials, surface_textures
+    from rna_materials import base_colors, material_check, object_materials, surface_textures
     from rna_renders import ray_render, render_settings, scene_render, white_card
     from rna_sources import read_files, shown_frame, source_scene
 
@@ -81,6 +81,9 @@ def show_frame(request: dict[str, Any]) -> None:
 
 HANDLERS = {
     "open": open_scene,
+    "exportBaseColors": lambda r: base_colors.export_base_colors(
+        r["out"], r["charts"], r["asTexels"]
+    ),
     "exportCurves": lambda r: as_rendered(
         lambda: curves_export.export_curves(r["out"], r["owner"])
     ),

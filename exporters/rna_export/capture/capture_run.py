@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
@@ -95,7 +95,8 @@ def measured_pilot(
         check, speed = opened.checked(opened.scene)
         say(parts_lines(source.path.stem, opened.exported.geometries).rstrip())
         note = check.note()
-        for line in (*opened.exported.notes, *([] if note is None else [note])):
+        notes = *worker.opened["notes"], *opened.exported.notes, *([] if note is None else [note])
+        for line in notes:
             say(f"note: {line}")
         return opened.pilot(speed, lights)
 
@@ -158,13 +159,15 @@ def begin(
             *opened["notes"],
             *narrow_highlights(opened["smoothest"], settings.sharpest),
             *exported.notes,
-            *_check_notes(checks, out),
+            *(f"{begin}{note}" for begin, c in checks.items() if (note := c.note()) is not None),
         ),
         processors=(processor_key(),),
         scene_domain=asset.limited,
     )
     for note in manifest.notes:
         say(f"note: {note}")
+    if (marked := _write_picture(list(checks.values()), out / PICTURE)) is not None:
+        say(marked)
     dataset = Dataset.create(out, manifest, geometries, exported.textures, poses, exported.sources)
     say(plan_lines(dataset, geometries, rate))
     return dataset
@@ -263,14 +266,11 @@ class _TaskClock:
         return first >= LEAST_LIGHTS and self.limit.left() < self.took / 2.0
 
 
-def _check_notes(checks: Mapping[str, SelfCheck], out: Path) -> list[str]:
-    """The notes of checks, by their beginning; the first picture is written into the dataset."""
-    notes, path = [], out / PICTURE
-    shown = next((check for check in checks.values() if check.picture is not None), None)
-    if shown is not None and shown.picture is not None:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        write_atomically(path, shown.picture)
-    for begin, check in checks.items():
-        if (note := check.note()) is not None:
-            notes.append(f"{begin}{note}" + (f"; {path} marks it" if check is shown else ""))
-    return notes
+def _write_picture(checks: Sequence[SelfCheck], path: Path) -> str | None:
+    """Write the first picture of what differs; returns a line that names it, None without one."""
+    picture = next((check.picture for check in checks if check.picture is not None), None)
+    if picture is None:
+        return None
+    path.parent.mkdir(parents=True, exist_ok=True)
+    write_atomically(path, picture)
+    return f"{path} marks what differs from Cycles"

@@ -70,7 +70,11 @@ def build_package(
 
 def _of_parts(dataset: Dataset, data: dict[str, list[TierData]]) -> tuple[Any, ...]:
     """Geometry, the tiers' data and textures, as `write_package` takes them."""
-    textures = {name: t for part in dataset.parts for name, t in part.textures().items()}
+    textures = {
+        name: texture
+        for part in dataset.parts
+        for name, texture in (part.textures() | part.base_color_files()).items()
+    }
     return [part.geometry() for part in dataset.parts], data, textures
 
 
@@ -93,7 +97,11 @@ def _parts(model: TrainedTier, dataset: Dataset) -> tuple[Part, ...]:
 
 def _textured(part: CapturedPart) -> dict[str, Any]:
     """Textures of a part's materials in the package, by member of `Part`."""
-    members = {"transmittance": part.transmittance, "normal_maps": part.normal_maps}
+    members = {
+        "transmittance": part.transmittance,
+        "normal_maps": part.normal_maps,
+        "base_color": part.base_color,
+    }
     return {name: records for name, records in members.items() if records}
 
 
@@ -107,11 +115,12 @@ def _measure(
 ) -> Manifest:
     """The manifest with each tier's error and cost, as the runtime gives them."""
     views, tiers = dataset.whole_views(), []
+    glowing = [part.emission_views() for part in dataset.parts]
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "measured.rna"
         write_package(path, manifest, *_of_parts(dataset, data))
         for tier, model in zip(manifest.tiers, models, strict=True):
-            tier = measured(tier, load(path, tier=tier.name), model, views, say)
+            tier = measured(tier, load(path, tier=tier.name), model, views, glowing, say)
             check_loss(tier, model, views, max_loss)
             tiers.append(tier)
     return manifest.model_copy(update={"tiers": tuple(tiers)})

@@ -34,6 +34,7 @@ from rna_render.paths.path_arrays import (
 )
 from rna_render.paths.sampling import (
     BRANCHES,
+    LENS_DIMENSION,
     PIXEL_DIMENSION,
     ROULETTE,
     STRAND_BRANCHES,
@@ -151,6 +152,9 @@ class Integrator:
     def _camera_rays(self, pixels: np.ndarray, sampler: Sampler) -> Rays:
         direction = self._camera.directions(pixels, sampler.square(pixels, PIXEL_DIMENSION))
         origin = np.tile(self._camera.position, (len(pixels), 1))
+        if self._camera.has_lens:
+            on_lens = sampler.square(pixels, LENS_DIMENSION)
+            origin, direction = self._camera.through_lens(direction, on_lens)
         hits = self._world.scene.intersect(origin, direction, rays=CAMERA_RAY)
         beta = np.ones((len(pixels), 3), np.float32) if hits.weight is None else hits.weight
         return Rays(
@@ -177,7 +181,8 @@ class Integrator:
         return Paths(path, beta, share, kind, numbers)
 
     def _vertices(self, role: Role, rays: Rays) -> Vertices:
-        return self._world.vertices(role, rays.hits, rays.direction, seen=rays.pdf is None)
+        spread = self._camera.spread
+        return self._world.vertices(role, rays.hits, rays.direction, rays.pdf is None, spread)
 
     def _describe(self, band: Layers, vertices: Vertices) -> None:
         """Write the AOVs of the first hits."""

@@ -127,11 +127,13 @@ class World:
         scattering = self._has_role[Role.SCATTER]
         self.scatters = scattering.sum() > 1 or bool((scattering & ~self._passes).any())
 
-    def vertices(self, role: Role, hits: ClosestHits, d_world: np.ndarray, seen: bool) -> Vertices:
+    def vertices(
+        self, role: Role, hits: ClosestHits, d_world: np.ndarray, seen: bool, spread: float = 0.0
+    ) -> Vertices:
         """The hits on bodies of that role, which is not SHINE.
 
         hits: of n rays. d_world: (n, 3) float32, their directions. seen: whether they are camera
-        rays.
+        rays. spread: width of a pixel over the distance to it; textures are averaged over it.
         """
         ray = np.flatnonzero(hits.instance >= 0)
         ray = ray[self._has_role[role][hits.instance[ray]]]
@@ -142,7 +144,8 @@ class World:
         x, n, x_next = (np.empty((len(ray), 3), np.float32) for _ in range(3))
         parts = []
         for body, part, rows in groups:
-            points = self._bodies[body].points(part, hits, ray[rows], wo[rows], seen)
+            widths = np.float32(spread) * hits.t[ray[rows]] / self.scale[instance[rows]]
+            points = self._bodies[body].points(part, hits, ray[rows], wo[rows], seen, widths)
             x[rows], n[rows] = points.x, points.n
             parts.append((rows, points))
             after = self._after[body] if seen else None

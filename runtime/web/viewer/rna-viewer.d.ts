@@ -8,6 +8,8 @@ export interface RnaViewerAttributes {
   loading?: "auto" | "lazy" | "eager";
   reveal?: "auto" | "manual";
   tier?: string;
+  maps?: string;
+  tint?: string;
   environment?: string;
   "environment-intensity"?: number | string;
   sun?: string;
@@ -72,6 +74,9 @@ type Overlaid = keyof RnaViewerProperties;
 export interface RnaViewer extends Omit<HTMLElement, Overlaid>, RnaViewerProperties {
   readonly loaded: boolean;
   readonly availableTiers: string[];
+  readonly availableMaps: string[];
+  /** Rejects for a label that the package does not have. */
+  setMap(label: string, picture: Blob | ImageBitmap | CanvasImageSource | null): Promise<void>;
   readonly turntableRotation: number;
   resetTurntableRotation(radians?: number): void;
   resetView(): void;

@@ -68,7 +68,7 @@ def _open(source: str, suffix: str, arguments: list[str], frame: int | None) -> 
         case "ply":
             bpy.ops.wm.ply_import(filepath=source)
         case "scene":
-            scene_import.load(source, arguments, frame)
+            notes = scene_import.load(source, arguments, frame)
         case "script":
             _run_script(source, arguments)
             polygon_order.sort_polygons()
@@ -132,6 +132,11 @@ def keep_only_the_asset() -> list[str]:
     )
     notes += [*camera_visibility.leave_out_unseen(), *_hide_what_no_package_holds()]
     as_rendered(render_only.refuse)
+    notes += [
+        f"object {name!r} has curves of geometry nodes without a surface, which Cycles does not "
+        "render; Curve to Mesh makes tubes of them, and in a hair curves object they are hair"
+        for name in as_rendered(shown_objects.bare_curves)
+    ]
     return [*notes, *as_rendered(material_check.problems)]
 
 

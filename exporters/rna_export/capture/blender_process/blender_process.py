@@ -12,6 +12,7 @@ from typing import Any, Self
 
 from rna_export.capture.capture_settings import CLAMP_DIRECT, CLAMP_INDIRECT, CaptureSettings
 from rna_sdk.errors import CaptureError
+from rna_sdk.gltf_remedies import with_remedy
 from rna_work.processor_time import process_seconds
 
 
@@ -152,7 +153,8 @@ class BlenderProcess:
                 if line.startswith("RNA "):
                     answer: dict[str, Any] = json.loads(line[4:])
                     if not answer["ok"]:
-                        raise CaptureError(f"{self.source.path}: Blender says: {answer['error']}")
+                        said = with_remedy(f"Blender says: {answer['error']}")
+                        raise CaptureError(f"{self.source.path}: {said}")
                     return answer
                 self._log.write(line)
         except BrokenPipeError:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -19,6 +20,7 @@ from rna_export.capture.blender_process.exchanged_files import (
     read_render,
     write_rays,
 )
+from rna_export.capture.blender_process.material_colors import MaterialColors
 from rna_sdk.package import Curves
 
 
@@ -106,6 +108,17 @@ class BlenderWorker(BlenderProcess):
         normals = {name: textures[f"normals{k}"] for k, name in enumerate(answer["normals"])}
         flags = answer["captured"], answer["learnt"]
         return MaterialTextures(holes, normals, answer["charts"], *flags, answer["notes"])
+
+    def export_base_colors(
+        self, charts: dict[str, Any], as_texels: Collection[str] = ()
+    ) -> MaterialColors:
+        """Base colours of all materials that surfaces show.
+
+        charts: of `MaterialTextures`. as_texels: materials whose image is wanted as Cycles shows
+        it, and not as its file.
+        """
+        request = {"charts": charts, "asTexels": sorted(as_texels)}
+        return MaterialColors.of(*self._exported("exportBaseColors", **request))
 
     def _exported(self, op: str, **request: Any) -> tuple[dict[str, np.ndarray], dict[str, Any]]:
         path = self._folder / f"exported-{self._name}.npz"

@@ -6,6 +6,7 @@ toy.rays/
   poses/00012.safetensors     positions of the parts at a frame of the source, arrays NAME
   transmittance/0.safetensors texture of a material that lets light through, as in a package
   normals/0.safetensors       normal map of a material, as in a package
+  base_color/0.png            image of a material's base colour, or .jpg, .webp
   train/00000.safetensors     samples of some lights, arrays NAME/FIELD
   emission/00000.safetensors  samples of what the asset emits, if it does
   validation/00-0.safetensors one half (of two seeds) of one whole image, likewise
@@ -31,7 +32,10 @@ from rna_sdk.package import Curves, Mesh, SourceVertices
 from rna_sdk.package.textures.normal_maps import NORMALS
 from rna_sdk.package.textures.transmittance import TRANSMITTANCE
 
-_FOLDERS = ("geometry", "transmittance", "normals", "train", "emission", "validation")
+_FOLDERS = (
+    *("geometry", "transmittance", "normals", "base_color"),
+    *("train", "emission", "validation"),
+)
 
 
 class Dataset:
@@ -59,13 +63,14 @@ class Dataset:
         folder: Path,
         manifest: CaptureManifest,
         geometries: Mapping[str, Mesh | Curves],
-        textures: Mapping[str, np.ndarray] | None = None,
+        textures: Mapping[str, np.ndarray | bytes] | None = None,
         poses: Mapping[int, Mapping[str, np.ndarray]] | None = None,
         sources: Mapping[str, SourceVertices] | None = None,
     ) -> Dataset:
         """Write geometry and textures, and the manifest, that last: with one it is a dataset.
 
-        geometries: of each part. textures: of all transmittance, by the names that records have.
+        geometries: of each part. textures: by the names that records have, the texels of all
+        transmittance and normal maps, and the files of images of base colour.
         poses: by frame, but for the rest frame: positions of each part, (v, 3) float32.
         sources: vertices of the source, of those parts that have any.
         """
@@ -73,8 +78,10 @@ class Dataset:
         for inner in _FOLDERS:
             (folder / inner).mkdir(parents=True, exist_ok=True)
         for name, texture in (textures or {}).items():
-            form = NORMALS if name.startswith("normals/") else TRANSMITTANCE
-            write_atomically(folder / name, form.to_bytes(texture, name))
+            if not isinstance(texture, bytes):
+                form = NORMALS if name.startswith("normals/") else TRANSMITTANCE
+                texture = form.to_bytes(texture, name)
+            write_atomically(folder / name, texture)
         for name, geometry in geometries.items():
             arrays = geometry_arrays(geometry, (sources or {}).get(name))
             write_arrays(_geometry_path(folder, name), arrays)

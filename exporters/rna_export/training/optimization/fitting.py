@@ -9,6 +9,7 @@ import torch
 from torch import Tensor
 
 from rna_export.training.model.neural_asset import new_model
+from rna_export.training.model.shadow import RELATIVE_UNIT
 from rna_export.training.model.triplane import Triplane
 from rna_export.training.optimization.emission_batches import EmissionBatches
 from rna_export.training.optimization.losses import sample_loss
@@ -44,6 +45,8 @@ class Fitting:
         self.model = new_model(preset.model, bounds)
         self.model.ceiling.fill_(ceiling)
         self.model.unit.fill_(unit)
+        if self.model.shadow is not None:
+            self.model.shadow.unit.fill_(RELATIVE_UNIT * unit)
         if emission is not None:
             emitting, _ = self.model.emitting
             emitting.ceiling.fill_(1.5 * emission.table.largest_radiance)

@@ -1,5 +1,6 @@
 // Attributes of the element as values, in model-viewer's syntax, and values as attributes. What cannot be read throws a
 // line that says what is expected.
+import { linearColour } from "./backdrop.js";
 import { steep } from "./orbit.js";
 
 const RADIANS = Math.PI / 180;
@@ -58,6 +59,20 @@ function sunLight(value) {
   return { sunAzimuth: (azimuth ?? 40 * RADIANS) / RADIANS, sunHeight: (height ?? 45 * RADIANS) / RADIANS, sun: brightness ?? 2 };
 }
 
+/** By label its address. */
+function maps(value) {
+  const pairs = value.trim().split(/\s+/).filter(Boolean).map((word) => [word.slice(0, word.indexOf("=")), word.slice(word.indexOf("=") + 1)]);
+  if (pairs.some(([label, address]) => !label || !address)) expected("LABEL=ADDRESS ..., as label=label-de.png", value);
+  return Object.fromEntries(pairs);
+}
+
+/** Linear RGB. */
+function tint(value) {
+  const found = value.trim().split(/\s+/).map(Number), isColour = globalThis.CSS?.supports("color", value);
+  if (found.length === 3 && found.every((one) => one >= 0 && one < Infinity)) return found;
+  return (isColour && linearColour(value)) || expected("a colour, or R G B of linear light, as 1 0.5 0.2", value);
+}
+
 /** By attribute: how its text is read. */
 export const READERS = {
   src: text, alt: text, poster: text, scene: text, environment: text, tier: text,
@@ -70,7 +85,7 @@ export const READERS = {
   "touch-action": choice("pan-y", "pan-x", "none"), "wheel-zoom": choice("focus", "always"), "interaction-prompt": choice("auto", "none"),
   "auto-rotate": flag, "auto-rotate-delay": number(0, 1e9), "rotation-per-second": turn,
   samples: number(1, 1e6, true), "pixel-ratio": number(0.1, 8), jitter: number(0, 1),
-  "first-look": choice("auto", "off"),
+  "first-look": choice("auto", "off"), maps, tint,
 };
 
 /** The name of an attribute's property, as cameraOrbit. */

@@ -88,6 +88,16 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     return this.stage.opened?.manifest.tiers.map(({ name }) => name) ?? [];
   }
 
+  /** What images of base colour in the package are called, once it is shown. */
+  get availableMaps() {
+    return this.stage.arrays?.surfaces.labels ?? [];
+  }
+
+  /** Another picture, a Blob, ImageBitmap, canvas or image, for those with that label; null: the package's own. */
+  setMap(label, picture) {
+    return this.stage.setMap(label, picture);
+  }
+
   /** Angle of auto-rotate so far, radians. */
   get turntableRotation() {
     return this.turntable.angle;
@@ -154,6 +164,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     if (name === "exposure") stage.setExposure(settings.exposure ?? stage.scene?.exposure ?? 0);
     if (name === "view-transform") stage.setView(settings.viewTransform ?? stage.scene?.view ?? "srgb");
     if (name === "pixel-ratio") stage.resize();
+    if (["maps", "tint"].includes(name) && stage.shown) stage.print();
     if (["loading", "reveal"].includes(name)) this._begin();
     if (["camera-controls", "interaction-prompt"].includes(name)) this._prompt();
     if (name.startsWith("auto-rotate") || name === "rotation-per-second") this._turn();

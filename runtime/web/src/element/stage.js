@@ -7,6 +7,7 @@ import { readImage } from "../light/image_files.js";
 import { NotSupported } from "../package/errors.js";
 import { fileAddress } from "../package/file_address.js";
 import { otherFile } from "../package/other_files.js";
+import { pictureOf } from "../package/images.js";
 import { Package } from "../package/package.js";
 import { BlobSource, nameOf, UrlSource } from "../package/source.js";
 import { wrappedDegrees } from "../ui/elements.js";
@@ -101,6 +102,41 @@ export class Stage extends LastingEngine {
       this.failed(error, "scene");
       return null;
     }
+  }
+
+  /** Another picture in place of the asset's images with that label; null: the package's own. Throws where there is none. */
+  async setMap(label, source) {
+    const { surfaces } = this.arrays ?? {}, labels = surfaces?.labels ?? [];
+    if (!labels.includes(label)) {
+      throw new Error(`expected ${labels.join(" or ") || "an asset with base colour"}, found ${JSON.stringify(label)}`);
+    }
+    await surfaces.setImage(label, source && (await pictureOf(source)));
+    this._printed();
+  }
+
+  /** Images and tint as the attributes have them; those that are gone are the package's again. */
+  async print() {
+    const { arrays, settings: { maps, tint } } = this, wanted = maps ?? {};
+    if (!arrays?.hasBaseColor) return this.notices.say(maps || tint ? "maps, tint: this asset has no base colour" : null, true, "maps");
+    if (!maps && !tint && !arrays.maps) return;  // as it came
+    arrays.surfaces.tint = tint ?? [1, 1, 1];
+    this._printed();
+    try {
+      for (const label of Object.keys(arrays.maps ?? {}).filter((own) => !(own in wanted))) await this.setMap(label, null);
+      for (const [label, address] of Object.entries(wanted)) {
+        if (arrays.maps?.[label] !== address) await this.setMap(label, new Blob([await fetched(address)]));
+      }
+      this.notices.say(null, true, "maps");
+    } catch (error) {
+      this.notices.say(`maps: ${error.message}`, true, "maps");
+    }
+    arrays.maps = wanted;
+  }
+
+  _printed() {
+    Object.assign(this.arrays, this.arrays.surfaces.arrays());
+    this.engine?.setSurfaces(this.arrays);
+    this.viewer?.restart();
   }
 
   leaveScene() {
@@ -275,6 +311,7 @@ export class Stage extends LastingEngine {
     signal?.throwIfAborted();
     performance.mark("asset");
     Object.assign(this, { opened, shown, arrays, box: arrays.box, isNew });
+    if (isNew) await this.print();
     if (isNew && this.scene) this.reset();
     else if (isNew) this.placeCamera();
     const { warnings } = opened.manifest;

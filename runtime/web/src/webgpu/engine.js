@@ -8,7 +8,8 @@ import { LobeLight, PartLobes } from "./part_lobes.js";
 import { rayKernels, sources } from "./sources.js";
 
 const BAND_PIXELS = 1 << 17;
-const FORMS = ["transport", "emission", "environment"];  // FORM_TRANSPORT and so on of band.wgsl
+const FORMS = ["transport", "visible", "shadowed", "emission", "environment"];  // FORM_TRANSPORT and so on of band.wgsl
+const LIT = ["transport", "visible", "shadowed"];
 
 export class WebGPUEngine {
   static async open(canvas) {
@@ -85,17 +86,13 @@ export class WebGPUEngine {
       store(arrays.nodes, "hierarchy"), store(arrays.primitives, "geometry"), store(arrays.points, "geometry"),
       store(instance(arrays.extent), "geometry"), store(arrays.normals, "geometry"),
     ];
-    this.lightsAt = arrays.table.length / 4;
-    this.table = buffer(device, 4 * arrays.table.length + bytesOf("Light"));
-    device.queue.writeBuffer(this.table, 0, arrays.table);
-    this.arrays = arrays;
-    this._storeImages();
+    this._storeSurfaces(arrays);
     await this.lobeLight?.begin(arrays, parts);
   }
 
   async _compileRays(parts) {
-    const { pipelines } = this;
-    this.raySources = rayKernels({ hasSegments: parts.some(({ kind }) => kind === "fiber"), hasTextures: parts.some(hasTextures) });
+    const { pipelines } = this, isThere = (kind) => parts.some(kind);
+    this.raySources = rayKernels({ hasSegments: isThere(({ kind }) => kind === "fiber"), hasTextures: isThere(hasTextures), hasBaseColor: isThere(hasBaseColor) });
     const [hit, light] = await Promise.all([
       pipelines.get(this.raySources.hit, "trace_pixels", this.rayLayout), pipelines.get(this.raySources.light, "light_pixels", this.rayLayout),
     ]);
@@ -107,16 +104,32 @@ export class WebGPUEngine {
     const upload = (stored) => [0, 1, 2].map((k) => buffer(device, planeWords(stored, k), undefined, "a plane of features"));
     const planes = upload(part.planes), { environment: own } = part;
     const ofLobes = this.lobeLight && own.planes !== part.planes ? upload(own.planes) : null;
-    const make = (decoder, inputs) => PartEvaluator.make(device, pipelines, part, decoder, inputs, planes);
-    const [transport, emission, environment] = await Promise.all([
-      make(part.transport, part.inputs), part.emission && make(part.emission, part.emission.inputs),
+    const forms = Object.keys(part.decoders);
+    const [environment, ...made] = await Promise.all([
       this.lobeLight && PartLobes.make(device, pipelines, part, ofLobes ?? planes, this.lobeLight),
+      ...forms.map((form) => PartEvaluator.make(device, pipelines, part, form, planes)),
     ]);
-    return { planes: [...planes, ...(ofLobes ?? [])], transport, emission, environment };
+    return { planes: [...planes, ...(ofLobes ?? [])], environment, ...Object.fromEntries(forms.map((form, k) => [form, made[k]])) };
   }
 
   get emits() {
     return this.parts.some(({ emission }) => emission);
+  }
+
+  /** Other images or a tint in the arrays of the asset that is shown. */
+  setSurfaces(arrays) {
+    if (!this.geometry) return;
+    this._storeSurfaces(arrays);
+    this._bind();
+  }
+
+  _storeSurfaces(arrays) {
+    const { device } = this, { table } = arrays;
+    this.table?.destroy();
+    this.table = buffer(device, 4 * table.length + bytesOf("Light"));
+    device.queue.writeBuffer(this.table, 0, table);
+    Object.assign(this, { arrays, lightsAt: table.length / 4 });
+    this._storeImages();
   }
 
   setEnvironment(environment) {
@@ -190,7 +203,7 @@ export class WebGPUEngine {
       dispatch(pass, this.kernels.begin, this.groups.queue, this.span.pixels);
     });
     if (light.kind === "mirror") this.lobeLight.set(light);
-    this._decode(light.kind === "mirror" ? "environment" : "transport");
+    for (const form of light.kind === "mirror" ? ["environment"] : LIT) this._decode(form);
   }
 
   emission() {
@@ -235,11 +248,11 @@ export class WebGPUEngine {
     return new Float32Array(await read(this.device, this.sums, 16 * width * height));
   }
 
-  _decode(output) {
+  _decode(form) {
     for (const [k, part] of this.parts.entries()) {
-      const own = part[output];
+      const own = part[form];
       if (!own) continue;
-      this._writeView({ ...this.view, part: k + 1, form: FORMS.indexOf(output) });
+      this._writeView({ ...this.view, part: k + 1, form: FORMS.indexOf(form) });
       this.device.queue.writeBuffer(this.queue.count, 0, Uint32Array.of(0));
       this._run((pass) => {
         dispatch(pass, this.kernels.gather, this.groups.queue, this.span.pixels);
@@ -261,7 +274,7 @@ export class WebGPUEngine {
     const { lightsAt, arrays, span, target } = this;
     this.device.queue.writeBuffer(this.frameRecord, 0, packed("Frame", {
       camera: position, corner, step_x: stepX, step_y: stepY, width: target.width, paths: span.pixels, sample, branches: 1, depth: 1, rays: constants.CAMERA_RAY,
-      flags: arrays.transmits ? constants.TRANSMITS : 0, textures: arrays.texturesAt, lights: lightsAt,
+      flags: arrays.transmits ? constants.TRANSMITS : 0, textures: arrays.texturesAt, lights: lightsAt, spread: Math.hypot(...stepY),
     }));
   }
 
@@ -289,7 +302,7 @@ export class WebGPUEngine {
     this.lobeLight?.delete();
     this.parts.forEach(deletePart);
     this.parts = [];
-    this.geometry = this.images = null;
+    this.geometry = this.images = this.table = null;
   }
 
   close() {
@@ -305,6 +318,7 @@ function deletePart({ planes, ...decoders }) {
 }
 
 const hasTextures = ({ transmittance, normalMaps }) => transmittance.length + normalMaps.length > 0;
+const hasBaseColor = ({ baseColor }) => baseColor.length > 0;
 
 /** The only instance, where it stands in the world; node 0 is above it. */
 const instance = (extent) => packed("RnaInstance", {
