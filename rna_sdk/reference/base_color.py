@@ -32,28 +32,41 @@ def base_color_reference(
         uv = np.einsum("nk,nkc->nc", weights, mesh.uvs[mesh.triangles[triangle[own]]])
         matrix = np.array(record.transform).reshape(2, 3)
         place, levels = uv @ matrix[:, :2].T + matrix[:, 2], _levels(record)
+        is_srgb = record.color_space == "srgb"
         for row, where in zip(own, place, strict=True):
             k = min(int(level[row]), len(levels) - 1)
             rest = level[row] - k if k < len(levels) - 1 else 0.0
-            color = (1.0 - rest) * _looked_up(levels[k], where, record.wrap)
+            color = (1.0 - rest) * _linear(_looked_up(levels[k], where, record.wrap), is_srgb)
             if rest > 0.0:
-                color = color + rest * _looked_up(levels[k + 1], where, record.wrap)
+                next_one = _looked_up(levels[k + 1], where, record.wrap)
+                color = color + rest * _linear(next_one, is_srgb)
             result[row] *= color
     return result
 
 
 def _levels(record: BaseColor) -> list[Float]:
-    """The image and its means, linear."""
+    """The image and its means, from 0 to 1 in its colour space."""
     assert record.image is not None
-    value = record.image / 255.0
-    if record.color_space == "srgb":
-        value = np.where(value <= 0.04045, value / 12.92, ((value + 0.055) / 1.055) ** 2.4)
-    levels = [value]
+    is_srgb = record.color_space == "srgb"
+    levels = [record.image / 255.0]
     while max(levels[-1].shape[:2]) > 1:
         height, width = levels[-1].shape[:2]
         rows, columns = _means(height), _means(width)
-        levels.append(np.einsum("ah,hwc,bw->abc", rows, levels[-1], columns))
+        mean = np.einsum("ah,hwc,bw->abc", rows, _linear(levels[-1], is_srgb), columns)
+        levels.append(_encoded(mean) if is_srgb else mean)
     return levels
+
+
+def _linear(value: Float, is_srgb: bool) -> Float:
+    if not is_srgb:
+        return value
+    return np.where(value <= 0.04045, value / 12.92, ((value + 0.055) / 1.055) ** 2.4)
+
+
+def _encoded(linear: Float) -> Float:
+    """The inverse of `_linear` in sRGB."""
+    upper = 1.055 * np.maximum(linear, 0.04045 / 12.92) ** (1.0 / 2.4) - 0.055
+    return np.where(linear <= 0.04045 / 12.92, 12.92 * linear, upper)
 
 
 def _means(size: int) -> Float:

@@ -27,7 +27,8 @@ def _add_level(
 ) -> None:
     """Add `weight` times the level's linear colour at a place of the image.
 
-    level: its first texel, height and width. linear: (256,), of a value of 8 bits.
+    Values are interpolated as they are stored. level: its first texel, height and width. linear:
+    (256,), of a value of 8 bits; between two of them it is straight, within 1e-5.
     """
     left, right, a = texels_around(place[0], level[2], wrap[0])
     upper, lower, b = texels_around(place[1], level[1], wrap[1])
@@ -37,8 +38,11 @@ def _add_level(
     for c in range(3):
         total = 0.0
         for k in range(4):
-            total += weights[k] * linear[texels[corners[k], c]]
-        color[c] += np.float32(weight * total)
+            total += weights[k] * texels[corners[k], c]
+        below = min(int(total), 254)
+        rest = total - below
+        value = (1.0 - rest) * linear[below] + rest * linear[below + 1]
+        color[c] += np.float32(weight * value)
 
 
 @compiled(parallel=True, fastmath=())

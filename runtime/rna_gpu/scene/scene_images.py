@@ -79,7 +79,7 @@ class Images:
             levels = [_words(level) for level in base_color_levels(record)]
             self._levels[id(record.image)] = self.add(np.concatenate(levels)), record.image
         wrap_u, wrap_v = (_WRAPS[way] for way in record.wrap)
-        form = wrap_u | wrap_v << 2 | int(record.color_space == "srgb") << 4
+        form = wrap_u | wrap_v << 2 | int(record.color_space == "srgb") << 6
         place = self._levels[id(record.image)][0]
         transform = np.reshape(record.transform, (2, 3))
         return self._add_record(place, record.image.shape, form, transform)

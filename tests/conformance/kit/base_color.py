@@ -63,21 +63,35 @@ def base_color(
 def _filtered(record: BaseColor, p: float, q: float, level: float) -> np.ndarray:
     levels = pyramid(record)
     k = math.floor(level)
+    space = record.color_space
     if k >= len(levels) - 1:
-        return _looked_up(levels[-1], p, q, record.wrap)
-    near, far = (_looked_up(levels[k + i], p, q, record.wrap) for i in (0, 1))
+        return _linear(_looked_up(levels[-1], p, q, record.wrap), space)
+    near, far = (_linear(_looked_up(levels[k + i], p, q, record.wrap), space) for i in (0, 1))
     return (1 - (level - k)) * near + (level - k) * far
 
 
 def pyramid(record: BaseColor) -> list[np.ndarray]:
-    """The image in linear colours, and its means down to one texel."""
+    """The image's values, and those of its linear means down to one texel."""
     texels = record.image.astype(np.float64) / 255
-    if record.color_space == "srgb":
-        texels = np.where(texels <= 0.04045, texels / 12.92, ((texels + 0.055) / 1.055) ** 2.4)
-    levels = [texels]
-    while levels[-1].shape[0] > 1 or levels[-1].shape[1] > 1:
-        levels.append(_narrowed(_narrowed(levels[-1]).swapaxes(0, 1)).swapaxes(0, 1))
+    levels, linear = [texels], _linear(texels, record.color_space)
+    while linear.shape[0] > 1 or linear.shape[1] > 1:
+        linear = _narrowed(_narrowed(linear).swapaxes(0, 1)).swapaxes(0, 1)
+        levels.append(_value(linear, record.color_space))
     return levels
+
+
+def _linear(value: np.ndarray, space: str) -> np.ndarray:
+    if space == "linear":
+        return value
+    return np.where(value <= 0.04045, value / 12.92, ((value + 0.055) / 1.055) ** 2.4)
+
+
+def _value(linear: np.ndarray, space: str) -> np.ndarray:
+    """The inverse of `_linear`."""
+    if space == "linear":
+        return linear
+    power = 1.055 * np.maximum(linear, 0.04045 / 12.92) ** (1 / 2.4) - 0.055
+    return np.where(linear <= 0.04045 / 12.92, 12.92 * linear, power)
 
 
 def _narrowed(texels: np.ndarray) -> np.ndarray:

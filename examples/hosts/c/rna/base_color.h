@@ -103,18 +103,26 @@ static size_t texel_inside(double i, uint32_t n, RnaWrap wrap) {
     return inside >= 0 && inside < n ? (size_t)inside : 0; /* beyond what float64 resolves, the first */
 }
 
+/* The linear value of one from 0 to 255 that need not be whole, within 1e-5. */
+static double linear_at(const float linear[256], double value) {
+    const int below = (int)fmin(fmax(value, 0), 254);
+    return linear[below] + (value - below) * ((double)linear[below + 1] - linear[below]);
+}
+
 /* Adds weight times the linear colour of a level at (p, q). */
 static void add_level(const Pyramid *pyramid, int k, const RnaWrap wrap[2], const double place[2], double weight,
                       double color[3]) {
     const Level *level = &pyramid->level[k];
     const double s = place[0] * level->width - 0.5, t = place[1] * level->height - 0.5, i = floor(s), j = floor(t);
+    double value[3] = {0, 0, 0}; /* as stored, 0 to 255 */
     for (int corner = 0; corner < 4; corner++) {
         const size_t column = texel_inside(i + (corner & 1), level->width, wrap[0]);
         const size_t row = texel_inside(j + (corner >> 1), level->height, wrap[1]);
         const double share = (corner & 1 ? s - i : 1 - (s - i)) * (corner >> 1 ? t - j : 1 - (t - j));
         const uint8_t *texel = level->texels + 3 * (row * level->width + column);
-        for (int c = 0; c < 3; c++) color[c] += weight * share * (double)pyramid->linear[texel[c]];
+        for (int c = 0; c < 3; c++) value[c] += share * texel[c];
     }
+    for (int c = 0; c < 3; c++) color[c] += weight * linear_at(pyramid->linear, value[c]);
 }
 
 /* The base colour of a hit with corners and barycentric coordinates b. */

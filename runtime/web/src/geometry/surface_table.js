@@ -4,7 +4,7 @@ import { levelsOf } from "../package/images.js";
 import { finished } from "../steps.js";
 
 const { NONE, OF_NEURAL, OF_FIBERS, LETS_THROUGH, HAS_CUTOFF, BASE } = constants;
-const WRAPS = ["repeat", "clamp", "mirror"], IS_SRGB = 16;  // of the form of textures
+const WRAPS = ["repeat", "clamp", "mirror"], IS_PRINT = 64;  // of the form of textures
 const TEXTURES = records.Surface.members.textures.count;
 const NOTHING = new Uint32Array(0), WHITE = [1, 1, 1], AS_IS = [1, 0, 0, 0, 1, 0];
 
@@ -102,7 +102,7 @@ export class SurfaceTable {
     own[colorSpace] ??= this.pieces.push(yield* levelsOf(image, colorSpace)) - 1;
     this.#made.set(image, own);
     return this.textures.push({
-      piece: own[colorSpace], width: image.width, height: image.height, form: u | (v << 2) | (colorSpace === "srgb" ? IS_SRGB : 0),
+      piece: own[colorSpace], width: image.width, height: image.height, form: u | (v << 2) | (colorSpace === "srgb" ? IS_PRINT : 0),
       row_u: transform.slice(0, 3), row_v: transform.slice(3), label, colorSpace,
     }) - 1;
   }
