@@ -18,6 +18,7 @@ from rna_sources import (
     gltf_import,
     groom_source,
     hair_scene,
+    imported_colours,
     mesh_repair,
     orientation,
     polygon_order,
@@ -68,10 +69,12 @@ def _open(source: str, suffix: str, arguments: list[str], frame: int | None) -> 
         case "ply":
             bpy.ops.wm.ply_import(filepath=source)
         case "scene":
-            scene_import.load(source, arguments, frame)
+            notes = scene_import.load(source, arguments, frame)
         case "script":
             _run_script(source, arguments)
             polygon_order.sort_polygons()
+    if SOURCE_FORMATS[suffix].reader in ("obj", "ply", "scene"):
+        imported_colours.show_on_meshes()
     return notes
 
 
