@@ -47,6 +47,7 @@ _OPTIONS = (  # fields of CaptureSettings
     "parts",
     "sharpest",
     "normal_texels",
+    "texture_size",
     "validation_views",
     "validation_resolution",
     "validation_samples",

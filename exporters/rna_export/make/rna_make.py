@@ -49,6 +49,7 @@ _SETTINGS = (
     "parts",
     "sharpest",
     "normal_texels",
+    "texture_size",
     "validation_views",
     "validation_resolution",
     "validation_samples",
