@@ -120,9 +120,9 @@ fn rna_common_blocks(x: vec3f, wo: vec3f, wi: vec3f) -> vec3f {
     return first.xyz;
 }
 
-// Halfway between wo and wi, \`instead\` where they are opposite ("In float32": the difference of
-// their lengths goes).
-fn rna_halfway(wo: vec3f, wi: vec3f, instead: vec3f) -> vec3f {
+// Halfway between wo and wi, 0 where they are opposite, for a vector across n, q and wi ("In
+// float32": the difference of their lengths goes).
+fn rna_halfway(wo: vec3f, wi: vec3f) -> vec3f {
     var s = wi + wo;
     let e = wi - wo;
     let square = dot(e, e);
@@ -131,7 +131,7 @@ fn rna_halfway(wo: vec3f, wi: vec3f, instead: vec3f) -> vec3f {
     }
     let size = length(s);
     if size < 1e-6 {
-        return instead;
+        return vec3f(0.0);
     }
     return s / size;
 }
@@ -431,7 +431,7 @@ struct RnaLobe {
 fn rna_run_lobes(
     x: vec3f, axis: vec3f, h: f32, wo: vec3f, m: vec3f, visibility: array<vec4f, 4>,
 ) -> u32 {
-    rna_put_queries(x, axis, h, wo, m);
+    rna_put_queries(x, axis, h, wo, m, axis); // the half vector of surfaces is n
     let first = rna_part.query_groups - RNA_VISIBILITY_GROUPS;
     for (var k = 0u; k < RNA_VISIBILITY_GROUPS; k++) {
         rna_values[first + k] = visibility[k];
@@ -496,11 +496,12 @@ fn rna_evaluate(
 // x: object space, metres. t (root to tip), wo, wi: unit; h: offset across the width; all finite.
 // An emission decoder reads no wi.
 fn rna_fiber(x: vec3f, t: vec3f, h: f32, wo: vec3f, wi: vec3f) -> RnaTransport {
-    rna_put_queries(x, t, h, wo, wi);
+    rna_put_queries(x, t, h, wo, wi, wi);
     return rna_decode();
 }
 
-fn rna_put_queries(x: vec3f, t: vec3f, h: f32, wo: vec3f, wi: vec3f) {
+// The last argument is the half vector of surfaces.
+fn rna_put_queries(x: vec3f, t: vec3f, h: f32, wo: vec3f, wi: vec3f, m: vec3f) {
     rna_common_blocks(x, wo, wi);
     rna_fiber_blocks(t, clamp(h, -1.0, 1.0), wo, wi);
 }
@@ -2497,13 +2498,14 @@ fn rna_meet_segment(ray: RnaRay, segment: RnaPrimitive) -> RnaEntry {
 // x: object space, metres. n, wo, wi: unit, away from the surface; all finite. An emission decoder
 // reads no wi.
 fn rna_surface(x: vec3f, n: vec3f, wo: vec3f, wi: vec3f) -> RnaTransport {
-    rna_put_queries(x, n, 0.0, wo, wi);
+    rna_put_queries(x, n, 0.0, wo, wi, rna_halfway(wo, wi));
     return rna_decode();
 }
 
-fn rna_put_queries(x: vec3f, n: vec3f, h: f32, wo: vec3f, wi: vec3f) {
+// m: the half vector.
+fn rna_put_queries(x: vec3f, n: vec3f, h: f32, wo: vec3f, wi: vec3f, m: vec3f) {
     let features = rna_common_blocks(x, wo, wi);
-    rna_surface_blocks(n, features, wo, wi);
+    rna_surface_blocks(n, features, wo, wi, m);
 }
 
 fn rna_query(x: vec3f, axis: vec3f, h: f32, wo: vec3f, wi: vec3f) -> RnaTransport {
@@ -2511,10 +2513,10 @@ fn rna_query(x: vec3f, axis: vec3f, h: f32, wo: vec3f, wi: vec3f) -> RnaTranspor
 }
 `,"surface_blocks.wgsl":`// Input blocks of surfaces alone: spec/RNA.md, 6.3 Input blocks and "In float32".
 
-// log2(1 - min(n.m, 1) + 1e-4) / 6
+// log2(1 - min(n.m, 1) + 1e-4) / 6; m: unit, or 0 for one across n
 fn rna_log_gap(n: vec3f, m: vec3f) -> f32 {
     let gap = n - m;
-    return log2(0.5 * dot(gap, gap) + 1e-4) / 6.0;
+    return log2(select(0.5 * dot(gap, gap), 1.0, all(m == vec3f(0.0))) + 1e-4) / 6.0;
 }
 
 fn rna_half_vector(slot: u32, n: vec3f, m: vec3f, wo: vec3f, wi: vec3f) {
@@ -2526,10 +2528,11 @@ fn rna_half_vector(slot: u32, n: vec3f, m: vec3f, wo: vec3f, wi: vec3f) {
 
 fn rna_highlight(slot: u32, n: vec3f, m: vec3f) {
     let aside = cross(n, m);
-    rna_put(slot, vec4f(log2(dot(aside, aside) + 1e-8) / 12.0, 0.0, 0.0, 0.0));
+    let square = select(dot(aside, aside), 1.0, all(m == vec3f(0.0)));
+    rna_put(slot, vec4f(log2(square + 1e-8) / 12.0, 0.0, 0.0, 0.0));
 }
 
-fn rna_learned_normal(slot: u32, n: vec3f, features: vec3f, wo: vec3f, wi: vec3f) {
+fn rna_learned_normal(slot: u32, n: vec3f, features: vec3f, m: vec3f) {
     if slot == RNA_NONE {
         return;
     }
@@ -2540,16 +2543,15 @@ fn rna_learned_normal(slot: u32, n: vec3f, features: vec3f, wo: vec3f, wi: vec3f
     } else {
         q = q / size;
     }
-    let m = rna_halfway(wo, wi, q);
     rna_values[slot] = vec4f(dot(q, m), rna_log_gap(q, m), 0.0, 0.0);
 }
 
-fn rna_surface_blocks(n: vec3f, features: vec3f, wo: vec3f, wi: vec3f) {
+// m: of rna_halfway; of lobes n.
+fn rna_surface_blocks(n: vec3f, features: vec3f, wo: vec3f, wi: vec3f, m: vec3f) {
     rna_put(rna_slot(RNA_BLOCK_NORMAL), vec4f(n, 0.0));
-    let m = rna_halfway(wo, wi, n);
     rna_half_vector(rna_slot(RNA_BLOCK_HALF_VECTOR), n, m, wo, wi);
     rna_highlight(rna_slot(RNA_BLOCK_HIGHLIGHT), n, m);
-    rna_learned_normal(rna_slot(RNA_BLOCK_LEARNED_NORMAL), n, features, wo, wi);
+    rna_learned_normal(rna_slot(RNA_BLOCK_LEARNED_NORMAL), n, features, m);
 }
 `,"triangle.wgsl":`// Where a ray meets a triangle, from either side, watertight: Woop, Benthin and Wald, Watertight
 // Ray/Triangle Intersection (JCGT 2(1), 2013).
