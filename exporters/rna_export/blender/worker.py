@@ -95,7 +95,7 @@ def show_frame(request: dict[str, Any]) -> None:
 HANDLERS = {
     "open": open_scene,
     "exportBaseColors": lambda r: base_colors.export_base_colors(
-        r["out"], r["charts"], r["asTexels"]
+        r["out"], r["charts"], r["asTexels"], r["largest"]
     ),
     "exportCurves": lambda r: as_rendered(
         lambda: curves_export.export_curves(r["out"], r["owner"])

@@ -50,6 +50,13 @@ class CaptureSettings(DatasetModel):
         le=_MAX_SIDE,
         description="maximum width and height of normal maps; 0: normal maps are learnt",
     )
+    texture_size: int = Field(
+        4096,
+        ge=4,
+        le=_MAX_SIDE,
+        description="maximum width and height of base colours that are baked; images stay as "
+        "they are",
+    )
     sharpest: float = Field(
         SHARPEST,
         gt=0,

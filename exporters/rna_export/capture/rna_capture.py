@@ -49,6 +49,7 @@ _OPTIONS = (  # fields of CaptureSettings
     "sharpest",
     "glass",
     "normal_texels",
+    "texture_size",
     "validation_views",
     "validation_resolution",
     "validation_samples",

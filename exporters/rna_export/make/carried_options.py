@@ -58,8 +58,9 @@ def carried_options(
 def _more(args: argparse.Namespace, state: State) -> float | None:
     """Minutes to go on for; None if this is not asked."""
     before = state.settings.minutes
-    if args.more is not None or args.update or args.minutes is None or before is None:
-        return args.more
+    more: float | None = args.more
+    if more is not None or args.update or args.minutes is None or before is None:
+        return more
     if args.minutes == before:
         return None
     spent = state.seconds / 60.0

@@ -52,6 +52,7 @@ _SETTINGS = (
     "sharpest",
     "glass",
     "normal_texels",
+    "texture_size",
     "validation_views",
     "validation_resolution",
     "validation_samples",

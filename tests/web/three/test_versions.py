@@ -24,7 +24,8 @@ PICTURE = """(async () => {
     area.position.set(-1, 2, 2);
     area.lookAt(0, 0, 0);
     const lights = [shadowingSun(), lamp, area];
-    const image = await picture(asset, WIDTH, HEIGHT, { lights, position: [0, 1, 4], lookAt: [0, 0, 0] });
+    const view = { lights, position: [0, 1, 4], lookAt: [0, 0, 0] };
+    const image = await picture(asset, WIDTH, HEIGHT, view);
     return { image, revision: THREE.REVISION };
 })()"""
 

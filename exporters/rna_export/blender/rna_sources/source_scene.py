@@ -18,6 +18,7 @@ from rna_sources import (
     gltf_import,
     groom_source,
     hair_scene,
+    imported_colours,
     mesh_repair,
     orientation,
     polygon_order,
@@ -72,6 +73,8 @@ def _open(source: str, suffix: str, arguments: list[str], frame: int | None) -> 
         case "script":
             _run_script(source, arguments)
             polygon_order.sort_polygons()
+    if SOURCE_FORMATS[suffix].reader in ("obj", "ply", "scene"):
+        imported_colours.show_on_meshes()
     return notes
 
 

@@ -115,14 +115,14 @@ class BlenderWorker(BlenderProcess):
         return MaterialTextures(holes, normals, answer["charts"], *flags, answer["notes"])
 
     def export_base_colors(
-        self, charts: dict[str, Any], as_texels: Collection[str] = ()
+        self, charts: dict[str, Any], largest: int, as_texels: Collection[str] = ()
     ) -> MaterialColors:
         """Base colours of all materials that surfaces show.
 
-        charts: of `MaterialTextures`. as_texels: materials whose image is wanted as Cycles shows
-        it, and not as its file.
+        charts: of `MaterialTextures`. largest: texels a side of what is baked, at most.
+        as_texels: materials whose image is wanted as Cycles shows it, and not as its file.
         """
-        request = {"charts": charts, "asTexels": sorted(as_texels)}
+        request = {"charts": charts, "asTexels": sorted(as_texels), "largest": largest}
         return MaterialColors.of(*self._exported("exportBaseColors", **request))
 
     def _exported(self, op: str, **request: Any) -> tuple[dict[str, np.ndarray], dict[str, Any]]:

@@ -11,6 +11,7 @@ from rna_export.capture.blender_process.blender_worker import BlenderWorker, Mat
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.dataset.dataset_manifest import CapturedPart
 from rna_export.capture.geometry.base_colors import BaseColors
+from rna_export.capture.geometry.blurred_textures import blurred_note
 from rna_export.capture.geometry.glass_mesh import glass_glb
 from rna_export.capture.geometry.mesh_cleanup import welded, with_last
 from rna_export.capture.geometry.source_notes import size_notes, too_coarse
@@ -92,7 +93,7 @@ class ExportedParts:
 def exported_parts(worker: BlenderWorker, settings: CaptureSettings) -> ExportedParts:
     """All parts of the source that the worker has opened."""
     textures = worker.export_textures(settings.normal_texels)
-    colors = BaseColors.of(worker, textures.charts)
+    colors = BaseColors.of(worker, textures.charts, settings.texture_size)
     exported = ExportedParts(
         worker.parts,
         has_opaque_cutouts=textures.captured_holes,
@@ -174,6 +175,8 @@ def _add_surface(
         exported.colors[part.name] = records
         images = {record.image for record in records if record.image is not None}
         exported.textures |= {name: colors.files[name] for name in images}
+    if note := blurred_note(part.name, corners, colors.others):
+        exported.notes.append(note)
 
 
 def _first_equal(textures: dict[str, np.ndarray], name: str) -> int:
