@@ -106,7 +106,9 @@ def load(page: Page, folder: Path, url: str, build: str, package: str, goal: np.
     looked = 0
     while f"flip {GOALS[-1]}" not in found:
         page.wait_for(f"seen.length > {looked}", SECONDS)
-        own = page.evaluate(f"(({{ time, scale, rounds, bytes }}) => ({{ time, scale, rounds, bytes }}))(seen[{looked}])")
+        own = page.evaluate(
+            f"(({{ time, scale, rounds, bytes }}) => ({{ time, scale, rounds, bytes }}))(seen[{looked}])"
+        )
         error = float(flip(goal, picture(page, looked), "LDR", inputsRGB=True, applyMagma=False)[1])
         seconds = own["time"] / 1e3
         found.setdefault("first picture", seconds)
@@ -122,7 +124,11 @@ def load(page: Page, folder: Path, url: str, build: str, package: str, goal: np.
         if own["scale"] == 1 and own["rounds"] >= SAMPLES:
             break
     more = page.evaluate("[globalThis.postered, loaded, Math.max(0, ...tasks)]")
-    return found | {"poster": (more[0] or 0) / 1e3, "load": more[1] / 1e3, "longest task ms": more[2]}
+    return found | {
+        "poster": (more[0] or 0) / 1e3,
+        "load": more[1] / 1e3,
+        "longest task ms": more[2],
+    }
 
 
 def measure(builds: dict[str, Path], loads: int) -> dict[str, Any]:

@@ -108,7 +108,11 @@ def test_two_fingers_and_keys_pan_and_limits_hold(page):
     page.evaluate("one.resetView(), 0")
     at = [[20, 20], [44, 20]]
     for kind, shift in (("touchStart", 0), ("touchMove", 4), ("touchEnd", None)):
-        points = [] if shift is None else [{"x": x + shift, "y": y, "id": k} for k, (x, y) in enumerate(at)]
+        points = (
+            []
+            if shift is None
+            else [{"x": x + shift, "y": y, "id": k} for k, (x, y) in enumerate(at)]
+        )
         page.call("Input.dispatchTouchEvent", type=kind, touchPoints=points)
     x, y, _ = (float(word[:-1]) for word in page.evaluate("one.cameraTarget").split())
     assert x == pytest.approx(-0.1 * height, rel=0.1) and abs(y) < 0.02

@@ -76,7 +76,9 @@ def test_manifest_of_the_element_names_all_attributes(package):
     assert "camera-change" in [own["name"] for own in element["events"]]
     assert "poster" in [own["name"] for own in element["slots"]]
     types = (package / "rna-viewer.d.ts").read_text().split("export interface RnaViewerAttributes")
-    written = [line.split("?:")[0].strip().strip('"') for line in types[1].split("}")[0].splitlines()[1:]]
+    written = [
+        line.split("?:")[0].strip().strip('"') for line in types[1].split("}")[0].splitlines()[1:]
+    ]
     assert sorted(filter(None, written)) == sorted(names)
 
 

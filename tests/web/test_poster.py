@@ -87,7 +87,9 @@ def test_the_poster_stays_until_a_picture_is_of_a_quarter_of_the_size(page, fold
     page.wait_for("steps.length", TIMEOUT)
     assert page.evaluate("steps[0][0]") == 4
     # People who move it get what is fast enough.
-    page.evaluate("one.stage.viewer.msPerPixel = 1, steps.length = 0, one.stage.viewer.restart(true)")
+    page.evaluate(
+        "one.stage.viewer.msPerPixel = 1, steps.length = 0, one.stage.viewer.restart(true)"
+    )
     page.wait_for("steps.length", TIMEOUT)
     assert page.evaluate("steps[0][0]") == 16
 
