@@ -57,4 +57,6 @@ def _part(package: str, tier: str, part: int) -> GpuPart:
 
 
 if __name__ == "__main__":
-    sys.exit(run_reader(evaluate=evaluate, visibility=visibility, normals=normals))
+    sys.exit(
+        run_reader(evaluate=evaluate, visibility=visibility, normals=normals, base_color=base_color)
+    )

@@ -28,7 +28,7 @@ def make_integrator(
     Raises SceneError for an environment's image that cannot be used.
     """
     lights = all_lights(scene, world)
-    camera = Camera(scene.camera, scene.resolution)
+    camera = Camera(scene.camera, scene.resolution, scene.samples)
     after = None
     if next_camera is not None and next_camera != scene.camera:
         after = Camera(next_camera, scene.resolution)

@@ -12,15 +12,16 @@ from rna_sdk.compiled import compiled
 class Camera:
     """World-space rays through the pixels of an image; row 0 is at the top.
 
-    model: where it stands and looks. resolution: width, height in pixels.
+    model: where it stands and looks. resolution: width, height in pixels. samples: of a pixel.
 
     to_world: (4, 4) float64, from the camera's space, which looks along -z with +y up.
     corner, step_x, step_y: (3,) float64, direction through the image's top left corner, and the
     steps of a pixel. has_lens: whether rays start all over a lens.
-    spread: width of a pixel over the distance to it.
+    spread: width of what a sample of a pixel stands for, over the distance to it. Textures are
+    averaged over it, as in PBRT: a pixel's width, over the square root of its samples.
     """
 
-    def __init__(self, model: CameraModel, resolution: tuple[int, int]) -> None:
+    def __init__(self, model: CameraModel, resolution: tuple[int, int], samples: int = 1) -> None:
         self.width, self.height = resolution
         self._half_height = np.tan(np.radians(model.vertical_fov_deg) / 2.0)
         self.position = np.asarray(model.position, np.float32)
@@ -33,7 +34,7 @@ class Camera:
         half_width = half_height * self.width / self.height
         self.corner = forward - half_width * right + half_height * up
         self.step_x = right * (2.0 * half_width / self.width)
-        self.spread = 2.0 * half_height / self.height
+        self.spread = 2.0 * half_height / self.height / max(samples, 1) ** 0.5
         self.step_y = -up * (2.0 * half_height / self.height)
         self._lens_radius, self._focus = model.aperture / 2.0, model.focus_distance
         self.has_lens = self._lens_radius > 0.0

@@ -32,10 +32,7 @@ export class SurfaceTable {
     return result;
   }
 
-  /**
-   * { table, images, texturesAt, hasTextures, hasBaseColor, transmits }: rows of surfaces, then of textures; texels, a word
-   * each.
-   */
+  /** { table, images, texturesAt, hasBaseColor, transmits }: rows of surfaces, then of textures; texels, a word each. */
   arrays() {
     const { surfaces, textures, pieces, tint } = this, starts = [0];
     for (const piece of pieces) starts.push(starts.at(-1) + piece.length);
@@ -47,8 +44,8 @@ export class SurfaceTable {
     const table = Uint32Array.from(rows.flatMap((row) => [...row])), images = new Uint32Array(starts.at(-1));
     pieces.forEach((piece, k) => images.set(piece, starts[k]));
     return {
-      table, images, texturesAt: (surfaces.length * records.Surface.words) / 4, hasTextures: textures.some(({ label }) => label === undefined),
-      hasBaseColor: surfaces.some(({ factor }) => factor), transmits: surfaces.some(({ flags }) => flags & LETS_THROUGH),
+      table, images, texturesAt: (surfaces.length * records.Surface.words) / 4, hasBaseColor: surfaces.some(({ factor }) => factor),
+      transmits: surfaces.some(({ flags }) => flags & LETS_THROUGH),
     };
   }
 
