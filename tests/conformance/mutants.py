@@ -23,8 +23,8 @@ import numpy as np
 from rna_sdk.conformance.kit import Kit, load_kit
 from rna_sdk.conformance.scoring import cases, score
 from rna_sdk.package.decoder.query_arrays import in_order
-from tests.conftest import REPOSITORY
 from tests.conformance.conftest import KIT, InProcess
+from tests.conftest import REPOSITORY
 from tests.time_limit import time_limit
 
 HOST = REPOSITORY / "examples" / "hosts" / "minimal.py"
