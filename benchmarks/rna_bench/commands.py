@@ -35,6 +35,7 @@ COMMANDS = {
     command.name: command
     for command in (
         Command("scenes", "scenes.scenes_command", resumes=True),
+        Command("original", "scenes.original_command"),
         Command("time-to-flip", "scenes.time_to_flip"),
         Command("gain", "accuracy.gain_command"),
         Command("film", "scenes.film", resumes=True),

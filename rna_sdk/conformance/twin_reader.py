@@ -80,7 +80,8 @@ def environment(package: str, tier: str, part: int, queries: LobeQueries) -> Row
         valid = _valid(arrays) & np.isfinite(queries.free)
         arguments = {name: rows[valid] for name, rows in arrays.items()}
         arguments["wi"] = mirror_reference(kind, arguments["axis"], arguments["wo"])
-        inputs = _queries(opened, part, environment.planes, environment.record.inputs, arguments)
+        of = environment.planes, environment.record.inputs
+        inputs = _queries(opened, part, *of, arguments, of_lobes=True)
         if environment.harmonics is not None:
             corners, weights = _corners(opened, part, queries)
             mixed = visibility_reference(environment.harmonics, corners[valid], weights[valid])
@@ -115,13 +116,18 @@ def _valid(arrays: dict[str, Rows]) -> NDArray[np.bool_]:
 
 
 def _queries(
-    opened: Package, part: int, planes: Planes, inputs: tuple[str, ...], arrays: dict[str, Rows]
+    opened: Package,
+    part: int,
+    planes: Planes,
+    inputs: tuple[str, ...],
+    arrays: dict[str, Rows],
+    of_lobes: bool = False,
 ) -> Rows:
     """(n, K): the blocks of these inputs."""
     at, axis, h, wo, wi = in_order(arrays)
     place = float_planes(planes), opened.manifest.parts[part].bounds.corners(), inputs
     if opened.manifest.parts[part].kind == "surface":
-        return queries_reference(*place, at, axis, wo, wi)
+        return queries_reference(*place, at, axis, wo, wi, of_lobes)
     return fiber_queries_reference(*place, at, axis, h, wo, wi)
 
 

@@ -12,6 +12,7 @@ from rna_export.capture.blender_process.capture_worker import scene_of
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.capture_tasks import TrainingShard
 from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.geometry.blurred_textures import blurred_note
 from rna_export.capture.geometry.exported_parts import ExportedParts, exported_parts
 from tests.exporters.conftest import OpenWorker
 from tests.exporters.synthetic import manifest_of
@@ -181,3 +182,64 @@ def test_a_file_whose_colours_alpha_changes_is_taken_as_cycles_shows_it(
     exported, base, shown = captured(open_worker, tmp_path, path, ALPHA)
     assert exported.textures["base_color/0.png"] != path.read_bytes()
     assert np.abs(base - np.clip(shown, 0.0, 1.0)).mean() < 0.005
+
+
+TWO_IMAGES = """
+other = tree.nodes.new("ShaderNodeTexImage")
+other.image = bpy.data.images.load(image.filepath)
+other.image.colorspace_settings.name = "Non-Color"
+tree.links.new(uv.outputs[0], other.inputs["Vector"])
+mix = tree.nodes.new("ShaderNodeMix")
+mix.data_type, mix.inputs["Factor"].default_value = "RGBA", 0.3
+tree.links.new(shown, mix.inputs["A"])
+tree.links.new(other.outputs["Color"], mix.inputs["B"])
+shown = mix.outputs["Result"]
+"""
+NOISE = """
+noise = tree.nodes.new("ShaderNodeTexNoise")
+noise.inputs["Scale"].default_value = 150.0
+tree.links.new(uv.outputs[0], noise.inputs["Vector"])
+shown = noise.outputs["Color"]
+"""
+OF_THE_PLACE = """
+noise, place = tree.nodes.new("ShaderNodeTexNoise"), tree.nodes.new("ShaderNodeTexCoord")
+tree.links.new(place.outputs["Object"], noise.inputs["Vector"])
+shown = noise.outputs["Color"]
+"""
+
+
+@pytest.mark.parametrize("changes", [TWO_IMAGES, NOISE], ids=["images", "noise"])
+def test_what_nodes_make_of_uv_coordinates_is_baked(
+    open_worker: OpenWorker, tmp_path: Path, changes: str
+) -> None:
+    exported, base, shown = captured(open_worker, tmp_path, print_of(tmp_path), changes)
+    assert exported.notes == []
+    assert np.abs(base - np.clip(shown, 0.0, 1.0)).mean() < 0.01
+
+
+def test_what_is_no_function_of_uv_coordinates_is_told(
+    open_worker: OpenWorker, tmp_path: Path
+) -> None:
+    path = print_of(tmp_path)
+    worker = open_worker(
+        PRINTED.format(path=str(path), changes=OF_THE_PLACE, shader="ShaderNodeBsdfDiffuse")
+    )
+    exported = exported_parts(worker, CaptureSettings())
+    assert exported.colors == {}
+    (note,) = exported.notes
+    assert "material 'label' has a base colour by the node 'Texture Coordinate'" in note
+
+
+def test_textures_that_planes_blur_are_told() -> None:
+    """Of 0.5 mm on a sheet of 1 m, where planes have 3.9 mm; coarse ones are not."""
+    sheet = {
+        "positions": np.float32([[0, 0, 0], [1, 0, 0], [1, 0, 1], [0, 0, 0], [1, 0, 1], [0, 0, 1]]),
+        "uvs": np.float32([[0, 0], [2, 0], [2, 2], [0, 0], [2, 2], [0, 2]]),
+        "material": np.array(["paint", "paint"]),
+    }
+    fine = {"Roughness": 1024.0**2, "Metallic": 128.0**2}
+    assert blurred_note("asset", sheet, {"paint": fine, "other": fine}) == (
+        "part 'asset': texels of planes of 256 are 0.00391 m wide, and blur finer ones of 'paint' "
+        "(Roughness: 0.000488 m)"
+    )
+    assert blurred_note("asset", sheet, {"paint": {"Metallic": 64.0**2}}) is None

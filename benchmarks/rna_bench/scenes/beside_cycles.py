@@ -102,10 +102,13 @@ class OurScene:
 
 
 class CyclesScene:
-    """A scene in a worker that has the original open, with the bounces of the original's file."""
+    """A scene in a worker that has the original open, with the bounces of the original's file.
 
-    def __init__(self, worker: BlenderWorker, scene: Scene):
-        self._worker, self._size = worker, scene.resolution
+    emits: whether the original's materials emit light.
+    """
+
+    def __init__(self, worker: BlenderWorker, scene: Scene, emits: bool = False):
+        self._worker, self._size, self._emits = worker, scene.resolution, emits
         self._described = cycles_scene(scene)
         fov = np.radians(scene.camera.vertical_fov_deg)
         self._view = Camera(scene.camera, scene.resolution).to_world, fov
@@ -114,7 +117,6 @@ class CyclesScene:
     def render(self, samples: int, seed: int, denoise: bool = False) -> Timed:
         """RGB, and the time of the request without any building of the scene."""
         begun = time.perf_counter()
-        image, _ = self._worker.render_scene(
-            self._described, *self._view, samples, seed, *self._size, denoise=denoise
-        )
+        view = self._described, *self._view, samples, seed, *self._size
+        image, _ = self._worker.render_scene(*view, denoise, self._emits)
         return Timed(image[..., :3], time.perf_counter() - begun)

@@ -99,6 +99,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
         front=origin.front,
         up=origin.up,
         rest_frame=origin.rest_frame,
+        glass=origin.glass,
     )
     settings = {
         "tier": origin.tier,

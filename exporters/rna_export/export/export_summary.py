@@ -9,11 +9,13 @@ import numpy as np
 
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.validation_view import WholeView
+from rna_export.capture.preflight.verdicts import preflight_lines
 from rna_export.pictures import sheet_of
 from rna_export.training.checkpoint import Trained
 from rna_export.training.training_summary import Effort
 from rna_export.training.validation import reference_warnings, write_sheet
 from rna_sdk.error_words import error_text
+from rna_sdk.glass_beside import glass_of
 from rna_sdk.package import Manifest, Tier
 from rna_sdk.runtime import Asset, load
 
@@ -23,7 +25,8 @@ def closing_lines(
 ) -> list[str]:
     """Error, steps and lights of each tier, warnings, and notes of the capture.
 
-    Writes the contact sheet `sheet_of(package)`: validation images of the default tier.
+    Writes the contact sheet `sheet_of(package)`: validation images of the default tier, and what
+    the pre-flight said of each material.
 
     trained: the models of all parts and presets of the package.
     """
@@ -36,7 +39,11 @@ def closing_lines(
         effort = next(e for p, e in efforts.items() if f"{tier.name}-".startswith(f"{p}-"))
         lines.append(f"{tier.name}: {_error_text(tier)}; {effort}")
     asset = load(package)
-    write_sheet(sheet_of(package), [_shaded(asset, view) for view in views], views)
+    shaded, notes = [_shaded(asset, view) for view in views], dataset.manifest.materials
+    write_sheet(sheet_of(package), shaded, views, preflight_lines(notes))
+    if dataset.glass is not None:
+        name = glass_of(package)
+        lines.append(f"{name}: the smooth glass, an ordinary mesh that a scene places with it")
     lines += reference_warnings(views)
     lines += dict.fromkeys(line for effort in efforts.values() for line in effort.warnings)
     return [*lines, *(f"note: {note}" for note in dataset.manifest.notes)]

@@ -140,11 +140,19 @@ def write_images(folder: Path, radiance: list[np.ndarray], views: Sequence[Captu
         write_picture(path, np.concatenate([enlarged(picture) for picture in row], axis=1))
 
 
-def write_sheet(path: Path, radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> None:
-    """A contact sheet of all views, exposed as in a scene: ours, Cycles, their difference, FLIP."""
+def write_sheet(
+    path: Path,
+    radiance: list[np.ndarray],
+    views: Sequence[CapturedImage],
+    notes: Sequence[str] = (),
+) -> None:
+    """A contact sheet of all views, exposed as in a scene: ours, Cycles, their difference, FLIP.
+
+    notes: lines below.
+    """
     rows = []
     for shaded, view, e in zip(radiance, views, picture_exposures(views), strict=True):
         flip_of_asset = image_flip(shaded, view, e, smallest_factor(views)).mean
         caption = f"validation image {view.index}: FLIP {flip_of_asset:.3f}"
         rows.append((pictures_of(view.image(shaded), view.image(view.reference), e), caption))
-    write_picture(path, comparison_sheet(rows))
+    write_picture(path, comparison_sheet(rows, notes=notes))

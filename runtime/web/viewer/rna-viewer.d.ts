@@ -31,6 +31,7 @@ export interface RnaViewerAttributes {
   "wheel-zoom"?: "focus" | "always";
   "touch-action"?: "pan-y" | "pan-x" | "none";
   "interaction-prompt"?: "auto" | "none";
+  "interpolation-decay"?: number | string;
   "auto-rotate"?: boolean;
   "auto-rotate-delay"?: number | string;
   "rotation-per-second"?: string;

@@ -1,4 +1,7 @@
-"""The image of a base colour: the bytes of its file, or texels that Cycles shows."""
+"""The image of a base colour: the bytes of its file, or texels that Cycles shows.
+
+Values in sRGB are interpolated, as Cycles does with images of 8 bits, and then made linear.
+"""
 
 from __future__ import annotations
 
@@ -6,10 +9,13 @@ from pathlib import Path
 
 import bpy
 import numpy as np
-from rna_materials.uv_charts import SMALLEST, Chart
+from rna_materials.texture_fit import Texture, best_fit, looked_up
+from rna_materials.uv_charts import SMALLEST, Chart, charts
+from rna_materials.uv_points import NotOfUv, UvPoints
 from rna_materials.uv_render import ColourOfUv
 
 LARGEST = 8192  # pixels a side that a package holds
+_WRONG = 0.03  # mean error of a baked colour, linear
 _CLOSEST = 4  # times the texels, where they are not interpolated
 _FORMATS = (b"\x89PNG\r\n\x1a\n", b"\xff\xd8\xff", b"RIFF")
 _SPACES = {"sRGB": "srgb", "Non-Color": "linear", "Linear Rec.709": "linear", "Raw": "linear"}
@@ -58,7 +64,30 @@ def texels_of(
         mapping = mapping / grown[:, None]
         width, height = min(width + 2, LARGEST), min(height + 2, LARGEST)
     shown = colour.texture(Chart(layer, mapping), (width, height))
-    return np.round(255.0 * _srgb(np.clip(shown, 0.0, 1.0))).astype(np.uint8), mapping
+    return texels_in_srgb(shown), mapping
+
+
+def baked(
+    colour: ColourOfUv, points: UvPoints, taken: Chart | None, largest: int
+) -> tuple[np.ndarray, Chart]:
+    """(h, w, 3) uint8 sRGB, repeated, over a chart, which fits what nodes give. Raises NotOfUv.
+
+    taken: the chart that it has to be over; None: any. largest: texels a side, at most.
+    """
+    tried = charts(colour.depends, points.layer, points.used) if taken is None else [taken]
+    truth = np.clip(colour.values(points.uvs), 0.0, 1.0)
+
+    def make(chart: Chart, size: tuple[int, int]) -> Texture:
+        return texels_in_srgb(colour.texture(chart, size)), None
+
+    def error(chart: Chart, made: Texture) -> float:
+        shown = _linear(looked_up(made[0], chart, points.uvs) / 255.0)
+        return float(np.abs(shown - truth).mean())
+
+    fit = best_fit(colour, tried, make, error, largest)
+    if fit is None or fit.error > _WRONG:
+        raise NotOfUv("nodes whose values do not repeat")
+    return fit.texture, fit.chart
 
 
 def is_cut_off(node: bpy.types.Node, mapping: np.ndarray, uvs: np.ndarray) -> bool:
@@ -77,6 +106,17 @@ def transform_of(mapping: np.ndarray, chart: Chart) -> list[float]:
     matrix = _FLIP @ image @ np.linalg.inv(stored) @ _FLIP
     values: list[float] = np.round(matrix[:2], 12).ravel().tolist()
     return values
+
+
+def texels_in_srgb(linear: np.ndarray) -> np.ndarray:
+    """uint8 of linear colours, which are cut off at 1."""
+    return np.round(255.0 * _srgb(np.clip(linear, 0.0, 1.0))).astype(np.uint8)
+
+
+def _linear(value: np.ndarray) -> np.ndarray:
+    """The inverse of `_srgb`."""
+    power = ((np.maximum(value, 0.04045) + 0.055) / 1.055) ** 2.4
+    return np.where(value <= 0.04045, value / 12.92, power)
 
 
 def _srgb(linear: np.ndarray) -> np.ndarray:

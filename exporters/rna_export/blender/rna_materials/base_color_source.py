@@ -9,7 +9,7 @@ import numpy as np
 from rna_materials.node_sources import Inside, Source, origin, own_value, sources
 from rna_materials.uv_render import surface_output
 
-_COLOURS = {  # shaders whose light is multiplied by a colour -> the input that it has
+COLOURS = {  # shaders whose light is multiplied by a colour -> the input that it has
     "BSDF_PRINCIPLED": "Base Color",
     "BSDF_METALLIC": "Base Color",
     "BSDF_DIFFUSE": "Color",
@@ -47,8 +47,8 @@ def base_colour_of(material: bpy.types.Material) -> BaseColour | None:
     constants: list[BaseColour] = []
     linked: dict[object, BaseColour] = {}
     for node, _, inside in sources(output.inputs["Surface"]):
-        if node.type in _COLOURS:
-            found = _product(node.inputs[_COLOURS[node.type]], inside)
+        if node.type in COLOURS:
+            found = _product(node.inputs[COLOURS[node.type]], inside)
             if found.source is None:
                 constants.append(found)
             else:

@@ -14,10 +14,18 @@ from typing import Any
 import bpy
 import numpy as np
 from rna_geometry.shown_objects import as_rendered
-from rna_materials.base_color_images import file_of, is_cut_off, texels_of, transform_of, wrap_of
+from rna_materials.base_color_images import (
+    baked,
+    file_of,
+    is_cut_off,
+    texels_of,
+    transform_of,
+    wrap_of,
+)
 from rna_materials.base_color_source import BaseColour, base_colour_of
 from rna_materials.material_uses import Use, Wanted, shown_materials, uses_of
 from rna_materials.node_sources import lifted
+from rna_materials.other_textures import texels_of_inputs
 from rna_materials.shown_surfaces import Copies
 from rna_materials.uv_charts import Chart
 from rna_materials.uv_dependence import IDENTITY
@@ -45,17 +53,18 @@ class _Found:
 
 
 def export_base_colors(
-    path: str, charts: dict[str, Any], as_texels: Collection[str]
+    path: str, charts: dict[str, Any], as_texels: Collection[str], largest: int
 ) -> dict[str, Any]:
     """Write an .npz of `image0`, ...: (n,) uint8 of a file, or (h, w, 3) uint8 in sRGB; and points.
 
     charts: that textures have taken, by material (see `surface_textures.export_textures`).
-    as_texels: materials of which no files are wanted.
+    as_texels: materials of which no files are wanted. largest: texels a side of what is baked.
 
     Returns `colors`: records of material (its full name), factor, and for an image its number,
     colorSpace, wrap and transform, with `uvs0`, ... (p, 2) float32 stored coordinates of points and
     `shown0`, ... (p, 3) float32 linear colours there, before the factor, in the .npz. `charts`: as
-    the argument, with those of images. `notes`: for the user.
+    the argument, with those of images. `others`: by material, what else it has of textures (see
+    `other_textures.py`). `notes`: for the user.
     """
     charts = dict(charts)
     colors: list[dict[str, Any]] = []
@@ -66,17 +75,24 @@ def export_base_colors(
         for found in _with_uses(list(_found(copies, Path(path).parent))):
             name = found.material.name_full
             color = {"material": name, "factor": _unit(found.base.factor)}
-            if found.base.source is not None:
-                try:
+            try:
+                if found.image is not None:
                     color |= _image(found, charts, name in as_texels, arrays, len(colors))
-                except NotOfUv as problem:
-                    notes.append(f"material {found.material.name!r} has a base colour by {problem}")
-                    continue
-            colors.append(color)
+                elif found.shown is not None:
+                    color |= _baked(found, charts, largest, arrays, len(colors))
+                colors.append(color)
+            except NotOfUv as problem:
+                notes += _note(found, problem)
     finally:
         copies.remove()
     np.savez(path, **arrays)
-    return {"colors": colors, "charts": charts, "notes": notes}
+    return {"colors": colors, "charts": charts, "others": _others(charts), "notes": notes}
+
+
+def _others(charts: dict[str, Any]) -> dict[str, dict[str, float]]:
+    shown, _ = as_rendered(shown_materials)
+    named = {m.name_full: m for m in bpy.data.materials if m.name_full in shown}
+    return {name: texels_of_inputs(each, charts.get(name)) for name, each in named.items()}
 
 
 def _found(copies: Copies, folder: Path) -> list[_Found]:
@@ -91,8 +107,6 @@ def _found(copies: Copies, folder: Path) -> list[_Found]:
             continue
         found = _Found(material, base)
         if base.source is not None:
-            if found.image is None:
-                continue
             socket = lifted(copy.node_tree, base.source)
             found.shown = ColourOfUv(copy, socket, folder)
         result.append(found)
@@ -111,6 +125,17 @@ def _with_uses(every: list[_Found]) -> list[_Found]:
     for found in every:
         found.uses = uses.get(found.material.name_full, [])
     return every
+
+
+def _note(found: _Found, problem: NotOfUv) -> list[str]:
+    """That a base colour is learnt; none of attributes, which are seldom finer than planes."""
+    assert found.shown is not None  # or there is no problem
+    if found.shown.depends.attributes:
+        return []
+    return [
+        f"material {found.material.name!r} has a base colour by {problem}, which is no function of "
+        "its UV coordinates: it is learnt, and as fine as the planes"
+    ]
 
 
 def _image(
@@ -138,6 +163,27 @@ def _image(
     arrays[f"shown{number}"] = shown.values(points.uvs)
     transform = transform_of(mapping, chart)
     return {"image": number, "colorSpace": space, "wrap": wrap_of(node), "transform": transform}
+
+
+def _baked(
+    found: _Found,
+    charts: dict[str, Any],
+    largest: int,
+    arrays: dict[str, np.ndarray],
+    number: int,
+) -> dict[str, Any]:
+    """The members of a record of what is no image, as a texture. Raises NotOfUv."""
+    name, shown = found.material.name_full, found.shown
+    assert shown is not None  # the caller has asked
+    points = UvPoints.of(found.uses, shown)
+    taken = _chart(found, points, charts[name]) if name in charts else None
+    image, chart = baked(shown, points, taken, largest)
+    charts[name] = {"layer": chart.layer, "matrix": chart.matrix.tolist()}
+    arrays[f"image{number}"] = image
+    arrays[f"uvs{number}"] = chart.stored(points.uvs.astype(np.float32))
+    arrays[f"shown{number}"] = shown.values(points.uvs)
+    transform = transform_of(chart.matrix, chart)
+    return {"image": number, "colorSpace": "srgb", "wrap": "repeat", "transform": transform}
 
 
 def _chart(found: _Found, points: UvPoints, taken: dict[str, Any] | None) -> Chart:

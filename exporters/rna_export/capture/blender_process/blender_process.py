@@ -28,13 +28,15 @@ class Source:
     up: str | None = None
     parts: str = "kinds"  # see CaptureSettings
     rest_frame: int | None = None  # that is shown; None for the one that the file opens with
+    glass: str = "leave"  # smooth glass: see CaptureSettings; "show": it is part of the source
 
     @classmethod
     def captured(cls, path: Path, arguments: tuple[str, ...], settings: CaptureSettings) -> Source:
         """The source as a capture of these settings opens it."""
         clamps = settings.clamp_direct, settings.clamp_indirect
         axes = settings.front, settings.up
-        return cls(path, arguments, *clamps, *axes, settings.parts, settings.rest_frame)
+        frame, glass = settings.rest_frame, settings.glass
+        return cls(path, arguments, *clamps, *axes, settings.parts, frame, glass)
 
 
 _LINES = 5  # of Blender's output, in an error
@@ -90,6 +92,7 @@ class BlenderProcess:
                 up=self.source.up,
                 parts=self.source.parts,
                 frame=self._frame,
+                glass=self.source.glass,
             )
             self._frame = self.opened["frame"]
             self.parts = tuple(ScenePart(**part) for part in self.opened["parts"])

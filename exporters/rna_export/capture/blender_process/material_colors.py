@@ -41,11 +41,14 @@ class MaterialColor:
 class MaterialColors:
     """Base colours by the full name of their material, of those that have one.
 
-    charts: the texture coordinates of all textures (see `uv_charts.py`). notes: for the user.
+    charts: the texture coordinates of all textures (see `uv_charts.py`). others: by material,
+    inputs of its shaders with other images -> texels in a unit square of texture coordinates.
+    notes: for the user.
     """
 
     of_material: dict[str, MaterialColor]
     charts: dict[str, Any]
+    others: dict[str, dict[str, float]]
     notes: list[str]
 
     @classmethod
@@ -59,4 +62,4 @@ class MaterialColors:
                 points = arrays[f"uvs{k}"], arrays[f"shown{k}"]
                 image = ColorImage(arrays[f"image{k}"], *members, *points)
             colors[record["material"]] = MaterialColor(tuple(record["factor"]), image)
-        return cls(colors, answer["charts"], answer["notes"])
+        return cls(colors, answer["charts"], answer["others"], answer["notes"])

@@ -11,6 +11,7 @@ from PIL import Image
 
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.capture.blender_process.material_colors import ColorImage, MaterialColor
+from rna_export.capture.geometry.blurred_textures import PLANE_TEXELS
 from rna_sdk.errors import PackageError
 from rna_sdk.package import BaseColor, Mesh
 from rna_sdk.package.limits import MAX_TEXTURE_RECORDS
@@ -18,8 +19,7 @@ from rna_sdk.package.manifest.manifest_model import BaseColorRecord
 from rna_sdk.package.textures.base_color import image_from_bytes
 from rna_sdk.runtime.base_color import BaseColorMaps
 
-WRONG = 0.01  # mean difference from Cycles' colours, linear
-PLANE_TEXELS = 256  # along a part's longest side, as the usual preset has them
+WRONG_FILE, WRONG = 0.01, 0.03  # mean difference from Cycles' colours, linear
 FINE = 0.01  # RMS of what planes would blur, linear: above it, print is worth a texture
 _POINTS = 1 << 14
 _ENDINGS = {b"\x89P": "png", b"\xff\xd8": "jpg", b"RI": "webp"}
@@ -30,27 +30,31 @@ class BaseColors:
     """Base colours by the full name of their material.
 
     entries: names of the images, by material. files: of the images, by name. images: decoded.
-    charts: the texture coordinates of all textures. notes: for the user.
+    charts: the texture coordinates of all textures. others: see `MaterialColors`. notes: for the
+    user.
     """
 
     of_material: dict[str, MaterialColor]
     charts: dict[str, Any]
+    others: dict[str, dict[str, float]]
     notes: list[str]
     entries: dict[str, str] = field(default_factory=dict)
     files: dict[str, bytes] = field(default_factory=dict)
     images: dict[str, np.ndarray] = field(default_factory=dict)
 
     @classmethod
-    def of(cls, worker: BlenderWorker, charts: dict[str, Any]) -> BaseColors:
-        """Of all materials of the source; charts: that other textures have taken.
+    def of(cls, worker: BlenderWorker, charts: dict[str, Any], largest: int) -> BaseColors:
+        """Of all materials of the source.
+
+        charts: that other textures have taken. largest: texels a side of what is baked, at most.
 
         An image whose file does not have the colours that Cycles shows is taken as Cycles shows it.
         """
-        first = worker.export_base_colors(charts)
-        colors = cls(dict(first.of_material), first.charts, list(first.notes))
+        first = worker.export_base_colors(charts, largest)
+        colors = cls(dict(first.of_material), first.charts, first.others, list(first.notes))
         wrong = [name for name in first.of_material if not colors._add_image(name)]
         if wrong:
-            colors.of_material |= worker.export_base_colors(charts, wrong).of_material
+            colors.of_material |= worker.export_base_colors(charts, largest, wrong).of_material
             for name in wrong:
                 if not colors._add_image(name):
                     del colors.of_material[name]
@@ -71,7 +75,7 @@ class BaseColors:
             pixels = image_from_bytes(file, name) if entry is None else self.images[entry]
         except PackageError:
             return False
-        if _difference(image, pixels) > WRONG:
+        if _difference(image, pixels) > (WRONG_FILE if image.data.ndim == 1 else WRONG):
             return False
         if entry is None:
             entry = f"base_color/{len(self.files)}.{_ENDINGS[file[:2]]}"

@@ -82,7 +82,7 @@ export const READERS = {
   sun: sunLight, "light-rotation": turn, "environment-intensity": number(0, 1e6), ground: flag,
   exposure: number(-30, 30), "view-transform": choice("srgb", "filmic"),
   "camera-controls": flag, "disable-zoom": flag, "disable-pan": flag, "disable-light": flag,
-  "touch-action": choice("pan-y", "pan-x", "none"), "wheel-zoom": choice("focus", "always"), "interaction-prompt": choice("auto", "none"),
+  "touch-action": choice("pan-y", "pan-x", "none"), "wheel-zoom": choice("focus", "always"), "interaction-prompt": choice("auto", "none"), "interpolation-decay": number(0, 1e5),
   "auto-rotate": flag, "auto-rotate-delay": number(0, 1e9), "rotation-per-second": turn,
   samples: number(1, 1e6, true), "pixel-ratio": number(0.1, 8), jitter: number(0, 1),
   "first-look": choice("auto", "off"), maps, tint,

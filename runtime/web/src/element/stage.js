@@ -11,12 +11,15 @@ import { pictureOf } from "../package/images.js";
 import { Package } from "../package/package.js";
 import { BlobSource, nameOf, UrlSource } from "../package/source.js";
 import { wrappedDegrees } from "../ui/elements.js";
+import { Glide } from "./glide.js";
 import { rayThrough } from "./hotspots.js";
 import { LastingEngine } from "./lasting_engine.js";
 import { Lighting } from "./lighting.js";
 import { limitsOf, Orbit, viewFrom } from "./orbit.js";
 import { beforeFilmic } from "./view_transform.js";
 import { SHARP } from "./viewer.js";
+
+const DECAY_MS = 50;  // of the way of a camera that glides
 
 /**
  * Events: "engine"; "loading", "progress" (got, all), "package", "load", "ended", of an asset; "shown", of a picture;
@@ -25,7 +28,8 @@ import { SHARP } from "./viewer.js";
 export class Stage extends LastingEngine {
   constructor(place, notices, settings) {
     super(place, notices, settings);
-    Object.assign(this, { orbit: new Orbit(), lighting: new Lighting(), labels: {}, ground: false, scene: null, isTouched: false });
+    Object.assign(this, { orbit: new Orbit(), lighting: new Lighting(), labels: {}, ground: false, scene: null, isTouched: false, isStill: false });
+    this.glide = new Glide(this);
     Object.assign(this, { opened: null, shown: null, loading: null, lit: Promise.resolve(), placing: Promise.resolve() });
   }
 
@@ -207,6 +211,7 @@ export class Stage extends LastingEngine {
       { target: settings.cameraTarget, fov: settings.fieldOfView },
     ];
     this.isTouched = false;
+    this.glide.stop();
     this.orbit.limits = limitsOf(settings);
     const { width, height } = this.canvas ?? { width: 1, height: 1 };
     this.orbit.place(views, this.box, width / height);
@@ -214,8 +219,20 @@ export class Stage extends LastingEngine {
     this.viewer?.restart();
   }
 
+  /** What `place` does to the camera, gliding there where it is seen. */
+  glideTo(place) {
+    if (!this.viewer?.hasShown || this.isNew) return place();
+    this.glide.to(place, this.isStill ? 0 : this.settings.interpolationDecay ?? DECAY_MS);
+  }
+
+  /** The view that the camera has, or glides to. */
+  get view() {
+    return this.glide.goal ?? this.orbit;
+  }
+
   /** The camera where it is, if the settings still allow that. */
   limitCamera() {
+    this.glide.stop();
     this.orbit.limits = limitsOf(this.settings);
     this.orbit.limit();
     this.tell("camera", { byUser: false });

@@ -93,8 +93,9 @@ export class Viewer extends EventTarget {
     }
   }
 
-  /** All sizes of the picture, until something changes. */
+  /** All sizes of the picture, until something changes. One of many that follow at once is finished: else none would be seen. */
   async _picture(generation) {
+    this.isFleeting = this.moving;
     for (const scale of this._scales()) {
       const rounds = scale === 1 && !this.moving ? this.rounds : Number(!this.firstLights);
       if (!(await this._stage(generation, scale, rounds))) return;
@@ -175,7 +176,8 @@ export class Viewer extends EventTarget {
       if (this.resting) await new Promise((resolve) => { this.rouse = resolve; });
       work(from, Math.min(height, from + rows));
       await engine.done();
-      if (generation !== this.generation || this.stopped || engine.lost) return false;
+      const isUnwanted = this.isFleeting ? !this.ready || !this.moving : generation !== this.generation;
+      if (isUnwanted || this.stopped || engine.lost) return false;
     }
     return true;
   }
