@@ -14,12 +14,13 @@ import zipfile
 import numpy as np
 
 
-def evaluate(path, tier_name, part, x, axis, h, wo, wi):
+def evaluate(path, tier_name, part, x, axis, h, wo, wi, base_color):
     """(n, 6) colours: what leaves x towards wo under irradiance 1 from wi, visible and shadowed.
 
     axis: the normal of a surface, or the tangent of a fiber, with h the offset across it.
+    base_color: of the surface (4.6); tiers that do not use it do not look at it.
     """
-    return answer("transport", path, tier_name, part, x, axis, h, wo, wi)
+    return answer("transport", path, tier_name, part, x, axis, h, wo, wi, base_color)
 
 
 def emission(path, tier_name, part, x, axis, h, wo):
@@ -28,28 +29,46 @@ def emission(path, tier_name, part, x, axis, h, wo):
 
 
 @np.errstate(all="ignore")  # blocks that the decoder does not take may be NaN
-def answer(output, path, tier_name, number, x, axis, h, wo, wi):
-    """Output of part `number`'s decoder of `output`."""
+def answer(output, path, tier_name, number, x, axis, h, wo, wi, base_color=None):
+    """Output of a part's decoder of `output`, or of its two of visible and shadowed light."""
     with zipfile.ZipFile(path) as archive:  # 2: a ZIP of stored entries
         manifest = json.loads(archive.read("manifest.json"))  # 3
         tier = next(tier for tier in manifest["tiers"] if tier["name"] == tier_name)
         part, tier_part = manifest["parts"][number], tier["parts"][number]
-        decoder = tier_part.get("emission") if output == "emission" else tier_part
-        if decoder is None:
+        decoders = decoders_of(tier_part, output)
+        if not decoders:
             return np.zeros((len(x), 3))
         planes = read_planes(archive.read(tier_part["planes"]))
-        nodes, constants = read_decoder(archive.read(decoder["decoder"]))
+        graphs = [read_decoder(archive.read(record["decoder"])) for record in decoders.values()]
+    uses_base_color = output == "transport" and tier_part.get("usesBaseColor", False)
     low, high = (np.float32(part["bounds"][corner]).astype(float) for corner in ("min", "max"))
     # 8: what is not finite, or has no direction, gets 0; all else is brought into range.
-    rows = np.isfinite(np.column_stack([x, axis, h, wo, wi])).all(axis=1)
+    numbers = [x, axis, h, wo, wi, *([base_color] if uses_base_color else [])]
+    rows = np.isfinite(np.column_stack(numbers)).all(axis=1)
     rows &= axis.any(axis=1) & wo.any(axis=1) & wi.any(axis=1)
     p = np.clip((x[rows] - low) / (high - low), 0, 1)
     directions = (unit(v[rows]) for v in (axis, wo, wi))
     blocks = input_blocks(planes, p, np.clip(h[rows], -1, 1), *directions)
-    queries = np.hstack([blocks[name] for name in decoder["inputs"]])
+    colours = []
+    for (name, record), (nodes, constants) in zip(decoders.items(), graphs, strict=True):
+        queries = np.hstack([blocks[block] for block in record["inputs"]])
+        colour = run(nodes, {**constants, "queries": queries})[name]
+        if uses_base_color:  # 7.1: the second half of the columns are its factors
+            colour, factor = np.hsplit(colour, 2)
+            colour = colour + np.tile(base_color[rows], colour.shape[1] // 3) * factor
+        colours.append(colour)
     result = np.zeros((len(x), {"transport": 6, "emission": 3}[output]))
-    result[rows] = run(nodes, {**constants, "queries": queries})[output]
+    result[rows] = np.hstack(colours)
     return result
+
+
+def decoders_of(tier_part, output):
+    """Name of a decoder's output -> its record in the manifest (3)."""
+    if output == "emission":
+        return {output: tier_part[output]} if output in tier_part else {}
+    if "shadowed" in tier_part:  # then the other gives visible light alone
+        return {"visible": tier_part, "shadowed": tier_part["shadowed"]}
+    return {"transport": tier_part}
 
 
 def read_planes(data):
@@ -190,9 +209,9 @@ if __name__ == "__main__":  # the protocol of spec/conformance/README.md
         print("evaluate")
     elif sys.argv[1:2] in (["evaluate"], ["emission"]) and len(sys.argv) == 7:
         command, package, tier, part, queries, results = sys.argv[1:]
-        ask, columns = (evaluate, 13) if command == "evaluate" else (emission, 10)
+        ask, columns = (evaluate, 16) if command == "evaluate" else (emission, 10)
         rows = np.fromfile(queries, "<f4").reshape(-1, columns).astype(float)
-        x, axis, h, *directions = np.split(rows, (3, 6, 7, 10)[: columns // 3], axis=1)
+        x, axis, h, *directions = np.split(rows, (3, 6, 7, 10, 13)[: columns // 3], axis=1)
         found = ask(package, tier, int(part), x, axis, h[:, 0], *directions)
         found.astype("<f4").tofile(results)
     else:

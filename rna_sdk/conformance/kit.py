@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 from rna_sdk.errors import ConformanceError
 
 INDEX = "kit.json"
-VERSION = 5
-LEVELS = ("evaluate", "environment", "visibility", "normals", "validate")
+VERSION = 6
+LEVELS = ("evaluate", "environment", "visibility", "normals", "base-color", "validate")
 """All but the second are of the format itself; that is of an extension that no reader must know."""
 
 
@@ -89,6 +89,13 @@ class NormalsCase:
 
 
 @dataclass(frozen=True)
+class BaseColorCase(NormalsCase):
+    """Hits on a part of a package; expected, tolerance: (n, 3) float64, the base colour."""
+
+    level: ClassVar[str] = "base-color"
+
+
+@dataclass(frozen=True)
 class ValidateCase:
     """A package, whether it is valid, and the code among its issues, if there is one.
 
@@ -104,6 +111,7 @@ class ValidateCase:
 
 
 Evaluated = TypeVar("Evaluated", bound=EvaluateCase)
+OfHits = TypeVar("OfHits", bound=NormalsCase)
 
 
 @dataclass(frozen=True)
@@ -121,6 +129,7 @@ class Kit:
     environment: tuple[LobesCase, ...]
     visibility: tuple[VisibilityCase, ...]
     normals: tuple[NormalsCase, ...]
+    base_color: tuple[BaseColorCase, ...]
     validate: tuple[ValidateCase, ...]
 
 
@@ -161,7 +170,8 @@ def load_kit(folder: Path) -> Kit:
         tuple(_evaluate_case(EvaluateCase, folder, record) for record in index["evaluate"]),
         tuple(_evaluate_case(LobesCase, folder, record) for record in index["environment"]),
         tuple(_visibility_case(folder, record) for record in index["visibility"]),
-        tuple(_normals_case(folder, record) for record in index["normals"]),
+        tuple(_hits_case(NormalsCase, folder, record) for record in index["normals"]),
+        tuple(_hits_case(BaseColorCase, folder, record) for record in index["base-color"]),
         tuple(
             ValidateCase(
                 folder / record["package"],
@@ -210,8 +220,8 @@ def _expected(
     return expected, tolerance
 
 
-def _normals_case(folder: Path, record: dict[str, Any]) -> NormalsCase:
-    return NormalsCase(
+def _hits_case(case: type[OfHits], folder: Path, record: dict[str, Any]) -> OfHits:
+    return case(
         folder / record["package"],
         record["part"],
         folder / record["hits"],

@@ -104,7 +104,7 @@ def command_of(form: DecoderForm) -> str:
 
 
 def of_hits(program: Program, level: str, package: Path, hits: Path) -> NDArray[np.float64]:
-    """(n, 3) visibility, RGB, or mapped normals, by level, for a file of n hits."""
+    """(n, 3) visibility, mapped normals or base colours, by level, for a file of n hits."""
     rows = hits.stat().st_size // 32
     return _results(program, rows, 3, level, str(package), str(hits))
 

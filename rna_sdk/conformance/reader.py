@@ -11,8 +11,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rna_sdk.conformance.base_color_hits import HIT
 from rna_sdk.conformance.lobe_queries import LobeQueries, answer_of
 from rna_sdk.conformance.reader_program import run_reader
+from rna_sdk.package import Package
 from rna_sdk.package.issues import is_valid
 from rna_sdk.package.validator import validate
 
@@ -35,6 +37,21 @@ def environment(package: str, tier: str, part: int, queries: LobeQueries) -> NDA
     return answer_of(*asset.lobes(*queries.arguments(asset.kind), visibility))
 
 
+def base_color(package: str, records: bytes) -> NDArray[np.float32]:
+    """(n, 3): the base colour of n hits on meshes."""
+    from rna_sdk.runtime.base_color import BaseColorMaps
+
+    hits = np.frombuffer(records, HIT)
+    result = np.empty((len(hits), 3), np.float32)
+    with Package.open(package) as opened:
+        for part in np.unique(hits["part"]).tolist():
+            own = hits["part"] == part
+            maps = BaseColorMaps(opened.mesh(part), opened.base_color(part))
+            u, v, level = (hits[name][own] for name in ("u", "v", "level"))
+            result[own] = maps.at_levels(hits["primitive"][own].astype(np.int64), u, v, level)
+    return result
+
+
 def check(package: str) -> tuple[bool, list[str]]:
     """Whether the package is valid, and the codes of its issues."""
     issues = validate(package)
@@ -42,4 +59,8 @@ def check(package: str) -> tuple[bool, list[str]]:
 
 
 if __name__ == "__main__":
-    sys.exit(run_reader(evaluate=evaluate, environment=environment, validate=check))
+    sys.exit(
+        run_reader(
+            evaluate=evaluate, environment=environment, base_color=base_color, validate=check
+        )
+    )

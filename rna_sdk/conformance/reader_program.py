@@ -27,10 +27,8 @@ A part without such a decoder answers 0.
 """
 Environment = Callable[[str, str, int, LobeQueries], NDArray[np.float32]]
 """(package, tier, part, queries) -> (n, 6 L), amplitude and axis of each lobe."""
-Visibility = Callable[[str, bytes], NDArray[np.float32]]
-"""(package, hit records) -> (n, 3) visibility, RGB."""
-Normals = Callable[[str, bytes], NDArray[np.float32]]
-"""(package, hit records) -> (n, 3) mapped normals."""
+OfHits = Callable[[str, bytes], NDArray[np.float32]]
+"""(package, hit records) -> (n, 3): visibility, RGB, or mapped normals, or base colours."""
 Validate = Callable[[str], tuple[bool, list[str]]]
 """package -> whether it is valid, and the codes of its issues."""
 
@@ -40,16 +38,18 @@ def run_reader(
     *,
     evaluate: Evaluate | None = None,
     environment: Environment | None = None,
-    visibility: Visibility | None = None,
-    normals: Normals | None = None,
+    visibility: OfHits | None = None,
+    normals: OfHits | None = None,
+    base_color: OfHits | None = None,
     validate: Validate | None = None,
 ) -> int:
     """The exit status of the program; a level is had if its function is given."""
     forms = {command_of(form): form for form in FORMS}
+    of_hits = {"visibility": visibility, "normals": normals, "base-color": base_color}
     level, *rest = list(sys.argv[1:] if arguments is None else arguments) or [""]
     try:
         if level == "levels" and not rest:
-            had = (evaluate, environment, visibility, normals, validate)
+            had = (evaluate, environment, *of_hits.values(), validate)
             print("\n".join(name for name, function in zip(LEVELS, had, strict=True) if function))
         elif level in forms and evaluate and len(rest) == 5:
             _answer(evaluate, forms[level], *rest)
@@ -57,12 +57,9 @@ def run_reader(
             package, tier, part, queries, results = rest
             rows = np.fromfile(queries, "<f4").reshape(-1, COLUMNS).astype(np.float32)
             _write(results, environment(package, tier, int(part), LobeQueries.of(rows)))
-        elif level == "visibility" and visibility and len(rest) == 3:
+        elif (asked := of_hits.get(level)) and len(rest) == 3:
             package, hits, results = rest
-            _write(results, visibility(package, Path(hits).read_bytes()))
-        elif level == "normals" and normals and len(rest) == 3:
-            package, hits, results = rest
-            _write(results, normals(package, Path(hits).read_bytes()))
+            _write(results, asked(package, Path(hits).read_bytes()))
         elif level == "validate" and validate and len(rest) == 1:
             valid, codes = validate(rest[0])
             print("\n".join(codes))

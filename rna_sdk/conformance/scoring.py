@@ -53,7 +53,7 @@ Case = EvaluateCase | VisibilityCase | NormalsCase | ValidateCase
 
 def cases(kit: Kit, level: str) -> list[Case]:
     """The cases of the level."""
-    return list(getattr(kit, level))
+    return list(getattr(kit, level.replace("-", "_")))
 
 
 def score(program: Program, kit: Kit, case: Case) -> Score:

@@ -10,11 +10,13 @@ import sys
 import numpy as np
 from numpy.typing import NDArray
 
+from rna_sdk.conformance.base_color_hits import HIT
 from rna_sdk.conformance.lobe_queries import LobeQueries, answer_of
 from rna_sdk.conformance.reader_program import run_reader
 from rna_sdk.package import Mesh, Package, Planes, float_planes
 from rna_sdk.package.decoder.decoder_form import form_named
 from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS, in_order
+from rna_sdk.reference.base_color import base_color_reference
 from rna_sdk.reference.lobes import lobes_reference, mirror_reference, visibility_reference
 from rna_sdk.reference.queries import fiber_queries_reference, queries_reference
 from rna_sdk.runtime.engine.decoder_sessions import Graph
@@ -23,20 +25,50 @@ Rows = NDArray[np.float32]
 
 
 def evaluate(form: str, package: str, tier: str, part: int, arrays: dict[str, Rows]) -> Rows:
-    """(n, width): the decoder's output, 0 for rows that are no queries."""
+    """(n, width): the results of the form's decoders, 0 for rows that are no queries."""
+    asked = form_named(form)
+    result = np.zeros((len(arrays["wo"]), asked.width(None)), np.float32)
     with Package.open(package) as opened:
         tier_part = opened.tier(tier).parts[part]
-        decoder = next((one for one in tier_part.decoders if one.form.name == form), None)
-        width = form_named(form).width(None) if decoder is None else decoder.width
-        result = np.zeros((len(arrays["wo"]), width), np.float32)
-        if decoder is None:
+        decoders = [
+            one for one in tier_part.decoders if set(one.form.results) <= set(asked.results)
+        ]
+        if not decoders:
             return result
+        if not tier_part.uses_base_color:
+            arrays = {name: rows for name, rows in arrays.items() if name != "base_color"}
         valid = _valid(arrays)
         arguments = {name: rows[valid] for name, rows in arrays.items()}
-        queries = _queries(opened, part, opened.planes(tier, part), decoder.inputs, arguments)
-        model = bytes(opened.decoder(tier, part, form))
-        result[valid] = Graph(model, optimized=False).run(queries)
+        planes = opened.planes(tier, part)
+        lights = []
+        for decoder in decoders:
+            queries = _queries(opened, part, planes, decoder.inputs, arguments)
+            model = bytes(opened.decoder(tier, part, decoder.form.name))
+            light = Graph(model, optimized=False).run(queries)
+            if decoder.form.has_factors and tier_part.uses_base_color:
+                light = _sum(light, arguments["base_color"])
+            lights.append(light)
+        result[valid] = np.hstack(lights)
         return result
+
+
+def _sum(output: Rows, base_color: Rows) -> Rows:
+    """(n, width): the terms without base colour and those with it, which are behind them."""
+    light, factors = np.hsplit(output, 2)
+    scaled: Rows = light + np.tile(base_color, light.shape[1] // 3) * factors
+    return scaled
+
+
+def base_color(package: str, records: bytes) -> Rows:
+    """(n, 3): the base colour of n hits on meshes."""
+    hits = np.frombuffer(records, HIT)
+    result = np.empty((len(hits), 3), np.float32)
+    with Package.open(package) as opened:
+        for part in np.unique(hits["part"]).tolist():
+            own = hits["part"] == part
+            at = (hits[name][own] for name in ("primitive", "u", "v", "level"))
+            result[own] = base_color_reference(opened.mesh(part), opened.base_color(part), *at)
+    return result
 
 
 def environment(package: str, tier: str, part: int, queries: LobeQueries) -> Rows:
@@ -100,4 +132,4 @@ def _queries(
 
 
 if __name__ == "__main__":
-    sys.exit(run_reader(evaluate=evaluate, environment=environment))
+    sys.exit(run_reader(evaluate=evaluate, environment=environment, base_color=base_color))

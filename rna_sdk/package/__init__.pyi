@@ -19,6 +19,7 @@ from .manifest.extensions import EnvironmentValidation as EnvironmentValidation
 from .manifest.manifest_fields import Bounds as Bounds
 from .manifest.manifest_fields import Cone as Cone
 from .manifest.manifest_fields import Domain as Domain
+from .manifest.manifest_model import BaseColorRecord as BaseColorRecord
 from .manifest.manifest_model import Manifest as Manifest
 from .manifest.manifest_model import NormalMapRecord as NormalMapRecord
 from .manifest.manifest_model import Part as Part
@@ -30,12 +31,14 @@ from .manifest.manifest_tiers import FlipAtHeight as FlipAtHeight
 from .manifest.manifest_tiers import Tier as Tier
 from .manifest.manifest_tiers import TierEmission as TierEmission
 from .manifest.manifest_tiers import TierPart as TierPart
+from .manifest.manifest_tiers import TierShadowed as TierShadowed
 from .manifest.manifest_tiers import Validation as Validation
 from .manifest.tier_ranges import tier_ranges as tier_ranges
 from .package import EnvironmentLobes as EnvironmentLobes
 from .package import Package as Package
 from .packing import Lobes as Lobes
 from .packing import Unpacked as Unpacked
+from .textures.base_color import BaseColor as BaseColor
 from .textures.normal_maps import NormalMap as NormalMap
 from .textures.planes import Int8Planes as Int8Planes
 from .textures.planes import Planes as Planes

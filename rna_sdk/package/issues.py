@@ -122,6 +122,14 @@ class Code(Enum):
     NORMAL_MAP_UV = (Severity.ERROR, "A mesh with a normal map has no texture coordinates.")
     TRANSMITTANCE_UV = (Severity.ERROR, "A mesh with a texture has no texture coordinates.")
 
+    # textures/*
+    BASE_COLOR_RANGE = (Severity.ERROR, "Records of base colour share or lack triangles.")
+    BASE_COLOR_IMAGE = (
+        Severity.ERROR,
+        "The image is not a PNG, JPEG or WebP that can be decoded, of 1 to 8192 pixels a side.",
+    )
+    BASE_COLOR_UV = (Severity.ERROR, "A mesh with an image has no texture coordinates.")
+
     # features/*.safetensors
     PLANES_HEADER = (Severity.ERROR, "The planes are not a well-formed safetensors file.")
     PLANES_TENSOR = (Severity.ERROR, "The file's tensors are not the required ones.")

@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 
 from rna_sdk.errors import PackageError, QueryError
 from rna_sdk.package.container.zip_container import Container
-from rna_sdk.package.decoder.decoder_form import TRANSPORT
 from rna_sdk.package.geometry.curves import Curves
 from rna_sdk.package.geometry.geometry_files import Geometry, geometry_from_bytes
 from rna_sdk.package.geometry.mesh import Mesh
@@ -37,8 +36,10 @@ from rna_sdk.package.manifest.extensions import (
 )
 from rna_sdk.package.manifest.manifest_model import Manifest, Part
 from rna_sdk.package.manifest.manifest_tiers import Tier, TierPart
+from rna_sdk.package.textures.base_color import BaseColor, image_from_bytes
 from rna_sdk.package.textures.normal_maps import NORMALS, NormalMap
 from rna_sdk.package.textures.planes import Planes, planes_from_bytes
+from rna_sdk.package.textures.texture_form import Texture
 from rna_sdk.package.textures.transmittance import Transmittance, texture_from_bytes
 from rna_sdk.package.validator import inspect
 
@@ -271,6 +272,22 @@ class Package:
             for r in self._part(part).normal_maps
         ]
 
+    def base_color(self, part: int = 0) -> list[BaseColor]:
+        """Base colour of a part, with its images; empty if it has none.
+
+        Raises:
+            PackageError: an image cannot be decoded.
+            QueryError: the package has no such part, or is closed.
+        """
+        images: dict[str, Texture] = {}
+        for record in self._part(part).base_color:
+            if record.image is not None and record.image not in images:
+                images[record.image] = image_from_bytes(self._view(record.image), record.image)
+        return [
+            BaseColor.of(record, images.get(record.image or ""))
+            for record in self._part(part).base_color
+        ]
+
     def planes(self, tier: str, part: int = 0) -> Planes:
         """A part's triplane, planes XY, YZ, ZX: an array (3, R, R, C), or Int8Planes.
 
@@ -280,16 +297,17 @@ class Package:
         record = self._tier_part(tier, part)
         return planes_from_bytes(self._view(record.planes), record)
 
-    def decoder(self, tier: str, part: int = 0, form: str = TRANSPORT.name) -> memoryview:
+    def decoder(self, tier: str, part: int = 0, form: str | None = None) -> memoryview:
         """The ONNX model of a part's decoder, read-only bytes.
 
-        form: "transport", or that of another of the tier part's `decoders`, as "emission".
+        form: of one of the tier part's `decoders`, as "emission"; None for the first, which is
+            that of transport, or of visible light.
 
         Raises:
             QueryError: the package has no such tier, part or decoder, or is closed.
         """
         for record in self._tier_part(tier, part).decoders:
-            if record.form.name == form:
+            if form in (None, record.form.name):
                 return self._view(record.entry)
         raise QueryError(f"no decoder of {form} in part {part} of tier {tier!r}")
 

@@ -26,6 +26,7 @@ from rna_sdk.package.manifest.manifest_model import Manifest, NormalMapRecord, T
 from rna_sdk.package.manifest.manifest_reader import parse_manifest
 from rna_sdk.package.manifest.manifest_tiers import TierPartFields
 from rna_sdk.package.manifest.pictures import poster_issues, texture_issues
+from rna_sdk.package.textures.base_color import check_base_color, image_from_bytes
 from rna_sdk.package.textures.normal_maps import NORMALS, check_normal_maps
 from rna_sdk.package.textures.planes import check_finite, planes_from_bytes
 from rna_sdk.package.textures.texture_form import Texture
@@ -151,6 +152,8 @@ def _check_contents(
                     check_records(part, geometry, textures.of_transmittance, where)
                     where = pointer("parts", k, "normalMaps")
                     check_normal_maps(part, geometry, textures.of_normals, where)
+                    where = pointer("parts", k, "baseColor")
+                    check_base_color(part, geometry, textures.of_image, where)
     result.issues += poster_issues(container, manifest, intact)
     _check_proxies(result, container, manifest, intact)
     checked: set[object] = set()  # tiers and parts may share entries
@@ -236,6 +239,10 @@ class _Textures:
         return self._read(
             record.texture, False, lambda data: NORMALS.from_bytes(data, record.texture)
         )
+
+    def of_image(self, entry: str) -> Texture | None:
+        """The image of base colour in an entry, or None if it cannot be decoded."""
+        return self._read(entry, False, lambda data: image_from_bytes(data, entry))
 
     def _read(
         self, entry: str, has_cutoff: bool, parse: Callable[[memoryview], Texture]

@@ -14,7 +14,6 @@ from rna_sdk.errors import PackageError
 from rna_sdk.package.container.strict_json import pointer
 from rna_sdk.package.container.zip_container import MANIFEST_NAME
 from rna_sdk.package.container.zip_writer import write_container
-from rna_sdk.package.decoder.decoder_form import TRANSPORT
 from rna_sdk.package.geometry.geometry_files import Geometry, geometry_to_bytes
 from rna_sdk.package.issues import Code, refuse
 from rna_sdk.package.manifest.manifest_model import EntryRecord, Manifest
@@ -34,8 +33,9 @@ class TierData:
 
     Attributes:
         planes: (3, R, R, C) float16 or float32, or Int8Planes, as in the manifest's tier part.
-        decoder: serialized ONNX model of transport.
-        others: those of other forms, by name ("emission"), that the manifest's tier part has.
+        decoder: serialized ONNX model of transport, or of visible light.
+        others: those of other forms, by name ("shadowed", "emission"), that the manifest's tier
+            part has.
     """
 
     planes: Planes
@@ -48,7 +48,7 @@ def write_package(
     manifest: Manifest,
     geometries: Sequence[Geometry],
     data: Mapping[str, Sequence[TierData]],
-    textures: Mapping[str, Texture] | None = None,
+    textures: Mapping[str, Texture | bytes] | None = None,
 ) -> Manifest:
     """Write a package to `path`, atomically.
 
@@ -61,7 +61,8 @@ def write_package(
             supported; `rna-export` adds them.
         geometries: one per part: a Mesh for a surface, Curves for fibers.
         data: for each tier, by name, the data of each part.
-        textures: (H, W, C) uint8 of all transmittance textures and normal maps, by entry name.
+        textures: by entry name, (H, W, C) uint8 of all transmittance textures and normal maps, and
+            the files of all images of base colour.
 
     Returns:
         The manifest as written.
@@ -111,6 +112,14 @@ def _write(target: Path, entries: list[tuple[str, bytes]]) -> Manifest:
     return result.manifest
 
 
+def _texture_bytes(member: str | int, texture: Texture | bytes, entry: str) -> bytes:
+    """The entry of a texture that a record in this member of a part names."""
+    if isinstance(texture, bytes):
+        return texture
+    form = TRANSMITTANCE if member == "transmittance" else NORMALS
+    return form.to_bytes(texture, entry)
+
+
 class _Contents:
     """Gathers the entries of a package.
 
@@ -122,7 +131,9 @@ class _Contents:
         self._manifest = manifest
         self.entries: dict[str, bytes] = {}
 
-    def add_parts(self, geometries: Sequence[Geometry], textures: Mapping[str, Texture]) -> None:
+    def add_parts(
+        self, geometries: Sequence[Geometry], textures: Mapping[str, Texture | bytes]
+    ) -> None:
         """Geometry and textures of every part."""
         parts = self._manifest.parts
         if len(geometries) != len(parts):
@@ -131,15 +142,11 @@ class _Contents:
         for k, (part, geometry) in enumerate(zip(parts, geometries, strict=True)):
             where = pointer("parts", k, "geometry")
             self._add(where, part.geometry, geometry_to_bytes(geometry, part.kind, where))
-            for name, records, form in (
-                ("transmittance", part.transmittance, TRANSMITTANCE),
-                ("normalMaps", part.normal_maps, NORMALS),
-            ):
-                for j, entry in enumerate(record.texture for record in records):
-                    where = pointer("parts", k, name, j, "texture")
-                    if entry not in textures:
-                        refuse(Code.REFERENCE_MISSING, where, "no such texture", entry)
-                    self._add(where, entry, form.to_bytes(textures[entry], entry))
+            for path, entry in part.texture_paths:
+                where = pointer("parts", k, *path)
+                if entry not in textures:
+                    refuse(Code.REFERENCE_MISSING, where, "no such texture", entry)
+                self._add(where, entry, _texture_bytes(path[0], textures[entry], entry))
 
     def add_tiers(self, data: Mapping[str, Sequence[TierData]]) -> None:
         """Planes and decoders of every tier."""
@@ -164,8 +171,8 @@ class _Contents:
             dtype, expected = data.planes.dtype, part.plane_precision
             refuse(Code.PLANES_DTYPE, f"{where}/planePrecision", dtype, expected)
         self._add(where, part.planes, planes_to_bytes(data.planes))
-        decoders = {TRANSPORT.name: data.decoder, **data.others}
         declared = {decoder.form.name: decoder for decoder in part.decoders}
+        decoders = {part.decoders[0].form.name: data.decoder, **data.others}
         for name in [*(decoders.keys() - declared), *(declared.keys() - decoders)]:
             found = "one" if name in decoders else "none"
             refuse(Code.PARTS_DIFFER, f"{where}/{name}", f"{found} in the data", "as here")

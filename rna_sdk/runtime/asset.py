@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, ClassVar, NoReturn, cast
+from typing import TYPE_CHECKING, ClassVar, NoReturn, Self, TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from rna_sdk.arrays import scalars, vectors
 from rna_sdk.errors import QueryError
 from rna_sdk.package import (
+    BaseColor,
     Curves,
     Domain,
     EnvironmentPart,
@@ -21,9 +22,16 @@ from rna_sdk.package import (
     Transmittance,
     decoder_from_bytes,
 )
-from rna_sdk.package.decoder.decoder_form import COLUMNS, TRANSPORT, form_named
+from rna_sdk.package.decoder.decoder_form import (
+    COLUMNS,
+    SHADOWED,
+    TRANSPORT,
+    VISIBLE,
+    form_named,
+)
 from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS, Rows
 from rna_sdk.package.manifest.manifest_fields import Kind
+from rna_sdk.package.textures.exchanged_images import check_images, with_images
 from rna_sdk.runtime.engine.batch import Batch
 from rna_sdk.runtime.engine.costs import cached_cost, median_seconds
 from rna_sdk.runtime.part_lobes import PartLobes
@@ -33,6 +41,7 @@ if TYPE_CHECKING:
     from rna_sdk.runtime.surface_asset import SurfaceAsset
 
 _MEASURED_ROWS = 32_768
+Evaluator = TypeVar("Evaluator")
 
 
 class Asset:
@@ -90,6 +99,28 @@ class Asset:
         """The parts in the manifest's order; an asset of one part is its own only part."""
         raise NotImplementedError
 
+    def with_base_color(
+        self,
+        images: Mapping[str, NDArray[np.uint8]] | None = None,
+        tint: tuple[float, float, float] = (1.0, 1.0, 1.0),
+    ) -> Self:
+        """This asset with another print, which `base_color_at` looks up.
+
+        images: by the label of a record (`base_colors` of a part), (H, W, 3) uint8 in the record's
+        colour space; row 0 is v = 0. tint: linear RGB that every base colour is multiplied by.
+        Light that one surface casts on another keeps the old colours.
+
+        Raises:
+            QueryError: there is no such label, or no such image.
+        """
+        raise NotImplementedError
+
+    def _twin(self) -> Self:
+        """Another object with the same members: `copy` is refused, as of what maps a file."""
+        other = object.__new__(type(self))
+        other.__dict__.update(self.__dict__)
+        return other
+
     def measured_ns_per_query(self) -> float:
         """Nanoseconds per query on this processor, with `threads` threads; the mean over parts.
 
@@ -126,6 +157,21 @@ class CompositeAsset(Asset):
     def parts(self) -> tuple[SurfaceAsset | FiberAsset, ...]:
         return self._parts
 
+    def with_base_color(
+        self,
+        images: Mapping[str, NDArray[np.uint8]] | None = None,
+        tint: tuple[float, float, float] = (1.0, 1.0, 1.0),
+    ) -> Self:
+        """See `Asset`."""
+        images = check_images(images or {}, [c for part in self._parts for c in part.base_colors])
+        other, parts = self._twin(), []
+        for part in self._parts:
+            labels = {record.label for record in part.base_colors}
+            own = {label: image for label, image in images.items() if label in labels}
+            parts.append(part.with_base_color(own, tint))
+        other._parts = tuple(parts)
+        return other
+
 
 class AssetPart(Asset):
     """Common base of `SurfaceAsset` and `FiberAsset`.
@@ -135,6 +181,7 @@ class AssetPart(Asset):
         tier_part: the part's record in the tier.
         transmittance_records: holes and thin glass of a surface; see `transmittance`.
         normal_maps: normal maps of a surface; see `mapped_normals`.
+        base_colors: base colour of a surface whose tier uses it; see `base_color_at`.
         environment_form: the manifest's record of the part's lobes, `lobes` of them; see `mirror`.
             None if the package has none for the part, or the geometry is that of a proxy.
     """
@@ -163,7 +210,10 @@ class AssetPart(Asset):
         self.transmittance_records: tuple[Transmittance, ...] = tuple(package.transmittance(part))
         self.normal_maps: tuple[NormalMap, ...] = tuple(package.normal_maps(part))
         filler = QueryFiller(package.planes(tier.name, part), box, tier_part, self.kind)
-        self._evaluators = {
+        self.base_colors: tuple[BaseColor, ...] = (
+            tuple(package.base_color(part)) if tier_part.uses_base_color else ()
+        )
+        evaluators = {
             one.form.name: TileEvaluator(
                 filler.laying_out(one.inputs),
                 Decoder(
@@ -174,6 +224,7 @@ class AssetPart(Asset):
             )
             for one in tier_part.decoders
         }
+        self._evaluators = _by_answer(evaluators)
         entries = package.manifest.entries
         self._digests = entries[tier_part.planes].sha256, entries[tier_part.decoder].sha256
         self._geometry: Mesh | Curves = package.geometry(part, pixels)
@@ -193,6 +244,18 @@ class AssetPart(Asset):
         """`measured_ns_per_query` of this part."""
         return cached_cost(self._measure_ns_per_query, *self._digests, self.threads)
 
+    def with_base_color(
+        self,
+        images: Mapping[str, NDArray[np.uint8]] | None = None,
+        tint: tuple[float, float, float] = (1.0, 1.0, 1.0),
+    ) -> Self:
+        """See `Asset`."""
+        other = self._twin()
+        images = check_images(images or {}, self.base_colors)
+        other.base_colors = with_images(self.base_colors, images, tint)
+        other.__dict__.pop("_base_color_maps", None)  # what is cached is of the old ones
+        return other
+
     def _measure_ns_per_query(self) -> float:
         rng = np.random.default_rng(0)
         low, high = self.bounds
@@ -201,9 +264,9 @@ class AssetPart(Asset):
             np.float32
         )
         arrays["h"] = rng.uniform(-1, 1, _MEASURED_ROWS).astype(np.float32)
-        batch = Batch.of(arrays, tuple(np.empty((2, _MEASURED_ROWS, 3), np.float32)))
-        evaluator = self._evaluators[TRANSPORT.name]
-        return 1e9 * median_seconds(lambda: evaluator.run(batch)) / _MEASURED_ROWS
+        arrays["base_color"] = rng.uniform(size=(_MEASURED_ROWS, 3)).astype(np.float32)
+        seconds = median_seconds(lambda: self.decode(TRANSPORT.name, arrays))
+        return 1e9 * seconds / _MEASURED_ROWS
 
     def decode(
         self, form: str, arrays: Mapping[str, object], out: object = None
@@ -212,7 +275,8 @@ class AssetPart(Asset):
 
         form: name of its form: "transport" gives (visible, shadowed), "emission" (radiance,).
         arrays: by name, those that the form is asked with: position, axis (a normal or tangent), h
-        (of fibers alone), wo, and wi. out: arrays for the results, as for `evaluate`.
+        (of fibers alone), wo, wi, and base_color where the tier part uses it. out: arrays for the
+        results, as for `evaluate`.
 
         Raises:
             QueryError: an array is missing, or is no float32 array of its shape; they differ in n;
@@ -222,14 +286,33 @@ class AssetPart(Asset):
         checked = self._checked(arrays, decoder_form.arrays)
         count = len(checked["wo"])
         number = decoder_form.result_count(decoder_form.record(self.tier_part))
-        evaluator = self._evaluators.get(form)
+        evaluators = self._evaluators.get(form, ())
         if out is None:
-            make = np.zeros if evaluator is None else np.empty
+            make = np.empty if evaluators else np.zeros
             result = tuple(make((number, count, COLUMNS), np.float32))
         else:
             result = _results(out, number, count)
-        if evaluator is not None:
-            evaluator.run(Batch.of(checked, result))
+        for k, evaluator in enumerate(evaluators):
+            own = result if len(evaluators) == 1 else result[k : k + 1]
+            evaluator.run(Batch.of(checked, own))
+        return result
+
+    def _transport(self, arrays: Mapping[str, object], visibility: object) -> Rows:
+        """T, (n, 3) float32: of decoders apart, each row by those that count."""
+        checked = self._checked(arrays, TRANSPORT.arrays)
+        count = len(checked["wo"])
+        v = _shares(visibility, count)
+        evaluators = self._evaluators[TRANSPORT.name]
+        if len(evaluators) == 1:
+            visible, shadowed = self.decode(TRANSPORT.name, checked)
+            return v * visible + (np.float32(1.0) - v) * shadowed
+        result = np.zeros((count, COLUMNS), np.float32)
+        for evaluator, share in zip(evaluators, (v, np.float32(1.0) - v), strict=True):
+            row = np.flatnonzero(share.any(axis=1))
+            answer = np.empty((len(row), COLUMNS), np.float32)
+            rows = {name: values.take(row, axis=0) for name, values in checked.items()}
+            evaluator.run(Batch.of(rows, (answer,)))
+            result[row] += share.take(row, axis=0) * answer
         return result
 
     def mirror(self, axes: Rows, wo: Rows) -> Rows:
@@ -288,12 +371,35 @@ class AssetPart(Asset):
         checked: dict[str, Rows] = {}
         count = None
         for array in QUERY_ARRAYS:
+            if array.is_factor and not self.tier_part.uses_base_color:
+                continue
             if array.name in names and array.kind in ("", self.kind):
                 check = scalars if array.columns == 1 else vectors
                 label = self._labels.get(array.name, array.name)
                 checked[array.name] = check(label, arrays.get(array.name), count)
                 count = len(checked[array.name])
         return checked
+
+
+def _by_answer(evaluators: dict[str, Evaluator]) -> dict[str, tuple[Evaluator, ...]]:
+    """What answers each of FORMS: one evaluator for all results, or one for each."""
+    apart = [evaluators[form.name] for form in (VISIBLE, SHADOWED) if form.name in evaluators]
+    answers = {TRANSPORT.name: tuple(apart)} if apart else {}
+    others = {name: (one,) for name, one in evaluators.items() if one not in apart}
+    return {**answers, **others}
+
+
+def _shares(visibility: object, count: int) -> Rows:
+    """Visibility (n,) of bools, or (n,) or (n, 3) of numbers, as (n, 1) or (n, 3) float32.
+
+    Raises:
+        QueryError: it is no such array.
+    """
+    if isinstance(visibility, np.ndarray) and visibility.ndim == 2:
+        return vectors("visibility", visibility, count)
+    if isinstance(visibility, np.ndarray) and visibility.dtype == np.bool_:
+        visibility = visibility.astype(np.float32)
+    return scalars("visibility", visibility, count)[:, None]
 
 
 def _results(value: object, number: int, count: int) -> tuple[NDArray[np.float32], ...]:

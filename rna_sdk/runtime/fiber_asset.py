@@ -7,6 +7,9 @@ from collections.abc import Mapping
 from functools import cached_property
 from typing import ClassVar, Literal
 
+import numpy as np
+from numpy.typing import NDArray
+
 from rna_sdk.package import Curves, Package, Tier
 from rna_sdk.package.decoder.query_arrays import Rows
 from rna_sdk.runtime.asset import AssetPart
@@ -82,6 +85,30 @@ class FiberAsset(AssetPart):
         arrays = {"position": positions, "axis": tangents, "h": h, "wo": wo, "wi": wi}
         visible, shadowed = self.decode("transport", arrays, out)
         return visible, shadowed
+
+    def transport(
+        self,
+        positions: Rows,
+        tangents: Rows,
+        h: Rows,
+        wo: Rows,
+        wi: Rows,
+        visibility: Rows | NDArray[np.bool_],
+    ) -> Rows:
+        """`evaluate`, for hosts that have traced the visibility v: v visible + (1 - v) shadowed.
+
+        visibility: of the light from the position along wi, through the asset but for the strand
+        itself: (n,) bool, or (n,) or (n, 3) float32 from 0 to 1. The others are as for `evaluate`.
+        In a tier with a decoder of its own for shadowed light, a row takes the time of those that
+        count.
+
+        Returns (n, 3) float32 linear RGB, finite and non-negative.
+
+        Raises:
+            QueryError: as `evaluate`.
+        """
+        arrays = {"position": positions, "axis": tangents, "h": h, "wo": wo, "wi": wi}
+        return self._transport(arrays, visibility)
 
     def emission(self, positions: Rows, tangents: Rows, h: Rows, wo: Rows) -> Rows:
         """Radiance emitted by points of fibers towards wo, without incident light, W/(m^2 sr).

@@ -5,12 +5,19 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from functools import cached_property
-from typing import ClassVar, Literal
+from typing import TYPE_CHECKING, ClassVar, Literal
 
+import numpy as np
+from numpy.typing import NDArray
+
+from rna_sdk.errors import QueryError
 from rna_sdk.package import Mesh, Package, Tier
 from rna_sdk.package.decoder.query_arrays import Rows
 from rna_sdk.runtime.asset import AssetPart
 from rna_sdk.runtime.deformation import DeformedMesh, RestMesh
+
+if TYPE_CHECKING:
+    from rna_sdk.runtime.base_color import BaseColorMaps
 
 
 class SurfaceAsset(AssetPart):
@@ -46,6 +53,7 @@ class SurfaceAsset(AssetPart):
         normals: Rows,
         wo: Rows,
         wi: Rows,
+        base_color: Rows | None = None,
         out: tuple[Rows, Rows] | None = None,
     ) -> tuple[Rows, Rows]:
         """Transport at surface points: radiance towards wo under irradiance 1 from wi.
@@ -54,6 +62,8 @@ class SurfaceAsset(AssetPart):
         the light, both away from the surface. All (n, 3) float32, object space; n may be 0. Vectors
         are normalised; positions outside the bounds are clamped to them. out: two C-contiguous
         (n, 3) float32 arrays that receive the result and are returned, which avoids allocations.
+        base_color: (n, 3) float32 linear RGB, of `base_color_at` or another; required where
+        `uses_base_color`, else not looked at.
 
         Returns (visible, shadowed), each (n, 3) float32 linear RGB, finite and non-negative.
         `shadowed` applies where the asset itself blocks the ray from the position along wi,
@@ -72,9 +82,74 @@ class SurfaceAsset(AssetPart):
             >>> visible.shape
             (100, 3)
         """
-        arrays = {"position": positions, "axis": normals, "wo": wo, "wi": wi}
+        arrays = self._lit(positions, normals, wo, wi, base_color)
         visible, shadowed = self.decode("transport", arrays, out)
         return visible, shadowed
+
+    def transport(
+        self,
+        positions: Rows,
+        normals: Rows,
+        wo: Rows,
+        wi: Rows,
+        visibility: Rows | NDArray[np.bool_],
+        base_color: Rows | None = None,
+    ) -> Rows:
+        """`evaluate`, for hosts that have traced the visibility v: v visible + (1 - v) shadowed.
+
+        visibility: of the light from the position along wi, through the asset itself: (n,) bool,
+        or (n,) or (n, 3) float32 from 0 to 1. The others are as for `evaluate`. In a tier with a
+        decoder of its own for shadowed light, a row takes the time of those that count.
+
+        Returns (n, 3) float32 linear RGB, finite and non-negative.
+
+        Raises:
+            QueryError: as `evaluate`.
+
+        Examples:
+            >>> asset = load("toy.rna")
+            >>> x, n = asset.mesh.positions[:100], asset.mesh.normals[:100]
+            >>> asset.transport(x, n, n, n, np.ones(100, bool)).shape
+            (100, 3)
+        """
+        return self._transport(self._lit(positions, normals, wo, wi, base_color), visibility)
+
+    def _lit(
+        self, positions: Rows, normals: Rows, wo: Rows, wi: Rows, base_color: Rows | None
+    ) -> dict[str, Rows | None]:
+        """The arrays of transport, by name."""
+        if base_color is None and self.uses_base_color:
+            raise QueryError(f"base_color: {self.name} needs it; base_color_at looks it up")
+        arrays = {"position": positions, "axis": normals, "wo": wo, "wi": wi}
+        return {**arrays, "base_color": base_color}
+
+    @property
+    def uses_base_color(self) -> bool:
+        """Whether `evaluate` needs the base colour of its points."""
+        return bool(self.tier_part.uses_base_color)
+
+    def base_color_at(
+        self, primitives: NDArray[np.integer], u: Rows, v: Rows, widths: Rows | float = 0.0
+    ) -> Rows:
+        """Base colour at ray hits, for `evaluate`: spec/RNA.md, 4.6.
+
+        primitives: (n,) indices of triangles. u, v: (n,) float32, barycentric coordinates of the
+        second and third corner. widths: (n,) float32 or one number: the width of a pixel at the
+        hit, object space, metres; images are averaged over it, so that print does not alias. 0
+        takes them as they are.
+
+        Returns (n, 3) float32 linear RGB, from 0 to 1; 1 where the part has no base colour.
+
+        Raises:
+            QueryError: an argument is no such array, or a primitive is not there.
+        """
+        return self._base_color_maps.at(primitives, u, v, widths)
+
+    @cached_property
+    def _base_color_maps(self) -> BaseColorMaps:
+        from rna_sdk.runtime.base_color import BaseColorMaps
+
+        return BaseColorMaps(self.mesh, self.base_colors)
 
     def emission(self, positions: Rows, normals: Rows, wo: Rows) -> Rows:
         """Radiance emitted by surface points towards wo, without incident light, W/(m^2 sr).

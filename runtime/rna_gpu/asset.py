@@ -15,6 +15,7 @@ from rna_gpu.part_buffers import part_uniform, upload_planes, upload_weights
 from rna_gpu.records.part import ROW
 from rna_sdk.errors import QueryError
 from rna_sdk.package import Package, Tier, decoder_from_bytes
+from rna_sdk.package.decoder.decoder_form import COLUMNS, EMISSION, TRANSPORT
 from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS
 
 Rows = NDArray[np.float32]
@@ -28,8 +29,8 @@ class GpuPart:
         name: name of the part; of the asset if it has only one.
         kind: "surface" or "fiber".
         tier_part: the part's record in the tier.
-        transport: evaluator of (visible, shadowed).
-        emitter: evaluator of emitted radiance; None if the part does not emit.
+        evaluators: of the part's decoders, by the name of their form: "transport", or "visible" and
+            "shadowed"; and "emission" if the part emits.
         multiply_adds: cost of a transport query.
     """
 
@@ -40,62 +41,87 @@ class GpuPart:
         stored = package.planes(tier.name, part)
         planes = upload_planes(device, stored, name)
 
-        self._evaluators: dict[str, Evaluator] = {}
+        self.evaluators: dict[str, Evaluator] = {}
+        self.multiply_adds = 0
         for one in tier_part.decoders:
             model = package.decoder(tier.name, part, one.form.name)
             decoder = _packed(model, one.inputs, tier_part.channels, f"{name}, tier {tier.name}")
-            uniform = part_uniform(decoder, tier_part, record.bounds, stored)
+            own = COLUMNS * len(one.form.results)
+            factors = own if one.width > own else 0
+            uniform = part_uniform(decoder, tier_part, record.bounds, stored, factors)
             buffers = [
                 device.upload(uniform, "UNIFORM", what=f"{name}: record"),
                 upload_weights(device, decoder, name),
                 *planes,
             ]
-            colours = len(one.form.results)
-            evaluator = Evaluator(device, decoder, record.kind, colours, buffers)
-            self._evaluators[one.form.name] = evaluator
-            if one.form.name == "transport":
-                self.transport, self.multiply_adds = evaluator, decoder.multiply_adds
-        self.emitter = self._evaluators.get("emission")
+            evaluator = Evaluator(device, decoder, record.kind, one.form, buffers)
+            self.evaluators[one.form.name] = evaluator
+            self.multiply_adds += 0 if one.form is EMISSION else decoder.multiply_adds
 
     @property
     def emits(self) -> bool:
         """Whether the part emits light."""
-        return self.emitter is not None
+        return EMISSION.name in self.evaluators
+
+    @property
+    def uses_base_color(self) -> bool:
+        """Whether `evaluate` needs the base colour of its points."""
+        return bool(self.tier_part.uses_base_color)
+
+    @property
+    def transport(self) -> list[Evaluator]:
+        """What gives visible and shadowed light: one evaluator, or one of each."""
+        return [one for name, one in self.evaluators.items() if name != EMISSION.name]
 
     def new_rows(self, capacity: int) -> GpuRows:
         """Buffers for `capacity` transport queries, for `evaluate_on_gpu`. Raises GpuError."""
-        return self.transport.new_rows(capacity)
+        return self.transport[0].new_rows(capacity)
 
     def evaluate_on_gpu(self, rows: GpuRows, most: int) -> None:
         """Evaluate the queries in `rows`, as written by the caller's shaders, into `rows.results`.
 
         most: upper bound of `rows.count`, at most `rows.capacity`.
         """
-        self.transport.dispatch(rows, most)
+        for evaluator in self.transport:
+            evaluator.dispatch(rows, most)
 
     def decode(self, form: str, arrays: Mapping[str, Rows]) -> Rows:
         """Results of a decoder, (n, colours, 3): like `decode` of `rna_sdk.runtime`'s parts.
 
         0 where the part has no such decoder.
         """
-        evaluator = self._evaluators.get(form)
-        rows = _rows(arrays, self.kind)
-        return np.zeros((len(rows), 1, 3), np.float32) if evaluator is None else evaluator.run(rows)
+        rows = _rows(arrays, self.kind, self.uses_base_color)
+        evaluators = self.transport if form == TRANSPORT.name else []
+        if form in self.evaluators:
+            evaluators = [self.evaluators[form]]
+        if not evaluators:
+            return np.zeros((len(rows), 1, 3), np.float32)
+        return np.concatenate([evaluator.run(rows) for evaluator in evaluators], axis=1)
 
     def _evaluate(self, **arrays: Rows) -> tuple[Rows, Rows]:
-        transport = self.decode("transport", arrays)
+        transport = self.decode(TRANSPORT.name, arrays)
         return np.ascontiguousarray(transport[:, 0]), np.ascontiguousarray(transport[:, 1])
 
     def _emission(self, **arrays: Rows) -> Rows:
-        return np.ascontiguousarray(self.decode("emission", arrays)[:, 0])
+        return np.ascontiguousarray(self.decode(EMISSION.name, arrays)[:, 0])
 
 
 class GpuSurface(GpuPart):
     """A part whose geometry is a mesh."""
 
-    def evaluate(self, positions: Rows, normals: Rows, wo: Rows, wi: Rows) -> tuple[Rows, Rows]:
+    def evaluate(
+        self,
+        positions: Rows,
+        normals: Rows,
+        wo: Rows,
+        wi: Rows,
+        base_color: Rows | None = None,
+    ) -> tuple[Rows, Rows]:
         """Like `rna_sdk.runtime.SurfaceAsset.evaluate`, within the tolerance of the spec (8.2)."""
-        return self._evaluate(position=positions, axis=normals, wo=wo, wi=wi)
+        arrays = {"position": positions, "axis": normals, "wo": wo, "wi": wi}
+        return self._evaluate(
+            **arrays, **({} if base_color is None else {"base_color": base_color})
+        )
 
     def emission(self, positions: Rows, normals: Rows, wo: Rows) -> Rows:
         """Like `rna_sdk.runtime.SurfaceAsset.emission`."""
@@ -136,19 +162,24 @@ def _packed(model: memoryview, inputs: tuple[str, ...], channels: int, name: str
     return pack_decoder(decoder_from_bytes(model, name), inputs, channels, name)
 
 
-def _rows(arrays: Mapping[str, Rows], kind: str) -> NDArray[Any]:
+def _rows(arrays: Mapping[str, Rows], kind: str, uses_base_color: bool) -> NDArray[Any]:
     """(n,) of dtype ROW.dtype; wi is wo where no block reads it.
 
-    Raises QueryError: an argument is no float32 array of n rows.
+    Raises QueryError: an argument is missing, or no float32 array of n rows.
     """
     count = len(arrays["position"])
     rows = np.zeros(count, ROW.dtype)
     for array in QUERY_ARRAYS:
-        if array.kind in ("", kind):
-            values = arrays.get(array.name, arrays["wo"])
-            shape = (count,) if array.columns == 1 else (count, array.columns)
-            _check(_LABELS.get(array.name, array.name), values, shape)
-            rows[array.name] = np.ascontiguousarray(values).view(np.uint32)
+        if array.kind not in ("", kind) or (array.is_factor and not uses_base_color):
+            continue
+        values = arrays.get(array.name, None if array.is_factor else arrays["wo"])
+        shape = (count,) if array.columns == 1 else (count, array.columns)
+        _check(_LABELS.get(array.name, array.name), values, shape)
+        words = np.ascontiguousarray(values).view(np.uint32)
+        if array.is_factor:
+            rows["red"], rows["green"], rows["blue"] = words.T
+        else:
+            rows[array.name] = words
     return rows
 
 

@@ -14,6 +14,7 @@ from rna_gpu.device import Device, Groups
 from rna_gpu.part_buffers import weights_file
 from rna_gpu.records.part import ROW
 from rna_gpu.shaders import compose
+from rna_sdk.package.decoder.decoder_form import EMISSION, SHADOWED, DecoderForm
 
 _COLOUR_BYTES = 16
 _WORK = 1 << 31
@@ -43,10 +44,9 @@ class GpuRows:
 
 
 class Evaluator:
-    """Transport or emission of one part, in one pipeline.
+    """One decoder of a part, in one pipeline.
 
     Attributes:
-        colours: 2 of transport, 1 of emission.
         batch: rows that one dispatch should have at most.
     """
 
@@ -55,31 +55,38 @@ class Evaluator:
         device: Device,
         decoder: PackedDecoder,
         kind: str,
-        colours: int,
+        form: DecoderForm,
         buffers: list[Any],
     ) -> None:
         """buffers: uniform, weights and the three planes."""
-        self.colours = colours
+        self._stride = 1 if form is EMISSION else 2  # colours of a row of the results
+        first = 1 if form is SHADOWED else 0
+        self._own = slice(first, first + len(form.results))
         self.batch = min(max(_WORK // decoder.multiply_adds // 64 * 64, 64), _LARGEST_BATCH)
         self._device = device
-        constants = {"RNA_GROUPS": decoder.groups, "RNA_COLOURS": colours}
+        constants = {
+            "RNA_GROUPS": decoder.groups,
+            "RNA_COLOURS": len(form.results),
+            "RNA_STRIDE": self._stride,
+            "RNA_FIRST": first,
+        }
         source = compose(constants, weights_file(decoder), kind, "evaluate")
         self._pipeline = device.pipeline(source, "rna_evaluate")
         self._part = self._bind(0, buffers)
         self._workspace: GpuRows | None = None
 
     def run(self, rows: NDArray[Any]) -> NDArray[np.float32]:
-        """(n, colours, 3) float32 of (n,) rows of dtype ROW.dtype."""
-        results = np.empty((len(rows), self.colours, 3), np.float32)
+        """The decoder's results, (n, colours, 3) float32, of (n,) rows of dtype ROW.dtype."""
+        results = np.empty((len(rows), self._own.stop - self._own.start, 3), np.float32)
         for start in range(0, len(rows), self.batch):
             some = rows[start : start + self.batch]
             buffers = self._buffers(len(some))
             self._device.write(buffers.rows, some)
             self._device.write(buffers.count, np.array([len(some)], np.uint32))
             self.dispatch(buffers, len(some))
-            data = self._device.read(buffers.results, len(some) * self.colours * _COLOUR_BYTES)
-            whole = data.view(np.float32).reshape(len(some), self.colours, 4)
-            results[start : start + len(some)] = whole[..., :3]
+            data = self._device.read(buffers.results, len(some) * self._stride * _COLOUR_BYTES)
+            whole = data.view(np.float32).reshape(len(some), self._stride, 4)
+            results[start : start + len(some)] = whole[:, self._own, :3]
         return results
 
     def dispatch(self, rows: GpuRows, most: int) -> None:
@@ -131,7 +138,7 @@ class Evaluator:
         Raises:
             GpuError: they do not fit.
         """
-        sizes = capacity * ROW.dtype.itemsize, capacity * self.colours * _COLOUR_BYTES, 4
+        sizes = capacity * ROW.dtype.itemsize, capacity * self._stride * _COLOUR_BYTES, 4
         names = "rows", "results", "count of rows"
         rows, results, number = (
             self._device.buffer(size, "STORAGE", what=name)

@@ -14,10 +14,11 @@ from rna_sdk.package import Bounds, Int8Planes, Planes, TierPart
 
 
 def part_uniform(
-    decoder: PackedDecoder, part: TierPart, bounds: Bounds, planes: Planes
+    decoder: PackedDecoder, part: TierPart, bounds: Bounds, planes: Planes, factors: int = 0
 ) -> NDArray[Any]:
-    """RnaPart, () of dtype PART.dtype."""
+    """RnaPart, () of dtype PART.dtype. factors: column of the results where they begin."""
     record = np.zeros((), PART.dtype)
+    record["factors"] = factors
     record["low"], record["high"] = bounds.corners()
     record["resolution"] = part.resolution
     record["channel_groups"] = -(-part.channels // GROUP)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rna_sdk.conformance.reader import check, environment, evaluate
+from rna_sdk.conformance.reader import base_color, check, environment, evaluate
 from rna_sdk.conformance.reader_program import run_reader
 from rna_sdk.package import Curves, Mesh, Package
 
@@ -88,6 +88,7 @@ if __name__ == "__main__":
             environment=environment,
             visibility=visibility,
             normals=normals,
+            base_color=base_color,
             validate=check,
         )
     )

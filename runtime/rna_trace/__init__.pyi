@@ -4,7 +4,6 @@ from .asset_parts import mesh_transmittance as mesh_transmittance
 from .asset_parts import part_geometry as part_geometry
 from .asset_parts import part_normal_maps as part_normal_maps
 from .asset_parts import part_transmittance as part_transmittance
-from .bilinear import REPEAT as REPEAT
 from .embree.instances import CAMERA_RAY as CAMERA_RAY
 from .embree.instances import INDIRECT_RAY as INDIRECT_RAY
 from .embree.instances import SHADOW_RAY as SHADOW_RAY

@@ -84,10 +84,17 @@ class Body(Protocol):
     def scene(self) -> GeometryScene: ...
 
     def points(
-        self, part: int, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray, seen: bool
+        self,
+        part: int,
+        hits: ClosestHits,
+        ray: np.ndarray,
+        wo: np.ndarray,
+        seen: bool,
+        widths: np.ndarray,
     ) -> Points:
         """The points of a part that the given rays, (m,), have hit. A body that shines has none.
 
-        wo: (m, 3) float32, object space. seen: whether they are camera rays.
+        wo: (m, 3) float32, object space. seen: whether they are camera rays. widths: (m,) float32,
+        of a pixel at each hit, object space.
         """
         ...

@@ -27,6 +27,7 @@ def scene_site(path: Path) -> Site:
     asset = _add_asset(scene_file, site)
     if scene.assets[0].tier is not None:
         site.attributes["tier"] = scene.assets[0].tier
+    _add_print(scene_file, site)
     record = {
         "asset": asset,
         "camera": {
@@ -52,6 +53,20 @@ def _add_asset(scene_file: SceneFile, site: Site) -> str:
         return site.add_package(path)
     except PackageError as error:
         raise scene_file.error(("assets", 0, "path"), str(error)) from error
+
+
+def _add_print(scene_file: SceneFile, site: Site) -> None:
+    """Maps and tint of the scene's first asset."""
+    model = scene_file.scene.assets[0]
+    if model.tint != (1.0, 1.0, 1.0):
+        site.attributes["tint"] = " ".join(f"{value:.9g}" for value in model.tint)
+    for label, given in model.maps.items():
+        path = scene_file.resolve(given)
+        _note_if_outside(scene_file, path, site)
+        try:
+            site.add_print(label, path)
+        except (OSError, ViewError) as error:
+            raise scene_file.error(("assets", 0, "maps"), str(error)) from error
 
 
 def _sun(light: DirectionalModel) -> dict[str, Any]:
@@ -92,7 +107,8 @@ def _left_out(scene_file: SceneFile) -> list[str]:
     if transform != type(transform)():
         notes.append("the page shows the asset at the origin, not where the scene has it")
     if scene.objects:
-        notes.append(f"the page leaves out {len(scene.objects)} objects")
+        objects = "an object" if len(scene.objects) == 1 else f"{len(scene.objects)} objects"
+        notes.append(f"the page leaves out {objects}: {scene.objects[0].path.name}")
     shown = (DirectionalModel, EnvironmentModel)
     others = [light.type for light in scene.lights if not isinstance(light, shown)]
     if others:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from html import escape
 from importlib.resources import files
@@ -17,11 +18,12 @@ ELEMENT = "rna-viewer.js"
 """Defines the element, on the page and on any other."""
 VIEWER_FILES = ("index.html", "viewer.js", "viewer.css", ELEMENT)
 SCENE = "scene.json"
-SITE_NAME = re.compile(rf"[0-9a-f]{{32}}\.(rna|exr|hdr)|{re.escape(SCENE)}")
+SITE_NAME = re.compile(rf"[0-9a-f]{{32}}\.(rna|exr|hdr|png|jpg|webp)|{re.escape(SCENE)}")
 """Names that a page's own files can have; those of the viewer are none of them."""
 
-# First bytes of the file, by which environment images are distinguished everywhere.
+# First bytes of the file, by which images are distinguished everywhere.
 _IMAGE_SUFFIXES = {b"\x76\x2f\x31\x01": ".exr", b"#?": ".hdr"}
+_PRINT_SUFFIXES = {b"\x89PNG": ".png", b"\xff\xd8\xff": ".jpg", b"RIFF": ".webp"}
 
 
 @dataclass(frozen=True)
@@ -33,12 +35,14 @@ class Site:
             suffix that says what that is: a name that somebody else chose can be taken for an
             address, or for a file of the viewer.
         attributes: of the page's element, as `src="NAME"`.
+        maps: other images of base colour: names of files by label.
         labels: what people call a file, by its name.
         notes: what a person should know, one line each.
     """
 
     contents: dict[str, Path | bytes] = field(default_factory=dict)
     attributes: dict[str, str] = field(default_factory=dict)
+    maps: dict[str, str] = field(default_factory=dict)
     labels: dict[str, str] = field(default_factory=dict)
     notes: list[str] = field(default_factory=list)
 
@@ -52,12 +56,14 @@ class Site:
 
         Raises ViewError for a file that does not begin as one.
         """
-        with path.open("rb") as file:
-            start = file.read(4)
-        suffixes = [suffix for magic, suffix in _IMAGE_SUFFIXES.items() if start.startswith(magic)]
-        if not suffixes:
-            raise ViewError(f"{path}: expected an environment image, .hdr or .exr")
-        return self._add(path, suffixes[0])
+        return self._add_image(path, _IMAGE_SUFFIXES, "an environment image, .hdr or .exr")
+
+    def add_print(self, label: str, path: Path) -> None:
+        """Add another image for the asset's base colour with that label.
+
+        Raises ViewError for a file that does not begin as one.
+        """
+        self.maps[label] = self._add_image(path, _PRINT_SUFFIXES, "a PNG, JPEG or WebP image")
 
     def add_scene(self, record: object) -> str:
         """Add what the page reads of a scene; returns its name in the page."""
@@ -73,10 +79,19 @@ class Site:
     def written_attributes(self, address: str = "") -> str:
         """The element's attributes in HTML, each after a space. address: of the page's folder."""
         addresses = {name: address for name in ("src", "environment", "scene")}
-        return "".join(
-            f' {name}="{escape(addresses.get(name, "") + value)}"'
-            for name, value in self.attributes.items()
-        )
+        written = {name: addresses.get(name, "") + value for name, value in self.attributes.items()}
+        if self.maps:
+            pairs = (f"{label}={address}{name}" for label, name in self.maps.items())
+            written["maps"] = " ".join(pairs)
+        return "".join(f' {name}="{escape(value)}"' for name, value in written.items())
+
+    def _add_image(self, path: Path, suffixes: Mapping[bytes, str], expected: str) -> str:
+        with path.open("rb") as file:
+            start = file.read(4)
+        found = [suffix for magic, suffix in suffixes.items() if start.startswith(magic)]
+        if not found:
+            raise ViewError(f"{path}: expected {expected}")
+        return self._add(path, found[0])
 
     def _add(self, path: Path, suffix: str) -> str:
         with path.open("rb") as file:

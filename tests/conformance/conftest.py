@@ -46,6 +46,7 @@ class InProcess:
     normals: Callable[[str, bytes], np.ndarray] | None = None
     validate: Callable[[str], tuple[bool, list[str]]] | None = None
     environment: Environment | None = None
+    base_color: Callable[[str, bytes], np.ndarray] | None = None
 
     def run(self, *arguments: str) -> Answer:
         out, errors = io.StringIO(), io.StringIO()

@@ -48,7 +48,7 @@ def evaluate(
     queries: np.ndarray,
     output: str = "transport",
 ) -> np.ndarray:
-    """(n, 6) float32 for (n, 13) float32 queries; minimal: the module of the minimal host.
+    """(n, 6) float32 for (n, 16) float32 queries; minimal: the module of the minimal host.
 
     For emission (n, 3), for (n, 10) queries and three columns behind them that no block reads.
     """
@@ -56,9 +56,11 @@ def evaluate(
         manifest = json.loads(archive.read("manifest.json"))
         tier = next(tier for tier in manifest["tiers"] if tier["name"] == tier_name)
         part, tier_part = manifest["parts"][number], tier["parts"][number]
-        decoder = tier_part.get(output, tier_part)
+        decoders = minimal.decoders_of(tier_part, output)
         planes = minimal.read_planes(archive.read(tier_part["planes"])).astype(F)
-        nodes, constants = minimal.read_decoder(archive.read(decoder["decoder"]))
+        graphs = [minimal.read_decoder(archive.read(of["decoder"])) for of in decoders.values()]
+    uses_base_color = output == "transport" and tier_part.get("usesBaseColor", False)
+    queries, base_color = queries[:, : 16 if uses_base_color else 13], queries[:, 13:]
     if not formulas.subnormal_texels:
         planes[np.abs(planes) < F(2.0**-14)] = 0
     directions = queries[:, 3:6], queries[:, 7:10], queries[:, 10:13]
@@ -70,12 +72,18 @@ def evaluate(
     h = queries[rows, 6]
     blocks = _blocks(formulas, planes, p, np.clip(h, -1, 1) if formulas.h_clamped else h, axis)
     made = blocks(wo, wi)
-    inputs = np.hstack([made[name] for name in decoder["inputs"]])
-    assert inputs.dtype == F
-    values = {k: v.astype(F) for k, v in constants.items()}
-    actual = _run(formulas, nodes, values, inputs)[output]
-    result = np.zeros((len(queries), actual.shape[1]), F)
-    result[rows] = actual
+    colours = []
+    for (name, record), (nodes, constants) in zip(decoders.items(), graphs, strict=True):
+        inputs = np.hstack([made[block] for block in record["inputs"]])
+        assert inputs.dtype == F
+        values = {k: v.astype(F) for k, v in constants.items()}
+        colour = _run(formulas, nodes, values, inputs)[name]
+        if uses_base_color:
+            colour, factor = np.hsplit(colour, 2)
+            colour = colour + np.tile(base_color[rows], colour.shape[1] // 3) * factor
+        colours.append(colour)
+    result = np.zeros((len(queries), 3 if output == "emission" else 6), F)
+    result[rows] = np.hstack(colours)
     return result
 
 

@@ -53,13 +53,18 @@ def test_the_runtime_passes_every_level(kit: Kit) -> None:
         conformance_reader.normals,
         reader.check,
         reader.environment,
+        reader.base_color,
     )
     assert claimed_levels(program) == LEVELS
     assert failures(program, kit, *LEVELS) == []
 
 
 def test_the_numpy_twin_passes(kit: Kit) -> None:
-    twin = InProcess(twin_reader.evaluate, environment=twin_reader.environment)
+    twin = InProcess(
+        twin_reader.evaluate,
+        environment=twin_reader.environment,
+        base_color=twin_reader.base_color,
+    )
     assert failures(twin, kit, *claimed_levels(twin)) == []
 
 
@@ -67,7 +72,9 @@ def test_the_numpy_twin_passes(kit: Kit) -> None:
 def test_our_readers_are_programs(module: str, kit: Kit, tmp_path: Path) -> None:
     program = Command((sys.executable, "-m", module), timeout=300)
     had = claimed_levels(program)
-    assert had == (LEVELS if "render" in module else ("evaluate", "environment", "validate"))
+    assert had == (
+        LEVELS if "render" in module else ("evaluate", "environment", "base-color", "validate")
+    )
     one = replace(
         kit,
         evaluate=kit.evaluate[:1],
@@ -96,7 +103,8 @@ def of_float32(minimal: ModuleType, formulas: Formulas) -> InProcess:
     def evaluate(
         form: str, package: str, tier: str, part: int, arrays: dict[str, np.ndarray]
     ) -> np.ndarray:
-        rows = np.column_stack(in_order(arrays))
+        base_color = [arrays["base_color"]] if "base_color" in arrays else []
+        rows = np.column_stack([*in_order(arrays), *base_color])
         with np.errstate(all="ignore"):
             return float32_reader.evaluate(minimal, formulas, Path(package), tier, part, rows, form)
 
@@ -118,7 +126,7 @@ def test_each_formula_that_loses_digits_fails(formula: str, kit: Kit, minimal: M
 
 WITH_FIBERS = {
     *("fiber-float16", "fiber-int8", "fiber-one-channel", "fiber-quantised"),
-    *("parts-head", "parts-lantern"),
+    *("fiber-shadowed", "parts-head", "parts-lantern"),
 }
 
 

@@ -13,11 +13,15 @@ import torch
 from rna_export.export.decoder import (
     ABSOLUTE,
     RELATIVE,
+    DecoderModel,
     compare_decoder,
+    compare_int8_decoder,
+    decoders_of,
     export_decoder,
     extreme_queries,
     random_queries,
 )
+from rna_export.export.int8_decoder import int8_decoder
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.presets import PRESETS
 from rna_sdk.errors import ExportError
@@ -26,20 +30,36 @@ from tests.exporters.synthetic import tiny
 BOUNDS = torch.tensor([[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]])
 
 
-def make_model(preset: str = "small", kind: str = "surface") -> NeuralAsset:
+FORMS = {
+    "transport": {"shadow_width": 0},
+    "transport with base colour": {"shadow_width": 0, "uses_base_color": True},
+    "visible": {"shadow_width": 16},
+    "shadowed": {"shadow_width": 16},
+    "shadowed with base colour": {"shadow_width": 16, "uses_base_color": True},
+}
+
+
+def make_model(
+    preset: str = "small", kind: str = "surface", form: str = "transport"
+) -> DecoderModel:
     """Untrained, but with outputs that reach from below zero to the ceiling."""
     torch.manual_seed(0)
-    model = NeuralAsset(tiny(preset, kind).model, BOUNDS).eval()
+    inputs = {"shadow_inputs": PRESETS[kind]["paper-small"].model.inputs}
+    config = tiny(preset, kind).model.model_copy(update={**inputs, **FORMS[form]})
+    model = NeuralAsset(config, BOUNDS).eval()
     model.ceiling.fill_(12.5)
     model.unit.fill_(0.4)
     model.triplane.planes.data.normal_()
-    model.decoder[-1].weight.data *= 6.0
-    return model
+    name = form.split(" ", maxsplit=1)[0]
+    made = next(one for one in decoders_of(model) if one.output == name)
+    made.decoder[-1].weight.data *= 6.0
+    made.unit.fill_(0.4)
+    return made
 
 
 def run(decoder: bytes, queries: torch.Tensor) -> np.ndarray:
     session = onnxruntime.InferenceSession(decoder, providers=["CPUExecutionProvider"])
-    return session.run(["transport"], {"queries": queries.numpy()})[0]
+    return session.run(None, {"queries": queries.numpy()})[0]
 
 
 @pytest.mark.parametrize(
@@ -56,6 +76,18 @@ def test_agrees_with_pytorch(kind: str, preset: str) -> None:
     assert actual.min() == 0.0 and actual[:, 3:].max() == pytest.approx(12.5)  # both clamps reached
     agreement = compare_decoder(decoder, model)
     assert 0.0 < agreement.max_absolute < 1e-3 and agreement.max_relative < RELATIVE
+
+
+@pytest.mark.parametrize("form", FORMS)
+@torch.no_grad()
+def test_every_form_agrees_with_pytorch(form: str) -> None:
+    model = make_model(form=form)
+    proto = onnx.load_from_string(export_decoder(model))
+    assert proto.graph.output[0].name == model.output
+    compare_decoder(export_decoder(model), model)
+    queries = random_queries(model, 5000, 7)
+    layers = int8_decoder(model.decoder, queries)
+    compare_int8_decoder(export_decoder(model, layers), model, layers, queries)
 
 
 def test_the_interface_is_the_formats() -> None:

@@ -37,7 +37,7 @@ from tests.exporters.test_decoder_export import make_model, run
 def test_onnx_is_the_twin_and_near_the_trained(kind: str, preset: str) -> None:
     model = make_model(preset, kind)
     queries = random_queries(model, 5000, 7)
-    layers = int8_decoder(model, queries)
+    layers = int8_decoder(model.decoder, queries)
     decoder = export_decoder(model, layers)
     agreement = compare_int8_decoder(decoder, model, layers, random_queries(model, 2000, 8))
     assert 0.0 < agreement.max_absolute < 12.5
@@ -50,7 +50,7 @@ def test_onnx_is_the_twin_and_near_the_trained(kind: str, preset: str) -> None:
 def test_the_runtime_runs_the_exported_integers(preset: str) -> None:
     model = make_model(preset)
     queries = random_queries(model, 5000, 7)
-    decoder = export_decoder(model, int8_decoder(model, queries))
+    decoder = export_decoder(model, int8_decoder(model.decoder, queries))
     runtime = Decoder(decoder_from_bytes(decoder, "decoder"))
     for inputs in (queries, 1e30 * queries, -queries):
         actual, expected = runtime.run(inputs.numpy()), run(decoder, inputs)
@@ -69,10 +69,9 @@ def test_the_runtime_runs_the_exported_integers(preset: str) -> None:
 @torch.no_grad()
 def test_a_row_does_not_depend_on_the_number_of_rows(columns: int) -> None:
     layers = (torch.nn.Linear(columns, 16), torch.nn.ReLU(), torch.nn.Linear(16, 6))
-    model = make_model()
-    model.decoder = torch.nn.Sequential(*layers)
+    model = replace(make_model(), decoder=torch.nn.Sequential(*layers))
     queries = torch.randn(2000, columns)
-    exported = export_decoder(model, int8_decoder(model, queries))
+    exported = export_decoder(model, int8_decoder(model.decoder, queries))
     runtime = Decoder(decoder_from_bytes(exported, "decoder"))
     expected = runtime.run(queries.numpy())
     assert runtime.columns == columns and expected.std() > 0.01
@@ -94,7 +93,7 @@ def test_a_row_does_not_depend_on_the_number_of_rows(columns: int) -> None:
 def test_another_decoder_is_refused(change) -> None:
     model = make_model()
     queries = random_queries(model, 5000, 7)
-    layers = int8_decoder(model, queries)
+    layers = int8_decoder(model.decoder, queries)
     decoder = export_decoder(model, layers)
     others = replace(layers, layers=(*layers.layers[:-1], change(layers.layers[-1])))
     with pytest.raises(ExportError, match="differs from its PyTorch reference"):
@@ -103,7 +102,7 @@ def test_another_decoder_is_refused(change) -> None:
 
 def test_output_is_finite_and_never_negative_whatever_is_asked() -> None:
     model = make_model()
-    decoder = export_decoder(model, int8_decoder(model, random_queries(model, 5000, 7)))
+    decoder = export_decoder(model, int8_decoder(model.decoder, random_queries(model, 5000, 7)))
     values = torch.tensor([0.0, -0.0, 1e30, -1e30, 3e38, -3e38, 1e-45, 65504.0])
     actual = run(decoder, values[torch.randint(8, (500, model.decoder[0].in_features))])
     assert np.isfinite(actual).all() and actual.min() >= 0.0 and actual.max() <= 12.6
@@ -115,7 +114,7 @@ def test_a_neuron_that_never_fires_and_an_input_that_never_varies_do_no_harm() -
     queries = random_queries(model, 5000, 7)
     queries[:, 2] = 0.25
     with torch.no_grad():
-        y, exact = int8_decoder(model, queries)(queries), model.decoder(queries)
+        y, exact = int8_decoder(model.decoder, queries)(queries), model.decoder(queries)
     assert float((y - exact).square().mean()) < 1e-3 * float(exact.square().mean())
 
 
@@ -225,7 +224,7 @@ def test_no_exported_weights_can_saturate(kind: str) -> None:
         model = make_model(preset, kind)
         for parameter in model.decoder.parameters():
             parameter.abs_()  # of one sign: the worst of pairs
-        layers = int8_decoder(model, random_queries(model, 2000, 7)).layers
+        layers = int8_decoder(model.decoder, random_queries(model, 2000, 7)).layers
         assert not any(can_saturate(layer.weight.T.numpy()) for layer in layers)
         # No step is larger than it must be: some pair, or weight, is at its limit.
         for layer in layers:

@@ -8,27 +8,31 @@ import pytest
 import torch
 from torch import Tensor
 
-from rna_export.export.decoder import compare_int8_decoder, export_decoder, random_queries
+from rna_export.export.decoder import (
+    DecoderModel,
+    compare_int8_decoder,
+    export_decoder,
+    random_queries,
+)
 from rna_export.export.int8_decoder import Int8Decoder, int8_decoder
 from rna_export.export.int8_tuning import Calibration, tuned
-from rna_export.training.model.neural_asset import NeuralAsset
 from tests.exporters.test_decoder_export import make_model
 
 
-def make_calibration(model: NeuralAsset, seed: int, channels: int) -> Calibration:
+def make_calibration(model: DecoderModel, seed: int, channels: int) -> Calibration:
     """Random queries, of which half are lit; of three channels, each of its own."""
     generator = torch.Generator().manual_seed(seed)
     queries = random_queries(model, 20_000, seed)
-    return Calibration(queries, torch.rand(len(queries), channels, generator=generator).round())
+    lit = torch.rand(len(queries), channels, generator=generator).round()
+    return Calibration(queries, torch.stack([lit, 1.0 - lit], dim=1))
 
 
 @torch.no_grad()
-def brightness_error(model: NeuralAsset, decoder: Int8Decoder, at: Calibration) -> float:
+def brightness_error(model: DecoderModel, decoder: Int8Decoder, at: Calibration) -> float:
     """By how much a channel is off at most, over all samples."""
 
     def light(y: Tensor) -> Tensor:
-        lit, shadowed = model.transport(y.unflatten(1, (-1, 3))).unbind(dim=1)
-        return torch.where(at.visible > 0.5, lit, shadowed).sum(dim=0)
+        return (at.weights * model.transport(y.unflatten(1, (-1, 3)))).sum(dim=(0, 1))
 
     ratio = light(decoder(at.queries)) / light(model.decoder(at.queries))
     return float((ratio - 1.0).abs().max())
@@ -38,7 +42,7 @@ def brightness_error(model: NeuralAsset, decoder: Int8Decoder, at: Calibration) 
 def test_a_decoder_that_is_off_is_brought_back(kind: str, channels: int) -> None:
     model = make_model("small", kind)
     calibration, others = (make_calibration(model, seed, channels) for seed in (7, 8))
-    plain = int8_decoder(model, calibration.queries)
+    plain = int8_decoder(model.decoder, calibration.queries)
     *inner, last = plain.layers
     dim = replace(last, weight_scale=0.97 * last.weight_scale)
     off = replace(plain, layers=(*inner, dim))
@@ -53,7 +57,7 @@ def test_a_decoder_that_is_off_is_brought_back(kind: str, channels: int) -> None
 def test_tuning_repeats_itself() -> None:
     model = make_model()
     calibration = make_calibration(model, 7, 1)
-    plain = int8_decoder(model, calibration.queries)
+    plain = int8_decoder(model.decoder, calibration.queries)
     first, second = (tuned(plain, model, calibration) for _ in range(2))
     for layer, again in zip(first.layers, second.layers, strict=True):
         assert torch.equal(layer.weight_scale, again.weight_scale)

@@ -70,6 +70,7 @@ WITH = {  # strands and materials
     ("branch.py",): (0, {"bark", "leaf"}),
     ("lantern.py", "--lit"): (0, {"amber glass", "brass", "flame", "iron", "wax"}),
     ("bottle.py",): (0, {"cork", "glass", "label"}),
+    ("print.py",): (0, {"checks", "paper"}),
     ("hair_card.py",): (0, {"hair", "mannequin"}),
     ("furry_toy.py", "--strands", "1200"): (1200, {"mane", "yellow", "eyes"}),
 }

@@ -34,10 +34,11 @@ def rows(count: int, bounds: np.ndarray) -> list[np.ndarray]:
 
 def test_the_conformance_kit(device: Device) -> None:
     kit: Kit = load_kit(KIT)
-    reader_module = conformance_reader
-    reader = InProcess(reader_module.evaluate, reader_module.visibility, reader_module.normals)
-    scores = list(run_levels(reader, kit, ("evaluate", "visibility", "normals")))
-    assert len(scores) == len(kit.evaluate) + len(kit.visibility) + len(kit.normals)
+    own = conformance_reader
+    reader = InProcess(own.evaluate, own.visibility, own.normals, base_color=own.base_color)
+    scores = list(run_levels(reader, kit, ("evaluate", "visibility", "normals", "base-color")))
+    cases = kit.evaluate, kit.visibility, kit.normals, kit.base_color
+    assert len(scores) == sum(map(len, cases))
     assert [score for score in scores if not score.passed] == []
 
 
@@ -65,7 +66,7 @@ def test_results_do_not_depend_on_the_batch(
     gpu = rna_gpu.load(TOY, device=device)
     assert isinstance(gpu, GpuSurface)
     whole = np.hstack(gpu.evaluate(*rows(1000, runtime.load(TOY).bounds)))
-    monkeypatch.setattr(gpu.transport, "batch", 192)
+    monkeypatch.setattr(gpu.transport[0], "batch", 192)
     assert np.array_equal(np.hstack(gpu.evaluate(*rows(1000, runtime.load(TOY).bounds))), whole)
     none = gpu.evaluate(*(a[:0] for a in rows(1, np.zeros((2, 3)))))
     assert none[0].shape == (0, 3)
@@ -94,12 +95,13 @@ def test_dispatches_grow_until_they_take_20_ms(
 ) -> None:
     gpu = rna_gpu.load(TOY, device=device)
     assert isinstance(gpu, GpuSurface)
-    batch, most = gpu.transport.batch, 4 * gpu.transport.batch
-    assert gpu.transport.short(most) == batch  # software drivers are not measured
+    transport = gpu.transport[0]
+    batch, most = transport.batch, 4 * transport.batch
+    assert transport.short(most) == batch  # software drivers are not measured
     monkeypatch.setattr(device, "is_software", False)
     monkeypatch.setattr(Evaluator, "_seconds", lambda self, rows: rows / queries_per_second)
-    assert gpu.transport.short(most) == times * batch
-    assert gpu.transport.short(100) == 100
+    assert transport.short(most) == times * batch
+    assert transport.short(100) == 100
 
 
 def test_one_line_says_what_is_wrong(device: Device) -> None:

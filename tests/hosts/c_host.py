@@ -52,6 +52,23 @@ class CCurves(ctypes.Structure):
     )
 
 
+class CBaseColor(ctypes.Structure):
+    """RnaBaseColor."""
+
+    _fields_ = (
+        ("first", ctypes.c_uint32),
+        ("count", ctypes.c_uint32),
+        ("file", ctypes.POINTER(ctypes.c_uint8)),
+        ("file_size", ctypes.c_size_t),
+        ("width", ctypes.c_uint32),
+        ("height", ctypes.c_uint32),
+        ("is_srgb", ctypes.c_bool),
+        ("factor", ctypes.c_double * 3),
+        ("wrap", ctypes.c_int * 2),
+        ("transform", ctypes.c_double * 6),
+    )
+
+
 class CPart(ctypes.Structure):
     """RnaPart."""
 
@@ -67,6 +84,8 @@ class CPart(ctypes.Structure):
         ("records", ctypes.c_void_p),
         ("normal_map_count", ctypes.c_int),
         ("normal_maps", ctypes.c_void_p),
+        ("base_color_count", ctypes.c_int),
+        ("base_colors", ctypes.POINTER(CBaseColor)),
     )
 
 
@@ -80,6 +99,8 @@ class CAsset:
         self._rna = ctypes.CDLL(str(library))
         self._rna.rna_open.restype = ctypes.c_void_p
         self._rna.rna_part.restype = ctypes.POINTER(CPart)
+        self._rna.rna_uses_base_color.restype = ctypes.c_bool
+        self._rna.rna_texel_density.restype = ctypes.c_double
         report = ctypes.create_string_buffer(_REPORT_BYTES)
         address = self._rna.rna_open(str(package).encode(), report)
         if not address:
@@ -97,12 +118,38 @@ class CAsset:
     def close(self) -> None:
         self._rna.rna_close(self._asset)
 
-    def evaluate(self, *arrays: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def evaluate(
+        self, *arrays: np.ndarray, base_color: np.ndarray | None = None
+    ) -> tuple[np.ndarray, np.ndarray]:
         """(visible, shadowed), (n, 3) float32 each, of positions, axes, [h,] wo, wi."""
         positions, axes, *h, wo, wi = arrays
-        visible, shadowed = np.empty((2, len(positions), 3), np.float32)
-        self._ask("rna_evaluate", positions, axes, *(h or (None,)), wo, wi, visible, shadowed)
+        results = np.empty((2, len(positions), 3), np.float32)
+        given = positions, axes, *(h or (None,)), wo, wi, base_color
+        self._ask("rna_evaluate", *given, *results)
+        visible, shadowed = results
         return visible, shadowed
+
+    @property
+    def uses_base_color(self) -> bool:
+        return bool(self._rna.rna_uses_base_color(self._asset, self._tier, self._part))
+
+    def set_image(self, record: int, pixels: np.ndarray) -> int:
+        """The status for (H, W, 3) uint8 pixels of a record of base colour."""
+        data = np.ascontiguousarray(pixels).ctypes.data_as(ctypes.c_void_p)
+        return int(self._rna.rna_set_image(self._asset, self._part, record, data))
+
+    def base_color(self, triangle: int, b1: float, b2: float, level: float) -> np.ndarray:
+        """(3,) float32 at a hit."""
+        color = np.empty(3, np.float32)
+        numbers = (ctypes.c_double(number) for number in (b1, b2, level))
+        place = ctypes.c_uint32(triangle), *numbers
+        self._rna.rna_base_color(self._asset, self._part, *place, _address(color))
+        return color
+
+    def texel_density(self, triangle: int) -> float:
+        return float(
+            self._rna.rna_texel_density(self._asset, self._part, ctypes.c_uint32(triangle))
+        )
 
     def emission(self, *arrays: np.ndarray) -> np.ndarray:
         """(n, 3) float32 of positions, axes, [h,] wo."""

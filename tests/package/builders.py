@@ -221,7 +221,7 @@ def make_part_data(part: TierPart, width: int = 8, layers: int = 1, seed: int = 
         for decoder in part.decoders
     }
     planes = make_planes(part.resolution, part.channels, part.plane_precision, seed)
-    return TierData(planes, made.pop("transport"), made)
+    return TierData(planes, made.pop(part.decoders[0].form.name), made)
 
 
 def make_decoder(precision: str, *sizes: int, **overrides: Any) -> bytes:

@@ -62,7 +62,7 @@ def test_every_form_is_asked_with_arrays_of_the_record() -> None:
     known = {array.name for array in QUERY_ARRAYS}
     for form in (*FORMS, ENVIRONMENT):
         assert set(form.arrays) <= known
-    assert [column_count(form.arrays) for form in FORMS] == [13, 10]
+    assert [column_count(form.arrays) for form in FORMS] == [16, 10]
 
 
 def test_arrays_that_are_not_there_have_others_in_their_place() -> None:

@@ -23,7 +23,8 @@ from tests.web.test_page import write_image
 ELEMENT_SOURCES = REPOSITORY / "runtime" / "web" / "src" / "element"
 AGAIN = "one.stage.engine && one.stage.engine !== before && one.stage.viewer?.stats.rounds"
 TWO = f"""
-<rna-viewer id="one" src="tiny.rna" alt="A tiny thing" camera-controls {SMALL}></rna-viewer>
+<rna-viewer id="one" src="tiny.rna" alt="A tiny thing" camera-controls interpolation-decay="0"
+  {SMALL}></rna-viewer>
 <rna-viewer id="two" src="fibers.rna" sun="10deg 20deg 3" {SMALL}></rna-viewer>
 """
 
@@ -53,7 +54,7 @@ def test_attributes_are_read_and_written_as_model_viewers():
         for (const [name, texts] of given) found[name] = texts.map((text) => read(name, text));
         const orbit = new Orbit(), box = {{ min: [-1, 0, -1], max: [1, 1, 1] }};
         const said = {{ target: read("camera-target", "0m 1m 2m"), fov: 40 }};
-        orbit.place([read("camera-orbit", "-30deg 60deg 2.5m"), said], box, 1.5, false);
+        orbit.place([read("camera-orbit", "-30deg 60deg 2.5m"), said], box, 1.5);
         console.log(JSON.stringify({{ ...found, camera: cameraText(orbit) }}));
     """
     command = ["node", "--input-type=module", "-e", program]

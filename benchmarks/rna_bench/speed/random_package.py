@@ -9,7 +9,7 @@ import torch
 import trimesh
 
 from rna_bench.speed.query_batches import unit
-from rna_export.export.decoder import export_decoder, random_queries
+from rna_export.export.decoder import decoders_of, export_decoder, random_queries
 from rna_export.export.int8_decoder import int8_decoder
 from rna_export.export.precision import PRECISIONS, Precision, stored_planes
 from rna_export.training.model.neural_asset import NeuralAsset
@@ -88,10 +88,11 @@ def _planes(model: NeuralAsset) -> torch.Tensor:
 @torch.no_grad()
 def random_data(model: NeuralAsset, part: TierPart) -> TierData:
     planes = stored_planes(_planes(model).detach().numpy(), part.plane_precision)
+    (decoder,) = decoders_of(model)
     layers = None
     if part.decoder_precision == "int8":
-        layers = int8_decoder(model, random_queries(model, 20_000, seed=0))
-    return TierData(planes=planes, decoder=export_decoder(model, layers))
+        layers = int8_decoder(decoder.decoder, random_queries(decoder, 20_000, seed=0))
+    return TierData(planes=planes, decoder=export_decoder(decoder, layers))
 
 
 def ball() -> Mesh:

@@ -5,9 +5,11 @@
  *     conform emission PACKAGE TIER PART QUERIES RESULTS
  *     conform visibility PACKAGE HITS RESULTS
  *     conform normals PACKAGE HITS RESULTS
+ *     conform base-color PACKAGE HITS RESULTS
  *     conform validate PACKAGE
  *
  * Files are little-endian, without headers; spec/conformance/README.md describes them. */
+#include "png.h"
 #include "rna.h"
 #include "trace.h"
 
@@ -57,7 +59,7 @@ static RnaAsset *open_or_tell(const char *path) {
     return asset;
 }
 
-/* Decoder forms: transport takes 13 numbers a row and gives 6, emission takes 10 and gives 3. */
+/* Decoder forms: transport takes 16 numbers a row and gives 6, emission takes 10 and gives 3. */
 typedef struct Question {
     const RnaAsset *asset;
     int tier, part;
@@ -67,23 +69,25 @@ typedef struct Question {
 
 /* rows: [n, columns]; results: [n, results], written. */
 static RnaStatus answer_rows(const Question *question, size_t n, const float *rows, float *results) {
-    float *arrays = malloc((n + 1) * 19 * sizeof *arrays);
+    float *arrays = malloc((n + 1) * 22 * sizeof *arrays);
     if (!arrays) return RNA_OUT_OF_MEMORY;
     float *positions = arrays, *axes = positions + 3 * n, *h = axes + 3 * n, *wo = h + n, *wi = wo + 3 * n;
-    float *colours[2] = {wi + 3 * n, wi + 6 * n};
+    float *base_colors = wi + 3 * n, *colours[2] = {wi + 6 * n, wi + 9 * n};
     for (size_t i = 0; i < n; i++, rows += question->columns) {
         memcpy(positions + 3 * i, rows, 3 * sizeof *rows);
         memcpy(axes + 3 * i, rows + 3, 3 * sizeof *rows);
         h[i] = rows[6];
         memcpy(wo + 3 * i, rows + 7, 3 * sizeof *rows);
-        if (!question->emission) memcpy(wi + 3 * i, rows + 10, 3 * sizeof *rows);
+        if (question->emission) continue;
+        memcpy(wi + 3 * i, rows + 10, 3 * sizeof *rows);
+        memcpy(base_colors + 3 * i, rows + 13, 3 * sizeof *rows);
     }
     const RnaAsset *asset = question->asset;
     const int tier = question->tier, part = question->part;
     RnaStatus status = question->emission
                            ? rna_emission(asset, tier, part, n, positions, axes, h, wo, colours[0])
-                           : rna_evaluate(asset, tier, part, n, positions, axes, h, wo, wi, colours[0],
-                                          colours[1]);
+                           : rna_evaluate(asset, tier, part, n, positions, axes, h, wo, wi, base_colors,
+                                          colours[0], colours[1]);
     for (size_t i = 0; i < n * question->results; i++)
         results[i] = colours[i % question->results / 3][i / question->results * 3 + i % 3];
     free(arrays);
@@ -163,6 +167,17 @@ static bool ask_normal(const RnaAsset *asset, const Tracer *tracer, const unsign
     return true;
 }
 
+/* The base colour (section 4.6). */
+static bool ask_base_color(const RnaAsset *asset, const Tracer *tracer, const unsigned char *record,
+                           float result[3]) {
+    const RnaPart *part = part_of(asset, tracer, record);
+    double place[3]; /* b1, b2, level */
+    if (!part || !part->mesh) return false;
+    load_vector(record + 4, place);
+    rna_base_color(asset, (int)word_at(record + 28), word_at(record), place[0], place[1], place[2], result);
+    return true;
+}
+
 static int answer_hits(const RnaAsset *asset, Ask *ask, const char *hits, const char *out) {
     size_t size;
     unsigned char *records = read_file(hits, &size);
@@ -190,22 +205,30 @@ static int validate(const char *path) {
 
 int main(int argc, char **argv) {
     const char *level = argc > 1 ? argv[1] : "";
-    if (argc == 2 && strcmp(level, "levels") == 0) return puts("evaluate\nvisibility\nnormals\nvalidate") < 0;
+    if (argc == 2 && strcmp(level, "levels") == 0) return puts("evaluate\nvisibility\nnormals\nbase-color\nvalidate") < 0;
     if (argc == 3 && strcmp(level, "validate") == 0) return validate(argv[2]);
     const bool evaluates = strcmp(level, "evaluate") == 0, emits = strcmp(level, "emission") == 0;
-    const bool looks = argc == 5 && strcmp(level, "visibility") == 0;
-    const bool maps = argc == 5 && strcmp(level, "normals") == 0;
-    if (!looks && !maps && !(argc == 7 && (evaluates || emits))) {
+    Ask *ask = argc != 5                          ? NULL
+               : strcmp(level, "visibility") == 0 ? ask_visibility
+               : strcmp(level, "normals") == 0    ? ask_normal
+               : strcmp(level, "base-color") == 0 ? ask_base_color
+                                                  : NULL;
+    if (!ask && !(argc == 7 && (evaluates || emits))) {
         fputs("usage: conform levels | evaluate PACKAGE TIER PART QUERIES RESULTS |\n"
               "       emission PACKAGE TIER PART QUERIES RESULTS |\n"
-              "       visibility PACKAGE HITS RESULTS | normals PACKAGE HITS RESULTS | validate PACKAGE\n", stderr);
+              "       visibility PACKAGE HITS RESULTS | normals PACKAGE HITS RESULTS |\n"
+              "       base-color PACKAGE HITS RESULTS | validate PACKAGE\n", stderr);
         return 2;
     }
     RnaAsset *asset = open_or_tell(argv[2]);
     if (!asset) return 2;
-    Question question = {asset, .emission = emits, .columns = emits ? 10 : 13, .results = emits ? 3 : 6};
-    int status = looks || maps ? answer_hits(asset, looks ? ask_visibility : ask_normal, argv[3], argv[4])
-                               : answer(question, argv[3], argv[4], argv[5], argv[6]);
+    if (ask == ask_base_color && !png_set_images(asset, "conform")) {
+        rna_close(asset);
+        return 2;
+    }
+    Question question = {asset, .emission = emits, .columns = emits ? 10 : 16, .results = emits ? 3 : 6};
+    int status = ask ? answer_hits(asset, ask, argv[3], argv[4])
+                     : answer(question, argv[3], argv[4], argv[5], argv[6]);
     rna_close(asset);
     return status;
 }

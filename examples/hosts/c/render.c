@@ -11,6 +11,7 @@
  *
  * The default camera has the whole asset in view.  Options have the meaning of the same words in
  * scenes of rna-run.  Parts are evaluated in batches: hits are kept until there are many. */
+#include "png.h"
 #include "rna.h"
 #include "rna/vectors.h"
 #include "trace.h"
@@ -76,7 +77,7 @@ static void ray_through(const Camera *camera, double x, double y, double directi
 /* Hits of a part, as rna_evaluate and rna_emission take them. */
 typedef struct Rows {
     size_t count;
-    float positions[3 * ROWS], axes[3 * ROWS], h[ROWS], wo[3 * ROWS], wi[3 * ROWS];
+    float positions[3 * ROWS], axes[3 * ROWS], h[ROWS], wo[3 * ROWS], wi[3 * ROWS], base_colors[3 * ROWS];
     float visible[3 * ROWS], shadowed[3 * ROWS], emission[3 * ROWS]; /* results */
     float v[3 * ROWS];     /* visibility of the sun */
     float share[3 * ROWS]; /* of the hit in its pixel */
@@ -96,7 +97,8 @@ static RnaStatus shade(Renderer *renderer, int part) {
     const View *view = renderer->view;
     Rows *rows = &renderer->rows[part];
     RnaStatus status = rna_evaluate(renderer->asset, view->tier, part, rows->count, rows->positions, rows->axes,
-                                    rows->h, rows->wo, rows->wi, rows->visible, rows->shadowed);
+                                    rows->h, rows->wo, rows->wi, rows->base_colors, rows->visible,
+                                    rows->shadowed);
     if (status == RNA_OK)
         status = rna_emission(renderer->asset, view->tier, part, rows->count, rows->positions, rows->axes,
                               rows->h, rows->wo, rows->emission);
@@ -135,12 +137,21 @@ static void describe_hit(const Renderer *renderer, const TraceHit *hit, const do
     trace_visible_on_fiber(renderer->tracer, hit->part, hit->primitive, x, sun, v);
 }
 
+/* The base colour of a hit, over the part of the surface that a ray of this picture stands for. */
+static void color_hit(const Renderer *renderer, const TraceHit *hit, float a[3]) {
+    const double density = rna_texel_density(renderer->asset, hit->part, hit->primitive);
+    const double width = hit->t * renderer->camera.scale / renderer->view->samples;
+    rna_base_color(renderer->asset, hit->part, hit->primitive, hit->b1, hit->b2,
+                   log2(fmax(width * density, 1)), a);
+}
+
 /* Notes a hit that has `share` of its pixel. */
 static RnaStatus add_hit(Renderer *renderer, const TraceHit *hit, const double direction[3],
                          const double share[3], float *pixel) {
     Rows *rows = &renderer->rows[hit->part];
     double x[3], axis[3], h, v[3];
     describe_hit(renderer, hit, direction, x, axis, &h, v);
+    color_hit(renderer, hit, rows->base_colors + 3 * rows->count);
     for (size_t k = 0; k < 3; k++) {
         size_t i = 3 * rows->count + k;
         rows->positions[i] = (float)x[k];
@@ -277,6 +288,7 @@ int main(int argc, char **argv) {
                 issue->found, issue->expected);
     }
     if (!asset) return 1;
+    png_set_images(asset, "render"); /* those that cannot be decoded stay white */
     View view = {.sun = {0.6, 0.75, 0.55, 2.5, 2.35, 2.1}, .glow = 1};
     look_at_asset(asset, view.camera);
     const bool understood = take_options(argc, argv, asset, &view);

@@ -9,6 +9,7 @@
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 #endif
 
+#include "rna/base_color.h"
 #include "rna/blocks.h"
 #include "rna/package.h"
 
@@ -143,21 +144,31 @@ static float light(float value, bool valid) {
     return valid && value > 0 ? (value < FLT_MAX ? value : FLT_MAX) : 0; /* 0 for NaN */
 }
 
-/* Runs a network of the part on all rows.  colours: one or two arrays of n x 3, for its outputs. */
-static RnaStatus run_network(const RnaAsset *asset, int tier, int part, bool emission, const Batch *batch,
-                             float *const *colours, int count) {
+/* The tier part that rows are asked of; NULL where an argument is missing or wrong. */
+static const TierPart *asked_part(const RnaAsset *asset, int tier, int part, const Batch *batch) {
     const RnaPart *of = rna_part(asset, part);
-    if (!of || !rna_tier(asset, tier)) return RNA_BAD_ARGUMENT;
-    if (batch->n == 0) return RNA_OK;
-    if (!batch->positions || !batch->axes || !batch->wo || !batch->wi || !colours[0] || !colours[count - 1] ||
-        (of->kind == RNA_FIBER && !batch->h))
-        return RNA_BAD_ARGUMENT;
-    const TierPart *with = &asset->tier[tier].part[part];
-    const Network *network = emission ? &with->emission : &with->transport;
-    if (!network->decoder) { /* the part does not emit */
-        memset(colours[0], 0, 3 * batch->n * sizeof *colours[0]);
-        return RNA_OK;
+    if (!of || !rna_tier(asset, tier)) return NULL;
+    const bool given = batch->positions && batch->axes && batch->wo && batch->wi;
+    if (batch->n && !(given && (of->kind == RNA_SURFACE || batch->h))) return NULL;
+    return &asset->tier[tier].part[part];
+}
+
+/* One colour of row r of the outputs: a term, and where there are base colours another, `factor` columns on, times
+ * the base colour a. */
+static void put_light(const float *outputs, size_t column, size_t factor, const float *a, bool valid, size_t r,
+                      float *colour) {
+    for (size_t k = 0; k < 3; k++) valid &= !a || a[k] - a[k] == 0;
+    for (size_t k = 0; k < 3; k++) {
+        float value = outputs[(column + k) * ROWS + r];
+        if (a) value += a[k] * outputs[(column + factor + k) * ROWS + r];
+        colour[k] = light(value, valid);
     }
+}
+
+/* Runs a network of the part on all rows.  colours: `count` arrays of n x 3, for its results. */
+static RnaStatus run_network(const RnaPart *of, const TierPart *with, const Network *network, const Batch *batch,
+                             const float *base_colors, float *const *colours, size_t count) {
+    if (batch->n == 0) return RNA_OK;
     size_t size = (size_t)ROWS * (size_t)rounded_up(network->decoder->widest, ALIGNMENT);
     float *buffers = aligned(2 * size * sizeof *buffers);
     if (!buffers) return RNA_OUT_OF_MEMORY;
@@ -167,10 +178,10 @@ static RnaStatus run_network(const RnaAsset *asset, int tier, int part, bool emi
         load_points(of, batch, first, rows, &points);
         fill_queries(of->kind, &with->planes, network->column, &points, buffers);
         const float *results = run_decoder(network->decoder, buffers, buffers + size);
-        for (size_t i = 0; i < (size_t)count; i++)
-            for (size_t r = 0; r < (size_t)rows; r++)
-                for (size_t k = 0; k < 3; k++)
-                    colours[i][3 * (first + r) + k] = light(results[(3 * i + k) * ROWS + r], points.valid[r]);
+        for (size_t i = 0; i < count; i++)
+            for (size_t r = 0, at = 3 * first; r < (size_t)rows; r++, at += 3)
+                put_light(results, 3 * i, 3 * count, base_colors ? base_colors + at : NULL, points.valid[r], r,
+                          colours[i] + at);
     }
     free_aligned(buffers);
     return RNA_OK;
@@ -178,15 +189,31 @@ static RnaStatus run_network(const RnaAsset *asset, int tier, int part, bool emi
 
 RnaStatus rna_evaluate(const RnaAsset *asset, int tier, int part, size_t n, const float *positions,
                        const float *axes, const float *h, const float *wo, const float *wi,
-                       float *visible, float *shadowed) {
+                       const float *base_colors, float *visible, float *shadowed) {
     const Batch batch = {n, positions, axes, h, wo, wi};
-    return run_network(asset, tier, part, false, &batch, (float *const[]){visible, shadowed}, 2);
+    const TierPart *with = asked_part(asset, tier, part, &batch);
+    if (!with || (n && !(visible && shadowed && (base_colors || !with->uses_base_color)))) return RNA_BAD_ARGUMENT;
+    const RnaPart *of = rna_part(asset, part);
+    const float *a = with->uses_base_color ? base_colors : NULL;
+    const bool apart = with->shadowed.decoder != NULL;
+    float *const both[] = {visible, shadowed};
+    RnaStatus status = run_network(of, with, &with->transport, &batch, a, both, apart ? 1 : 2);
+    return apart && status == RNA_OK ? run_network(of, with, &with->shadowed, &batch, a, both + 1, 1) : status;
+}
+
+bool rna_uses_base_color(const RnaAsset *asset, int tier, int part) {
+    return rna_tier(asset, tier) && rna_part(asset, part) && asset->tier[tier].part[part].uses_base_color;
 }
 
 RnaStatus rna_emission(const RnaAsset *asset, int tier, int part, size_t n, const float *positions,
                        const float *axes, const float *h, const float *wo, float *emission) {
     const Batch batch = {n, positions, axes, h, wo, .wi = wo}; /* which no block of emission uses */
-    return run_network(asset, tier, part, true, &batch, &emission, 1);
+    const TierPart *with = asked_part(asset, tier, part, &batch);
+    if (!with || (n && !emission)) return RNA_BAD_ARGUMENT;
+    if (with->emission.decoder)
+        return run_network(rna_part(asset, part), with, &with->emission, &batch, NULL, &emission, 1);
+    for (size_t i = 0; i < 3 * n; i++) emission[i] = 0;
+    return RNA_OK;
 }
 
 void rna_transmittance(const RnaAsset *asset, int part, uint32_t triangle, double b1, double b2,
@@ -214,10 +241,52 @@ void rna_normal(const RnaAsset *asset, int part, uint32_t triangle, double b1, d
     for (int k = 0; k < 3; k++) normal[k] = known ? (float)n[k] : 0;
 }
 
+RnaStatus rna_set_image(RnaAsset *asset, int part, int record, const uint8_t *rgb) {
+    const RnaPart *of = rna_part(asset, part);
+    if (!of || record < 0 || record >= of->base_color_count || !of->base_colors[record].file || !rgb)
+        return RNA_BAD_ARGUMENT;
+    const RnaBaseColor *color = &of->base_colors[record];
+    Pyramid *pyramid = new_pyramid(color->width, color->height, color->is_srgb);
+    if (!pyramid) return RNA_OUT_OF_MEMORY;
+    memcpy(pyramid->texels, rgb, 3 * (size_t)color->width * color->height);
+    if (!fill_levels(pyramid)) {
+        free(pyramid);
+        return RNA_OUT_OF_MEMORY;
+    }
+    free(asset->part[part].images[record]);
+    asset->part[part].images[record] = pyramid;
+    return RNA_OK;
+}
+
+/* The record of base colour of a triangle; -1 where it has none. */
+static int base_color_record(const RnaPart *of, uint32_t triangle) {
+    for (int i = 0; of && of->mesh && triangle < of->mesh->triangle_count && i < of->base_color_count; i++)
+        if (triangle >= of->base_colors[i].first && triangle - of->base_colors[i].first < of->base_colors[i].count)
+            return i;
+    return -1;
+}
+
+void rna_base_color(const RnaAsset *asset, int part, uint32_t triangle, double b1, double b2, double level,
+                    float a[3]) {
+    const RnaPart *of = rna_part(asset, part);
+    const double b[3] = {1 - b1 - b2, b1, b2};
+    const int record = base_color_record(of, triangle);
+    for (int k = 0; k < 3; k++) a[k] = 1;
+    if (record >= 0)
+        base_color_at(&of->base_colors[record], asset->part[part].images[record], of->mesh,
+                      &of->mesh->triangles[3 * (size_t)triangle], b, level, a);
+}
+
+double rna_texel_density(const RnaAsset *asset, int part, uint32_t triangle) {
+    const RnaPart *of = rna_part(asset, part);
+    const int record = base_color_record(of, triangle);
+    return record < 0 ? 0 : density_on(&of->base_colors[record], of->mesh, &of->mesh->triangles[3 * (size_t)triangle]);
+}
+
 const char *rna_status_text(RnaStatus status) {
     switch (status) {
     case RNA_OK: return "done";
-    case RNA_BAD_ARGUMENT: return "an array is missing, or the tier or part does not exist";
+    case RNA_BAD_ARGUMENT: return "an array is missing, or the tier, part or image does not exist";
     default: return "out of memory";
     }
 }

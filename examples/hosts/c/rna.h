@@ -3,7 +3,7 @@
  *     RnaReport report;
  *     RnaAsset *asset = rna_open("toy.rna", &report);
  *     if (!asset) { fprintf(stderr, "%s\n", report.issues[0].code); return 1; }
- *     rna_evaluate(asset, 0, 0, n, positions, normals, NULL, wo, wi, visible, shadowed);
+ *     rna_evaluate(asset, 0, 0, n, positions, normals, NULL, wo, wi, NULL, visible, shadowed);
  *     rna_close(asset);
  *
  * An asset has one part or several, each a mesh or curves with planes and decoders of its own, and
@@ -44,7 +44,7 @@ typedef enum RnaKind { RNA_SURFACE, RNA_FIBER } RnaKind;
 
 typedef enum RnaStatus {
     RNA_OK,
-    RNA_BAD_ARGUMENT, /* a NULL array, or no such tier or part */
+    RNA_BAD_ARGUMENT, /* a NULL array, or no such tier, part or image */
     RNA_OUT_OF_MEMORY
 } RnaStatus;
 
@@ -93,6 +93,21 @@ typedef struct RnaNormalMap {
     RnaTexture texture;    /* of 2 channels, 127 + 127 times x and y */
 } RnaNormalMap;
 
+/* What lies beyond the edges of an image. */
+typedef enum RnaWrap { RNA_REPEAT, RNA_CLAMP, RNA_MIRROR } RnaWrap;
+
+/* Base colour of a range of triangles (section 4.6); rna_base_color looks it up. */
+typedef struct RnaBaseColor {
+    uint32_t first, count;   /* triangles */
+    const uint8_t *file;     /* the image as it is in the package, PNG, JPEG or WebP; NULL: white */
+    size_t file_size;
+    uint32_t width, height;  /* of the image */
+    bool is_srgb;            /* its values, else linear */
+    double factor[3];        /* linear RGB */
+    RnaWrap wrap[2];         /* along u, along v */
+    double transform[6];     /* a to f: the image is looked up at (a u + b v + c, d u + e v + f) */
+} RnaBaseColor;
+
 /* A geometry with planes and decoders of its own. */
 typedef struct RnaPart {
     const char *name;
@@ -105,6 +120,8 @@ typedef struct RnaPart {
     const RnaTransmittance *records; /* in the order of their triangles */
     int normal_map_count;            /* 0: the normals are those of the mesh */
     const RnaNormalMap *normal_maps; /* in the order of their triangles */
+    int base_color_count;            /* 0: white */
+    const RnaBaseColor *base_colors; /* in the order of their triangles */
 } RnaPart;
 
 typedef struct RnaAsset RnaAsset;
@@ -139,7 +156,8 @@ bool rna_in_domain(const RnaAsset *asset, bool is_wi, const float direction[3]);
  * (section 7.1).
  *
  * positions, axes, wo, wi: n x 3.  axes: normals of a surface (rna_normal), tangents of fibers.  h: n offsets
- * across the fiber; not read for surfaces.  visible, shadowed: n x 3, written: for the case that the
+ * across the fiber; not read for surfaces.  base_colors: n x 3, linear RGB, of rna_base_color or others; not
+ * read where rna_uses_base_color is false.  visible, shadowed: n x 3, written: for the case that the
  * asset itself, with all its parts, does not, or does, block the ray from the position along wi.
  *
  * Results are finite and never negative whatever comes in (section 8), the same to the bit in
@@ -147,7 +165,10 @@ bool rna_in_domain(const RnaAsset *asset, bool is_wi, const float direction[3]);
  * one costs as much as a call for 48.  Any number of threads may call this for one asset at once. */
 RnaStatus rna_evaluate(const RnaAsset *asset, int tier, int part, size_t n, const float *positions,
                        const float *axes, const float *h, const float *wo, const float *wi,
-                       float *visible, float *shadowed);
+                       const float *base_colors, float *visible, float *shadowed);
+
+/* Whether rna_evaluate of this tier and part needs base colours. */
+bool rna_uses_base_color(const RnaAsset *asset, int tier, int part);
 
 /* Emission at n points of a part: radiance towards wo where nothing lights the asset (section 7.2).
  * emission: n x 3, written: 0 where the part does not emit.  All else as for rna_evaluate. */
@@ -165,6 +186,21 @@ void rna_transmittance(const RnaAsset *asset, int part, uint32_t triangle, doubl
  * rna_transmittance go by the one without.  0 for a part or triangle that is not there, and for coordinates
  * that are not finite. */
 void rna_normal(const RnaAsset *asset, int part, uint32_t triangle, double b1, double b2, float normal[3]);
+
+/* Gives a record of base colour the pixels of its image, which the host decoded: height x width x 3 of 8 bits,
+ * the top row first, without alpha.  They are copied, and smaller levels made of them (about 4/3 of their size).
+ * This library has no decoder of images; records without pixels are as if their image was white.  No other thread
+ * may use the asset at the same time. */
+RnaStatus rna_set_image(RnaAsset *asset, int part, int record, const uint8_t *rgb);
+
+/* a, linear RGB: the base colour of a hit (section 4.6), 1 for a part or triangle that is not there.  level: 0 for
+ * the image itself, so that print does not alias max(0, log2(w d)), w the width of a pixel at the hit and d of
+ * rna_texel_density. */
+void rna_base_color(const RnaAsset *asset, int part, uint32_t triangle, double b1, double b2, double level,
+                    float a[3]);
+
+/* Texels of its image a unit of length on the triangle; 0 where it has no image, or no area. */
+double rna_texel_density(const RnaAsset *asset, int part, uint32_t triangle);
 
 /* A sentence for a status. */
 const char *rna_status_text(RnaStatus status);

@@ -23,6 +23,7 @@ VALUES = (
     "--sharpest",
     "--source",
     "--steps",
+    "--texture-size",
     "--up",
     "--validation-resolution",
     "--validation-samples",

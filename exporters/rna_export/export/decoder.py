@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
@@ -10,10 +12,13 @@ import torch
 from torch import Tensor
 
 from rna_export.export.int8_decoder import Int8Decoder
-from rna_export.training.model.inputs import Points
+from rna_export.training.model.inputs import Points, assemble
 from rna_export.training.model.neural_asset import NeuralAsset
+from rna_export.training.model.shadow import ShadowDecoder
+from rna_export.training.model.triplane import Triplane
 from rna_sdk.errors import ExportError
 from rna_sdk.package import Agreement, ProfileDecoder, ProfileLayer, decoder_to_bytes
+from rna_sdk.package.decoder.decoder_form import EMISSION, SHADOWED, TRANSPORT, VISIBLE
 from rna_sdk.runtime.engine.agreement import ABSOLUTE, RELATIVE, TIES, close_rows
 
 LARGEST_INPUT = 65504.0  # keeps sums finite whatever is asked
@@ -42,32 +47,73 @@ class Answering(Protocol):
     def transport(self, y: Tensor) -> Tensor: ...
 
 
-class EmissionModel:
-    """The emission of a model, in the form in which the functions below take a model."""
+@dataclass(frozen=True, eq=False)
+class DecoderModel:
+    """A decoder of a model, in the form in which the functions below take one.
 
-    output, colour_sums = "emission", ((1,),)
+    Attributes:
+        output: name of its form.
+        inputs: its input blocks.
+        triplane: the planes that it reads.
+        decoder: its layers.
+        colour_sums: weights of the colours that it gives, in each of its outputs.
+        unit, ceiling: see `NeuralAsset`.
+    """
 
-    def __init__(self, model: NeuralAsset):
-        emission, self.triplane = model.emitting
-        self.inputs = emission.inputs
-        self._emission, self.decoder = emission, emission.decoder
-        self.ceiling, self.unit = emission.ceiling, emission.unit
+    output: str
+    inputs: tuple[str, ...]
+    triplane: Triplane
+    decoder: torch.nn.Sequential
+    colour_sums: tuple[tuple[int, ...], ...]
+    unit: Tensor
+    ceiling: Tensor
 
     def queries(self, at: Points) -> Tensor:
         """The decoder's queries, (k, K)."""
-        return self._emission.queries(self.triplane, at)
+        grid = self.triplane
+        p = ((at["position"] - grid.low) / (grid.high - grid.low)).clamp(0.0, 1.0)
+        return assemble(self.inputs, grid(at["position"]), p, at)
 
     def transport(self, y: Tensor) -> Tensor:
-        """Emitted radiance, (k, 1, 3), from y of this shape."""
-        return self._emission.radiance(y)
+        """Its outputs, (k, outputs, 3), from y = log(x / unit + 1) of its colours."""
+        highest = torch.log1p(self.ceiling / self.unit)
+        colours = self.unit * torch.expm1(y.clamp(min=0.0).minimum(highest))
+        sums = torch.tensor(self.colour_sums, dtype=y.dtype, device=y.device)
+        return torch.einsum("sc,kcr->ksr", sums, colours)
 
 
-Exported = NeuralAsset | EmissionModel
+def decoders_of(model: NeuralAsset) -> list[DecoderModel]:
+    """The decoders of a model: that of transport, or of visible light, first."""
+    config, triplane = model.config, model.triplane
+    assert isinstance(triplane, Triplane)
+    terms = np.eye(2 if config.uses_base_color else 1, dtype=int)
 
+    def of(
+        output: str, owner: NeuralAsset | ShadowDecoder, sums: Sequence[Sequence[int]]
+    ) -> DecoderModel:
+        inputs = config.inputs if isinstance(owner, NeuralAsset) else owner.inputs
+        both = tuple(map(tuple, np.kron(terms, np.array(sums)).tolist()))
+        return DecoderModel(
+            output, inputs, triplane, owner.decoder, both, owner.unit, model.ceiling
+        )
 
-def other_models(model: NeuralAsset) -> list[EmissionModel]:
-    """What the model answers with decoders of other forms than transport."""
-    return [] if model.emission is None else [EmissionModel(model)]
+    visible, shadowed = config.colour_sums
+    if model.shadow is None:
+        models = [of(TRANSPORT.name, model, (visible, shadowed))]
+    else:
+        models = [
+            of(VISIBLE.name, model, (visible[:-1],)),
+            of(SHADOWED.name, model.shadow, ((1,),)),
+        ]
+    if model.emission is not None:
+        emission, planes = model.emitting
+        models.append(
+            DecoderModel(
+                *(EMISSION.name, emission.inputs, planes, emission.decoder),
+                *(((1,),), emission.unit, emission.ceiling),
+            )
+        )
+    return models
 
 
 def export_decoder(model: Answering, int8: Int8Decoder | None = None) -> bytes:
@@ -119,7 +165,7 @@ def _int8_layers(int8: Int8Decoder) -> tuple[ProfileLayer, ...]:
     )
 
 
-def compare_decoder(decoder: bytes, model: Exported, seed: int = 0) -> Agreement:
+def compare_decoder(decoder: bytes, model: DecoderModel, seed: int = 0) -> Agreement:
     """Compare ONNX with PyTorch on random and extreme queries; `ExportError` beyond tolerance."""
     usual = random_queries(model, _RANDOM_QUERIES, seed)
     return compare_answers(decoder, model, usual, extreme_queries(model, seed))
@@ -147,7 +193,7 @@ def compare_answers(decoder: bytes, model: Answering, usual: Tensor, extreme: Te
 
 @torch.no_grad()
 def compare_int8_decoder(
-    decoder: bytes, model: Exported, int8: Int8Decoder, queries: Tensor, seed: int = 0
+    decoder: bytes, model: DecoderModel, int8: Int8Decoder, queries: Tensor, seed: int = 0
 ) -> Agreement:
     """Compare ONNX with the twin in PyTorch; `ExportError` beyond tolerance.
 
@@ -187,7 +233,7 @@ def _differences(actual: np.ndarray, expected: np.ndarray) -> tuple[float, float
     return float(difference.max()), float(relative)
 
 
-def random_queries(model: Exported, n: int, seed: int) -> torch.Tensor:
+def random_queries(model: DecoderModel, n: int, seed: int) -> torch.Tensor:
     """Decoder inputs for random positions in the bounds and random directions, (n, K)."""
     generator = torch.Generator().manual_seed(seed)
     low, high = model.triplane.low, model.triplane.high
@@ -196,7 +242,7 @@ def random_queries(model: Exported, n: int, seed: int) -> torch.Tensor:
     return model.queries(_points(position, frame, wo, wi, 2.0 * wo[:, 0]))
 
 
-def extreme_queries(model: Exported, seed: int) -> torch.Tensor:
+def extreme_queries(model: DecoderModel, seed: int) -> torch.Tensor:
     """Corners of the box and beyond, aligned and opposite directions, features far out of range."""
     queries = random_queries(model, 600, seed + 1)
     low, high = model.triplane.low, model.triplane.high

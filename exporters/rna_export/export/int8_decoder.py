@@ -12,9 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 import torch
-from torch import Tensor
+from torch import Tensor, nn
 
-from rna_export.training.model.neural_asset import NeuralAsset
 from rna_sdk.package.decoder.saturation import PAIR_LIMIT, pair_sums
 
 WeightScale = Callable[[Tensor], Tensor]
@@ -94,10 +93,10 @@ def _pairs_over(weight: Tensor, scale: Tensor) -> Tensor:
 
 @torch.no_grad()
 def int8_decoder(
-    model: NeuralAsset, queries: Tensor, weight_scale: WeightScale = pair_scale
+    decoder: nn.Sequential, queries: Tensor, weight_scale: WeightScale = pair_scale
 ) -> Int8Decoder:
-    """The model's decoder in integers, with ranges that suit these queries, (n, K)."""
-    linear = [layer for layer in model.decoder if isinstance(layer, torch.nn.Linear)]
+    """A decoder's layers in integers, with ranges that suit these queries, (n, K)."""
+    linear = [layer for layer in decoder if isinstance(layer, nn.Linear)]
     weights = [layer.weight.detach().clone() for layer in linear]
     biases = [layer.bias.detach().clone() for layer in linear]
     _equalize(weights, biases, queries)

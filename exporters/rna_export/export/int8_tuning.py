@@ -13,8 +13,8 @@ from typing import Any
 import torch
 from torch import Tensor, nn
 
+from rna_export.export.decoder import DecoderModel
 from rna_export.export.int8_decoder import Int8Decoder, TorchInt8Layer, bias_steps, stored
-from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.optimization.losses import unbiased_l2
 
 _STEPS, _BATCH, _RATE = 300, 2048, 1e-3
@@ -26,21 +26,21 @@ class Calibration:
 
     Attributes:
         queries: (n, K) float32.
-        visible: (n, 1 or 3) float32: the share of the light that is visible, 0 to 1.
+        weights: (n, outputs, 1 or 3) float32: of the decoder's outputs in the sample's radiance.
     """
 
     queries: Tensor
-    visible: Tensor
+    weights: Tensor
 
 
-def tuned(decoder: Int8Decoder, model: NeuralAsset, calibration: Calibration) -> Int8Decoder:
+def tuned(decoder: Int8Decoder, model: DecoderModel, calibration: Calibration) -> Int8Decoder:
     """The decoder, as close in radiance to the model's as scales and biases bring it.
 
     Trained for a few hundred steps with the unbiased loss, the model's radiance as its target.
     """
     with torch.no_grad():
         entered = decoder.entered(calibration.queries)
-        target = _radiance(model, model.decoder(calibration.queries), calibration.visible)
+        target = _radiance(model, model.decoder(calibration.queries), calibration.weights)
     layers = [_TunedLayer(layer) for layer in decoder.layers]
     y_of = nn.Sequential(*layers)
     optimizer = torch.optim.Adam(y_of.parameters(), lr=_RATE)
@@ -48,7 +48,7 @@ def tuned(decoder: Int8Decoder, model: NeuralAsset, calibration: Calibration) ->
     generator = torch.Generator().manual_seed(0)
     for _ in range(_STEPS):
         rows = torch.randint(len(entered), (_BATCH,), generator=generator)
-        radiance = _radiance(model, y_of(entered[rows]), calibration.visible[rows])
+        radiance = _radiance(model, y_of(entered[rows]), calibration.weights[rows])
         optimizer.zero_grad()
         unbiased_l2(torch.log1p(radiance / model.unit), target[rows], model.unit).backward()
         optimizer.step()
@@ -56,10 +56,9 @@ def tuned(decoder: Int8Decoder, model: NeuralAsset, calibration: Calibration) ->
     return replace(decoder, layers=tuple(layer.rounded() for layer in layers))
 
 
-def _radiance(model: NeuralAsset, y: Tensor, visible: Tensor) -> Tensor:
-    """(n, 3) of y (n, outputs), under light of which a share is visible."""
-    lit, shadowed = model.transport(y.unflatten(1, (-1, 3))).unbind(dim=1)
-    return visible * lit + (1.0 - visible) * shadowed
+def _radiance(model: DecoderModel, y: Tensor, weights: Tensor) -> Tensor:
+    """(n, 3) of y (n, 3 colours)."""
+    return (weights * model.transport(y.unflatten(1, (-1, 3)))).sum(dim=1)
 
 
 class _TunedLayer(nn.Module):

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,19 +14,19 @@ from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.validation_view import queries_of
 from rna_export.export.decoder import (
+    DecoderModel,
     compare_decoder,
     compare_int8_decoder,
+    decoders_of,
     export_decoder,
-    other_models,
 )
 from rna_export.export.int8_decoder import int8_decoder
 from rna_export.export.int8_tuning import Calibration, tuned
 from rna_export.export.precision import Precision, stored_planes
 from rna_export.export.trained_tiers import TrainedTier
 from rna_export.training.checkpoint import Trained
-from rna_export.training.model.triplane import Triplane
 from rna_sdk.package import Agreement, Tier, TierData, TierPart
-from rna_sdk.package.decoder.decoder_form import form_named
+from rna_sdk.package.decoder.decoder_form import EMISSION, SHADOWED, TRANSPORT, VISIBLE
 from rna_sdk.package.manifest.manifest_fields import DecoderPrecision
 
 _CALIBRATION_ROWS = 50_000
@@ -52,12 +54,13 @@ class _PartExport:
 
     def __init__(self, one: Trained, part: DatasetPart, say: Callable[[str], None]):
         self._one, self._part, self._say = one, part, say
-        self._decoders: dict[DecoderPrecision, tuple[bytes, Agreement]] = {}
+        self._exported: dict[tuple[str, DecoderPrecision], tuple[bytes, Agreement]] = {}
 
     def tier_part(self, precision: Precision) -> tuple[TierPart, TierData]:
         """The part's record in a tier of this precision, and its data."""
         one, config = self._one, self._one.preset.model
-        decoder, agreement = self._decoder(precision.decoder)
+        main, *others = decoders_of(one.model)
+        decoder, agreement = self._of(main, precision.decoder)
         several = len(self._part.dataset.parts) > 1
         stem = f"{one.part}/{one.preset_name}" if several else one.preset_name
         self._say(
@@ -65,7 +68,7 @@ class _PartExport:
             f"by at most {agreement.max_absolute:.1e} absolute, {agreement.max_relative:.1e} "
             "relative"
         )
-        records, others = self._others(stem)
+        records, data = self._others(others, precision, stem)
         record = TierPart(
             planes=precision.planes_entry(stem),
             decoder=precision.decoder_entry(stem),
@@ -75,51 +78,61 @@ class _PartExport:
             plane_precision=precision.planes,
             decoder_precision=precision.decoder,
             agreement=agreement,
+            uses_base_color=config.uses_base_color or None,
             **records,
         )
-        triplane = one.model.triplane
-        assert isinstance(triplane, Triplane)
-        planes = stored_planes(triplane.planes.detach().numpy(), precision.planes)
-        return record, TierData(planes, decoder, others)
+        planes = stored_planes(main.triplane.planes.detach().numpy(), precision.planes)
+        return record, TierData(planes, decoder, data)
 
-    def _others(self, stem: str) -> tuple[dict[str, Any], dict[str, bytes]]:
-        """Members of the record, and decoders, of other forms: float32 in all precisions."""
-        records, decoders = {}, {}
-        for model in other_models(self._one.model):
-            decoder = decoders[model.output] = export_decoder(model)
-            records[form_named(model.output).member] = {
-                "decoder": f"decoders/{stem}-{model.output}.onnx",
+    def _others(
+        self, models: Sequence[DecoderModel], precision: Precision, stem: str
+    ) -> tuple[dict[str, Any], dict[str, bytes]]:
+        """Members of the record, and decoders, of other forms; emission is always float32."""
+        records, data = {}, {}
+        for model in models:
+            arithmetic = "float32" if model.output == EMISSION.name else precision.decoder
+            data[model.output], agreement = self._of(model, arithmetic)
+            entry = Path(replace(precision, decoder=arithmetic).decoder_entry(stem))
+            records[model.output] = {
+                "decoder": str(entry.with_name(f"{entry.stem}-{model.output}.onnx")),
                 "inputs": model.inputs,
-                "decoder_precision": "float32",
-                "agreement": compare_decoder(decoder, model),
+                "decoder_precision": arithmetic,
+                "agreement": agreement,
             }
-        return records, decoders
+        return records, data
 
-    def _decoder(self, precision: DecoderPrecision) -> tuple[bytes, Agreement]:
+    def _of(self, model: DecoderModel, precision: DecoderPrecision) -> tuple[bytes, Agreement]:
         """The exported decoder, and how far it is from the trained one."""
-        if precision not in self._decoders:
-            self._decoders[precision] = _exported(self._one, precision, self._part)
-        return self._decoders[precision]
+        key = model.output, precision
+        if key not in self._exported:
+            self._exported[key] = _exported(model, precision, self._part)
+        return self._exported[key]
 
 
 def _exported(
-    one: Trained, precision: DecoderPrecision, part: DatasetPart
+    model: DecoderModel, precision: DecoderPrecision, part: DatasetPart
 ) -> tuple[bytes, Agreement]:
     if precision == "float32":
-        exported = export_decoder(one.model)
-        return exported, compare_decoder(exported, one.model)
-    at = calibration(one, part)
-    layers = tuned(int8_decoder(one.model, at.queries), one.model, at)
-    exported = export_decoder(one.model, layers)
-    return exported, compare_int8_decoder(exported, one.model, layers, at.queries)
+        exported = export_decoder(model)
+        return exported, compare_decoder(exported, model)
+    at = calibration(model, part)
+    layers = tuned(int8_decoder(model.decoder, at.queries), model, at)
+    exported = export_decoder(model, layers)
+    return exported, compare_int8_decoder(exported, model, layers, at.queries)
 
 
 @torch.no_grad()
-def calibration(one: Trained, part: DatasetPart) -> Calibration:
-    """Random samples of the training data."""
+def calibration(model: DecoderModel, part: DatasetPart) -> Calibration:
+    """Random samples of the training data, of those whose light the decoder gives."""
     samples = part.training_samples(_CALIBRATION_SHARDS)
-    rows = len(samples["position"])
-    picked = np.random.default_rng(0).permutation(rows)[:_CALIBRATION_ROWS]
+    visible = samples["visible"].astype(np.float32).reshape(len(samples["visible"]), -1)
+    share = {VISIBLE.name: visible, SHADOWED.name: 1.0 - visible}
+    weights = list(share.values()) if model.output == TRANSPORT.name else [share[model.output]]
+    rows = np.flatnonzero(np.stack(weights).max(axis=(0, 2)) > 0.0)
+    picked = rows[np.random.default_rng(0).permutation(len(rows))[:_CALIBRATION_ROWS]]
     points = {k: torch.from_numpy(v[picked]) for k, v in queries_of(samples).items()}
-    visible = torch.from_numpy(samples["visible"][picked].astype(np.float32))
-    return Calibration(one.model.queries(points), visible.reshape(len(picked), -1))
+    of_outputs = np.stack([weight[picked] for weight in weights], axis=1)
+    if len(model.colour_sums) == 2 * len(weights):
+        color = samples["base_color"][picked][:, None].astype(np.float32)
+        of_outputs = np.concatenate([of_outputs * np.ones_like(color), of_outputs * color], axis=1)
+    return Calibration(model.queries(points), torch.from_numpy(of_outputs))

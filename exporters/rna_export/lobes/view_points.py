@@ -49,6 +49,7 @@ class ViewPoints:
         free: (n,) float32, visibility along `mirror`.
         visibility: (n, HARMONICS) float32, harmonics of the visibility about the point; (n, 0) on
             fibers.
+        base_color: (n, 3) float32, of a part whose tier uses it.
     """
 
     at: PartPoints
@@ -60,6 +61,7 @@ class ViewPoints:
     mirror: Rows
     free: Rows
     visibility: Rows
+    base_color: Rows | None = None
 
     def __len__(self) -> int:
         return len(self.position)
@@ -168,14 +170,13 @@ class PartViews:
 
         row: (k,) which points. wi: (k, 3) float32, unit.
         """
-        free = self._free(points.at, row, wi)[:, None]
+        free = self._free(points.at, row, wi)
         x, axis = points.position.take(row, axis=0), points.axis.take(row, axis=0)
         wo = points.wo.take(row, axis=0)
         if isinstance(self.part, FiberAsset):
-            visible, shadowed = self.part.evaluate(x, axis, points.h[row], wo, wi)
-        else:
-            visible, shadowed = self.part.evaluate(x, axis, wo, wi)
-        return free * visible + (np.float32(1.0) - free) * shadowed
+            return self.part.transport(x, axis, points.h[row], wo, wi, free)
+        color = None if points.base_color is None else points.base_color.take(row, axis=0)
+        return self.part.transport(x, axis, wo, wi, free, color)
 
     def _random_rays(self, count: int, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
         """Origins at random viewers, and random places in the part's sphere."""
@@ -206,7 +207,10 @@ class PartViews:
         wide, mirror = -wo if isinstance(at, FiberPoints) else axis, self.part.mirror(axis, wo)
         free = self._free(at, np.arange(len(wo)), mirror)
         visibility = self._interpolated(primitive, u, v)
-        return ViewPoints(at, at.x, axis, h, wo, wide, mirror, free, visibility)
+        part, color = self.part, None
+        if isinstance(part, SurfaceAsset) and part.uses_base_color:
+            color = part.base_color_at(primitive, u, v)
+        return ViewPoints(at, at.x, axis, h, wo, wide, mirror, free, visibility, color)
 
     def _free(self, at: PartPoints, row: np.ndarray, wi: Rows) -> Rows:
         """How much of the light along wi the asset leaves: (k,) float32, the mean of RGB."""

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 from time import monotonic
@@ -17,12 +17,13 @@ from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.make.make_progress import Stage, quiet
 from rna_export.make.plan import Length
 from rna_export.make.state import Score
+from rna_export.training.asset_error import worse_error
 from rna_export.training.checkpoint import Trained, load_checkpoint
 from rna_export.training.optimization.samples import SampleTable
 from rna_export.training.part_runs import part_folder, shared_minutes
 from rna_export.training.presets import PRESETS, Preset
 from rna_export.training.training_run import Run, train
-from rna_export.training.validation import mean_flip, mean_psnr, shade
+from rna_export.training.validation import mean_psnr, shade, shade_emission
 from rna_sdk.atomic_file import write_atomically
 
 
@@ -31,7 +32,7 @@ class Phase:
     """A training of one preset, of all parts.
 
     folder: for checkpoints, one folder in it for each of several parts. picture: a file that shows
-    the model while it is trained; None for none.
+    the model while it is trained; None for none. starts: checkpoints of parts to start from.
     """
 
     dataset: Dataset
@@ -41,6 +42,7 @@ class Phase:
     seed: int
     device: str
     picture: Path | None = None
+    starts: Mapping[str, Path] = field(default_factory=dict)
 
     def run(self, shards: Sequence[Path], stage: Stage) -> None:
         """Train each part on the samples of these shards; parts that are finished are skipped."""
@@ -60,6 +62,7 @@ class Phase:
                 begun,
                 self.device,
                 after_checkpoint=partial(self._show, out),
+                start=self.starts.get(part.name),
             )
             table = SampleTable(part.samples_of(shards), device=self.device)
             train(run, table, quiet, stage.part(k / len(parts), 1 / len(parts)))
@@ -104,7 +107,13 @@ def score(trained: Sequence[Trained], dataset: Dataset) -> Score:
         np.concatenate([shade(one.model, p) for one, p in zip(trained, view.parts, strict=True)])
         for view in views
     ]
-    return Score(psnr=mean_psnr(radiance, views), flip=mean_flip(radiance, views))
+    emitted = [
+        (shade_emission(one.model, view), view)
+        for one, part in zip(trained, dataset.parts, strict=True)
+        for view in part.emission_views()
+    ]
+    error = worse_error(radiance, views, emitted)
+    return Score(psnr=mean_psnr(radiance, views), flip=error.mean)
 
 
 class Trainer:

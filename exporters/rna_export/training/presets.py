@@ -61,6 +61,16 @@ class ModelConfig(BaseModel):
         description="what the decoder's outputs are: colours, or parameters of a known material, "
         "whose shadows are black: to compare, or to bake, packages have no such decoder",
     )
+    uses_base_color: bool = Field(
+        False, description="each colour is a sum of two, of which the base colour multiplies one"
+    )
+    shadow_width: int = Field(
+        0,
+        ge=0,
+        le=MAX_MODEL_WIDTH,
+        description="neurons of a hidden layer of a decoder for shadowed light; 0: it has none",
+    )
+    shadow_inputs: tuple[str, ...] = Field((), description="input blocks of that decoder")
     emission_inputs: tuple[str, ...] = Field(
         (), description="blocks of the decoder of emission; none where the asset emits nothing"
     )
@@ -184,6 +194,8 @@ def _paper(kind: str, width: int) -> Preset:
 _PLANES = {"surface": (256, 8), "fiber": (32, 16)}
 # Measured on surfaces alone (docs/decisions/training.md).
 _SMOOTHING = {"surface": 0.25, "fiber": 0.0}
+# A decoder of shadowed light has a unit a tenth as large (docs/decisions/model.md).
+_SHADOW_WEIGHT = {"surface": 0.1, "fiber": 1.0}
 # For assets that are small in the image.
 _TINY_PLANES = {"surface": (128, 8), "fiber": (16, 16)}
 
@@ -195,6 +207,7 @@ def _ours(
     learning_rate: float,
     hidden_layers: int = 4,
     planes: dict[str, tuple[int, int]] = _PLANES,
+    shadow_width: int = 32,
 ) -> Preset:
     resolution, channels = planes[kind]
     return Preset(
@@ -205,6 +218,8 @@ def _ours(
             resolution=resolution,
             channels=channels,
             separates_direct=kind == "fiber",
+            shadow_width=shadow_width if kind == "surface" else 0,
+            shadow_inputs=_PAPER_INPUTS[kind] if kind == "surface" else (),
         ),
         training=TrainingConfig(
             steps=steps,
@@ -215,6 +230,7 @@ def _ours(
             schedule="cosine",
             unit="usual",
             loss="log" if kind == "fiber" else "auto",
+            shadow_weight=_SHADOW_WEIGHT[kind],
             unbiased_share=0.1,
             blur=4.0,
             smoothing=_SMOOTHING[kind],
@@ -224,15 +240,18 @@ def _ours(
 
 PRESETS = {
     kind: {
-        "tiny": _ours(kind, 32, 20_000, 4e-3, hidden_layers=2, planes=_TINY_PLANES),
+        "tiny": _ours(kind, 32, 20_000, 4e-3, 2, _TINY_PLANES, shadow_width=16),
         "small": _ours(kind, 64, 20_000, 4e-3),
-        "hq": _ours(kind, 256, 20_000, 2e-3),
+        "hq": _ours(kind, 256, 20_000, 2e-3, shadow_width=64),
         "paper-small": _paper(kind, 64),
         "paper-hq": _paper(kind, 512),
     }
     for kind in ("surface", "fiber")
 }
 """Kind of asset -> name -> preset."""
+
+PAPER_PRESETS = ("paper-small", "paper-hq")
+"""Those of the paper, which knows no base colour."""
 
 
 def _analytic(kind: str) -> Preset:
@@ -243,7 +262,9 @@ def _analytic(kind: str) -> Preset:
         inputs=_PAPER_INPUTS[kind][:2],  # features, and normal or tangent
         hidden_layers=2,
         separates_direct=False,
-    ).with_training(loss="auto")
+        shadow_width=0,
+        shadow_inputs=(),
+    ).with_training(loss="auto", shadow_weight=1.0)
 
 
 ANALYTIC_NAME = "analytic"

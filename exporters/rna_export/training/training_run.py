@@ -15,7 +15,7 @@ from tqdm import tqdm
 
 from rna_export.brightness import Brightness
 from rna_export.capture.dataset.dataset_part import DatasetPart
-from rna_export.training.checkpoint import load_progress, save_checkpoint
+from rna_export.training.checkpoint import load_checkpoint, load_progress, save_checkpoint
 from rna_export.training.model.emission import INPUTS
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.optimization import emission_batches
@@ -25,7 +25,7 @@ from rna_export.training.optimization.losses import with_fitting_loss
 from rna_export.training.optimization.pace import Pace, StepPace, TimePace, length
 from rna_export.training.optimization.samples import SampleTable
 from rna_export.training.optimization.step_threads import StepThreads
-from rna_export.training.presets import Preset
+from rna_export.training.presets import PAPER_PRESETS, Preset
 from rna_export.training.report import Curves, Report
 from rna_export.training.training_options import device_name
 from rna_sdk.errors import TrainingError
@@ -48,7 +48,9 @@ class Run:
     begun: float | None = None  # when the minutes began, of `time.monotonic`; None: with `train`
     device: str = "cpu"
     validations: int = 10  # over the run; the best checkpoint is one of as many
+    base_color: bool = True  # whether the part's, if it has one, is a factor
     after_checkpoint: Callable[[], None] = lambda: None
+    start: Path | None = None  # checkpoint with the first weights; None: random ones
 
 
 def train(
@@ -74,6 +76,9 @@ def train(
     if run.dataset.manifest.emitters:
         inputs = INPUTS[run.dataset.kind]
         run = replace(run, preset=run.preset.with_model(emission_inputs=inputs))
+    knows_base_color = run.base_color and run.preset_name not in PAPER_PRESETS
+    if knows_base_color and run.dataset.captured.base_color and run.preset.model.packageable:
+        run = replace(run, preset=run.preset.with_model(uses_base_color=True))
     run.out.mkdir(parents=True, exist_ok=True)
     saved = _continued(run.out / "last.ckpt", run)
     done = saved["step"] if saved else 0
@@ -84,6 +89,8 @@ def train(
     fitting = Fitting(run.preset, bounds, ceiling, unit, table.fields, emission, run.device)
     if saved:
         fitting.load(saved["fitting"])
+    elif run.start is not None:
+        fitting.start_from(load_checkpoint(run.start).model)
     best, so_far = run.out / "best.ckpt", run.out / _SO_FAR
     pace = _pace(run, begun, saved)
     batch = run.preset.training.batch

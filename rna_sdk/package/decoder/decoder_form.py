@@ -34,6 +34,8 @@ class DecoderForm:
         arrays: names of the QUERY_ARRAYS that it is asked with.
         member: of a tier part, with the decoder's record; "" for the tier part itself.
         count: name of a member of the record: so many times there are all results; "" for once.
+        has_factors: whether a tier part that uses base colour has a factor of each result, in the
+            same order behind them: the result is then `output + base colour * factor`.
     """
 
     name: str
@@ -41,6 +43,7 @@ class DecoderForm:
     arrays: tuple[str, ...]
     member: str = ""
     count: str = ""
+    has_factors: bool = False
 
     @property
     def path(self) -> tuple[str, ...]:
@@ -56,9 +59,10 @@ class DecoderForm:
         sets = getattr(record, self.count) if self.count and record is not None else 1
         return len(self.results) * int(sets)
 
-    def width(self, record: Any) -> int:
-        """Columns of the output."""
-        return COLUMNS * self.result_count(record)
+    def width(self, record: Any, uses_base_color: bool = False) -> int:
+        """Columns of the output, in a tier part that uses base colour or not."""
+        sets = 2 if self.has_factors and uses_base_color else 1
+        return COLUMNS * self.result_count(record) * sets
 
     def blocks(self, kind: str) -> list[str]:
         """The input blocks that it can have in a part of this kind."""
@@ -66,16 +70,23 @@ class DecoderForm:
         return [name for name in blocks_for(kind) if lit or name in UNLIT_BLOCKS]
 
 
-TRANSPORT = DecoderForm("transport", ("visible", "shadowed"), ("position", "axis", "h", "wo", "wi"))
+_LIT = ("position", "axis", "h", "wo", "wi")
+_COLOURED = (*_LIT, "base_color")
+
+TRANSPORT = DecoderForm("transport", ("visible", "shadowed"), _COLOURED, has_factors=True)
+VISIBLE = DecoderForm("visible", ("visible",), _COLOURED, has_factors=True)
+SHADOWED = DecoderForm("shadowed", ("shadowed",), _COLOURED, "shadowed", has_factors=True)
+"""These two together are TRANSPORT, of a tier part with a decoder for shadowed light."""
+
 EMISSION = DecoderForm("emission", ("radiance",), ("position", "axis", "h", "wo"), "emission")
 
 FORMS = (TRANSPORT, EMISSION)
-"""Those of a tier part, which always has the first; the others are optional."""
+"""What a tier part answers: always the first, and the other where it has a decoder of it."""
 
 ENVIRONMENT = DecoderForm(
     "environment",
     ("visible", "shadowed", "axis"),
-    ("position", "axis", "h", "wo", "wi"),
+    _LIT,
     count="lobes",
 )
 """Of the extension RNA_environment; wi is the mirror direction of wo."""

@@ -22,12 +22,14 @@ class QueryArray:
     Attributes:
         is_direction: of any length but zero.
         kind: the kind of part that it is for alone; "" for both.
+        is_factor: multiplies results, and is no input of the decoder.
     """
 
     name: str
     columns: int
     is_direction: bool = False
     kind: str = ""
+    is_factor: bool = False
 
 
 QUERY_ARRAYS = (
@@ -36,18 +38,22 @@ QUERY_ARRAYS = (
     QueryArray("h", 1, kind="fiber"),
     QueryArray("wo", 3, is_direction=True),
     QueryArray("wi", 3, is_direction=True),
+    QueryArray("base_color", 3, kind="surface", is_factor=True),
 )
-"""In the order of a file's columns and of the kernel's arguments."""
+"""In the order of a file's columns."""
+
+INPUT_ARRAYS = tuple(array for array in QUERY_ARRAYS if not array.is_factor)
+"""Those that the decoder's blocks are made of, in the order of the kernel's arguments."""
 
 _NONE = np.empty(0, np.float32)
 
 
 def in_order(arrays: Mapping[str, Rows]) -> tuple[Rows, ...]:
-    """One array for each of QUERY_ARRAYS; wo, which is checked anyway, for missing directions.
+    """One array for each of INPUT_ARRAYS; wo, which is checked anyway, for a missing direction.
 
     Other missing arrays are empty, (0,).
     """
-    instead = {array.name: arrays["wo"] if array.is_direction else _NONE for array in QUERY_ARRAYS}
+    instead = {array.name: arrays["wo"] if array.is_direction else _NONE for array in INPUT_ARRAYS}
     return tuple(arrays.get(name, other) for name, other in instead.items())
 
 

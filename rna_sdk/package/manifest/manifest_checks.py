@@ -12,6 +12,12 @@ from rna_sdk.package.manifest.extension_checks import KNOWN_EXTENSIONS, extensio
 from rna_sdk.package.manifest.input_checks import input_issues
 from rna_sdk.package.manifest.manifest_model import Manifest
 
+_RANGE_CODES = {
+    "transmittance": Code.TRANSMITTANCE_RANGE,
+    "normalMaps": Code.NORMAL_MAP_RANGE,
+    "baseColor": Code.BASE_COLOR_RANGE,
+}
+
 
 def manifest_issues(manifest: Manifest) -> list[Issue]:
     """Errors in the relations between members that are each valid."""
@@ -38,10 +44,8 @@ def references(manifest: Manifest) -> Iterator[tuple[str, str]]:
     """(JSON pointer, entry) of every path in the manifest."""
     for k, part in enumerate(manifest.parts):
         yield pointer("parts", k, "geometry"), part.geometry
-        for j, record in enumerate(part.transmittance):
-            yield pointer("parts", k, "transmittance", j, "texture"), record.texture
-        for j, mapped in enumerate(part.normal_maps):
-            yield pointer("parts", k, "normalMaps", j, "texture"), mapped.texture
+        for path, entry in part.texture_paths:
+            yield pointer("parts", k, *path), entry
     for i, tier in enumerate(manifest.tiers):
         for k, tier_part in enumerate(tier.parts):
             yield pointer("tiers", i, "parts", k, "planes"), tier_part.planes
@@ -88,16 +92,17 @@ def _input_issues(manifest: Manifest) -> list[Issue]:
                 what = f"{decoder.form.name} of {kind}" if decoder.form.member else kind
                 where = pointer("tiers", i, "parts", k, *decoder.form.path, "inputs")
                 issues += input_issues(decoder, kind, what, where)
+            if part.uses_base_color and not manifest.parts[k].base_color:
+                where = pointer("tiers", i, "parts", k, "usesBaseColor")
+                expected = f"false, or baseColor in /parts/{k}"
+                issues.append(Issue.of(Code.FIELD_VALUE, where, "true", expected))
     return issues
 
 
 def _texture_issues(manifest: Manifest) -> Iterator[Issue]:
     """Surfaces alone have records with textures, of ranges of triangles that ascend."""
     for k, part in enumerate(manifest.parts):
-        for name, code, records in (
-            ("transmittance", Code.TRANSMITTANCE_RANGE, part.transmittance),
-            ("normalMaps", Code.NORMAL_MAP_RANGE, part.normal_maps),
-        ):
+        for name, records in part.ranges.items():
             if part.kind != "surface" and records:
                 where = pointer("parts", k, name)
                 yield Issue.of(Code.FIELD_VALUE, where, f"of a {part.kind}", "of a surface")
@@ -106,7 +111,7 @@ def _texture_issues(manifest: Manifest) -> Iterator[Issue]:
                 if second < first + count:
                     where = pointer("parts", k, name, j + 1, "triangles")
                     expected = f"{first + count} or more, behind those of the record before"
-                    yield Issue.of(code, where, second, expected)
+                    yield Issue.of(_RANGE_CODES[name], where, second, expected)
 
 
 def _reference_issues(manifest: Manifest) -> list[Issue]:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from collections.abc import Iterator
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, JsonValue, field_validator
 
@@ -10,6 +11,7 @@ from rna_sdk.package.container.zip_container import MANIFEST_NAME
 from rna_sdk.package.limits import MAX_PARTS, MAX_TEXTURE_RECORDS, MAX_TIERS
 from rna_sdk.package.manifest.manifest_fields import (
     Bounds,
+    Coordinate,
     Count,
     Domain,
     EntryPath,
@@ -31,10 +33,24 @@ Cutoff = Annotated[float, Field(gt=0, lt=1)]
 Index = Annotated[float, Field(ge=0.01, le=100)]
 
 
-class TransmittanceRecord(SparseRecord):
-    """Triangles that let light through, and how much of it."""
+class TriangleRange(SparseRecord):
+    """Triangles with a texture: base of the records of each sort."""
+
+    ENTRY: ClassVar = "texture"
+    """The member that names the texture's entry."""
 
     triangles: tuple[Count, Positive] = Field(description="The first, and how many.")
+
+    @property
+    def entry(self) -> str | None:
+        """The texture's entry; None without one."""
+        name: str | None = getattr(self, self.ENTRY)
+        return name
+
+
+class TransmittanceRecord(TriangleRange):
+    """Triangles that let light through, and how much of it."""
+
     texture: EntryPath = Field(description="Entry with the texture.")
     cutoff: Annotated[Cutoff | None, NotNull()] = Field(
         default=None, description="A hole where the texture is greater than this, else none."
@@ -44,11 +60,38 @@ class TransmittanceRecord(SparseRecord):
     )
 
 
-class NormalMapRecord(SparseRecord):
+class NormalMapRecord(TriangleRange):
     """Triangles with relief, and the map of it."""
 
-    triangles: tuple[Count, Positive] = Field(description="The first, and how many.")
     texture: EntryPath = Field(description="Entry with the map.")
+
+
+Unit = Annotated[float, Field(ge=0, le=1)]
+Wrap = Literal["repeat", "clamp", "mirror"]
+ColorSpace = Literal["srgb", "linear"]
+Affine = tuple[Coordinate, Coordinate, Coordinate, Coordinate, Coordinate, Coordinate]
+
+
+class BaseColorRecord(TriangleRange):
+    """Triangles with a base colour: a factor, times an image."""
+
+    ENTRY: ClassVar = "image"
+
+    image: Annotated[EntryPath | None, NotNull()] = Field(
+        default=None, description="Entry with a PNG, JPEG or WebP; white without one."
+    )
+    color_space: Annotated[ColorSpace | None, NotNull()] = Field(
+        default=None, description="Of the image; srgb without one."
+    )
+    factor: Annotated[tuple[Unit, Unit, Unit] | None, NotNull()] = Field(
+        default=None, description="Linear RGB; white without one."
+    )
+    wrap: Annotated[tuple[Wrap, Wrap] | None, NotNull()] = Field(
+        default=None, description="Beyond the image's edges, along u and v; repeat without one."
+    )
+    transform: Annotated[Affine | None, NotNull()] = Field(
+        default=None, description="From texture coordinates to the image's: (a, b, c, d, e, f)."
+    )
 
 
 class Part(SparseRecord):
@@ -64,6 +107,26 @@ class Part(SparseRecord):
     normal_maps: Annotated[
         tuple[NormalMapRecord, ...], Field(max_length=MAX_TEXTURE_RECORDS), NotEmpty()
     ] = Field(default=(), description="Relief of a surface.")
+    base_color: Annotated[
+        tuple[BaseColorRecord, ...], Field(max_length=MAX_TEXTURE_RECORDS), NotEmpty()
+    ] = Field(default=(), description="Base colour of a surface.")
+
+    @property
+    def ranges(self) -> dict[str, tuple[TriangleRange, ...]]:
+        """Its records of ranges of triangles, by the member that they are in."""
+        return {
+            "transmittance": self.transmittance,
+            "normalMaps": self.normal_maps,
+            "baseColor": self.base_color,
+        }
+
+    @property
+    def texture_paths(self) -> Iterator[tuple[tuple[str | int, ...], str]]:
+        """Of each texture the path from the part to its member, and the entry."""
+        for member, records in self.ranges.items():
+            for k, record in enumerate(records):
+                if record.entry is not None:
+                    yield (member, k, record.ENTRY), record.entry
 
 
 class EntryRecord(Record):

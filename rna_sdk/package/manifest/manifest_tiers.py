@@ -10,7 +10,14 @@ from pydantic import Field, field_validator
 from pydantic_core import PydanticCustomError
 
 from rna_sdk.package.blocks import query_width
-from rna_sdk.package.decoder.decoder_form import FORMS, DecoderForm, PartDecoder
+from rna_sdk.package.decoder.decoder_form import (
+    EMISSION,
+    SHADOWED,
+    TRANSPORT,
+    VISIBLE,
+    DecoderForm,
+    PartDecoder,
+)
 from rna_sdk.package.limits import MAX_CHANNELS, MAX_PARTS, MAX_RESOLUTION
 from rna_sdk.package.manifest.manifest_fields import (
     Count,
@@ -34,11 +41,14 @@ class FlipAtHeight(Record):
     flip: Measure = Field(description="Mean FLIP at that height.")
 
 
-class Validation(Record):
+class Validation(SparseRecord):
     """Error against reference images the training never saw."""
 
     psnr: float = Field(description="Peak signal-to-noise ratio, dB.")
-    flip: Measure = Field(description="Mean FLIP.")
+    flip: Measure = Field(description="Mean FLIP of the asset's pixels.")
+    flip_p95: Annotated[Measure | None, NotNull()] = Field(
+        default=None, description="95th percentile of the FLIP of the asset's pixels."
+    )
     relative_mse: Measure = Field(description="Mean relative squared error.")
     images: Positive = Field(description="Number of images compared.")
     definition: str = Field(description="What exactly was compared, for a person.")
@@ -85,6 +95,10 @@ class TierEmission(TierDecoder):
     """Emission of a part: a separate decoder on features of the same planes."""
 
 
+class TierShadowed(TierDecoder):
+    """Shadowed light of a part, where its decoder of transport gives visible light alone."""
+
+
 class TierPartFields(Record):
     """Fields that a tier part and a record of lobes share."""
 
@@ -103,16 +117,25 @@ class TierPartFields(Record):
 class TierPart(TierPartFields, SparseRecord):
     """Planes and decoders of one part: of transport, and optionally of emission."""
 
+    uses_base_color: Annotated[bool | None, NotNull()] = Field(
+        default=None, description="Whether transport has a factor of the part's base colour."
+    )
+    shadowed: Annotated[TierShadowed | None, NotNull()] = None
     emission: Annotated[TierEmission | None, NotNull()] = None
 
     @property
     def decoders(self) -> tuple[PartDecoder, ...]:
-        """Its decoders, in the order of FORMS: that of transport first."""
-        records = ((form, form.record(self)) for form in FORMS)
-        result = ((form, record) for form, record in records if record is not None)
+        """Its decoders: that of transport or of visible light first, then those that it has."""
+        records: tuple[tuple[DecoderForm, TierPart | TierDecoder | None], ...] = (
+            (TRANSPORT if self.shadowed is None else VISIBLE, self),
+            (SHADOWED, self.shadowed),
+            (EMISSION, self.emission),
+        )
+        scaled = bool(self.uses_base_color)
         return tuple(
-            part_decoder(form, record, query_width(record.inputs, self.channels))
-            for form, record in result
+            part_decoder(form, record, query_width(record.inputs, self.channels), scaled)
+            for form, record in records
+            if record is not None
         )
 
     @property
@@ -122,10 +145,13 @@ class TierPart(TierPartFields, SparseRecord):
 
 
 def part_decoder(
-    form: DecoderForm, record: TierPartFields | TierDecoder, columns: int
+    form: DecoderForm,
+    record: TierPartFields | TierDecoder,
+    columns: int,
+    uses_base_color: bool = False,
 ) -> PartDecoder:
     """The decoder that a record declares, with so many columns of `queries`."""
-    width = form.width(record)
+    width = form.width(record, uses_base_color)
     return PartDecoder(
         form, record.decoder, columns, width, record.decoder_precision, record.inputs
     )

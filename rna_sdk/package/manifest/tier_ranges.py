@@ -39,8 +39,7 @@ def _shared_names(parts: tuple[Part, ...]) -> Iterator[str]:
     """Entries of all tiers, some perhaps twice: geometry and textures of the parts."""
     for part in parts:
         yield part.geometry
-        yield from (record.texture for record in part.transmittance)
-        yield from (record.texture for record in part.normal_maps)
+        yield from (entry for _, entry in part.texture_paths)
 
 
 def _tier_names(tier: Tier) -> Iterator[str]:

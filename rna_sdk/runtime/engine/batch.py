@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,17 +17,19 @@ class Batch:
     """Arguments and results.
 
     Attributes:
-        arrays: one for each of QUERY_ARRAYS, (n, 3) or (n,) float32.
+        arrays: one for each of INPUT_ARRAYS, (n, 3) or (n,) float32.
         results: written by the evaluation: those of the decoder's form, each (n, 3) float32.
+        base_color: (n, 3) float32 where the decoder has a factor of each result, behind them.
     """
 
     arrays: tuple[Rows, ...]
     results: tuple[Rows, ...]
+    base_color: Rows | None = field(default=None, kw_only=True)
 
     @classmethod
     def of(cls, arrays: Mapping[str, Rows], results: tuple[Rows, ...]) -> Batch:
-        """arrays: by name, those that the decoder's blocks are made of."""
-        return cls(in_order(arrays), results)
+        """arrays: by name, those that the decoder's blocks are made of, and the base colour."""
+        return cls(in_order(arrays), results, base_color=arrays.get("base_color"))
 
     def __len__(self) -> int:
         return len(self.arrays[0])
@@ -38,7 +40,11 @@ class Batch:
     def write(self, tile: slice, output: Rows, valid: NDArray[np.bool_]) -> None:
         """Write the results of a tile from the decoder's output."""
         # numba loads when it is used
-        from rna_sdk.runtime.kernels.output_kernel import write_results
+        from rna_sdk.runtime.kernels.output_kernel import write_results, write_sums
 
         for k, result in enumerate(self.results):
-            write_results(output, COLUMNS * k, valid, result[tile])
+            if self.base_color is None:
+                write_results(output, COLUMNS * k, valid, result[tile])
+            else:
+                columns = COLUMNS * k, COLUMNS * (k + len(self.results))
+                write_sums(output, *columns, self.base_color[tile], valid, result[tile])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numba
@@ -41,3 +42,32 @@ def write_results(
     for i in range(len(results)):
         for k in range(3):
             results[i, k] = sanitised(output[i, column + k]) if valid[i] else np.float32(0.0)
+
+
+@compiled(
+    OUTPUT,
+    numba.types.intp,
+    numba.types.intp,
+    OUTPUT,
+    numba.types.boolean[::1],
+    numba.types.float32[:, ::1],
+)
+def write_sums(
+    output: NDArray[np.float32],
+    column: int,
+    factor: int,
+    base_color: NDArray[np.float32],
+    valid: NDArray[np.bool_],
+    results: NDArray[np.float32],
+) -> None:
+    """One result of a decoder with factors: the output, and another times the base colour.
+
+    factor: the first column of the other. base_color: (n, 3); the rest as for `write_results`. A
+    row whose base colour has NaN or infinity is 0.
+    """
+    for i in range(len(results)):
+        a, b, c = base_color[i, 0], base_color[i, 1], base_color[i, 2]
+        known = valid[i] and math.isfinite(a) and math.isfinite(b) and math.isfinite(c)
+        for k in range(3):
+            total = output[i, column + k] + base_color[i, k] * output[i, factor + k]
+            results[i, k] = sanitised(total) if known else np.float32(0.0)

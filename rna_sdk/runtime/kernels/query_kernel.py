@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from rna_sdk.compiled import compiled
 from rna_sdk.package.block_table import FEATURES, LEARNED_NORMAL, POSITION, WI, WO
-from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS
+from rna_sdk.package.decoder.query_arrays import INPUT_ARRAYS
 from rna_sdk.runtime.kernels.block_columns import first_three, put, put_fiber, put_surface
 from rna_sdk.runtime.kernels.lane_memory import load_lanes, load_vectors, store_mask
 from rna_sdk.runtime.kernels.lane_vectors import clamped, narrowed, total, unit
@@ -60,7 +60,7 @@ def query_kernel(kind: str, channels: int, precision: str) -> QueryKernel:
         box         (2, 3) float64, lower corner and 1 / extent of the bounds
         columns     int64, of `block_columns`
         of_lobes    bool, of the blocks of lobes: wi is the mirror direction, the half vector n
-        positions, axes, h, wo, wi  those of QUERY_ARRAYS; n is LANES or more
+        positions, axes, h, wo, wi  those of INPUT_ARRAYS; n is LANES or more
         queries     (n, K) float32, written
         valid       (n,) bool, written: False where an argument is NaN or infinite or a
                     direction has no length; such a row of `queries` is zero
@@ -75,7 +75,7 @@ def query_kernel(kind: str, channels: int, precision: str) -> QueryKernel:
         _BOX,
         _COLUMNS,
         types.boolean,
-        *(_SCALARS if array.columns == 1 else _VECTORS for array in QUERY_ARRAYS),
+        *(_SCALARS if array.columns == 1 else _VECTORS for array in INPUT_ARRAYS),
         types.float32[:, ::1],
         types.boolean[::1],
     )

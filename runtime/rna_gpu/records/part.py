@@ -39,7 +39,7 @@ PART = Record(
     Field("query_high", "<f4"),
     Field("top", "<f4", (), "of the Clip before Exp"),
     Field("unit", "<f4", (), "result = (exp(x) - 1) unit, or times the matrix; then 1"),
-    Field("matrix", LAYER, (), "[n, 6], with a bias of 0; all 0 without"),
+    Field("matrix", LAYER, (), "[n, columns of the results], with a bias of 0; all 0 without"),
     Field("scales", "<f4", (3, MAX_CHANNEL_GROUPS, GROUP), "of int8 planes, [plane][group]"),
     Field("layers", LAYER, (MAX_LAYERS,)),
     Field(
@@ -48,6 +48,9 @@ PART = Record(
         (-(-len(INPUT_BLOCKS) // GROUP), GROUP),
         "first group of each block, RNA_NONE for none: see rna_slot",
     ),
+    Field(
+        "factors", "<u4", (), "column of the results where those of base colour begin; 0 without"
+    ),
 )
 
 ROW = Record(
@@ -55,11 +58,11 @@ ROW = Record(
     Field("position", "<u4", (3,), "object space"),
     Field("h", "<u4"),
     Field("axis", "<u4", (3,), "normal or tangent"),
-    Field("reserved", "<u4"),
+    Field("red", "<u4", (), "of the base colour"),
     Field("wo", "<u4", (3,)),
-    Field("reserved_2", "<u4"),
+    Field("green", "<u4"),
     Field("wi", "<u4", (3,)),
-    Field("reserved_3", "<u4"),
+    Field("blue", "<u4"),
 )
 """A query, the bits of float32: WGSL may assume that a float is finite."""
 

@@ -38,10 +38,12 @@ FRAME = Record(
     Field("albedo", "<u4"),
     Field("domains", "<u4"),
     Field("textures", "<u4"),
+    Field("spread", "<f4", (), "width of a pixel over the distance to it"),
 )
 
 HAS_SKY, FOR_BETA, RAYS_MEET_LIGHTS = 1, 2, 4
 FOR_EMISSION, FOR_LIGHT, TRANSMITS = 8, 16, 32
+FOR_VISIBLE, FOR_SHADOWED = 64, 128
 
 PATH = Record(
     "Path",
@@ -75,6 +77,7 @@ QUERY = Record(
     Field("seen", "<f4", (), "mean of what all that is in the way leaves of the light"),
     Field("visible", "<f4", (3,), "what the asset itself leaves of it"),
     Field("reserved", "<u4"),
+    Field("base_color", "<f4", (3,)),
 )
 
 QUERIES = Record(
@@ -134,4 +137,6 @@ SCENE_CONSTANTS = {
     "FOR_EMISSION": FOR_EMISSION,
     "FOR_LIGHT": FOR_LIGHT,
     "TRANSMITS": TRANSMITS,
+    "FOR_VISIBLE": FOR_VISIBLE,
+    "FOR_SHADOWED": FOR_SHADOWED,
 }

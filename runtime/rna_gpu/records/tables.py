@@ -37,7 +37,7 @@ SURFACE = Record(
     Field("part", "<u4", (), "of assets: number among all parts of the scene"),
     Field("flags", "<u4", (), "of those above"),
     Field("normal_map", "<u4", (), "of an asset"),
-    Field("base_color", "<f4", (3,)),
+    Field("base_color", "<f4", (3,), "of an asset the factor of its image, texture BASE"),
     Field("roughness", "<f4"),
     Field("metallic", "<f4"),
     Field("coat_f0", "<f4"),

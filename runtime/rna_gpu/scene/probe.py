@@ -1,4 +1,4 @@
-"""Visibility and mapped normals at hits of a package on the GPU, for the conformance kit."""
+"""Visibility, mapped normals and base colour at hits of a package on the GPU, for the kit."""
 
 from __future__ import annotations
 
@@ -46,6 +46,14 @@ class Probe:
     def normals(self, records: NDArray[np.uint32]) -> NDArray[np.float32]:
         """(n, 3) float32: the mapped normals at (n, 8) hit records of meshes."""
         return self._run("mapped", self._hits(records))
+
+    def base_colors(
+        self, records: NDArray[np.uint32], levels: NDArray[np.float32]
+    ) -> NDArray[np.float32]:
+        """(n, 3) float32, linear: at (n, 8) hit records of meshes, of the (n,) levels of images."""
+        paths = self._hits(records)
+        paths["t"] = levels
+        return self._run("colored", paths)
 
     def _hits(self, records: NDArray[np.uint32]) -> NDArray[Any]:
         """Paths that have come to the hits and go on towards wi."""
@@ -95,6 +103,7 @@ def _parts(path: str | PathLike[str]) -> list[Any]:
                 records = {
                     "transmittance_records": package.transmittance(number),
                     "normal_maps": package.normal_maps(number),
+                    "base_colors": package.base_color(number),
                 }
                 count = len(geometry.triangles)
                 fields = {"kind": "surface", "mesh": geometry, "count": count}

@@ -30,6 +30,7 @@ _FACTORS = (
     *("base_color", "roughness", "metallic", "coat_f0", "coat_weight", "transmission"),
     *("emission", "normal_scale", "clear_coat", "clear_coat_roughness"),
 )
+_BASE = list(MATERIAL_TEXTURES).index("BASE")
 Row = NDArray[Any]
 """() of dtype SURFACE."""
 
@@ -116,13 +117,15 @@ class Surfaces:
         mesh = part.mesh
         maps = texture_numbers(mesh, part.normal_maps)
         panes = texture_numbers(mesh, part.transmittance_records)
-        pairs, pair_of_triangle = np.unique(np.stack([maps, panes]), axis=1, return_inverse=True)
-        numbers = np.array([self._part_surface(part, *pair) for pair in pairs.T.tolist()])
+        colors = texture_numbers(mesh, part.base_colors)
+        numbers = np.stack([maps, panes, colors])
+        kinds, kind_of_triangle = np.unique(numbers, axis=1, return_inverse=True)
+        surfaces = np.array([self._part_surface(part, *kind) for kind in kinds.T.tolist()])
         arrays = mesh.positions, mesh.normals, mesh.triangles
-        return Triangles(*arrays, numbers[pair_of_triangle.reshape(-1)], mesh.uvs)
+        return Triangles(*arrays, surfaces[kind_of_triangle.reshape(-1)], mesh.uvs)
 
-    def _part_surface(self, part: Any, normal_map: int, pane: int) -> int:
-        """Number of the surface of triangles with that normal map and that pane; -1 for none."""
+    def _part_surface(self, part: Any, normal_map: int, pane: int, color: int) -> int:
+        """Number of the surface of triangles with these records of the part; -1 for none."""
         row = _surface(OF_NEURAL, len(self.parts) - 1, part.emits)
         if normal_map >= 0:
             row["normal_map"] = self.images.add_texels(part.normal_maps[normal_map].texture)
@@ -130,6 +133,12 @@ class Surfaces:
             given = part.transmittance_records[pane]
             through = TransmittanceTexture(given.texture, given.cutoff, ior=given.ior)
             self._let_through(row, through, None)
+        row["base_color"] = 1.0
+        if color >= 0:
+            record = part.base_colors[color]
+            row["base_color"] = record.factor
+            if record.image is not None:
+                row["textures"].reshape(-1)[_BASE] = self.images.add_base_color(record)
         return self._add(row)
 
     def _let_through(self, row: Row, through: TransmittanceTexture, image: Any) -> None:

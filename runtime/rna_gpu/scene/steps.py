@@ -31,8 +31,8 @@ _BAND and _OTHER by turns."""
 class Step:
     """What is recorded together.
 
-    name: of a pipeline; or "transport", "emitter": evaluation of a part; or "clear", of the number
-        of queries; or "keep", "restore": copies of the paths at the points that the camera sees.
+    name: of a pipeline; or of a decoder's form: evaluation of a part; or "clear", of the number of
+        queries; or "keep", "restore": copies of the paths at the points that the camera sees.
     frame: row of the frames. list, after: lists of paths that it reads, and that "compact" writes.
     """
 
@@ -63,7 +63,8 @@ class Steps:
         self._rows: list[dict[str, int]] = []
         self._lights = lights
         self._emitting = [k for k, part in enumerate(parts) if part.emits]
-        self._every = range(len(parts))
+        self._apart = [k for k, part in enumerate(parts) if "shadowed" in part.evaluators]
+        self._together = [k for k in range(len(parts)) if k not in self._apart]
         self._meet = not all(light.delta for light in lights)
         sky = any(isinstance(light, InfiniteLight) for light in lights)
         self._flags = (
@@ -84,13 +85,14 @@ class Steps:
         self, scene: Scene, tables: SceneTables, clamp: float | None, sums: int, words: int
     ) -> None:
         """Write what all steps have in common. words: of a list of paths, uint32."""
-        camera = Camera(scene.camera, scene.resolution)
+        camera = Camera(scene.camera, scene.resolution, scene.samples)
         common = {
             "camera": camera.position,
             "width": camera.width,
             "corner": camera.corner,
             "step_x": camera.step_x,
             "step_y": camera.step_y,
+            "spread": camera.spread,
             "seed": scene.seed,
             "clamp": (clamp or 0.0) / self._branches,
             "light_count": len(self._lights),
@@ -130,7 +132,7 @@ class Steps:
             stage = [self._step("scatter", depth=depth)]
             stage.append(self._step("closest", depth=depth, rays=INDIRECT_RAY))
             for_beta = self._flags | records.FOR_BETA
-            stage += self._queries("transport", self._every, depth=depth, flags=for_beta)
+            stage += self._transport(depth=depth, flags=for_beta)
             after = _BAND if self._list == _OTHER else _OTHER
             stages.append([*stage, *self._collected(depth, after)])
         return stages
@@ -142,16 +144,24 @@ class Steps:
         chosen = self._lights if light == NONE else [self._lights[light]]
         if any(isinstance(one, AssetLight) for one in chosen):
             flags = self._flags | records.FOR_LIGHT
-            steps += self._queries("emitter", self._emitting, **at, flags=flags)
-        return [*steps, *self._queries("transport", self._every, **at)]
+            steps += self._queries("emission", self._emitting, **at, flags=flags)
+        return [*steps, *self._transport(**at)]
 
     def _collected(self, depth: int, after: int) -> list[Step]:
         """after: the list of the paths that go on."""
         flags = self._flags | records.FOR_EMISSION
         steps = [self._step("collect", depth=depth)]
-        steps += self._queries("emitter", self._emitting, depth=depth, flags=flags)
+        steps += self._queries("emission", self._emitting, depth=depth, flags=flags)
         steps.append(self._step("compact", next_list=after))
         self._list = after
+        return steps
+
+    def _transport(self, **values: int) -> list[Step]:
+        """Queries of all parts, by a decoder each, or by two: of visible and of shadowed light."""
+        flags = values.pop("flags", self._flags)
+        steps = self._queries("transport", self._together, **values, flags=flags)
+        for name, flag in (("visible", records.FOR_VISIBLE), ("shadowed", records.FOR_SHADOWED)):
+            steps += self._queries(name, self._apart, **values, flags=flags | flag)
         return steps
 
     def _queries(self, what: str, numbers: Sequence[int], **values: int) -> list[Step]:

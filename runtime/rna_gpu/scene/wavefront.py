@@ -67,7 +67,8 @@ class Wavefront:
         most = min(
             _MOST_PATHS, width * height, device.limits["max-storage-buffer-binding-size"] // largest
         )
-        self.band = min([part.transport.short(most) for part in parts], default=most)
+        own = (evaluator for part in parts for evaluator in part.transport)
+        self.band = min((evaluator.short(most) for evaluator in own), default=most)
         self._words = _HEADER // 4 + self.band
         self._steps = Steps(scene, tables, lights, parts, scatters)
         self._steps.fill(scene, tables, clamp, self._sums, self._words)
@@ -140,10 +141,10 @@ class Wavefront:
         if step.name in ("camera", "accumulate"):
             groups = self._device.groups(count)
         else:
-            takes_rows = step.name in ("transport", "emitter", "apply")
+            takes_rows = step.part >= 0 or step.name == "apply"
             groups = Groups(self._groups, _HEADER * (LISTS if takes_rows else step.list))
-        if step.name in ("transport", "emitter"):
-            evaluator = getattr(self._parts[step.part], step.name)
+        if step.part >= 0:
+            evaluator = self._parts[step.part].evaluators[step.name]
             evaluator.record(run, self._bound[step.name, step.part], groups)
         else:
             pipeline, bound = self._pipelines[step.name]
@@ -186,8 +187,7 @@ class Wavefront:
         self._bound = {
             (name, k): evaluator.bind(self._rows)
             for k, part in enumerate(self._parts)
-            for name, evaluator in (("transport", part.transport), ("emitter", part.emitter))
-            if evaluator is not None
+            for name, evaluator in part.evaluators.items()
         }
 
     def _compile(self, tables: SceneTables) -> None:

@@ -2,8 +2,10 @@
 // that are unrolled take minutes to compile. Drivers inline each call: one call, in a loop, compiles
 // sooner than two.
 
+const RNA_LARGEST: f32 = 3.4028234e38;
+
 struct RnaTransport {
-    visible: vec3f, // of emission: what is emitted
+    visible: vec3f, // of a decoder of one colour: that one, as what is emitted
     shadowed: vec3f,
 }
 
@@ -109,11 +111,25 @@ fn rna_run_decoder() -> u32 {
     return source;
 }
 
+// Three columns of the results at `place`, from column k on.
+fn rna_columns(place: u32, k: u32) -> vec3f {
+    let x = rna_values[place + k / 4u][k % 4u];
+    let y = rna_values[place + (k + 1u) / 4u][(k + 1u) % 4u];
+    let z = rna_values[place + (k + 2u) / 4u][(k + 2u) % 4u];
+    return vec3f(x, y, z);
+}
+
+// The colour in columns k to k + 2: a sum, and with a factor that times the base colour.
+fn rna_colour(place: u32, k: u32, base_color: vec3f) -> vec3f {
+    var colour = rna_columns(place, k);
+    if rna_part.factors != 0u {
+        colour += base_color * rna_columns(place, rna_part.factors + k);
+    }
+    return clamp(colour, vec3f(0.0), vec3f(RNA_LARGEST));
+}
+
 // The colours for the queries in rna_values.
-fn rna_decode() -> RnaTransport {
-    let source = rna_run_decoder();
-    let first = rna_values[source];
-    let second = rna_values[source + 1u];
-    let visible = max(first.xyz, vec3f(0.0));
-    return RnaTransport(visible, max(vec3f(first.w, second.xy), vec3f(0.0)));
+fn rna_decode(base_color: vec3f) -> RnaTransport {
+    let place = rna_run_decoder();
+    return RnaTransport(rna_colour(place, 0u, base_color), rna_colour(place, 3u, base_color));
 }

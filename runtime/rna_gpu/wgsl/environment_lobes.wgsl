@@ -26,10 +26,7 @@ fn rna_run_lobes(
 }
 
 fn rna_three(place: u32, k: u32) -> vec3f {
-    let x = rna_values[place + k / 4u][k % 4u];
-    let y = rna_values[place + (k + 1u) / 4u][(k + 1u) % 4u];
-    let z = rna_values[place + (k + 2u) / 4u][(k + 2u) % 4u];
-    return max(vec3f(x, y, z), vec3f(0.0));
+    return max(rna_columns(place, k), vec3f(0.0));
 }
 
 // Lobe j. free: the asset's own visibility along m.

@@ -4,11 +4,12 @@
 @group(1) @binding(1) var<storage, read_write> rna_results: array<vec4f>;
 @group(1) @binding(2) var<storage, read> rna_row_count: array<u32>; // [0]
 
-// RNA_COLOURS, 2 of transport and 1 of emission, is declared by whoever composes the files.
+// Whoever composes the files declares RNA_COLOURS, those that the decoder gives; RNA_STRIDE, those of a row of the
+// results; and RNA_FIRST, the place in the row where the decoder's begin.
 fn rna_write(row: u32, result: RnaTransport) {
-    rna_results[RNA_COLOURS * row] = vec4f(result.visible, 0.0);
+    rna_results[RNA_STRIDE * row + RNA_FIRST] = vec4f(result.visible, 0.0);
     if RNA_COLOURS == 2u {
-        rna_results[2u * row + 1u] = vec4f(result.shadowed, 0.0);
+        rna_results[RNA_STRIDE * row + 1u] = vec4f(result.shadowed, 0.0);
     }
 }
 
@@ -23,13 +24,15 @@ fn rna_evaluate(
     let at = rna_rows[row];
     let finite = rna_is_finite(vec4<u32>(at.position, at.h)) && rna_is_finite(vec4<u32>(at.axis, 0u))
         && rna_is_finite(vec4<u32>(at.wo, 0u)) && rna_is_finite(vec4<u32>(at.wi, 0u));
+    let base_color = vec3<u32>(at.red, at.green, at.blue);
+    let known = rna_part.factors == 0u || rna_is_finite(vec4<u32>(base_color, 0u));
     let a = rna_unit(at.axis);
     let o = rna_unit(at.wo);
     let i = rna_unit(at.wi);
     let nothing = vec3f(0.0);
     var result = RnaTransport(nothing, nothing);
-    if finite && any(a != nothing) && any(o != nothing) && any(i != nothing) {
-        result = rna_query(bitcast<vec3f>(at.position), a, bitcast<f32>(at.h), o, i);
+    if finite && known && any(a != nothing) && any(o != nothing) && any(i != nothing) {
+        result = rna_query(bitcast<vec3f>(at.position), a, bitcast<f32>(at.h), o, i, bitcast<vec3f>(base_color));
     }
     rna_write(row, result);
 }

@@ -4,7 +4,7 @@
 // An emission decoder reads no wi.
 fn rna_fiber(x: vec3f, t: vec3f, h: f32, wo: vec3f, wi: vec3f) -> RnaTransport {
     rna_put_queries(x, t, h, wo, wi, wi);
-    return rna_decode();
+    return rna_decode(vec3f(1.0));
 }
 
 // The last argument is the half vector of surfaces.
@@ -13,6 +13,8 @@ fn rna_put_queries(x: vec3f, t: vec3f, h: f32, wo: vec3f, wi: vec3f, m: vec3f) {
     rna_fiber_blocks(t, clamp(h, -1.0, 1.0), wo, wi);
 }
 
-fn rna_query(x: vec3f, axis: vec3f, h: f32, wo: vec3f, wi: vec3f) -> RnaTransport {
+fn rna_query(
+    x: vec3f, axis: vec3f, h: f32, wo: vec3f, wi: vec3f, base_color: vec3f,
+) -> RnaTransport {
     return rna_fiber(x, axis, h, wo, wi);
 }

@@ -8,3 +8,11 @@
 // The queries' columns, and the values between layers: two halves of RNA_GROUPS groups, read and
 // written by turns. RNA_GROUPS is declared by whoever composes the files.
 var<private> rna_values: array<vec4f, 2u * RNA_GROUPS>;
+
+fn rna_plane_word(plane: u32, at: u32) -> u32 {
+    switch plane {
+        case 0u: { return rna_plane_xy[at]; }
+        case 1u: { return rna_plane_yz[at]; }
+        default: { return rna_plane_zx[at]; }
+    }
+}

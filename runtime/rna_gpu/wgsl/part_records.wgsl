@@ -29,7 +29,7 @@ struct RnaLayer { // 32 bytes
     reserved: u32, // 28
 }
 
-struct RnaPart { // 1936 bytes
+struct RnaPart { // 1952 bytes
     low: vec3f, // 0; smallest corner of the bounds
     resolution: u32, // 12
     high: vec3f, // 16
@@ -42,8 +42,9 @@ struct RnaPart { // 1936 bytes
     query_high: f32, // 52
     top: f32, // 56; of the Clip before Exp
     unit: f32, // 60; result = (exp(x) - 1) unit, or times the matrix; then 1
-    matrix: RnaLayer, // 64; [n, 6], with a bias of 0; all 0 without
+    matrix: RnaLayer, // 64; [n, columns of the results], with a bias of 0; all 0 without
     scales: array<vec4f, 48>, // 96; of int8 planes, [plane][group]
     layers: array<RnaLayer, 32>, // 864
     slots: array<vec4<u32>, 3>, // 1888; first group of each block, RNA_NONE for none: see rna_slot
+    factors: u32, // 1936; column of the results where those of base colour begin; 0 without
 }

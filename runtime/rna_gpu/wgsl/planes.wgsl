@@ -1,13 +1,5 @@
 // Features of a position: spec/RNA.md, 5 Planes.
 
-fn rna_plane_word(plane: u32, at: u32) -> u32 {
-    switch plane {
-        case 0u: { return rna_plane_xy[at]; }
-        case 1u: { return rna_plane_yz[at]; }
-        default: { return rna_plane_zx[at]; }
-    }
-}
-
 // The value of a float16; drivers may take subnormal ones for 0, the format does not.
 fn rna_from_float16(bits: u32) -> f32 {
     let exponent = (bits >> 10u) & 31u;

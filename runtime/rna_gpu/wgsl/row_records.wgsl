@@ -4,9 +4,9 @@ struct RnaRow { // 64 bytes
     position: vec3<u32>, // 0; object space
     h: u32, // 12
     axis: vec3<u32>, // 16; normal or tangent
-    reserved: u32, // 28
+    red: u32, // 28; of the base colour
     wo: vec3<u32>, // 32
-    reserved_2: u32, // 44
+    green: u32, // 44
     wi: vec3<u32>, // 48
-    reserved_3: u32, // 60
+    blue: u32, // 60
 }

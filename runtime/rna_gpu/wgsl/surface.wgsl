@@ -1,10 +1,10 @@
 // Transport, or emission, at a point of a surface: spec/RNA.md, 7 Light.
 
 // x: object space, metres. n, wo, wi: unit, away from the surface; all finite. An emission decoder
-// reads no wi.
-fn rna_surface(x: vec3f, n: vec3f, wo: vec3f, wi: vec3f) -> RnaTransport {
+// reads no wi, and one without factors no base colour.
+fn rna_surface(x: vec3f, n: vec3f, wo: vec3f, wi: vec3f, base_color: vec3f) -> RnaTransport {
     rna_put_queries(x, n, 0.0, wo, wi, rna_halfway(wo, wi));
-    return rna_decode();
+    return rna_decode(base_color);
 }
 
 // m: the half vector.
@@ -13,6 +13,8 @@ fn rna_put_queries(x: vec3f, n: vec3f, h: f32, wo: vec3f, wi: vec3f, m: vec3f) {
     rna_surface_blocks(n, features, wo, wi, m);
 }
 
-fn rna_query(x: vec3f, axis: vec3f, h: f32, wo: vec3f, wi: vec3f) -> RnaTransport {
-    return rna_surface(x, axis, wo, wi);
+fn rna_query(
+    x: vec3f, axis: vec3f, h: f32, wo: vec3f, wi: vec3f, base_color: vec3f,
+) -> RnaTransport {
+    return rna_surface(x, axis, wo, wi, base_color);
 }

@@ -83,7 +83,13 @@ class AssetBody:
         self.scene = PartsScene([part_geometry(*pair) for pair in pairs], tables, maps)
 
     def points(
-        self, part: int, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray, seen: bool
+        self,
+        part: int,
+        hits: ClosestHits,
+        ray: np.ndarray,
+        wo: np.ndarray,
+        seen: bool,
+        widths: np.ndarray,
     ) -> Points:
         where = hits.primitive[ray], hits.u[ray], hits.v[ray], hits.ng[ray]
         points = self.scene.points(part, *where)
@@ -95,6 +101,8 @@ class AssetBody:
         else:
             assert isinstance(points, SurfacePoints)
             result = _MeshPoints(asset, self.scene, part, points, wo, rest)
+            if asset.uses_base_color:
+                result.base_color = asset.base_color_at(*where[:3], widths)
         result.where = where[:3]
         # Lobes know the visibility of the asset at rest, and are trained for what viewers see.
         result.gives_lobes = seen and rest is None and asset.environment_form is not None
@@ -143,10 +151,7 @@ class _NeuralPoints(Points):
         self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
         v = self._scene.visible(self._part, self._at, wi, distance, row)
-        visible, shadowed = self._evaluate(row, wi)
-        if v.ndim == 1:
-            return np.where(v[:, None], visible, shadowed), v
-        return v * visible + (np.float32(1.0) - v) * shadowed, v.mean(axis=1)
+        return self._sent(row, wi, v), v if v.ndim == 1 else v.mean(axis=1)
 
     def transport_and_pdf(
         self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
@@ -175,11 +180,13 @@ class _NeuralPoints(Points):
         return np.asarray(v if v.ndim == 1 else v.mean(axis=1), np.float32)
 
     @abstractmethod
-    def _evaluate(self, row: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray, np.ndarray]: ...
+    def _sent(self, row: np.ndarray, wi: np.ndarray, v: np.ndarray) -> np.ndarray:
+        """Transport of rows along wi, (k, 3) float32, given the visibility."""
 
 
 class _MeshPoints(_NeuralPoints):
     _lobes = SURFACE_LOBES
+    base_color: np.ndarray | None = None
 
     def __init__(
         self,
@@ -194,8 +201,9 @@ class _MeshPoints(_NeuralPoints):
         self._asset, self.n = asset, at.mapped
         self.tangents = np.zeros_like(self.n)
 
-    def _evaluate(self, row: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        return self._asset.evaluate(*self._arguments(self.n, row, wi))
+    def _sent(self, row: np.ndarray, wi: np.ndarray, v: np.ndarray) -> np.ndarray:
+        color = None if self.base_color is None else self.base_color.take(row, axis=0)
+        return self._asset.transport(*self._arguments(self.n, row, wi), v, color)
 
     def lobes(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         free = self._free(self._asset.mirror(self.n, self._wo))
@@ -221,9 +229,9 @@ class _StrandPoints(_NeuralPoints):
         self.tangents = at.tangent
         self._h = offset_across(at.n, at.tangent, wo)
 
-    def _evaluate(self, row: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def _sent(self, row: np.ndarray, wi: np.ndarray, v: np.ndarray) -> np.ndarray:
         x, tangents, wo, wi = self._arguments(self.tangents, row, wi)
-        return self._asset.evaluate(x, tangents, self._h[row], wo, wi)
+        return self._asset.transport(x, tangents, self._h[row], wo, wi, v)
 
     def lobes(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         free = self._free(self._asset.mirror(self.tangents, self._wo))
@@ -245,7 +253,13 @@ class ObjectBody:
         self.role = Role.CATCH_SHADOWS if mesh.catches_shadows else Role.SCATTER
 
     def points(
-        self, part: int, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray, seen: bool
+        self,
+        part: int,
+        hits: ClosestHits,
+        ray: np.ndarray,
+        wo: np.ndarray,
+        seen: bool,
+        widths: np.ndarray,
     ) -> Points:
         return _ObjectPoints(self.mesh, hits, ray, wo)
 
@@ -294,7 +308,13 @@ class LightBody:
         self.scene = light.scene
 
     def points(
-        self, part: int, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray, seen: bool
+        self,
+        part: int,
+        hits: ClosestHits,
+        ray: np.ndarray,
+        wo: np.ndarray,
+        seen: bool,
+        widths: np.ndarray,
     ) -> Points:
         raise NotImplementedError("a light scatters nothing")
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Callable, Iterable
 from threading import Lock
-from typing import cast
+from typing import Any, cast
 
 import numpy as np
 
@@ -34,6 +34,10 @@ class WatchedAsset:
 
     def __getattr__(self, name: str) -> object:
         return getattr(self._asset, name)
+
+    def with_base_color(self, *arguments: Any) -> WatchedAsset:
+        """Like the asset's own, watched as well."""
+        return WatchedAsset(self._asset.with_base_color(*arguments), self._name)
 
     def count(self, wo: np.ndarray, wi: np.ndarray) -> None:
         """Count the queries of a part, directions (n, 3) float32 in object space."""
@@ -73,11 +77,12 @@ class _WatchedPart:
     def __getattr__(self, name: str) -> object:
         return getattr(self._part, name)
 
-    def evaluate(self, *arguments: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Like the part's own; wo and wi are the last two arguments."""
-        self._watched.count(*arguments[-2:])
-        evaluate: Callable[..., tuple[np.ndarray, np.ndarray]] = self._part.evaluate
-        return evaluate(*arguments)
+    def transport(self, *arguments: np.ndarray) -> np.ndarray:
+        """Like the part's own; wo and wi follow position and axis, and h of strands."""
+        first = 3 if self._part.kind == "fiber" else 2
+        self._watched.count(*arguments[first : first + 2])
+        transport: Callable[..., np.ndarray] = self._part.transport
+        return transport(*arguments)
 
 
 def watched(asset: Asset, name: str) -> Asset:

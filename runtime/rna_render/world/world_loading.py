@@ -10,10 +10,11 @@ import numpy as np
 
 from rna_render.lights import AssetEmission, PlacedLight, make_light
 from rna_render.materials import MeshObject, ground, read_mesh_object
+from rna_render.materials.textures import read_texels
 from rna_render.scene.light_models import AreaModel, LightModel
 from rna_render.scene.limits import MAX_SIZE, MIN_SIZE
 from rna_render.scene.scene_file import SceneFile
-from rna_render.scene.scene_model import GroundModel
+from rna_render.scene.scene_model import AssetModel, GroundModel
 from rna_render.scene.transforms import world_from_object
 from rna_render.world.body_cache import BodyCache
 from rna_render.world.domain_watch import watched
@@ -93,6 +94,12 @@ def _placed_assets(scene_file: SceneFile, tiers: Tiers, loaded: Loaded) -> list[
         other = None
         if chosen.indirect is not None:
             other = load(path, chosen.indirect, pixels)
+        if model.maps or model.tint != (1.0, 1.0, 1.0):
+            try:
+                asset = load.printed(asset, model)
+                other = None if other is None else load.printed(other, model)
+            except (QueryError, SceneError) as error:
+                raise scene_file.error(("assets", index, "maps"), str(error)) from error
         shapes, after = None, None
         if model.motion is not None:
             try:
@@ -111,6 +118,8 @@ class _AssetLoader:
 
     def __init__(self) -> None:
         self._loaded: dict[tuple[Path, str | None, float | None], Asset] = {}
+        # With the asset that each was made of, so that its id stays its own.
+        self._printed: dict[tuple[int, str], tuple[Asset, Asset]] = {}
         self._emissions: dict[int, AssetEmission | None] = {}
 
     def __call__(self, path: Path, tier: str | None, pixels: float | None) -> Asset:
@@ -121,6 +130,17 @@ class _AssetLoader:
             asset = load(path, tier=tier, threads=1, pixels=pixels)
             self._loaded[key] = watched(asset, path.name)
         return self._loaded[key]
+
+    def printed(self, asset: Asset, model: AssetModel) -> Asset:
+        """The asset with the images and the tint of its place in the scene.
+
+        Raises SceneError for a file that is no image, QueryError for a label that is not there.
+        """
+        key = id(asset), repr((model.maps, model.tint))
+        if key not in self._printed:
+            images = {label: read_texels(path, path) for label, path in model.maps.items()}
+            self._printed[key] = asset, asset.with_base_color(images, model.tint)
+        return self._printed[key][1]
 
     def emission(self, asset: Asset) -> AssetEmission | None:
         if id(asset) not in self._emissions:

@@ -1,5 +1,5 @@
 // Types of rna-three. Those of three.js itself are in @types/three.
-import type { Camera, Euler, Group, InstancedMesh, Loader, LoadingManager, Mesh, NodeMaterial, Texture } from "three/webgpu";
+import type { Camera, ColorRepresentation, Euler, Group, InstancedMesh, Loader, LoadingManager, Mesh, NodeMaterial, Texture } from "three/webgpu";
 
 export interface RnaOptions {
   /** What hides light from the asset itself: rays through its own hierarchy, or the light's shadow map. Default "rays". */
@@ -8,7 +8,7 @@ export interface RnaOptions {
   environmentSamples?: number;
   /** Points of a RectAreaLight along each of its sides. Default 2. */
   areaSamples?: number;
-  /** Largest mean FLIP of the tier that is chosen by size. Default 0.05. */
+  /** Largest mean FLIP, of the asset's pixels, of the tier that is chosen by size. Default 0.1. */
   maxError?: number;
 }
 
@@ -35,6 +35,12 @@ export class RnaAsset extends Group {
   readonly tiers: string[];
   /** A tier's name (another one throws), or "auto": the cheapest that is good enough for the asset's size in the image. */
   tier: string;
+  /** What the images of base colour are called, for setMap. */
+  readonly maps: string[];
+  /** Another picture for the images with that label; null: the package's own. Copies share it. Rejects for another label. */
+  setMap(label: string, picture: Blob | ImageBitmap | CanvasImageSource | Texture | null): Promise<void>;
+  /** A factor of all base colours, as "crimson". Copies share it. Throws for an asset without base colour. */
+  setTint(color: ColorRepresentation): void;
   /** Meshes of the parts; geometry and material can be given to an InstancedMesh. */
   readonly meshes: Mesh[];
   /** Chooses the tier; the renderer calls it. */

@@ -15,6 +15,8 @@ class Answers:
     """To one question: queries (n, columns) float32; blocks (n, K), expected and tolerance
     (n, width) float64.
 
+    blocks: of two decoders those of the second behind those of the first.
+
     classes: name, first row, rows. scale: root mean square of the expected of ordinary rows.
     step: the most that a step of one int8 activation changes an output; 0 for float32.
     """

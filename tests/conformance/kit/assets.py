@@ -8,6 +8,8 @@ from pathlib import Path
 import numpy as np
 
 from rna_sdk.package import (
+    BaseColor,
+    BaseColorRecord,
     Bounds,
     Int8Planes,
     Lobes,
@@ -21,15 +23,17 @@ from rna_sdk.package import (
     Unpacked,
     write_package,
 )
-from rna_sdk.package.decoder.decoder_form import form_named
+from rna_sdk.package.decoder.decoder_form import EMISSION, SHADOWED, TRANSPORT, VISIBLE
 from rna_sdk.package.decoder.query_arrays import arrays_of
 from tests.conformance.kit import decoders
 from tests.conformance.kit.answers import PART_OF_SCALE, SIGN_PATTERNS, Answers
+from tests.conformance.kit.base_color_queries import with_base_colors
 from tests.conformance.kit.blocks import Points, decoder_inputs, moved_blocks
 from tests.conformance.kit.decoders import Decoder, Int8Decoder, short
 from tests.conformance.kit.lobes import make_lobes
 from tests.conformance.kit.oddities import make_odd
 from tests.conformance.kit.plans import DecoderPlan, PartPlan, Plan, TierPlan
+from tests.conformance.kit.png import png_bytes
 from tests.conformance.kit.queries import (
     ALL,
     ORDINARY,
@@ -41,6 +45,10 @@ from tests.conformance.kit.queries import (
 from tests.package.builders import make_manifest, make_part, make_tier_part
 
 _CALIBRATION_ROWS = 600
+_FORMS = {form.name: form for form in (TRANSPORT, VISIBLE, SHADOWED, EMISSION)}
+
+Asked = tuple[Decoder | Int8Decoder, tuple[str, ...]]
+"""A decoder and its input blocks."""
 
 
 @dataclass(frozen=True)
@@ -73,7 +81,14 @@ def write_asset(plan: Plan, folder: Path) -> dict[Query, Answers]:
             *((_map(name), record) for name, record in part.maps),
         )
     }
-    write_package(path, manifest, [part.geometry for part in plan.parts], data, textures)
+    images = {
+        _image(name): png_bytes(record.image)
+        for part in plan.parts
+        for name, record in part.colors
+        if record.image is not None
+    }
+    files = {**textures, **images}
+    write_package(path, manifest, [part.geometry for part in plan.parts], data, files)
     if any(part.lobes for part in made):
         Unpacked.read(path).with_environment([part.lobes for part in made]).write(path)
     if plan.name == "surface-odd":
@@ -87,6 +102,10 @@ def _texture(name: str) -> str:
 
 def _map(name: str) -> str:
     return f"normals/{name}.safetensors"
+
+
+def _image(name: str) -> str:
+    return f"textures/{name}.png"
 
 
 class _Made:
@@ -112,22 +131,24 @@ class _Made:
                 self.answers[Query(tier.name, number, "environment")] = answers
 
     def _add(self, rng: np.random.Generator, number: int, part: PartPlan, tier: TierPlan) -> None:
-        decoder = _decoder(rng, part, tier, self._values)
+        form = VISIBLE if SHADOWED.name in tier.others else TRANSPORT
+        decoder = _decoder(rng, part, tier, self._values, form.name)
         shared = self.records[-1].planes if tier.shares_planes else None
         record = _record(tier, self._end, shared)
-        self.answers[Query(tier.name, number, "transport")] = _answers(
-            int(rng.integers(2**32)), part, tier, tier.inputs, self._values, decoder
-        )
-        files = {}
+        asked: dict[str, list[Asked]] = {TRANSPORT.name: [(decoder, tier.inputs)]}
+        seeds, files = [int(rng.integers(2**32))], {}
         for output, plan in tier.others.items():
             query = _as_tier(tier, plan)
             other = _decoder(rng, part, query, self._values, output)
             files[output] = other.file()
-            tier_member = {form_named(output).member: _other(tier.name + self._end, output, plan)}
+            tier_member = {_FORMS[output].member: _other(tier.name + self._end, output, plan)}
             record = TierPart.model_validate({**dict(record), **tier_member})
-            self.answers[Query(tier.name, number, output)] = _answers(
-                int(rng.integers(2**32)), part, tier, query.inputs, self._values, other
-            )
+            name = TRANSPORT.name if output == SHADOWED.name else output
+            asked.setdefault(name, []).append((other, query.inputs))
+            seeds.append(int(rng.integers(2**32)))
+        for (name, decoders_of), seed in zip(asked.items(), seeds, strict=False):
+            answers = _answers(seed, part, tier, name, decoders_of, self._values)
+            self.answers[Query(tier.name, number, name)] = answers
         self.records.append(record)
         self.data.append(TierData(self._planes, decoder.file(), files))
 
@@ -152,8 +173,18 @@ def _part(part: PartPlan, alone: bool) -> Part:
             NormalMapRecord(triangles=(record.first, record.count), texture=_map(name))
             for name, record in part.maps
         ),
+        base_color=tuple(_color(name, record) for name, record in part.colors),
         **geometry,
     )
+
+
+def _color(name: str, record: BaseColor) -> BaseColorRecord:
+    """The record of the manifest, without what is as if it were left out."""
+    plain = BaseColor(0, 1, None)
+    names = [*("color_space", "factor", "wrap", "transform")]
+    given = {n: getattr(record, n) for n in names if getattr(record, n) != getattr(plain, n)}
+    image = None if record.image is None else _image(name)
+    return BaseColorRecord(triangles=(record.first, record.count), image=image, **given)
 
 
 def _as_tier(tier: TierPlan, other: DecoderPlan) -> TierPlan:
@@ -171,6 +202,7 @@ def _record(tier: TierPlan, end: str, planes: str | None) -> TierPart:
         channels=tier.channels,
         plane_precision=tier.planes,
         decoder_precision="int8" if tier.int8 else "float32",
+        uses_base_color=tier.uses_base_color or None,
         **members,
     )
 
@@ -206,7 +238,7 @@ def _decoder(
     part: PartPlan,
     tier: TierPlan,
     planes: np.ndarray,
-    output: str = "transport",
+    output: str,
 ) -> Decoder | Int8Decoder:
     rows = Maker(rng, part.is_fiber, part.bounds).ordinary(_CALIBRATION_ROWS)
     blocks = decoder_inputs(Points.of(arrays_of(rows, ALL), part.bounds), tier.inputs, planes)
@@ -214,7 +246,9 @@ def _decoder(
     first = None
     if tier.int8 == "saturating":
         first = decoders.saturating_weights(rng, blocks, tier.widths[0])
-    decoder = decoders.make_decoder(rng, blocks, tier.widths, tier.mixing, first, output)
+    colours = _FORMS[output].width(None, tier.uses_base_color)
+    sizes = tier.widths, tier.mixing
+    decoder = decoders.make_decoder(rng, blocks, *sizes, first, output, colours)
     if not tier.int8:
         return decoder
     return decoders.make_int8_decoder(decoder, blocks, 127 if tier.int8 == "saturating" else 64)
@@ -224,35 +258,68 @@ def _answers(
     seed: int,
     part: PartPlan,
     tier: TierPlan,
-    inputs_of: tuple[str, ...],
+    form: str,
+    asked: list[Asked],
     planes: np.ndarray,
-    decoder: Decoder | Int8Decoder,
 ) -> Answers:
-    """inputs_of: the decoder."""
+    """form: what is asked for; asked: the decoders whose results, side by side, are the answer."""
     queries, classes = make_queries(seed, part.is_fiber, part.bounds)
     if tier.resolution == 1 and not part.is_fiber:
         queries, classes = _with_cancelled_normals(queries, classes)
-    names = form_named(decoder.output).arrays
+    if form == TRANSPORT.name and not part.is_fiber:
+        queries, classes = with_base_colors(seed, queries, classes)
+    names = _FORMS[form].arrays
     queries = queries[:, columns_of(names)]
-    valid = valid_rows(arrays_of(queries, names))
-    points = Points.of(arrays_of(queries[valid], names), part.bounds)
-    inputs = decoder_inputs(points, inputs_of, planes)
-    answer, rng = decoder(inputs), np.random.default_rng(seed)
+    arrays = arrays_of(queries, names)
+    if not tier.uses_base_color:
+        arrays.pop("base_color", None)
+    valid = valid_rows(arrays)
+    points = Points.of({name: rows[valid] for name, rows in arrays.items()}, part.bounds)
+    color = arrays["base_color"][valid].astype(np.float64) if "base_color" in arrays else None
+    made = [decoder_inputs(points, inputs, planes) for _, inputs in asked]
+    answer, rng = _light(asked, made, color), np.random.default_rng(seed)
     change = np.zeros_like(answer)
     for _ in range(SIGN_PATTERNS):
-        moved = decoder_inputs(points.rounded(rng), inputs_of, planes)
-        change = np.maximum(change, np.abs(decoder(moved_blocks(moved, rng)) - answer))
+        rounded = points.rounded(rng)
+        moved = [moved_blocks(decoder_inputs(rounded, of, planes), rng) for _, of in asked]
+        change = np.maximum(change, np.abs(_light(asked, moved, color) - answer))
     name, first, count = classes[0]
     assert name == ORDINARY and first == 0
     scale = float(np.sqrt(np.mean(answer[:count] ** 2)))
+    inputs = np.hstack(made)
     blocks = np.zeros((len(queries), inputs.shape[1]))
     expected, tolerance = np.zeros((2, len(queries), answer.shape[1]))
     blocks[valid], expected[valid] = inputs, answer
     tolerance[valid] = PART_OF_SCALE * scale + change
-    step = 0.0
-    if isinstance(decoder, Int8Decoder):
-        step = float(decoder.largest_step(inputs).max())
+    step = _largest_step(asked, made, color)
     return Answers(queries, blocks, expected, tolerance, classes, scale, step)
+
+
+def _light(
+    asked: list[Asked], blocks: list[np.ndarray], base_color: np.ndarray | None
+) -> np.ndarray:
+    """(n, width): results of the decoders side by side; with a base colour (n, 3), sums."""
+    results = []
+    for (decoder, _), inputs in zip(asked, blocks, strict=True):
+        light = decoder(inputs)
+        if base_color is not None:
+            light, factors = np.hsplit(light, 2)
+            light = light + np.tile(base_color, light.shape[1] // 3) * factors
+        results.append(light)
+    return np.hstack(results)
+
+
+def _largest_step(
+    asked: list[Asked], blocks: list[np.ndarray], base_color: np.ndarray | None
+) -> float:
+    """The most that one step of an int8 activation changes a result; 0 without int8."""
+    terms = 1.0 if base_color is None else 1.0 + np.abs(base_color).max(axis=1)
+    return max(
+        float((decoder.largest_step(inputs) * terms).max())
+        if isinstance(decoder, Int8Decoder)
+        else 0.0
+        for (decoder, _), inputs in zip(asked, blocks, strict=True)
+    )
 
 
 def _with_cancelled_normals(

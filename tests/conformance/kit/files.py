@@ -11,20 +11,21 @@ from typing import Any
 
 import numpy as np
 
-from rna_sdk.conformance.kit import VERSION
+from rna_sdk.conformance.kit import LEVELS, VERSION
 from rna_sdk.package import Mesh
 from tests.conformance.kit.answers import Answers
 from tests.conformance.kit.assets import Query, write_asset
+from tests.conformance.kit.base_color import BaseColorHits, make_base_color_hits
 from tests.conformance.kit.broken import broken_packages
 from tests.conformance.kit.hits import make_hits
-from tests.conformance.kit.normals import make_normal_hits
+from tests.conformance.kit.normals import NormalHits, make_normal_hits
 from tests.conformance.kit.plans import PLANS, Plan
 
 INDEX = "kit.json"
 BY_HAND = {"README.md"}
 INT8_SHARE = 0.02  # of the rows of an int8 decoder may differ by a step
 VISIBILITY_TOLERANCE = 1e-3
-ROUNDED = ("expected/", "blocks/", "queries/", "visibility/", "normals/")
+ROUNDED = ("expected/", "blocks/", "queries/", "visibility/", "normals/", "base-color/")
 
 Files = dict[str, bytes]
 
@@ -34,7 +35,7 @@ def kit_files() -> Files:
     files: Files = {}
     index: dict[str, Any] = {"version": VERSION, "int8Share": INT8_SHARE}
     index |= {"visibilityTolerance": VISIBILITY_TOLERANCE}
-    index |= {"evaluate": [], "environment": [], "visibility": [], "normals": [], "validate": []}
+    index |= {level: [] for level in LEVELS}
     with tempfile.TemporaryDirectory() as folder:
         for plan in PLANS:
             answers = write_asset(plan, Path(folder))
@@ -45,6 +46,7 @@ def kit_files() -> Files:
                 index[level].append(_evaluate_case(files, plan, package, query, answer))
             index["visibility"].append(_visibility_case(files, plan, package))
             index["normals"] += _normals_cases(files, plan, package)
+            index["base-color"] += _base_color_cases(files, plan, package)
             index["validate"].append(_validate_case(package, True, plan.warning))
         for name, broken in broken_packages(Path(folder)).items():
             path = f"broken/{name}.rna"
@@ -107,18 +109,39 @@ def _normals_cases(files: Files, plan: Plan, package: str) -> list[dict[str, Any
     """One of each part with normal maps."""
     cases = []
     for number, part in enumerate(plan.parts):
-        if not part.maps or not isinstance(part.geometry, Mesh):
-            continue
-        maps = [record for _, record in part.maps]
-        made = make_normal_hits(len(plan.name), number, part.geometry, maps)
-        name = f"{plan.name}.{number}"
-        paths = {"hits": f"hits/{name}.normals.bin", "expected": f"normals/{name}.f64"}
-        files[paths["hits"]] = made.records
-        both = np.concatenate([made.expected, made.tolerance], axis=1)
-        files[paths["expected"]] = both.astype("<f8").tobytes()
-        case = {"package": package, "part": number, "what": plan.what, **paths}
-        cases.append(case | {"rows": len(both), "classes": _classes(made.classes)})
+        if part.maps and isinstance(part.geometry, Mesh):
+            maps = [record for _, record in part.maps]
+            made = make_normal_hits(len(plan.name), number, part.geometry, maps)
+            cases.append(_hits_case(files, plan, package, number, "normals", made))
     return cases
+
+
+def _base_color_cases(files: Files, plan: Plan, package: str) -> list[dict[str, Any]]:
+    """One of each part with images of base colour."""
+    cases = []
+    for number, part in enumerate(plan.parts):
+        colors = [record for _, record in part.colors]
+        if any(one.image is not None for one in colors) and isinstance(part.geometry, Mesh):
+            made = make_base_color_hits(len(plan.name), number, part.geometry, colors)
+            cases.append(_hits_case(files, plan, package, number, "base-color", made))
+    return cases
+
+
+def _hits_case(
+    files: Files,
+    plan: Plan,
+    package: str,
+    part: int,
+    level: str,
+    made: NormalHits | BaseColorHits,
+) -> dict[str, Any]:
+    name = f"{plan.name}.{part}"
+    paths = {"hits": f"hits/{name}.{level}.bin", "expected": f"{level}/{name}.f64"}
+    files[paths["hits"]] = made.records
+    both = np.concatenate([made.expected, made.tolerance], axis=1)
+    files[paths["expected"]] = both.astype("<f8").tobytes()
+    case = {"package": package, "part": part, "what": plan.what, **paths}
+    return case | {"rows": len(both), "classes": _classes(made.classes)}
 
 
 def _validate_case(

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from rna_sdk.package import Curves, Mesh, NormalMap, Transmittance, quantise
+from rna_sdk.package import BaseColor, Curves, Mesh, NormalMap, Transmittance, quantise
 from tests.conformance.kit import shapes
 from tests.conformance.kit.visibility import Body
 
@@ -22,6 +22,11 @@ FIBER_ALL = ("fiber_lobes", "h", "fiber_angles", "position", "wi", "features", "
 
 GLOW = ("features", "position", "normal", "wo")
 GLOW_OF_FIBERS = ("wo", "h", "features", "tangent", "position")
+LIT, SHADED = ("features", "normal", "wo", "wi"), ("wi", "features", "position", "normal")
+LIT_FIBERS, SHADED_FIBERS = (
+    ("features", "tangent", "h", "wo", "wi"),
+    ("fiber_lobes", "wi", "features"),
+)
 
 
 @dataclass(frozen=True)
@@ -49,6 +54,7 @@ class TierPlan:
     loud: bool = False  # texels beyond the Clip of the decoder's inputs
     faint: bool = False  # a channel of texels that float16 holds as subnormal numbers
     shares_planes: bool = False  # with the tier before
+    uses_base_color: bool = False
     others: Mapping[str, DecoderPlan] = field(default_factory=dict)  # by form
 
 
@@ -64,7 +70,7 @@ class LobesPlan:
 
 @dataclass(frozen=True)
 class PartPlan:
-    """A part; records, maps: with the names of their textures."""
+    """A part; records, maps, colors: with the names of their textures, if they have any."""
 
     name: str
     geometry: Mesh | Curves
@@ -73,6 +79,7 @@ class PartPlan:
     tiers: tuple[TierPlan, ...]
     records: tuple[tuple[str, Transmittance], ...] = ()
     maps: tuple[tuple[str, NormalMap], ...] = ()
+    colors: tuple[tuple[str, BaseColor], ...] = ()
     lobes: LobesPlan | None = None
 
     @property
@@ -250,6 +257,47 @@ PLANS = (
                 *("asset", shapes.relief(), *ONE),
                 (TierPlan("small", SURFACE, 6, 4, widths=(12,)),),
                 maps=shapes.relief_maps(),
+            ),
+        ),
+    ),
+    Plan(
+        *("surface-print", "base colour as a factor, in float32 and in int8; images"),
+        (
+            PartPlan(
+                *("asset", shapes.printed(), *ONE),
+                (
+                    TierPlan("small", SURFACE, 6, 4, uses_base_color=True, mixing=7),
+                    TierPlan("int8", SURFACE, 6, 4, int8="plain", uses_base_color=True),
+                ),
+                colors=shapes.prints(),
+            ),
+        ),
+    ),
+    Plan(
+        *("surface-shadowed", "a decoder for visible and one for shadowed light, with base colour"),
+        (
+            PartPlan(
+                *("asset", shapes.bowl(), *ONE),
+                (
+                    TierPlan("plain", LIT, 6, 3, others={"shadowed": DecoderPlan(SHADED)}),
+                    TierPlan(
+                        *("print", LIT, 6, 3),
+                        uses_base_color=True,
+                        others={"shadowed": DecoderPlan(SHADED, int8="plain", mixing=5)},
+                    ),
+                ),
+                colors=(("", BaseColor(0, 7, None, factor=(0.3, 0.6, 1.0))),),
+            ),
+        ),
+    ),
+    one_part(
+        *("fiber-shadowed", "fibers with a decoder for shadowed light, of other inputs"),
+        *(shapes.curls(7, 3), *ONE),
+        (
+            TierPlan(
+                *("small", LIT_FIBERS, 6, 4),
+                int8="plain",
+                others={"shadowed": DecoderPlan(SHADED_FIBERS, widths=(12,))},
             ),
         ),
     ),

@@ -1,7 +1,8 @@
-"""Queries of the kit, (n, 13) float32, class by class.
+"""Queries of the kit, (n, 16) float32, class by class.
 
-Columns: position, normal or tangent, h, wo, wi. A class is what a reader may stumble over. Rows
-stay clear of the thresholds of 6.3 by 10%: where rounding decides, there are two answers.
+Columns: position, normal or tangent, h, wo, wi, and the base colour, which is 0 here. A class is
+what a reader may stumble over. Rows stay clear of the thresholds of 6.3 by 10%: where rounding
+decides, there are two answers.
 """
 
 from __future__ import annotations
@@ -11,11 +12,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS, arrays_of, column_count
+from rna_sdk.package.decoder.query_arrays import (
+    INPUT_ARRAYS,
+    QUERY_ARRAYS,
+    arrays_of,
+    column_count,
+)
 from tests.conformance.kit.blocks import unit
 
 ALL = [array.name for array in QUERY_ARRAYS]
 COLUMNS = column_count(ALL)
+INPUTS = [array.name for array in INPUT_ARRAYS]
 _PLACES = arrays_of(np.arange(COLUMNS)[None], ALL)
 
 
@@ -194,7 +201,7 @@ def not_finite(value: float) -> Callable[[Maker], np.ndarray]:
     """Rows with this value in one component: in each of those that count, one row."""
 
     def made(make: Maker) -> np.ndarray:
-        columns = [c for c in range(COLUMNS) if make.is_fiber or c != H]
+        columns = [c for c in range(column_count(INPUTS)) if make.is_fiber or c != H]
         rows = make.ordinary(len(columns))
         for row, column in enumerate(columns):
             rows[row, column] = value
@@ -232,7 +239,7 @@ CLASSES: dict[str, Callable[[Maker], np.ndarray]] = {
 def make_queries(
     seed: int, is_fiber: bool, bounds: np.ndarray
 ) -> tuple[np.ndarray, list[tuple[str, int, int]]]:
-    """(n, 13) float32, and for each class its name, its first row and how many it has."""
+    """(n, 16) float32, and for each class its name, its first row and how many it has."""
     make = Maker(np.random.default_rng(seed), is_fiber, bounds)
     rows, ranges, first = [], [], 0
     for name, maker in CLASSES.items():

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from rna_sdk.package import Curves, Mesh, NormalMap, Transmittance
+from rna_sdk.package import BaseColor, Curves, Mesh, NormalMap, Transmittance
 from tests.conformance.kit.blocks import unit
 
 
@@ -196,6 +196,31 @@ def relief_maps() -> tuple[tuple[str, NormalMap], ...]:
         ("fine", NormalMap(0, 50, fine)),
         ("rough", NormalMap(50, 25, rough)),
         ("dent", NormalMap(80, 15, dent)),
+    )
+
+
+def printed() -> Mesh:
+    """A bowl seen through its images from below; they are repeated some times."""
+    mesh = bowl()
+    uvs = np.stack([2.1 * mesh.positions[:, 0] - 0.3, 0.4 - 1.9 * mesh.positions[:, 2]], axis=1)
+    return replace(mesh, uvs=uvs.astype(np.float32))
+
+
+def prints() -> tuple[tuple[str, BaseColor], ...]:
+    """Contrasts from black to white, sides odd and even, one texel, no image, and no record."""
+    rng = np.random.default_rng(9)
+    label = rng.integers(0, 256, (7, 13, 3)).astype(np.uint8)
+    poster = rng.choice(np.uint8([0, 60, 255]), (16, 8, 3))
+    tape = rng.choice(np.uint8([0, 128, 255]), (3, 40, 3))
+    dot = np.uint8([[[200, 120, 10]]])
+    skewed, mirror = (0.9, 0.2, 0.3, -0.1, 1.2, 0.0), ("mirror", "clamp")
+    return (
+        ("label", BaseColor(0, 30, label)),
+        ("poster", BaseColor(30, 25, poster, "linear", (0.9, 1.0, 0.6), ("clamp", "repeat"))),
+        ("tape", BaseColor(55, 20, tape, wrap=mirror, transform=skewed)),
+        ("dot", BaseColor(75, 5, dot, factor=(0.5, 1.0, 1.0), wrap=("clamp", "mirror"))),
+        ("", BaseColor(80, 10, None, factor=(0.3, 0.0, 1.0))),
+        ("label", BaseColor(92, 4, label, "linear", wrap=("mirror", "mirror"))),
     )
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from tests.package.corpus import (
+    base_color_cases,
     container_cases,
     content_cases,
     curve_cases,
@@ -21,6 +22,7 @@ MODULES = (
     curve_cases,
     part_cases,
     normal_map_cases,
+    base_color_cases,
     quantised_cases,
     extension_cases,
 )

@@ -12,12 +12,13 @@ from typing import Any, Literal
 from rna_sdk.package.container.zip_container import MANIFEST_NAME
 from tests.package.builders import make_tiny_fiber_package, make_tiny_package, pack, read_entries
 from tests.package.lantern import make_lantern
+from tests.package.prints import make_print
 from tests.package.relief import make_relief
 
 Entries = dict[str, bytes]
 Breaker = Callable[[Entries], bytes]
-Base = Literal["surface", "fiber", "parts", "relief"]
-"""Good packages: of one part, of two parts with light and holes, or with normal maps."""
+Base = Literal["surface", "fiber", "parts", "relief", "print"]
+"""Good packages: of one part, of two parts with light and holes, with maps or base colour."""
 
 MESH = "geometry/mesh.glb"
 CURVES = "geometry/curves.safetensors"
@@ -55,6 +56,7 @@ def good_entries(folder: Path) -> dict[Base, Entries]:
         "fiber": read_entries(make_tiny_fiber_package(folder / "tuft.rna")),
         "parts": read_entries(make_lantern(folder / "lantern.rna")),
         "relief": read_entries(make_relief(folder / "relief.rna")),
+        "print": read_entries(make_print(folder / "print.rna")),
     }
 
 

@@ -2,6 +2,7 @@
 #ifndef RNA_ASSET_H
 #define RNA_ASSET_H
 
+#include "base_color.h"
 #include "container.h"
 #include "decoder.h"
 #include "manifest_rules.h"
@@ -13,6 +14,8 @@ typedef struct Part {
     RnaCurves curves;
     RnaTransmittance records[MAX_RECORDS];
     RnaNormalMap maps[MAX_RECORDS];
+    RnaBaseColor colors[MAX_RECORDS];
+    Pyramid *images[MAX_RECORDS]; /* of the records of base colour; NULL until the host sets them */
     Span geometry;     /* the entry; empty where it could not be read */
     void *restored;    /* what is allocated for quantised geometry, or NULL */
 } Part;
@@ -24,6 +27,7 @@ typedef struct Loaded {
     int columns;
     bool is_int8;
     int outputs;
+    const char *output;
     Decoder decoder;
 } Loaded;
 
@@ -36,7 +40,9 @@ typedef struct Network {
 typedef struct TierPart {
     Planes planes;
     Span planes_entry;
-    Network transport, emission;
+    bool uses_base_color;
+    Network transport; /* of visible light alone where there is one of shadowed light */
+    Network shadowed, emission;
 } TierPart;
 
 typedef struct Tier {

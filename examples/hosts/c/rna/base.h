@@ -33,7 +33,7 @@ enum {
     MAX_MANIFEST = 1 << 20,
     MAX_DEPTH = 64,
     MAX_TIERS = 16,
-    MAX_RECORDS = 64, /* of transmittance, and of normal maps, a part */
+    MAX_RECORDS = 64, /* of transmittance, of normal maps, and of base colour, a part */
     MAX_TEXTURE = 8192, /* texels along a side */
     MAX_CHANNELS = 64,
     MAX_HEADER = 1 << 16, /* JSON of a mesh, header of a tensor file */

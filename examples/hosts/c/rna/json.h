@@ -324,6 +324,8 @@ static bool is_integer(const Json *value) {
     return value->type == JSON_NUMBER && fabs(number) < 0x1p53 && floor(number) == number;
 }
 
+static bool is_true(const Json *value) { return value && value->type == JSON_TRUE; }
+
 static bool is_string(const Json *value, const char *text) {
     return value && value->type == JSON_STRING && span_is(value->string, text);
 }

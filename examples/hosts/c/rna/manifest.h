@@ -76,27 +76,30 @@ static void mark_entry(const Json *root, const Json *object, const char *place, 
     refuse(report, "REFERENCE_MISSING", where, "a key of /entries", "%s", (const char *)path->string.at);
 }
 
-/* The textures of the part's member `name`, a list of records. */
+/* The textures of the part's member `name`, a list of records, which their member `texture` names. */
 static void mark_textures(const Json *root, const Json *part, const char *place, const char *name,
-                          RnaReport *report) {
+                          const char *texture, RnaReport *report) {
     const Json *records = member(part, name);
     char where[48];
     int i = 0;
     for (const Json *record = records ? records->first : NULL; record; record = record->next) {
         snprintf(where, sizeof where, "%.16s/%s/%d", place, name, i++);
-        mark_entry(root, record, where, "texture", report);
+        if (member(record, texture)) mark_entry(root, record, where, texture, report);
     }
 }
 
 static void mark_of_tier(const Json *root, const Json *tier, int t, RnaReport *report) {
-    char place[40], emission[48];
+    static const char *const DECODERS[] = {"shadowed", "emission"};
+    char place[40], decoder[48];
     int i = 0;
     for (const Json *part = member(tier, "parts")->first; part; part = part->next) {
         snprintf(place, sizeof place, "/tiers/%d/parts/%d", t, i++);
-        snprintf(emission, sizeof emission, "%.32s/emission", place);
         mark_entry(root, part, place, "planes", report);
         mark_entry(root, part, place, "decoder", report);
-        if (member(part, "emission")) mark_entry(root, member(part, "emission"), emission, "decoder", report);
+        for (int d = 0; d < 2; d++) {
+            snprintf(decoder, sizeof decoder, "%.32s/%s", place, DECODERS[d]);
+            if (member(part, DECODERS[d])) mark_entry(root, member(part, DECODERS[d]), decoder, "decoder", report);
+        }
     }
 }
 
@@ -107,8 +110,9 @@ static void check_references(const Json *root, RnaReport *report) {
     for (const Json *part = member(root, "parts")->first; part; part = part->next) {
         snprintf(place, sizeof place, "/parts/%d", i++);
         mark_entry(root, part, place, "geometry", report);
-        mark_textures(root, part, place, "transmittance", report);
-        mark_textures(root, part, place, "normalMaps", report);
+        mark_textures(root, part, place, "transmittance", "texture", report);
+        mark_textures(root, part, place, "normalMaps", "texture", report);
+        mark_textures(root, part, place, "baseColor", "image", report);
     }
     for (const Json *tier = member(root, "tiers")->first; tier; tier = tier->next)
         mark_of_tier(root, tier, t++, report);
@@ -146,7 +150,10 @@ static void check_blocks(const Json *root, RnaReport *report) {
         for (const Json *part = member(root, "parts")->first; part; part = part->next, of = of->next) {
             unsigned kind = is_string(member(part, "kind"), "fiber") ? FOR_FIBER : FOR_SURFACE;
             check_inputs(of, kind, report);
+            if (member(of, "shadowed")) check_inputs(member(of, "shadowed"), kind, report);
             if (member(of, "emission")) check_inputs(member(of, "emission"), kind | FOR_EMISSION, report);
+            if (is_true(member(of, "usesBaseColor")) && !member(part, "baseColor"))
+                refuse(report, "FIELD_VALUE", "/tiers", "usesBaseColor of a part with baseColor alone", "true");
         }
     }
 }

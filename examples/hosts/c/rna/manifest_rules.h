@@ -75,8 +75,8 @@ static void parts_are_unique(Schema *schema, const Json *parts) {
 }
 
 static void is_a_surface(Schema *schema, const Json *part) {
-    static const char *const RECORDS[] = {"transmittance", "normalMaps"};
-    for (int i = 0; i < 2 && !is_string(member(part, "kind"), "surface"); i++) {
+    static const char *const RECORDS[] = {"transmittance", "normalMaps", "baseColor"};
+    for (int i = 0; i < 3 && !is_string(member(part, "kind"), "surface"); i++) {
         if (!member(part, RECORDS[i])) continue;
         size_t before = push_text(schema, RECORDS[i]);
         break_rule(schema, schema->value, "of a surface alone", "%s of fibers", RECORDS[i]);
@@ -102,6 +102,7 @@ static const Rule A_FLIP_AT = {"", OBJECT, .of = FLIP_AT};
 static const Rule VALIDATION[] = {
     {"psnr", NUMBER, REQUIRED, ANY_NUMBER},
     {"flip", NUMBER, REQUIRED, MEASURE},
+    {"flipP95", NUMBER, 0, MEASURE},
     {"relativeMse", NUMBER, REQUIRED, MEASURE},
     {"images", INTEGER, REQUIRED, 1, HUGE_VAL},
     {"definition", TEXT, REQUIRED},
@@ -121,13 +122,15 @@ static const Rule A_BLOCK = {"", TEXT};
         {"inputs", LIST, REQUIRED, 1, HUGE_VAL, &A_BLOCK, .also = blocks_are_known},            \
         {"decoderPrecision", CHOICE, REQUIRED, .choices = "float32 int8"},                      \
         {"agreement", OBJECT, NULLABLE, .of = AGREEMENT}
-static const Rule EMISSION[] = {DECODER_MEMBERS, {0}};
+static const Rule DECODER[] = {DECODER_MEMBERS, {0}}; /* of shadowed light, or of emission */
 static const Rule TIER_PART[] = {DECODER_MEMBERS,
                                  {"planes", PATH, REQUIRED},
                                  {"resolution", INTEGER, REQUIRED, 1, 4096},
                                  {"channels", INTEGER, REQUIRED, 1, MAX_CHANNELS},
                                  {"planePrecision", CHOICE, REQUIRED, .choices = "int8 float16 float32"},
-                                 {"emission", OBJECT, .of = EMISSION},
+                                 {"usesBaseColor", BOOLEAN},
+                                 {"shadowed", OBJECT, .of = DECODER},
+                                 {"emission", OBJECT, .of = DECODER},
                                  {0}};
 static const Rule A_TIER_PART = {"", OBJECT, .of = TIER_PART};
 static const Rule TIER[] = {{"name", NAME, REQUIRED},
@@ -154,12 +157,24 @@ static const Rule NORMAL_MAP[] = {
     {"texture", PATH, REQUIRED},
     {0}};
 static const Rule A_NORMAL_MAP = {"", OBJECT, .of = NORMAL_MAP};
+static const Rule SHARE = {"", NUMBER, 0, 0, 1};
+static const Rule A_WRAP = {"", CHOICE, .choices = "repeat clamp mirror"};
+static const Rule BASE_COLOR[] = {
+    {"triangles", LIST, REQUIRED, 2, 2, &TRIANGLE, .also = counts_triangles},
+    {"image", PATH},
+    {"colorSpace", CHOICE, .choices = "srgb linear"},
+    {"factor", LIST, 0, 3, 3, &SHARE},
+    {"wrap", LIST, 0, 2, 2, &A_WRAP},
+    {"transform", LIST, 0, 6, 6, &CORNER},
+    {0}};
+static const Rule A_BASE_COLOR = {"", OBJECT, .of = BASE_COLOR};
 static const Rule PART[] = {{"name", NAME, REQUIRED},
                             {"kind", CHOICE, REQUIRED, .choices = "surface fiber"},
                             {"bounds", OBJECT, REQUIRED, .of = BOUNDS, .also = bounds_have_an_extent},
                             {"geometry", PATH, REQUIRED},
                             {"transmittance", LIST, 0, 1, MAX_RECORDS, &A_TRANSMITTANCE},
                             {"normalMaps", LIST, 0, 1, MAX_RECORDS, &A_NORMAL_MAP},
+                            {"baseColor", LIST, 0, 1, MAX_RECORDS, &A_BASE_COLOR},
                             {0}};
 static const Rule A_PART = {"", OBJECT, .of = PART, .also = is_a_surface};
 static const Rule RECORD[] = {{"size", INTEGER, REQUIRED, MEASURE}, {"sha256", SHA256, REQUIRED}, {0}};

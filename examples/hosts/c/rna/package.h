@@ -3,6 +3,7 @@
 #define RNA_PACKAGE_H
 
 #include "asset.h"
+#include "base_color.h"
 #include "curves.h"
 #include "decoder_load.h"
 #include "manifest.h"
@@ -101,6 +102,33 @@ static void read_normal_maps(Container *zip, const Json *json, Part *part, RnaRe
     if (list) part->public.normal_maps = part->maps;
 }
 
+static void read_base_colors(Container *zip, const Json *json, Part *part, RnaReport *report) {
+    const Json *list = member(json, "baseColor");
+    uint64_t start = 0;
+    bool any = false; /* images */
+    for (const Json *item = list ? list->first : NULL; item; item = item->next) {
+        RnaBaseColor *record = &part->colors[part->public.base_color_count++];
+        *record = base_color_of(item);
+        const bool pictured = member(item, "image") != NULL;
+        const Entry *entry = pictured ? intact_entry(zip, item, "image") : NULL;
+        ImageSize size;
+        if (entry && read_image_size(entry_data(zip, entry), entry->name, &size, report)) {
+            record->file = entry_data(zip, entry).at;
+            record->file_size = entry->size;
+            record->width = size.width;
+            record->height = size.height;
+        }
+        if (!part->public.mesh || !check_range((Range){record->first, record->count}, start, &part->mesh,
+                                               "BASE_COLOR_RANGE", part->public.name, report))
+            return;
+        start = (uint64_t)record->first + record->count;
+        any |= pictured;
+    }
+    if (any && !part->mesh.uvs)
+        refuse(report, "BASE_COLOR_UV", part->public.name, "a mesh with TEXCOORD_0", "none");
+    if (list) part->public.base_colors = part->colors;
+}
+
 static void read_part(Container *zip, const Json *json, RnaAsset *asset, RnaReport *report) {
     Part *part = &asset->part[asset->parts++];
     RnaPart *public = &part->public;
@@ -116,6 +144,7 @@ static void read_part(Container *zip, const Json *json, RnaAsset *asset, RnaRepo
     if (entry) read_geometry(entry, entry_data(zip, entry), asset, part, report);
     read_transmittance(zip, json, part, report);
     read_normal_maps(zip, json, part, report);
+    read_base_colors(zip, json, part, report);
 }
 
 /* ---------------------------------------------------------------------- Tiers */
@@ -155,14 +184,16 @@ static const Decoder *load_decoder(RnaAsset *asset, Span data, const Interface *
                                    const char *name, RnaReport *report) {
     for (const Loaded *other = asset->decoders; other; other = other->next)
         if (same_entry(other->entry, data) && other->columns == interface->columns &&
-            other->is_int8 == interface->is_int8 && other->outputs == interface->outputs)
+            other->is_int8 == interface->is_int8 && other->outputs == interface->outputs &&
+            strcmp(other->output, interface->output) == 0)
             return &other->decoder;
     Loaded *loaded = calloc(1, sizeof *loaded);
     if (!loaded) {
         refuse(report, "FILE_UNREADABLE", name, "memory for it", "not enough");
         return NULL;
     }
-    *loaded = (Loaded){asset->decoders, data, interface->columns, interface->is_int8, interface->outputs};
+    *loaded = (Loaded){asset->decoders,   data, interface->columns, interface->is_int8, interface->outputs,
+                       interface->output};
     asset->decoders = loaded;
     read_decoder(data, interface, &loaded->decoder, name, report);
     return &loaded->decoder;
@@ -179,14 +210,29 @@ static int place_blocks(int column[BLOCKS], const Json *inputs, int channels) {
     return width;
 }
 
-static void read_network(Container *zip, const Json *json, RnaAsset *asset, int channels, bool emits,
-                         Network *network, RnaReport *report) {
+/* output: name of the decoder's form; outputs: its columns. */
+static void read_network(Container *zip, const Json *json, RnaAsset *asset, int channels, const char *output,
+                         int outputs, Network *network, RnaReport *report) {
     Interface interface = {.columns = place_blocks(network->column, member(json, "inputs"), channels),
                            .is_int8 = is_string(member(json, "decoderPrecision"), "int8"),
-                           .outputs = emits ? 3 : 6,
-                           .output = emits ? "emission" : "transport"};
+                           .outputs = outputs,
+                           .output = output};
     const Entry *entry = intact_entry(zip, json, "decoder");
     if (entry) network->decoder = load_decoder(asset, entry_data(zip, entry), &interface, entry->name, report);
+}
+
+static void read_networks(Container *zip, const Json *json, RnaAsset *asset, TierPart *part, RnaReport *report) {
+    const Json *shadowed = member(json, "shadowed"), *emission = member(json, "emission");
+    const int channels = part->planes.channels;
+    part->uses_base_color = is_true(member(json, "usesBaseColor"));
+    const int colours = part->uses_base_color ? 6 : 3; /* of a result and, with base colour, its factor */
+    if (shadowed) {
+        read_network(zip, json, asset, channels, "visible", colours, &part->transport, report);
+        read_network(zip, shadowed, asset, channels, "shadowed", colours, &part->shadowed, report);
+    } else {
+        read_network(zip, json, asset, channels, "transport", 2 * colours, &part->transport, report);
+    }
+    if (emission) read_network(zip, emission, asset, channels, "emission", 3, &part->emission, report);
 }
 
 static double measured(const Json *tier, const char *object, const char *name) {
@@ -207,12 +253,9 @@ static void read_tier(Container *zip, const Json *json, RnaAsset *asset, RnaRepo
     tier->public.psnr = known ? member(validation, "psnr")->number : NAN;
     for (const Json *of = member(json, "parts")->first; of; of = of->next, i++) {
         TierPart *part = &tier->part[i];
-        const Json *emission = member(of, "emission");
         read_part_planes(zip, of, asset, part, report);
-        read_network(zip, of, asset, part->planes.channels, false, &part->transport, report);
-        if (emission)
-            read_network(zip, emission, asset, part->planes.channels, true, &part->emission, report);
-        asset->part[i].public.emits = emission != NULL;
+        read_networks(zip, of, asset, part, report);
+        asset->part[i].public.emits = member(of, "emission") != NULL;
         tier->public.is_int8 &= is_string(member(of, "decoderPrecision"), "int8");
     }
     asset->tiers++;
@@ -231,7 +274,10 @@ static void read_package(Container *zip, RnaAsset *asset, RnaReport *report) {
 }
 
 static void free_package(RnaAsset *asset) {
-    for (int i = 0; i < asset->parts; i++) free(asset->part[i].restored);
+    for (int i = 0; i < asset->parts; i++) {
+        free(asset->part[i].restored);
+        for (int k = 0; k < MAX_RECORDS; k++) free(asset->part[i].images[k]);
+    }
     for (Loaded *loaded = asset->decoders, *next; loaded; loaded = next) {
         next = loaded->next;
         free_decoder(&loaded->decoder);

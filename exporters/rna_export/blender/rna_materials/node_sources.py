@@ -33,26 +33,42 @@ def linked(socket: bpy.types.NodeSocket) -> bpy.types.NodeSocket | None:
 
 def origin(socket: bpy.types.NodeSocket, inside: Inside = ()) -> Source | None:
     """Where an input's value comes from, past groups; None for a value of its own."""
+    return _followed(socket, inside)[1]
+
+
+def own_value(socket: bpy.types.NodeSocket, inside: Inside = ()) -> tuple[float, ...] | None:
+    """(r, g, b) of an input without a node before it, past groups; None with one."""
+    end, source = _followed(socket, inside)
+    if source is not None or end.is_linked or not hasattr(end, "default_value"):
+        return None
+    value = end.default_value
+    return tuple(value[:3]) if hasattr(value, "__len__") else (float(value),) * 3
+
+
+def _followed(
+    socket: bpy.types.NodeSocket, inside: Inside
+) -> tuple[bpy.types.NodeSocket, Source | None]:
+    """The last input on the way to where a value comes from, past groups, and the source."""
     while True:
         output = linked(socket)
         if output is None:
-            return None
+            return socket, None
         node = output.node
         if node.type == "GROUP" and node.node_tree is not None:
             end = end_of(node.node_tree)
             inputs = () if end is None else end.inputs
             inner = next((s for s in inputs if s.identifier == output.identifier), None)
             if inner is None:
-                return None
+                return socket, None
             socket, inside = inner, (*inside, node)
         elif node.type == "GROUP_INPUT" and inside:
             outer = (s for s in inside[-1].inputs if s.identifier == output.identifier)
             source = next(outer, None)
             if source is None:
-                return None
+                return socket, None
             socket, inside = source, inside[:-1]
         else:
-            return node, output, inside
+            return socket, (node, output, inside)
 
 
 def sources(socket: bpy.types.NodeSocket, inside: Inside = ()) -> Iterator[Source]:

@@ -114,7 +114,7 @@ def _textures_of(surface: Surface, side: int) -> _Textures:
         try:
             _add_normals(surface, textures, side)
         except NotOfUv as problem:
-            reason = f"{problem}, which is no function of its UV coordinates"
+            reason = f"what {problem} places, and not its UV coordinates alone"
     if reason:
         textures.learnt = True
         textures.notes.append(f"has relief by {reason}: it is learnt, not mapped")
@@ -225,7 +225,13 @@ def _add_normals(surface: Surface, textures: _Textures, side: int) -> None:
                 textures.holes = _refitted(surface, textures.holes, fit.chart)
     if fit is None:
         raise NotOfUv("nodes whose values do not repeat")
+    height, width = fit.texture.shape[:2]
     xy = normal_maps.reduced(fit.texture, side)
+    if xy.shape[:2] != (height, width):
+        textures.notes.append(
+            f"has a normal map of {width} x {height} texels, stored as {xy.shape[1]} x "
+            f"{xy.shape[0]}: finer relief blurs (--normal-texels)"
+        )
     fit.texture = np.round(127.0 + 127.0 * np.clip(xy, -1.0, 1.0)).astype(np.uint8)
     textures.normals = fit
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 import numpy as np
-from rna_materials.uv_charts import Chart
+from rna_materials.uv_charts import LARGEST, Chart
 from rna_materials.uv_render import ColourOfUv
 
 GOOD = 0.004  # mean error that needs no finer texture
@@ -34,13 +34,17 @@ def best_fit(
     tried: Iterable[Chart],
     make: Callable[[Chart, tuple[int, int]], Texture],
     error: Callable[[Chart, Texture], float],
+    largest: int = LARGEST,
 ) -> Fit | None:
-    """The first good texture, else the best, of several charts and sizes; None without charts."""
+    """The first good texture, else the best, of several charts and sizes; None without charts.
+
+    largest: texels a side, at most.
+    """
     best: Fit | None = None
     for chart in tried:
         last, size = np.inf, (0, 0)
         for finer in _FINER:
-            before, size = size, chart.size(colour.depends, finer)
+            before, size = size, chart.size(colour.depends, finer, largest)
             if size == before or (finer > 4 and max(size) > _COARSE):
                 break
             made = make(chart, size)

@@ -46,7 +46,7 @@ class Chart:
         along = self.matrix[[0, 1], [0, 1]]
         return bool(along.min() > 0.0 and across < 1e-6 * along.max())
 
-    def size(self, depends: Dependence, finer: int = 1) -> tuple[int, int]:
+    def size(self, depends: Dependence, finer: int = 1, largest: int = LARGEST) -> tuple[int, int]:
         """(width, height) of a texture as fine as the images; `finer`: times as many texels."""
         inverse = np.linalg.inv(self.matrix[:, :2])
         sides = np.full(2, _PROCEDURAL if depends.patterns else SMALLEST, np.float64)
@@ -58,7 +58,7 @@ class Chart:
             ]
             sides = np.max(passed, axis=0)
         sides = np.ceil(np.round(finer * sides, 3))
-        width, height = np.clip(sides, SMALLEST, LARGEST).astype(int).tolist()
+        width, height = np.clip(sides, SMALLEST, largest).astype(int).tolist()
         return width, height
 
 

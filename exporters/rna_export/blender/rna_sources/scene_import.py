@@ -13,26 +13,28 @@ import rna_hair
 from rna_geometry import curves_export
 from rna_hair.axes import z_up_to_y_up
 from rna_hair.objects import add_curves, show_strands
-from rna_sources import groom_source, shown_frame, usd_curves
+from rna_sources import groom_source, imported_colours, shown_frame, usd_curves, usd_facets
 
 _STEPS = 4  # straight segments between two points of a spline
 
 
-def load(source: str, arguments: list[str], frame: int | None) -> None:
-    """Add what the file holds to the scene: see `source_formats` for the arguments.
+def load(source: str, arguments: list[str], frame: int | None) -> list[str]:
+    """Add what the file holds to the scene; returns notes for the user.
 
-    frame: of strands that have to be copied; None for the first.
+    arguments: see `source_formats`. frame: of strands that have to be copied; None for the first.
     """
     path = Path(source)
+    notes: list[str] = []
     args = groom_source.options(path, arguments)
     if path.suffix.lower() == ".abc":
         if bpy.ops.wm.alembic_import(filepath=source, scale=args.unit) != {"FINISHED"}:
             raise ValueError(f"{path.name}: not an Alembic archive (Ogawa), or a damaged one")
     else:
         _import_usd(path, args, frame)
+        notes = [] if args.subdivide else usd_facets.restore(path)
     scene = bpy.context.scene
     scene.frame_set(scene.frame_start if frame is None else frame)
-    _finish_strands(args)
+    return [*notes, *_finish_strands(args)]
 
 
 def _import_usd(path: Path, args: argparse.Namespace, frame: int | None) -> None:
@@ -51,23 +53,29 @@ def _import_usd(path: Path, args: argparse.Namespace, frame: int | None) -> None
         render.fps_base = render.fps / rate
 
 
-def _finish_strands(args: argparse.Namespace) -> None:
-    """Splines become polylines; strands get radii and a material where they have none."""
+def _finish_strands(args: argparse.Namespace) -> list[str]:
+    """Splines become polylines; strands get radii and a material where they have none.
+
+    Returns notes for the user.
+    """
     items = [item for item in bpy.data.objects if item.type == "CURVES"]
     if not items:
-        return
+        return []
     show_strands()
     for item in items:
         _evaluate_splines(item)
     material = groom_source.hair_material(args)
     changed = any(getattr(args, n) is not None for n in ("radius", "tip", "points", "strands"))
     if changed or not all("radius" in item.data.attributes for item in items):
+        coloured = [item.name for item in items if imported_colours.has_colours(item)]
         _rebuild(items, args, material)
-        return
+        why = "--radius, --tip, --points or --strands" if changed else "radii that the file lacks"
+        return [f"strands {name!r} lose their displayColor by {why}" for name in coloured]
     for item in items:
         if not any(item.data.materials):
             item.data.materials.clear()
-            item.data.materials.append(material)
+            item.data.materials.append(imported_colours.strand_material(item, args, material))
+    return []
 
 
 def _evaluate_splines(item: bpy.types.Object) -> None:

@@ -120,7 +120,8 @@ def scene_of(dataset: Dataset) -> AssetScene:
     transmittances = [part.transmittance() for part in dataset.parts]
     maps = [part.normal_maps() for part in dataset.parts]
     arguments = geometries, dataset.manifest.settings.sharpest, transmittances, maps
-    scene = AssetScene(*arguments)
+    colors = [part.base_color() for part in dataset.parts]
+    scene = AssetScene(*arguments, base_colors=colors)
     posed = ([p.positions(frame) for p in dataset.parts] for frame in dataset.manifest.poses[1:])
-    scene.poses = tuple(AssetScene(*arguments, positions) for positions in posed)
+    scene.poses = tuple(AssetScene(*arguments, positions, colors) for positions in posed)
     return scene

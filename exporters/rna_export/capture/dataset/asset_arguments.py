@@ -9,12 +9,16 @@ import numpy as np
 
 
 class SurfaceArguments(NamedTuple):
-    """Arguments of `SurfaceAsset.evaluate`: (n, 3) float32 each, object space."""
+    """Arguments of `SurfaceAsset.evaluate`: (n, 3) float32 each, object space.
+
+    base_color: None of a part without.
+    """
 
     position: np.ndarray
     normal: np.ndarray
     wo: np.ndarray
     wi: np.ndarray
+    base_color: np.ndarray | None = None
 
 
 class FiberArguments(NamedTuple):
@@ -50,12 +54,13 @@ Arguments = SurfaceArguments | FiberArguments
 def evaluate_arguments(fields: Mapping[str, np.ndarray]) -> Arguments:
     """Arguments of `evaluate` from a part's samples by name; other fields are ignored."""
     form = FiberArguments if "tangent" in fields else SurfaceArguments
-    return form(**{name: fields[name] for name in form._fields})
+    return form(**{name: fields[name] for name in form._fields if name in fields})
 
 
 def rows_of(arguments: Arguments, rows: np.ndarray) -> Arguments:
     """These rows of each."""
-    return evaluate_arguments({name: v[rows] for name, v in arguments._asdict().items()})
+    given = {name: v for name, v in arguments._asdict().items() if v is not None}
+    return evaluate_arguments({name: v[rows] for name, v in given.items()})
 
 
 def emission_arguments(

@@ -9,10 +9,15 @@ from typing import Any, Literal, Self
 from pydantic import Field, ValidationError, model_validator
 
 from rna_export.capture.capture_settings import CaptureSettings, DatasetModel
+from rna_export.capture.preflight.verdicts import MaterialVerdict
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.package import Domain
 from rna_sdk.package.manifest.manifest_fields import Name
-from rna_sdk.package.manifest.manifest_model import NormalMapRecord, TransmittanceRecord
+from rna_sdk.package.manifest.manifest_model import (
+    BaseColorRecord,
+    NormalMapRecord,
+    TransmittanceRecord,
+)
 
 MAX_NUMBER = 1e18
 """Of samples and bounds: float32 holds its square."""
@@ -33,6 +38,9 @@ SAMPLE_FIELDS: dict[str, dict[str, int]] = {
     },
 }
 """Kind of part -> what a sample holds, with its number of columns."""
+
+BASE_COLOR = "base_color"
+"""A sample's base colour, float16; of parts that have any."""
 
 EMISSION_SHARE = 0.15  # of the training shards
 _OF_A_LIGHT = ("wi", "direct", "visible")
@@ -58,6 +66,7 @@ class CapturedPart(DatasetModel):
     bounds: tuple[tuple[float, float, float], tuple[float, float, float]]
     transmittance: tuple[TransmittanceRecord, ...] = ()  # textures are files of the dataset
     normal_maps: tuple[NormalMapRecord, ...] = ()  # likewise
+    base_color: tuple[BaseColorRecord, ...] = ()  # images are files of the dataset
 
     @model_validator(mode="after")
     def _has_a_box(self) -> Self:
@@ -87,6 +96,7 @@ class CaptureManifest(DatasetModel):
     generator: str
     opaque_cutouts: bool  # light through some materials counts as theirs: alpha may be below 1
     emitters: tuple[str, ...] = ()  # materials that emit light
+    materials: tuple[MaterialVerdict, ...] = ()  # how well each is learnt
     notes: tuple[str, ...] = ()
     processors: tuple[str, ...] = ()  # that rendered: where one is another, bits may differ
     scene_domain: Domain | None = None  # of --for; in the place of settings.domain
@@ -131,13 +141,18 @@ class CaptureManifest(DatasetModel):
         """Number of images of emission, which are not used in training."""
         return max(1, self.settings.validation_views // 4) if self.emitters else 0
 
-    def fields(self, kind: str) -> dict[str, int]:
-        """Fields of a sample of a kind of part: see SAMPLE_FIELDS.
+    def fields(self, part: CapturedPart) -> dict[str, int]:
+        """Fields of a sample of a part: see SAMPLE_FIELDS.
 
-        Where rays pass through parts, the visibility has a colour: 255 times it.
+        Where rays pass through parts, the visibility has a colour: 255 times it. A part with
+        records of base colour has samples of it, linear.
         """
-        fields = SAMPLE_FIELDS[kind]
-        return {**fields, "visible": 3} if self.transmits else fields
+        fields = dict(SAMPLE_FIELDS[part.kind])
+        if self.transmits:
+            fields["visible"] = 3
+        if part.base_color:
+            fields[BASE_COLOR] = 3
+        return fields
 
     def write(self, path: Path) -> None:
         """Writes JSON atomically."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
@@ -11,6 +12,7 @@ from safetensors import SafetensorError
 from safetensors.numpy import load_file
 
 from rna_export.capture.dataset.dataset_manifest import (
+    BASE_COLOR,
     CapturedPart,
     CaptureManifest,
     emission_fields,
@@ -19,8 +21,9 @@ from rna_export.capture.dataset.sample_files import DAMAGED, damaged, joined, re
 from rna_export.capture.dataset.validation_view import EmissionView, ValidationView
 from rna_export.capture.geometry.stored_geometry import geometry_from_arrays, source_from_arrays
 from rna_sdk.errors import CaptureError, PackageError
-from rna_sdk.package import Curves, Mesh, SourceVertices
+from rna_sdk.package import BaseColor, Curves, Mesh, SourceVertices
 from rna_sdk.package.manifest.manifest_model import NormalMapRecord, TransmittanceRecord
+from rna_sdk.package.textures.base_color import image_from_bytes
 from rna_sdk.package.textures.normal_maps import NORMALS, NormalMap
 from rna_sdk.package.textures.transmittance import Transmittance, texture_from_bytes
 
@@ -47,7 +50,7 @@ class DatasetPart:
     def __init__(self, dataset: Dataset, part: CapturedPart):
         self.dataset, self.captured = dataset, part
         self.name, self.kind = part.name, part.kind
-        self.bounds, self.fields = part.bounds, dataset.manifest.fields(part.kind)
+        self.bounds, self.fields = part.bounds, dataset.manifest.fields(part)
 
     @property
     def folder(self) -> Path:
@@ -107,6 +110,25 @@ class DatasetPart:
             NormalMap(*record.triangles, self._map(record)) for record in self.captured.normal_maps
         )
 
+    def base_color(self) -> tuple[BaseColor, ...]:
+        """The base colour of its triangles; none of a part without."""
+        images = {
+            name: self._read_texture(name, partial(image_from_bytes, name=name))
+            for name in self._image_names()
+        }
+        return tuple(
+            BaseColor.of(record, None if record.image is None else images[record.image])
+            for record in self.captured.base_color
+        )
+
+    def base_color_files(self) -> dict[str, bytes]:
+        """The files of the images of its base colour, by the names in their records."""
+        return {name: self._read_texture(name, bytes) for name in self._image_names()}
+
+    def _image_names(self) -> list[str]:
+        names = (record.image for record in self.captured.base_color)
+        return [name for name in dict.fromkeys(names) if name is not None]
+
     def textures(self) -> dict[str, np.ndarray]:
         """Textures of transmittance and normal maps, by the names in their records."""
         textures = {record.texture: self._texture(record) for record in self.captured.transmittance}
@@ -121,7 +143,7 @@ class DatasetPart:
             record.texture, lambda data: NORMALS.from_bytes(data, record.texture)
         )
 
-    def _read_texture(self, name: str, parse: Callable[[memoryview], np.ndarray]) -> np.ndarray:
+    def _read_texture(self, name: str, parse: Callable[[memoryview], T]) -> T:
         path = self.folder / name
         try:
             return parse(memoryview(path.read_bytes()))
@@ -159,11 +181,13 @@ class DatasetPart:
         ]
 
     def _read(self, path: Path, fields: Mapping[str, int]) -> dict[str, np.ndarray]:
-        """Rows of a file; a visibility with colours as (n, 3) float32 from 0 to 1."""
+        """Rows of a file, float32; a visibility with colours from 0 to 1, (n, 3)."""
         rows = read_part(path, self.name, fields)
         self._check_places(path, rows["position"])
         if "visible" in rows and rows["visible"].ndim == 2:
             rows["visible"] = rows["visible"].astype(np.float32) / np.float32(255.0)
+        if BASE_COLOR in rows:
+            rows[BASE_COLOR] = rows[BASE_COLOR].astype(np.float32)
         return rows
 
     def validation_views(self) -> list[ValidationView]:

@@ -48,7 +48,8 @@ def read_part(path: Path, part: str, fields: Mapping[str, int]) -> dict[str, np.
         if rows.dtype.kind not in "fiu" or columns != (fields[field],):
             shape = f"{rows.dtype} {list(rows.shape)}"
             raise damaged(path, f"{part}/{field} is {shape}, expected {fields[field]} columns")
-        usable = (rows >= -MAX_NUMBER) & (rows <= MAX_NUMBER)
+        limit = np.float32(MAX_NUMBER)  # float16 has no such number
+        usable = (rows >= -limit) & (rows <= limit)
         if not usable.all():
             bad = np.count_nonzero(~usable.reshape(len(rows), -1).all(axis=1))
             what = f"{part}/{field} are not finite numbers up to {MAX_NUMBER:g}"

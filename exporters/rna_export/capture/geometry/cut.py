@@ -12,12 +12,14 @@ import numpy as np
 import trimesh
 
 from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.dataset.dataset_manifest import BASE_COLOR
 from rna_export.capture.dataset.dataset_part import DatasetPart, View
 from rna_export.capture.dataset.validation_view import EmissionView, ValidationView
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Mesh
 from rna_sdk.package.geometry.quantised_mesh import QuantisedMesh
 from rna_sdk.package.limits import MAX_PARTS
+from rna_sdk.package.manifest.manifest_model import BaseColorRecord
 from rna_trace import PartsScene
 
 _MARGIN = 0.02  # of a piece's longest side: 5 texels of 256, on either side of a seam
@@ -59,8 +61,10 @@ class CutDataset(Dataset):
                 f"{self.folder}: part {part.name} has {len(mesh.triangles)} triangles, expected at "
                 f"least {self.cut} to cut it into as many pieces"
             )
-        seams = _Seams([_taken(mesh, k) for k in cut_triangles(mesh, self.cut)])
-        return [Piece(self, part, k, seams) for k in range(self.cut)]
+        cut = cut_triangles(mesh, self.cut)
+        seams = _Seams([_taken(mesh, triangles) for triangles in cut])
+        colors = [_within(part.captured.base_color, triangles) for triangles in cut]
+        return [Piece(self, part, k, seams, colors[k]) for k in range(self.cut)]
 
 
 def as_cut(dataset: Dataset, pieces: int) -> Dataset:
@@ -71,9 +75,17 @@ def as_cut(dataset: Dataset, pieces: int) -> Dataset:
 class Piece(DatasetPart):
     """One piece of a cut surface."""
 
-    def __init__(self, dataset: CutDataset, whole: DatasetPart, number: int, seams: _Seams):
-        named = {"name": f"{whole.name}_{number}", "bounds": _with_margin(seams, number, whole)}
-        super().__init__(dataset, whole.captured.model_copy(update=named))
+    def __init__(
+        self,
+        dataset: CutDataset,
+        whole: DatasetPart,
+        number: int,
+        seams: _Seams,
+        colors: tuple[BaseColorRecord, ...],
+    ):
+        bounds = _with_margin(seams, number, whole)
+        own = {"name": f"{whole.name}_{number}", "bounds": bounds, "base_color": colors}
+        super().__init__(dataset, whole.captured.model_copy(update=own))
         self._whole, self._number, self._seams = whole, number, seams
 
     def geometry(self) -> Mesh:
@@ -96,7 +108,8 @@ class Piece(DatasetPart):
         near = np.all((position >= low) & (position <= high), axis=1)
         if not near.any():
             raise CaptureError(f"{self.folder}: no view ray met part {self.name}")
-        return {name: rows[near] for name, rows in samples.items()}
+        own = samples.keys() - ({BASE_COLOR} - self.fields.keys())
+        return {name: rows[near] for name, rows in samples.items() if name in own}
 
     def view(self, index: int) -> ValidationView:
         """The rows that lie on the piece itself."""
@@ -136,6 +149,19 @@ def _with_margin(
     least, most = np.array(whole.bounds, np.float32)
     low, high = np.maximum(low - margin, least), np.minimum(high + margin, most)
     return tuple(low.tolist()), tuple(high.tolist())
+
+
+def _within(
+    records: tuple[BaseColorRecord, ...], triangles: np.ndarray
+) -> tuple[BaseColorRecord, ...]:
+    """What records say of some triangles, whose numbers grow."""
+    result = []
+    for record in records:
+        first, count = record.triangles
+        low, high = np.searchsorted(triangles, [first, first + count]).tolist()
+        if high > low:
+            result.append(record.model_copy(update={"triangles": (low, high - low)}))
+    return tuple(result)
 
 
 def cut_triangles(mesh: Mesh, pieces: int) -> list[np.ndarray]:

@@ -10,11 +10,19 @@ from rna_export.capture.blender_process.blender_process import ScenePart
 from rna_export.capture.blender_process.blender_worker import BlenderWorker, MaterialTextures
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.dataset.dataset_manifest import CapturedPart
+from rna_export.capture.geometry.base_colors import BaseColors
+from rna_export.capture.geometry.blurred_textures import blurred_note
+from rna_export.capture.geometry.glass_mesh import glass_glb
 from rna_export.capture.geometry.mesh_cleanup import welded, with_last
 from rna_export.capture.geometry.source_notes import size_notes, too_coarse
+from rna_export.capture.preflight.material_record import Glass
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Mesh, SourceVertices, quantise
-from rna_sdk.package.manifest.manifest_model import NormalMapRecord, TransmittanceRecord
+from rna_sdk.package.manifest.manifest_model import (
+    BaseColorRecord,
+    NormalMapRecord,
+    TransmittanceRecord,
+)
 from rna_sdk.package.textures.normal_maps import NormalMap
 from rna_sdk.package.textures.transmittance import Transmittance
 
@@ -24,19 +32,24 @@ class ExportedParts:
     """The parts of an opened source, by name, in order.
 
     geometries: the mesh or strands of each. records: what lets light through, of each surface.
-    maps: its normal maps. textures: those of both, by name. sources: the source's vertices of each
+    maps: its normal maps. colors: its base colour. textures: of all, by name: the texels of the
+    former two, and the files of images. sources: the source's vertices of each
     surface. notes: what of the materials could not be told. has_opaque_cutouts: whether some of it
-    lets light through. has_learnt_relief: whether some relief is in no map.
+    lets light through. has_learnt_relief: whether some relief is in no map. mapped: full names of
+    the materials that have a normal map. glass: a .glb of what is left to hosts; None for nothing.
     """
 
     parts: tuple[ScenePart, ...]
     geometries: dict[str, Mesh | Curves] = field(default_factory=dict)
     records: dict[str, list[TransmittanceRecord]] = field(default_factory=dict)
     maps: dict[str, list[NormalMapRecord]] = field(default_factory=dict)
-    textures: dict[str, np.ndarray] = field(default_factory=dict)
+    colors: dict[str, list[BaseColorRecord]] = field(default_factory=dict)
+    textures: dict[str, np.ndarray | bytes] = field(default_factory=dict)
     sources: dict[str, SourceVertices] = field(default_factory=dict)
     has_opaque_cutouts: bool = False
     has_learnt_relief: bool = True
+    mapped: tuple[str, ...] = ()
+    glass: bytes | None = None
     notes: list[str] = field(default_factory=list)
 
     def captured(self) -> tuple[CapturedPart, ...]:
@@ -51,13 +64,14 @@ class ExportedParts:
             bounds=(tuple(low.tolist()), tuple(high.tolist())),
             transmittance=tuple(self.records.get(part.name, ())),
             normal_maps=tuple(self.maps.get(part.name, ())),
+            base_color=tuple(self.colors.get(part.name, ())),
         )
 
     def transmittances(self) -> list[tuple[Transmittance, ...]]:
         """Transmittance records of each part, with their textures."""
         return [
             tuple(
-                Transmittance(*r.triangles, self.textures[r.texture], r.cutoff, r.ior)
+                Transmittance(*r.triangles, self._texels(r), r.cutoff, r.ior)
                 for r in self.records.get(part.name, ())
             )
             for part in self.parts
@@ -66,32 +80,38 @@ class ExportedParts:
     def normal_maps(self) -> list[tuple[NormalMap, ...]]:
         """Normal maps of each part, with their textures."""
         return [
-            tuple(
-                NormalMap(*r.triangles, self.textures[r.texture])
-                for r in self.maps.get(part.name, ())
-            )
+            tuple(NormalMap(*r.triangles, self._texels(r)) for r in self.maps.get(part.name, ()))
             for part in self.parts
         ]
+
+    def _texels(self, record: TransmittanceRecord | NormalMapRecord) -> np.ndarray:
+        texture = self.textures[record.texture]
+        assert isinstance(texture, np.ndarray)  # only images are files
+        return texture
 
 
 def exported_parts(worker: BlenderWorker, settings: CaptureSettings) -> ExportedParts:
     """All parts of the source that the worker has opened."""
     textures = worker.export_textures(settings.normal_texels)
+    colors = BaseColors.of(worker, textures.charts, settings.texture_size)
     exported = ExportedParts(
         worker.parts,
         has_opaque_cutouts=textures.captured_holes,
         has_learnt_relief=textures.learnt_relief,
-        notes=list(textures.notes),
+        mapped=tuple(textures.normals),
+        notes=[*textures.notes, *colors.notes],
     )
     for part in worker.parts:
         if part.kind == "fiber":
             exported.geometries[part.name] = worker.export_curves(part.owner)
         else:
-            _add_surface(exported, worker, part, textures)
+            _add_surface(exported, worker, part, textures, colors)
     _check_not_empty(exported, worker)
     if not settings.exact_geometry:
         _quantise(exported)
     exported.notes += size_notes(exported.geometries)
+    if glass := [Glass(**each) for each in worker.opened["glass"]]:
+        exported.glass = glass_glb(worker.export_corners(of_hosts=True), glass)
     return exported
 
 
@@ -118,20 +138,26 @@ def _quantise(exported: ExportedParts) -> None:
 
 
 def _add_surface(
-    exported: ExportedParts, worker: BlenderWorker, part: ScenePart, of: MaterialTextures
+    exported: ExportedParts,
+    worker: BlenderWorker,
+    part: ScenePart,
+    of: MaterialTextures,
+    colors: BaseColors,
 ) -> None:
-    last = list(dict.fromkeys([*of.normals, *of.see_through]))
-    corners = with_last(worker.export_corners(part.owner, of.charts), last)
+    last = list(dict.fromkeys([*of.normals, *of.see_through, *colors.of_material]))
+    corners = with_last(worker.export_corners(part.owner, colors.charts), last)
     if not len(corners["material"]):
         return
-    exported.geometries[part.name], first = welded(corners)
+    mesh, first = welded(corners)
+    exported.geometries[part.name] = mesh
     numbers = corners["vertex"][first].astype(np.uint32)
     exported.sources[part.name] = SourceVertices(numbers, int(corners["vertices"]))
+    ranges = {}
     for name in last:
         rows = np.flatnonzero(corners["material"] == name)
         if not len(rows):
             continue
-        triangles = int(rows[0]), len(rows)
+        triangles = ranges[name] = int(rows[0]), len(rows)
         if pane := of.see_through.get(name):
             texture = f"transmittance/{list(of.see_through).index(name)}.safetensors"
             exported.textures[texture] = pane.texture
@@ -145,6 +171,12 @@ def _add_surface(
             exported.textures[texture] = of.normals[name]
             mapped = NormalMapRecord(triangles=triangles, texture=texture)
             exported.maps.setdefault(part.name, []).append(mapped)
+    if records := colors.records(mesh, ranges):
+        exported.colors[part.name] = records
+        images = {record.image for record in records if record.image is not None}
+        exported.textures |= {name: colors.files[name] for name in images}
+    if note := blurred_note(part.name, corners, colors.others):
+        exported.notes.append(note)
 
 
 def _first_equal(textures: dict[str, np.ndarray], name: str) -> int:

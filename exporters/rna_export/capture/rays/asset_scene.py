@@ -8,11 +8,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from rna_export.capture.capture_settings import SHARPEST
+from rna_export.capture.dataset.dataset_manifest import BASE_COLOR
 from rna_export.capture.rays.fiber_shape import FiberShape
 from rna_export.capture.rays.surface_shape import SurfaceShape
-from rna_sdk.package import Curves, Mesh, NormalMap
+from rna_sdk.package import BaseColor, Curves, Mesh, NormalMap
 from rna_sdk.package.textures.transmittance import Transmittance
 from rna_sdk.runtime import DeformedCurves, DeformedMesh, RestPoints
+from rna_sdk.runtime.base_color import BaseColorMaps
 from rna_sdk.runtime.deformation import RestCurves, RestMesh
 from rna_trace import ClosestHits, NormalMaps, PartPoints, PartsScene, mesh_transmittance
 
@@ -60,9 +62,9 @@ class AssetScene:
     """Ray queries against all parts of an asset.
 
     sharpest: roughness of the smoothest material whose highlights views are to find.
-    transmittances: what each part lets through; none at all if left out. normal_maps: likewise.
-    positions: of each part in a pose, (v, 3) float32; none at all if left out. Rays meet this
-    shape, and samples are those of the rest shape: spec/RNA.md, 8.3.
+    transmittances: what each part lets through; none at all if left out. normal_maps, base_colors:
+    likewise. positions: of each part in a pose, (v, 3) float32; none at all if left out. Rays meet
+    this shape, and samples are those of the rest shape: spec/RNA.md, 8.3.
 
     Attributes:
         poses: the same asset in other poses, which rays of a capture meet by turns with this one.
@@ -78,6 +80,7 @@ class AssetScene:
         transmittances: Sequence[Sequence[Transmittance]] = (),
         normal_maps: Sequence[Sequence[NormalMap]] = (),
         positions: Sequence[np.ndarray] = (),
+        base_colors: Sequence[Sequence[BaseColor]] = (),
     ):
         self.poses: tuple[AssetScene, ...] = ()
         rest = geometries
@@ -94,6 +97,10 @@ class AssetScene:
             )
         ]
         self._scene = PartsScene(geometries, tables, _maps(geometries, normal_maps))
+        self._colors = [
+            BaseColorMaps(geometry, of_part) if of_part and isinstance(geometry, Mesh) else None
+            for geometry, of_part in zip(rest, base_colors or [()] * len(rest), strict=True)
+        ]
         self._rest_maps = _maps(rest, normal_maps) if self._deformed else []
         self.transmits = self._scene.transmits
         corners = np.concatenate([shape.points for shape in self.shapes])
@@ -165,6 +172,9 @@ class AssetScene:
             fields = shape.sample_fields(points, directions[rows])
             if (rest := self._rest_points(part, hits, rows)) is not None:
                 fields |= {"position": rest.positions, shape.axis: rest.axes}
+            if (colors := self._colors[part]) is not None:
+                at = (a[rows] for a in (hits.primitive, hits.u, hits.v))
+                fields[BASE_COLOR] = colors.at(*at).astype(np.float16)
             on.append(PartRows(rows, points, fields, rest))
         return ShadePoints(hits.geometry, position, hits.ng, tau, tuple(on))
 

@@ -11,9 +11,13 @@ from rna_export.training.model.analytic import PARAMETERS, shaded
 from rna_export.training.model.emission import EmissionDecoder
 from rna_export.training.model.inputs import Points, assemble
 from rna_export.training.model.layers import through
+from rna_export.training.model.shadow import ShadowDecoder
 from rna_export.training.model.triplane import Triplane
 from rna_export.training.presets import ModelConfig
 from rna_sdk.package import query_width
+
+_LEAK = 0.01  # slope below 0
+_LEAST = 0.1  # of x / unit + 1, which the leak may bring below 1
 
 
 class NeuralAsset(nn.Module):
@@ -23,7 +27,10 @@ class NeuralAsset(nn.Module):
     are two, `visible` and `shadowed`. A model that `separates_direct` has three: direct light, and
     scattered light where the light is visible and where it is shadowed. `transport` sums them up
     to the paper's two. Without `visibility_hint` there is one instead of each two. With an analytic
-    `material` the decoder gives its parameters, and shadowed light is black.
+    `material` the decoder gives its parameters, and shadowed light is black. A model that
+    `uses_base_color` has a second colour for each, which the base colour of a point multiplies
+    before it is added: print needs no planes. The last colour may come from a decoder of its own,
+    `shadow`.
 
     `bounds` is (2, 3). `unit` is a radiance: 1 in the paper, what is usual on the asset in our
     presets. `ceiling` bounds what a colour can be: nothing brighter was seen in training.
@@ -46,8 +53,15 @@ class NeuralAsset(nn.Module):
         for _ in range(config.hidden_layers):
             layers += [nn.Linear(columns, width), nn.ReLU()]
             columns = width
-        outputs = PARAMETERS.get(config.material, 3 * len(config.colour_sums[0]))
+        terms = 6 if config.uses_base_color else 3
+        colours = len(config.colour_sums[0]) - bool(config.shadow_width)
+        outputs = PARAMETERS.get(config.material, terms * colours)
         self.decoder = nn.Sequential(*layers, nn.Linear(columns, outputs))
+        self.shadow = (
+            ShadowDecoder(config.shadow_inputs, config.channels, config.shadow_width, terms)
+            if config.shadow_width
+            else None
+        )
         self.emission = (
             EmissionDecoder(config.emission_inputs, config.channels, width)
             if config.emission_inputs
@@ -56,17 +70,24 @@ class NeuralAsset(nn.Module):
         self.register_buffer("ceiling", torch.tensor(100.0))
         self.register_buffer("unit", torch.tensor(1.0))
 
-    output = "transport"
-
     @property
     def colour_sums(self) -> tuple[tuple[int, ...], ...]:
         """See `ModelConfig`."""
         return self.config.colour_sums
 
     @property
+    def units(self) -> Tensor:
+        """The unit of each colour, (colours, 1)."""
+        units = [self.unit] * len(self.colour_sums[0])
+        if self.shadow is not None:
+            units[-1] = self.shadow.unit
+        return torch.stack(units)[:, None]
+
+    @property
     def multiply_adds(self) -> int:
         """Multiply-adds of all matrix products of a query, without the emission decoder."""
         modules = [*self.decoder, *self.triplane.modules()]
+        modules += [] if self.shadow is None else self.shadow.modules()
         return sum(m.weight.numel() for m in modules if isinstance(m, nn.Linear))
 
     @property
@@ -77,11 +98,28 @@ class NeuralAsset(nn.Module):
 
     def forward(self, at: Points, blur: float | Tensor = 1.0) -> Tensor:
         """y = log(x / unit + 1) of each colour, (k, 1 to 3, 3)."""
-        y = through(self.decoder, self.queries(at, blur), self._in_bfloat16)
+        features, p = self._features(at, blur), self._place(at)
+        queries = assemble(self.config.inputs, features, p, at)
+        y = through(self.decoder, queries, self._in_bfloat16)
         if self.config.material != "learned":
             lit = torch.log1p(shaded(self.config.material, y, at) / self.unit)
             return torch.stack([lit, torch.zeros_like(lit)], dim=1)
-        return y.reshape(len(y), y.shape[1] // 3, 3)
+        colours = [self._with_base_color(y, at)]
+        if self.shadow is not None:
+            queries = assemble(self.shadow.inputs, features, p, at)
+            colours.append(self._with_base_color(self.shadow(queries), at))
+        return torch.cat(colours, dim=1)
+
+    def _with_base_color(self, y: Tensor, at: Points) -> Tensor:
+        """y of colours, (k, colours, 3), from outputs of a decoder (k, terms * colours)."""
+        y = y.reshape(len(y), -1, 3)
+        if not self.config.uses_base_color:
+            return y
+        # A package cuts both terms off at 0. In training a gradient leads back from there.
+        slope = _LEAK if torch.is_grad_enabled() else 0.0
+        rest, factor = nn.functional.leaky_relu(y, slope).chunk(2, dim=1)
+        total = torch.exp(rest) + at["base_color"][:, None] * torch.expm1(factor)
+        return torch.log(total.clamp(min=_LEAST))
 
     @property
     def _in_bfloat16(self) -> bool:
@@ -89,9 +127,13 @@ class NeuralAsset(nn.Module):
 
     def queries(self, at: Points, blur: float | Tensor = 1.0) -> Tensor:
         """The decoder's queries, (k, K)."""
+        return assemble(self.config.inputs, self._features(at, blur), self._place(at), at)
+
+    def _place(self, at: Points) -> Tensor:
+        """Positions in the bounds, (k, 3) from 0 to 1."""
         grid = self.triplane
-        p = ((at["position"] - grid.low) / (grid.high - grid.low)).clamp(0.0, 1.0)
-        return assemble(self.config.inputs, self._features(at, blur), p, at)
+        p: Tensor = ((at["position"] - grid.low) / (grid.high - grid.low)).clamp(0.0, 1.0)
+        return p
 
     def feature_matrices(self) -> list[Tensor]:
         """Matrices of a network that features come from, which Muon takes; planes have none."""
@@ -107,8 +149,9 @@ class NeuralAsset(nn.Module):
 
     def colours(self, y: Tensor) -> Tensor:
         """Radiance from y: the inverse of log(x / unit + 1), between 0 and the ceiling."""
-        highest = torch.log1p(self.ceiling / self.unit)
-        return self.unit * torch.expm1(y.clamp(min=0.0).minimum(highest))
+        units = self.units
+        highest = torch.log1p(self.ceiling / units)
+        return units * torch.expm1(y.clamp(min=0.0).minimum(highest))
 
     def transport(self, y: Tensor) -> Tensor:
         """Radiance where the light is visible and where it is shadowed, (k, 2, 3)."""

@@ -15,6 +15,7 @@ from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.presets import ModelConfig, Preset
 
 _LEAST_VISIBLE = 0.05
+_LEAST = 0.1  # of x / unit + 1, for a logarithm
 MOST_DARKENED = 0.05
 """Part of the brightness that the log loss may cost; the end of a run puts it right."""
 
@@ -35,7 +36,8 @@ def sample_loss(
     config, y = model.config, model(at, blur)
     if not config.separates_direct:
         weight = _weights(at["visible"], shadow_weight)
-        return _LOSSES[loss](_of_visibility(y, at, config), at["radiance"], model.unit, weight)
+        y, unit = _of_visibility(y, model.units, at, config)
+        return _LOSSES[loss](y, at["radiance"], unit, weight)
     v, of_light = at["visible"], at["direct"]
     if v.dim() == 1:
         v = v[:, None]
@@ -43,8 +45,8 @@ def sample_loss(
         of_light = of_light / v.clamp(min=_LEAST_VISIBLE)
     of_direct = v if config.visibility_hint else 1.0
     direct = _LOSSES[loss](y[:, 0], of_light, model.unit, of_direct)
-    scattered = _of_visibility(y[:, 1:], at, config)
-    return direct + unbiased_l2(scattered, at["radiance"] - at["direct"], model.unit)
+    scattered, unit = _of_visibility(y[:, 1:], model.units[1:], at, config)
+    return direct + unbiased_l2(scattered, at["radiance"] - at["direct"], unit)
 
 
 def _weights(visible: Tensor, of_shadow: float) -> Tensor | float:
@@ -56,15 +58,23 @@ def _weights(visible: Tensor, of_shadow: float) -> Tensor | float:
     return weight / weight.mean()
 
 
-def _of_visibility(y: Tensor, at: Points, config: ModelConfig) -> Tensor:
-    """Outputs (k, 2, 3) for visible and shadowed light, blended by each sample's hint."""
+def _of_visibility(
+    y: Tensor, units: Tensor, at: Points, config: ModelConfig
+) -> tuple[Tensor, Tensor]:
+    """y (k, 3) of each sample's light and its unit, of outputs for visible and shadowed light.
+
+    y: (k, 2, 3) outputs, blended by each sample's visibility. units: (2, 1) of both.
+    """
     if not config.visibility_hint:
-        return y[:, 0]
+        return y[:, 0], units[0]
     v = at["visible"]
     if v.dim() == 1:
-        return torch.where(v[:, None] > 0.5, y[:, 0], y[:, 1])
+        lit = v[:, None] > 0.5
+        return torch.where(lit, y[:, 0], y[:, 1]), torch.where(lit, units[0], units[1])
     # v visible + (1 - v) shadowed, of radiance x = unit (exp(y) - 1).
-    return torch.log(v * torch.exp(y[:, 0]) + (1.0 - v) * torch.exp(y[:, 1]))
+    unit = v * units[0] + (1.0 - v) * units[1]
+    x = v * units[0] * torch.expm1(y[:, 0]) + (1.0 - v) * units[1] * torch.expm1(y[:, 1])
+    return torch.log((x / unit + 1.0).clamp(min=_LEAST)), unit
 
 
 def log_l2(

@@ -85,9 +85,8 @@ def muon_matrices(model: NeuralAsset, config: TrainingConfig) -> list[Tensor]:
     """
     if config.optimizer == "adam":
         return []
-    decoders = [model.decoder]
-    if model.emission is not None:
-        decoders.append(model.emission.decoder)
+    others = (model.shadow, model.emission)
+    decoders = [model.decoder, *(other.decoder for other in others if other is not None)]
     layers = (layer for decoder in decoders for layer in [*decoder][:-1])
     matrices: list[Tensor] = [layer.weight for layer in layers if isinstance(layer, nn.Linear)]
     return matrices + model.feature_matrices()

@@ -152,6 +152,8 @@ class StepThreads:
 def _products(model: NeuralAsset, batches: tuple[int, int]) -> list[Product]:
     """Products of the model's layers in a step."""
     decoders = [(model.decoder, batches[0])]
+    if model.shadow is not None:
+        decoders.append((model.shadow.decoder, batches[0]))
     if model.emission is not None:
         decoders.append((model.emission.decoder, batches[1]))
     layers = [(m, rows) for d, rows in decoders for m in d if isinstance(m, nn.Linear)]

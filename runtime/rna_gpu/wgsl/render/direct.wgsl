@@ -51,7 +51,7 @@ fn shining(k: u32, light: u32, found: LightSample) -> LightSample {
     let none = vec3f(0.0);
     let part = surface_part(rna_surface(record));
     queries[k].at_light = Query(
-        there.x, 0.0, there.axis, part, -d, light, -d, NONE, none, 0.0, none, 0u,
+        there.x, 0.0, there.axis, part, -d, light, -d, NONE, none, 0.0, none, 0u, none,
     );
     return lit;
 }
@@ -116,6 +116,7 @@ fn direct_neural(k: u32, path: Path, v: Vertex, light: u32, found: LightSample, 
     let weight = path.beta * found.radiance * light_share(light, found.pdf, own) * kept;
     queries[k].at_point = Query(
         v.x, v.h, v.axis, v.part, v.wo, light, wi, v.strand, weight, 0.0, visible, 0u,
+        base_color_of(path, v),
     );
     count_seen(k, mean_of(visible) * mean_of(kept));
 }

@@ -1,4 +1,4 @@
-// Visibility and mapped normals at hits of an asset, for the conformance kit: `paths` hold the hits, results
+// Visibility, mapped normals and base colours at hits of an asset: `paths` hold the hits, results
 // go to `sums`. Instance 0 is the asset, untransformed.
 
 fn probed(k: u32) -> Vertex {
@@ -37,5 +37,18 @@ fn mapped(
     let k = path_number(id, groups);
     if k < frame.paths {
         sums[k] = vec4f(probed(k).axis, 0.0);
+    }
+}
+
+// t: the level of the image.
+@compute @workgroup_size(64)
+fn colored(
+    @builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    let k = path_number(id, groups);
+    if k < frame.paths {
+        let path = paths[k];
+        let record = rna_primitives[path.primitive];
+        sums[k] = vec4f(base_color_of_level(record, path.b1, path.b2, path.t), 0.0);
     }
 }

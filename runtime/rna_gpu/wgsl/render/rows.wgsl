@@ -11,6 +11,19 @@ struct RowCount {
     one: vec2<u32>,
 }
 
+// A decoder of visible or of shadowed light alone is not asked where that does not count.
+fn is_asked(visible: vec3f) -> bool {
+    if (frame.flags & FOR_VISIBLE) != 0u {
+        return any(visible > vec3f(0.0));
+    }
+    return (frame.flags & FOR_SHADOWED) == 0u || any(visible < vec3f(1.0));
+}
+
+// Whether the other decoder of the part counts the query.
+fn is_counted(visible: vec3f) -> bool {
+    return (frame.flags & FOR_SHADOWED) != 0u && any(visible > vec3f(0.0));
+}
+
 // The query of a path that a step is about.
 fn query_of(k: u32) -> Query {
     if (frame.flags & FOR_LIGHT) != 0u {
@@ -30,7 +43,7 @@ fn gather(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     let query = query_of(k);
-    if query.part != frame.neural_part {
+    if query.part != frame.neural_part || !is_asked(query.visible) {
         return;
     }
     let row = atomicAdd(&row_count.rows, 1u);
@@ -38,11 +51,12 @@ fn gather(@builtin(global_invocation_id) id: vec3<u32>) {
         atomicAdd(&row_count.groups, 1u);
     }
     rows[row] = RnaRow(
-        bits_of(query.x), bitcast<u32>(query.h), bits_of(query.axis), 0u, bits_of(query.wo), 0u,
-        bits_of(query.wi), 0u,
+        bits_of(query.x), bitcast<u32>(query.h), bits_of(query.axis), bitcast<u32>(query.base_color.x),
+        bits_of(query.wo), bitcast<u32>(query.base_color.y), bits_of(query.wi),
+        bitcast<u32>(query.base_color.z),
     );
     path_of_row[row] = k;
-    if (frame.flags & (FOR_EMISSION | FOR_LIGHT)) == 0u {
+    if (frame.flags & (FOR_EMISSION | FOR_LIGHT)) == 0u && !is_counted(query.visible) {
         watch_domain(query.part, query.wo, query.wi);
     }
 }
@@ -83,9 +97,15 @@ fn apply(@builtin(global_invocation_id) id: vec3<u32>) {
         add_light(k, query.light, clamped(query.weight * results[row].xyz));
         return;
     }
-    let transport = mix(results[2u * row + 1u].xyz, results[2u * row].xyz, query.visible);
+    var transport = vec3f(0.0);
+    if (frame.flags & FOR_SHADOWED) == 0u {
+        transport = query.visible * results[2u * row].xyz;
+    }
+    if (frame.flags & FOR_VISIBLE) == 0u {
+        transport += (1.0 - query.visible) * results[2u * row + 1u].xyz;
+    }
     if (frame.flags & FOR_BETA) != 0u {
-        paths[k].beta = query.weight * transport;
+        paths[k].beta += query.weight * transport;
     } else {
         add_light(k, query.light, clamped(query.weight * transport));
     }

@@ -25,6 +25,8 @@ const RAYS_MEET_LIGHTS: u32 = 4u;
 const FOR_EMISSION: u32 = 8u;
 const FOR_LIGHT: u32 = 16u;
 const TRANSMITS: u32 = 32u;
+const FOR_VISIBLE: u32 = 64u;
+const FOR_SHADOWED: u32 = 128u;
 
 struct Frame { // 160 bytes
     camera: vec3f, // 0
@@ -56,6 +58,7 @@ struct Frame { // 160 bytes
     albedo: u32, // 136
     domains: u32, // 140
     textures: u32, // 144
+    spread: f32, // 148; width of a pixel over the distance to it
 }
 
 struct Path { // 96 bytes
@@ -75,7 +78,7 @@ struct Path { // 96 bytes
     b2: f32, // 92
 }
 
-struct Query { // 96 bytes
+struct Query { // 112 bytes
     x: vec3f, // 0
     h: f32, // 12
     axis: vec3f, // 16
@@ -88,9 +91,10 @@ struct Query { // 96 bytes
     seen: f32, // 76; mean of what all that is in the way leaves of the light
     visible: vec3f, // 80; what the asset itself leaves of it
     reserved: u32, // 92
+    base_color: vec3f, // 96
 }
 
-struct PathQueries { // 192 bytes
+struct PathQueries { // 224 bytes
     at_point: Query, // 0; what the path's point scatters or emits
-    at_light: Query, // 96; what an asset emits at its point that was sampled as a light
+    at_light: Query, // 112; what an asset emits at its point that was sampled as a light
 }

@@ -113,6 +113,15 @@ fn vertex_of(path: Path) -> Vertex {
     return v;
 }
 
+// Of the asset's point where a path is.
+fn base_color_of(path: Path, v: Vertex) -> vec3f {
+    if v.kind == OF_FIBERS {
+        return vec3f(1.0);
+    }
+    let width = frame.spread * path.t / rna_instances[v.instance].scale;
+    return base_color_on(v.record, v.b1, v.b2, width);
+}
+
 // Where rays along wi start in the world: on materials a step off the surface.
 fn origin_of(v: Vertex, wi_world: vec3f) -> vec3f {
     let step = object_step(v.instance);

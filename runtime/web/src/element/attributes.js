@@ -1,5 +1,6 @@
 // Attributes of the element as values, in model-viewer's syntax, and values as attributes. What cannot be read throws a
 // line that says what is expected.
+import { linearColour } from "./backdrop.js";
 import { steep } from "./orbit.js";
 
 const RADIANS = Math.PI / 180;
@@ -41,7 +42,7 @@ function cameraOrbit(value) {
   };
 }
 
-const cameraTarget = (value) => words(value, "X Y Z, as 0m 0.5m 0m", [length, length, length]);
+export const cameraTarget = (value) => words(value, "X Y Z, as 0m 0.5m 0m", [length, length, length]);
 
 function fieldOfView(value) {
   const [found] = words(value, "an angle, as 30deg", [angle]);
@@ -58,18 +59,33 @@ function sunLight(value) {
   return { sunAzimuth: (azimuth ?? 40 * RADIANS) / RADIANS, sunHeight: (height ?? 45 * RADIANS) / RADIANS, sun: brightness ?? 2 };
 }
 
+/** By label its address. */
+function maps(value) {
+  const pairs = value.trim().split(/\s+/).filter(Boolean).map((word) => [word.slice(0, word.indexOf("=")), word.slice(word.indexOf("=") + 1)]);
+  if (pairs.some(([label, address]) => !label || !address)) expected("LABEL=ADDRESS ..., as label=label-de.png", value);
+  return Object.fromEntries(pairs);
+}
+
+/** Linear RGB. */
+function tint(value) {
+  const found = value.trim().split(/\s+/).map(Number), isColour = globalThis.CSS?.supports("color", value);
+  if (found.length === 3 && found.every((one) => one >= 0 && one < Infinity)) return found;
+  return (isColour && linearColour(value)) || expected("a colour, or R G B of linear light, as 1 0.5 0.2", value);
+}
+
 /** By attribute: how its text is read. */
 export const READERS = {
   src: text, alt: text, poster: text, scene: text, environment: text, tier: text,
   loading: choice("auto", "lazy", "eager"), reveal: choice("auto", "manual"),
   "camera-orbit": cameraOrbit, "camera-target": cameraTarget, "field-of-view": fieldOfView,
+  "min-camera-orbit": cameraOrbit, "max-camera-orbit": cameraOrbit, "min-field-of-view": fieldOfView, "max-field-of-view": fieldOfView,
   sun: sunLight, "light-rotation": turn, "environment-intensity": number(0, 1e6), ground: flag,
   exposure: number(-30, 30), "view-transform": choice("srgb", "filmic"),
   "camera-controls": flag, "disable-zoom": flag, "disable-pan": flag, "disable-light": flag,
-  "touch-action": choice("pan-y", "pan-x", "none"), "wheel-zoom": choice("focus", "always"),
+  "touch-action": choice("pan-y", "pan-x", "none"), "wheel-zoom": choice("focus", "always"), "interaction-prompt": choice("auto", "none"), "interpolation-decay": number(0, 1e5),
   "auto-rotate": flag, "auto-rotate-delay": number(0, 1e9), "rotation-per-second": turn,
   samples: number(1, 1e6, true), "pixel-ratio": number(0.1, 8), jitter: number(0, 1),
-  "first-look": choice("auto", "off"),
+  "first-look": choice("auto", "off"), maps, tint,
 };
 
 /** The name of an attribute's property, as cameraOrbit. */

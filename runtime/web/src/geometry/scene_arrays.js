@@ -12,7 +12,7 @@ const PRIMITIVE = records.RnaPrimitive, NODE = records.RnaNode;
  * In steps, between which the page answers. nodes: one of the only instance, then those of the hierarchy. primitives: RnaPrimitive, in the order of the leaves.
  * points: x, y, z, and u or the radius. normals: n, v, of meshes' points. table, images: of the surfaces (SurfaceTable).
  * where: of a primitive's number its place in `primitives`; numbers count through all parts, of which `parts[k].first` is
- * the first of part k, and `parts[k].point` its first point. extent: the largest coordinate.
+ * the first of part k, and `parts[k].point` its first point. surfaces: the table, for other prints. extent: the largest coordinate.
  */
 export const sceneArrays = (parts) => finished(arraysOf(parts));
 
@@ -71,7 +71,7 @@ function* addMesh(arrays, part, number, { primitive, point }) {
       arrays.normals[at + 3] = uvs ? uvs[2 * k + 1] : 0;
     }
   });
-  const surfaces = arrays.surfaces.ofTriangles(part, number);
+  const surfaces = yield* arrays.surfaces.ofTriangles(part, number);
   yield* inSteps(0, indices.length / 3, (from, to) => {
     for (let k = from; k < to; k++) {
       const corners = [0, 1, 2].map((c) => indices[3 * k + c]);

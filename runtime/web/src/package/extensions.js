@@ -94,8 +94,8 @@ const CHECKS = {
     checkCount(parts, manifest, where);
     if (!parts.some((levels) => levels)) fail("FIELD_VALUE", where, "a proxy of no part");
     parts.forEach((levels, k) => {
-      const { transmittance, normalMaps } = manifest.parts[k];
-      if (levels && (transmittance || normalMaps)) fail("FIELD_VALUE", where, "a proxy of a part with textures");
+      const { transmittance, normalMaps, baseColor } = manifest.parts[k];
+      if (levels && (transmittance || normalMaps || baseColor)) fail("FIELD_VALUE", where, "a proxy of a part with textures");
       (levels ?? []).forEach(({ geometry, height }, j) => {
         checkReference(manifest, geometry, where);
         if (j && height >= levels[j - 1].height) fail("FIELD_VALUE", where, "heights must descend");

@@ -7,6 +7,8 @@ import { parseJson } from "./json.js";
 import { checkSchema } from "./schema.js";
 
 const READER = "2.0";
+/** Records of ranges of triangles. */
+const RANGES = [["transmittance", "TRANSMITTANCE_RANGE"], ["normalMaps", "NORMAL_MAP_RANGE"], ["baseColor", "BASE_COLOR_RANGE"]];
 const VERSION = /^[1-9][0-9]{0,3}\.(0|[1-9][0-9]{0,3})$/;
 
 /** The manifest, checked, with `warnings`. */
@@ -86,6 +88,9 @@ function checkParts(manifest) {
       if (!part.emission !== !manifest.tiers[0].parts[j].emission) {
         fail("PARTS_DIFFER", `/tiers/${k}/parts/${j}`, "emission in some tiers alone");
       }
+      if (part.usesBaseColor && !manifest.parts[j].baseColor) {
+        fail("FIELD_VALUE", `/tiers/${k}/parts/${j}/usesBaseColor`, `found true, expected false, or baseColor in /parts/${j}`);
+      }
     });
   });
 }
@@ -106,13 +111,14 @@ function checkInputs(manifest) {
       }
     };
     check(part.inputs, ({ kinds }) => kinds.includes(kind));
+    check(part.shadowed?.inputs ?? [], ({ kinds }) => kinds.includes(kind));
     check(part.emission?.inputs ?? [], ({ kinds, light }) => kinds.includes(kind) && !light);
   }));
 }
 
 function checkRecords(manifest) {
   manifest.parts.forEach((part, k) => {
-    for (const [name, code] of [["transmittance", "TRANSMITTANCE_RANGE"], ["normalMaps", "NORMAL_MAP_RANGE"]]) {
+    for (const [name, code] of RANGES) {
       const where = `/parts/${k}/${name}`;
       if (part[name] && part.kind !== "surface") fail("FIELD_VALUE", where, `of a ${part.kind}`);
       let next = 0;
@@ -128,8 +134,10 @@ function checkRecords(manifest) {
 function* references(manifest) {
   for (const [k, part] of manifest.parts.entries()) {
     yield [`/parts/${k}/geometry`, part.geometry];
-    for (const name of ["transmittance", "normalMaps"]) {
-      for (const [j, record] of (part[name] ?? []).entries()) yield [`/parts/${k}/${name}/${j}`, record.texture];
+    for (const [name] of RANGES) {
+      for (const [j, { texture, image }] of (part[name] ?? []).entries()) {
+        if (texture ?? image) yield [`/parts/${k}/${name}/${j}`, texture ?? image];
+      }
     }
   }
   for (const [i, tier] of manifest.tiers.entries()) {
@@ -137,7 +145,9 @@ function* references(manifest) {
       const where = `/tiers/${i}/parts/${k}`;
       yield [`${where}/planes`, part.planes];
       yield [`${where}/decoder`, part.decoder];
-      if (part.emission) yield [`${where}/emission/decoder`, part.emission.decoder];
+      for (const name of ["shadowed", "emission"]) {
+        if (part[name]) yield [`${where}/${name}/decoder`, part[name].decoder];
+      }
     }
   }
 }

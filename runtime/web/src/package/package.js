@@ -6,6 +6,7 @@ import { readDecoder } from "./decoder.js";
 import { decodeEntry } from "./deflate.js";
 import { entriesOf, environmentOf, readHarmonics, VISIBILITY_COLUMNS } from "./environment_form.js";
 import { fail } from "./errors.js";
+import { readImage } from "./images.js";
 import { checkEntries, readManifest } from "./manifest.js";
 import { readMesh } from "./mesh.js";
 import { readPlanes } from "./planes.js";
@@ -20,6 +21,7 @@ export class Package {
     own.source = source;
     own.directory = await readDirectory(source);
     own.cache = new Map();
+    own.images = new Map();  // decoded
     own.manifest = readManifest(await own._stored(MANIFEST));
     checkEntries(own.manifest, own.directory);
     own.environment = environmentOf(own.manifest);
@@ -54,6 +56,10 @@ export class Package {
     const tier = this.tier(name), names = this._entriesOf(tier), data = new Map();
     this._fetch(this._needed(name, wantsLobes));
     for (const entry of names) data.set(entry, await this._data(entry));
+    for (const entry of this._images()) {
+      if (!this.images.has(entry)) this.images.set(entry, await readImage(data.get(entry), entry));
+      data.set(entry, this.images.get(entry));
+    }
     const parts = this.manifest.parts.map((part, k) => this._part(part, tier.parts[k], k, data));
     if (wantsLobes && this.environment) await this._addEnvironment(parts, tier, data);
     return { name: tier.name, tier, parts };
@@ -86,6 +92,7 @@ export class Package {
   /** Lets go of bytes that were fetched for a tier. */
   forget() {
     this.cache.clear();
+    this.images.clear();
   }
 
   _part(part, own, k, data) {
@@ -104,23 +111,46 @@ export class Package {
       checkRecord(record, texture, result.mesh, where, "NORMAL_MAP");
       return { ...record, texture };
     });
+    result.baseColor = (part.baseColor ?? []).map((record) => {
+      const image = record.image === undefined ? null : data.get(record.image);
+      checkRecord(record, image, result.mesh, where, "BASE_COLOR");
+      return { ...record, image, label: image && stemOf(record.image) };
+    });
     result.planes = readPlanes(data.get(own.planes), own, own.planes);
-    result.transport = decoderOf(data, own, own, "transport", 6);
-    result.emission = own.emission
-      ? { inputs: own.emission.inputs, ...decoderOf(data, own, own.emission, "emission", 3) }
-      : null;
+    result.decoders = this._decoders(own, data);
     return result;
   }
 
+  /** By the name of their form, with their colours and the column where factors of base colour begin: of transport, or of visible and of shadowed light; and of emission. */
+  _decoders(own, data) {
+    const sets = own.usesBaseColor ? 2 : 1, { shadowed, emission } = own;
+    const make = (record, form, colours, sets) => {
+      const columns = 3 * colours, decoder = decoderOf(data, own, record, form, columns * sets);
+      return { ...decoder, inputs: record.inputs, colours, factors: sets > 1 ? columns : 0 };
+    };
+    return {
+      ...(shadowed
+        ? { visible: make(own, "visible", 1, sets), shadowed: make(shadowed, "shadowed", 1, sets) }
+        : { transport: make(own, "transport", 2, sets) }),
+      ...(emission && { emission: make(emission, "emission", 1, 1) }),
+    };
+  }
+
+  /** Entries of the images of base colour. */
+  _images() {
+    const all = this.manifest.parts.flatMap(({ baseColor = [] }) => baseColor.map(({ image }) => image));
+    return new Set(all.filter((image) => image !== undefined));
+  }
+
   _entriesOf(tier) {
-    const names = [];
+    const names = [...this._images()];
     for (const part of this.manifest.parts) {
       names.push(part.geometry);
       for (const record of [...(part.transmittance ?? []), ...(part.normalMaps ?? [])]) names.push(record.texture);
     }
     for (const part of tier.parts) {
       names.push(part.planes, part.decoder);
-      if (part.emission) names.push(part.emission.decoder);
+      for (const own of [part.shadowed, part.emission]) if (own) names.push(own.decoder);
     }
     return [...new Set(names)];
   }
@@ -172,6 +202,9 @@ export class Package {
     return decoded;
   }
 }
+
+/** What an image is called: of textures/label.png, label. */
+const stemOf = (entry) => entry.split("/").pop().replace(/\.[^.]*$/, "");
 
 /** more: columns behind those of the blocks. */
 function decoderOf(data, part, own, output, outputs, more = 0) {

@@ -1,4 +1,4 @@
-// Textures of transmittance and normal maps (spec, 4.4 and 4.5).
+// Textures of transmittance and normal maps (spec, 4.4 and 4.5); where records of them and of base colour are.
 import { fail } from "./errors.js";
 import { isMetadata, isTensor, readHeader, takeTensors } from "./tensors.js";
 
@@ -31,11 +31,11 @@ export function readNormalMap(bytes, where) {
   return readTexture(bytes, "normals", [2], where, "NORMAL_MAP_TEXTURE");
 }
 
-/** Fails where a record names triangles, or coordinates, that the mesh has not. */
+/** Fails where a record names triangles, or coordinates, that the mesh has not. texture: null where it needs none. */
 export function checkRecord({ triangles: [first, count] }, texture, mesh, where, kind) {
   if (first + count > mesh.indices.length / 3) {
     fail(`${kind}_RANGE`, where, `triangles ${first} to ${first + count} of ${mesh.indices.length / 3}`);
   }
-  const needs = kind === "NORMAL_MAP" || texture.width * texture.height > 1;
+  const needs = texture && (kind !== "TRANSMITTANCE" || texture.width * texture.height > 1);
   if (needs && !mesh.uvs) fail(`${kind}_UV`, where, "the mesh has no texture coordinates");
 }

@@ -1,5 +1,6 @@
 // An asset in a scene: a mesh for each part; each picture takes the tier that is good enough for its size.
-import { Box3, BufferAttribute, BufferGeometry, Group, InstancedMesh, Matrix4, Mesh, Sphere, Vector2, Vector3 } from "three/webgpu";
+import { Box3, BufferAttribute, BufferGeometry, Color, Group, InstancedMesh, Matrix4, Mesh, Sphere, Vector2, Vector3 } from "three/webgpu";
+import { pictureOf } from "../package/images.js";
 import { keepPipelines } from "./kept_pipelines.js";
 import { MARK, RnaMaterial, SharedBuffers } from "./material.js";
 import { optionsOf } from "./options.js";
@@ -71,6 +72,30 @@ export class RnaAsset extends Group {
     const names = ["auto", ...this.tiers];
     if (!names.includes(name)) throw new Error(`tier: expected ${names.join(" or ")}, found ${JSON.stringify(name)}`);
     this.choice = name;
+  }
+
+  /** What images of base colour are called: those that `setMap` takes. */
+  get maps() {
+    return this.content.buffers.surfaces.labels;
+  }
+
+  /**
+   * Another picture, a Blob, ImageBitmap, canvas, image or three.js texture of one, in place of those with that label; null: the
+   * package's own. Copies share it.
+   */
+  async setMap(label, picture) {
+    const { buffers } = this.content;
+    if (!this.maps.includes(label)) throw new Error(`setMap: expected ${this.maps.join(" or ") || "an asset with base colour"}, found ${JSON.stringify(label)}`);
+    await buffers.surfaces.setImage(label, picture && (await pictureOf(picture.isTexture ? picture.image : picture)));
+    buffers.print();
+  }
+
+  /** A factor of all base colours: a THREE.Color, or what makes one. Copies share it. */
+  setTint(color) {
+    const { buffers } = this.content;
+    if (!buffers.images) throw new Error("setTint: expected an asset with base colour");
+    buffers.surfaces.tint = new Color(color).toArray();
+    buffers.print();
   }
 
   /** Chooses the tier; the picture's height is that of the one before, at first the window's. */

@@ -1,6 +1,6 @@
 // Where a fragment is and from where it is seen, in the asset's space.
 import {
-  cameraProjectionMatrix, cameraWorldMatrix, Fn, positionGeometry, positionView, positionViewDirection, screenCoordinate, vec2, vec3, vec4, viewport,
+  cameraProjectionMatrix, cameraWorldMatrix, float, Fn, positionGeometry, positionView, positionViewDirection, screenCoordinate, vec2, vec3, vec4, viewport,
 } from "three/tsl";
 import { viewToWorld, worldToObject } from "./spaces.js";
 
@@ -9,14 +9,21 @@ export const towardsViewer = (builder) => worldToObject(viewToWorld(positionView
 
 /** Says where the fragment is to the WGSL's functions that follow; where its ray meets no segment it is discarded. */
 export const fragmentOf = ({ functions, kind }) => Fn((builder) => {
-  if (kind !== "fiber") return functions.begin(positionGeometry, towardsViewer(builder));
+  if (kind !== "fiber") return functions.begin(positionGeometry, towardsViewer(builder), widthOfPixel(builder));
   const aside = asideOfPixel().toVar();
   const toObject = (v) => worldToObject(cameraWorldMatrix.mul(vec4(v, 0)).xyz, builder);
   const towards = builder.camera.isOrthographicCamera ? vec3(0, 0, 1) : positionView.add(aside).negate();
-  const begun = functions.begin(positionGeometry.add(toObject(aside)), toObject(towards).normalize()).toVar();
+  const begun = functions.begin(positionGeometry.add(toObject(aside)), toObject(towards).normalize(), float(0)).toVar();
   begun.equal(0).discard();
   return begun;
 })();
+
+/** At the fragment, in the asset's space. */
+function widthOfPixel(builder) {
+  const spread = cameraProjectionMatrix.element(1).y.mul(viewport.w).reciprocal().mul(2);
+  const width = builder.camera.isOrthographicCamera ? spread : spread.mul(positionView.length());
+  return worldToObject(cameraWorldMatrix.mul(vec4(1, 0, 0, 0)).xyz, builder).length().mul(width);
+}
 
 /**
  * From what was rasterised to the ray through the pixel's middle, across the view. Corners of triangles lie on a grid, of

@@ -1,9 +1,10 @@
 // The node material of a part in one tier: rna_gpu's WGSL with the buffers that three.js binds.
 import { DoubleSide, Euler, FrontSide, LightingNode, NodeMaterial, StorageBufferAttribute } from "three/webgpu";
 import { attribute, bool, buffer, Fn, pmremTexture, positionGeometry, referenceAttribute, storage, wgsl, wgslFn } from "three/tsl";
+import { SurfaceTable } from "../geometry/surface_table.js";
 import { fragmentOf, towardsViewer } from "./fragment.js";
 import { RnaLighting, shadowPosition } from "./lighting.js";
-import { partSource } from "./shader_source.js";
+import { LETTERS, partSource } from "./shader_source.js";
 import { instanceColumns } from "./spaces.js";
 import { hasWebGPU, STAND_IN, standInNode } from "./stand_in.js";
 
@@ -12,15 +13,32 @@ export const MARK = "rna_three_";
 
 /** Buffers of all parts and tiers of an asset. */
 export class SharedBuffers {
-  constructor({ nodes, primitives, points, ...facts }) {
+  constructor({ nodes, primitives, points, surfaces, ...facts }) {
     this.facts = facts;
+    this.surfaces = new SurfaceTable(surfaces);
+    const { hasBaseColor, texturesAt, table } = this.surfaces.arrays();
+    this.facts.printed = hasBaseColor ? { texturesAt: 4 * texturesAt, imagesAt: table.length } : null;
+    this.images = hasBaseColor ? named(this._printed(), "uint", "rna_images") : null;
     this.nodes = new StorageBufferAttribute(nodes, 8);
     this.primitives = new StorageBufferAttribute(primitives, 4);
     this.points = new StorageBufferAttribute(points, 4);
   }
 
+  /** Takes the images and the tint of `surfaces` over. */
+  print() {
+    this.images.value.dispose();
+    this.images.value = this._printed();
+  }
+
+  _printed() {
+    const { table, images } = this.surfaces.arrays(), words = new Uint32Array(table.length + images.length);
+    words.set(table);
+    words.set(images, table.length);
+    return new StorageBufferAttribute(words, 1);
+  }
+
   dispose() {
-    for (const own of [this.nodes, this.primitives, this.points]) own.dispose();
+    for (const own of [this.nodes, this.primitives, this.points, this.images?.value]) own?.dispose();
   }
 }
 
@@ -32,26 +50,27 @@ export class RnaMaterial extends NodeMaterial {
   }
 
   /** options: those of RnaAsset. part: planes and decoders of a part in a tier. */
-  constructor(shared, kind, { planes, transport, emission }, options) {
+  constructor(shared, kind, part, options) {
     super();
-    this.given = [shared, kind, { planes, transport, emission }, options];
+    const { planes, decoders } = part, forms = Object.keys(decoders);
+    this.given = [shared, kind, part, options];
     Object.assign(this, { lights: true, side: kind === "fiber" ? FrontSide : DoubleSide, isRnaMaterial: true, options, kind });
     // As three.js' own have it: without a `null` here it leaves scene.environmentRotation out.
     Object.assign(this, { envMap: null, envMapIntensity: 1, envMapRotation: new Euler() });
     Object.assign(this, STAND_IN);
     this.receivedShadowPositionNode = shadowPosition;
     this.stored = [];
-    const [xy, yz, zx] = planes.map((plane) => this._store(plane, 1));
+    // With the weights of three decoders, eight storage buffers, which every device has.
     const buffers = [
       named(shared.nodes, "RnaNode", "rna_nodes"), named(shared.primitives, "RnaPrimitive", "rna_primitives"),
-      named(shared.points, "vec4", "rna_points"),
-      named(xy, "uint", "rna_plane_xy"), named(yz, "uint", "rna_plane_yz"), named(zx, "uint", "rna_plane_zx"),
-      ...this._decoder(transport, "rna_"), ...(emission ? this._decoder(emission, "rnae_") : []),
+      named(shared.points, "vec4", "rna_points"), named(this._store(planes, 1), "uint", "rna_planes"),
+      ...(shared.images ? [shared.images] : []), ...forms.flatMap((form) => this._decoder(decoders[form], `rna${LETTERS[form]}_`)),
     ];
-    const groups = Math.max(transport.groups, emission?.groups ?? 0);
-    this.functions = functionsOf(partSource({ kind, groups, emits: emission !== null, ...shared.facts }), buffers);
+    const groups = Math.max(...Object.values(decoders).map((own) => own.groups));
+    const source = partSource({ kind, groups, forms, planeWords: planes.length / 3, ...shared.facts });
+    this.functions = functionsOf(source, buffers, "emission" in decoders);
     this.fragment = fragmentOf(this);
-    if (emission) this.emissiveNode = Fn((builder) => this.functions.emitted(towardsViewer(builder)))();
+    if (decoders.emission) this.emissiveNode = Fn((builder) => this.functions.emitted(towardsViewer(builder)))();
   }
 
   _store(array, items) {
@@ -124,14 +143,14 @@ class Environment extends LightingNode {
 }
 
 /** The WGSL's functions, as nodes. `begin` says where the fragment is, for all that follow: 0 where there is nothing. */
-function functionsOf(source, buffers) {
+function functionsOf(source, buffers, emits) {
   const all = wgsl(source, buffers), primitive = attribute("rnaPrimitive", "uint");
   const make = (head, body) => wgslFn(`fn ${MARK}${head} {\n    return ${body};\n}`, [all]);
-  const begin = make("begin(primitive: u32, x: vec3f, wo: vec3f) -> f32", "begin(primitive, x, wo)");
+  const begin = make("begin(primitive: u32, x: vec3f, wo: vec3f, width: f32) -> f32", "begin(primitive, x, wo, width)");
   const own = make("own(wi: vec3f, entry: bool) -> vec2f", "self_visibility(wi, entry)");
-  const emitted = make("emitted(primitive: u32, x: vec3f, wo: vec3f) -> vec3f", "emitted(primitive, x, wo)");
+  const emitted = emits && make("emitted(primitive: u32, x: vec3f, wo: vec3f) -> vec3f", "emitted(primitive, x, wo)");
   return {
-    begin: (x, wo) => begin(primitive, x, wo),
+    begin: (x, wo, width) => begin(primitive, x, wo, width),
     own: (wi, entry) => own(wi, bool(entry)),
     sent: make("sent(wi: vec3f, visibility: f32) -> vec3f", "sent(wi, visibility)"),
     direction: make("direction(number: f32, count: f32, turn: f32) -> vec4f", "direction_about(number, count, turn)"),

@@ -28,12 +28,13 @@ export function buffersOf(value, found = new Set()) {
   return [...found];
 }
 
-/** Of all parts: normals lie behind the points. */
-function shared({ nodes, primitives, points, normals, extent, strands }) {
+/** Of all parts: normals lie behind the points; of the surfaces the base colour. */
+function shared({ nodes, primitives, points, normals, surfaces, extent, strands }) {
   const both = new Float32Array(points.length + normals.length);
   both.set(points);
   both.set(normals, points.length);
-  return { nodes, primitives, points: both, normalsAt: points.length / 4, extent, hasSegments: strands > 0 };
+  for (const { piece, label } of surfaces.textures) if (label === undefined) surfaces.pieces[piece] = new Uint32Array(0);
+  return { nodes, primitives, points: both, surfaces: { ...surfaces }, normalsAt: points.length / 4, extent, hasSegments: strands > 0 };
 }
 
 /** What is rasterised of a part: `primitive` has the number of each corner's triangle or segment. */
@@ -102,19 +103,15 @@ function tierOf({ name, tier, parts }) {
 }
 
 function decoders(part) {
-  const make = (decoder, inputs) => {
-    const { weights, record, groups } = packDecoder(part, decoder, inputs), fits = weights.length / 4 <= constants.UNIFORM_WEIGHTS;
+  const make = (decoder) => {
+    const { weights, record, groups } = packDecoder(part, decoder, decoder.inputs), fits = weights.length / 4 <= constants.UNIFORM_WEIGHTS;
     const padded = fits ? new Float32Array(4 * constants.UNIFORM_WEIGHTS) : weights;
     if (fits) padded.set(weights);
     return { weights: padded, record, groups, uniform: fits };
   };
-  const planes = [0, 1, 2].map((k) => {
-    const words = planeWords(part.planes, k);
-    return new Uint32Array(words.buffer.slice(words.byteOffset, words.byteOffset + words.byteLength));
-  });
-  return {
-    planes, transport: make(part.transport, part.inputs), emission: part.emission && make(part.emission, part.emission.inputs),
-  };
+  const stored = [0, 1, 2].map((k) => planeWords(part.planes, k)), bytes = stored[0].byteLength, planes = new Uint8Array(3 * bytes);
+  stored.forEach((own, k) => planes.set(new Uint8Array(own.buffer, own.byteOffset, bytes), k * bytes));
+  return { planes: new Uint32Array(planes.buffer), decoders: Object.fromEntries(Object.entries(part.decoders).map(([form, own]) => [form, make(own)])) };
 }
 
 /** What the package has and this module does not show. */

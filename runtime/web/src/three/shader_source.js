@@ -1,51 +1,75 @@
 // The WGSL of a part: rna_gpu's files as they stand there, with the names that three.js gives to buffers.
 import { compositions, sharedFiles } from "rna_gpu/wgsl";  // by build.mjs
+import { constants, records } from "../decoder/records.js";
 import withoutSegments from "../webgpu/shaders/without_segments.wgsl";
+import baseColorFile from "./shaders/base_color.wgsl";
+import emittedFile from "./shaders/emitted.wgsl";
 import fiberFile from "./shaders/fiber.wgsl";
 import lightFile from "./shaders/light.wgsl";
+import sentFile from "./shaders/sent.wgsl";
+import sentApartFile from "./shaders/sent_apart.wgsl";
 import surfaceFile from "./shaders/surface.wgsl";
 import vertexFile from "./shaders/vertex.wgsl";
 
+/** What the names of a decoder have in them: nothing of the first, which the others share the planes with. */
+export const LETTERS = { transport: "", visible: "", shadowed: "s", emission: "e" };
+
 // Buffers of three.js are members `value` of structs; it declares them itself.
-const BUFFERS = ["nodes", "primitives", "points", "weights", "plane_xy", "plane_yz", "plane_zx"];
-const BUFFER = new RegExp(`\\brna(e?)_(${BUFFERS.join("|")})\\[`, "g");
+const BUFFER = /\brna([se]?)_(nodes|primitives|points|weights|planes|images)\[/g;
+const WITHOUT_BASE_COLOR = "fn base_color_on(record: RnaPrimitive, p: mat3x3f, b: vec3f, width: f32) -> vec3f { return vec3f(1.0); }";
 const filesOf = (name) => (name in sharedFiles ? [name] : compositions[name].flatMap(filesOf));
 
-/** groups: RNA_GROUPS. normalsAt: place of the first normal among the points. hasSegments: some part is of strands. */
-export function partSource({ kind, groups, emits, normalsAt, extent, hasSegments }) {
-  // The name of a query is that of a triangle's surface in geometry.wgsl.
-  const instead = { "surface.wgsl": sharedFiles["surface.wgsl"].replace(/\brna_surface\(/g, "rna_surface_query(") };
+/**
+ * groups: RNA_GROUPS. forms: of the decoders. planeWords: of a plane. normalsAt: place of the first normal among the points.
+ * hasSegments: some part is of strands. printed: { texturesAt, imagesAt } of the words of base colour, or null.
+ */
+export function partSource({ kind, groups, forms, planeWords, normalsAt, extent, hasSegments, printed }) {
+  // The name of a query is that of a triangle's surface in geometry.wgsl; what part.wgsl has is below.
+  const instead = { "surface.wgsl": sharedFiles["surface.wgsl"].replace(/\brna_surface\(/g, "rna_surface_query("), "part.wgsl": "" };
   if (!hasSegments) instead["segment.wgsl"] = withoutSegments;
-  const names = [...new Set([...filesOf(kind), ...filesOf("trace"), "visibility.wgsl"])];
+  const names = [...new Set([...filesOf(kind), ...filesOf("trace"), "visibility.wgsl", ...(printed ? ["images.wgsl"] : [])])];
   const shared = names.map((name) => instead[name] ?? sharedFiles[name]).join("\n")
     .replace(/^@group.*;.*$/gm, "");
   const own = `
     const RNA_GROUPS: u32 = ${groups}u;
     const EXTENT: f32 = ${float(extent)};
+    const NORMALS_AT: u32 = ${normalsAt}u;
+    var<private> rna_values: array<vec4f, 2u * RNA_GROUPS>;
     var<private> rna_instances: array<RnaInstance, 1>; // one body, in its own space
     fn rna_weight(at: u32) -> vec4f { return rna_weights[at]; }
-    fn rna_normal(point: u32) -> vec3f { return rna_points[${normalsAt}u + point].xyz; }
+    fn rna_plane_word(plane: u32, at: u32) -> u32 { return rna_planes[${planeWords}u * plane + at]; }
+    fn rna_normal(point: u32) -> vec3f { return rna_points[NORMALS_AT + point].xyz; }
   `;
-  const host = [vertexFile, kind === "fiber" ? fiberFile : surfaceFile, lightFile, emits ? emissionSource(kind) : ""];
+  const host = [
+    vertexFile, printed ? placesOf(printed) + baseColorFile : WITHOUT_BASE_COLOR, kind === "fiber" ? fiberFile : surfaceFile, lightFile,
+    forms.includes("shadowed") ? copyOf(kind, "shadowed") + sentApartFile : sentFile,
+    forms.includes("emission") ? copyOf(kind, "emission") + emittedFile : "",
+  ];
   return [own, shared, ...host].join("\n")
-    .replace(BUFFER, "rna$1_$2.value[").replace(/\brna(e?)_part\./g, "rna$1_part.value[0].");
+    .replace(BUFFER, "rna$1_$2.value[").replace(/\brna([se]?)_part\./g, "rna$1_part.value[0].");
 }
 
 /** The decoder once more, with names of its own. */
-function emissionSource(kind) {
-  const files = filesOf(kind).filter((name) => name !== "part_records.wgsl" && name !== "part.wgsl").map((name) => sharedFiles[name]);
-  const source = files.join("\n").replace(/\brna_(?!plane_(xy|yz|zx)\b)/g, "rnae_").replace(/\bRna(Transport|Texel)\b/g, "Rnae$1")
-    .replace(/\bRNA_ETA\b/g, "RNAE_ETA");
+function copyOf(kind, form) {
+  const letter = LETTERS[form], files = filesOf(kind).filter((name) => name !== "part_records.wgsl" && name !== "part.wgsl");
+  const text = files.map((name) => sharedFiles[name]).join("\n"), declared = [...text.matchAll(/^(?:const|struct) (\w+)/gm)];
+  const source = declared.reduce((all, [, name]) => all.replace(new RegExp(`\\b${name}\\b`, "g"), `${name}_${letter}`), text)
+    .replace(/\brna_(?!plane_word\b)/g, `rna${letter}_`);
   return `${source}
-    var<private> rnae_values: array<vec4f, 2u * RNA_GROUPS>;
-    fn rnae_weight(at: u32) -> vec4f { return rnae_weights[at]; }
-    fn emitted(primitive: u32, x: vec3f, wo: vec3f) -> vec3f {
-        if begin(primitive, x, wo) == 0.0 {
-            return vec3f(0.0);
-        }
-        return rnae_query(vertex.x, vertex.axis, vertex.h, wo, wo).visible;
-    }
+    var<private> rna${letter}_values: array<vec4f, 2u * RNA_GROUPS>;
+    fn rna${letter}_weight(at: u32) -> vec4f { return rna${letter}_weights[at]; }
   `;
+}
+
+/** Where base_color.wgsl finds the members of surfaces and textures. */
+function placesOf({ texturesAt, imagesAt }) {
+  const { Surface: { words: surface, members: ofSurface }, Texture: { words: texture, members: ofTexture } } = records;
+  const places = {
+    SURFACE_WORDS: surface, SURFACE_BASE_COLOR: ofSurface.base_color.at, SURFACE_IMAGE: ofSurface.textures.at + constants.BASE,
+    TEXTURE_WORDS: texture, ...Object.fromEntries(Object.entries(ofTexture).map(([name, { at }]) => [`TEXTURE_${name.toUpperCase()}`, at])),
+    TEXTURES_AT: texturesAt, IMAGES_AT: imagesAt,
+  };
+  return Object.entries(places).map(([name, value]) => `const ${name}: u32 = ${value}u;\n`).join("");
 }
 
 const float = (value) => (Number.isInteger(value) ? `${value}.0` : String(value));

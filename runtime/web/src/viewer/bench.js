@@ -40,8 +40,9 @@ async function queriesPerSecond(reader, parts, k = 0) {
 }
 
 /** What a query of the part costs: multiply-adds and bytes of planes. */
-function costOf({ transport, planes }) {
-  const multiplyAdds = transport.layers.reduce((sum, { rows, columns }) => sum + rows * columns, 0);
+function costOf({ decoders, planes }) {
+  const { transport, visible } = decoders, { layers } = transport ?? visible;
+  const multiplyAdds = layers.reduce((sum, { rows, columns }) => sum + rows * columns, 0);
   const bytes = 12 * planes.channels * { float16: 2, float32: 4, int8: 1 }[planes.precision];
   return { multiplyAdds, bytes };
 }

@@ -23,7 +23,7 @@ export class Panel {
     on("denoise", "change", ({ checked }) => stage.setDenoise(checked));
     on("ground", "change", ({ checked }) => stage.setGround(checked));
     on("faster", "click", () => stage.switchTier(this.faster));
-    on("reset", "click", () => stage.reset());
+    on("reset", "click", () => stage.glideTo(() => stage.reset()));
     on("screenshot", "click", () => this._save());
     on("fullscreen", "click", () => this._fullScreen());
     const hear = (name, action) => stage.addEventListener(name, action);

@@ -4,15 +4,15 @@ import { dispatch, read } from "./gpu_device.js";
 
 const CAMERA = { position: [0, 0, 0], corner: [0, 0, 0], stepX: [0, 0, 0], stepY: [0, 0, 0] };
 
-/** (n, outputs) numbers for rows of 16: position and h; n or t; wo; wi. The last of each four but h is free. */
+/** (n, colours, 3) numbers for rows of 16: position and h; n or t and red; wo and green; wi and blue, of the base colour. */
 export async function evaluate(engine, part, output, rows, wantsAnswers = true) {
-  const own = engine.parts[part][output], { device, queue, bandPixels } = engine;
-  const colours = output === "transport" ? 2 : 1, count = rows.length / 16, result = new Float32Array(3 * colours * count);
+  const { [output]: one, visible, shadowed } = engine.parts[part], { device, queue, bandPixels } = engine;
+  const evaluators = one ? [one] : [visible, shadowed], colours = output === "transport" ? 2 : 1, count = rows.length / 16, result = new Float32Array(3 * colours * count);
   for (let first = 0; first < count; first += bandPixels) {
     const some = Math.min(bandPixels, count - first);
     device.queue.writeBuffer(queue.rows, 0, rows, 16 * first, 16 * some);
     device.queue.writeBuffer(queue.count, 0, Uint32Array.of(some));
-    engine._run((pass) => own.run(pass, queue, some));
+    engine._run((pass) => evaluators.forEach((own) => own.run(pass, queue, some)));
     await engine.done();
     if (!wantsAnswers) continue;
     const answers = new Float32Array(await read(device, queue.answers, 16 * colours * some));
@@ -23,12 +23,12 @@ export async function evaluate(engine, part, output, rows, wantsAnswers = true) 
   return result;
 }
 
-/** Runs a kernel of rays over hits { place, b1, b2, x, wi, part }; a vector of each pixel. */
+/** Runs a kernel of rays over hits { place, b1, b2, x, wi, level, part }; a vector of each pixel. */
 async function answersOf(engine, hits, kernel, member) {
   const { device, band } = engine, { words, members } = records.Pixel, rows = new Uint32Array(words * hits.length);
-  hits.forEach(({ place, b1, b2, x, wi, part }, k) => {
+  hits.forEach(({ place, b1, b2, x, wi, level, part }, k) => {
     const bits = (v, last) => [...new Uint32Array(Float32Array.from(v).buffer), last];
-    rows.set(packed("Pixel", { position: bits(x, 0), axis: [0, 0, 0, part + 1], wo: [0, 0, 0, place], wi: bits(wi, 0), b1, b2 }), words * k);
+    rows.set(packed("Pixel", { position: bits(x, 0), axis: [0, 0, 0, part + 1], wo: [0, 0, 0, place], wi: bits(wi, 0), b1, b2, coverage: level }), words * k);
   });
   engine.resize(hits.length, 1);
   engine.span = { first: 0, pixels: hits.length, jitter: 0 };
@@ -43,8 +43,8 @@ async function answersOf(engine, hits, kernel, member) {
 /** (n, 3) visibilities. */
 export const visibility = (engine, hits) => answersOf(engine, hits, engine.kernels.light, "visibility");
 
-/** (n, 3) mapped normals. */
-export async function mappedNormals(engine, hits) {
-  const kernel = await engine.pipelines.get(engine.raySources.hit, "find_normals", engine.rayLayout);
-  return answersOf(engine, hits, kernel, "axis");
-}
+const ofHits = (entry, member) => async (engine, hits) =>
+  answersOf(engine, hits, await engine.pipelines.get(engine.raySources.hit, entry, engine.rayLayout), member);
+
+/** (n, 3) mapped normals, and base colours. */
+export const mappedNormals = ofHits("find_normals", "axis"), baseColors = ofHits("find_base_colors", "base_color");

@@ -8,7 +8,8 @@ import { LobeLight, PartLobes } from "./part_lobes.js";
 import { rayKernels, sources } from "./sources.js";
 
 const BAND_PIXELS = 1 << 17;
-const FORMS = ["transport", "emission", "environment"];  // FORM_TRANSPORT and so on of band.wgsl
+const FORMS = ["transport", "visible", "shadowed", "emission", "environment"];  // FORM_TRANSPORT and so on of band.wgsl
+const LIT = ["transport", "visible", "shadowed"];
 
 export class WebGPUEngine {
   static async open(canvas) {
@@ -63,32 +64,39 @@ export class WebGPUEngine {
     this._bind();
   }
 
-  /** Shows these parts; what was there before is let go. */
-  async setAsset(arrays, parts) {
-    const { device, pipelines } = this;
+  /** Shows these parts; what was there before is let go. building: sceneArrays of them; shaders compile meanwhile. */
+  async setAsset(building, parts) {
     this._deleteAsset();
-    const store = (content, what) => buffer(device, content, undefined, `the asset's ${what}`);
+    await this.compiled;
+    const hasLobes = parts.every(({ environment }) => environment);
+    this.lobeLight = hasLobes ? new LobeLight(this) : null;
+    const making = Promise.all(parts.map((part) => this._makePart(part)));
+    const ready = Promise.all([making, this._compileRays(parts), this._storeGeometry(building, parts)]);
+    ready.catch(() => making.then((made) => made.forEach(deletePart)).catch(() => {}));
+    const [made] = await ready;
+    Object.assign(this, { parts: made, hasLobes });
+    this._makeSums();
+  }
+
+  async _storeGeometry(building, parts) {
+    const arrays = await building;
+    performance.mark("hierarchy");
+    const { device } = this, store = (content, what) => buffer(device, content, undefined, `the asset's ${what}`);
     this.geometry = [
       store(arrays.nodes, "hierarchy"), store(arrays.primitives, "geometry"), store(arrays.points, "geometry"),
       store(instance(arrays.extent), "geometry"), store(arrays.normals, "geometry"),
     ];
-    this.lightsAt = arrays.table.length / 4;
-    this.table = buffer(device, 4 * arrays.table.length + bytesOf("Light"));
-    device.queue.writeBuffer(this.table, 0, arrays.table);
-    this.arrays = arrays;
-    this._storeImages();
-    await this.compiled;
-    this.raySources = rayKernels({ hasSegments: arrays.strands > 0, hasTextures: arrays.hasTextures });
-    const { hit, light } = this.raySources;
-    const hasLobes = parts.every(({ environment }) => environment);
-    this.lobeLight = hasLobes ? await LobeLight.make(this, arrays, parts) : null;
-    const [traced, lit, ...made] = await Promise.all([
-      pipelines.get(hit, "trace_pixels", this.rayLayout), pipelines.get(light, "light_pixels", this.rayLayout),
-      ...parts.map((part) => this._makePart(part)),
+    this._storeSurfaces(arrays);
+    await this.lobeLight?.begin(arrays, parts);
+  }
+
+  async _compileRays(parts) {
+    const { pipelines } = this, isThere = (kind) => parts.some(kind);
+    this.raySources = rayKernels({ hasSegments: isThere(({ kind }) => kind === "fiber"), hasTextures: isThere(hasTextures), hasBaseColor: isThere(hasBaseColor) });
+    const [hit, light] = await Promise.all([
+      pipelines.get(this.raySources.hit, "trace_pixels", this.rayLayout), pipelines.get(this.raySources.light, "light_pixels", this.rayLayout),
     ]);
-    Object.assign(this, { parts: made, hasLobes });
-    this.kernels = { hit: traced, light: lit, ...this.queueKernels };
-    this._makeSums();
+    this.kernels = { hit, light, ...this.queueKernels };
   }
 
   async _makePart(part) {
@@ -96,16 +104,32 @@ export class WebGPUEngine {
     const upload = (stored) => [0, 1, 2].map((k) => buffer(device, planeWords(stored, k), undefined, "a plane of features"));
     const planes = upload(part.planes), { environment: own } = part;
     const ofLobes = this.lobeLight && own.planes !== part.planes ? upload(own.planes) : null;
-    const make = (decoder, inputs) => PartEvaluator.make(device, pipelines, part, decoder, inputs, planes);
-    const [transport, emission, environment] = await Promise.all([
-      make(part.transport, part.inputs), part.emission && make(part.emission, part.emission.inputs),
+    const forms = Object.keys(part.decoders);
+    const [environment, ...made] = await Promise.all([
       this.lobeLight && PartLobes.make(device, pipelines, part, ofLobes ?? planes, this.lobeLight),
+      ...forms.map((form) => PartEvaluator.make(device, pipelines, part, form, planes)),
     ]);
-    return { planes: [...planes, ...(ofLobes ?? [])], transport, emission, environment };
+    return { planes: [...planes, ...(ofLobes ?? [])], environment, ...Object.fromEntries(forms.map((form, k) => [form, made[k]])) };
   }
 
   get emits() {
     return this.parts.some(({ emission }) => emission);
+  }
+
+  /** Other images or a tint in the arrays of the asset that is shown. */
+  setSurfaces(arrays) {
+    if (!this.geometry) return;
+    this._storeSurfaces(arrays);
+    this._bind();
+  }
+
+  _storeSurfaces(arrays) {
+    const { device } = this, { table } = arrays;
+    this.table?.destroy();
+    this.table = buffer(device, 4 * table.length + bytesOf("Light"));
+    device.queue.writeBuffer(this.table, 0, table);
+    Object.assign(this, { arrays, lightsAt: table.length / 4 });
+    this._storeImages();
   }
 
   setEnvironment(environment) {
@@ -179,7 +203,7 @@ export class WebGPUEngine {
       dispatch(pass, this.kernels.begin, this.groups.queue, this.span.pixels);
     });
     if (light.kind === "mirror") this.lobeLight.set(light);
-    this._decode(light.kind === "mirror" ? "environment" : "transport");
+    for (const form of light.kind === "mirror" ? ["environment"] : LIT) this._decode(form);
   }
 
   emission() {
@@ -224,11 +248,11 @@ export class WebGPUEngine {
     return new Float32Array(await read(this.device, this.sums, 16 * width * height));
   }
 
-  _decode(output) {
+  _decode(form) {
     for (const [k, part] of this.parts.entries()) {
-      const own = part[output];
+      const own = part[form];
       if (!own) continue;
-      this._writeView({ ...this.view, part: k + 1, form: FORMS.indexOf(output) });
+      this._writeView({ ...this.view, part: k + 1, form: FORMS.indexOf(form) });
       this.device.queue.writeBuffer(this.queue.count, 0, Uint32Array.of(0));
       this._run((pass) => {
         dispatch(pass, this.kernels.gather, this.groups.queue, this.span.pixels);
@@ -250,7 +274,7 @@ export class WebGPUEngine {
     const { lightsAt, arrays, span, target } = this;
     this.device.queue.writeBuffer(this.frameRecord, 0, packed("Frame", {
       camera: position, corner, step_x: stepX, step_y: stepY, width: target.width, paths: span.pixels, sample, branches: 1, depth: 1, rays: constants.CAMERA_RAY,
-      flags: arrays.transmits ? constants.TRANSMITS : 0, textures: arrays.texturesAt, lights: lightsAt,
+      flags: arrays.transmits ? constants.TRANSMITS : 0, textures: arrays.texturesAt, lights: lightsAt, spread: Math.hypot(...stepY),
     }));
   }
 
@@ -276,12 +300,9 @@ export class WebGPUEngine {
   _deleteAsset() {
     for (const own of [...(this.geometry ?? []), this.table, this.images]) own?.destroy();
     this.lobeLight?.delete();
-    for (const { planes, ...decoders } of this.parts) {
-      planes.forEach((own) => own.destroy());
-      for (const own of Object.values(decoders)) own?.delete();
-    }
+    this.parts.forEach(deletePart);
     this.parts = [];
-    this.geometry = this.images = null;
+    this.geometry = this.images = this.table = null;
   }
 
   close() {
@@ -290,6 +311,14 @@ export class WebGPUEngine {
     this.device.destroy();
   }
 }
+
+function deletePart({ planes, ...decoders }) {
+  planes.forEach((own) => own.destroy());
+  for (const own of Object.values(decoders)) own?.delete();
+}
+
+const hasTextures = ({ transmittance, normalMaps }) => transmittance.length + normalMaps.length > 0;
+const hasBaseColor = ({ baseColor }) => baseColor.length > 0;
 
 /** The only instance, where it stands in the world; node 0 is above it. */
 const instance = (extent) => packed("RnaInstance", {

@@ -1,4 +1,4 @@
-// One part's transport or emission by rna_evaluate.
+// A decoder of a part by rna_evaluate.
 import { packDecoder } from "../decoder/pack_decoder.js";
 import { constants as limits } from "../decoder/records.js";
 import { bind, buffer, compiled, dispatch } from "./gpu_device.js";
@@ -26,10 +26,11 @@ export class Pipelines {
 }
 
 export class PartEvaluator {
-  static make(device, pipelines, part, decoder, inputs, planes) {
-    const constants = { RNA_COLOURS: decoder.outputs === 6 ? 2 : 1 };
+  static make(device, pipelines, part, form, planes) {
+    const decoder = part.decoders[form];
+    const constants = { RNA_COLOURS: decoder.colours, RNA_STRIDE: form === "emission" ? 1 : 2, RNA_FIRST: Number(form === "shadowed") };
     const what = { constants, parts: [part.kind, "evaluate"], kernel: "", entryPoint: "rna_evaluate" };
-    return this.of(device, pipelines, packDecoder(part, decoder, inputs), planes, what);
+    return this.of(device, pipelines, packDecoder(part, decoder, decoder.inputs), planes, what);
   }
 
   /** A kernel over rows: what packDecoder gives, and constants and parts of the module, with more WGSL behind them. */

@@ -11,6 +11,7 @@ import lobes from "./shaders/lobes.wgsl";
 import queue from "./shaders/queue.wgsl";
 import show from "./shaders/show.wgsl";
 import withoutSegments from "./shaders/without_segments.wgsl";
+import withoutBaseColor from "./shaders/without_base_color.wgsl";
 import withoutTextures from "./shaders/without_textures.wgsl";
 
 for (const text of [band, lobes, queue, show]) declare(text);
@@ -27,11 +28,12 @@ export function compose(constants, ...parts) {
   return lines.join("") + joined(parts);
 }
 
-/** The kernels of rays, for assets that have segments, or textures, or not. */
-export function rayKernels({ hasSegments, hasTextures }) {
+/** The kernels of rays, for assets that have segments, textures, base colour, or not. */
+export function rayKernels({ hasSegments, hasTextures, hasBaseColor }) {
   const instead = { ...sharedFiles };
   if (!hasSegments) instead["segment.wgsl"] = withoutSegments;
   if (!hasTextures) Object.assign(instead, { "normal_maps.wgsl": withoutTextures, "render/transmittance.wgsl": "" });
+  if (!hasBaseColor) instead["render/base_color.wgsl"] = withoutBaseColor;
   return { hit: joined(compositions.hit, instead) + band + hit, light: [joined(compositions.light, instead), band, lightKinds, light].join("\n") };
 }
 

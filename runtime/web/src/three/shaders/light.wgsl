@@ -24,12 +24,6 @@ fn self_visibility(wi: vec3f, wants_entry: bool) -> vec2f {
     return vec2f(0.0, far - entry.t + MAP_MARGIN * EXTENT);
 }
 
-// Radiance for irradiance 1 from wi, at a visibility of its own.
-fn sent(wi: vec3f, visibility: f32) -> vec3f {
-    let colours = rna_query(vertex.x, vertex.axis, vertex.h, vertex.wo, wi);
-    return mix(colours.shadowed, colours.visible, visibility);
-}
-
 const MIRRORED = 1.0 / 3.0;
 const FROM_ALL_SIDES = 0.25;
 const MIRROR_KAPPA = 60.0;

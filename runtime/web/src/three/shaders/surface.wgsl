@@ -17,7 +17,7 @@ fn barycentrics(x: vec3f, p: mat3x3f) -> vec3f {
     return b / max(b.x + b.y + b.z, 1e-30);
 }
 
-fn triangle_vertex(record: RnaPrimitive, x: vec3f) -> Vertex {
+fn triangle_vertex(record: RnaPrimitive, x: vec3f, width: f32) -> Vertex {
     var v: Vertex;
     let p = mat3x3f(rna_points[record.a].xyz, rna_points[record.b].xyz, rna_points[record.c].xyz);
     let n = mat3x3f(rna_normal(record.a), rna_normal(record.b), rna_normal(record.c));
@@ -28,11 +28,13 @@ fn triangle_vertex(record: RnaPrimitive, x: vec3f) -> Vertex {
     v.lift = rna_lift(v.x, b, p, n);
     v.axis = v.n;
     v.strand = RNA_NOTHING;
+    v.base_color = base_color_on(record, p, b, width);
     return v;
 }
 
-fn begin(primitive: u32, x: vec3f, wo: vec3f) -> f32 {
-    vertex = triangle_vertex(rna_primitives[primitive], x);
+// width: of a pixel.
+fn begin(primitive: u32, x: vec3f, wo: vec3f, width: f32) -> f32 {
+    vertex = triangle_vertex(rna_primitives[primitive], x, width);
     vertex.wo = wo;
     return 1.0;
 }

@@ -9,6 +9,7 @@ struct Vertex {
     h: f32,
     strand: u32,
     wo: vec3f,
+    base_color: vec3f,
 }
 
 var<private> vertex: Vertex; // of this fragment

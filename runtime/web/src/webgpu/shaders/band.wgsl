@@ -13,15 +13,17 @@ struct View {
     ground_size: f32,     // 0: there is no ground
     middle: vec2f,        // of the ground, x and z
     part: u32,     // of the queries, + 1
-    form: u32,     // of the answers: FORM_TRANSPORT, two vec4f each; FORM_EMISSION or FORM_ENVIRONMENT, one
+    form: u32,     // of the answers: up to FORM_SHADOWED two vec4f each; FORM_EMISSION or FORM_ENVIRONMENT, one
     shift: vec2f,  // of the rays, pixels
     pixels: u32,   // of the whole picture
     shares: f32,   // rays a pixel of the first look's edges
 }
 
 const FORM_TRANSPORT = 0u;
-const FORM_EMISSION = 1u;
-const FORM_ENVIRONMENT = 2u;
+const FORM_VISIBLE = 1u;
+const FORM_SHADOWED = 2u;
+const FORM_EMISSION = 3u;
+const FORM_ENVIRONMENT = 4u;
 
 // A pixel: the members of a row of rna_evaluate, with two numbers in free ones; and its weights.
 struct Pixel {
@@ -35,6 +37,7 @@ struct Pixel {
     b2: f32,
     visibility: vec3f,
     coverage: f32, // of the ground
+    base_color: vec3f,
 }
 
 @group(1) @binding(0) var<storage, read_write> band: array<Pixel>;

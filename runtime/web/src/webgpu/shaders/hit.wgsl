@@ -37,6 +37,10 @@ fn pixel_of(hit: RnaHit, wo: vec3f) -> Pixel {
     pixel.axis = words(v.axis, surface_part(rna_surface(record)) + 1u);
     pixel.b1 = select(hit.b1, along_segment(record, v.x), rna_is_segment(record));
     pixel.b2 = hit.b2;
+    pixel.base_color = vec3f(1.0);
+    if !rna_is_segment(record) {
+        pixel.base_color = base_color_on(record, hit.b1, hit.b2, frame.spread * hit.t);
+    }
     return pixel;
 }
 
@@ -68,5 +72,17 @@ fn find_normals(
     if k < frame.paths {
         let hit = RnaHit(0.0, 0u, band[k].wo.w, band[k].b1, band[k].b2, vec3f(0.0));
         band[k].axis = pixel_of(hit, bitcast<vec3f>(band[k].wo.xyz)).axis;
+    }
+}
+
+// Likewise the base colours; the level of images is where the coverage is.
+@compute @workgroup_size(64)
+fn find_base_colors(
+    @builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    let k = path_number(id, groups);
+    if k < frame.paths {
+        let at = band[k];
+        band[k].base_color = base_color_of_level(rna_primitives[at.wo.w], at.b1, at.b2, at.coverage);
     }
 }

@@ -9,7 +9,7 @@ struct LobeLight {
     an_octave: f32,   // levels
 }
 
-@group(1) @binding(0) var<storage, read> rows: array<RnaRow>; // wi: the mirror direction; then its visibility
+@group(1) @binding(0) var<storage, read> rows: array<RnaRow>; // wi: the mirror direction; blue: its visibility
 @group(1) @binding(1) var<storage, read_write> answers: array<vec4f>;
 @group(1) @binding(2) var<storage, read> count: array<u32>; // [0]
 @group(1) @binding(3) var<storage, read> columns: array<vec4f>; // 4 a row
@@ -52,7 +52,7 @@ fn light_by_lobes(
     let place = rna_run_lobes(bitcast<vec3f>(at.position), axis, bitcast<f32>(at.h), wo, m, visibility);
     var sum = vec3f(0.0);
     for (var j = 0u; j < RNA_LOBES; j++) {
-        let lobe = rna_lobe(place, j, axis, wo, m, bitcast<f32>(at.reserved_3));
+        let lobe = rna_lobe(place, j, axis, wo, m, bitcast<f32>(at.blue));
         sum += lobe.amplitude * mean_under(lobe);
     }
     answers[row] = vec4f(light.colour * sum, 0.0);

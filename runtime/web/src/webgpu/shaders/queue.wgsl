@@ -19,12 +19,20 @@ fn begin(
     sums[view.first + k] = before + vec4f(select(band[k].radiance, vec3f(0.0), is_query), covered);
 }
 
+// A decoder of visible or of shadowed light alone is not asked where that does not count.
+fn is_asked(visibility: vec3f) -> bool {
+    if view.form == FORM_VISIBLE {
+        return any(visibility > vec3f(0.0));
+    }
+    return view.form != FORM_SHADOWED || any(visibility < vec3f(1.0));
+}
+
 @compute @workgroup_size(64)
 fn gather(
     @builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>,
 ) {
     let k = path_number(id, groups);
-    if k >= frame.paths || band[k].axis.w != view.part {
+    if k >= frame.paths || band[k].axis.w != view.part || !is_asked(band[k].visibility) {
         return;
     }
     let pixel = band[k];
@@ -33,7 +41,9 @@ fn gather(
     // No block of emission reads wi.
     let wi = select(pixel.wi, pixel.wo, view.form == FORM_EMISSION);
     let free = dot(pixel.visibility, vec3f(1.0 / 3.0)); // read with lobes alone
-    rows[at] = RnaRow(pixel.position.xyz, pixel.position.w, pixel.axis.xyz, 0u, pixel.wo.xyz, 0u, wi.xyz, bitcast<u32>(free));
+    let color = bitcast<vec3<u32>>(pixel.base_color);
+    let last = select(color.z, bitcast<u32>(free), view.form == FORM_ENVIRONMENT);
+    rows[at] = RnaRow(pixel.position.xyz, pixel.position.w, pixel.axis.xyz, color.x, pixel.wo.xyz, color.y, wi.xyz, last);
 }
 
 @compute @workgroup_size(64)
@@ -47,8 +57,15 @@ fn scatter(
     let k = atomicLoad(&count[at + 1u]);
     let pixel = band[k];
     var radiance = pixel.through * answers[at].xyz;
-    if view.form == FORM_TRANSPORT {
-        radiance = pixel.radiance * mix(answers[2u * at + 1u].xyz, answers[2u * at].xyz, pixel.visibility);
+    if view.form <= FORM_SHADOWED {
+        var transport = vec3f(0.0);
+        if view.form != FORM_SHADOWED {
+            transport = pixel.visibility * answers[2u * at].xyz;
+        }
+        if view.form != FORM_VISIBLE {
+            transport += (1.0 - pixel.visibility) * answers[2u * at + 1u].xyz;
+        }
+        radiance = pixel.radiance * transport;
     }
     sums[view.first + k] += vec4f(radiance, 0.0);
 }

@@ -1,0 +1,125 @@
+"""The image of a base colour: the bytes of its file, or texels that Cycles shows.
+
+Values in sRGB are interpolated, as Cycles does with images of 8 bits, and then made linear.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import bpy
+import numpy as np
+from rna_materials.texture_fit import Texture, best_fit, looked_up
+from rna_materials.uv_charts import SMALLEST, Chart, charts
+from rna_materials.uv_points import NotOfUv, UvPoints
+from rna_materials.uv_render import ColourOfUv
+
+LARGEST = 8192  # pixels a side that a package holds
+_WRONG = 0.03  # mean error of a baked colour, linear
+_CLOSEST = 4  # times the texels, where they are not interpolated
+_FORMATS = (b"\x89PNG\r\n\x1a\n", b"\xff\xd8\xff", b"RIFF")
+_SPACES = {"sRGB": "srgb", "Non-Color": "linear", "Linear Rec.709": "linear", "Raw": "linear"}
+_WRAPS = {"REPEAT": "repeat", "EXTEND": "clamp", "CLIP": "clamp", "MIRROR": "mirror"}
+_FLIP = np.array([(1.0, 0.0, 0.0), (0.0, -1.0, 1.0), (0.0, 0.0, 1.0)])  # of v, and back
+
+
+def wrap_of(node: bpy.types.Node) -> str:
+    """What lies beyond the edges of an image node's image, in a package's words."""
+    return _WRAPS[node.extension]
+
+
+def file_of(node: bpy.types.Node) -> tuple[bytes, str] | None:
+    """The bytes of an image node's file and its colour space; None where they are not its colours.
+
+    A package reads 8 bits a channel, without alpha, interpolated.
+    """
+    image = node.image
+    space = _SPACES.get(image.colorspace_settings.name)
+    is_plain = image.source == "FILE" and not image.is_float and not image.is_dirty
+    is_read = is_plain and max(image.size) <= LARGEST and image.depth <= 32
+    if space is None or not is_read or node.interpolation == "Closest":
+        return None
+    if image.packed_file is not None:
+        data = bytes(image.packed_file.data)
+    else:
+        path = Path(bpy.path.abspath(image.filepath, library=image.library))
+        data = path.read_bytes() if path.is_file() else b""
+    return (data, space) if data.startswith(_FORMATS) else None
+
+
+def texels_of(
+    node: bpy.types.Node, colour: ColourOfUv, layer: str, mapping: np.ndarray, uvs: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """(h, w, 3) uint8 sRGB, as Cycles shows an image node; and the map from UVs to the texels.
+
+    mapping: (2, 3), from UVs to the image's coordinates. uvs: (n, 2), that are used. An image that
+    ends at its edges gets a border where some of them lie beyond it.
+    """
+    finer = _CLOSEST if node.interpolation == "Closest" else 1
+    width, height = (min(max(SMALLEST, finer * side), LARGEST) for side in node.image.size)
+    if is_cut_off(node, mapping, uvs):
+        border = np.array([1.0 / width, 1.0 / height])
+        grown = 1.0 + 2.0 * border
+        mapping = mapping + np.column_stack([np.zeros((2, 2)), border])
+        mapping = mapping / grown[:, None]
+        width, height = min(width + 2, LARGEST), min(height + 2, LARGEST)
+    shown = colour.texture(Chart(layer, mapping), (width, height))
+    return texels_in_srgb(shown), mapping
+
+
+def baked(
+    colour: ColourOfUv, points: UvPoints, taken: Chart | None, largest: int
+) -> tuple[np.ndarray, Chart]:
+    """(h, w, 3) uint8 sRGB, repeated, over a chart, which fits what nodes give. Raises NotOfUv.
+
+    taken: the chart that it has to be over; None: any. largest: texels a side, at most.
+    """
+    tried = charts(colour.depends, points.layer, points.used) if taken is None else [taken]
+    truth = np.clip(colour.values(points.uvs), 0.0, 1.0)
+
+    def make(chart: Chart, size: tuple[int, int]) -> Texture:
+        return texels_in_srgb(colour.texture(chart, size)), None
+
+    def error(chart: Chart, made: Texture) -> float:
+        shown = _linear(looked_up(made[0], chart, points.uvs) / 255.0)
+        return float(np.abs(shown - truth).mean())
+
+    fit = best_fit(colour, tried, make, error, largest)
+    if fit is None or fit.error > _WRONG:
+        raise NotOfUv("nodes whose values do not repeat")
+    return fit.texture, fit.chart
+
+
+def is_cut_off(node: bpy.types.Node, mapping: np.ndarray, uvs: np.ndarray) -> bool:
+    """Whether some of the UVs (n, 2) lie beyond an image that ends at its edges."""
+    places = uvs @ mapping[:, :2].T + mapping[:, 2]
+    is_beyond = places.min() < -1e-4 or places.max() > 1.0 + 1e-4
+    return bool(node.extension == "CLIP" and is_beyond)
+
+
+def transform_of(mapping: np.ndarray, chart: Chart) -> list[float]:
+    """A record's transform: from the chart's stored coordinates to the image's.
+
+    mapping: (2, 3), from UVs to the image's coordinates, which both count v from the bottom.
+    """
+    image, stored = (np.vstack([m, (0.0, 0.0, 1.0)]) for m in (mapping, chart.matrix))
+    matrix = _FLIP @ image @ np.linalg.inv(stored) @ _FLIP
+    values: list[float] = np.round(matrix[:2], 12).ravel().tolist()
+    return values
+
+
+def texels_in_srgb(linear: np.ndarray) -> np.ndarray:
+    """uint8 of linear colours, which are cut off at 1."""
+    return np.round(255.0 * _srgb(np.clip(linear, 0.0, 1.0))).astype(np.uint8)
+
+
+def _linear(value: np.ndarray) -> np.ndarray:
+    """The inverse of `_srgb`."""
+    power = ((np.maximum(value, 0.04045) + 0.055) / 1.055) ** 2.4
+    return np.where(value <= 0.04045, value / 12.92, power)
+
+
+def _srgb(linear: np.ndarray) -> np.ndarray:
+    """IEC 61966-2-1."""
+    power = 1.055 * np.maximum(linear, 0.0031308) ** (1.0 / 2.4) - 0.055
+    return np.where(linear <= 0.0031308, 12.92 * linear, power)

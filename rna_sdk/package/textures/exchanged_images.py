@@ -1,0 +1,49 @@
+"""Another print for a part: images in the place of those of its package, and a tint."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rna_sdk.errors import QueryError
+from rna_sdk.package.textures.base_color import BaseColor
+
+Images = Mapping[str, NDArray[np.uint8]]
+"""Label of a record -> (H, W, 3) uint8."""
+
+
+def check_images(images: Images, records: Sequence[BaseColor]) -> Images:
+    """The images. Raises QueryError for one that no record has the label of, or that is none."""
+    labels = sorted({record.label for record in records if record.image is not None})
+    for label, image in images.items():
+        if label not in labels:
+            known = ", ".join(labels) or "none: it has no base colour"
+            raise QueryError(f"found the label {label!r}, expected one of: {known}")
+        if image.dtype != np.uint8 or image.ndim != 3 or image.shape[2] != 3 or not image.size:
+            found = f"{image.shape} {image.dtype}"
+            raise QueryError(f"{label}: expected an (H, W, 3) uint8 array, found {found}")
+    return images
+
+
+def with_images(
+    records: Sequence[BaseColor], images: Images, tint: tuple[float, float, float]
+) -> tuple[BaseColor, ...]:
+    """The records with other images, by label, and all factors times the tint.
+
+    Raises:
+        QueryError: the tint is not three finite numbers of at least 0.
+    """
+    if len(tint) != 3 or not all(0.0 <= one < np.inf for one in tint):
+        raise QueryError(f"tint: expected three numbers of at least 0, found {tint}")
+    return tuple(_with(record, images.get(record.label), tint) for record in records)
+
+
+def _with(
+    record: BaseColor, image: NDArray[np.uint8] | None, tint: tuple[float, float, float]
+) -> BaseColor:
+    (r, g, b), (x, y, z) = record.factor, tint
+    tinted = replace(record, factor=(r * x, g * y, b * z))
+    return tinted if image is None or record.image is None else replace(tinted, image=image)

@@ -1,0 +1,245 @@
+"""Base colours of materials: images as they are, on the samples as Cycles shows them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from rna_export.capture.blender_process.capture_worker import scene_of
+from rna_export.capture.capture_settings import CaptureSettings
+from rna_export.capture.capture_tasks import TrainingShard
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.geometry.blurred_textures import blurred_note
+from rna_export.capture.geometry.exported_parts import ExportedParts, exported_parts
+from tests.exporters.conftest import OpenWorker
+from tests.exporters.synthetic import manifest_of
+
+pytestmark = pytest.mark.blender
+
+SIZE = 960, 384  # of the print, pixels
+
+PRINTED = """
+# A square whose base colour comes from an image; `of` is the node, `shown` gives the colour.
+image = bpy.data.images.load({path!r})
+material = bpy.data.materials.new("label")
+material.use_nodes = True
+tree = material.node_tree
+of = tree.nodes.new("ShaderNodeTexImage")
+of.image, shown = image, of.outputs["Color"]
+mapping, uv = tree.nodes.new("ShaderNodeMapping"), tree.nodes.new("ShaderNodeUVMap")
+tree.links.new(uv.outputs[0], mapping.inputs["Vector"])
+tree.links.new(mapping.outputs[0], of.inputs["Vector"])
+{changes}
+shader = tree.nodes.new({shader!r})
+tree.links.new(shown, shader.inputs["Color"])
+tree.links.new(shader.outputs[0], tree.nodes["Material Output"].inputs["Surface"])
+mesh = bpy.data.meshes.new("label")
+mesh.from_pydata([(0, 0, 0), (2, 0, 0), (2, 1, 0), (0, 1, 0)], [], [(0, 1, 2), (0, 2, 3)])
+layer = mesh.uv_layers.new(name="UVMap")
+corners = [(0.2, 0.1), (0.9, 0.1), (0.9, 0.8), (0.2, 0.8)]
+layer.uv.foreach_set("vector", [x for k in (0, 1, 2, 0, 2, 3) for x in corners[k]])
+mesh.materials.append(material)
+bpy.context.scene.collection.objects.link(bpy.data.objects.new("label", mesh))
+red = diffuse((0.8, 0.1, 0.2))
+add([(0, 0, 0.5), (1, 0, 0.5), (0, 1, 0.5)], [(0, 1, 2)], red)
+"""
+
+PLAIN = ""
+FLIPPED = 'mapping.inputs["Scale"].default_value = (1.0, -1.0, 1.0)'
+TURNED = """
+mapping.inputs["Rotation"].default_value = (0.0, 0.0, 0.4)
+mapping.inputs["Scale"].default_value = (1.5, 0.7, 1.0)
+mapping.inputs["Location"].default_value = (0.3, -0.2, 0.0)
+"""
+EXTENDED = f"{TURNED}\nof.extension = 'EXTEND'"
+MIRRORED = f"{TURNED}\nof.extension = 'MIRROR'"
+CLIPPED = f"{TURNED}\nof.extension = 'CLIP'"
+TINTED = """
+mix = tree.nodes.new("ShaderNodeMix")
+mix.data_type, mix.blend_type = "RGBA", "MULTIPLY"
+mix.inputs["Factor"].default_value = 0.75
+mix.inputs["B"].default_value = (0.9, 0.3, 0.2, 1.0)
+tree.links.new(shown, mix.inputs["A"])
+shown = mix.outputs["Result"]
+"""
+LINEAR = 'image.colorspace_settings.name = "Non-Color"'
+FLOAT = """
+image = bpy.data.images.new("float", 960, 384, float_buffer=True)
+image.pixels.foreach_set([x for k in range(960 * 384) for x in (k % 960 / 960, k // 8 % 2, 0.3, 1)])
+image.pack()
+of.image = image
+"""
+ALPHA = 'image.alpha_mode = "STRAIGHT"'
+UNALIKE = 'image.colorspace_settings.name = "ACEScg"'
+IN_A_GROUP = """
+group = bpy.data.node_groups.new("print", "ShaderNodeTree")
+group.interface.new_socket("place", in_out="INPUT", socket_type="NodeSocketVector")
+group.interface.new_socket("colour", in_out="OUTPUT", socket_type="NodeSocketColor")
+of, begin = group.nodes.new("ShaderNodeTexImage"), group.nodes.new("NodeGroupInput")
+of.image, end = image, group.nodes.new("NodeGroupOutput")
+group.links.new(begin.outputs[0], of.inputs["Vector"])
+group.links.new(of.outputs["Color"], end.inputs[0])
+node = tree.nodes.new("ShaderNodeGroup")
+node.node_tree = group
+tree.links.new(mapping.outputs[0], node.inputs[0])
+shown = node.outputs[0]
+"""
+
+
+def print_of(folder: Path, ending: str = "png", alpha: bool = False) -> Path:
+    """A picture with edges and a ramp, which is the same neither upside down nor mirrored."""
+    width, height = SIZE
+    x, y = np.meshgrid(np.arange(width), np.arange(height))
+    bars = 255 * (x // 8 % 2) * (y < height // 2)
+    pixels = np.stack([bars, y * 255 // height, x * 255 // width], axis=-1).astype(np.uint8)
+    if alpha:
+        pixels = np.dstack([pixels, (255 * (x // 160 % 2)).astype(np.uint8)])
+    path = folder / f"print.{ending}"
+    Image.fromarray(pixels).save(path, **({"quality": 95} if ending == "jpg" else {}))
+    return path
+
+
+def captured(
+    open_worker: OpenWorker, folder: Path, path: Path, changes: str
+) -> tuple[ExportedParts, np.ndarray, np.ndarray]:
+    """What is exported; the base colours of samples, and what Cycles shows of them by emission."""
+    worker = open_worker(
+        PRINTED.format(path=str(path), changes=changes, shader="ShaderNodeBsdfDiffuse")
+    )
+    settings = CaptureSettings(lights=4, lights_per_shard=4, rays=1024, samples=1)
+    exported = exported_parts(worker, settings)
+    manifest = manifest_of(settings, parts=exported.captured())
+    dataset = Dataset.create(folder / "rays", manifest, exported.geometries, exported.textures)
+    TrainingShard(0).run(dataset, scene_of(dataset), worker)
+    at = dataset.only.training_samples()
+    glows = open_worker(
+        PRINTED.format(path=str(path), changes=changes, shader="ShaderNodeEmission")
+    )
+    origins = at["position"] + np.float32(0.01) * at["wo"]
+    shown = glows.render_rays(origins, -at["wo"], None, 1, 0).radiance
+    on_label = at["position"][:, 1] < 0.1
+    assert on_label.sum() > 1000
+    assert np.allclose(at["base_color"][~on_label], [0.8, 0.1, 0.2], atol=1e-3)
+    return exported, at["base_color"][on_label], shown[on_label]
+
+
+@pytest.mark.parametrize(
+    ("changes", "is_file"),
+    [
+        (PLAIN, True),
+        (FLIPPED, True),
+        (TURNED, True),
+        (EXTENDED, True),
+        (MIRRORED, True),
+        (CLIPPED, False),
+        (TINTED, True),
+        (LINEAR, True),
+        (FLOAT, False),
+        (UNALIKE, False),
+        (IN_A_GROUP, True),
+    ],
+    ids=[
+        "plain",
+        "flipped",
+        "turned",
+        "extend",
+        "mirror",
+        "clip",
+        "tint",
+        "linear",
+        "float",
+        "space",
+        "group",
+    ],
+)
+def test_samples_have_the_base_colour_that_cycles_shows(
+    open_worker: OpenWorker, tmp_path: Path, changes: str, is_file: bool
+) -> None:
+    path = print_of(tmp_path)
+    exported, base, shown = captured(open_worker, tmp_path, path, changes)
+    assert exported.notes == []
+    (name,) = (record.image for record in exported.colors["asset"] if record.image)
+    assert (exported.textures[name] == path.read_bytes()) == is_file
+    assert np.abs(base - np.clip(shown, 0.0, 1.0)).mean() < 0.005
+    assert np.ptp(base[:, 1]) > 0.3
+
+
+@pytest.mark.parametrize("ending", ["jpg", "webp"])
+def test_a_file_stays_as_it_is(open_worker: OpenWorker, tmp_path: Path, ending: str) -> None:
+    path = print_of(tmp_path, ending)
+    exported, base, shown = captured(open_worker, tmp_path, path, PLAIN)
+    assert exported.textures[f"base_color/0.{ending}"] == path.read_bytes()
+    assert np.abs(base - np.clip(shown, 0.0, 1.0)).mean() < 0.005
+
+
+def test_a_file_whose_colours_alpha_changes_is_taken_as_cycles_shows_it(
+    open_worker: OpenWorker, tmp_path: Path
+) -> None:
+    path = print_of(tmp_path, alpha=True)
+    exported, base, shown = captured(open_worker, tmp_path, path, ALPHA)
+    assert exported.textures["base_color/0.png"] != path.read_bytes()
+    assert np.abs(base - np.clip(shown, 0.0, 1.0)).mean() < 0.005
+
+
+TWO_IMAGES = """
+other = tree.nodes.new("ShaderNodeTexImage")
+other.image = bpy.data.images.load(image.filepath)
+other.image.colorspace_settings.name = "Non-Color"
+tree.links.new(uv.outputs[0], other.inputs["Vector"])
+mix = tree.nodes.new("ShaderNodeMix")
+mix.data_type, mix.inputs["Factor"].default_value = "RGBA", 0.3
+tree.links.new(shown, mix.inputs["A"])
+tree.links.new(other.outputs["Color"], mix.inputs["B"])
+shown = mix.outputs["Result"]
+"""
+NOISE = """
+noise = tree.nodes.new("ShaderNodeTexNoise")
+noise.inputs["Scale"].default_value = 150.0
+tree.links.new(uv.outputs[0], noise.inputs["Vector"])
+shown = noise.outputs["Color"]
+"""
+OF_THE_PLACE = """
+noise, place = tree.nodes.new("ShaderNodeTexNoise"), tree.nodes.new("ShaderNodeTexCoord")
+tree.links.new(place.outputs["Object"], noise.inputs["Vector"])
+shown = noise.outputs["Color"]
+"""
+
+
+@pytest.mark.parametrize("changes", [TWO_IMAGES, NOISE], ids=["images", "noise"])
+def test_what_nodes_make_of_uv_coordinates_is_baked(
+    open_worker: OpenWorker, tmp_path: Path, changes: str
+) -> None:
+    exported, base, shown = captured(open_worker, tmp_path, print_of(tmp_path), changes)
+    assert exported.notes == []
+    assert np.abs(base - np.clip(shown, 0.0, 1.0)).mean() < 0.01
+
+
+def test_what_is_no_function_of_uv_coordinates_is_told(
+    open_worker: OpenWorker, tmp_path: Path
+) -> None:
+    path = print_of(tmp_path)
+    worker = open_worker(
+        PRINTED.format(path=str(path), changes=OF_THE_PLACE, shader="ShaderNodeBsdfDiffuse")
+    )
+    exported = exported_parts(worker, CaptureSettings())
+    assert exported.colors == {}
+    (note,) = exported.notes
+    assert "material 'label' has a base colour by the node 'Texture Coordinate'" in note
+
+
+def test_textures_that_planes_blur_are_told() -> None:
+    """Of 0.5 mm on a sheet of 1 m, where planes have 3.9 mm; coarse ones are not."""
+    sheet = {
+        "positions": np.float32([[0, 0, 0], [1, 0, 0], [1, 0, 1], [0, 0, 0], [1, 0, 1], [0, 0, 1]]),
+        "uvs": np.float32([[0, 0], [2, 0], [2, 2], [0, 0], [2, 2], [0, 2]]),
+        "material": np.array(["paint", "paint"]),
+    }
+    fine = {"Roughness": 1024.0**2, "Metallic": 128.0**2}
+    assert blurred_note("asset", sheet, {"paint": fine, "other": fine}) == (
+        "part 'asset': texels of planes of 256 are 0.00391 m wide, and blur finer ones of 'paint' "
+        "(Roughness: 0.000488 m)"
+    )
+    assert blurred_note("asset", sheet, {"paint": {"Metallic": 64.0**2}}) is None

@@ -1,0 +1,129 @@
+"""Base colour on the GPU: as a factor of transport, and looked up at hits."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import rna_gpu
+from rna_gpu import Device, GpuSurface
+from rna_gpu.scene.probe import Probe
+from rna_render.scene.scene_file import SceneFile
+from rna_render.world.world import World
+from rna_sdk import runtime
+from rna_sdk.errors import QueryError
+from rna_sdk.package import Package
+from rna_sdk.reference.base_color import base_color_reference
+from tests.gpu.scenes import assert_same_numbers, on_cpu, on_gpu
+from tests.gpu.test_evaluate import rows
+from tests.package.prints import LABEL, STAMP, image_bytes, make_print
+
+ROWS = 2000
+
+
+@pytest.fixture(scope="module")
+def printed(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    rng = np.random.default_rng(3)
+    label = rng.integers(0, 256, (5, 12, 4)).astype(np.uint8)
+    label[:2, :, 3] = 0
+    stamp = rng.integers(0, 256, (8, 8, 3)).astype(np.uint8)
+    files = {LABEL: image_bytes(label), STAMP: image_bytes(stamp, "WEBP", lossless=True)}
+    return make_print(tmp_path_factory.mktemp("printed") / "printed.rna", files)
+
+
+@pytest.mark.parametrize("tier", ["small", "hq"], ids=["one decoder", "two decoders"])
+def test_transport_as_the_runtime_has_it(printed: Path, device: Device, tier: str) -> None:
+    cpu, gpu = runtime.load(printed, tier), rna_gpu.load(printed, tier, device)
+    assert isinstance(cpu, runtime.SurfaceAsset) and isinstance(gpu, GpuSurface)
+    assert gpu.uses_base_color and len(gpu.transport) == (2 if tier == "hq" else 1)
+    queries = rows(ROWS, cpu.bounds)
+    colors = np.random.default_rng(1).uniform(size=(ROWS, 3)).astype(np.float32)
+    colors[7, 1] = np.nan
+    expected = np.hstack(cpu.evaluate(*queries, base_color=colors))
+    actual = np.hstack(gpu.evaluate(*queries, base_color=colors))
+    assert np.abs(actual - expected).max() <= 1e-3 * np.sqrt(np.mean(expected**2))
+    assert not actual[7].any()
+    black = np.hstack(gpu.evaluate(*queries, base_color=np.zeros((ROWS, 3), np.float32)))
+    assert np.mean(black < actual) > 0.2
+
+
+def test_results_of_two_decoders_that_stay_on_the_gpu(printed: Path, device: Device) -> None:
+    gpu = rna_gpu.load(printed, "hq", device)
+    assert isinstance(gpu, GpuSurface)
+    x, n, wo, wi = rows(64, runtime.load(printed).bounds)
+    colors = np.random.default_rng(1).uniform(size=(64, 3)).astype(np.float32)
+    packed = np.zeros((64, 4, 4), np.float32)
+    for k, values in enumerate((x, n, wo, wi)):
+        packed[:, k, :3] = values
+    packed[:, 1:, 3] = colors
+    on_gpu = gpu.new_rows(64)
+    device.write(on_gpu.rows, packed)
+    device.write(on_gpu.count, np.array([64], np.uint32))
+    gpu.evaluate_on_gpu(on_gpu, 64)
+    actual = device.read(on_gpu.results, 64 * 32).view(np.float32).reshape(64, 2, 4)
+    expected = np.stack(gpu.evaluate(x, n, wo, wi, colors), axis=1)
+    assert np.array_equal(actual[..., :3], expected)
+
+
+def test_queries_without_a_base_color(printed: Path, device: Device) -> None:
+    gpu = rna_gpu.load(printed, device=device)
+    assert isinstance(gpu, GpuSurface)
+    queries = rows(4, runtime.load(printed).bounds)
+    with pytest.raises(QueryError, match=r"base_color: expected a \(4, 3\) float32 array"):
+        gpu.evaluate(*queries)
+
+
+def test_colors_as_the_reference_has_them(printed: Path, device: Device) -> None:
+    """Images of odd sizes, wrapped, turned, sRGB and linear; between levels and beyond the last."""
+    rng, count = np.random.default_rng(5), 4000
+    triangle = rng.integers(0, 4, count)
+    corners = rng.dirichlet([1, 1, 1], count).astype(np.float32)
+    u, v = corners[:, 1], corners[:, 2]
+    levels = rng.uniform(0, 5, count).astype(np.float32)
+    levels[::3] = np.round(levels[::3])
+    hits = np.zeros((count, 8), np.uint32)
+    hits[:, 0] = triangle
+    hits[:, 1], hits[:, 2] = u.view(np.uint32), v.view(np.uint32)
+    actual = Probe(printed, device).base_colors(hits, levels)
+    with Package.open(printed) as package:
+        mesh, records = package.mesh(), package.base_color()
+    expected = base_color_reference(mesh, records, triangle, u, v, levels)
+    assert np.abs(actual - expected).max() < 0.006  # of levels in 8 bits
+    assert np.abs(actual - expected)[levels == 0].max() < 2e-5
+
+
+SCENE = """
+assets:
+  - {path: print.rna, tier: TIER}
+  - path: print.rna
+    tier: TIER
+    transform: {translation: [1.7, 0, -0.4], rotation_deg: [0, 70, 0], scale: 0.8}
+    maps: {label: noise.png}
+    tint: [0.4, 1.5, 1]
+ground: {height: -0.6, material: {type: diffuse, color: [0.7, 0.7, 0.7]}}
+camera: {position: [1.2, 1.6, 4.2], look_at: [0.6, -0.1, 0], vertical_fov_deg: 40}
+lights:
+  - {type: directional, direction: [0.5, 0.9, 0.3], irradiance: [0.5, 0.4, 0.4]}
+  - {type: environment, radiance: [0.1, 0.1, 0.2]}
+resolution: [32, 24]
+samples: 2
+max_depth: 2
+"""
+
+
+@pytest.mark.parametrize("tier", ["small", "hq"], ids=["one decoder", "two decoders"])
+def test_the_image_of_the_cpu(
+    scene: Callable[..., tuple[SceneFile, World]], device: Device, tmp_path: Path, tier: str
+) -> None:
+    """Fine print, another print and a tint, and light that bounces."""
+    rng = np.random.default_rng(9)
+    noise = [rng.integers(0, 256, (128, 128, 3)).astype(np.uint8) for _ in range(2)]
+    label, other = (image_bytes(np.repeat(one, 2, axis=1)) for one in noise)
+    make_print(tmp_path / "print.rna", {LABEL: label, STAMP: image_bytes(noise[1][:7, :9])})
+    (tmp_path / "noise.png").write_bytes(other)
+    scene_file, world = scene(SCENE.replace("TIER", tier))
+    actual = on_gpu(scene_file, world, lambda: device).channels()
+    assert_same_numbers(actual, on_cpu(scene_file, world).channels())
