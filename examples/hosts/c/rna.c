@@ -169,6 +169,7 @@ static void put_light(const float *outputs, size_t column, size_t factor, const 
 static RnaStatus run_network(const RnaPart *of, const TierPart *with, const Network *network, const Batch *batch,
                              const float *base_colors, float *const *colours, size_t count) {
     if (batch->n == 0) return RNA_OK;
+    if (!colours[0] || !colours[count - 1]) return RNA_BAD_ARGUMENT;
     size_t size = (size_t)ROWS * (size_t)rounded_up(network->decoder->widest, ALIGNMENT);
     float *buffers = aligned(2 * size * sizeof *buffers);
     if (!buffers) return RNA_OUT_OF_MEMORY;
