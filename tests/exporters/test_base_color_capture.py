@@ -171,7 +171,8 @@ def test_samples_have_the_base_colour_that_cycles_shows(
 def test_a_file_stays_as_it_is(open_worker: OpenWorker, tmp_path: Path, ending: str) -> None:
     path = print_of(tmp_path, ending)
     exported, base, shown = captured(open_worker, tmp_path, path, PLAIN)
-    assert exported.textures[f"base_color/0.{ending}"] == path.read_bytes()
+    (name,) = (record.image for record in exported.colors["asset"] if record.image)
+    assert name.endswith(f".{ending}") and exported.textures[name] == path.read_bytes()
     assert np.abs(base - np.clip(shown, 0.0, 1.0)).mean() < 0.005
 
 
@@ -180,7 +181,8 @@ def test_a_file_whose_colours_alpha_changes_is_taken_as_cycles_shows_it(
 ) -> None:
     path = print_of(tmp_path, alpha=True)
     exported, base, shown = captured(open_worker, tmp_path, path, ALPHA)
-    assert exported.textures["base_color/0.png"] != path.read_bytes()
+    (name,) = (record.image for record in exported.colors["asset"] if record.image)
+    assert name.endswith(".png") and exported.textures[name] != path.read_bytes()
     assert np.abs(base - np.clip(shown, 0.0, 1.0)).mean() < 0.005
 
 

@@ -15,6 +15,7 @@ export interface RnaViewerAttributes {
   sun?: string;
   "light-rotation"?: string;
   ground?: boolean;
+  skybox?: boolean;
   exposure?: number | string;
   "view-transform"?: "srgb" | "filmic";
   "camera-orbit"?: string;

@@ -79,7 +79,7 @@ export const READERS = {
   loading: choice("auto", "lazy", "eager"), reveal: choice("auto", "manual"),
   "camera-orbit": cameraOrbit, "camera-target": cameraTarget, "field-of-view": fieldOfView,
   "min-camera-orbit": cameraOrbit, "max-camera-orbit": cameraOrbit, "min-field-of-view": fieldOfView, "max-field-of-view": fieldOfView,
-  sun: sunLight, "light-rotation": turn, "environment-intensity": number(0, 1e6), ground: flag,
+  sun: sunLight, "light-rotation": turn, "environment-intensity": number(0, 1e6), ground: flag, skybox: flag,
   exposure: number(-30, 30), "view-transform": choice("srgb", "filmic"),
   "camera-controls": flag, "disable-zoom": flag, "disable-pan": flag, "disable-light": flag,
   "touch-action": choice("pan-y", "pan-x", "none"), "wheel-zoom": choice("focus", "always"), "interaction-prompt": choice("auto", "none"), "interpolation-decay": number(0, 1e5),

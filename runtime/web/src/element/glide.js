@@ -7,14 +7,17 @@ const viewOf = ({ azimuth, elevation, distance, target, fov }) => ({ azimuth, el
 const mixed = (a, b, share) => (Array.isArray(a) ? a.map((value, k) => mixed(value, b[k], share)) : a + share * (b - a));
 
 export class Glide {
+  #stage;
+
   constructor(stage) {
-    Object.assign(this, { stage, goal: null });
+    this.#stage = stage;
+    this.goal = null;
     stage.addEventListener("shown", () => this._next());
   }
 
   /** Does `place`, which moves the camera, and has it glide there; decay: ms, 0 for none. */
   to(place, decay) {
-    const { orbit } = this.stage, from = viewOf(orbit);
+    const { orbit, viewer } = this.#stage, from = viewOf(orbit);
     this.stop();
     place();
     const goal = viewOf(orbit), isSame = JSON.stringify(from) === JSON.stringify(goal);
@@ -23,7 +26,7 @@ export class Glide {
     const turns = Math.round((goal.azimuth - from.azimuth) / (2 * Math.PI));
     Object.assign(orbit, from, { azimuth: from.azimuth + 2 * Math.PI * turns });
     Object.assign(this, { goal, left: 1, decay, last: performance.now() });
-    this.stage.viewer.restart(true);
+    viewer.restart(true);
   }
 
   /** Leaves the camera where it is. */
@@ -42,7 +45,7 @@ export class Glide {
   }
 
   _step(ms) {
-    const { stage: { orbit, viewer }, goal } = this, share = 1 - Math.exp(-ms / (2 * this.decay));
+    const { orbit, viewer } = this.#stage, { goal } = this, share = 1 - Math.exp(-ms / (2 * this.decay));
     this.left *= 1 - share;
     const isThere = this.left < NEAR, view = viewOf(orbit);
     Object.assign(orbit, isThere ? goal : Object.fromEntries(Object.keys(goal).map((name) => [name, mixed(view[name], goal[name], share)])));

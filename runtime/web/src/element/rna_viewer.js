@@ -161,6 +161,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     if (/^(min|max)-/.test(name)) stage.limitCamera();
     if (["sun", "light-rotation", "environment-intensity"].includes(name)) stage.placeLights();
     if (name === "ground") stage.setGround(settings.ground ?? stage.scene?.ground ?? false);
+    if (name === "skybox") stage.changed();
     if (name === "exposure") stage.setExposure(settings.exposure ?? stage.scene?.exposure ?? 0);
     if (name === "view-transform") stage.setView(settings.viewTransform ?? stage.scene?.view ?? "srgb");
     if (name === "pixel-ratio") stage.resize();

@@ -188,6 +188,8 @@ export class Stage extends LastingEngine {
       this.uploaded = this.lighting.tables();
       this.engine.setEnvironment(this.uploaded);
     }
+    const sky = this.settings.skybox && lights.find(({ kind }) => kind === "environment");
+    this.viewer.sky = sky ? { strength: sky.colour[0], angle: sky.angle } : null;
     this.viewer.lights = lights;
     this.viewer.firstLights = this.engine.hasLobes ? this.lighting.firstLights() : null;
     this.viewer.ground = this._ground(irradiance);
@@ -384,8 +386,8 @@ export class Stage extends LastingEngine {
 
   _ground(irradiance) {
     const { view, exposure, backdrop } = this.look;
-    this.notices.say(this.ground && !backdrop ? "ground: expected an opaque background-color" : null, true, "ground");
-    if (!this.ground || !backdrop || !this.box) return null;
+    this.notices.say(this.ground && (!backdrop || this.settings.skybox) ? "ground: expected an opaque background-color, and no skybox" : null, true, "ground");
+    if (!this.ground || !backdrop || this.settings.skybox || !this.box) return null;
     const colour = view === "filmic" ? beforeFilmic(backdrop) : backdrop;
     const { min, max } = this.box, size = Math.hypot(...max.map((high, k) => high - min[k]));
     return {

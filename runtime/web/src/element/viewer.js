@@ -17,7 +17,7 @@ export class Viewer extends EventTarget {
     super();
     Object.assign(this, { engine, canvas, orbit });
     Object.assign(this, {
-      lights: [], firstLights: null, shownCamera: null, ground: null, exposure: 0, view: "srgb", denoise: true, rounds: 256, jitter: 1, generation: 0, msPerPixel: 0.005, shown: null, rowsAhead: 0,
+      lights: [], firstLights: null, sky: null, shownCamera: null, ground: null, exposure: 0, view: "srgb", denoise: true, rounds: 256, jitter: 1, generation: 0, msPerPixel: 0.005, shown: null, rowsAhead: 0,
       ready: false, stopped: false, moving: false, resting: false, backdrop: null, coarsest: COARSEST, isCovered: () => false, stats: { ms: 0, rounds: 0 },
     });
     this.wake = null;
@@ -76,7 +76,7 @@ export class Viewer extends EventTarget {
     const { rounds, firstLook } = this.shown, noisy = this.denoise && rounds < NOISY_ROUNDS && !firstLook;
     this.engine.show({
       rounds, firstLook, rowsAhead: this.rowsAhead, exposure: 2 ** this.exposure, backdrop: this.backdrop ? [...this.backdrop, 1] : [0, 0, 0, 0], filmic: this.view === "filmic",
-      spread: noisy ? NOISE / Math.sqrt(rounds) : 0,
+      spread: noisy ? NOISE / Math.sqrt(rounds) : 0, camera: this.shownCamera, sky: this.sky,
     });
   }
 
