@@ -137,7 +137,10 @@ def _answers(host: ModuleType) -> Any:
     ) -> np.ndarray:
         x, axis, h, wo, wi = (rows.astype(float) for rows in in_order(arrays))
         at = package, tier, part, x, axis, h if len(h) else np.zeros(len(x)), wo
-        return np.float32(host.emission(*at) if form == "emission" else host.evaluate(*at, wi))
+        if form == "emission":
+            return np.float32(host.emission(*at))
+        base_color = np.asarray(arrays.get("base_color", np.ones(x.shape)), float)
+        return np.float32(host.evaluate(*at, wi, base_color))
 
     return evaluate
 
