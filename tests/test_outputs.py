@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from rna_sdk.errors import RnaError
-from rna_sdk.outputs import check_outputs, check_writable
+from rna_sdk.outputs import check_outputs, check_package_name, check_writable
 
 
 def test_an_output_that_cannot_be_written_is_named(tmp_path: Path) -> None:
@@ -31,3 +31,11 @@ def test_an_input_is_no_output_by_any_name(tmp_path: Path, link: str | None) -> 
         check_outputs([tmp_path / "new", output], [tmp_path / "missing", source])
     check_outputs([tmp_path / "new"], [source])
     assert source.read_bytes() == b"mine"
+
+
+def test_a_package_is_named_as_one() -> None:
+    check_package_name(Path("toy.rna"))
+    with pytest.raises(RnaError, match=r"ends with \.rna, found toy\.glb; rna-info toy\.rna --glb"):
+        check_package_name(Path("toy.glb"))
+    with pytest.raises(RnaError, match=r"^--out: expected a name that ends with \.rna, found toy$"):
+        check_package_name(Path("toy"))

@@ -35,6 +35,7 @@ COMMANDS = {
     command.name: command
     for command in (
         Command("scenes", "scenes.scenes_command", resumes=True),
+        Command("original", "scenes.original_command"),
         Command("time-to-flip", "scenes.time_to_flip"),
         Command("gain", "accuracy.gain_command"),
         Command("film", "scenes.film", resumes=True),
@@ -43,6 +44,8 @@ COMMANDS = {
         Command("stability", "stability.stability_command", resumes=True),
         Command("peers", "peers.peers_command", resumes=True),
         Command("peers-data", "peers.views_command", resumes=True),
+        Command("assets", "accuracy.assets_command"),
+        Command("words", "accuracy.words_command"),
         Command("lobes", "accuracy.lobes_command"),
         Command("evaluate", "speed.evaluate"),
         Command("cores", "speed.cores"),

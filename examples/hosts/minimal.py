@@ -30,7 +30,7 @@ def emission(path, tier_name, part, x, axis, h, wo):
 
 @np.errstate(all="ignore")  # blocks that the decoder does not take may be NaN
 def answer(output, path, tier_name, number, x, axis, h, wo, wi, base_color=None):
-    """Output of part `number`'s decoder of `output`, or of its two of visible and shadowed light."""
+    """Output of a part's decoder of `output`, or of its two of visible and shadowed light."""
     with zipfile.ZipFile(path) as archive:  # 2: a ZIP of stored entries
         manifest = json.loads(archive.read("manifest.json"))  # 3
         tier = next(tier for tier in manifest["tiers"] if tier["name"] == tier_name)

@@ -174,7 +174,7 @@ def relative_error_p99(radiance: np.ndarray, reference: np.ndarray) -> float:
 def flip(
     image: np.ndarray, reference: np.ndarray, exposure: float = 1.0
 ) -> tuple[float, np.ndarray]:
-    """See `FLIP_DEFINITION`; images (h, w, 3) of radiance at irradiance 1. Mean and map (h, w)."""
+    """LDR-FLIP of sRGB images (h, w, 3) of radiance at irradiance 1: mean and map (h, w)."""
     shown = [np.ascontiguousarray(display(i, exposure), np.float32) for i in (reference, image)]
     error, mean, _ = flip_evaluator.evaluate(*shown, "LDR", inputsRGB=False, applyMagma=False)
     return float(mean), np.asarray(error).reshape(image.shape[:2])
@@ -189,18 +189,6 @@ def reduced(image: np.ndarray, factor: int) -> np.ndarray:
     whole = image[: height * factor, : width * factor]
     blocks = whole.reshape(height, factor, width, factor, 3)
     return np.asarray(blocks.mean(axis=(1, 3)))
-
-
-def psnr_of_pixels(
-    image: np.ndarray, reference: np.ndarray, factor: int, covered: int, exposure: float = 1.0
-) -> float:
-    """PSNR of images (h, w, 3) whose pixels are each the mean of `factor` x `factor` of these.
-
-    covered: pixels of the given images that show the asset, whose area the error is divided by.
-    """
-    a, b = reduced(image, factor), reduced(reference, factor)
-    error = float(_squared_error(a, b, exposure).sum())
-    return _decibels(error * factor**2 / (3 * covered))
 
 
 def to_png(radiance: np.ndarray, exposure: float = 1.0) -> np.ndarray:

@@ -48,19 +48,25 @@ def enlarged(picture: Picture) -> Picture:
 
 
 def comparison_sheet(
-    rows: Sequence[tuple[Sequence[Picture], str]], columns: Sequence[str] = COLUMNS
+    rows: Sequence[tuple[Sequence[Picture], str]],
+    columns: Sequence[str] = COLUMNS,
+    notes: Sequence[str] = (),
 ) -> Image.Image:
     """Rows of pictures of one size, (h, w, 3) uint8, each with a caption; the last one is FLIP.
 
-    Small ones are enlarged, so that the labels have room.
+    Small ones are enlarged, so that the labels have room. notes: lines below all rows, which are
+    broken where they are too long.
     """
     rows = [([enlarged(picture) for picture in pictures], caption) for pictures, caption in rows]
     height, width = rows[0][0][0].shape[:2]
     size = max(11, round(width / 18))
     line = round(1.6 * size)
-    sheet = Image.new("RGB", (width * len(columns), line + len(rows) * (height + line)), _PAPER)
-    draw = ImageDraw.Draw(sheet)
     font = ImageFont.load_default(size)
+    across = width * len(columns)
+    below = [piece for note in notes for piece in _broken(note, font, across - size)]
+    down = line + len(rows) * (height + line)
+    sheet = Image.new("RGB", (across, down + len(below) * line), _PAPER)
+    draw = ImageDraw.Draw(sheet)
     for k, name in enumerate(columns):
         draw.text((k * width + size // 2, line // 2), name, _INK, font, anchor="lm")
     _draw_scale(sheet, draw, font, (len(columns) - 1) * width, width, line)
@@ -68,7 +74,22 @@ def comparison_sheet(
         top = line + k * (height + line)
         sheet.paste(Image.fromarray(np.concatenate(pictures, axis=1)), (0, top))
         draw.text((size // 2, top + height + line // 2), caption, _QUIET, font, anchor="lm")
+    for k, piece in enumerate(below):
+        draw.text((size // 2, down + k * line + line // 2), piece, _INK, font, anchor="lm")
     return sheet
+
+
+def _broken(note: str, font: ImageFont.FreeTypeFont | ImageFont.ImageFont, width: int) -> list[str]:
+    """The note in lines of at most so many pixels, which keep its indentation."""
+    indentation = note[: len(note) - len(note.lstrip())]
+    lines = [indentation]
+    for word in note.split():
+        longer = f"{lines[-1]}{word} "
+        if font.getlength(longer.rstrip()) > width and lines[-1].strip():
+            lines.append(indentation)
+            longer = f"{indentation}{word} "
+        lines[-1] = longer
+    return lines
 
 
 def _draw_scale(

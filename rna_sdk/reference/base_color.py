@@ -32,41 +32,40 @@ def base_color_reference(
         uv = np.einsum("nk,nkc->nc", weights, mesh.uvs[mesh.triangles[triangle[own]]])
         matrix = np.array(record.transform).reshape(2, 3)
         place, levels = uv @ matrix[:, :2].T + matrix[:, 2], _levels(record)
-        is_srgb = record.color_space == "srgb"
         for row, where in zip(own, place, strict=True):
             k = min(int(level[row]), len(levels) - 1)
             rest = level[row] - k if k < len(levels) - 1 else 0.0
-            color = (1.0 - rest) * _linear(_looked_up(levels[k], where, record.wrap), is_srgb)
+            space = record.color_space
+            color = (1.0 - rest) * linear(_looked_up(levels[k], where, record.wrap), space)
             if rest > 0.0:
-                next_one = _looked_up(levels[k + 1], where, record.wrap)
-                color = color + rest * _linear(next_one, is_srgb)
+                color += rest * linear(_looked_up(levels[k + 1], where, record.wrap), space)
             result[row] *= color
     return result
 
 
 def _levels(record: BaseColor) -> list[Float]:
-    """The image and its means, from 0 to 1 in its colour space."""
+    """The image and its means, encoded as it is."""
     assert record.image is not None
-    is_srgb = record.color_space == "srgb"
-    levels = [record.image / 255.0]
+    levels = [linear(record.image / 255.0, record.color_space)]
     while max(levels[-1].shape[:2]) > 1:
         height, width = levels[-1].shape[:2]
         rows, columns = _means(height), _means(width)
-        mean = np.einsum("ah,hwc,bw->abc", rows, _linear(levels[-1], is_srgb), columns)
-        levels.append(_encoded(mean) if is_srgb else mean)
-    return levels
+        levels.append(np.einsum("ah,hwc,bw->abc", rows, levels[-1], columns))
+    return [encoded(level, record.color_space) for level in levels]
 
 
-def _linear(value: Float, is_srgb: bool) -> Float:
-    if not is_srgb:
+def linear(value: Float, space: str) -> Float:
+    """Of values from 0 to 1."""
+    if space == "linear":
         return value
     return np.where(value <= 0.04045, value / 12.92, ((value + 0.055) / 1.055) ** 2.4)
 
 
-def _encoded(linear: Float) -> Float:
-    """The inverse of `_linear` in sRGB."""
-    upper = 1.055 * np.maximum(linear, 0.04045 / 12.92) ** (1.0 / 2.4) - 0.055
-    return np.where(linear <= 0.04045 / 12.92, 12.92 * linear, upper)
+def encoded(value: Float, space: str) -> Float:
+    """The inverse of `linear`."""
+    if space == "linear":
+        return value
+    return np.where(value <= 0.0031308, value * 12.92, 1.055 * value ** (1 / 2.4) - 0.055)
 
 
 def _means(size: int) -> Float:

@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 from rna_sdk.arrays import indices, scalars
 from rna_sdk.package import BaseColor, Mesh
 from rna_sdk.package.textures.texture_form import Texture
-from rna_sdk.runtime.kernels.base_color_kernel import LEVELS, look_up
-from rna_sdk.runtime.kernels.texels_around import CLAMP, MIRROR, REPEAT
+from rna_sdk.runtime.kernels.base_color_kernel import CLAMP, LEVELS, MIRROR, REPEAT, look_up
 
 Rows = NDArray[np.float32]
 
@@ -52,7 +51,7 @@ class BaseColorMaps:
             np.array([one.transform for one in records], np.float64).reshape(-1, 6),
             np.array([len(pyramid) for pyramid in pyramids], np.int64),
             levels,
-            np.array([linear_of(one.color_space) for one in records], np.float32).reshape(-1, 256),
+            np.array([one.color_space == "srgb" for one in records], np.bool_),
             np.concatenate(texels),
         )
 
@@ -87,10 +86,15 @@ class BaseColorMaps:
 
 def linear_of(color_space: str) -> Rows:
     """(256,): the linear value of each value of 8 bits."""
-    value = np.arange(256) / 255.0
-    if color_space == "srgb":
-        value = np.where(value <= 0.04045, value / 12.92, ((value + 0.055) / 1.055) ** 2.4)
-    return value.astype(np.float32)
+    value = np.arange(256, dtype=np.float32) / np.float32(255.0)
+    return srgb_to_linear(value) if color_space == "srgb" else value
+
+
+def srgb_to_linear(value: Rows) -> Rows:
+    """Linear values of encoded ones, from 0 to 1 (IEC 61966-2-1)."""
+    wide = value.astype(np.float64)
+    wide = np.where(wide <= 0.04045, wide / 12.92, ((wide + 0.055) / 1.055) ** 2.4)
+    return wide.astype(np.float32)
 
 
 def _texel_density(mesh: Mesh, record: BaseColor, own: slice) -> Rows:

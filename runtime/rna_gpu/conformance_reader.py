@@ -36,6 +36,12 @@ def normals(package: str, records: bytes) -> Rows:
     return _probe(package).normals(np.frombuffer(records, "<u4").reshape(-1, 8))
 
 
+def base_color(package: str, records: bytes) -> Rows:
+    """Base colours at n hits on meshes, (n, 3)."""
+    words = np.frombuffer(records, "<u4").reshape(-1, 8)
+    return _probe(package).base_colors(words, words.view("<f4")[:, 3])
+
+
 @cache
 def _device() -> Device:
     return open_device()
@@ -51,4 +57,6 @@ def _part(package: str, tier: str, part: int) -> GpuPart:
 
 
 if __name__ == "__main__":
-    sys.exit(run_reader(evaluate=evaluate, visibility=visibility, normals=normals))
+    sys.exit(
+        run_reader(evaluate=evaluate, visibility=visibility, normals=normals, base_color=base_color)
+    )

@@ -1,4 +1,4 @@
-"""Evaluation, rays and normals of this renderer as a reader program.
+"""Evaluation, rays, normals and base colours of this renderer as a reader program.
 
 rna-conform -- python -m rna_mitsuba.conformance_reader
 """
@@ -17,6 +17,7 @@ if mi.variant() is None:
 from rna_mitsuba.evaluator import PartEvaluator
 from rna_mitsuba.points import FiberGeometry
 from rna_mitsuba.tracing import NO_STRAND, PackageScene
+from rna_sdk.conformance.base_color_hits import HIT
 from rna_sdk.conformance.reader_program import run_reader
 from rna_sdk.package import Package
 
@@ -76,6 +77,20 @@ def normals(package: str, records: bytes) -> np.ndarray:
     return result
 
 
+def base_color(package: str, records: bytes) -> np.ndarray:
+    """Base colours of n hits on meshes, (n, 3) float32."""
+    hits = np.frombuffer(records, HIT)
+    result = np.empty((len(hits), 3), np.float32)
+    with Package.open(package) as opened:
+        scene = PackageScene(opened)
+    for part in np.unique(hits["part"]).tolist():
+        rows = np.flatnonzero(hits["part"] == part)
+        primitive = mi.UInt32(hits["primitive"][rows].copy())
+        numbers = (mi.Float(hits[name][rows].copy()) for name in ("u", "v", "level"))
+        result[rows] = _rows(scene.geometries[part].base_color(primitive, *numbers), len(rows))
+    return result
+
+
 def _vector(rows: np.ndarray) -> mi.Vector3f:
     return mi.Vector3f(np.ascontiguousarray(rows.T))
 
@@ -85,4 +100,6 @@ def _rows(colour: mi.Color3f, count: int) -> np.ndarray:
 
 
 if __name__ == "__main__":
-    sys.exit(run_reader(evaluate=evaluate, visibility=visibility, normals=normals))
+    sys.exit(
+        run_reader(evaluate=evaluate, visibility=visibility, normals=normals, base_color=base_color)
+    )

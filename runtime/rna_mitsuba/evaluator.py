@@ -11,12 +11,15 @@ from rna_mitsuba.planes import Triplane
 from rna_mitsuba.vectors import is_zero, unit
 from rna_sdk.package import Package, decoder_from_bytes
 
+Arrays = dict[str, mi.Float | mi.Vector3f]
+
 
 class PartEvaluator:
     """One part in one tier.
 
     Attributes:
         is_fiber: whether its axis is a tangent.
+        uses_base_color: whether transport has a factor of the base colour.
         emits: whether it has emission.
     """
 
@@ -25,6 +28,7 @@ class PartEvaluator:
         record, tier_part = package.manifest.parts[part], package.tier(tier).parts[part]
         name = f"{record.name} in tier {tier}"
         self.is_fiber = record.kind == "fiber"
+        self.uses_base_color = bool(tier_part.uses_base_color)
         self._triplane = Triplane(package.planes(tier, part), record.bounds)
         self._decoders = {}
         for one in tier_part.decoders:
@@ -33,29 +37,50 @@ class PartEvaluator:
             self._decoders[one.form.name] = one.inputs, Network(model), len(one.form.results)
         self.emits = "emission" in self._decoders
 
-    def decode(
-        self, form: str, arrays: dict[str, mi.Float | mi.Vector3f], active: mi.Bool
-    ) -> tuple[mi.Color3f, ...]:
-        """The colours of a decoder for arguments in object space; 0 where they are no query.
+    def decode(self, form: str, arrays: Arrays, active: mi.Bool) -> tuple[mi.Color3f, ...]:
+        """The colours of a form for arguments in object space; 0 where they are no query.
 
         form: "transport" gives (visible, shadowed), "emission" the one radiance, 0 of a part that
         does not emit. arrays: position, axis (normal or tangent), h (of fibers the offset across),
-        wo, and wi of transport. Lanes that are not active cost nothing where a whole vector of them
-        is not, and get 0.
+        wo, and wi and base_color of transport. Lanes that are not active cost nothing where a whole
+        vector of them is not, and get 0.
         """
-        if form not in self._decoders:
+        names = ("visible", "shadowed") if form not in self._decoders else (form,)
+        if form == "emission" and not self.emits:
             return (mi.Color3f(0),)
-        inputs, network, colours = self._decoders[form]
-        valid = active & _is_query(**arrays)
+        return tuple(color for name in names for color in self._run(name, arrays, active))
 
-        def ask(arrays, valid):  # type: ignore[no-untyped-def]
+    def transport(self, v: mi.Color3f, arrays: Arrays, active: mi.Bool) -> mi.Color3f:
+        """T for the visibility v; decoders apart are run where their light counts."""
+        if "transport" in self._decoders:
+            visible, shadowed = self._run("transport", arrays, active)
+        else:
+            (visible,) = self._run("visible", arrays, active & dr.any(v > 0))
+            (shadowed,) = self._run("shadowed", arrays, active & dr.any(v < 1))
+        return v * visible + (1 - v) * shadowed
+
+    def _run(self, name: str, arrays: Arrays, active: mi.Bool) -> tuple[mi.Color3f, ...]:
+        """The results of a decoder."""
+        inputs, network, colours = self._decoders[name]
+        arrays = dict(arrays)
+        color = mi.Color3f(arrays.pop("base_color", 1))
+        valid = active & _is_query(**arrays)
+        scaled = self.uses_base_color and name != "emission"
+        if scaled:
+            valid &= dr.all(dr.isfinite(color))
+
+        def ask(arrays, color, valid):  # type: ignore[no-untyped-def]
             result = network(self._columns(inputs, valid, **arrays))
-            return tuple(mi.Color3f(*result[3 * k : 3 * k + 3]) for k in range(colours))
+            light = [mi.Color3f(*result[3 * k : 3 * k + 3]) for k in range(len(result) // 3)]
+            if not scaled:
+                return tuple(light)
+            pairs = zip(light[:colours], light[colours:], strict=True)
+            return tuple(dr.maximum(0, plain + color * factor) for plain, factor in pairs)
 
         def nothing(*_):  # type: ignore[no-untyped-def]
             return tuple(mi.Color3f(0) for _ in range(colours))
 
-        result: tuple[mi.Color3f, ...] = dr.if_stmt((arrays, valid), valid, ask, nothing)
+        result: tuple[mi.Color3f, ...] = dr.if_stmt((arrays, color, valid), valid, ask, nothing)
         return result
 
     def _columns(self, inputs, active, position, axis, h, wo, wi=None):  # type: ignore[no-untyped-def]

@@ -1,4 +1,4 @@
-"""What the geometry of a part says of a hit, in object space: spec/RNA.md, 4.1, 4.2, 4.5, 7.1."""
+"""What the geometry of a part says of a hit, in object space: spec/RNA.md, 4.1 to 4.6, 7.1."""
 
 from __future__ import annotations
 
@@ -10,9 +10,10 @@ import drjit as dr
 import mitsuba as mi
 import numpy as np
 
+from rna_mitsuba.base_colors import BaseColors
 from rna_mitsuba.textures import NormalTextures, TransmittanceTextures
 from rna_mitsuba.vectors import length, unit
-from rna_sdk.package import Curves, Mesh, NormalMap, Transmittance
+from rna_sdk.package import BaseColor, Curves, Mesh, NormalMap, Transmittance
 
 _ROUNDING = 1e-3
 """Rounding error of float32 coordinates, as a fraction of a strand's radius."""
@@ -23,14 +24,16 @@ class Points:
     """Points of hits.
 
     x: positions. axis: mapped normals or tangents, what the decoder is asked with. h: offsets of
-    fibers. n, ng, lift: normals that are interpolated and of triangles, and the way onto the smooth
-    surface; of fibers n is outward, ng and lift are 0. strand: of fibers, its number.
+    fibers. color: base colour. n, ng, lift: normals that are interpolated and of triangles, and the
+    way onto the smooth surface; of fibers n is outward, ng and lift are 0. strand: of fibers, its
+    number.
     """
 
     DRJIT_STRUCT: ClassVar = {
         "x": mi.Point3f,
         "axis": mi.Vector3f,
         "h": mi.Float,
+        "color": mi.Color3f,
         "n": mi.Vector3f,
         "ng": mi.Vector3f,
         "lift": mi.Vector3f,
@@ -43,7 +46,8 @@ class Points:
 
     def query(self, wo: mi.Vector3f) -> dict[str, Any]:
         """Arguments of decoders, but for what they take of the light."""
-        return {"position": self.x, "axis": self.axis, "h": self.h, "wo": wo}
+        where = {"position": self.x, "axis": self.axis, "h": self.h}
+        return {**where, "wo": wo, "base_color": self.color}
 
     def origin(self, wi: mi.Vector3f, step: float) -> mi.Point3f:
         """Origins of rays along wi; step: 2^-18 of the largest coordinate of the asset."""
@@ -62,7 +66,11 @@ class MeshGeometry:
     is_fiber = False
 
     def __init__(
-        self, mesh: Mesh, transmittance: list[Transmittance], normal_maps: list[NormalMap]
+        self,
+        mesh: Mesh,
+        transmittance: list[Transmittance],
+        normal_maps: list[NormalMap],
+        base_colors: list[BaseColor],
     ) -> None:
         self.mesh = mesh
         self.extent = float(np.abs(mesh.positions).max())
@@ -74,6 +82,7 @@ class MeshGeometry:
         count = len(mesh.triangles)
         self._holes = TransmittanceTextures(transmittance, count) if transmittance else None
         self._relief = NormalTextures(normal_maps, count) if normal_maps else None
+        self._colors = BaseColors(base_colors, count) if base_colors else None
         self.transmits = bool(transmittance)
 
     def shape(self) -> mi.Shape:
@@ -110,8 +119,22 @@ class MeshGeometry:
         if self._relief is not None:
             uv = self._at(mi.Point2f, self._uvs, corners, active)
             axis = self._relief.mapped(primitive, n, p, uv, _mixed(weights, uv), active)
-        nothing = mi.Float(0), mi.UInt32(0)
-        return Points(x, axis, nothing[0], n, ng, lift, nothing[1])
+        color = mi.Color3f(1)
+        if self._colors is not None:
+            uv = self._at(mi.Point2f, self._uvs, corners, active)
+            color = self._colors.at(primitive, _mixed(weights, uv), active)
+        return Points(x, axis, mi.Float(0), color, n, ng, lift, mi.UInt32(0))
+
+    def base_color(
+        self, primitive: mi.UInt32, u: mi.Float, v: mi.Float, level: mi.Float
+    ) -> mi.Color3f:
+        """Base colour of hits in a level of the images."""
+        if self._colors is None:
+            return mi.Color3f(1)
+        active = mi.Bool(True)
+        corners = self._corners(primitive, active)
+        uv = self._at(mi.Point2f, self._uvs, corners, active)
+        return self._colors.at(primitive, _mixed((1 - u - v, u, v), uv), active, level)
 
     def transmittance(
         self, primitive: mi.UInt32, u: mi.Float, v: mi.Float, d: mi.Vector3f, active: mi.Bool
@@ -192,7 +215,8 @@ class FiberGeometry:
         h = dr.select(size <= 1e-6, 0, dr.dot(n, across) / dr.select(size <= 1e-6, 1, size))
         zero = mi.Vector3f(0)
         return Points(
-            c + r * n, t, dr.clip(h, -1, 1), n, zero, zero, self.strand(primitive, active)
+            *(c + r * n, t, dr.clip(h, -1, 1), mi.Color3f(1)),
+            *(n, zero, zero, self.strand(primitive, active)),
         )
 
     def on_cone(

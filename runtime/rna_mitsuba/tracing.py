@@ -158,7 +158,8 @@ def _geometry(package: Package, part: int) -> MeshGeometry | FiberGeometry:
 
 
 def _mesh_geometry(package: Package, part: int, mesh: Mesh) -> MeshGeometry:
-    return MeshGeometry(mesh, package.transmittance(part), package.normal_maps(part))
+    records = package.transmittance(part), package.normal_maps(part), package.base_color(part)
+    return MeshGeometry(mesh, *records)
 
 
 def geometry_of(shape: Shape) -> Mesh | Curves:

@@ -162,8 +162,7 @@ class World:
                 here = mine & (hits.part == part)
                 at = points.query(wo) | {"wi": wi}
                 at = scene.query(part, hits, points, at, here)
-                visible, shadowed = evaluator.decode("transport", at, here)
-                total = dr.select(here, v * visible + (1 - v) * shadowed, total)
+                total = dr.select(here, evaluator.transport(v, at, here), total)
         return total
 
     def emission(

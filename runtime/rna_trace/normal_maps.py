@@ -13,7 +13,7 @@ from numba import prange
 
 from rna_sdk.compiled import compiled
 from rna_sdk.package import Mesh, NormalMap, Transmittance
-from rna_sdk.runtime.kernels.texels_around import REPEAT, texels_around
+from rna_trace.bilinear import REPEAT, texels_around
 from rna_trace.vectors import Vector, cross, dot, minus, plus, unit, vector_at
 
 

@@ -1,12 +1,14 @@
-"""Serves one page and its files, with byte ranges (RFC 9110, section 14), and nothing else.
+"""Serves one page and its files, with byte ranges and entity tags (RFC 9110), and nothing else.
 
 Only the names that the site has are answered: nothing here reads a path from a request.
 """
 
 from __future__ import annotations
 
+import hashlib
 import os
 import re
+from collections.abc import Mapping
 from http import HTTPStatus
 from pathlib import Path
 from urllib.parse import unquote
@@ -45,6 +47,7 @@ class PageServer(LocalServer):
             **{name: viewer_file(name) for name in VIEWER_FILES},
             "index.html": site.index(),
         }
+        self.tags = {name: _tag(name, content) for name, content in self.contents.items()}
         try:
             super().__init__(LOOPBACK, port, _Handler)
         except OSError as error:
@@ -77,23 +80,35 @@ class _Handler(LocalHandler):
 
     def _send(self, name: str, content: Path | bytes, with_body: bool) -> None:
         size = len(content) if isinstance(content, bytes) else os.stat(content).st_size
-        span = _span(self.headers.get("Range"), size)
+        tag = self.server.tags[name]
+        if tag in _tags(self.headers.get("If-None-Match")):
+            return self._begin(HTTPStatus.NOT_MODIFIED, name)
+        is_same = self.headers.get("If-Range", tag) == tag
+        span = _span(self.headers.get("Range") if is_same else None, size)
         if span is None:
             return self._refuse(HTTPStatus.REQUESTED_RANGE_NOT_SATISFIABLE, f"bytes */{size}")
         start, end = span
         is_part = (start, end) != (0, size)  # the whole is no part, even where it was asked for so
-        self.send_response(HTTPStatus.PARTIAL_CONTENT if is_part else HTTPStatus.OK)
+        more = {"Content-Length": str(end - start)}
         if is_part:
-            self.send_header("Content-Range", f"bytes {start}-{end - 1}/{size}")
-        kind = TYPES.get(Path(name).suffix, "application/octet-stream")
-        headers = {"Content-Type": kind, "Content-Length": str(end - start)}
-        is_hash = SITE_NAME.fullmatch(name) is not None and name != SCENE
-        headers["Cache-Control"] = "public, max-age=31536000, immutable" if is_hash else "no-cache"
-        for key, value in {"Accept-Ranges": "bytes", **headers, **HEADERS}.items():
-            self.send_header(key, value)
-        self.end_headers()
+            more["Content-Range"] = f"bytes {start}-{end - 1}/{size}"
+        self._begin(HTTPStatus.PARTIAL_CONTENT if is_part else HTTPStatus.OK, name, more)
         if with_body:
             self._write(content, start, end)
+
+    def _begin(self, status: HTTPStatus, name: str, more: Mapping[str, str] = {}) -> None:
+        """Status and headers of a file."""
+        is_hash = SITE_NAME.fullmatch(name) is not None and name != SCENE
+        headers = {
+            "Content-Type": TYPES.get(Path(name).suffix, "application/octet-stream"),
+            "Cache-Control": "public, max-age=31536000, immutable" if is_hash else "no-cache",
+            "ETag": self.server.tags[name],
+            "Accept-Ranges": "bytes",
+        }
+        self.send_response(status)
+        for key, value in {**headers, **more, **HEADERS}.items():
+            self.send_header(key, value)
+        self.end_headers()
 
     def _write(self, content: Path | bytes, start: int, end: int) -> None:
         if isinstance(content, bytes):
@@ -113,6 +128,16 @@ class _Handler(LocalHandler):
         self.send_header("Content-Length", "0")
         self.send_header("Connection", "close")  # a body that came with it is unread
         self.end_headers()
+
+
+def _tag(name: str, content: Path | bytes) -> str:
+    """A strong entity tag. Names of a site's files are hashes of them."""
+    return f'"{hashlib.sha256(content).hexdigest()[:32] if isinstance(content, bytes) else name}"'
+
+
+def _tags(header: str | None) -> list[str]:
+    """Those of an If-None-Match header, weak ones as strong ones (RFC 9110, 13.1.2)."""
+    return [tag.strip().removeprefix("W/") for tag in (header or "").split(",")]
 
 
 def _span(header: str | None, size: int) -> tuple[int, int] | None:

@@ -107,7 +107,8 @@ def _left_out(scene_file: SceneFile) -> list[str]:
     if transform != type(transform)():
         notes.append("the page shows the asset at the origin, not where the scene has it")
     if scene.objects:
-        notes.append(f"the page leaves out {len(scene.objects)} objects")
+        objects = "an object" if len(scene.objects) == 1 else f"{len(scene.objects)} objects"
+        notes.append(f"the page leaves out {objects}: {scene.objects[0].path.name}")
     shown = (DirectionalModel, EnvironmentModel)
     others = [light.type for light in scene.lights if not isinstance(light, shown)]
     if others:

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from rna_sdk.errors import ViewError
 from rna_sdk.file_kinds import kind_of, not_a
+from rna_sdk.glass_beside import glass_of
 from rna_view.site_files import Site
 
 
@@ -26,6 +27,8 @@ def site_for(source: Path, environment: Path | None = None) -> Site:
     elif kind == "package":
         site = Site()
         site.attributes["src"] = site.add_package(source)
+        if (glass := glass_of(source)).is_file():
+            site.notes.append(f"the page leaves out {glass.name}: three.js and rna-run show it")
     else:
         wrong = not_a("package", source) or "expected a .rna package or a .yaml scene file"
         raise ViewError(f"{source}: {wrong}")

@@ -3,24 +3,13 @@ import { build } from "esbuild";
 import { copyFileSync, mkdirSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { shaders } from "./shaders.mjs";
+import { imports } from "./imports.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
 // By page: where it goes, and what is there beside its main.js and page.css.
 const PAGES = {
   viewer: { own: "../rna_view/site", more: [{ in: "src/element/rna_viewer.js", out: "rna-viewer" }] },
   preview: { own: "../rna_render/preview/site", more: [] },
-};
-const ENTRIES = ["surface", "fiber", "evaluate", "weights_uniform.wgsl", "weights_storage.wgsl", "hit", "light", "queue", "columns", "environment_lobes.wgsl"];
-
-/** Imports that are no files: rna_gpu's shaders; and in place of all of three what its reader of EXR needs. */
-const plugin = {
-  name: "imports",
-  setup({ onResolve, onLoad }) {
-    onResolve({ filter: /^three$/ }, () => ({ path: join(here, "src/light/parts_of_three.js") }));
-    onResolve({ filter: /^rna_gpu\/wgsl$/ }, ({ path }) => ({ path, namespace: "shaders" }));
-    onLoad({ filter: /.*/, namespace: "shaders" }, () => ({ contents: shaders(ENTRIES) }));
-  },
 };
 
 for (const [name, { own, more }] of Object.entries(PAGES)) {
@@ -36,7 +25,7 @@ for (const [name, { own, more }] of Object.entries(PAGES)) {
     target: "es2022",
     legalComments: "eof",
     loader: { ".wgsl": "text" },
-    plugins: [plugin],
+    plugins: [imports],
     logLevel: "warning",
   });
   copyFileSync(join(here, `src/${name}/index.html`), join(out, "index.html"));

@@ -120,10 +120,9 @@ def with_reference(name: str, function: Callable[..., object]) -> InProcess:
     return InProcess(base_color=answer)
 
 
-def means_of_values(record: BaseColor) -> list[np.ndarray]:
+def linear_last(record: BaseColor) -> list[np.ndarray]:
     """Levels whose values of sRGB are averaged as they are."""
-    levels: list[np.ndarray] = LEVELS(replace(record, color_space="linear"))
-    return levels
+    return LEVELS(replace(record, color_space="linear"))
 
 
 LEVELS, LOOKED_UP = reference._levels, reference._looked_up
@@ -132,7 +131,7 @@ LEVELS, LOOKED_UP = reference._levels, reference._looked_up
 @pytest.mark.parametrize(
     ("name", "function"),
     [
-        ("_levels", means_of_values),
+        ("_levels", linear_last),
         ("_means", lambda n: np.eye(n)[:: 2 if n > 1 else 1][: max(1, n // 2)]),
         (
             "_looked_up",
@@ -150,9 +149,9 @@ def test_readers_that_filter_wrong_fail(
     assert len(failures(with_reference(name, function), kit, "base-color")) == 1
 
 
-def test_interpolation_of_linear_colours_fails(kit: Kit) -> None:
+def test_interpolation_before_colours_are_linear_fails(kit: Kit) -> None:
     def looked_up(level: np.ndarray, at: np.ndarray, wrap: tuple[str, str]) -> np.ndarray:
-        return LOOKED_UP(level**2.2, at, wrap) ** (1 / 2.2)
+        return LOOKED_UP(level ** (1 / 2.2), at, wrap) ** 2.2
 
     assert len(failures(with_reference("_looked_up", looked_up), kit, "base-color")) == 1
 

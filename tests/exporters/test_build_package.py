@@ -9,9 +9,10 @@ import numpy as np
 import pytest
 import torch
 
+from rna_export.asset_flip import ImageFlip, asset_flip, scene_exposures
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.export.rna_export import main
-from rna_export.metrics import flip, psnr
+from rna_export.metrics import psnr
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.report import Curves
 from rna_export.training.training_run import Run, train
@@ -105,19 +106,24 @@ def test_the_error_of_small_images_is_recorded(exported: Exported, tier: str) ->
     assert (whole.height, half.height) == (24, 12)
     assert whole.flip == record.flip
     # Every second row and column of a picture that is twice as large, block by block.
-    pairs = [
-        (v.image(r), v.image(v.samples["radiance"])) for r, v in zip(radiance, views, strict=True)
-    ]
-    corners = [(0, 0), (0, 1), (1, 0), (1, 1)]
-    reduced = [[sum(image[y::2, x::2] / 4 for y, x in corners) for image in p] for p in pairs]
-    assert half.flip == pytest.approx(np.mean([flip(*p)[0] for p in reduced]), abs=1e-6)
+    exposures = scene_exposures([v.reference for v in views])
+    flips = []
+    for v, rows, e in zip(views, radiance, exposures, strict=True):
+        images = [v.image(of) for of in (rows, np.ones_like(rows), *v.halves)]
+        corners = [(0, 0), (0, 1), (1, 0), (1, 1)]
+        ours, covered, *halves = (
+            sum(image[y::2, x::2] / 4 for y, x in corners) for image in images
+        )
+        flips.append(ImageFlip.of(ours, np.stack(halves), covered[..., 0], e))
+    assert half.flip == pytest.approx(asset_flip(flips).mean, abs=1e-6)
 
 
 def test_cost_and_agreement_are_recorded(exported: Exported) -> None:
     with Package.open(exported.package) as package:
         small, paper = package.manifest.tiers
-    for tier, columns in ((small, 25), (paper, 17)):
-        assert tier.cost.multiply_adds == columns * 16 + 16 * 16 + 16 * 6
+    of_shadows = 17 * 8 + 2 * 8 * 8 + 8 * 3  # a decoder of its own
+    for tier, columns, last in ((small, 25, 16 * 3 + of_shadows), (paper, 17, 16 * 6)):
+        assert tier.cost.multiply_adds == columns * 16 + 16 * 16 + last
         assert tier.cost.ns_per_query > 0.0 and tier.cost.machine
         assert 0.0 <= tier.parts[0].agreement.max_relative < 1e-4
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -15,12 +14,13 @@ from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.export.export_summary import closing_lines
 from rna_export.export.package_build import build_package
 from rna_export.pictures import COLUMNS, comparison_sheet, enlarged, sheet_of
-from rna_export.psnr_words import psnr_in_words
+from rna_export.training.asset_error import asset_error
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.training_run import Run, train
 from rna_export.training.training_summary import Effort
 from rna_export.training.training_summary import closing_lines as training_lines
-from rna_export.training.validation import exposure, mean_psnr, mean_psnr_of_pixels, shade
+from rna_export.training.validation import exposure, mean_psnr, shade
+from rna_sdk.error_words import error_in_words, error_text
 from tests.exporters.synthetic import make_dataset, tiny
 from tests.exporters.two_parts import make, spikes
 
@@ -44,10 +44,10 @@ def test_little_work_is_told_and_warned_of(tmp_path: Path) -> None:
     part = make_dataset(tmp_path / "ball.rays")
     best = trained(part, tmp_path / "run")
     score, warning = training_lines(best, part)
-    assert score.startswith("small: PSNR ") and score.endswith(
+    assert score.startswith("small: FLIP 0.") and score.endswith(
         "; 40 of 20,000 steps, 24 of 2,000 lights"
     )
-    assert psnr_in_words(float(score.split()[2])) in score
+    assert error_in_words(float(score.split()[2].rstrip(","))) in score
     assert warning.startswith(
         "warning: 40 of 20,000 steps and 24 of 2,000 lights, less than a tenth"
     )
@@ -63,12 +63,6 @@ def test_the_usual_work_is_no_warning() -> None:
     assert "steps" not in only and "199 of 2,000 lights" in only
 
 
-def test_better_psnr_never_has_words_of_a_worse_one() -> None:
-    words = [psnr_in_words(db) for db in np.arange(10.0, 60.0, 0.5)]
-    assert list(dict.fromkeys(words)) == [psnr_in_words(db) for db in (20, 27, 32, 36, 40, 50)]
-    assert sum(a != b for a, b in pairwise(words)) == 5
-
-
 def test_an_export_says_it_again_with_the_notes_of_the_capture(tmp_path: Path) -> None:
     part = make_dataset(tmp_path / "ball.rays")
     dataset = part.dataset
@@ -81,7 +75,8 @@ def test_an_export_says_it_again_with_the_notes_of_the_capture(tmp_path: Path) -
     lines = closing_lines(package, manifest, models, dataset)
     (tier,) = manifest.tiers
     assert tier.validation is not None
-    assert f"PSNR {tier.validation.psnr:.2f} dB ({psnr_in_words(tier.validation.psnr)})" in lines[0]
+    error = error_text(tier.validation.flip, tier.validation.flip_p95)
+    assert lines[0].startswith(f"small: {error}, PSNR {tier.validation.psnr:.2f} dB; ")
     assert "40 of 20,000 steps, 24 of 2,000 lights" in lines[0]
     assert lines[-1] == "note: texture wood.png: no such file; black"
     assert sum(line.startswith("warning: 40 of 20,000 steps") for line in lines) == 1
@@ -94,12 +89,14 @@ def test_strands_are_told_in_pixels_of_several_rays(tmp_path: Path) -> None:
     preset = tiny(kind="fiber")
     best = train(Run(dataset.only, preset, "small", tmp_path / "run"), say=lambda _: None)
     model, views = load_checkpoint(best), dataset.whole_views()
-    in_pixels = mean_psnr_of_pixels([shade(model.model, v.parts[0]) for v in views], views)
-    text = f" dB a ray, {in_pixels:.1f} dB in pixels of 16 ({psnr_in_words(in_pixels)})"
-    assert text in training_lines(best, dataset.only)[0]
+    error = asset_error([shade(model.model, v.parts[0]) for v in views], views)
+    assert str(error) in training_lines(best, dataset.only)[0]
     package = tmp_path / "spikes.rna"
     manifest = build_package([model], dataset, package, None, "CC0-1.0", lambda _: None)
-    assert text in closing_lines(package, manifest, [model], dataset)[0]
+    (tier,) = manifest.tiers
+    assert tier.validation.flip == pytest.approx(error.mean, abs=2e-3)
+    assert "in pixels of 4 x 4 rays" in tier.validation.definition
+    assert tier.validation.flip_at_height[0].height == views[0].resolution // 4
 
 
 def test_a_black_reference_is_a_warning_and_no_record(tmp_path: Path) -> None:
@@ -109,7 +106,7 @@ def test_a_black_reference_is_a_warning_and_no_record(tmp_path: Path) -> None:
     manifest = build_package(models, part.dataset, package, None, "CC0-1.0", lambda _: None)
     assert manifest.tiers[0].validation is None and manifest.tiers[0].cost is not None
     lines = closing_lines(package, manifest, models, part.dataset)
-    assert "no PSNR is recorded" in lines[0]
+    assert "no error is recorded" in lines[0]
     assert any(line.startswith("warning: the validation images are black") for line in lines)
 
 

@@ -10,13 +10,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from rna_export.asset_flip import ImageFlip
 from rna_export.capture.orientation import joined_axes, rotation
-from rna_export.compare.comparison_page import write_page
+from rna_export.compare.comparison_page import error_of, write_page
 from rna_export.compare.comparison_run import Pair, compare
 from rna_export.compare.origin import Origin
 from rna_export.compare.views import Shot, shots
-from rna_export.metrics import NoiselessPsnr, flip, psnr
-from rna_export.psnr_words import psnr_in_words
+from rna_export.metrics import NoiselessPsnr, psnr
+from rna_sdk.error_words import error_text
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Mesh, Provenance
 from rna_sdk.package.packing import Unpacked
@@ -95,6 +96,7 @@ def test_the_page_holds_every_picture_and_its_numbers(tmp_path: Path) -> None:
     assert "found here, 1 image<" in (tmp_path / "index.html").read_text()
     write_page(tmp_path, "a <b>", pairs, {"samples": 4})
     results = json.loads((tmp_path / "results.json").read_text())
+    assert results["flip"] == pytest.approx(np.mean([p.flip.mean for p in pairs]))
     assert results["psnr"] == pytest.approx(np.mean([p.psnr for p in pairs]))
     assert results["psnr_without_noise"]["low"] == pytest.approx(29.5)
     assert [p["psnr_without_noise"]["low"] for p in results["pictures"]] == [29.0, 30.0]
@@ -117,8 +119,8 @@ def test_the_page_says_what_was_compared_with_recorded_and_found_figures(tmp_pat
     page = (tmp_path / "out" / "index.html").read_text()
     assert "is not the file that the package was captured from" in page
     assert "1,234 steps, 56 light directions" in page and "ball.py" in page
-    assert f"{pair.psnr:.2f} dB: {psnr_in_words(pair.psnr)}" in page
-    assert "39.50 dB, 8 images of other views" in page
+    assert f"<td>{error_of([pair])}</td>" in page
+    assert f"{error_text(0.07, 0.2)}, 8 images of other views" in page and "39.50 dB" in page
 
 
 def test_the_source_is_known_by_its_hash(tmp_path: Path) -> None:
@@ -177,7 +179,8 @@ def _package(folder: Path, **provenance: object) -> Path:
     unpacked = Unpacked.read(TOY)
     tier, *others = unpacked.manifest.tiers
     assert tier.validation is not None
-    recorded = tier.validation.model_copy(update={"psnr": 39.5})
+    errors = {"psnr": 39.5, "flip": 0.07, "flip_p95": 0.2}
+    recorded = tier.validation.model_copy(update=errors)
     manifest = unpacked.manifest.model_copy(
         update={
             "provenance": Provenance(**{**whole, **provenance}),
@@ -192,6 +195,6 @@ def _package(folder: Path, **provenance: object) -> Path:
 def _pair(shot: Shot, seed: int) -> Pair:
     rng = np.random.default_rng(seed)
     ours, cycles = rng.random((2, 16, 16, 3), dtype=np.float32) * 0.3
-    mean, error = flip(ours, cycles)
+    error = ImageFlip.of(ours, np.stack([cycles] * 2), np.ones((16, 16)), 1.0)
     clean = NoiselessPsnr(30.0, 29.0 + seed, 31.0)
-    return Pair(shot, ours, cycles, error, psnr(ours, cycles), clean, mean, 0.0, 0.5, 1.0)
+    return Pair(shot, ours, cycles, error, psnr(ours, cycles), clean, 0.0, 0.5, 1.0)

@@ -3,6 +3,7 @@ import pytest
 
 from rna_export.capture.rays.capture_directions import (
     around,
+    direction_behind,
     frame,
     light_direction,
     reflect,
@@ -35,6 +36,15 @@ def test_lights_are_spread_at_any_count(count: int, domain: str) -> None:
     area = (4.0 if domain == "sphere" else 2.0) * np.pi / count
     # Independent uniform directions come as near as 0.01 to 0.2 of this.
     assert nearest.min() > 0.25 * np.sqrt(area)
+
+
+def test_a_light_from_behind_is_opposite_or_as_far_as_there_is_one() -> None:
+    above = np.array([0.0, 2.0, 0.0])
+    lights = [direction_behind("sphere", above, np.random.default_rng(k)) for k in range(50)]
+    assert max(light[1] for light in lights) <= -0.5
+    assert np.ptp(lights, axis=0).min() > 0.4  # not one and the same
+    horizon = direction_behind("hemisphere", above, np.random.default_rng(0))
+    assert 0.0 <= horizon[1] < 0.1
 
 
 def test_lights_depend_on_the_seed() -> None:

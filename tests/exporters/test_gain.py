@@ -95,7 +95,7 @@ def test_a_pilot_finds_the_noise_of_what_renders() -> None:
 
     def measured(deviation: float) -> Pilot:
         cycles = NoisyCycles(scene, deviation)
-        return measure_pilot(scene, cycles, settings, EVERYWHERE, False, 12e-6)
+        return measure_pilot(scene, cycles, settings, EVERYWHERE, False, 12e-6, lambda: None)
 
     quiet, noisy = measured(0.1), measured(0.2)
     assert quiet.path_us == pytest.approx(12.0)
@@ -166,7 +166,8 @@ def test_estimate_prints_and_writes_nothing(
     monkeypatch.setattr(gain_module, "table_of", lambda: HALF)
     (tmp_path / "ball.py").write_text("pass")
     assert main(["ball.py", "--estimate"]) == 0
-    assert capsys.readouterr().out == f"{gain_text(pilot(10.0), HALF)}\n"
+    lines = "opening ball.py in Blender", gain_text(pilot(10.0), HALF)
+    assert capsys.readouterr().out == "\n".join([*lines, ""])
     assert [path.name for path in tmp_path.iterdir()] == ["ball.py"]
 
 

@@ -12,7 +12,6 @@ from rna_export.metrics import (
     flip,
     plain,
     psnr,
-    psnr_of_pixels,
     psnr_without_noise,
     relative_error_p99,
     relative_mse,
@@ -192,16 +191,3 @@ def test_references_without_a_picture_are_named(
     references: list[np.ndarray], expected: str | None
 ) -> None:
     assert plain(references) == expected
-
-
-def test_errors_of_single_rays_fade_in_pixels_and_errors_of_brightness_stay() -> None:
-    rng = np.random.default_rng(0)
-    image = np.zeros((64, 64, 3), np.float32)
-    image[:, :32] = 0.5 / np.pi
-    covered = 64 * 32
-    noisy = image + (0.02 / np.pi * rng.normal(size=image.shape) * (image > 0)).astype(np.float32)
-    one, four = (psnr_of_pixels(noisy, image, k, covered) for k in (1, 4))
-    assert one == pytest.approx(psnr(noisy[:, :32].reshape(-1, 3), image[:, :32].reshape(-1, 3)))
-    assert four - one == pytest.approx(10.0 * np.log10(16.0), abs=0.7)
-    brighter = [psnr_of_pixels(1.1 * image, image, k, covered) for k in (1, 4)]
-    assert brighter == pytest.approx([26.02, 26.02], abs=0.01)

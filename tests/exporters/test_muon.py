@@ -93,8 +93,9 @@ def test_it_takes_all_matrices_but_the_last(kind: str, preset: str) -> None:
     names = {id(p): name for name, p in model.named_parameters()}
     taken = {names[id(m)] for m in muon_matrices(model, chosen.training)}
     layers = chosen.model.hidden_layers
-    decoder = {f"decoder.{2 * k}.weight" for k in range(layers)}
-    assert taken == decoder | {f"emission.decoder.{2 * k}.weight" for k in range(2)}
+    layers_of = {"decoder": layers, "emission.decoder": 2}
+    layers_of |= {"shadow.decoder": 3} if chosen.model.shadow_width else {}
+    assert taken == {f"{name}.{2 * k}.weight" for name, n in layers_of.items() for k in range(n)}
     groups = [g for o in optimizers_of(model, chosen.training) for g in o.param_groups]
     owned = [names[id(p)] for group in groups for p in group["params"]]
     assert sorted(owned) == sorted(names.values())  # each once

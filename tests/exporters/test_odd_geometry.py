@@ -58,6 +58,28 @@ def test_lines_and_triangles_without_area_are_refused(open_worker: OpenWorker) -
         exported_parts(worker, CaptureSettings())
 
 
+GUIDES = """
+item = add(CUBE, SIDES)
+tree = bpy.data.node_groups.new("guides", "GeometryNodeTree")
+for way in ("INPUT", "OUTPUT"):
+    tree.interface.new_socket("Geometry", in_out=way, socket_type="NodeSocketGeometry")
+start, end, line, join = (
+    tree.nodes.new(kind) for kind in ("NodeGroupInput", "NodeGroupOutput",
+    "GeometryNodeCurvePrimitiveLine", "GeometryNodeJoinGeometry"))
+for source in (start, line):
+    tree.links.new(source.outputs[0], join.inputs[0])
+tree.links.new(join.outputs[0], end.inputs[0])
+item.modifiers.new("guides", "NODES").node_group = tree
+"""
+
+
+def test_curves_of_geometry_nodes_without_a_surface_are_named(open_worker: OpenWorker) -> None:
+    worker = open_worker(GUIDES)
+    assert [note for note in worker.opened["notes"] if "without a surface" in note]
+    mesh = exported_parts(worker, CaptureSettings()).geometries["asset"]
+    assert isinstance(mesh, Mesh) and len(mesh.triangles) == 12
+
+
 @pytest.mark.parametrize("radius", [7e-5, 7e6])
 def test_holes_at_any_scale(open_worker: OpenWorker, radius: float) -> None:
     """Rays begin close before a hit and end close behind it, of whatever size the asset is."""

@@ -213,3 +213,31 @@ def test_preview_surfaces_come_with_the_file(open_worker: OpenWorker, tmp_path: 
     red, green, blue = traced.radiance[traced.front].mean(axis=0)
     assert red == pytest.approx(0.8 / np.pi, rel=0.1)
     assert 3.0 < red / green < 8.0 and 1.2 < blue / green < 2.0
+
+
+TETRAHEDRON = """
+def Mesh "%s"
+{
+    int[] faceVertexCounts = [3, 3, 3, 3]
+    int[] faceVertexIndices = [0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2]
+    point3f[] points = [(0, 0, 0), (100, 0, 0), (0, 100, 0), (0, 0, 50)]
+    uniform token subdivisionScheme = "none"
+    %s
+}
+"""
+NORMALS = "normal3f[] normals = [(-1,0,0), (1,0,0), (0,1,0), (0,0,1)] ( interpolation = 'vertex' )"
+
+
+def test_usd_meshes_without_normals_have_facets(open_worker: OpenWorker, tmp_path: Path) -> None:
+    path = tmp_path / "two.usda"
+    path.write_text(HEADER + TETRAHEDRON % ("flat", "") + TETRAHEDRON % ("smooth", NORMALS))
+    worker = open_worker(path)
+    assert [note for note in worker.opened["notes"] if "no normals" in note] == [
+        "the file has no normals, so these meshes have facets, as in USD: 'flat'"
+    ]
+    corners = worker.export_corners(None, {})
+    p = corners["positions"].reshape(-1, 3, 3)
+    facing = np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0])
+    facing /= np.linalg.norm(facing, axis=1, keepdims=True)
+    cosine = np.sum(corners["normals"].reshape(-1, 3, 3) * facing[:, None], axis=2).min(axis=1)
+    assert sorted(cosine > 0.999) == [False] * 4 + [True] * 4

@@ -3,7 +3,7 @@
     python -m tests.fuzz.packages --reader c-host --first 0 --count 100000
 
 Mutations by number of small packages with all that the format has: parts, textures, normal maps,
-emission, quantised geometry, proxies, coded entries. Readers:
+base colour, emission, quantised geometry, proxies, coded entries. Readers:
 
 - `c-host`: the C host under AddressSanitizer and UBSan, each entry in a block of its own size; it
   evaluates and traces what it accepts. Needs `cc`;
@@ -30,6 +30,7 @@ from numpy.typing import NDArray
 from rna_sdk.package import Curves, Mesh, Package, Planes, Severity
 from rna_sdk.package.issues import Code
 from rna_sdk.package.validator import inspect
+from rna_sdk.runtime.base_color import BaseColorMaps
 from rna_sdk.runtime.normal_maps import mapped_normals
 from rna_sdk.runtime.transmittance_lookup import transmittance
 from tests.conftest import REPOSITORY
@@ -48,6 +49,7 @@ C_FLAGS = [
     *("-DRNA_EXACT_ENTRIES", "-D_POSIX_C_SOURCE=200809L"),  # each entry in a block of its own size
 ]
 _HITS = 4
+_MOST_TEXELS = 2**18  # of images that are looked up, for the time
 _NOT_OF_THE_C_HOST = {"EXTENSION_REQUIRED", "EXTENSION_UNKNOWN"}
 """Codes where the C host has not looked into the extension."""
 
@@ -98,7 +100,7 @@ def stream(packages: Iterable[bytes]) -> bytes:
 def build(folder: Path, sources: Path = SOURCES) -> Path:
     """The program of c_host.c with the C host of a folder."""
     program = folder / "c_host"
-    files = [HERE / "c_host.c", sources / "rna.c", sources / "trace.c"]
+    files = [HERE / "c_host.c", *(sources / f"{name}.c" for name in ("rna", "trace", "png"))]
     command = ["cc", *C_FLAGS, f"-I{sources}", *map(str, files), "-o", str(program), "-lm"]
     subprocess.run(command, check=True, capture_output=True)
     return program
@@ -157,6 +159,8 @@ def run_python(mutations: Mutations, folder: Path) -> Tally:
         other = said.get(number)
         if other is None or _NOT_OF_THE_C_HOST.intersection(other):
             continue
+        if codes == ["BASE_COLOR_IMAGE"] and _accepts(other):
+            continue  # an image whose header alone is right
         if _accepts(codes) != _accepts(other):
             key = f"python: {' '.join(codes) or 'valid'}, C: {' '.join(other) or 'valid'}"
             tally.disagreements.setdefault(key, []).append(number)
@@ -219,14 +223,23 @@ def _check_geometry(geometry: Mesh | Curves) -> None:
 
 
 def _look_up(package: Package, part: int, mesh: Mesh) -> None:
-    """Transmittance and normals at the first and the last triangle of each record."""
+    """Transmittance, normals and base colour at the first and the last triangle of each record."""
     u, v = np.array([[0, 1, 0.25, 0.75], [1, 0, 0.5, 0.125]], np.float32)
     down = np.tile(np.array([0, 0, 1], np.float32), (_HITS, 1))
-    holes, maps = package.transmittance(part), package.normal_maps(part)
+    holes, maps, colors = (
+        *(package.transmittance(part), package.normal_maps(part)),
+        package.base_color(part),
+    )
     for hole in holes:
         transmittance(mesh, holes, _ends(hole.first, hole.count, mesh), u, v, down)
     for normal_map in maps:
         mapped_normals(mesh, maps, _ends(normal_map.first, normal_map.count, mesh), u, v)
+    if sum(color.image is not None and color.image.size > _MOST_TEXELS for color in colors):
+        return
+    for color in colors:
+        found = BaseColorMaps(mesh, colors).at(_ends(color.first, color.count, mesh), u, v, 0.01)
+        if not (np.isfinite(found).all() and found.min() >= 0.0 and found.max() <= 1.0001):
+            raise ValueError("base colours that are not from 0 to 1")
 
 
 def _ends(first: int, count: int, mesh: Mesh) -> NDArray[np.int64]:

@@ -108,8 +108,8 @@ camera: {position: [1.2, 1.6, 4.2], look_at: [0.6, -0.1, 0], vertical_fov_deg: 4
 lights:
   - {type: directional, direction: [0.5, 0.9, 0.3], irradiance: [0.5, 0.4, 0.4]}
   - {type: environment, radiance: [0.1, 0.1, 0.2]}
-resolution: [48, 32]
-samples: 4
+resolution: [32, 24]
+samples: 2
 max_depth: 2
 """
 

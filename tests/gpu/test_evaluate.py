@@ -34,10 +34,11 @@ def rows(count: int, bounds: np.ndarray) -> list[np.ndarray]:
 
 def test_the_conformance_kit(device: Device) -> None:
     kit: Kit = load_kit(KIT)
-    reader_module = conformance_reader
-    reader = InProcess(reader_module.evaluate, reader_module.visibility, reader_module.normals)
-    scores = list(run_levels(reader, kit, ("evaluate", "visibility", "normals")))
-    assert len(scores) == len(kit.evaluate) + len(kit.visibility) + len(kit.normals)
+    own = conformance_reader
+    reader = InProcess(own.evaluate, own.visibility, own.normals, base_color=own.base_color)
+    scores = list(run_levels(reader, kit, ("evaluate", "visibility", "normals", "base-color")))
+    cases = kit.evaluate, kit.visibility, kit.normals, kit.base_color
+    assert len(scores) == sum(map(len, cases))
     assert [score for score in scores if not score.passed] == []
 
 

@@ -11,7 +11,7 @@ from rna_gpu import Device
 from rna_render.materials import Material, MeshObject
 from rna_render.scene.scene_file import SceneFile
 from rna_render.world.world import World
-from rna_sdk.runtime.kernels.texels_around import CLAMP, MIRROR
+from rna_trace.bilinear import CLAMP, MIRROR
 from tests.gpu.scenes import (
     assert_same_law,
     assert_same_numbers,

@@ -25,6 +25,7 @@ from tests.package.builders import (
 )
 from tests.package.corpus.registry import DECODER, Entries, with_entry
 from tests.package.lantern import make_lantern, make_lantern_manifest, make_textures
+from tests.package.prints import make_print
 from tests.package.relief import make_maps, make_relief, make_relief_manifest
 
 SURFACE_INPUTS = (
@@ -93,7 +94,7 @@ def _write_rich(folder: Path) -> list[Path]:
     """Write packages of 6 to 20 KB below `folder` with all else that the format has.
 
     Parts with emission, holes and glass; normal maps; both with quantised geometry; proxies, a
-    stand-in and a poster; entries that are coded.
+    stand-in and a poster; entries that are coded; base colour, and a decoder of shadowed light.
     """
     lantern = make_lantern(folder / "parts.rna")
     coded = folder / "coded.rna"
@@ -105,6 +106,7 @@ def _write_rich(folder: Path) -> list[Path]:
         _write_quantised_relief(folder / "quantised-relief.rna"),
         _write_proxies(folder / "proxies.rna"),
         coded,
+        make_print(folder / "print.rna"),
     ]
 
 

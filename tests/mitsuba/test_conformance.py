@@ -1,4 +1,4 @@
-"""`rna_mitsuba` as a reader: transport and emission in Dr.Jit, rays, mapped normals."""
+"""`rna_mitsuba` as a reader: transport and emission in Dr.Jit, rays, normals, base colours."""
 
 from __future__ import annotations
 
@@ -12,11 +12,13 @@ from rna_sdk.conformance.rna_conform import run_levels
 from tests.conformance.conftest import KIT, InProcess
 
 
-@pytest.mark.parametrize("level", ["evaluate", "visibility", "normals"])
+@pytest.mark.parametrize("level", ["evaluate", "visibility", "normals", "base-color"])
 def test_it_passes(level: str) -> None:
     from rna_mitsuba import conformance_reader as reader
 
-    program = InProcess(reader.evaluate, reader.visibility, reader.normals)
+    program = InProcess(
+        reader.evaluate, reader.visibility, reader.normals, base_color=reader.base_color
+    )
     scores = list(run_levels(program, load_kit(KIT), [level]))
     assert scores and [score for score in scores if not score.passed] == []
 

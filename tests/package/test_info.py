@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from rna_sdk.error_words import error_text
 from rna_sdk.package import Cone, Domain, Package, Provenance
 from rna_sdk.package.command.package_info import info_lines, package_info
 from rna_sdk.package.command.rna_info import main
@@ -25,8 +26,8 @@ def test_it_says_what_the_package_records(capsys: pytest.CaptureFixture[str]) ->
         "toy, 4.11 MB, format 2.0",
         "0.798 x 0.432 x 0.462 m",
         "asset: surface, 17,658 triangles",
-        "small: PSNR 38.92 dB, FLIP 0.0363; 156 ns/query (2 threads, AMD EPYC, 2 cores)",
-        "hq-int8: PSNR 39.74 dB",
+        "156 ns/query (2 threads, AMD EPYC, 2 cores)",
+        "hq-int8: ",
         "seen from all, lit from all",
         "examples/quickstart/toy.py",
         "3,520 lights, 4,096 rays a light, 16 samples a ray",
@@ -38,6 +39,15 @@ def test_it_says_what_the_package_records(capsys: pytest.CaptureFixture[str]) ->
     ):
         assert part in said, part
     assert "note" not in said
+
+
+def test_the_error_is_told_in_words(tmp_path: Path) -> None:
+    info = package_info(make_tiny_package(tmp_path / "tiny.rna"))
+    (tier,) = info["tiers"]
+    tier.update(psnr=38.92, flip=0.081, flip_p95=0.25)
+    assert f"small: {error_text(0.081, 0.25)}, PSNR 38.92 dB; " in "\n".join(info_lines(info))
+    tier.update(flip=0.036, flip_p95=None)  # of the whole picture, as it was recorded once
+    assert "small: PSNR 38.92 dB; " in "\n".join(info_lines(info))
 
 
 def test_lobes_are_told_with_their_error(tmp_path: Path) -> None:

@@ -60,6 +60,48 @@ def test_a_scene_becomes_an_exr_and_a_png(folder, tmp_path, capsys):
     assert "first pixels after" in printed.err
 
 
+def test_what_the_camera_sees_nothing_of_is_transparent_and_far(folder, tmp_path):
+    (folder / "wide.yaml").write_text(
+        SCENE.replace("LIGHT", "1").replace("fov_deg: 5", "fov_deg: 60")
+    )
+    out, png = tmp_path / "out.exr", tmp_path / "out.png"
+    assert run(folder / "wide.yaml", "--out", out, "--png", png) == 0
+    channels, _ = read_exr(out)
+    pixels = np.asarray(Image.open(png))
+    assert pixels.shape == (8, 12, 4) and pixels[0, 0].tolist() == [0, 0, 0, 0]
+    assert pixels[4, 6, 3] == 255
+    assert channels["Z"][0, 0] == 1e10
+    assert channels["Z"][4, 6] == pytest.approx(4.0 - 1.0, abs=0.1)  # the unit ball's front
+
+
+def test_a_lens_blurs_what_is_out_of_focus(folder, tmp_path):
+    """An edge of a ball is as wide as the circle of confusion; in focus it is sharp."""
+    text = (
+        SCENE.replace("LIGHT", "1")
+        .replace("fov_deg: 5", "fov_deg: 60")
+        .replace("[12, 8]", "[60, 40]")
+    )
+    partly = {}
+    for name, more in (("sharp", ""), ("blurred", ", aperture: 1, focus: 2")):
+        scene = text.replace("fov_deg: 60", f"fov_deg: 60{more}").replace(
+            "samples: 4", "samples: 64"
+        )
+        (folder / f"{name}.yaml").write_text(scene)
+        assert run(folder / f"{name}.yaml", "--out", tmp_path / f"{name}.exr") == 0
+        alpha = read_exr(tmp_path / f"{name}.exr")[0]["A"]
+        partly[name] = ((alpha > 0.02) & (alpha < 0.98)).sum(), alpha.mean()
+    assert partly["blurred"][0] > 4 * partly["sharp"][0]
+    assert partly["blurred"][1] == pytest.approx(partly["sharp"][1], rel=0.2)
+
+
+def test_a_lens_is_for_the_cpu(folder, tmp_path, capsys):
+    (folder / "lens.yaml").write_text(
+        SCENE.replace("LIGHT", "1").replace("fov_deg: 5", "fov_deg: 5, aperture: 1")
+    )
+    assert run(folder / "lens.yaml", "--out", tmp_path / "a.exr", "--device", "gpu") == 1
+    assert "camera.aperture: depth of field is rendered on the CPU" in capsys.readouterr().err
+
+
 def test_light_from_behind_shows_the_shadowed_output(folder, tmp_path):
     assert run(folder / "backlit.yaml", "--out", tmp_path / "out.exr") == 0
     channels, _ = read_exr(tmp_path / "out.exr")

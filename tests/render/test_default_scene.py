@@ -14,9 +14,11 @@ from rna_render.scene.scene_file import read_scene
 from rna_render.scene.scene_model import Scene
 from rna_render.scene.scene_of_package import Shown, default_scene, scene_text, shown
 from rna_sdk.errors import PackageError, SceneError
+from rna_sdk.glass_beside import glass_of
 from rna_sdk.package import Cone, Package
 from rna_sdk.size_note import size_note
 from tests.render.assets import sphere, square
+from tests.render.gltf_text import box_glb
 from tests.render.packages import write_lambert_package, write_lamp_package
 
 CUBE = np.array([-1.0, -1.0, -1.0]), np.array([1.0, 1.0, 1.0])
@@ -139,3 +141,17 @@ def test_a_size_that_looks_like_centimetres_is_named(tmp_path, capsys, size, is_
     out = ["--png", str(tmp_path / "a.png"), "--resolution", "4x4", "--samples", "1"]
     assert main([str(package), *out]) == 0
     assert ("note: the asset is 180 m in size, 1.8 m if" in capsys.readouterr().err) is is_named
+
+
+def test_glass_beside_the_package_is_part_of_the_scene(tmp_path: Path) -> None:
+    package = write_lambert_package(tmp_path / "it.rna", sphere(3))
+    alone = shown(package)
+    glass_of(package).write_bytes(box_glb((1.0, 9.0, 1.0), ior=1.5))
+    scene = read_scene(package).scene
+    assert [item.path.name for item in scene.objects] == ["it.glass.glb"]
+    of = shown(package)
+    assert of.low.tolist() == pytest.approx([*np.minimum(alone.low, [-0.5, -4.5, -0.5])])
+    assert scene.ground is not None and scene.ground.height < -4.5
+    glass_of(package).write_bytes(b"no glb")
+    with pytest.raises(SceneError, match=r"it.glass.glb: it cannot be read as .glb"):
+        read_scene(package)

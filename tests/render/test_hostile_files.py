@@ -20,7 +20,7 @@ from rna_render.materials.textures import read_texels
 from rna_render.paths.world_in_time import load_world
 from rna_render.scene.scene_file import read_scene
 from rna_sdk.errors import SceneError
-from rna_sdk.runtime.kernels.texels_around import CLAMP, MIRROR, REPEAT, texels_around
+from rna_trace.bilinear import CLAMP, MIRROR, REPEAT, texels_around
 from tests.render.test_mesh_files import GLTF_UVS, Gltf, textured
 from tests.time_limit import time_limit
 

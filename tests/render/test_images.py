@@ -78,6 +78,14 @@ def test_a_png_is_srgb_after_exposure(tmp_path):
     assert np.asarray(Image.open(path)).tolist() == [[[0, 99, 137], [188, 255, 0]]]
 
 
+def test_a_png_has_alpha_only_where_something_is_transparent(tmp_path):
+    rgb, path = np.array([[[0.25, 0.25, 0.25], [0.0, 0.0, 0.0]]]), tmp_path / "image.png"
+    write_png(path, rgb, alpha=np.array([[0.5, 0.0]]))
+    assert np.asarray(Image.open(path)).tolist() == [[[188, 188, 188, 128], [0, 0, 0, 0]]]
+    write_png(path, rgb, alpha=np.array([[1.0, 1.0]]))
+    assert np.asarray(Image.open(path)).shape == (1, 2, 3)
+
+
 def test_images_that_cannot_be_written_leave_nothing(tmp_path):
     plane = np.zeros((2, 2), np.float32)
     (tmp_path / "taken.exr").mkdir()

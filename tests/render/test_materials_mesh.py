@@ -14,7 +14,7 @@ from rna_render.materials.textures import LINEAR, SRGB, read_texels
 from rna_render.scene.material_models import MaterialModel
 from rna_render.scene.scene_model import GroundModel
 from rna_sdk.errors import SceneError
-from rna_sdk.runtime.kernels.texels_around import CLAMP, MIRROR, REPEAT
+from rna_trace.bilinear import CLAMP, MIRROR, REPEAT
 from rna_trace.surface import geometric_normals
 
 ADAPTER = TypeAdapter(MaterialModel)

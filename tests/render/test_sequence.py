@@ -17,10 +17,11 @@ from pydantic import ValidationError
 
 import rna_render.command.frame_worker
 from rna_render.command.rna_run import INTERRUPTED, main
+from rna_render.command.sequence import animated
 from rna_render.image.images import read_exr, write_exr
 from rna_render.scene.animation import frame_scene
 from rna_render.scene.scene_file import read_scene
-from rna_render.scene.scene_model import Scene
+from rna_render.scene.scene_model import MotionModel, Scene
 from rna_render.world.scene_sources import contents_key
 from tests.render.assets import sphere
 from tests.render.packages import ALBEDO, write_lambert_package
@@ -129,6 +130,24 @@ def test_frames_show_what_moves(folder, capsys):
     header = read_exr(folder / "f.0001.exr")[1]
     shot = json.loads(header["rnaScene"])
     assert shot["camera"]["position"][0] == pytest.approx(5) and shot["animation"] is None
+
+
+def test_frames_without_an_animation_are_a_turntable(folder):
+    (folder / "scene.yaml").write_text(SCENE.split("animation:")[0])
+    assert run(folder, frames="0-3") == 0
+    cameras = []
+    for i in range(4):
+        shot = json.loads(read_exr(folder / f"f.{i:04d}.exr")[1]["rnaScene"])
+        cameras.append(shot["camera"]["position"])
+    np.testing.assert_allclose(cameras, [[0, 0, 5], [5, 0, 0], [0, 0, -5], [-5, 0, 0]], atol=1e-6)
+
+
+def test_frames_without_an_animation_play_motions(folder):
+    (folder / "scene.yaml").write_text(SCENE.split("animation:")[0])
+    file = read_scene(folder / "scene.yaml")
+    asset = file.scene.assets[0].model_copy(update={"motion": MotionModel(path="walk.rnam")})
+    moving = animated(file.with_changes(assets=(asset,)), 9).scene.animation
+    assert moving is not None and moving.frames == 10 and moving.turntable is None
 
 
 def test_a_still_of_an_animated_scene_is_its_first_frame(folder):
@@ -314,7 +333,7 @@ def test_ctrl_c_ends_a_sequence_at_the_frame_under_way(folder, capsys, monkeypat
 
 
 BAD_INPUT = [
-    (SCENE.split("animation:")[0], "0-1", ":1: animation: is missing, and --frames needs it"),
+    (SCENE.split("animation:")[0], "all", ":1: animation: is missing, and --frames all needs it"),
     (SCENE, "4", ":9: animation.frames: the scene has frames 0 to 3, and no frame 4"),
     (SCENE, "2-9", "and no frame 9"),
     (SCENE.replace("ball", "none"), "all", ":2: assets[0].path: no such file: "),

@@ -9,7 +9,7 @@ import pytest
 
 from rna_render.materials.material import Material
 from rna_render.materials.textures import LINEAR, Texture
-from rna_sdk.runtime.kernels.texels_around import CLAMP
+from rna_trace.bilinear import CLAMP
 from tests.render.assets import sphere, square
 from tests.render.stage import SKY, rgb
 from tests.render.studio import assert_is, at_point, flat, made_of, seen, shoot

@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 import base64
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from rna_sdk import runtime
 from rna_view.site_files import Site
+from rna_view.site_source import site_for
 from tests.gpu.test_evaluate import rows
 from tests.package.prints import LABEL, STAMP, image_bytes, make_print
-from tests.web.pages import base64_of, call_reader, viewer
+from tests.web.pages import TIMEOUT, base64_of, call_reader, picture, viewer, wait_for_picture
 from tests.web.test_picture import (
     LEAST_PSNR,
     SUNS,
     by_rna_run,
-    by_viewer,
     middles_of_pixels,
     psnr,
     write_scene,
@@ -43,26 +44,47 @@ def test_transport_as_the_runtime_has_it(tmp_path):
             assert np.abs(actual - expected).max() <= 1e-3 * np.sqrt(np.mean(expected**2))
 
 
-SCENE = {"position": [1.6, 1.5, 2.9], "look_at": [0.0, -0.1, 0.0]}
+SIZE = [96, 60]
+VIEW = {"position": [1.6, 1.5, 2.9], "look_at": [0.0, -0.1, 0.0]}
 PRINT = """
-    tier: {tier}
+  - path: {path}
+    tier: hq
     maps: {{label: noise.png}}
     tint: [0.6, 1.2, 1]"""
 
 
-@pytest.mark.parametrize("is_changed", [False, True], ids=["its own print", "another print"])
-@pytest.mark.usefixtures("middles_of_pixels")
-def test_the_picture_of_the_path_tracer(tmp_path, is_changed):
-    """Print that is finer than pixels; then other maps and a tint, in a tier of two decoders."""
+def write_files(folder: Path) -> dict[str, bytes]:
+    """Images for make_print, finer than pixels; in the folder another one, noise.png."""
     rng = np.random.default_rng(9)
     noise = [rng.integers(0, 256, (128, 256, 3)).astype(np.uint8) for _ in range(2)]
-    files = {LABEL: image_bytes(noise[0]), STAMP: image_bytes(noise[1][:7, :9])}
-    path = make_print(tmp_path / "print.rna", files)
-    (tmp_path / "noise.png").write_bytes(image_bytes(noise[1]))
-    scene = write_scene(tmp_path, {"path": path, **SCENE}, SUNS, [96, 60], 1)
-    if is_changed:
-        asset = f"[{{path: {path}}}]"
-        changed = f"\n  - path: {path}" + PRINT.format(tier="hq")
-        scene.write_text(scene.read_text().replace(asset, changed))
-    expected = by_rna_run(scene)
-    assert psnr(by_viewer(scene, "&jitter=0"), expected) >= LEAST_PSNR
+    (folder / "noise.png").write_bytes(image_bytes(noise[1][:100]))
+    return {LABEL: image_bytes(noise[0]), STAMP: image_bytes(noise[1][:7, :9])}
+
+
+def printed_anew(scene: Path, path: Path) -> None:
+    """Changes the scene of write_scene: another map, a tint, and the tier of two decoders."""
+    before = f"[{{path: {path}}}]"
+    scene.write_text(scene.read_text().replace(before, PRINT.format(path=path)))
+
+
+@pytest.mark.usefixtures("middles_of_pixels")
+def test_the_picture_of_the_path_tracer(tmp_path):
+    """By two decoders, with another map and a tint; then the package's own print, by one."""
+    path = make_print(tmp_path / "print.rna", write_files(tmp_path))
+    scene = write_scene(tmp_path, {"path": path, **VIEW}, SUNS, SIZE, 1)
+    own = by_rna_run(scene)
+    printed_anew(scene, path)
+    query = "samples=1&pixel-ratio=1&ui=0&jitter=0"
+    with viewer(site_for(scene), query, *SIZE) as page:
+        wait_for_picture(page, 1)
+        assert psnr(picture(page), by_rna_run(scene)) >= LEAST_PSNR
+        element = "document.querySelector('rna-viewer')"
+        for name in ("maps", "tint", "tier"):
+            page.evaluate(f"{element}.removeAttribute('{name}')")
+        is_own = "rnaViewer.shown.name === 'small' && !Object.keys(rnaViewer.arrays.maps).length"
+        page.wait_for(is_own, TIMEOUT)
+        wait_for_picture(page, 1)
+        assert psnr(picture(page), own) >= LEAST_PSNR
+        assert page.evaluate(f"{element}.availableMaps") == ["label", "stamp"]
+        said = page.evaluate(f"{element}.setMap('stamps', null).catch(String)")
+        assert said.endswith('expected label or stamp, found "stamps"')

@@ -37,7 +37,8 @@ class PageProgram:
         else:
             hits, results = rest
             self._load(package, "")
-            actual = call_reader(self._page, command, base64_of(Path(hits)))
+            method = {"base-color": "baseColor"}.get(command, command)
+            actual = call_reader(self._page, method, base64_of(Path(hits)))
         Path(results).write_bytes(base64.b64decode(actual))
         return Answer(0, "", "")
 
@@ -53,7 +54,7 @@ def page() -> Iterator[Page]:
         yield page
 
 
-@pytest.mark.parametrize("level", ["evaluate", "visibility", "normals"])
+@pytest.mark.parametrize("level", ["evaluate", "visibility", "normals", "base-color"])
 def test_page_gives_the_answers_of_the_kit(page, level):
     kit, program = load_kit(find_kit()), PageProgram(page)
     scores = [score(program, kit, case) for case in cases(kit, level)]

@@ -53,7 +53,7 @@ def test_attributes_are_read_and_written_as_model_viewers():
         for (const [name, texts] of given) found[name] = texts.map((text) => read(name, text));
         const orbit = new Orbit(), box = {{ min: [-1, 0, -1], max: [1, 1, 1] }};
         const said = {{ target: read("camera-target", "0m 1m 2m"), fov: 40 }};
-        orbit.place([read("camera-orbit", "-30deg 60deg 2.5m"), said], box, 1.5, false);
+        orbit.place([read("camera-orbit", "-30deg 60deg 2.5m"), said], box, 1.5);
         console.log(JSON.stringify({{ ...found, camera: cameraText(orbit) }}));
     """
     command = ["node", "--input-type=module", "-e", program]

@@ -75,6 +75,33 @@ def test_byte_ranges(package, requested, first, end):
         assert fetch(server.url + name_of(package), Range="bytes=0-1,4-5")[0] == 200
 
 
+@pytest.mark.parametrize("name", ["viewer.js", "index.html", "package"])
+def test_files_that_are_the_same_are_not_sent_again(package, name):
+    with served(site_for(package)) as server:
+        url = server.url + (name_of(package) if name == "package" else name)
+        _, headers, content = fetch(url)
+        tag = headers["ETag"]
+        for known in (tag, f"W/{tag}", f'"other", {tag}'):
+            status, again, body = fetch(url, **{"If-None-Match": known})
+            assert (status, again["ETag"], body) == (304, tag, b"")
+            assert again["Cache-Control"] == headers["Cache-Control"]
+        assert fetch(url, **{"If-None-Match": '"other"'})[2] == content
+        # A part of what is no longer the same file is of no use.
+        part = {"Range": "bytes=0-9"}
+        assert fetch(url, **part, **{"If-Range": tag})[2] == content[:10]
+        assert fetch(url, **part, **{"If-Range": '"other"'})[2] == content
+
+
+def test_a_file_that_changed_has_another_tag(package):
+    tags = set()
+    for title in ("one", "two"):
+        site = site_for(package)
+        site.labels[name_of(package)] = title
+        with served(site) as server:
+            tags.add(fetch(server.url)[1]["ETag"])
+    assert len(tags) == 2
+
+
 def test_export_writes_a_page_for_any_server(package, tmp_path, capsys):
     folder = tmp_path / "site"
     for _ in range(2):  # an earlier export is written over

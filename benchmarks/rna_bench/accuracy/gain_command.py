@@ -74,11 +74,15 @@ def _pilot(path: Path, arguments: Sequence[str]) -> Pilot:
     from rna_export.capture.blender_process.blender_process import Source
     from rna_export.capture.capture_run import CaptureWorkers, measured_pilot
     from rna_export.capture.capture_settings import CaptureSettings
+    from rna_sdk.errors import CaptureError
 
     source = Source.captured(path, tuple(arguments), CaptureSettings())
     with tempfile.TemporaryDirectory(prefix="rna-bench-") as scratch:
         workers = CaptureWorkers(blender_env.find_python(), Path(scratch), 1)
-        return measured_pilot(source, {}, workers, print, lights=_LIGHTS)
+        pilot = measured_pilot(source, {}, workers, print, lights=_LIGHTS)
+    if pilot is None:
+        raise CaptureError(f"{source.path}: no gain is measured where something is not learnt")
+    return pilot
 
 
 def _known(table: Path, name: str) -> tuple[Pilot, dict[str, Any]]:

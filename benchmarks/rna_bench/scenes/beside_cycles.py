@@ -8,13 +8,13 @@ from pathlib import Path
 
 import numpy as np
 
+from rna_export.asset_flip import SHOWN_AT, AssetFlip, ImageFlip, asset_flip, luminance_level
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.compare.comparison_run import Timed
 from rna_export.compare.cycles_scene import cycles_scene
 from rna_export.metrics import IRRADIANCE, NoiselessPsnr, display, flip, psnr_without_noise, to_png
 from rna_export.pictures import flip_colours
 from rna_render import Camera, Denoiser, load_world, make_integrator, render
-from rna_render.lights import LUMINANCE
 from rna_render.scene import Scene, SceneFile
 
 EXPOSURE_DEFINITION = (
@@ -33,8 +33,7 @@ class Beside:
 
     @classmethod
     def of(cls, halves: np.ndarray, asset: np.ndarray) -> Beside:
-        luminance = halves.mean(axis=0)[asset] @ LUMINANCE
-        return cls(halves, float(0.8 / np.percentile(luminance, 95.0)), asset)
+        return cls(halves, SHOWN_AT / luminance_level(halves.mean(axis=0)[asset]), asset)
 
     @property
     def reference(self) -> np.ndarray:
@@ -46,10 +45,14 @@ class Beside:
         ours = display(self._shown(image)) / IRRADIANCE  # its own noise is an error, as displayed
         return psnr_without_noise(ours[rows], *(self._shown(h)[rows] for h in self.halves))
 
-    def flip(self, image: np.ndarray) -> tuple[float, np.ndarray]:
-        """Mean and map, (h, w)."""
-        ours, theirs = (np.ascontiguousarray(self._shown(i)) for i in (image, self.reference))
-        return flip(ours, theirs)
+    def flip(self, image: np.ndarray) -> AssetFlip:
+        """Of the asset's pixels, without the references' noise."""
+        shown = self._shown(image), self._shown(self.halves)
+        return asset_flip([ImageFlip.of(*shown, self.asset, exposure=1.0)])
+
+    def flip_map(self, image: np.ndarray) -> np.ndarray:
+        """FLIP of every pixel, (h, w), with that noise."""
+        return flip(self._shown(image), self._shown(self.reference))[1]
 
     def brightness(self, image: np.ndarray, where: np.ndarray | None = None) -> np.ndarray:
         """Light over the reference's, red, green and blue, (3,), over the asset or `where`."""
@@ -63,7 +66,7 @@ class Beside:
 
     def flip_picture(self, image: np.ndarray) -> np.ndarray:
         """FLIP's map in its colours, (h, w, 3) uint8."""
-        return flip_colours(self.flip(image)[1])
+        return flip_colours(self.flip_map(image))
 
     def _shown(self, image: np.ndarray) -> np.ndarray:
         """The exposed image, divided by IRRADIANCE, by which `metrics` multiplies radiance."""
@@ -99,10 +102,13 @@ class OurScene:
 
 
 class CyclesScene:
-    """A scene in a worker that has the original open, with the bounces of the original's file."""
+    """A scene in a worker that has the original open, with the bounces of the original's file.
 
-    def __init__(self, worker: BlenderWorker, scene: Scene):
-        self._worker, self._size = worker, scene.resolution
+    emits: whether the original's materials emit light.
+    """
+
+    def __init__(self, worker: BlenderWorker, scene: Scene, emits: bool = False):
+        self._worker, self._size, self._emits = worker, scene.resolution, emits
         self._described = cycles_scene(scene)
         fov = np.radians(scene.camera.vertical_fov_deg)
         self._view = Camera(scene.camera, scene.resolution).to_world, fov
@@ -111,7 +117,6 @@ class CyclesScene:
     def render(self, samples: int, seed: int, denoise: bool = False) -> Timed:
         """RGB, and the time of the request without any building of the scene."""
         begun = time.perf_counter()
-        image, _ = self._worker.render_scene(
-            self._described, *self._view, samples, seed, *self._size, denoise=denoise
-        )
+        view = self._described, *self._view, samples, seed, *self._size
+        image, _ = self._worker.render_scene(*view, denoise, self._emits)
         return Timed(image[..., :3], time.perf_counter() - begun)

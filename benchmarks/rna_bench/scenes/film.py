@@ -151,7 +151,7 @@ def _row(number: int, frame: dict[str, np.ndarray], exposure: float) -> dict[str
     return {
         "frame": number,
         **dict(zip(_TIMES, seconds, strict=True)),
-        "flip": round(float(beside.flip(frame["ours"])[1][beside.asset].mean()), 4),
+        "flip": round(beside.flip(frame["ours"]).mean, 4),
         "brightness": np.round(beside.brightness(frame["ours"]), 3).tolist(),
     }
 

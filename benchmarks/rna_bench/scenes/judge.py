@@ -74,7 +74,9 @@ def shown_pictures(measured: MeasuredScene) -> list[Shown]:
 
 
 def _shown(beside: Beside, caption: str, image: np.ndarray) -> Shown:
-    return Shown(caption, beside.picture(image), beside.flip_picture(image), beside.flip(image)[0])
+    return Shown(
+        caption, beside.picture(image), beside.flip_picture(image), beside.flip(image).mean
+    )
 
 
 def _of_equal_time(measured: MeasuredScene, seconds: float, denoised: bool) -> tuple[int, Timed]:
@@ -96,12 +98,13 @@ def _rows(measured: MeasuredScene, who: str, counts: Any, denoised: bool) -> lis
 
 
 def _errors(beside: Beside, image: np.ndarray) -> Row:
-    of_asset = beside.psnr(image)
+    of_asset, flip = beside.psnr(image), beside.flip(image)
     return {
         "psnr": of_asset.db,
         "psnr_interval": [of_asset.low, of_asset.high],
         "psnr_everywhere": asdict(beside.psnr(image, np.ones_like(beside.asset))),
-        "flip": beside.flip(image)[0],
+        "flip": flip.mean,
+        "flip_p95": flip.p95,
     }
 
 

@@ -40,26 +40,33 @@ def add_options(p: argparse.ArgumentParser) -> None:
         help="scenes to run: an environment's name, lamp, wall, near-and-far (default: all)",
     )
     p.add_argument(
-        "--samples", type=int, nargs="+", default=[4, 16, 64], help="rna-run samples per pixel"
+        "--samples", type=int, nargs="+", default=[1, 4, 16, 64], help="rna-run samples per pixel"
     )
     p.add_argument(
         "--cycles-samples",
         type=int,
         nargs="+",
-        default=[4, 8, 16, 32, 64],
+        default=[1, 2, 4, 8, 16, 32, 64],
         help="Cycles samples per pixel",
     )
     p.add_argument(
         "--reference-samples",
         type=int,
-        default=1024,
+        default=512,
         help="Cycles samples per pixel of the reference, split over two renders",
     )
     p.add_argument(
-        "--floor-samples", type=int, default=1024, help="rna-run samples per pixel of the floor"
+        "--floor-samples", type=int, default=256, help="rna-run samples per pixel of the floor"
     )
     p.add_argument(
-        "--resolution", type=int, nargs=2, default=[192, 144], help="width, height in pixels"
+        "--resolution", type=int, nargs=2, default=[640, 360], help="width, height in pixels"
+    )
+    p.add_argument(
+        "--share",
+        type=float,
+        default=1 / 3,
+        help="of the picture that the asset covers, to which the camera's distance is fitted "
+        "(float, default: a third)",
     )
     p.add_argument("--turn", type=float, default=0.0, help="camera rotation, degrees")
     p.add_argument(

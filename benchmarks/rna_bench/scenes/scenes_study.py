@@ -13,6 +13,7 @@ from typing import Any
 from rna_bench.cycles_worker import cycles
 from rna_bench.results import write_results
 from rna_bench.scenes.beside_cycles import EXPOSURE_DEFINITION
+from rna_bench.scenes.filled import filled
 from rna_bench.scenes.judge import judge
 from rna_bench.scenes.measured_scene import MeasuredScene, Plan
 from rna_bench.scenes.scene_list import find_environment, scenes
@@ -20,7 +21,6 @@ from rna_bench.scenes.scenes_sheet import draw_sheet
 from rna_bench.scenes.stage import Stage
 from rna_bench.scenes.stored import StoredResults
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
-from rna_export.metrics import FLIP_DEFINITION
 from rna_render.scene import Scene
 from rna_sdk.errors import SceneError
 from rna_sdk.runtime import load
@@ -33,7 +33,8 @@ DEFINITIONS = {
     "package's own error",
     "brightness": "light from the asset's pixels in that image over Cycles', red, green, blue",
     "noise": "PSNR of our image against that one: what more samples take away",
-    "flip": FLIP_DEFINITION.replace("sRGB image over black", "image shown so, as sRGB"),
+    "flip": "mean FLIP of the image shown so, as sRGB, over the asset's pixels, without the "
+    "references' noise; flip_p95 is the 95th percentile of these pixels",
     "equal error": "the time that Cycles takes for the PSNR of our raw image over our time; its "
     "error is fitted as one over its samples, its time as a line",
     "seconds": "of rendering, and of denoising where that is said; nothing is loaded meanwhile",
@@ -76,7 +77,7 @@ def _enter(stack: ExitStack, args: argparse.Namespace) -> BlenderWorker:
 def _stage(args: argparse.Namespace) -> Stage:
     asset = load(args.asset, tier=args.tier, threads=1)
     view = {"turn_deg": args.turn, "resolution": tuple(args.resolution)}
-    return Stage.of(asset, args.asset.resolve(), args.tier, **view)
+    return filled(Stage.of(asset, args.asset.resolve(), args.tier, **view), args.share)
 
 
 def _plan(args: argparse.Namespace) -> Plan:

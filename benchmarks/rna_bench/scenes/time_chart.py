@@ -24,7 +24,7 @@ def draw_charts(chart: FigureBase, scene: dict[str, Any]) -> None:
     """scene: as `judge` gives it."""
     psnr, flip = chart.subplots(1, 2)
     _over_time(psnr, scene, "psnr", "PSNR of the asset, dB")
-    _over_time(flip, scene, "flip", "mean FLIP of the image")
+    _over_time(flip, scene, "flip", "mean FLIP of the asset")
     flip.set_yscale("log")
     log_ticks(flip.yaxis)
     lines = psnr.get_legend_handles_labels()

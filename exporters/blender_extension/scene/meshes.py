@@ -29,6 +29,8 @@ class Meshes:
 
     def _write(self, item, matrix, number):
         mesh = item.to_mesh()
+        if mesh is None:  # bare curves of geometry nodes
+            return None
         try:
             glb = mesh_glb(item, mesh, matrix, self._notes)
         finally:

@@ -39,7 +39,13 @@ with few_cores(THREADS):
     import bpy
     from rna_geometry import curves_export, mesh_export, scene_parts
     from rna_geometry.shown_objects import as_rendered
-    from rna_materials import base_colors, material_check, object_materials, surface_textures
+    from rna_materials import (
+        base_colors,
+        material_facts,
+        object_materials,
+        smooth_glass,
+        surface_textures,
+    )
     from rna_renders import ray_render, render_settings, scene_render, white_card
     from rna_sources import read_files, shown_frame, source_scene
 
@@ -55,9 +61,15 @@ def open_scene(request: dict[str, Any]) -> dict[str, Any]:
     render_settings.apply()
     object_materials.override()
     notes += source_scene.keep_only_the_asset()
-    parts, smooth = as_rendered(
-        lambda: (scene_parts.find_parts(request["parts"]), material_check.smoothest())
+    glass = smooth_glass.leave_to_hosts(request["glass"])
+    if glass and as_rendered(scene_parts.is_empty):
+        names = ", ".join(repr(each["name"]) for each in glass)
+        raise ValueError(f"all of it is smooth glass ({names}), which is left to the host")
+    parts, materials = as_rendered(
+        lambda: (scene_parts.find_parts(request["parts"]), material_facts.facts())
     )
+    for each in [*materials, *glass]:
+        (each["name"],) = printable([each["name"]])
     clamps = request["clampDirect"], request["clampIndirect"]
     has_hair = any(part["kind"] == "fiber" for part in parts)
     emitters = ray_render.configure(THREADS, *clamps, separate_direct=has_hair)
@@ -66,7 +78,8 @@ def open_scene(request: dict[str, Any]) -> dict[str, Any]:
         "notes": printable(notes),
         "blender": source_scene.blender_version(),
         "emitters": printable(emitters),
-        "smoothest": smooth,
+        "materials": materials,
+        "glass": glass,
         "files": read_files.files_of(request["source"]),
         "frame": bpy.context.scene.frame_current,
     }
@@ -88,7 +101,7 @@ HANDLERS = {
         lambda: curves_export.export_curves(r["out"], r["owner"])
     ),
     "exportMesh": lambda r: as_rendered(
-        lambda: mesh_export.export_mesh(r["out"], r["owner"], r["charts"])
+        lambda: mesh_export.export_mesh(r["out"], r["owner"], r["charts"], r["ofHosts"])
     ),
     "exportTextures": lambda r: surface_textures.export_textures(r["out"], r["side"]),
     "frameSpan": lambda _: shown_frame.span(),

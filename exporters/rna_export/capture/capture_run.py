@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
@@ -26,8 +26,8 @@ from rna_export.capture.dataset.dataset_manifest import CaptureManifest
 from rna_export.capture.estimate.gain import gain_text, table_of
 from rna_export.capture.estimate.pilot import LIGHTS, Pilot
 from rna_export.capture.geometry.followed_source import captured_poses
-from rna_export.capture.geometry.source_notes import narrow_highlights
-from rna_export.capture.opened_source import OpenedSource
+from rna_export.capture.opened_source import CHECK_RENDERS, OpenedSource
+from rna_export.capture.preflight.verdicts import not_learnt
 from rna_export.capture.time_plan import LEAST_LIGHTS, TimeLimit, planned, shrunk
 from rna_render.scene import SceneFile
 from rna_sdk.atomic_file import write_atomically
@@ -85,19 +85,38 @@ def measured_pilot(
     say: Callable[[str], None],
     for_scene: SceneFile | None = None,
     lights: int = LIGHTS,
-) -> Pilot:
+) -> Pilot | None:
     """Open the source and measure as `begin` does, but write nothing.
 
-    say: told what the source is made of, and what `begin` would note. lights: of the pilot.
+    say: told what the source is made of, how well that is learnt, and what `begin` would note.
+    lights: of the pilot. None where something is not learnt.
     """
     with workers.probe(source) as worker:
         opened = OpenedSource.of(worker, given, source.path.stem, for_scene)
-        check, speed = opened.checked(opened.scene)
         say(parts_lines(source.path.stem, opened.exported.geometries).rstrip())
-        note = check.note()
-        for line in (*opened.exported.notes, *([] if note is None else [note])):
-            say(f"note: {line}")
-        return opened.pilot(speed, lights)
+        notes = *worker.opened["notes"], *opened.exported.notes
+        for line in (*opened.preflight, *(f"note: {note}" for note in notes)):
+            say(line)
+        if (why := no_gain(opened)) is not None:
+            say(why)
+            return None
+        with _trial(CHECK_RENDERS + lights) as bar:
+            check, speed = opened.checked(opened.scene, bar.update)
+            pilot = opened.pilot(speed, bar.update, lights)
+        if (note := check.note()) is not None:
+            say(f"note: {note}")
+        return pilot
+
+
+def no_gain(opened: OpenedSource) -> str | None:
+    """Why no gain is promised, or None."""
+    names = ", ".join(map(repr, not_learnt(opened.materials)))
+    return f"gain: none is promised, since {names} will not be learnt" if names else None
+
+
+def _trial(renders: int) -> tqdm:
+    """A bar for the renders before a capture."""
+    return tqdm(total=renders, desc="first renders in Cycles", unit=" render", leave=False)
 
 
 def begin(
@@ -108,33 +127,40 @@ def begin(
     limit: TimeLimit | None,
     say: Callable[[str], None],
     for_scene: SceneFile | None = None,
-    say_gain: Callable[[str], None] | None = None,
+    say_first: Callable[[str], None] | None = None,
 ) -> Dataset:
     """Open the source once: export the geometry, measure the speed, fix and write the plan.
 
     `given`: settings, by name, that are not to be the usual ones of the asset's kind. `limit`
     replaces the number of lights by as many as fit, and may make the validation images smaller.
-    `for_scene` limits views and lights to its own. `say_gain`: told what the asset is expected to
-    gain in scenes; None for `say`.
+    `for_scene` limits views and lights to its own. `say_first`: told how well materials are learnt,
+    and what the asset is expected to gain in scenes; None for `say`.
     """
-    start = monotonic()
+    start, say_first = monotonic(), say_first or say
     with workers.probe(source) as worker:
         opening = monotonic() - start
         asset = OpenedSource.of(worker, given, out.stem, for_scene)
+        for line in asset.preflight:
+            say_first(line)
         settings, exported = asset.settings, asset.exported
         geometries = exported.geometries
         opened = worker.opened
         others = [frame for frame in settings.poses if frame != opened["frame"]]
         poses = dict(captured_poses(worker, geometries, exported.sources, others))
         worker.show_frame(opened["frame"])
-        check, speed = asset.checked(asset.scene)
-        rate = speed.rate * workers.backend().width()
-        (say_gain or say)(gain_text(asset.pilot(speed), table_of()))
-        checks = {"": check}
-        for frame, positions in poses.items():
-            worker.show_frame(frame)
-            posed = asset.posed(list(positions.values()))
-            checks[f"frame {frame}: "], _ = asset.checked(posed)
+        why = no_gain(asset)
+        lights = LIGHTS if why is None else 0
+        with _trial(CHECK_RENDERS * (1 + len(poses)) + lights) as bar:
+            check, speed = asset.checked(asset.scene, bar.update)
+            rate = speed.rate * workers.backend().width()
+            if why is None:
+                why = gain_text(asset.pilot(speed, bar.update), table_of())
+            checks = {"": check}
+            for frame, positions in poses.items():
+                worker.show_frame(frame)
+                posed = asset.posed(list(positions.values()))
+                checks[f"frame {frame}: "], _ = asset.checked(posed, bar.update)
+        say_first(why)
     if limit is None:
         settings = settings.shared_out()
     else:
@@ -154,18 +180,21 @@ def begin(
         generator=f"rna-capture {rna_sdk.__version__}",
         opaque_cutouts=exported.has_opaque_cutouts,
         emitters=tuple(opened["emitters"]),
+        materials=asset.materials,
         notes=(
             *opened["notes"],
-            *narrow_highlights(opened["smoothest"], settings.sharpest),
             *exported.notes,
-            *_check_notes(checks, out),
+            *(f"{begin}{note}" for begin, c in checks.items() if (note := c.note()) is not None),
         ),
         processors=(processor_key(),),
         scene_domain=asset.limited,
     )
     for note in manifest.notes:
         say(f"note: {note}")
-    dataset = Dataset.create(out, manifest, geometries, exported.textures, poses, exported.sources)
+    if (marked := _write_picture(list(checks.values()), out / PICTURE)) is not None:
+        say(marked)
+    stored = exported.textures, poses, exported.sources, exported.glass
+    dataset = Dataset.create(out, manifest, geometries, *stored)
     say(plan_lines(dataset, geometries, rate))
     return dataset
 
@@ -263,14 +292,11 @@ class _TaskClock:
         return first >= LEAST_LIGHTS and self.limit.left() < self.took / 2.0
 
 
-def _check_notes(checks: Mapping[str, SelfCheck], out: Path) -> list[str]:
-    """The notes of checks, by their beginning; the first picture is written into the dataset."""
-    notes, path = [], out / PICTURE
-    shown = next((check for check in checks.values() if check.picture is not None), None)
-    if shown is not None and shown.picture is not None:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        write_atomically(path, shown.picture)
-    for begin, check in checks.items():
-        if (note := check.note()) is not None:
-            notes.append(f"{begin}{note}" + (f"; {path} marks it" if check is shown else ""))
-    return notes
+def _write_picture(checks: Sequence[SelfCheck], path: Path) -> str | None:
+    """Write the first picture of what differs; returns a line that names it, None without one."""
+    picture = next((check.picture for check in checks if check.picture is not None), None)
+    if picture is None:
+        return None
+    path.parent.mkdir(parents=True, exist_ok=True)
+    write_atomically(path, picture)
+    return f"{path} marks what differs from Cycles"

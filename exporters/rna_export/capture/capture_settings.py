@@ -67,6 +67,12 @@ class CaptureSettings(DatasetModel):
         CLAMP_DIRECT, description="Cycles' direct clamp (the paper's value)"
     )
     clamp_indirect: float = Field(CLAMP_INDIRECT, description="Cycles' indirect clamp")
+    glass: str = Field(
+        "leave",
+        pattern="^(keep|leave)$",
+        description="smooth glass, which is no part of the asset: keep (it refracts and shadows "
+        "the light of the rest) or leave (the rest is lit as if it were not there)",
+    )
     front: str | None = Field(None, pattern="^-?[XYZ]$", description="front axis of the file")
     up: str | None = Field(None, pattern="^-?[XYZ]$", description="up axis of the file")
     rest_frame: int | None = Field(

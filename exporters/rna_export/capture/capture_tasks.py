@@ -16,7 +16,11 @@ from rna_export.capture.dataset.dataset_manifest import emission_fields
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.sample_files import joined, write_parts
 from rna_export.capture.rays.asset_scene import AssetScene, PartRows, ShadePoints
-from rna_export.capture.rays.capture_directions import directions_in, light_direction
+from rna_export.capture.rays.capture_directions import (
+    direction_behind,
+    directions_in,
+    light_direction,
+)
 from rna_export.capture.rays.traced_rays import TracedRays
 from rna_export.capture.rays.view_rays import ViewRays, sample_view_rays
 from rna_render import Camera
@@ -26,6 +30,9 @@ from rna_sdk.package.manifest.manifest_fields import Region
 
 _RAYS_A_RENDER = 65536  # of a validation image; keeps ray images small
 _VALIDATION_FOV = np.radians(40.0)
+
+LIT_FROM_BEHIND = (1, 3, 6)
+"""Of eight validation images; the second of them is a close-up."""
 
 _DIRECTIONS = ("wo", "wi")
 
@@ -97,9 +104,12 @@ class ValidationHalf:
         rng = np.random.default_rng([settings.seed, 2, self.view])
         domain = dataset.manifest.domain
         wi = directions_in(domain.wi, rng.random((1, 2)))[0]
+        rays, hit = _validation_rays(scene, settings, domain.wo, self.view, rng)
+        if self.view % 8 in LIT_FROM_BEHIND:
+            turns = np.random.default_rng([settings.seed, 8, self.view])
+            wi = direction_behind(domain.wi, -rays.directions.mean(axis=0), turns)
         if self.emission:
             wi = None
-        rays, hit = _validation_rays(scene, settings, domain.wo, self.view, rng)
         samples = settings.validation_samples // 2
         noise = np.random.default_rng([settings.seed, 3 + self.emission, self.view, self.half])
         seed = int(noise.integers(2**31))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -13,17 +13,24 @@ from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.check.self_check import SelfCheck, picture_side
-from rna_export.capture.estimate.pilot import LIGHTS, Pilot, measure_pilot
+from rna_export.capture.estimate.pilot import LIGHTS, PRESET, Pilot, measure_pilot
 from rna_export.capture.geometry.exported_parts import ExportedParts, exported_parts
+from rna_export.capture.preflight.material_record import Glass, MaterialFacts
+from rna_export.capture.preflight.sharpest import sharpest_of
+from rna_export.capture.preflight.verdicts import MaterialVerdict, preflight_lines, verdicts
 from rna_export.capture.rays.asset_scene import AssetScene
 from rna_export.capture.rays.capture_directions import light_direction
 from rna_export.capture.rays.traced_rays import TracedRays
 from rna_export.capture.rays.view_check import check_seen
 from rna_export.capture.rays.view_rays import sample_view_rays
 from rna_export.capture.scene_domain import scene_domain
+from rna_export.training.presets import PRESETS
 from rna_render.scene import SceneFile
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Domain
+
+CHECK_RENDERS = 6
+"""Of `OpenedSource.checked`."""
 
 
 @dataclass(frozen=True)
@@ -39,6 +46,7 @@ class OpenedSource:
     """A source that a probe has open, and how it is captured.
 
     worker: the probe. limited: directions that a scene uses; None for all of the settings' domain.
+    materials: how well each will be learnt. preflight: what is said of that before the first ray.
     """
 
     worker: BlenderWorker
@@ -46,18 +54,27 @@ class OpenedSource:
     exported: ExportedParts
     scene: AssetScene
     limited: Domain | None
+    materials: tuple[MaterialVerdict, ...]
+    preflight: tuple[str, ...]
 
     @classmethod
     def of(
         cls, worker: BlenderWorker, given: dict[str, Any], name: str, for_scene: SceneFile | None
     ) -> OpenedSource:
         """Export the geometry. name: of the asset in the scene."""
-        settings = CaptureSettings.usual(worker.kind, **given)
+        facts = [MaterialFacts(**each) for each in worker.opened["materials"]]
+        sharpest, of = sharpest_of(facts)
+        settings = CaptureSettings.usual(worker.kind, **{"sharpest": sharpest, **given})
         exported = exported_parts(worker, settings)
         geometries = exported.geometries
         scene = _scene(exported, settings)
         limited = None if for_scene is None else scene_domain(for_scene, name, scene)
-        opened = cls(worker, settings, exported, scene, limited)
+        glass = [Glass(**each) for each in worker.opened["glass"]]
+        judged = verdicts(facts, glass, _texel(exported), exported.mapped)
+        lines = preflight_lines(judged)
+        if of is not None and "sharpest" not in given:
+            lines += [f"views look for highlights of roughness {sharpest:.2g}, those of {of!r}"]
+        opened = cls(worker, settings, exported, scene, limited, judged, tuple(lines))
         exported.notes += check_seen(worker.source.path, scene, geometries, opened.domain.wo)
         return opened
 
@@ -70,8 +87,11 @@ class OpenedSource:
         """The scene of a pose; positions: of each part's vertices or points."""
         return _scene(self.exported, self.settings, positions)
 
-    def checked(self, scene: AssetScene) -> tuple[SelfCheck, Speed]:
-        """The comparison with Cycles of what the worker shows, and how fast Cycles is."""
+    def checked(self, scene: AssetScene, tick: Callable[[], object]) -> tuple[SelfCheck, Speed]:
+        """The comparison with Cycles of what the worker shows, and how fast Cycles is.
+
+        tick: called after each of CHECK_RENDERS renders.
+        """
         check = SelfCheck(
             scene,
             self.settings.samples,
@@ -79,18 +99,26 @@ class OpenedSource:
             side=picture_side(self.settings.rays),
         )
         cutouts = self.exported.has_opaque_cutouts
-        speed = _speed(check, self.settings, self.domain, self.worker, cutouts)
+        speed = _speed(check, self.settings, self.domain, self.worker, cutouts, tick)
         refuse_nothing(check, self.worker.source)
         check.render_card(self.worker)
+        tick()
         check.render_picture(self.worker, self.worker.source.path.name)
+        tick()
         return check, speed
 
-    def pilot(self, speed: Speed, lights: int = LIGHTS) -> Pilot:
-        """How noisy paths are, and what rays cost here; lights: of `measure_pilot`."""
+    def pilot(self, speed: Speed, tick: Callable[[], object], lights: int = LIGHTS) -> Pilot:
+        """How noisy paths are, and what rays cost here; tick, lights: of `measure_pilot`."""
         cutouts, path_seconds = self.exported.has_opaque_cutouts, speed.path_seconds
-        return measure_pilot(
-            self.scene, self.worker, self.settings, self.domain, cutouts, path_seconds, lights
-        )
+        how = self.settings, self.domain, cutouts, path_seconds, tick, lights
+        return measure_pilot(self.scene, self.worker, *how)
+
+
+def _texel(exported: ExportedParts) -> float:
+    """Side of a texel of the planes of the largest part, m."""
+    boxes = [geometry.box() for geometry in exported.geometries.values()]
+    sides = [float((high - low).max()) for low, high in boxes]
+    return max(sides) / PRESETS["surface"][PRESET].model.resolution
 
 
 def _scene(
@@ -107,6 +135,7 @@ def _speed(
     domain: Domain,
     worker: BlenderWorker,
     opaque_cutouts: bool,
+    tick: Callable[[], object],
 ) -> Speed:
     """The mean of three renders as the capture will do them, after one that only warms up.
 
@@ -117,6 +146,7 @@ def _speed(
         wi = light_direction(k, settings.seed, domain.wi)
         if k == 0:
             check.render_chords(worker, wi, settings.rays, domain.wo, k)
+            tick()
             continue
         start, before = time.perf_counter(), worker.processor_seconds()
         rng = np.random.default_rng(k)
@@ -128,6 +158,7 @@ def _speed(
         after = worker.processor_seconds()
         spent.append(seconds[-1] if before is None or after is None else after - before)
         check.add(traced)
+        tick()
     paths = settings.rays * settings.samples
     return Speed(paths / float(np.mean(seconds)), float(np.mean(spent)) / paths)
 

@@ -8,6 +8,7 @@ import math
 import sys
 import tempfile
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -46,6 +47,7 @@ _OPTIONS = (  # fields of CaptureSettings
     "domain",
     "parts",
     "sharpest",
+    "glass",
     "normal_texels",
     "texture_size",
     "validation_views",
@@ -53,7 +55,11 @@ _OPTIONS = (  # fields of CaptureSettings
     "validation_samples",
     "seed",
 )
-_CHOICES = {"domain": ("sphere", "hemisphere"), "parts": ("kinds", "objects")}
+_CHOICES = {
+    "domain": ("sphere", "hemisphere"),
+    "parts": ("kinds", "objects"),
+    "glass": ("leave", "keep"),
+}
 
 
 def parser() -> argparse.ArgumentParser:
@@ -148,6 +154,8 @@ def add_workers(p: argparse.ArgumentParser) -> None:
 def _usual(name: str) -> str:
     default = CaptureSettings.model_fields[name].default
     hair, both = (getattr(CaptureSettings.usual(kind), name) for kind in ("fiber", "both"))
+    if name == "sharpest":
+        return "float, default: that of the smoothest material, at most 0.14 and at least 0.02"
     text = f"{type(default).__name__}, default {default}"
     text += f", for hair {hair}" if hair != default else ""
     return text + (f", with a surface {both}" if both != hair else "")
@@ -230,6 +238,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
             settings = CaptureSettings(**given)
         source = Source.captured(args.source, arguments, settings)
         if not begun:
+            print(f"opening {args.source.name} in Blender", flush=True)
             dataset = begin(source, given, args.out, workers, limit, print, for_scene)
         finish(dataset, source, workers, limit)
     train = "rna-train", args.out, "--preset", "small", "--out", Path("runs", args.source.stem)
@@ -249,7 +258,11 @@ def _estimate(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     python = blender_env.find_python()
     with tempfile.TemporaryDirectory(prefix="rna-capture-") as scratch:
         workers = CaptureWorkers(python, Path(scratch), args.workers)
-        print(gain_text(measured_pilot(source, given, workers, print, for_scene), table_of()))
+        print(f"opening {args.source.name} in Blender", flush=True)
+        say = partial(print, flush=True)
+        pilot = measured_pilot(source, given, workers, say, for_scene)
+    if pilot is not None:
+        print(gain_text(pilot, table_of()))
 
 
 def check_source(source: Path) -> None:

@@ -9,20 +9,16 @@ from pathlib import Path
 
 import numpy as np
 
+from rna_export.asset_flip import DEFINITION, AssetFlip, asset_flip
 from rna_export.compare.comparison_run import Pair
 from rna_export.compare.origin import Origin
 from rna_export.html_pages import write_html
-from rna_export.metrics import (
-    FLIP_DEFINITION,
-    PSNR_DEFINITION,
-    WITHOUT_NOISE_DEFINITION,
-    NoiselessPsnr,
-)
+from rna_export.metrics import PSNR_DEFINITION, WITHOUT_NOISE_DEFINITION, NoiselessPsnr
 from rna_export.pictures import comparison_sheet, pictures_of, write_picture
-from rna_export.psnr_words import psnr_in_words
 from rna_sdk.atomic_file import write_atomically
+from rna_sdk.error_words import error_in_words, error_text
 
-_NUMBERS = ("psnr", "flip", "coverage", "exposure", "seconds_ours", "seconds_cycles")
+_NUMBERS = ("psnr", "coverage", "exposure", "seconds_ours", "seconds_cycles")
 
 
 Made = tuple[Path, Path, Origin, str | None]
@@ -70,16 +66,31 @@ def write_page(
         summary=summary,
         clean=NoiselessPsnr.mean([pair.psnr_without_noise for pair in pairs]),
         recorded=made[2].validation if made else None,
-        words=psnr_in_words,
+        error=error_of(pairs),
+        recorded_error=_recorded(made),
+        words=error_in_words,
         date=datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC"),
         shots=shots,
         psnr_definition=PSNR_DEFINITION,
-        flip_definition=FLIP_DEFINITION,
+        flip_definition=DEFINITION,
         without_noise_definition=WITHOUT_NOISE_DEFINITION,
     )
     results = {"title": title, "settings": settings, **summary, "pictures": _numbers(pairs)}
     write_atomically(folder / "results.json", (json.dumps(results, indent=1) + "\n").encode())
     write_picture(folder / "sheet.png", comparison_sheet(strips))
+
+
+def error_of(pairs: list[Pair]) -> AssetFlip:
+    """The asset's error over the pictures."""
+    return asset_flip([pair.flip for pair in pairs])
+
+
+def _recorded(made: Made | None) -> str | None:
+    """The error that the package records, in words; None where it records none."""
+    validation = made[2].validation if made else None
+    if validation is None or validation.flip_p95 is None:
+        return None
+    return error_text(validation.flip, validation.flip_p95)
 
 
 def is_report(folder: Path) -> bool:
@@ -113,19 +124,21 @@ def _images(pair: Pair) -> dict[str, np.ndarray]:
 def _scores(pair: Pair) -> str:
     clean = pair.psnr_without_noise
     bound = "at least " if clean.high is None else ""
-    return f"{pair.shot.name}: PSNR without noise {bound}{clean.db:.1f} dB, FLIP {pair.flip:.3f}"
+    return f"{pair.shot.name}: FLIP {pair.flip.mean:.3f}, PSNR {bound}{clean.db:.1f} dB"
 
 
 def _summary(pairs: list[Pair]) -> dict[str, object]:
     clean = NoiselessPsnr.mean([pair.psnr_without_noise for pair in pairs])
     means = {name: float(np.mean([getattr(pair, name) for pair in pairs])) for name in _NUMBERS}
-    return {**means, "psnr_without_noise": asdict(clean)}
+    error = error_of(pairs)
+    return {"flip": error.mean, "flip_p95": error.p95, **means, "psnr_without_noise": asdict(clean)}
 
 
 def _numbers(pairs: list[Pair]) -> list[dict[str, object]]:
     return [
         {
             "name": p.shot.name,
+            "flip": p.flip.mean,
             **{n: getattr(p, n) for n in _NUMBERS},
             "psnr_without_noise": asdict(p.psnr_without_noise),
         }

@@ -9,9 +9,10 @@ from pathlib import Path
 
 import numpy as np
 
+from rna_export.asset_flip import ImageFlip, luminance_level, scene_exposure
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.compare.views import FOV_Y, Frame, Shot, shots_of
-from rna_export.metrics import NoiselessPsnr, exposure_of, flip, psnr, psnr_without_noise
+from rna_export.metrics import NoiselessPsnr, exposure_of, psnr, psnr_without_noise
 from rna_render import World, make_integrator, place_asset, render
 from rna_sdk.runtime import Asset
 
@@ -31,14 +32,13 @@ class Pair:
     shot: Shot
     ours: np.ndarray  # (h, w, 3) float32
     cycles: np.ndarray  # (h, w, 3) float32
-    flip_map: np.ndarray  # (h, w)
+    flip: ImageFlip
     psnr: float  # over the pixels that the asset covers in both
     psnr_without_noise: NoiselessPsnr  # against what Cycles would converge to
-    flip: float
     coverage: float  # mean difference of alpha over the picture: how far outlines differ
     seconds_ours: float
     seconds_cycles: float
-    exposure: float = 1.0  # that it is scored and shown at
+    exposure: float = 1.0  # that FLIP is of, and that it is shown at
 
 
 def compare(
@@ -54,18 +54,22 @@ def compare(
 ) -> list[Pair]:
     """The standard shots, one after the other, each program's time its own.
 
-    All are scored at the exposure of the first one's reference. begin: gets the number of an image,
-    from 1, how many there are, and its shot. done: gets the images so far.
+    FLIP is of each at the exposure of a scene, PSNR of all at that of the first. begin: gets the
+    number of an image, from 1, how many there are, and its shot. done: gets the images so far.
     """
     world = World([place_asset(asset, np.eye(4))])
     wanted = shots_of(asset, resolution, frame)
     pairs: list[Pair] = []
+    brightest, of_psnr = 0.0, 1.0
     for number, shot in enumerate(wanted, 1):
         begin(number, len(wanted), shot)
         ours = render_ours(shot, world, package, samples)
         cycles = render_cycles(shot, worker, cycles_samples, asset.emits)
-        exposure = pairs[0].exposure if pairs else exposure_of([_covered(cycles)])
-        pairs.append(judge(shot, ours, cycles, exposure))
+        reference = _covered(cycles)
+        level = luminance_level(reference)
+        brightest = max(brightest, level)  # the first, whose light is in front, or near it
+        of_psnr = of_psnr if pairs else exposure_of([reference])
+        pairs.append(judge(shot, ours, cycles, scene_exposure(level, brightest), of_psnr))
         done(pairs)
     return pairs
 
@@ -99,15 +103,16 @@ def render_cycles(shot: Shot, worker: BlenderWorker, samples: int, emits: bool) 
     return Timed(halves, time.perf_counter() - start)
 
 
-def judge(shot: Shot, ours: Timed, cycles: Timed, exposure: float = 1.0) -> Pair:
-    """Compares the images of `render_ours` and `render_cycles`."""
+def judge(shot: Shot, ours: Timed, cycles: Timed, exposure: float, of_psnr: float) -> Pair:
+    """Compares the images of `render_ours` and `render_cycles`; of_psnr: the exposure of PSNRs."""
     image, halves = ours.pixels, cycles.pixels
     mean = halves.mean(axis=0, dtype=np.float32)
     covered = (image[..., 3] > 0.0) & (mean[..., 3] > 0.0)
     a, b = np.ascontiguousarray(image[..., :3]), np.ascontiguousarray(mean[..., :3])
-    error, error_map = flip(a, b, exposure)
+    share = np.minimum(image[..., 3], mean[..., 3])
+    error = ImageFlip.of(a, np.ascontiguousarray(halves[..., :3]), share, exposure)
     of_halves = [half[covered][:, :3] for half in halves]
-    clean = psnr_without_noise(a[covered], of_halves[0], of_halves[1], exposure)
+    clean = psnr_without_noise(a[covered], of_halves[0], of_halves[1], of_psnr)
     coverage = float(np.abs(image[..., 3] - mean[..., 3]).mean())
-    quality = psnr(a[covered], b[covered], exposure), clean, error, coverage
-    return Pair(shot, a, b, error_map, *quality, ours.seconds, cycles.seconds, exposure)
+    quality = error, psnr(a[covered], b[covered], of_psnr), clean, coverage
+    return Pair(shot, a, b, *quality, ours.seconds, cycles.seconds, exposure)

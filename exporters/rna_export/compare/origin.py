@@ -23,8 +23,8 @@ class Origin:
 
     source: its credit. sha256: of the file that was captured; None where the package does not say.
     front, up: axes that rna-capture was given. rest_frame: of the source, that the geometry is of;
-    None where the package does not say. steps: of training, the fewest of all parts.
-    lights: captured directions. validation: the recorded error.
+    None where the package does not say. glass: see CaptureSettings. steps: of training, the fewest
+    of all parts. lights: captured directions. validation: the recorded error.
     """
 
     source: str
@@ -32,6 +32,7 @@ class Origin:
     front: str | None
     up: str | None
     rest_frame: int | None
+    glass: str
     steps: int | None
     lights: int | None
     tier: str
@@ -54,6 +55,7 @@ class Origin:
             front=front,
             up=up,
             rest_frame=provenance.rest_frame,
+            glass="keep" if capture.get("glass") == "keep" else "leave",
             steps=_steps(provenance.training, chosen),
             lights=lights if isinstance(lights, int) else None,
             tier=chosen.name,

@@ -78,7 +78,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     from rna_export.capture.blender_process import blender_env
     from rna_export.capture.blender_process.blender_process import Source
     from rna_export.capture.blender_process.blender_worker import BlenderWorker
-    from rna_export.compare.comparison_page import is_report, write_page
+    from rna_export.compare.comparison_page import error_of, is_report, write_page
     from rna_export.compare.comparison_run import Pair, compare
     from rna_export.compare.origin import Origin
     from rna_sdk.cores import core_count
@@ -99,6 +99,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
         front=origin.front,
         up=origin.up,
         rest_frame=origin.rest_frame,
+        glass=origin.glass,
     )
     settings = {
         "tier": origin.tier,
@@ -112,7 +113,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
         """Report the last image, and write what there is: the next ones may take minutes."""
         p = pairs[-1]
         print(
-            f"PSNR {p.psnr:.2f} dB, FLIP {p.flip:.4f}, coverage differs by {p.coverage:.2%}, "
+            f"FLIP {p.flip.mean:.3f}, PSNR {p.psnr:.2f} dB, coverage differs by {p.coverage:.2%}, "
             f"ours {p.seconds_ours:.2f} s, Cycles {p.seconds_cycles:.2f} s",
             flush=True,
         )
@@ -125,7 +126,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
         tempfile.TemporaryDirectory(prefix="rna-compare-") as scratch,
         BlenderWorker(python, source, Path(scratch), core_count()) as worker,
     ):
-        compare(
+        pairs = compare(
             asset,
             args.package,
             worker,
@@ -138,6 +139,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
         )
     if doubt is not None:
         print(doubt)
+    print(f"{origin.tier}: {error_of(pairs)}")
     print(f"wrote {args.out / 'index.html'}, {args.out / 'results.json'}, {args.out / 'sheet.png'}")
 
 

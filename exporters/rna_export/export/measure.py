@@ -6,18 +6,23 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from rna_export.asset_flip import DEFINITION
 from rna_export.brightness import brightness
 from rna_export.capture.dataset.asset_arguments import Arguments, rows_of
-from rna_export.capture.dataset.validation_view import CapturedImage, WholeView, all_queries
+from rna_export.capture.dataset.validation_view import EmissionView, WholeView, all_queries
 from rna_export.export.trained_tiers import TrainedTier
 from rna_export.machine import seconds_of
-from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION, flip, plain, psnr, reduced
-from rna_export.training.validation import exposure, mean_psnr, score, shade
+from rna_export.metrics import PSNR_DEFINITION, plain, psnr, relative_mse
+from rna_export.training.asset_error import smallest_factor, worse_error
+from rna_export.training.validation import exposure, mean_psnr, shade
 from rna_sdk.cores import core_count
 from rna_sdk.cpu import processor
 from rna_sdk.errors import ExportError
 from rna_sdk.package import Cost, FlipAtHeight, Tier, Validation
 from rna_sdk.runtime import Asset, FiberAsset, SurfaceAsset
+
+Emitted = tuple[np.ndarray, EmissionView]
+"""What a part emits, (n, 3), in one of its images of emission."""
 
 _COST_ROWS = 200_000
 _SMALLEST, _HALVINGS = 8, 4  # pixels of small images, of which fewer say little; their sizes
@@ -28,9 +33,10 @@ def measured(
     asset: Asset,
     trained: TrainedTier,
     views: list[WholeView],
+    emission: Sequence[Sequence[EmissionView]],
     say: Callable[[str], None],
 ) -> Tier:
-    """The tier with its error and cost. asset: the tier, loaded."""
+    """The tier with its error and cost. asset: the tier, loaded. emission: views of each part."""
     of_parts = [
         [
             part.shaded_by(part_asset)
@@ -39,7 +45,15 @@ def measured(
         for view in views
     ]
     radiance = [np.concatenate(rows) for rows in of_parts]
-    validation = None if plain([v.reference for v in views]) else _validation(radiance, views)
+    emitted = [
+        (view.shaded_by(part), view)
+        for part, glowing in zip(asset.parts, emission, strict=True)
+        for view in glowing
+        if part.emits
+    ]
+    validation = None
+    if not plain([v.reference for v in views]):
+        validation = _validation(radiance, views, emitted)
     light = brightness(
         zip(radiance, (v.reference for v in views), (v.visible for v in views), strict=True)
     )
@@ -56,8 +70,8 @@ def measured(
 
 def _validation_text(validation: Validation | None) -> str:
     if validation is None:
-        return "no PSNR: the validation images show nothing to compare"
-    scores = f"PSNR {validation.psnr:.2f} dB, FLIP {validation.flip:.4f}"
+        return "no error: the validation images show nothing to compare"
+    scores = f"FLIP {validation.flip:.4f}, PSNR {validation.psnr:.2f} dB"
     return f"{scores} ({validation.definition})"
 
 
@@ -92,17 +106,25 @@ def _part_lines(
     return lines
 
 
-def _validation(radiance: list[np.ndarray], views: Sequence[WholeView]) -> Validation:
-    scores, factor = score(radiance, views), exposure(views)
-    brighter = f"; both {factor:.3g} times as bright, since the asset is dark"
+def _validation(
+    radiance: list[np.ndarray], views: Sequence[WholeView], emitted: list[Emitted]
+) -> Validation:
+    brightest = exposure(views)
+    brighter = f"; both {brightest:.3g} times as bright, since the asset is dark"
+    size = smallest_factor(views)
+    pixels = f", in pixels of {size} x {size} rays" if size > 1 else ""
+    error = worse_error(radiance, views, emitted)
     return Validation(
-        psnr=scores.psnr,
-        flip=scores.flip,
-        relative_mse=scores.relative_mse,
-        images=scores.images,
-        definition=f"psnr: {PSNR_DEFINITION}; flip: {FLIP_DEFINITION}"
-        + (brighter if factor > 1.0 else ""),
-        flip_at_height=flip_at_heights(radiance, views),
+        psnr=mean_psnr(radiance, views),
+        flip=error.mean,
+        flip_p95=error.p95,
+        relative_mse=float(
+            np.mean([relative_mse(r, v.reference) for r, v in zip(radiance, views, strict=True)])
+        ),
+        images=len(views),
+        definition=f"psnr: {PSNR_DEFINITION}{brighter if brightest > 1.0 else ''}; "
+        f"flip: {DEFINITION}{pixels}",
+        flip_at_height=flip_at_heights(radiance, views, emitted),
     )
 
 
@@ -131,21 +153,18 @@ def _ns_per_query(part: SurfaceAsset | FiberAsset, queries: Arguments) -> float:
 
 
 def flip_at_heights(
-    radiance: list[np.ndarray], views: Sequence[CapturedImage]
+    radiance: list[np.ndarray], views: Sequence[WholeView], emitted: list[Emitted]
 ) -> tuple[FlipAtHeight, ...]:
-    """Mean FLIP of shaded rows, (n, 3) a view, at the images' height, half of it, and so on.
+    """Mean FLIP of the asset's pixels at the images' height, half of it, and so on.
 
-    Pixels are averaged as radiance, as a renderer's samples of a pixel are; rows and columns that
-    a height does not divide are left out.
+    radiance: shaded rows, (n, 3) a view. Pixels are averaged as radiance, as a renderer's samples
+    of a pixel are; rows and columns that a height does not divide are left out.
     """
-    images = [(v.image(r), v.image(v.reference)) for r, v in zip(radiance, views, strict=True)]
-    result, e = [], exposure(views)
+    result = []
     for factor in (2**k for k in range(_HALVINGS)):
-        height = views[0].resolution // factor
+        height = views[0].resolution // (factor * smallest_factor(views))
         if height < _SMALLEST and factor > 1:
             break
-        errors = [
-            flip(reduced(ours, factor), reduced(theirs, factor), e)[0] for ours, theirs in images
-        ]
-        result.append(FlipAtHeight(height=height, flip=float(np.mean(errors))))
+        error = worse_error(radiance, views, emitted, factor)
+        result.append(FlipAtHeight(height=height, flip=error.mean))
     return tuple(result)

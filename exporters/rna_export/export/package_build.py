@@ -18,6 +18,8 @@ from rna_export.export.precision import MAX_LOSS, Precision
 from rna_export.export.tiers import package_tiers
 from rna_export.export.trained_tiers import TrainedTier, trained_tiers
 from rna_export.training.checkpoint import Trained
+from rna_sdk.atomic_file import write_atomically
+from rna_sdk.glass_beside import glass_of
 from rna_sdk.package import Bounds, Manifest, Part, Provenance, TierData, write_package
 from rna_sdk.package.manifest.manifest_fields import GEOMETRY_ENTRIES
 from rna_sdk.package.manifest.manifest_model import POSES, REST_FRAME
@@ -36,6 +38,8 @@ def build_package(
     max_loss: float = MAX_LOSS,
 ) -> Manifest:
     """Write `out` with a tier for each preset and precision; returns its manifest.
+
+    The glass that is left to hosts is written beside it: `glass_of`.
 
     trained: a model of each part of the dataset for each preset. precisions: of each preset's
     tiers, or by its name. Tiers are named for the preset and, unless it is the usual one, the
@@ -65,6 +69,8 @@ def build_package(
     )
     if is_measured:
         manifest = _measure(manifest, of_tiers, dataset, data, max_loss, say)
+    if (glass := dataset.glass) is not None:
+        write_atomically(glass_of(out), glass)
     return write_package(out, manifest, *_of_parts(dataset, data))
 
 
@@ -115,11 +121,12 @@ def _measure(
 ) -> Manifest:
     """The manifest with each tier's error and cost, as the runtime gives them."""
     views, tiers = dataset.whole_views(), []
+    glowing = [part.emission_views() for part in dataset.parts]
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "measured.rna"
         write_package(path, manifest, *_of_parts(dataset, data))
         for tier, model in zip(manifest.tiers, models, strict=True):
-            tier = measured(tier, load(path, tier=tier.name), model, views, say)
+            tier = measured(tier, load(path, tier=tier.name), model, views, glowing, say)
             check_loss(tier, model, views, max_loss)
             tiers.append(tier)
     return manifest.model_copy(update={"tiers": tuple(tiers)})

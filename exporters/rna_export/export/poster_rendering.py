@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -11,18 +12,22 @@ from rna_render import World, encode_srgb, make_integrator, place_asset, render
 from rna_render.scene import AssetModel, CameraModel, DirectionalModel, EnvironmentModel, Scene
 from rna_sdk.runtime import FiberAsset, load
 
-_SIDE = 256  # pixels
+_SIDE = 320  # pixels, the longer
 _SAMPLES = 32
-_FOV_DEG = 30.0
-_EYE = (0.54, 0.34, 0.77)  # direction from the asset's middle: from the front, right and above
+# The first view of `<rna-viewer>` at its usual shape: runtime/web/src/element/orbit.js.
+_AZIMUTH, _ELEVATION = 0.6, 0.35
+_SLOPE = np.tan(np.radians(15.0))  # half the height of the view at distance 1
+_ASPECT = 1.6
+_FILLED = 0.95
 _SUN = (0.68, 0.71, 0.18)
 _KEY, _SKY = 2.2, 0.35  # irradiance of the sun, W/m^2; radiance of the sky
 
 
 def render_poster(package: Path) -> bytes:
-    """A PNG of 256 x 256 pixels, sRGB with alpha, of the package's first tier.
+    """A PNG, sRGB with alpha, of the package's first tier; its longer side has 320 pixels.
 
-    The light is a sun from the side and an even, invisible sky.
+    The camera is that of `<rna-viewer>` when it opens at 16:10, the picture as much of its view as
+    the asset's box needs. The light is a sun from the side and an even, invisible sky.
     """
     asset = load(package)
     geometries = [
@@ -36,9 +41,10 @@ def render_poster(package: Path) -> bytes:
 
 
 def _scene(package: Path, low: np.ndarray, high: np.ndarray) -> Scene:
-    centre, radius = (low + high) / 2, np.linalg.norm(high - low) / 2
-    away = np.array(_EYE) / np.linalg.norm(_EYE)
-    eye = centre + away * radius / np.sin(np.radians(_FOV_DEG) / 2)
+    centre = (low + high) / 2
+    distance, slopes = first_view(high - low)
+    eye = centre + distance * _axes(_AZIMUTH)[2]
+    width, height = np.maximum(1, np.rint(_SIDE * slopes / slopes.max()).astype(int))
     sun = DirectionalModel(type="directional", direction=_SUN, irradiance=(_KEY,) * 3)
     sky = EnvironmentModel(type="environment", radiance=(_SKY,) * 3, visible_to_camera=False)
     return Scene(
@@ -46,12 +52,33 @@ def _scene(package: Path, low: np.ndarray, high: np.ndarray) -> Scene:
         camera=CameraModel(
             position=tuple(eye.tolist()),
             look_at=tuple(centre.tolist()),
-            vertical_fov_deg=_FOV_DEG,
+            vertical_fov_deg=float(np.degrees(2 * np.arctan(slopes[1]))),
         ),
         lights=(sun, sky),
-        resolution=(_SIDE, _SIDE),
+        resolution=(int(width), int(height)),
         samples=_SAMPLES,
     )
+
+
+def first_view(size: np.ndarray) -> tuple[float, np.ndarray]:
+    """Where the viewer's camera is when it opens, and how much of its view a box takes.
+
+    size: of the box (3,), which may turn about +y. Returns the distance from its middle, and half
+    the width and height of its picture at distance 1, (2,) float64.
+    """
+    corners = size / 2 * np.array(list(product((-1, 1), repeat=3)))
+    seen = np.concatenate([corners @ _axes(_AZIMUTH + k * np.pi / 8).T for k in range(16)])
+    across = np.abs(seen[:, :2])
+    limits = _FILLED * _SLOPE * np.array([_ASPECT, 1.0])
+    distance = float(np.max(np.max(across / limits, axis=1) + seen[:, 2])) or 1.0
+    return distance, np.max(across / (distance - seen[:, 2:]), axis=0) / _FILLED
+
+
+def _axes(azimuth: float) -> np.ndarray:
+    """Of a camera at the first view's height: right, up and away from the asset, (3, 3)."""
+    side, level = np.array([np.cos(azimuth), 0.0, -np.sin(azimuth)]), np.cos(_ELEVATION)
+    away = np.array([level * np.sin(azimuth), np.sin(_ELEVATION), level * np.cos(azimuth)])
+    return np.stack([side, np.cross(away, side), away])
 
 
 def png_of(rgba: np.ndarray) -> bytes:

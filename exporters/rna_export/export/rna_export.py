@@ -9,7 +9,7 @@ from pathlib import Path
 from rna_export.export.package_options import add_credit, add_environment, check_environment
 from rna_export.export.precision import MAX_LOSS, add_precision, precisions_of
 from rna_sdk.console import command_line, command_parser, run_command
-from rna_sdk.outputs import check_outputs
+from rna_sdk.outputs import check_outputs, check_package_name
 
 
 def parser() -> argparse.ArgumentParser:
@@ -94,7 +94,12 @@ def main(argv: list[str] | None = None) -> int:
     if any(path.suffix == ".rna" for path in args.checkpoints):
         _check_package(args, options)
         run = _add_lobes
-    return run_command(lambda: run(args), args.debug, "no package is half written", "train")
+
+    def checked() -> None:
+        check_package_name(args.out)
+        run(args)
+
+    return run_command(checked, args.debug, "no package is half written", "train")
 
 
 def _check_package(args: argparse.Namespace, options: argparse.ArgumentParser) -> None:

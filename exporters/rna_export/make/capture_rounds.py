@@ -16,10 +16,11 @@ from rna_export.make.state import Round
 _SHARD = 16  # lights, where rounds grow
 
 
-def open_rays(options: MakeOptions, begun: float, say_gain: Callable[[str], None]) -> Dataset:
+def open_rays(options: MakeOptions, begun: float, say_first: Callable[[str], None]) -> Dataset:
     """A dataset without rays, planned with as many lights as are usual, or fit into the minutes.
 
-    begun: when those began, of `time.monotonic`. say_gain: told what the asset is expected to gain.
+    begun: when those began, of `time.monotonic`. say_first: told how well materials are learnt, and
+    what the asset is expected to gain.
     """
     share, minutes = options.capture_share, options.minutes
     limit = None if minutes is None else TimeLimit(minutes, begun, share)
@@ -33,7 +34,7 @@ def open_rays(options: MakeOptions, begun: float, say_gain: Callable[[str], None
         limit,
         quiet,
         options.for_scene,
-        say_gain,
+        say_first,
     )
 
 

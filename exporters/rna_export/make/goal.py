@@ -8,7 +8,7 @@ from typing import Literal, Protocol
 
 
 class Scored(Protocol):
-    """The errors that goals use: PSNR in dB and mean FLIP of the validation images."""
+    """The errors that goals use: PSNR in dB and mean FLIP of the asset's pixels."""
 
     @property
     def psnr(self) -> float: ...
@@ -21,8 +21,8 @@ class Scored(Protocol):
 class Goal:
     """A limit on the error.
 
-    max_error: mean FLIP of the validation images, as a tier's `validation.flip` records it.
-    min_psnr: dB, as `validation.psnr` records it.
+    max_error: mean FLIP of the asset's pixels in the validation images, `validation.flip`.
+    min_psnr: dB, `validation.psnr`.
     """
 
     metric: Literal["max_error", "min_psnr"]

@@ -298,4 +298,4 @@ def _decoder_size(preset: str) -> int:
 
 
 def _score_text(score: Score) -> str:
-    return f"PSNR {score.psnr:.2f} dB, FLIP {score.flip:.4f}"
+    return f"FLIP {score.flip:.3f}, PSNR {score.psnr:.2f} dB"

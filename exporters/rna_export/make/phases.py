@@ -17,12 +17,13 @@ from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.make.make_progress import Stage, quiet
 from rna_export.make.plan import Length
 from rna_export.make.state import Score
+from rna_export.training.asset_error import worse_error
 from rna_export.training.checkpoint import Trained, load_checkpoint
 from rna_export.training.optimization.samples import SampleTable
 from rna_export.training.part_runs import part_folder, shared_minutes
 from rna_export.training.presets import PRESETS, Preset
 from rna_export.training.training_run import Run, train
-from rna_export.training.validation import mean_flip, mean_psnr, shade
+from rna_export.training.validation import mean_psnr, shade, shade_emission
 from rna_sdk.atomic_file import write_atomically
 
 
@@ -104,7 +105,13 @@ def score(trained: Sequence[Trained], dataset: Dataset) -> Score:
         np.concatenate([shade(one.model, p) for one, p in zip(trained, view.parts, strict=True)])
         for view in views
     ]
-    return Score(psnr=mean_psnr(radiance, views), flip=mean_flip(radiance, views))
+    emitted = [
+        (shade_emission(one.model, view), view)
+        for one, part in zip(trained, dataset.parts, strict=True)
+        for view in part.emission_views()
+    ]
+    error = worse_error(radiance, views, emitted)
+    return Score(psnr=mean_psnr(radiance, views), flip=error.mean)
 
 
 class Trainer:

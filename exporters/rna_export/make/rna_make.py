@@ -31,7 +31,7 @@ from rna_export.training.presets import PRESETS
 from rna_export.training.training_options import add_device, chosen_device
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.console import command_line, command_parser, run_command, split_script_arguments
-from rna_sdk.outputs import check_outputs, check_outside
+from rna_sdk.outputs import check_outputs, check_outside, check_package_name
 from rna_sdk.owned_folder import owned
 from rna_work.executors import open_executor
 
@@ -48,6 +48,7 @@ _SETTINGS = (
     "domain",
     "parts",
     "sharpest",
+    "glass",
     "normal_texels",
     "texture_size",
     "validation_views",
@@ -75,7 +76,7 @@ def parser() -> argparse.ArgumentParser:
         "--max-error",
         type=float,
         metavar="FLIP",
-        help="target mean FLIP of the validation images (float, default: none)",
+        help="target mean FLIP of the asset's pixels, validation images (float, default: none)",
     )
     goal.add_argument(
         "--min-psnr",
@@ -158,6 +159,7 @@ def main(argv: list[str] | None = None) -> int:
 
 def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> None:
     check_source(args.model)
+    check_package_name(args.out)
     from rna_export.capture.blender_process.blender_env import find_python
     from rna_export.capture.blender_process.blender_process import Source
     from rna_export.capture.capture_run import CaptureWorkers

@@ -34,7 +34,7 @@ class RunSettings(BaseModel):
 
 
 class Score(BaseModel):
-    """Score over the validation images, all parts together."""
+    """Score over the validation images, all parts together; flip: of the asset's pixels."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 

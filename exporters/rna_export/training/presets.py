@@ -194,6 +194,8 @@ def _paper(kind: str, width: int) -> Preset:
 _PLANES = {"surface": (256, 8), "fiber": (32, 16)}
 # Measured on surfaces alone (docs/decisions/training.md).
 _SMOOTHING = {"surface": 0.25, "fiber": 0.0}
+# A decoder of shadowed light has a unit a tenth as large (docs/decisions/model.md).
+_SHADOW_WEIGHT = {"surface": 0.1, "fiber": 1.0}
 # For assets that are small in the image.
 _TINY_PLANES = {"surface": (128, 8), "fiber": (16, 16)}
 
@@ -205,7 +207,7 @@ def _ours(
     learning_rate: float,
     hidden_layers: int = 4,
     planes: dict[str, tuple[int, int]] = _PLANES,
-    shadow_width: int = 24,
+    shadow_width: int = 32,
 ) -> Preset:
     resolution, channels = planes[kind]
     return Preset(
@@ -216,8 +218,8 @@ def _ours(
             resolution=resolution,
             channels=channels,
             separates_direct=kind == "fiber",
-            shadow_width=shadow_width,
-            shadow_inputs=_PAPER_INPUTS[kind] if shadow_width else (),
+            shadow_width=shadow_width if kind == "surface" else 0,
+            shadow_inputs=_PAPER_INPUTS[kind] if kind == "surface" else (),
         ),
         training=TrainingConfig(
             steps=steps,
@@ -228,6 +230,7 @@ def _ours(
             schedule="cosine",
             unit="usual",
             loss="log" if kind == "fiber" else "auto",
+            shadow_weight=_SHADOW_WEIGHT[kind],
             unbiased_share=0.1,
             blur=4.0,
             smoothing=_SMOOTHING[kind],
@@ -247,6 +250,9 @@ PRESETS = {
 }
 """Kind of asset -> name -> preset."""
 
+PAPER_PRESETS = ("paper-small", "paper-hq")
+"""Those of the paper, which knows no base colour."""
+
 
 def _analytic(kind: str) -> Preset:
     """A material's parameters by place, with the training of `small`."""
@@ -258,7 +264,7 @@ def _analytic(kind: str) -> Preset:
         separates_direct=False,
         shadow_width=0,
         shadow_inputs=(),
-    ).with_training(loss="auto")
+    ).with_training(loss="auto", shadow_weight=1.0)
 
 
 ANALYTIC_NAME = "analytic"

@@ -11,9 +11,9 @@ from time import monotonic
 
 from rna_export.brightness import Brightness, brightness
 from rna_export.capture.dataset.dataset_part import DatasetPart
+from rna_export.training.asset_error import worse_error
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.validation import (
-    mean_flip,
     mean_psnr,
     shade,
     shade_emission,
@@ -110,13 +110,15 @@ class Report:
                 f"{self._out}: the model diverged, the PSNR of its validation images is not a "
                 "number; try another --seed or --loss"
             )
+        emitted = []
         if self._emission_views:
             emitted = [shade_emission(model, view) for view in self._emission_views]
             row["emission_psnr"] = mean_psnr(emitted, self._emission_views)
         begun = monotonic()
         if not is_last and self._seconds > _SHARE * (begun - self._pictured):
             return row
-        row["flip"] = mean_flip(radiance, views)
+        glowing = list(zip(emitted, self._emission_views, strict=True))
+        row["flip"] = worse_error(radiance, views, glowing).mean
         self.brightness = brightness(
             (r, view.reference, view.visible) for r, view in zip(radiance, views, strict=True)
         )

@@ -25,7 +25,7 @@ from rna_export.training.optimization.losses import with_fitting_loss
 from rna_export.training.optimization.pace import Pace, StepPace, TimePace, length
 from rna_export.training.optimization.samples import SampleTable
 from rna_export.training.optimization.step_threads import StepThreads
-from rna_export.training.presets import Preset
+from rna_export.training.presets import PAPER_PRESETS, Preset
 from rna_export.training.report import Curves, Report
 from rna_export.training.training_options import device_name
 from rna_sdk.errors import TrainingError
@@ -75,8 +75,9 @@ def train(
     if run.dataset.manifest.emitters:
         inputs = INPUTS[run.dataset.kind]
         run = replace(run, preset=run.preset.with_model(emission_inputs=inputs))
-    if run.dataset.captured.base_color and run.preset.model.packageable:
-        run = replace(run, preset=run.preset.with_model(uses_base_color=run.base_color))
+    knows_base_color = run.base_color and run.preset_name not in PAPER_PRESETS
+    if knows_base_color and run.dataset.captured.base_color and run.preset.model.packageable:
+        run = replace(run, preset=run.preset.with_model(uses_base_color=True))
     run.out.mkdir(parents=True, exist_ok=True)
     saved = _continued(run.out / "last.ckpt", run)
     done = saved["step"] if saved else 0

@@ -6,14 +6,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from rna_export.asset_flip import AssetFlip
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_part import DatasetPart
-from rna_export.psnr_words import psnr_text
+from rna_export.capture.dataset.validation_view import ValidationView
+from rna_export.training.asset_error import worse_error
 from rna_export.training.checkpoint import Trained, load_checkpoint
 from rna_export.training.presets import named_preset
 from rna_export.training.report import read_curves
-from rna_export.training.validation import mean_psnr_of_pixels, reference_warnings, shade
+from rna_export.training.validation import reference_warnings, shade, shade_emission
 
 _LITTLE = 0.1  # of what is usual
 
@@ -68,16 +70,19 @@ def _told(done: int, usual: int, what: str) -> str:
 
 
 def closing_lines(best: Path, part: DatasetPart) -> list[str]:
-    """Score, steps and lights of a part's best checkpoint, and warnings."""
+    """Error, steps and lights of a part's best checkpoint, and warnings."""
     rows, trained = read_curves(best.parent), load_checkpoint(best)
-    effort, lines = Effort.of([trained], part.dataset), []
-    views = part.validation_views()
+    effort, views = Effort.of([trained], part.dataset), part.validation_views()
+    lines = []
     if rows:
-        row = max(rows, key=lambda row: row["psnr"])
-        name, in_pixels = trained.preset_name, None
-        if part.kind == "fiber":
-            in_pixels = mean_psnr_of_pixels([shade(trained.model, view) for view in views], views)
-        lines.append(f"{name}: PSNR {psnr_text(row['psnr'], in_pixels)}; {effort}")
-        if "emission_psnr" in row:
-            lines.append(f"{name}: PSNR of emission {psnr_text(row['emission_psnr'])}")
+        psnr = max(row["psnr"] for row in rows)
+        error = _error(trained, part, views)
+        lines.append(f"{trained.preset_name}: {error}, PSNR {psnr:.2f} dB; {effort}")
     return [*lines, *reference_warnings(views), *effort.warnings]
+
+
+def _error(trained: Trained, part: DatasetPart, views: list[ValidationView]) -> AssetFlip:
+    """Of reflected light or of emission, whichever is larger."""
+    radiance = [shade(trained.model, view) for view in views]
+    emitted = [(shade_emission(trained.model, view), view) for view in part.emission_views()]
+    return worse_error(radiance, views, emitted)

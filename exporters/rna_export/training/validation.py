@@ -12,19 +12,23 @@ from torch import Tensor
 
 from rna_export.capture.dataset.validation_view import CapturedImage, EmissionView, ValidationView
 from rna_export.metrics import (
-    RAYS_ALONG_A_PIXEL,
     NoiselessPsnr,
     emission_exposure,
     exposure_of,
     flip,
     plain,
     psnr,
-    psnr_of_pixels,
     psnr_without_noise,
     relative_mse,
     to_png,
 )
 from rna_export.pictures import comparison_sheet, enlarged, pictures_of, write_picture
+from rna_export.training.asset_error import (
+    asset_error,
+    image_flip,
+    picture_exposures,
+    smallest_factor,
+)
 from rna_export.training.model.neural_asset import NeuralAsset
 
 _ROWS = 65536
@@ -35,7 +39,7 @@ class Scores:
     """Means over the validation images, as `rna_export.metrics` defines them."""
 
     psnr: float
-    flip: float
+    flip: float  # as `rna_export.asset_flip` defines it
     relative_mse: float
     psnr_of_references: float  # one half of the paths against the other: what noise allows
     psnr_without_noise: NoiselessPsnr  # of the model against what the references would converge to
@@ -108,7 +112,7 @@ def score(radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> Scores:
     of_references = [psnr(v.halves[0], v.halves[1], e) for v in views]
     return Scores(
         psnr=mean_psnr(radiance, views),
-        flip=mean_flip(radiance, views),
+        flip=asset_error(radiance, views).mean,
         relative_mse=float(np.mean([relative_mse(r, t) for r, t, _ in pairs])),
         # The mean of both halves has half the variance of either, their difference twice it.
         psnr_of_references=float(np.mean(of_references)) + 6.02,
@@ -125,30 +129,10 @@ def mean_psnr(radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> flo
     return float(np.mean([psnr(shaded, view.reference, e) for shaded, view in pairs]))
 
 
-def mean_psnr_of_pixels(radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> float:
-    """Mean PSNR of pixels of `RAYS_ALONG_A_PIXEL` squared rays, where images have one ray each."""
-    e, size = exposure(views), RAYS_ALONG_A_PIXEL
-    return float(
-        np.mean(
-            [
-                psnr_of_pixels(v.image(r), v.image(v.reference), size, len(r), e)
-                for r, v in zip(radiance, views, strict=True)
-            ]
-        )
-    )
-
-
-def mean_flip(radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> float:
-    """Mean FLIP of shaded rows against the captured ones."""
-    pairs, e = zip(radiance, views, strict=True), exposure(views)
-    return float(np.mean([flip(v.image(r), v.image(v.reference), e)[0] for r, v in pairs]))
-
-
 def write_images(folder: Path, radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> None:
-    """One PNG a view: ours, Cycles, the FLIP map."""
+    """One PNG a view, exposed as in a scene: ours, Cycles, the FLIP map."""
     folder.mkdir(parents=True, exist_ok=True)
-    e = exposure(views)
-    for shaded, view in zip(radiance, views, strict=True):
+    for shaded, view, e in zip(radiance, views, picture_exposures(views), strict=True):
         ours, cycles = view.image(shaded), view.image(view.reference)
         error = np.clip(255.0 * flip(ours, cycles, e)[1], 0, 255).astype(np.uint8)
         row = [to_png(ours, e), to_png(cycles, e), np.repeat(error[..., None], 3, axis=2)]
@@ -156,11 +140,19 @@ def write_images(folder: Path, radiance: list[np.ndarray], views: Sequence[Captu
         write_picture(path, np.concatenate([enlarged(picture) for picture in row], axis=1))
 
 
-def write_sheet(path: Path, radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> None:
-    """A contact sheet of all views in one PNG: ours, Cycles, their difference, FLIP."""
-    rows, e = [], exposure(views)
-    for shaded, view in zip(radiance, views, strict=True):
-        db = psnr(shaded, view.reference, e)
-        caption = f"validation image {view.index}: PSNR {db:.1f} dB"
+def write_sheet(
+    path: Path,
+    radiance: list[np.ndarray],
+    views: Sequence[CapturedImage],
+    notes: Sequence[str] = (),
+) -> None:
+    """A contact sheet of all views, exposed as in a scene: ours, Cycles, their difference, FLIP.
+
+    notes: lines below.
+    """
+    rows = []
+    for shaded, view, e in zip(radiance, views, picture_exposures(views), strict=True):
+        flip_of_asset = image_flip(shaded, view, e, smallest_factor(views)).mean
+        caption = f"validation image {view.index}: FLIP {flip_of_asset:.3f}"
         rows.append((pictures_of(view.image(shaded), view.image(view.reference), e), caption))
-    write_picture(path, comparison_sheet(rows))
+    write_picture(path, comparison_sheet(rows, notes=notes))

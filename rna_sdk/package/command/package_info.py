@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+from rna_sdk.error_words import error_text
 from rna_sdk.package.geometry.curves import Curves
 from rna_sdk.package.manifest.extensions import Environment, Poster, extension
 from rna_sdk.package.manifest.manifest_model import POSES, REST_FRAME, Manifest, Part
@@ -87,6 +88,7 @@ def _tier(tier: Tier) -> Info:
         "name": tier.name,
         "psnr": validation and validation.psnr,
         "flip": validation and validation.flip,
+        "flip_p95": validation and validation.flip_p95,
         "images": validation and validation.images,
         "ns_per_query": cost and cost.ns_per_query,
         "threads": cost and cost.threads,
@@ -153,8 +155,10 @@ _COUNTS = ("triangles", "vertices", "strands", "points")
 
 def _tier_text(tier: Info) -> str:
     error = "error not measured"
-    if tier["psnr"] is not None:
-        error = f"PSNR {tier['psnr']:.2f} dB, FLIP {tier['flip']:.4f}"
+    if tier["flip_p95"] is not None:
+        error = f"{error_text(tier['flip'], tier['flip_p95'])}, PSNR {tier['psnr']:.2f} dB"
+    elif tier["psnr"] is not None:
+        error = f"PSNR {tier['psnr']:.2f} dB"
     cost = "cost not measured"
     if tier["ns_per_query"] is not None:
         threads = "1 thread" if tier["threads"] == 1 else f"{tier['threads']} threads"

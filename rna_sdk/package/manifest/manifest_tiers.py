@@ -41,11 +41,14 @@ class FlipAtHeight(Record):
     flip: Measure = Field(description="Mean FLIP at that height.")
 
 
-class Validation(Record):
+class Validation(SparseRecord):
     """Error against reference images the training never saw."""
 
     psnr: float = Field(description="Peak signal-to-noise ratio, dB.")
-    flip: Measure = Field(description="Mean FLIP.")
+    flip: Measure = Field(description="Mean FLIP of the asset's pixels.")
+    flip_p95: Annotated[Measure | None, NotNull()] = Field(
+        default=None, description="95th percentile of the FLIP of the asset's pixels."
+    )
     relative_mse: Measure = Field(description="Mean relative squared error.")
     images: Positive = Field(description="Number of images compared.")
     definition: str = Field(description="What exactly was compared, for a person.")

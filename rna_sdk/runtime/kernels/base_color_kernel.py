@@ -9,16 +9,36 @@ from numba import prange
 from numpy.typing import NDArray
 
 from rna_sdk.compiled import compiled
-from rna_sdk.runtime.kernels.texels_around import texels_around
+
+REPEAT, CLAMP, MIRROR = 0, 1, 2
 
 LEVELS = 14
 """Of an image at most: 8192 texels a side to 1."""
 
 
 @compiled(fastmath=())
+def _around(x: float, size: int, wrap: int) -> tuple[int, int, float]:
+    """The texels that x is between, of `size` along the image's side, and its place between."""
+    place = x * size - 0.5
+    first = math.floor(place)
+    return _inside(first, size, wrap), _inside(first + 1, size, wrap), place - first
+
+
+@compiled(fastmath=())
+def _inside(texel: int, size: int, wrap: int) -> int:
+    """The texel of the image that stands at this one."""
+    if wrap == CLAMP:
+        return min(max(texel, 0), size - 1)
+    if wrap == REPEAT:
+        return texel % size
+    m = texel % (2 * size)
+    return m if m < size else 2 * size - 1 - m
+
+
+@compiled(fastmath=())
 def _add_level(
     texels: NDArray[np.uint8],
-    linear: NDArray[np.float32],
+    is_srgb: bool,
     level: NDArray[np.int64],
     wrap: NDArray[np.int64],
     place: tuple[float, float],
@@ -27,11 +47,10 @@ def _add_level(
 ) -> None:
     """Add `weight` times the level's linear colour at a place of the image.
 
-    Values are interpolated as they are stored. level: its first texel, height and width. linear:
-    (256,), of a value of 8 bits; between two of them it is straight, within 1e-5.
+    level: its first texel, height and width. is_srgb: what its values are encoded in.
     """
-    left, right, a = texels_around(place[0], level[2], wrap[0])
-    upper, lower, b = texels_around(place[1], level[1], wrap[1])
+    left, right, a = _around(place[0], level[2], wrap[0])
+    upper, lower, b = _around(place[1], level[1], wrap[1])
     upper, lower = level[0] + upper * level[2], level[0] + lower * level[2]
     corners = upper + left, upper + right, lower + left, lower + right
     weights = (1.0 - a) * (1.0 - b), a * (1.0 - b), (1.0 - a) * b, a * b
@@ -39,9 +58,9 @@ def _add_level(
         total = 0.0
         for k in range(4):
             total += weights[k] * texels[corners[k], c]
-        below = min(int(total), 254)
-        rest = total - below
-        value = (1.0 - rest) * linear[below] + rest * linear[below + 1]
+        value = total / 255.0
+        if is_srgb:
+            value = value / 12.92 if value <= 0.04045 else ((value + 0.055) / 1.055) ** 2.4
         color[c] += np.float32(weight * value)
 
 
@@ -62,14 +81,14 @@ def look_up(
     transform: NDArray[np.float64],
     counts: NDArray[np.int64],
     levels: NDArray[np.int64],
-    linear: NDArray[np.float32],
+    is_srgb: NDArray[np.bool_],
     texels: NDArray[np.uint8],
 ) -> None:
     """result (n, 3), of hits: their primitives, u, v and widths.
 
     record: (t,), the number of each triangle's record, -1 for none; density: (t,), texels a metre.
     Of each record r the image, -1 for none, factor (r, 3), wrap (r, 2), transform (r, 6) and
-    linear (r, 256). counts: (images,) of levels; levels: (images, LEVELS, 3) first texel, height
+    is_srgb (r,). counts: (images,) of levels; levels: (images, LEVELS, 3) first texel, height
     and width.
     """
     for i in prange(len(primitives)):
@@ -94,7 +113,7 @@ def look_up(
         lower = int(level)
         rest, color = level - lower, result[i]
         color[:] = 0.0
-        _add_level(texels, linear[r], levels[k, lower], wrap[r], place, 1.0 - rest, color)
+        _add_level(texels, is_srgb[r], levels[k, lower], wrap[r], place, 1.0 - rest, color)
         if rest > 0.0:
-            _add_level(texels, linear[r], levels[k, lower + 1], wrap[r], place, rest, color)
+            _add_level(texels, is_srgb[r], levels[k, lower + 1], wrap[r], place, rest, color)
         color *= factor[r]

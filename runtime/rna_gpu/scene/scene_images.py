@@ -12,7 +12,7 @@ from rna_render.materials import IDENTITY, SRGB, Texture
 from rna_sdk.errors import GpuError
 from rna_sdk.package import BaseColor
 from rna_sdk.runtime.base_color import base_color_levels
-from rna_sdk.runtime.kernels.texels_around import CLAMP, MIRROR, REPEAT
+from rna_sdk.runtime.kernels.base_color_kernel import CLAMP, MIRROR, REPEAT
 
 NONE = np.uint32(0xFFFFFFFF)
 _SIDE = (1 << 16) - 1
@@ -75,11 +75,12 @@ class Images:
 
     def add_base_color(self, record: BaseColor) -> int:
         """Number of the texture of a record's image, its levels one behind the other."""
+        assert record.image is not None  # the caller has asked
         if id(record.image) not in self._levels:
             levels = [_words(level) for level in base_color_levels(record)]
             self._levels[id(record.image)] = self.add(np.concatenate(levels)), record.image
         wrap_u, wrap_v = (_WRAPS[way] for way in record.wrap)
-        form = wrap_u | wrap_v << 2 | int(record.color_space == "srgb") << 6
+        form = wrap_u | wrap_v << 2 | int(record.color_space == "srgb") << 8
         place = self._levels[id(record.image)][0]
         transform = np.reshape(record.transform, (2, 3))
         return self._add_record(place, record.image.shape, form, transform)

@@ -85,7 +85,7 @@ class Steps:
         self, scene: Scene, tables: SceneTables, clamp: float | None, sums: int, words: int
     ) -> None:
         """Write what all steps have in common. words: of a list of paths, uint32."""
-        camera = Camera(scene.camera, scene.resolution)
+        camera = Camera(scene.camera, scene.resolution, scene.samples)
         common = {
             "camera": camera.position,
             "width": camera.width,

@@ -4,25 +4,25 @@
 
 const RNA_REPEAT: u32 = 0u;
 const RNA_MIRROR: u32 = 2u;
-const RNA_IS_SRGB: u32 = 16u; // texels are made linear, then mixed, as glTF has it
-const RNA_IS_PRINT: u32 = 64u; // sRGB that is mixed, then made linear: spec/RNA.md, 4.6
+const RNA_IS_SRGB: u32 = 16u;
+const RNA_MIXES_SRGB: u32 = 256u; // of base colours: encoded values are mixed
 
 struct RnaImage {
     place: u32,
     size: vec2<u32>, // columns, rows
-    form: u32, // wrap in u and in v, 2 bits each; RNA_IS_SRGB or RNA_IS_PRINT
+    form: u32, // wrap in u and in v, 2 bits each; RNA_IS_SRGB or RNA_MIXES_SRGB
 }
 
 fn rna_texel_of(at: RnaImage, column: u32, row: u32) -> vec3f {
     let word = rna_image_word(at.place + row * at.size.x + column);
     let c = vec3f((vec3<u32>(word) >> vec3<u32>(0u, 8u, 16u)) & vec3<u32>(255u)) / 255.0;
-    return rna_made_linear(at, c, RNA_IS_SRGB);
-}
-
-fn rna_made_linear(at: RnaImage, c: vec3f, form: u32) -> vec3f {
-    if (at.form & form) == 0u {
+    if (at.form & RNA_IS_SRGB) == 0u {
         return c;
     }
+    return rna_linear(c);
+}
+
+fn rna_linear(c: vec3f) -> vec3f {
     return select(pow((c + 0.055) / 1.055, vec3f(2.4)), c / 12.92, c <= vec3f(0.04045));
 }
 
@@ -58,7 +58,11 @@ fn rna_image_color(at: RnaImage, place: vec2f) -> vec3f {
     let y = rna_texels_around(place.y, at.size.y, (at.form >> 2u) & 3u);
     let upper = mix(rna_texel_of(at, x.first, y.first), rna_texel_of(at, x.second, y.first), x.part);
     let lower = mix(rna_texel_of(at, x.first, y.second), rna_texel_of(at, x.second, y.second), x.part);
-    return rna_made_linear(at, mix(upper, lower, y.part), RNA_IS_PRINT);
+    let color = mix(upper, lower, y.part);
+    if (at.form & RNA_MIXES_SRGB) == 0u {
+        return color;
+    }
+    return rna_linear(color);
 }
 
 // The next level, of half the size.

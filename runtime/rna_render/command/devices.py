@@ -6,11 +6,14 @@ gives an OpenRenderer.
 
 from __future__ import annotations
 
+import warnings
 from importlib.metadata import EntryPoint, entry_points
 from typing import Protocol
 
+from rna_render.materials.files.mesh_file import MeshFileWarning
 from rna_render.paths.bands import BandRenderer
 from rna_render.paths.integrator_factory import make_integrator
+from rna_render.paths.solid_glass import SolidGlass
 from rna_render.scene.scene_file import SceneFile
 from rna_render.scene.scene_model import CameraModel, Scene
 from rna_render.world.world import World
@@ -43,6 +46,9 @@ def check_device(device: str, scene_file: SceneFile) -> None:
         if asset.motion is not None:
             message = f"is rendered on the CPU, not with --device {device}"
             raise scene_file.error(("assets", index, "motion"), message)
+    if scene_file.scene.camera.aperture > 0.0:
+        message = f"depth of field is rendered on the CPU, not with --device {device}"
+        raise scene_file.error(("camera", "aperture"), message)
     quality = scene_file.scene.quality
     if quality is not None and quality.by_lobes:
         message = f"lobes are for the CPU, found --device {device}; expected rays"
@@ -58,8 +64,12 @@ def open_renderer(
         SceneError: no installed package offers it, or what it needs is not installed.
         RnaError: the device does not know the scene, or has no room for it.
     """
-    opener = make_integrator if device == CPU else find_device(device)
-    return opener(scene, world, next_camera)
+    if device == CPU:
+        return make_integrator(scene, world, next_camera)
+    if SolidGlass(world):
+        message = f"solid glass is shown as thin walls with --device {device}"
+        warnings.warn(message, MeshFileWarning, stacklevel=2)
+    return find_device(device)(scene, world, next_camera)
 
 
 def find_device(name: str) -> OpenRenderer:

@@ -94,7 +94,8 @@ def _parser() -> argparse.ArgumentParser:
         metavar="RANGE",
         type=_frames,
         help="render an animation: all, 3, or 0-10; --out and --png need a frame number, such as "
-        "frame.%%04d.exr; existing frames are skipped (default: one still image)",
+        "frame.%%04d.exr; existing frames are skipped; a scene without an animation makes a whole "
+        "turn in 0 to the last frame (default: one still image)",
     )
     add("--view", choices=VIEWS, help="view transform of the PNG (default: the scene's)")
     add(
@@ -235,7 +236,7 @@ def _run(options: argparse.Namespace) -> int:
 
 def _shown(options: argparse.Namespace) -> int:
     from rna_render.command.devices import check_device
-    from rna_render.command.sequence import frame_numbers, render_sequence
+    from rna_render.command.sequence import animated, frame_numbers, render_sequence
     from rna_render.command.terminal import tell_size
     from rna_render.image.denoise import Denoiser
     from rna_render.image.output import Output
@@ -259,6 +260,7 @@ def _shown(options: argparse.Namespace) -> int:
         return _render_still(scene_file, output, options)
     if options.frames is None:
         return _render_in_pieces(scene_file, output, options)
+    scene_file = animated(scene_file, options.frames[1])
     numbers = frame_numbers(scene_file, *options.frames)
     with open_executor(options.cluster) as executor:
         how = options.threads, _START, executor, options.device

@@ -16,7 +16,7 @@ from rna_render.image.output import Output
 from rna_render.paths.world_in_time import QualityWarning
 from rna_render.scene.animation import frame_scene
 from rna_render.scene.scene_file import SceneFile
-from rna_render.scene.scene_model import Scene
+from rna_render.scene.scene_model import AnimationModel, Scene, TurnModel
 from rna_render.world.scene_sources import carried_scene, contents_key, files_of
 from rna_sdk.console import INTERRUPTED
 from rna_sdk.errors import SceneError
@@ -34,12 +34,27 @@ def frame_numbers(scene_file: SceneFile, first: int, last: int | None) -> range:
     """
     animation = scene_file.scene.animation
     if animation is None:
-        raise scene_file.error(("animation",), "is missing, and --frames needs it")
+        message = "is missing, and --frames all needs it; --frames 0-47 needs none"
+        raise scene_file.error(("animation",), message)
     end = animation.frames - 1 if last is None else last
     if end >= animation.frames:
         message = f"the scene has frames 0 to {animation.frames - 1}, and no frame {end}"
         raise scene_file.error(("animation", "frames"), message)
     return range(first, end + 1)
+
+
+def animated(scene_file: SceneFile, last: int | None) -> SceneFile:
+    """The scene, and if it has no animation, one that ends with frame `last`.
+
+    Its assets' motions play; without any, the camera makes a whole turn. None for no end, which
+    leaves the scene as it is.
+    """
+    scene = scene_file.scene
+    if scene.animation is not None or last is None:
+        return scene_file
+    moves = any(asset.motion is not None for asset in scene.assets)
+    turn = None if moves else TurnModel()
+    return scene_file.with_changes(animation=AnimationModel(frames=last + 1, turntable=turn))
 
 
 def render_sequence(

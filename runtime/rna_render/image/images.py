@@ -14,6 +14,8 @@ from rna_sdk.atomic_file import atomic_file
 from rna_sdk.errors import SceneError
 from rna_sdk.regular_file import check_regular
 
+_OPAQUE = 1.0 - 0.5 / 255.0  # alpha that 8 bits round to 1
+
 
 def write_exr(path: Path, channels: Mapping[str, np.ndarray], attributes: dict[str, str]) -> None:
     """Write a scan-line EXR with lossless ZIP compression.
@@ -106,18 +108,26 @@ def write_png(
     exposure: float = 0.0,
     view: str = "srgb",
     attributes: Mapping[str, str] | None = None,
+    alpha: np.ndarray | None = None,
 ) -> None:
     """Write an 8-bit sRGB PNG of linear radiance times 2^exposure, through a view transform.
 
-    rgb: (height, width, 3) float. view: see to_display. attributes: text kept in the file.
-    Raises SceneError if the file cannot be written.
+    rgb: (height, width, 3) float, premultiplied by alpha. view: see to_display. attributes: text
+    kept in the file. alpha: (height, width) float, which the PNG has where it is not all opaque;
+    None for 1. Raises SceneError if the file cannot be written.
     """
     from PIL import Image, PngImagePlugin
 
     text = PngImagePlugin.PngInfo()
     for name, value in (attributes or {}).items():
         text.add_text(name, value)
-    image = Image.fromarray(np.rint(to_display(rgb, view, exposure) * 255.0).astype(np.uint8))
+    if alpha is not None and alpha.min() < _OPAQUE:
+        straight = rgb / np.maximum(alpha, 1e-6)[..., None]
+        planes = [to_display(straight, view, exposure), np.clip(alpha, 0.0, 1.0)[..., None]]
+        pixels = np.concatenate(planes, axis=-1)
+    else:
+        pixels = to_display(rgb, view, exposure)
+    image = Image.fromarray(np.rint(pixels * 255.0).astype(np.uint8))
     _write(path, lambda temporary: image.save(temporary, format="PNG", pnginfo=text))
 
 

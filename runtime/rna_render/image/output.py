@@ -64,6 +64,7 @@ class Output:
         """
         self._check_finite(film)
         channels = film.channels()
+        channels["Z"] = _depth(scene, channels)
         rgb = np.stack([channels[name] for name in "RGB"], axis=-1)
         if self.denoiser is not None:
             rgb = self.denoiser.of_channels(channels, film.variance())
@@ -72,7 +73,7 @@ class Output:
         if self.linear is not None:
             write_linear(self.linear, channels, attributes)
         if self.png is not None:
-            write_png(self.png, rgb, scene.exposure, scene.view, attributes)
+            write_png(self.png, rgb, scene.exposure, scene.view, attributes, channels["A"])
 
     def write_so_far(self, scene: Scene, film: Film) -> None:
         """Write the files of a film that is not finished; with the noise."""
@@ -102,6 +103,18 @@ class Output:
         if self.contents is not None:
             attributes["rnaContents"] = self.contents
         return attributes
+
+
+NOTHING = np.float32(1e10)
+"""Depth where no sample hit an object, as Cycles has it."""
+
+
+def _depth(scene: Scene, channels: dict[str, np.ndarray]) -> np.ndarray:
+    """Distance of the hit points along the camera's axis, (height, width) float32, metres."""
+    forward = np.subtract(scene.camera.look_at, scene.camera.position)
+    position = np.stack([channels[f"position.{c}"] for c in "XYZ"], axis=-1).astype(np.float64)
+    depth = (position - scene.camera.position) @ (forward / np.linalg.norm(forward))
+    return np.where(channels["assetId"] > 0, depth, NOTHING).astype(np.float32)
 
 
 def _layer(name: str, rgb: np.ndarray) -> dict[str, np.ndarray]:

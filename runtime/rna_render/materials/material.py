@@ -14,6 +14,14 @@ from rna_render.scene.material_models import (
 from rna_render.scene.model_base import Vector
 
 
+@dataclass(frozen=True, slots=True)
+class Inside:
+    """What solid glass encloses: its index of refraction, and its absorption, 1/m."""
+
+    ior: float
+    absorption: Vector
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Material:
     """One material; each texture multiplies the factors it stands beside.
@@ -27,7 +35,8 @@ class Material:
 
     Channels of the textures: metallic in blue, roughness in green, coat weight, opacity, clear coat
     and transmission in red, roughness of the clear coat in green. normal_texture: normals in
-    tangent space, +Y up in the image, (x, y) times normal_scale.
+    tangent space, +Y up in the image, (x, y) times normal_scale. inside: of solid glass, which
+    refracts, with the base colour at each interface; None for thin walls. On GPUs all are thin.
     """
 
     base_color: Vector = (1.0, 1.0, 1.0)
@@ -51,6 +60,7 @@ class Material:
     transmission_texture: Texture | None = None
     opacity_texture: Texture | None = None
     normal_texture: Texture | None = None
+    inside: Inside | None = None
 
     @property
     def textures(self) -> list[Texture]:

@@ -179,6 +179,28 @@ class MeshObject:
         return ClearCoat(weight, roughness * roughness, n)
 
     @cached_property
+    def solid_ior(self) -> np.ndarray:
+        """Index of refraction of each material, (m,) float64; 0 of what is no solid glass."""
+        insides = (material.inside for material in self.materials)
+        return np.array([0.0 if inside is None else inside.ior for inside in insides])
+
+    @cached_property
+    def solid_absorption(self) -> np.ndarray:
+        """Absorption of each material's inside, (m, 3) float64, 1/m."""
+        insides = (material.inside for material in self.materials)
+        return np.array([(0.0,) * 3 if i is None else i.absorption for i in insides])
+
+    @cached_property
+    def solid_tint(self) -> np.ndarray:
+        """What is left of light at each interface of solid glass, (m, 3) float64."""
+        return np.array([material.base_color for material in self.materials], np.float64)
+
+    @property
+    def has_solid_glass(self) -> bool:
+        """Whether any material is solid glass."""
+        return bool(self.solid_ior.any()) and not self.catches_shadows
+
+    @cached_property
     def is_emissive(self) -> bool:
         """Whether any triangle emits light."""
         return bool(np.any(self.emitted_luminance > 0))

@@ -22,7 +22,7 @@ from rna_render.scene.limits import MAX_IMAGE_PIXELS
 from rna_sdk.compiled import compiled
 from rna_sdk.errors import SceneError
 from rna_sdk.regular_file import check_regular
-from rna_sdk.runtime.kernels.texels_around import REPEAT, texels_around
+from rna_trace.bilinear import REPEAT, texels_around
 from rna_trace.vectors import Vector
 
 if TYPE_CHECKING:

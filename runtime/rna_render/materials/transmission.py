@@ -6,6 +6,7 @@ coat does not reflect (Schlick), a share goes straight on, tinted by the base co
     L = L_rest + tau L_behind,    tau = transmission (1 - metallic) base (1 - F),
 
 while a ray that ends at a hit brings (1 - tau) times the light of the hit: L_rest / (1 - tau).
+With a volume it is solid glass: see `rna_render/paths/solid_glass.py`.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ import numpy as np
 
 from rna_render.materials.material import Material
 from rna_render.materials.textures import Texture
-from rna_sdk.runtime.kernels.texels_around import REPEAT
+from rna_trace.bilinear import REPEAT
 from rna_trace.transmittance import Transmittance, TransmittanceTexture
 
 if TYPE_CHECKING:
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
 
 def object_transmittance(mesh: MeshObject) -> Transmittance | None:
     """Transmittance of all triangles of an object; None if all are opaque."""
-    used = np.unique(mesh.material_numbers)
+    used = [k for k in np.unique(mesh.material_numbers) if mesh.materials[k].inside is None]
     if mesh.catches_shadows or all(transmitted_by(mesh.materials[k]) is None for k in used):
         return None
     # Each corner by itself, as triangles that share it may have textures of their own.

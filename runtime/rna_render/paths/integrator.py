@@ -34,6 +34,7 @@ from rna_render.paths.path_arrays import (
 )
 from rna_render.paths.sampling import (
     BRANCHES,
+    LENS_DIMENSION,
     PIXEL_DIMENSION,
     ROULETTE,
     STRAND_BRANCHES,
@@ -41,6 +42,7 @@ from rna_render.paths.sampling import (
     PathNumbers,
     Sampler,
 )
+from rna_render.paths.solid_glass import SolidGlass
 from rna_render.paths.weighing import (
     add_rows,
     clamp_paths,
@@ -88,6 +90,7 @@ class Integrator:
     ) -> None:
         self._world = world
         self._camera, self._next_camera = camera, next_camera or camera
+        self._glass = SolidGlass(world)
         self._lobes, indices = lobes, range(len(lights))
         self._carried = set() if lobes is None else {k for k, _ in lobes.environments}
         lights = [*lights, *(() if lobes is None else lobes.bright)]
@@ -151,7 +154,14 @@ class Integrator:
     def _camera_rays(self, pixels: np.ndarray, sampler: Sampler) -> Rays:
         direction = self._camera.directions(pixels, sampler.square(pixels, PIXEL_DIMENSION))
         origin = np.tile(self._camera.position, (len(pixels), 1))
+        if self._camera.has_lens:
+            on_lens = sampler.square(pixels, LENS_DIMENSION)
+            origin, direction = self._camera.through_lens(direction, on_lens)
         hits = self._world.scene.intersect(origin, direction, rays=CAMERA_RAY)
+        number, bent = np.full(len(pixels), sampler.sample, np.int64), None
+        if self._glass:
+            behind = self._glass.follow(origin, direction, hits, sampler, pixels, number, 0)
+            origin, direction, hits, bent = behind.lines
         beta = np.ones((len(pixels), 3), np.float32) if hits.weight is None else hits.weight
         return Rays(
             path=np.arange(len(pixels)),
@@ -163,7 +173,8 @@ class Integrator:
             kind=np.zeros(len(pixels), np.int8),
             probability=np.zeros((KINDS, len(self._lights))),
             share=np.ones(len(pixels), np.float32),
-            number=np.full(len(pixels), sampler.sample, np.int64),
+            number=number,
+            bent=bent,
         )
 
     def _paths(
@@ -196,14 +207,18 @@ class Integrator:
         from_camera = rays.pdf is None
         escaped = np.flatnonzero(owner < 0)
         if from_camera:
-            hit_light = np.flatnonzero((owner >= 0) & (self._world.light[owner] >= 0))
-            band.beauty[rays.path[hit_light], 3] = 1.0
+            covers = (owner >= 0) & (self._world.light[owner] >= 0)
+            if rays.bent is not None:
+                covers |= rays.bent
+            band.beauty[rays.path[covers], 3] = 1.0
         elif not self._rays_meet_lights:
             return
         for k, light in self._infinite:
-            if from_camera and not light.visible_to_camera:
-                continue
             row = escaped
+            if from_camera and not light.visible_to_camera:
+                if rays.bent is None:
+                    continue
+                row = escaped[rays.bent[escaped]]
             if k in self._carried:
                 row = escaped[rays.kind[escaped] < LOBED]
             radiance, pdf = light.eval_environment(rays.direction.take(row, axis=0))
@@ -355,6 +370,12 @@ class Integrator:
         origin = world.origins(vertices, row, direction)
         hits = world.scene.intersect(origin, direction, vertices.start_instance[row], INDIRECT_RAY)
         transport, distance = np.zeros_like(wi), hits.t / world.scale[instance]
+        bent = None
+        if self._glass:
+            pixels, depth = numbers.pixels[row], numbers.depth
+            lines = origin, direction.copy(), hits
+            behind = self._glass.follow(*lines, numbers.sampler, pixels, number, depth)
+            origin, direction, hits, bent = behind.lines
         kind = paths.kind[row]
         lobed = kind >= LOBED
         # A ray into a black sky, or one that lobes carry, brings nothing, whatever T is.
@@ -369,6 +390,8 @@ class Integrator:
             unweakened = transport.copy()
             weigh_rays(unweakened, pdf, None, row, beta)
         weigh_rays(transport, pdf, hits.weight, row, beta)
+        if bent is not None:
+            pdf[bent] = np.inf  # no sample of a light finds what they find
         return Rays(
             path=paths.path[row],
             origin=origin,
@@ -381,6 +404,7 @@ class Integrator:
             share=share[row],
             number=number,
             unweakened=unweakened,
+            bent=bent,
         )
 
     def _catch_shadows(

@@ -26,7 +26,8 @@ class Rays:
     (KINDS, k) of each light to be sampled there. share: (n,) float32, of the light of the point
     that the camera sees, the part that is sought along this ray. number: (n,) int64, see
     PathNumbers, for the points that they meet. unweakened: (n, 3) float32, beta if the rays had not
-    passed through anything; None if lobes carry nothing where they start.
+    passed through anything; None if lobes carry nothing where they start. bent: (n,) bool, which
+    came through solid glass, and so go from its last interface on; None for none.
     """
 
     path: np.ndarray
@@ -40,6 +41,7 @@ class Rays:
     share: np.ndarray
     number: np.ndarray
     unweakened: np.ndarray | None = None
+    bent: np.ndarray | None = None
 
 
 @dataclass(frozen=True, slots=True)

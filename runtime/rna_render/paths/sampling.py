@@ -26,6 +26,7 @@ STRAND_SAMPLES = 2
 # Dimensions of the sampler: the place in the pixel, then these at each point of a path, with one
 # for each light that has a sample there.
 PIXEL_DIMENSION = 0
+LENS_DIMENSION = 1 << 20  # beyond those of any path
 CHOICES, DIRECTION, ROULETTE, LIGHT = 1, 2, 3, 4
 DIMENSIONS_A_VERTEX = 3 + LIGHTS_AT_A_VERTEX
 

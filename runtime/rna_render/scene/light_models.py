@@ -9,7 +9,7 @@ import numpy as np
 from pydantic import Field, field_validator, model_validator
 
 from rna_render.scene.limits import MIN_LENGTH
-from rna_render.scene.model_base import FilePath, Length, Model, Number, Rgb, Vector, is_short
+from rna_render.scene.model_base import FilePath, Length, Model, Number, Rgb, Size, Vector, is_short
 
 Angle = Annotated[float, Field(ge=0, le=180)]
 
@@ -109,7 +109,7 @@ class RectangleModel(AreaModel):
     position: Vector = Field(description="Its middle.")
     look_at: Vector = Field(description="A point straight before it.")
     up: Vector = Field(default=(0.0, 1.0, 0.0), description="Direction of its height.")
-    size: tuple[Length, Length] = Field(description="Width and height, metres.")
+    size: Size = Field(description="Width and height, metres.")
 
     @property
     def bounding_radius(self) -> float:

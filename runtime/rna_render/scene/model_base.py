@@ -7,7 +7,15 @@ import os
 from pathlib import Path
 from typing import Annotated
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, field_validator, model_validator
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    field_validator,
+    model_validator,
+)
 
 from rna_render.scene.limits import (
     MAX_NAME_BYTES,
@@ -18,6 +26,17 @@ from rna_render.scene.limits import (
     MIN_SIZE,
 )
 
+
+def _repeated(count: int) -> BeforeValidator:
+    """One number stands for so many equal ones."""
+
+    def repeat(value: object) -> object:
+        is_number = isinstance(value, int | float) and not isinstance(value, bool)
+        return [value] * count if is_number else value
+
+    return BeforeValidator(repeat)
+
+
 Number = Annotated[float, Field(ge=-MAX_NUMBER, le=MAX_NUMBER)]
 Vector = tuple[Number, Number, Number]
 Quaternion = tuple[Number, Number, Number, Number]
@@ -26,8 +45,9 @@ Positive = Annotated[float, Field(gt=0, le=MAX_NUMBER)]
 Length = Annotated[float, Field(ge=MIN_LENGTH, le=MAX_NUMBER)]
 Scale = Annotated[float, Field(ge=MIN_SIZE, le=MAX_SIZE)]
 Share = Annotated[float, Field(ge=0, le=1)]
-Rgb = tuple[Nonnegative, Nonnegative, Nonnegative]
-Albedo = tuple[Share, Share, Share]
+Rgb = Annotated[tuple[Nonnegative, Nonnegative, Nonnegative], _repeated(3)]
+Albedo = Annotated[tuple[Share, Share, Share], _repeated(3)]
+Size = Annotated[tuple[Length, Length], _repeated(2)]
 
 
 def _possible(path: Path) -> Path:

@@ -12,7 +12,7 @@ from pydantic import BaseModel, ValidationError
 
 from rna_render.scene.animation import frame_scene
 from rna_render.scene.limits import MAX_SCENE_BYTES
-from rna_render.scene.scene_messages import Key, mistakes
+from rna_render.scene.scene_messages import Key, Mistake, mistakes
 from rna_render.scene.scene_model import CameraModel, Scene
 from rna_render.scene.scene_of_package import default_scene
 from rna_sdk.errors import SceneError
@@ -22,6 +22,8 @@ from rna_sdk.regular_file import check_regular
 # A few lines of YAML aliases can unfold into any number of values.
 MAX_DEPTH = 16
 MAX_VALUES = 1_000_000
+
+_SHOWN = 20  # mistakes after the first
 
 
 @dataclass(frozen=True)
@@ -170,12 +172,18 @@ def _collect_lines(path: Path, node: yaml.Node, key: Key, lines: dict[Key, int])
 
 
 def _scene_error(path: Path, lines: dict[Key, int], error: ValidationError) -> SceneError:
-    """The first of pydantic's errors, in the order of the file."""
-    errors = mistakes(Scene, error.errors())
-    first = min(errors, key=lambda mistake: _line(lines, mistake.key) or 0)
-    more = f" ({len(errors) - 1} more after this)" if len(errors) > 1 else ""
-    line, key = _line(lines, first.key), _dotted(first.key) or None
-    return SceneError(first.message + more, file=path, line=line, key=key)
+    """All of pydantic's errors, a line each, in the order of the file; it points at the first."""
+    found = mistakes(Scene, error.errors())
+    first, *others = sorted(found, key=lambda mistake: _line(lines, mistake.key) or 0)
+
+    def located(mistake: Mistake, message: str) -> SceneError:
+        line, key = _line(lines, mistake.key), _dotted(mistake.key) or None
+        return SceneError(message, file=path, line=line, key=key)
+
+    shown = [str(located(other, other.message)) for other in others[:_SHOWN]]
+    if len(others) > _SHOWN:
+        shown.append(f"and {len(others) - _SHOWN} more")
+    return located(first, "\n".join([first.message, *shown]))
 
 
 def _line(lines: dict[Key, int], key: Key) -> int | None:

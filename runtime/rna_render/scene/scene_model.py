@@ -81,14 +81,29 @@ class AssetModel(Model):
 
 
 class CameraModel(Model):
-    """A pinhole camera."""
+    """A pinhole camera, or one with a thin lens."""
 
-    position: Vector = Field(description="Position of the pinhole.")
+    position: Vector = Field(description="Position of the pinhole, or of the lens's middle.")
     look_at: Vector = Field(description="Point at the image centre.")
     up: Vector = Field(default=(0.0, 1.0, 0.0), description="Up vector of the image.")
     vertical_fov_deg: float = Field(
         default=40.0, gt=0, lt=180, description="Vertical field of view, degrees."
     )
+    aperture: Nonnegative = Field(
+        default=0.0,
+        description="Diameter of the lens's opening, metres: focal length / f-number. 0 is a "
+        "pinhole, which has everything sharp.",
+    )
+    focus: Length | None = Field(
+        default=None,
+        description="Distance of the sharp plane from the camera, metres; that of look_at if "
+        "omitted.",
+    )
+
+    @property
+    def focus_distance(self) -> float:
+        """Distance of the sharp plane, metres."""
+        return self.focus or float(np.linalg.norm(np.subtract(self.look_at, self.position)))
 
     @model_validator(mode="after")
     def _has_axes(self) -> CameraModel:

@@ -13,13 +13,15 @@ from pathlib import Path
 
 import numpy as np
 
+from rna_sdk.errors import SceneError
+from rna_sdk.glass_beside import glass_of
 from rna_sdk.package import Cone, Curves, Package
 
 _TEXT = """\
 # A first scene. Change what you like: docs/scene.md lists all keys.
 assets:
   - path: {path}
-{ground}camera:
+{glass}{ground}camera:
   position: {eye}
   look_at: {middle}
 {up}  vertical_fov_deg: {fov:g}
@@ -37,6 +39,10 @@ samples: {samples}
 animation:                     # for rna-run --frames all
   frames: 48
   turntable: {{}}
+"""
+_GLASS = """\
+objects:
+  - path: {path}               # the asset's smooth glass, an ordinary mesh
 """
 _SKY_LIGHT = """\
   - type: environment          # an even sky; path: NAME.hdr for an image
@@ -68,7 +74,7 @@ class Shown:
 
     low, high: (3,) corners of the asset's box, metres. points: (n, 3), the image shows them all.
     emits: whether it has light of its own. wo, wi: cones of the directions that it was captured
-    for; none for all.
+    for; none for all. glass: name of the file with its smooth glass; None for none.
     """
 
     low: np.ndarray
@@ -77,6 +83,7 @@ class Shown:
     emits: bool = False
     wo: tuple[Cone, ...] = ()
     wi: tuple[Cone, ...] = ()
+    glass: str | None = None
 
     @property
     def size(self) -> float:
@@ -98,14 +105,37 @@ def shown(package: Path) -> Shown:
             () if isinstance(region, str) else region
             for region in (manifest.domain.wo, manifest.domain.wi)
         )
+    glass = glass_of(package)
+    if not glass.is_file():
         return Shown(low, high, points, emits, wo, wi)
+    corners = _box_corners(glass)
+    points = np.concatenate([points, corners])
+    low, high = np.minimum(low, corners.min(axis=0)), np.maximum(high, corners.max(axis=0))
+    return Shown(low, high, points, emits, wo, wi, glass.name)
+
+
+def _box_corners(glb: Path) -> np.ndarray:
+    """(8, 3) corners about the positions of a .glb without transforms, as its accessors say.
+
+    Raises SceneError for a file that is none.
+    """
+    try:
+        data = glb.read_bytes()
+        size = int.from_bytes(data[12:16], "little")
+        accessors = json.loads(data[20 : 20 + size])["accessors"]
+        ranges = [(a["min"], a["max"]) for a in accessors if "min" in a]
+        low, high = np.min([a for a, _ in ranges], axis=0), np.max([b for _, b in ranges], axis=0)
+        return np.array(np.meshgrid(*zip(low, high, strict=True))).reshape(3, 8).T
+    except (OSError, ValueError, LookupError, TypeError) as error:
+        raise SceneError("it cannot be read as .glb", file=glb) from error
 
 
 def default_scene(package: Path) -> str:
     """YAML of the scene that shows a package; it names the package relative to its folder.
 
     The asset stands on a ground and fills the image. Directions lie within those that it was
-    captured for. Raises PackageError for a broken package.
+    captured for. The glass beside the package is part of the scene. Raises PackageError for a
+    broken package, SceneError for glass that cannot be read.
     """
     return scene_text(shown(package), package.name)
 
@@ -118,6 +148,7 @@ def scene_text(of: Shown, name: str) -> str:
     dimmed = _BESIDE_EMISSION if of.emits else 1.0
     return _TEXT.format(
         path=json.dumps(name, ensure_ascii=False),
+        glass="" if of.glass is None else _GLASS.format(path=json.dumps(of.glass)),
         ground=_ground(of, towards_eye),
         eye=_places(eye, of.size),
         middle=_places(middle, of.size),

@@ -1,4 +1,4 @@
-"""The pinhole camera: from points of the image to rays."""
+"""The camera, a pinhole or a thin lens: from points of the image to rays."""
 
 from __future__ import annotations
 
@@ -12,15 +12,16 @@ from rna_sdk.compiled import compiled
 class Camera:
     """World-space rays through the pixels of an image; row 0 is at the top.
 
-    model: where it stands and looks. resolution: width, height in pixels.
+    model: where it stands and looks. resolution: width, height in pixels. samples: of a pixel.
 
     to_world: (4, 4) float64, from the camera's space, which looks along -z with +y up.
     corner, step_x, step_y: (3,) float64, direction through the image's top left corner, and the
-    steps of a pixel.
-    spread: width of a pixel over the distance to it.
+    steps of a pixel. has_lens: whether rays start all over a lens.
+    spread: width of what a sample of a pixel stands for, over the distance to it. Textures are
+    averaged over it, as in PBRT: a pixel's width, over the square root of its samples.
     """
 
-    def __init__(self, model: CameraModel, resolution: tuple[int, int]) -> None:
+    def __init__(self, model: CameraModel, resolution: tuple[int, int], samples: int = 1) -> None:
         self.width, self.height = resolution
         self._half_height = np.tan(np.radians(model.vertical_fov_deg) / 2.0)
         self.position = np.asarray(model.position, np.float32)
@@ -33,8 +34,10 @@ class Camera:
         half_width = half_height * self.width / self.height
         self.corner = forward - half_width * right + half_height * up
         self.step_x = right * (2.0 * half_width / self.width)
-        self.spread = 2.0 * half_height / self.height
+        self.spread = 2.0 * half_height / self.height / max(samples, 1) ** 0.5
         self.step_y = -up * (2.0 * half_height / self.height)
+        self._lens_radius, self._focus = model.aperture / 2.0, model.focus_distance
+        self.has_lens = self._lens_radius > 0.0
 
     def directions(self, pixels: np.ndarray, u: np.ndarray) -> np.ndarray:
         """Unit directions through points of pixels: (n, 3) float32.
@@ -45,6 +48,21 @@ class Camera:
         result = np.empty((len(pixels), 3), np.float32)
         _directions(pixels, u, self.width, self.corner, self.step_x, self.step_y, result)
         return result
+
+    def through_lens(self, directions: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Rays of a thin lens: origins and unit directions, (n, 3) float32 each.
+
+        directions: (n, 3), of the pinhole, whose rays they meet on the sharp plane. u: (n, 2) in
+        [0, 1), place on the lens by Shirley and Chiu's concentric map (Journal of Graphics Tools
+        2(3), 1997).
+        """
+        right, up, back = self.to_world[:3, :3].T
+        at = self._lens_radius * _on_disk(u)
+        offset = at[:, :1] * right + at[:, 1:] * up
+        sharp = directions * (self._focus / -(directions @ back))[:, None]
+        through = sharp - offset
+        through /= np.linalg.norm(through, axis=1, keepdims=True)
+        return (self.position + offset).astype(np.float32), through.astype(np.float32)
 
     def project(self, points: np.ndarray) -> np.ndarray:
         """Where points of the world are in the image: (n, 2) float64, pixels from its top left.
@@ -79,6 +97,17 @@ class Camera:
         away = np.where(around, radii + 1.0, -z)
         pixels = self.height * radii / np.sqrt(away**2 - radii**2) / self._half_height
         return np.where(seen, np.where(around, np.inf, pixels), 0.0)
+
+
+def _on_disk(u: np.ndarray) -> np.ndarray:
+    """Points of the unit disk, uniform by area, of points of the unit square: (n, 2) each."""
+    a, b = 2.0 * u.T - 1.0
+    wide = np.abs(a) > np.abs(b)
+    r = np.where(wide, a, b)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        angle = np.where(wide, np.pi / 4 * (b / a), np.pi / 2 - np.pi / 4 * (a / b))
+    angle = np.where(r == 0.0, 0.0, angle)
+    return np.stack([r * np.cos(angle), r * np.sin(angle)], axis=1)
 
 
 def _unit(vector: np.ndarray) -> np.ndarray:

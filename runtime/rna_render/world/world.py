@@ -151,7 +151,7 @@ class World:
             after = self._after[body] if seen else None
             moved = points.x if after is None else after.points(part, hits, ray[rows], points.x)
             x_next[rows] = moved
-        x_world = self._to_world_points(instance, x)
+        x_world = self.to_world_points(instance, x)
         bends = seen and any(self._after)
         return Vertices(
             ray=ray,
@@ -162,7 +162,7 @@ class World:
             ng_world=self.to_world_directions(instance, hits.ng.take(ray, axis=0)),
             wo_world=wo_world,
             start_instance=np.where(self._passes[instance], instance, NO_INSTANCE).astype(np.int32),
-            next_world=self._to_world_points(instance, x_next) if bends else x_world,
+            next_world=self.to_world_points(instance, x_next) if bends else x_world,
         )
 
     def origins(self, vertices: Vertices, row: np.ndarray, wi_world: np.ndarray) -> np.ndarray:
@@ -174,6 +174,14 @@ class World:
         result = np.empty_like(wi_world)
         at = vertices.x_world, vertices.ng_world, vertices.instance
         _step_off(*at, self._step, row, wi_world, result)
+        return result
+
+    def stepped(
+        self, x_world: np.ndarray, ng_world: np.ndarray, instance: np.ndarray, d_world: np.ndarray
+    ) -> np.ndarray:
+        """Points of surfaces, (n, 3) float32, a step off them towards d."""
+        result = np.empty_like(x_world)
+        _step_off(x_world, ng_world, instance, self._step, np.arange(len(x_world)), d_world, result)
         return result
 
     def to_world_directions(self, instance: np.ndarray, directions: np.ndarray) -> np.ndarray:
@@ -194,7 +202,8 @@ class World:
         inverse = self._rotations.transpose(0, 2, 1)
         return _transformed(inverse, self._no_shift, instance, directions_world)
 
-    def _to_world_points(self, instance: np.ndarray, points: np.ndarray) -> np.ndarray:
+    def to_world_points(self, instance: np.ndarray, points: np.ndarray) -> np.ndarray:
+        """Object-space points (n, 3) float32 of the given instances, in the world."""
         if not self._placed:
             return points
         linear, translation = self._matrices[:, :3, :3], self._matrices[:, :3, 3]

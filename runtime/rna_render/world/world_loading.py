@@ -10,6 +10,7 @@ import numpy as np
 
 from rna_render.lights import AssetEmission, PlacedLight, make_light
 from rna_render.materials import MeshObject, ground, read_mesh_object
+from rna_render.materials.textures import read_texels
 from rna_render.scene.light_models import AreaModel, LightModel
 from rna_render.scene.limits import MAX_SIZE, MIN_SIZE
 from rna_render.scene.scene_file import SceneFile
@@ -21,9 +22,7 @@ from rna_render.world.motion_loading import MotionLoader
 from rna_render.world.placements import Placement, emission_of, mesh_light, place_asset
 from rna_render.world.tier_choice import Tiers
 from rna_render.world.world import World
-from rna_sdk.errors import MotionError, PackageError, QueryError, SceneError
-from rna_sdk.package.textures.base_color import image_from_bytes
-from rna_sdk.regular_file import read_regular
+from rna_sdk.errors import MotionError, QueryError, SceneError
 from rna_sdk.runtime import Asset
 
 
@@ -99,7 +98,7 @@ def _placed_assets(scene_file: SceneFile, tiers: Tiers, loaded: Loaded) -> list[
             try:
                 asset = load.printed(asset, model)
                 other = None if other is None else load.printed(other, model)
-            except (PackageError, QueryError, OSError) as error:
+            except (QueryError, SceneError) as error:
                 raise scene_file.error(("assets", index, "maps"), str(error)) from error
         shapes, after = None, None
         if model.motion is not None:
@@ -135,14 +134,11 @@ class _AssetLoader:
     def printed(self, asset: Asset, model: AssetModel) -> Asset:
         """The asset with the images and the tint of its place in the scene.
 
-        Raises PackageError for a file that is no image, QueryError for a label that is not there.
+        Raises SceneError for a file that is no image, QueryError for a label that is not there.
         """
         key = id(asset), repr((model.maps, model.tint))
         if key not in self._printed:
-            images = {
-                label: image_from_bytes(read_regular(path), str(path))
-                for label, path in model.maps.items()
-            }
+            images = {label: read_texels(path, path) for label, path in model.maps.items()}
             self._printed[key] = asset, asset.with_base_color(images, model.tint)
         return self._printed[key][1]
 

@@ -2,7 +2,7 @@
 import { sceneArrays } from "./geometry/scene_arrays.js";
 import { Package } from "./package/package.js";
 import { BlobSource } from "./package/source.js";
-import { evaluate, mappedNormals, visibility } from "./webgpu/answers.js";
+import { baseColors, evaluate, mappedNormals, visibility } from "./webgpu/answers.js";
 
 const bytesOf = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
 
@@ -52,14 +52,18 @@ export class Reader {
     return textOf(await mappedNormals(this.engine, this._hits(text)));
   }
 
+  async baseColor(text) {
+    return textOf(await baseColors(this.engine, this._hits(text)));
+  }
+
   _hits(text) {
     const { buffer } = bytesOf(text), words = new Uint32Array(buffer), floats = new Float32Array(buffer), hits = [];
     for (let at = 0; at < words.length; at += 8) {
       const part = words[at + 7], { first, fiber } = this.arrays.parts[part];
       const numbers = floats.subarray(at, at + 7), place = this.arrays.where[first + words[at]];
       hits.push(fiber
-        ? { place, part, b1: 0, b2: 0, x: numbers.slice(1, 4), wi: numbers.slice(4, 7) }
-        : { place, part, b1: numbers[1], b2: numbers[2], x: [0, 0, 0], wi: numbers.slice(3, 6) });
+        ? { place, part, b1: 0, b2: 0, x: numbers.slice(1, 4), wi: numbers.slice(4, 7), level: 0 }
+        : { place, part, b1: numbers[1], b2: numbers[2], x: [0, 0, 0], wi: numbers.slice(3, 6), level: numbers[3] });  // with base colours a level in place of wi
     }
     return hits;
   }

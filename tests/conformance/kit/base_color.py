@@ -63,35 +63,29 @@ def base_color(
 def _filtered(record: BaseColor, p: float, q: float, level: float) -> np.ndarray:
     levels = pyramid(record)
     k = math.floor(level)
-    space = record.color_space
     if k >= len(levels) - 1:
-        return _linear(_looked_up(levels[-1], p, q, record.wrap), space)
-    near, far = (_linear(_looked_up(levels[k + i], p, q, record.wrap), space) for i in (0, 1))
+        return linear(_looked_up(levels[-1], p, q, record.wrap), record.color_space)
+    near, far = (
+        linear(_looked_up(levels[k + i], p, q, record.wrap), record.color_space) for i in (0, 1)
+    )
     return (1 - (level - k)) * near + (level - k) * far
 
 
 def pyramid(record: BaseColor) -> list[np.ndarray]:
-    """The image's values, and those of its linear means down to one texel."""
-    texels = record.image.astype(np.float64) / 255
-    levels, linear = [texels], _linear(texels, record.color_space)
-    while linear.shape[0] > 1 or linear.shape[1] > 1:
-        linear = _narrowed(_narrowed(linear).swapaxes(0, 1)).swapaxes(0, 1)
-        levels.append(_value(linear, record.color_space))
-    return levels
+    """The image, and its means in linear colours down to one texel, encoded as it is."""
+    levels = [linear(record.image.astype(np.float64) / 255, record.color_space)]
+    while levels[-1].shape[0] > 1 or levels[-1].shape[1] > 1:
+        levels.append(_narrowed(_narrowed(levels[-1]).swapaxes(0, 1)).swapaxes(0, 1))
+    if record.color_space == "linear":
+        return levels
+    return [np.where(v <= 0.0031308, v * 12.92, 1.055 * v ** (1 / 2.4) - 0.055) for v in levels]
 
 
-def _linear(value: np.ndarray, space: str) -> np.ndarray:
+def linear(values: np.ndarray, space: str) -> np.ndarray:
+    """Of values from 0 to 1."""
     if space == "linear":
-        return value
-    return np.where(value <= 0.04045, value / 12.92, ((value + 0.055) / 1.055) ** 2.4)
-
-
-def _value(linear: np.ndarray, space: str) -> np.ndarray:
-    """The inverse of `_linear`."""
-    if space == "linear":
-        return linear
-    power = 1.055 * np.maximum(linear, 0.04045 / 12.92) ** (1 / 2.4) - 0.055
-    return np.where(linear <= 0.04045 / 12.92, 12.92 * linear, power)
+        return values
+    return np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
 
 
 def _narrowed(texels: np.ndarray) -> np.ndarray:

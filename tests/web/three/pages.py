@@ -22,13 +22,19 @@ PAGE = Path(__file__).parent / "page.html"
 MODULES = REPOSITORY / "runtime" / "web" / "node_modules"
 
 
-def installed(folder: Path) -> Path:
-    """The packed package and three.js below `folder`/node_modules; the tarball."""
+def packed(name: str, folder: Path) -> Path:
+    """The tarball of an npm package of ours."""
     if shutil.which("npm") is None:
         pytest.skip("no Node; on Debian: apt-get install nodejs npm")
-    script = REPOSITORY / "scripts" / "three-package"
-    subprocess.run([script, folder], check=True, capture_output=True, timeout=300)
-    (tarball,) = folder.glob("rna-three-*.tgz")
+    script = REPOSITORY / "scripts" / "npm-package"
+    subprocess.run([script, name, folder], check=True, capture_output=True, timeout=300)
+    (tarball,) = folder.glob(f"{name}-*.tgz")
+    return tarball
+
+
+def installed(folder: Path) -> Path:
+    """The packed package and three.js below `folder`/node_modules; the tarball."""
+    tarball = packed("rna-three", folder)
     modules = folder / "node_modules"
     modules.mkdir()
     with tarfile.open(tarball) as archive:

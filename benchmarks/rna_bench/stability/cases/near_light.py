@@ -51,7 +51,7 @@ def _near_lights(
         yield {
             "distance": distance,
             "psnr": beside.psnr(ours).db,
-            "flip": beside.flip(ours)[0],
+            "flip": beside.flip(ours).mean,
             "brightness": float(ours[covered].mean() / beside.reference[covered].mean()),
         }
 

@@ -17,11 +17,17 @@ typedef struct Level {
 typedef struct Pyramid {
     int count;
     Level level[MAX_LEVELS];
+    bool is_srgb;
     float linear[256]; /* of each value of 8 bits */
     uint8_t texels[];
 } Pyramid;
 
 static uint32_t half_of(uint32_t n) { return n > 1 ? n / 2 : 1; }
+
+/* The linear value of an encoded one, from 0 to 1. */
+static double linear_value(double c, bool is_srgb) {
+    return !is_srgb ? c : c <= 0.04045 ? c / 12.92 : pow((c + 0.055) / 1.055, 2.4);
+}
 
 /* A pyramid for an image of this size, without texels; NULL where memory is out. */
 static Pyramid *new_pyramid(uint32_t width, uint32_t height, bool is_srgb) {
@@ -36,14 +42,14 @@ static Pyramid *new_pyramid(uint32_t width, uint32_t height, bool is_srgb) {
     Pyramid *pyramid = malloc(sizeof *pyramid + total);
     if (!pyramid) return NULL;
     pyramid->count = count;
+    pyramid->is_srgb = is_srgb;
     for (int i = 0; i < count; i++) {
         pyramid->level[i] = level[i];
         pyramid->level[i].texels =
             i ? pyramid->level[i - 1].texels + 3 * (size_t)level[i - 1].width * level[i - 1].height : pyramid->texels;
     }
     for (int i = 0; i < 256; i++) {
-        double c = i / 255.0;
-        pyramid->linear[i] = (float)(!is_srgb ? c : c <= 0.04045 ? c / 12.92 : pow((c + 0.055) / 1.055, 2.4));
+        pyramid->linear[i] = (float)linear_value(i / 255.0, is_srgb);
     }
     return pyramid;
 }
@@ -103,26 +109,20 @@ static size_t texel_inside(double i, uint32_t n, RnaWrap wrap) {
     return inside >= 0 && inside < n ? (size_t)inside : 0; /* beyond what float64 resolves, the first */
 }
 
-/* The linear value of one from 0 to 255 that need not be whole, within 1e-5. */
-static double linear_at(const float linear[256], double value) {
-    const int below = (int)fmin(fmax(value, 0), 254);
-    return linear[below] + (value - below) * ((double)linear[below + 1] - linear[below]);
-}
-
 /* Adds weight times the linear colour of a level at (p, q). */
 static void add_level(const Pyramid *pyramid, int k, const RnaWrap wrap[2], const double place[2], double weight,
                       double color[3]) {
     const Level *level = &pyramid->level[k];
     const double s = place[0] * level->width - 0.5, t = place[1] * level->height - 0.5, i = floor(s), j = floor(t);
-    double value[3] = {0, 0, 0}; /* as stored, 0 to 255 */
+    double value[3] = {0, 0, 0};
     for (int corner = 0; corner < 4; corner++) {
         const size_t column = texel_inside(i + (corner & 1), level->width, wrap[0]);
         const size_t row = texel_inside(j + (corner >> 1), level->height, wrap[1]);
         const double share = (corner & 1 ? s - i : 1 - (s - i)) * (corner >> 1 ? t - j : 1 - (t - j));
         const uint8_t *texel = level->texels + 3 * (row * level->width + column);
-        for (int c = 0; c < 3; c++) value[c] += share * texel[c];
+        for (int c = 0; c < 3; c++) value[c] += share * texel[c] / 255;
     }
-    for (int c = 0; c < 3; c++) color[c] += weight * linear_at(pyramid->linear, value[c]);
+    for (int c = 0; c < 3; c++) color[c] += weight * linear_value(value[c], pyramid->is_srgb);
 }
 
 /* The base colour of a hit with corners and barycentric coordinates b. */

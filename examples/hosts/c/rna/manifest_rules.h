@@ -102,6 +102,7 @@ static const Rule A_FLIP_AT = {"", OBJECT, .of = FLIP_AT};
 static const Rule VALIDATION[] = {
     {"psnr", NUMBER, REQUIRED, ANY_NUMBER},
     {"flip", NUMBER, REQUIRED, MEASURE},
+    {"flipP95", NUMBER, 0, MEASURE},
     {"relativeMse", NUMBER, REQUIRED, MEASURE},
     {"images", INTEGER, REQUIRED, 1, HUGE_VAL},
     {"definition", TEXT, REQUIRED},

@@ -105,6 +105,7 @@ static void read_normal_maps(Container *zip, const Json *json, Part *part, RnaRe
 static void read_base_colors(Container *zip, const Json *json, Part *part, RnaReport *report) {
     const Json *list = member(json, "baseColor");
     uint64_t start = 0;
+    bool any = false; /* images */
     for (const Json *item = list ? list->first : NULL; item; item = item->next) {
         RnaBaseColor *record = &part->colors[part->public.base_color_count++];
         *record = base_color_of(item);
@@ -121,9 +122,10 @@ static void read_base_colors(Container *zip, const Json *json, Part *part, RnaRe
                                                "BASE_COLOR_RANGE", part->public.name, report))
             return;
         start = (uint64_t)record->first + record->count;
-        if (pictured && !part->mesh.uvs)
-            refuse(report, "BASE_COLOR_UV", part->public.name, "a mesh with TEXCOORD_0", "none");
+        any |= pictured;
     }
+    if (any && !part->mesh.uvs)
+        refuse(report, "BASE_COLOR_UV", part->public.name, "a mesh with TEXCOORD_0", "none");
     if (list) part->public.base_colors = part->colors;
 }
 

@@ -11,12 +11,16 @@ from rna_geometry import shown_objects
 from rna_geometry.attributes import read, uv_map
 from rna_geometry.shown_objects import SURFACES, top_object
 from rna_materials.object_materials import materials_of
+from rna_materials.smooth_glass import is_left
 from rna_materials.uv_charts import Chart
 from rna_materials.uv_dependence import IDENTITY
 
 
 def export_mesh(
-    path: str, owner: str | None = None, charts: dict[str, Any] | None = None
+    path: str,
+    owner: str | None = None,
+    charts: dict[str, Any] | None = None,
+    of_hosts: bool = False,
 ) -> dict[str, Any]:
     """Write an .npz: `positions`, `normals` (3t, 3), `uvs` (3t, 2), `has_uv`, `material` (t,),
     `vertex` (3t,), `vertices`.
@@ -26,14 +30,14 @@ def export_mesh(
     all. charts: texture coordinates of materials (see `surface_textures.export_textures`); the rest
     has the UV map that renders use, or 0. has_uv: whether all objects have UV maps, or a chart.
     vertex: int32, the corners' vertices, numbered over all shown meshes, of which there are so many
-    `vertices`.
+    `vertices`. of_hosts: whether it is the glass that is left to hosts, else all but that.
     """
     names = [material.name_full for material in bpy.data.materials]
     charted = {name: Chart(c["layer"], np.array(c["matrix"])) for name, c in (charts or {}).items()}
     corners, vertices = [], 0
     for instance in _mesh_instances():
         if owner in (None, top_object(instance)):
-            corners.append(_corners(instance, names, charted, vertices))
+            corners.append(_corners(instance, names, charted, vertices, of_hosts))
         vertices += _vertex_count(instance.object)
     if not corners:
         raise ValueError("the scene has no mesh with faces")
@@ -63,9 +67,11 @@ def owners() -> list[str]:
 
 
 def _has_faces(item: bpy.types.Object) -> bool:
-    faces = len(item.to_mesh().polygons)
+    left = [is_left(None if m is None else m.name_full) for m in materials_of(item)]
+    mesh = item.to_mesh()
+    slot = read(mesh.polygons, "material_index", len(mesh.polygons), np.int32)
     item.to_mesh_clear()
-    return faces > 0
+    return not np.array(left)[np.clip(slot, 0, len(left) - 1)].all()
 
 
 def _vertex_count(item: bpy.types.Object) -> int:
@@ -85,6 +91,7 @@ def _corners(
     names: list[str],
     charts: dict[str, Chart],
     first: int,
+    of_hosts: bool,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, bool, np.ndarray, np.ndarray]:
     """See `export_mesh`. first: number of the mesh's first vertex."""
     mesh = instance.object.to_mesh()
@@ -108,6 +115,9 @@ def _corners(
         instance.object.to_mesh_clear()
     numbers = np.array([names.index(name) if name in names else -1 for name in slots])
     material = numbers[slot].astype(np.int32)
+    wanted = np.array([is_left(name) == of_hosts for name in slots])[slot]
+    material, corner = material[wanted], np.repeat(wanted, 3)
+    positions, normals, uvs, vertices = (a[corner] for a in (positions, normals, uvs, vertices))
     *placed, order = _place(positions, normals, uvs, matrix, vertices[:, None] + first)
     return *placed, has_uv, material, order[:, 0].astype(np.int32)
 

@@ -41,6 +41,11 @@ def find_parts(how: str) -> list[Part]:
     return parts
 
 
+def is_empty() -> bool:
+    """Whether there is nothing that a part could have."""
+    return not (mesh_export.owners() or curves_export.owners())
+
+
 def _of_objects() -> list[Part]:
     surfaces, hair = mesh_export.owners(), curves_export.owners()
     taken: set[str] = set()

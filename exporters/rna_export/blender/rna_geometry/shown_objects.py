@@ -87,6 +87,28 @@ def top_object(instance: bpy.types.DepsgraphObjectInstance) -> str:
 
 def instances() -> Iterator[bpy.types.DepsgraphObjectInstance]:
     """Depsgraph instances that renders show; each is valid until the next one is requested."""
+    for instance in _not_hidden():
+        if not is_bare_curve(instance.object):
+            yield instance
+
+
+def bare_curves() -> list[str]:
+    """Names of objects with curves that have no surface and are no hair, such as guides."""
+    return list(
+        dict.fromkeys(
+            str(instance.object.original.name)
+            for instance in _not_hidden()
+            if is_bare_curve(instance.object)
+        )
+    )
+
+
+def is_bare_curve(item: bpy.types.Object) -> bool:
+    """Whether an evaluated object is curves of geometry nodes beside a mesh: renders show none."""
+    return item.type == "CURVE" and item.original.type != "CURVE" and item.to_mesh() is None
+
+
+def _not_hidden() -> Iterator[bpy.types.DepsgraphObjectInstance]:
     for instance in depsgraph().object_instances:
         item = instance.object.original
         if instance.show_self and not item.hide_render:

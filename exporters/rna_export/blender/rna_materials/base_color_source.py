@@ -44,7 +44,8 @@ def base_colour_of(material: bpy.types.Material) -> BaseColour | None:
     output = surface_output(material)
     if output is None:
         return None
-    constants, linked = [], {}
+    constants: list[BaseColour] = []
+    linked: dict[object, BaseColour] = {}
     for node, _, inside in sources(output.inputs["Surface"]):
         if node.type in COLOURS:
             found = _product(node.inputs[COLOURS[node.type]], inside)

@@ -68,7 +68,7 @@ def export_base_colors(
     """
     charts = dict(charts)
     colors: list[dict[str, Any]] = []
-    arrays: dict[str, np.ndarray] = {}
+    arrays: dict[str, Any] = {}
     notes = []
     copies = Copies()
     try:

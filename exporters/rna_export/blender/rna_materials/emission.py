@@ -23,7 +23,7 @@ class Emission:
         for material in bpy.data.materials:
             if not material.use_nodes:
                 continue
-            emitters = [node for node in nodes_of(material.node_tree) if _emits(node)]
+            emitters = [node for node in nodes_of(material.node_tree) if emits(node)]
             if emitters:
                 self.materials.append(material.name)
             for node in emitters:
@@ -56,7 +56,7 @@ def nodes_of(tree: bpy.types.NodeTree) -> Iterator[bpy.types.Node]:
         yield node
 
 
-def _emits(node: bpy.types.Node) -> bool:
+def emits(node: bpy.types.Node) -> bool:
     if node.type not in _STRENGTH:
         return False
     strength, colour = node.inputs[_STRENGTH[node.type]], node.inputs[_COLOUR[node.type]]

@@ -10,6 +10,7 @@ import bpy
 from rna_geometry.shown_objects import as_rendered
 from rna_materials import normal_maps
 from rna_materials.material_uses import Use, Wanted, shown_materials, uses_of
+from rna_materials.smooth_glass import is_left
 from rna_materials.transparency import transmittance_of
 from rna_materials.uv_render import ColourOfUv
 
@@ -60,9 +61,10 @@ def shown_surfaces(copies: Copies, folder: Path, with_normals: bool) -> Iterable
     """The shown materials that have holes or a normal map."""
     on_surfaces, on_hair = as_rendered(shown_materials)
     for material in list(bpy.data.materials):
-        if material.name_full not in on_surfaces | on_hair or material.node_tree is None:
+        name = material.name_full
+        if name not in on_surfaces | on_hair or is_left(name) or material.node_tree is None:
             continue
-        surface = Surface(material, material.name_full in on_hair)
+        surface = Surface(material, name in on_hair)
         copy = copies.of(material)
         transmittance = transmittance_of(copy)
         if transmittance is not None:
@@ -73,7 +75,7 @@ def shown_surfaces(copies: Copies, folder: Path, with_normals: bool) -> Iterable
                 shown = transmittance_of(copy, thresholds=False)
                 assert shown is not None  # as before
                 surface.shown = ColourOfUv(copy, shown.colour, folder)
-        if with_normals and material.name_full in on_surfaces:
+        if with_normals and name in on_surfaces:
             copy = copies.of(material)
             source = normal_maps.normal_source(copy)
             if source is not None and (problem := normal_maps.problem_of(source)):

@@ -114,7 +114,7 @@ def _textures_of(surface: Surface, side: int) -> _Textures:
         try:
             _add_normals(surface, textures, side)
         except NotOfUv as problem:
-            reason = f"{problem}, which is no function of its UV coordinates"
+            reason = f"what {problem} places, and not its UV coordinates alone"
     if reason:
         textures.learnt = True
         textures.notes.append(f"has relief by {reason}: it is learnt, not mapped")

@@ -13,26 +13,28 @@ import rna_hair
 from rna_geometry import curves_export
 from rna_hair.axes import z_up_to_y_up
 from rna_hair.objects import add_curves, show_strands
-from rna_sources import groom_source, imported_colours, shown_frame, usd_curves
+from rna_sources import groom_source, imported_colours, shown_frame, usd_curves, usd_facets
 
 _STEPS = 4  # straight segments between two points of a spline
 
 
 def load(source: str, arguments: list[str], frame: int | None) -> list[str]:
-    """Add what the file holds to the scene; returns notes. See `source_formats` for the arguments.
+    """Add what the file holds to the scene; returns notes for the user.
 
-    frame: of strands that have to be copied; None for the first.
+    arguments: see `source_formats`. frame: of strands that have to be copied; None for the first.
     """
     path = Path(source)
+    notes: list[str] = []
     args = groom_source.options(path, arguments)
     if path.suffix.lower() == ".abc":
         if bpy.ops.wm.alembic_import(filepath=source, scale=args.unit) != {"FINISHED"}:
             raise ValueError(f"{path.name}: not an Alembic archive (Ogawa), or a damaged one")
     else:
         _import_usd(path, args, frame)
+        notes = [] if args.subdivide else usd_facets.restore(path)
     scene = bpy.context.scene
     scene.frame_set(scene.frame_start if frame is None else frame)
-    return _finish_strands(args)
+    return [*notes, *_finish_strands(args)]
 
 
 def _import_usd(path: Path, args: argparse.Namespace, frame: int | None) -> None:

@@ -11,7 +11,7 @@ from pathlib import Path
 import bpy
 from rna_geometry import render_only, shown_objects
 from rna_geometry.shown_objects import as_rendered
-from rna_materials import material_check
+from rna_materials import material_check, material_facts
 from rna_materials.emission import nodes_of
 from rna_sources import (
     camera_visibility,
@@ -135,6 +135,12 @@ def keep_only_the_asset() -> list[str]:
     )
     notes += [*camera_visibility.leave_out_unseen(), *_hide_what_no_package_holds()]
     as_rendered(render_only.refuse)
+    as_rendered(_refuse_volumes)
+    notes += [
+        f"object {name!r} has curves of geometry nodes without a surface, which Cycles does not "
+        "render; Curve to Mesh makes tubes of them, and in a hair curves object they are hair"
+        for name in as_rendered(shown_objects.bare_curves)
+    ]
     return [*notes, *as_rendered(material_check.problems)]
 
 
@@ -146,6 +152,16 @@ def _hide_what_no_package_holds() -> list[str]:
         kind = "a volume" if item.type == "VOLUME" else "a point cloud"
         notes.append(f"object {item.name!r} is {kind}, which no package holds, and was hidden")
     return notes
+
+
+def _refuse_volumes() -> None:
+    """Raise ValueError for volumes without a surface."""
+    for name in material_facts.volumes_alone():
+        raise ValueError(
+            f"material {name!r} is a volume without a surface: an asset is the light of surfaces "
+            "and strands, and nothing of it could be learnt; hide its objects in renders to "
+            "capture the rest"
+        )
 
 
 def _points_and_volumes() -> dict[str, bpy.types.Object]:

@@ -12,6 +12,7 @@ from typing import Any, Self
 
 from rna_export.capture.capture_settings import CLAMP_DIRECT, CLAMP_INDIRECT, CaptureSettings
 from rna_sdk.errors import CaptureError
+from rna_sdk.gltf_remedies import with_remedy
 from rna_work.processor_time import process_seconds
 
 
@@ -27,13 +28,15 @@ class Source:
     up: str | None = None
     parts: str = "kinds"  # see CaptureSettings
     rest_frame: int | None = None  # that is shown; None for the one that the file opens with
+    glass: str = "leave"  # smooth glass: see CaptureSettings; "show": it is part of the source
 
     @classmethod
     def captured(cls, path: Path, arguments: tuple[str, ...], settings: CaptureSettings) -> Source:
         """The source as a capture of these settings opens it."""
         clamps = settings.clamp_direct, settings.clamp_indirect
         axes = settings.front, settings.up
-        return cls(path, arguments, *clamps, *axes, settings.parts, settings.rest_frame)
+        frame, glass = settings.rest_frame, settings.glass
+        return cls(path, arguments, *clamps, *axes, settings.parts, frame, glass)
 
 
 _LINES = 5  # of Blender's output, in an error
@@ -89,6 +92,7 @@ class BlenderProcess:
                 up=self.source.up,
                 parts=self.source.parts,
                 frame=self._frame,
+                glass=self.source.glass,
             )
             self._frame = self.opened["frame"]
             self.parts = tuple(ScenePart(**part) for part in self.opened["parts"])
@@ -152,7 +156,8 @@ class BlenderProcess:
                 if line.startswith("RNA "):
                     answer: dict[str, Any] = json.loads(line[4:])
                     if not answer["ok"]:
-                        raise CaptureError(f"{self.source.path}: Blender says: {answer['error']}")
+                        said = with_remedy(f"Blender says: {answer['error']}")
+                        raise CaptureError(f"{self.source.path}: {said}")
                     return answer
                 self._log.write(line)
         except BrokenPipeError:

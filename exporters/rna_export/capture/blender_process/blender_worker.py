@@ -82,14 +82,19 @@ class BlenderWorker(BlenderProcess):
         return Curves(points, arrays["radii"], arrays["offsets"].astype(np.uint32))
 
     def export_corners(
-        self, owner: str | None = None, charts: dict[str, Any] | None = None
+        self,
+        owner: str | None = None,
+        charts: dict[str, Any] | None = None,
+        of_hosts: bool = False,
     ) -> dict[str, np.ndarray]:
         """Corners of a top object's triangles, or of the scene's, +Y up: see `mesh_export.py`.
 
         The materials of the triangles by their full name, "" for none. charts: of
-        `MaterialTextures`, for the texture coordinates.
+        `MaterialTextures`, for the texture coordinates. of_hosts: whether those of the glass that
+        is left to hosts, else of all but that.
         """
-        corners, answer = self._exported("exportMesh", owner=owner, charts=charts)
+        request = {"owner": owner, "charts": charts, "ofHosts": of_hosts}
+        corners, answer = self._exported("exportMesh", **request)
         for name in ("positions", "normals"):
             corners[name] = from_blender(corners[name])
         corners["material"] = np.array([*answer["materials"], ""])[corners["material"]]
@@ -224,6 +229,7 @@ class BlenderWorker(BlenderProcess):
         width: int,
         height: int,
         denoise: bool = False,
+        emits: bool = False,
     ) -> tuple[np.ndarray, np.ndarray]:
         """A pinhole image of the source in a scene, and the points that it shows.
 
@@ -232,10 +238,10 @@ class BlenderWorker(BlenderProcess):
         nothing.
 
         scene: see `rna_export.compare.cycles_scene`. No clamping. `denoise`: by Cycles' own
-        denoiser, Open Image Denoise with albedo and normals. What the scene describes is built
-        anew when it is another one than in the render before; the numbers of samples may differ
-        without a fresh process, so the same render need not repeat to the bit. `to_world` and
-        `fov_y` as in `render_view`.
+        denoiser, Open Image Denoise with albedo and normals. What the scene describes is
+        built anew when it is another one than in the render before; the numbers of samples may
+        differ without a fresh process, so the same render need not repeat to the bit. `to_world`,
+        `fov_y` and `emits` as in `render_view`.
         """
         self._holds_scene = True
         out = self._folder / f"scene-{self._name}-{self._renders}.exr"
@@ -248,6 +254,7 @@ class BlenderWorker(BlenderProcess):
             samples=samples,
             seed=seed,
             denoise=denoise,
+            emits=emits,
         )
         passes = read_render(out, "Position")
         out.unlink()

@@ -15,7 +15,7 @@ from rna_trace import SurfacePoints
 MISSING, EXTRA, ELSEWHERE, TURNED = "missing", "extra", "elsewhere", "turned"
 KINDS = (MISSING, EXTRA, ELSEWHERE, TURNED)
 
-_APART = 1e-3  # of the asset's radius: quantised geometry moves hits by 1e-5
+APART = 1e-3  # of the asset's radius: quantised geometry moves hits by 1e-5
 _TURN = np.cos(np.radians(30.0))  # normal maps of fewer texels than their images turn less
 _GRAZING = 0.2  # cosine, below which Cycles bends normals towards the viewer
 _EMPTY = 1.0 - HIT  # alpha of a ray that meets nothing
@@ -50,22 +50,25 @@ class Disagreement:
         rendered: RenderedRays,
         samples: int,
         normals: bool,
+        firm: np.ndarray | None = None,
     ) -> Disagreement:
         """Compare what Cycles rendered along rays from outside.
 
-        samples: of each ray. normals: whether the exported ones are to be Cycles'.
+        samples: of each ray. normals: whether the exported ones are to be Cycles'. firm: (n,) bool,
+        rays to compare; None for all.
         """
         ours, alpha = scene.coverage(rays.origins, rays.directions), rendered.alpha
         points = scene.shade_points(rays.origins, rays.directions)
-        solid, empty = ours > HIT, ours < _EMPTY
-        partly = ~solid & ~empty
+        firm = np.ones(len(ours), bool) if firm is None else firm
+        solid, empty = firm & (ours > HIT), firm & (ours < _EMPTY)
+        partly = firm & ~solid & ~empty
         elsewhere, turned = other_hits(scene, rays, points, rendered, normals)
         return cls(
             missing=solid & (alpha < HIT),
             extra=empty & (alpha > _EMPTY),
             elsewhere=elsewhere & solid,
             turned=turned & solid,
-            covered=~empty | (alpha > _EMPTY),
+            covered=firm & (~empty | (alpha > _EMPTY)),
             partly=partly,
             excess=_excess(ours[partly], alpha[partly], samples),
         )
@@ -94,7 +97,7 @@ def other_hits(
     """Rays that both hit, (n,) bool each: at different points; at one point with other normals."""
     both = points.hit & ~points.transmittance.any(axis=1) & (rendered.alpha > HIT)
     apart = np.linalg.norm(rendered.position - points.position, axis=1)
-    elsewhere = both & ~(apart <= _APART * scene.radius)
+    elsewhere = both & ~(apart <= APART * scene.radius)
     turned = np.zeros(len(both), bool)
     if normals and rendered.normal is not None:
         turned = both & ~elsewhere & _turned(rays, points, rendered.normal)

@@ -12,6 +12,7 @@ import numpy as np
 
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.capture.check.disagreement import (
+    APART,
     ELSEWHERE,
     EXTRA,
     KINDS,
@@ -38,6 +39,9 @@ _WIDER = 1.2  # than the asset's sphere: what is not exported may stand beside i
 _SIDES = 48, 128  # pixels, at least and at most
 _COVERED = 0.4  # of a picture
 _FOV = np.radians(40.0)
+_CORNERS = np.array([[-1, -1], [-1, 1], [1, -1], [1, 1]])
+_IN_FILTER = 0.5 + np.concatenate([0.0075 * _CORNERS, 0.015 * _CORNERS])
+"""Places in a pixel that Cycles' narrowest filter reaches: a Gaussian of 3 x 0.01 pixels."""
 _FROM = np.array([0.5, 0.4, 1.0])  # direction of the picture's camera, if all agrees
 _CLUSTER = np.cos(np.radians(40.0))
 _CANDIDATES = 64
@@ -104,12 +108,25 @@ class SelfCheck:
         pixels = np.arange(side**2, dtype=np.uint32)
         directions = camera.directions(pixels, np.full((side**2, 2), 0.5))
         rays = ViewRays(np.tile(camera.position, (side**2, 1)), directions)
-        disagreement = Disagreement.of(self.scene, rays, rendered, self.samples, self.normals)
+        disagreement = Disagreement.of(
+            self.scene, rays, rendered, self.samples, self.normals, self._firm(camera, rays)
+        )
         self._note(disagreement.shares(), rays, disagreement.any)
         if self.worth_telling():
             self.picture = disagreement_picture(
                 self.scene, rays, rendered, disagreement, name, self.worth_telling()
             )
+
+    def _firm(self, camera: Camera, rays: ViewRays) -> np.ndarray:
+        """Rays of a picture that answer the same everywhere in Cycles' narrowest filter, (n,)."""
+        pixels = np.arange(len(rays.origins), dtype=np.uint32)
+        distance = self.scene.distance(rays.origins, rays.directions)
+        firm = np.ones(len(distance), bool)
+        for place in _IN_FILTER:
+            directions = camera.directions(pixels, np.tile(place, (len(pixels), 1)))
+            other = self.scene.distance(rays.origins, directions)
+            firm &= np.isclose(other, distance, rtol=0.0, atol=APART * self.scene.radius)
+        return firm
 
     def _note(self, shares: dict[str, float], rays: ViewRays, differ: np.ndarray) -> None:
         for kind, share in shares.items():

@@ -7,6 +7,7 @@ toy.rays/
   transmittance/0.safetensors texture of a material that lets light through, as in a package
   normals/0.safetensors       normal map of a material, as in a package
   base_color/0.png            image of a material's base colour, or .jpg, .webp
+  glass.glb                   smooth glass that is left to hosts, if there is any
   train/00000.safetensors     samples of some lights, arrays NAME/FIELD
   emission/00000.safetensors  samples of what the asset emits, if it does
   validation/00-0.safetensors one half (of two seeds) of one whole image, likewise
@@ -66,13 +67,15 @@ class Dataset:
         textures: Mapping[str, np.ndarray | bytes] | None = None,
         poses: Mapping[int, Mapping[str, np.ndarray]] | None = None,
         sources: Mapping[str, SourceVertices] | None = None,
+        glass: bytes | None = None,
     ) -> Dataset:
         """Write geometry and textures, and the manifest, that last: with one it is a dataset.
 
         geometries: of each part. textures: by the names that records have, the texels of all
         transmittance and normal maps, and the files of images of base colour.
         poses: by frame, but for the rest frame: positions of each part, (v, 3) float32.
-        sources: vertices of the source, of those parts that have any.
+        sources: vertices of the source, of those parts that have any. glass: a .glb of the glass
+        that is left to hosts.
         """
         folder = Path(folder)
         for inner in _FOLDERS:
@@ -88,6 +91,8 @@ class Dataset:
         for frame, parts in (poses or {}).items():
             (folder / "poses").mkdir(exist_ok=True)
             write_arrays(_pose_path(folder, frame), parts)
+        if glass is not None:
+            write_atomically(_glass_path(folder), glass)
         manifest.write(folder / "manifest.json")
         return cls(folder)
 
@@ -111,6 +116,12 @@ class Dataset:
                 return part
         names = ", ".join(part.name for part in self.parts)
         raise CaptureError(f"{self.folder}: found no part {name!r}, expected one of {names}")
+
+    @property
+    def glass(self) -> bytes | None:
+        """A .glb of the glass that is left to hosts; None for none."""
+        path = _glass_path(self.folder)
+        return path.read_bytes() if path.is_file() else None
 
     def whole_views(self) -> list[WholeView]:
         """The finished validation images, each of all parts together."""
@@ -204,6 +215,10 @@ class Dataset:
 
 def _pose_path(folder: Path, frame: int) -> Path:
     return folder / "poses" / f"{frame:05d}.safetensors"
+
+
+def _glass_path(folder: Path) -> Path:
+    return folder / "glass.glb"
 
 
 def _geometry_path(folder: Path, part: str) -> Path:

@@ -9,6 +9,7 @@ from typing import Any, Literal, Self
 from pydantic import Field, ValidationError, model_validator
 
 from rna_export.capture.capture_settings import CaptureSettings, DatasetModel
+from rna_export.capture.preflight.verdicts import MaterialVerdict
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.package import Domain
 from rna_sdk.package.manifest.manifest_fields import Name
@@ -95,6 +96,7 @@ class CaptureManifest(DatasetModel):
     generator: str
     opaque_cutouts: bool  # light through some materials counts as theirs: alpha may be below 1
     emitters: tuple[str, ...] = ()  # materials that emit light
+    materials: tuple[MaterialVerdict, ...] = ()  # how well each is learnt
     notes: tuple[str, ...] = ()
     processors: tuple[str, ...] = ()  # that rendered: where one is another, bits may differ
     scene_domain: Domain | None = None  # of --for; in the place of settings.domain

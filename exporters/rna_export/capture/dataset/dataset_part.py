@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
@@ -112,7 +113,7 @@ class DatasetPart:
     def base_color(self) -> tuple[BaseColor, ...]:
         """The base colour of its triangles; none of a part without."""
         images = {
-            name: self._read_texture(name, lambda data, name=name: image_from_bytes(data, name))
+            name: self._read_texture(name, partial(image_from_bytes, name=name))
             for name in self._image_names()
         }
         return tuple(

@@ -37,6 +37,10 @@ class CapturedImage(Protocol):
     def halves(self) -> np.ndarray:
         """Two independent estimates of it, (2, n, 3) float32."""
 
+    @property
+    def is_of_strands(self) -> bool:
+        """Whether all that it shows is strands."""
+
     def image(self, values: np.ndarray) -> np.ndarray:
         """Rows (n, 3) as an image (resolution, resolution, 3), zero where there is no row."""
 
@@ -60,6 +64,11 @@ class ValidationView:
     def visible(self) -> np.ndarray:
         """Visibility of the light through the asset, (n,) or (n, 3)."""
         return self.samples["visible"]
+
+    @property
+    def is_of_strands(self) -> bool:
+        """See `CapturedImage`."""
+        return "tangent" in self.samples
 
     @property
     def queries(self) -> dict[str, np.ndarray]:
@@ -119,6 +128,11 @@ class WholeView:
     def halves(self) -> np.ndarray:
         """See `CapturedImage`."""
         return np.concatenate([part.halves for part in self.parts], axis=1)
+
+    @property
+    def is_of_strands(self) -> bool:
+        """See `CapturedImage`."""
+        return all(part.is_of_strands for part in self.parts)
 
     def image(self, values: np.ndarray) -> np.ndarray:
         """See `CapturedImage`."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from itertools import pairwise
 
 import numpy as np
@@ -87,12 +88,14 @@ def measure_pilot(
     domain: Domain,
     cutouts: bool,
     path_seconds: float,
+    tick: Callable[[], object],
     lights: int = LIGHTS,
 ) -> Pilot:
     """Render rays under several suns, twice and once more from within their pixels.
 
     cutouts: whether rays are kept where Cycles' alpha is below 1. path_seconds: processor time of a
-    path, as the capture traces them. lights: suns, each with other rays.
+    path, as the capture traces them. tick: called after each light. lights: suns, each with other
+    rays.
     """
     samples, layers = settings.samples, np.random.default_rng
     count = min(_RAYS, settings.rays)
@@ -110,6 +113,7 @@ def measure_pilot(
                 for turn, one in enumerate([rays, rays, near])
             ]
         )
+        tick()
     path, pixel = variances(np.concatenate(answers, axis=1), samples)
     kind = "fiber" if worker.kind == "fiber" else "surface"
     return Pilot(

@@ -12,8 +12,10 @@ from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.dataset.dataset_manifest import CapturedPart
 from rna_export.capture.geometry.base_colors import BaseColors
 from rna_export.capture.geometry.blurred_textures import blurred_note
+from rna_export.capture.geometry.glass_mesh import glass_glb
 from rna_export.capture.geometry.mesh_cleanup import welded, with_last
 from rna_export.capture.geometry.source_notes import size_notes, too_coarse
+from rna_export.capture.preflight.material_record import Glass
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Mesh, SourceVertices, quantise
 from rna_sdk.package.manifest.manifest_model import (
@@ -33,7 +35,8 @@ class ExportedParts:
     maps: its normal maps. colors: its base colour. textures: of all, by name: the texels of the
     former two, and the files of images. sources: the source's vertices of each
     surface. notes: what of the materials could not be told. has_opaque_cutouts: whether some of it
-    lets light through. has_learnt_relief: whether some relief is in no map.
+    lets light through. has_learnt_relief: whether some relief is in no map. mapped: full names of
+    the materials that have a normal map. glass: a .glb of what is left to hosts; None for nothing.
     """
 
     parts: tuple[ScenePart, ...]
@@ -45,6 +48,8 @@ class ExportedParts:
     sources: dict[str, SourceVertices] = field(default_factory=dict)
     has_opaque_cutouts: bool = False
     has_learnt_relief: bool = True
+    mapped: tuple[str, ...] = ()
+    glass: bytes | None = None
     notes: list[str] = field(default_factory=list)
 
     def captured(self) -> tuple[CapturedPart, ...]:
@@ -93,6 +98,7 @@ def exported_parts(worker: BlenderWorker, settings: CaptureSettings) -> Exported
         worker.parts,
         has_opaque_cutouts=textures.captured_holes,
         has_learnt_relief=textures.learnt_relief,
+        mapped=tuple(textures.normals),
         notes=[*textures.notes, *colors.notes],
     )
     for part in worker.parts:
@@ -104,6 +110,8 @@ def exported_parts(worker: BlenderWorker, settings: CaptureSettings) -> Exported
     if not settings.exact_geometry:
         _quantise(exported)
     exported.notes += size_notes(exported.geometries)
+    if glass := [Glass(**each) for each in worker.opened["glass"]]:
+        exported.glass = glass_glb(worker.export_corners(of_hosts=True), glass)
     return exported
 
 

@@ -1,8 +1,8 @@
-"""Notes on a source: sizes that its numbers cannot hold, wrong units, narrow highlights."""
+"""Notes on a source: sizes that its numbers cannot hold, wrong units."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 import numpy as np
 
@@ -67,22 +67,3 @@ def _smallest_island(mesh: Mesh, limit: float) -> float | None:
     longest = (most - least).max(axis=1)[label]
     result = longest[~tied & (count[label] >= _LEAST_TRIANGLES) & (longest < limit)]
     return float(result.min()) if len(result) else None
-
-
-_NARROWER = 0.5  # of `sharpest`: peaks are off by 13% at 0.7 of it, by 44% at 0.36
-_LEAST = 0.02  # the narrowest that was measured
-
-
-def narrow_highlights(smoothest: tuple[str, float] | None, sharpest: float) -> Sequence[str]:
-    """A note where highlights are narrower than what views look for, or nothing.
-
-    smoothest: name and roughness of the smoothest material. sharpest: that of the capture.
-    """
-    if smoothest is None or smoothest[1] >= _NARROWER * sharpest or sharpest <= _LEAST:
-        return []
-    material, roughness = smoothest
-    return [
-        f"material {material!r} has highlights of roughness {roughness:.2g}, which views of "
-        f"--sharpest {sharpest:g} seldom meet, so they will be off; "
-        f"--sharpest {max(roughness, _LEAST):.2g} looks for them"
-    ]

@@ -10,6 +10,11 @@ from rna_sdk.package.manifest.manifest_fields import Region
 # Quasirandom Sequences", 2018.
 _R2 = 1.0 / np.array([1.32471795724474602596, 1.32471795724474602596**2])
 
+BEHIND = float(np.cos(np.radians(120.0)))
+"""Cosine of the least angle between the eye and a light that is behind."""
+
+_TRIED = 64
+
 
 def light_direction(index: int, seed: int, region: Region) -> np.ndarray:
     """The `index`-th light direction, (3,) float32: evenly spread over the region at any count."""
@@ -36,6 +41,17 @@ def directions_in(region: Region, u: np.ndarray) -> np.ndarray:
     within = np.clip((u[:, 0] - (ends - share)[chosen]) / share[chosen], 0.0, 1.0)
     axes = np.array([cone.axis for cone in region])[chosen]
     return around(axes, 1.0 - within * height[chosen], 2.0 * np.pi * u[:, 1])
+
+
+def direction_behind(region: Region, to_eye: np.ndarray, rng: np.random.Generator) -> np.ndarray:
+    """A light direction at least 120 degrees from that to the eye, or as far as the region has.
+
+    to_eye: (3,). Returns (3,) float32.
+    """
+    lights = directions_in(region, rng.random((_TRIED, 2)))
+    cosine = lights @ (to_eye / np.linalg.norm(to_eye))
+    behind = np.flatnonzero(cosine <= BEHIND)
+    return np.asarray(lights[behind[0] if len(behind) else np.argmin(cosine)])
 
 
 def sphere(u: np.ndarray, domain: str = "sphere") -> np.ndarray:

@@ -14,6 +14,7 @@ from rna_render.materials.files.mesh_parts import MeshFile, Part, check_mesh_siz
 from rna_render.materials.material import Material
 from rna_render.scene.limits import MAX_NUMBER
 from rna_render.scene.transforms import quaternion_rotation
+from rna_sdk.gltf_remedies import with_remedy
 
 # Section 3.7.2.1: modes of primitives.
 TRIANGLES, STRIP, FAN = 4, 5, 6
@@ -36,9 +37,8 @@ def read_gltf(path: Path, with_materials: bool) -> MeshFile:
     required = set(container.json.get("extensionsRequired", ())) - KNOWN_EXTENSIONS
     required = {name for name in required if not name.startswith("KHR_materials_")}
     if required:
-        raise ValueError(
-            f"it requires an extension that is not known: {', '.join(sorted(required))}"
-        )
+        names = ", ".join(sorted(required))
+        raise ValueError(with_remedy(f"it requires an extension that is not known: {names}"))
     left_out: set[str] = set()
     primitives = list(_primitives(container, left_out))
     _check_size(container, primitives)

@@ -2,8 +2,9 @@
 
 Read: base colour, metallic, roughness, emission and normals with their textures, alphaMode, two
 sets of texture coordinates; KHR_texture_transform, EXT_texture_webp; KHR_materials_clearcoat, _ior,
-_emissive_strength, _specular and _transmission. Materials are shown from both sides, and occlusion
-textures have no place in a path tracer; all else that changes the look is listed as left out.
+_emissive_strength, _specular, _transmission and _volume. Materials are shown from both sides, and
+occlusion textures have no place in a path tracer; all else that changes the look is listed as left
+out.
 """
 
 from __future__ import annotations
@@ -15,12 +16,12 @@ from typing import Any
 import numpy as np
 
 from rna_render.materials.files.gltf_container import GltfContainer
-from rna_render.materials.material import Material, reflectance_of_ior
+from rna_render.materials.material import Inside, Material, reflectance_of_ior
 from rna_render.materials.textures import IDENTITY, LINEAR, SRGB, Texture, read_alpha, read_texels
 from rna_render.materials.transmission import transmitted_by
 from rna_render.scene.limits import MAX_NUMBER
 from rna_render.scene.model_base import Vector
-from rna_sdk.runtime.kernels.texels_around import CLAMP, MIRROR, REPEAT
+from rna_trace.bilinear import CLAMP, MIRROR, REPEAT
 
 # Section 3.8.4.4, from OpenGL.
 WRAPS = {10497: REPEAT, 33071: CLAMP, 33648: MIRROR}
@@ -32,6 +33,7 @@ READ_EXTENSIONS = {
     "KHR_materials_ior",
     "KHR_materials_specular",
     "KHR_materials_transmission",
+    "KHR_materials_volume",
 }
 
 # Transmission is that of a smooth wall; up to this roughness it is taken for one.
@@ -84,7 +86,8 @@ class GltfMaterials:
         )
         transmission = extensions.get("KHR_materials_transmission", {})
         if transmission.get("transmissionFactor", 0) > 0:
-            material = self._glass(material, transmission)
+            volume = extensions.get("KHR_materials_volume", {})
+            material = self._glass(material, transmission, volume, ior)
         _check(material)
         return material
 
@@ -121,8 +124,8 @@ class GltfMaterials:
             ),
         }
 
-    def _glass(self, material: Material, data: Json) -> Material:
-        """Adds KHR_materials_transmission, as far as thin smooth walls show it."""
+    def _glass(self, material: Material, data: Json, volume: Json, ior: float) -> Material:
+        """Adds KHR_materials_transmission and _volume, as far as smooth glass shows them."""
         if any(material.emission):
             self.left_out.add("transmission of what shines")
             return material
@@ -141,7 +144,13 @@ class GltfMaterials:
             self.left_out.add("clear coats of what transmits")
         share = float(data["transmissionFactor"])
         opaque = replace(material, opacity=1.0, cutoff=None, opacity_texture=None, clear_coat=0.0)
-        return replace(opaque, transmission=share, transmission_texture=texture)
+        glass = replace(opaque, transmission=share, transmission_texture=texture)
+        if not volume.get("thicknessFactor", 0) > 0:
+            return glass
+        if share < 1.0 or material.metallic > 0 or any(t is not None for t in placed) or ior < 1.0:
+            self.left_out.add("refraction of what transmits in part")
+            return glass
+        return replace(glass, inside=Inside(float(ior), _absorption(volume)))
 
     def _alpha_texture(self, info: Json | None) -> Texture | None:
         """The alpha of an image, in all channels; None if it has none."""
@@ -190,6 +199,15 @@ def _uv_transform(data: Json) -> np.ndarray:
         raise ValueError(f"a texture transform has numbers that are not at most {MAX_NUMBER:g}")
     cosine, sine = np.cos(numbers[4]), np.sin(numbers[4])
     return np.array([[cosine * sx, sine * sy, x], [-sine * sx, cosine * sy, y]], np.float64)
+
+
+def _absorption(volume: Json) -> Vector:
+    """KHR_materials_volume: of a medium that leaves the attenuation colour after its distance."""
+    distance = float(volume.get("attenuationDistance", np.inf))
+    colour = np.array(volume.get("attenuationColor", (1, 1, 1)), np.float64)
+    if not (distance > 0 and np.all(colour >= 0) and np.all(colour <= 1)):
+        raise ValueError("a volume has a distance that is not positive, or a colour not in [0, 1]")
+    return _three((-np.log(np.maximum(colour, 1e-6)) / distance).tolist())
 
 
 def _three(values: list[float]) -> Vector:

@@ -42,7 +42,7 @@ function cameraOrbit(value) {
   };
 }
 
-const cameraTarget = (value) => words(value, "X Y Z, as 0m 0.5m 0m", [length, length, length]);
+export const cameraTarget = (value) => words(value, "X Y Z, as 0m 0.5m 0m", [length, length, length]);
 
 function fieldOfView(value) {
   const [found] = words(value, "an angle, as 30deg", [angle]);
@@ -78,10 +78,11 @@ export const READERS = {
   src: text, alt: text, poster: text, scene: text, environment: text, tier: text,
   loading: choice("auto", "lazy", "eager"), reveal: choice("auto", "manual"),
   "camera-orbit": cameraOrbit, "camera-target": cameraTarget, "field-of-view": fieldOfView,
+  "min-camera-orbit": cameraOrbit, "max-camera-orbit": cameraOrbit, "min-field-of-view": fieldOfView, "max-field-of-view": fieldOfView,
   sun: sunLight, "light-rotation": turn, "environment-intensity": number(0, 1e6), ground: flag,
   exposure: number(-30, 30), "view-transform": choice("srgb", "filmic"),
   "camera-controls": flag, "disable-zoom": flag, "disable-pan": flag, "disable-light": flag,
-  "touch-action": choice("pan-y", "pan-x", "none"), "wheel-zoom": choice("focus", "always"),
+  "touch-action": choice("pan-y", "pan-x", "none"), "wheel-zoom": choice("focus", "always"), "interaction-prompt": choice("auto", "none"),
   "auto-rotate": flag, "auto-rotate-delay": number(0, 1e9), "rotation-per-second": turn,
   samples: number(1, 1e6, true), "pixel-ratio": number(0.1, 8), jitter: number(0, 1),
   "first-look": choice("auto", "off"), maps, tint,

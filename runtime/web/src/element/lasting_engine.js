@@ -17,7 +17,7 @@ export class LastingEngine extends EventTarget {
   constructor(place, notices, settings) {
     super();
     Object.assign(this, { place, notices, settings, losses: 0, lives: 0, isResting: false });
-    this.look = { backdrop: null, exposure: 0, view: "srgb", denoise: true, rounds: 256, jitter: 1 };
+    this.look = { backdrop: null, exposure: 0, view: "srgb", denoise: true, rounds: 256, jitter: 1, isCovered: () => false };
     new ResizeObserver(() => this.resize()).observe(place);
   }
 

@@ -1,8 +1,14 @@
 // Where the camera is: on a sphere about the point that it looks at. Angles in radians.
+import { clamp } from "../ui/elements.js";
 
+// Posters have the same camera: rna_export/export/poster_rendering.py.
 const HOME = { azimuth: 0.6, elevation: 0.35, fov: 30 };
 const STEEPEST = (89 * Math.PI) / 180;
 const FILLED = 0.95;  // of the image's height or width, by a box that is framed
+const TURNS = Array.from({ length: 16 }, (_, k) => (k * Math.PI) / 8);
+
+const AUTO = { azimuth: null, elevation: null, distance: null, share: null };
+const NO_LIMITS = { low: AUTO, high: AUTO, lowFov: null, highFov: null };
 
 /** a + factor * b */
 const plus = (a, b, factor = 1) => a.map((value, k) => value + factor * b[k]);
@@ -12,7 +18,11 @@ const unit = (a) => times(a, 1 / Math.hypot(...a));
 const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x];
 
 /** The nearest elevation that has an "up" in the image. */
-export const steep = (angle) => Math.min(STEEPEST, Math.max(-STEEPEST, angle));
+export const steep = (angle) => clamp(angle, -STEEPEST, STEEPEST);
+
+/** Limits of a camera, from settings. */
+export const limitsOf = ({ minCameraOrbit, maxCameraOrbit, minFieldOfView, maxFieldOfView }) =>
+  ({ low: minCameraOrbit ?? AUTO, high: maxCameraOrbit ?? AUTO, lowFov: minFieldOfView, highFov: maxFieldOfView });
 
 /** A view from a position; see place. */
 export function viewFrom(position, target, fov) {
@@ -23,32 +33,43 @@ export function viewFrom(position, target, fov) {
 export class Orbit {
   /** turntable: by how much the asset is turned under camera and lights, which amounts to turning both the other way. */
   constructor() {
-    Object.assign(this, { target: [0, 0, 0], distance: 1, size: 1, turntable: 0, ...HOME });
+    Object.assign(this, { target: [0, 0, 0], distance: 1, framed: 1, size: 1, turntable: 0, ...HOME });
+    this.limits = NO_LIMITS;
   }
 
   /**
    * Goes where `views` say, later ones first: azimuth, elevation, fov (degrees), target, and distance or `share` of the
-   * framed one. What they leave out (null) is so that the box, if there is one, is in sight; at each angle of the
-   * turntable if that `turns`.
+   * framed one. What they leave out (null) is so that the box, if there is one, is in sight at each angle of the turntable.
    */
-  place(views, box, aspect, turns) {
+  place(views, box, aspect) {
     const said = views.map((view) => Object.fromEntries(Object.entries(view).filter(([, value]) => value != null)));
     const { azimuth, elevation, fov, target = [], distance, share = 1 } = Object.assign({}, HOME, ...said);
-    Object.assign(this, { azimuth, elevation, fov });
-    if (box) this.frame(box, aspect, turns);
-    this.distance = distance ?? share * this.distance;
+    const { lowFov, highFov } = this.limits;
+    Object.assign(this, { azimuth, elevation, fov: clamp(fov, lowFov ?? 0, highFov ?? Infinity) });
+    if (box) this.frame(box, aspect);
+    this.framed = this.distance;
+    this.distance = distance ?? share * this.framed;
     this.target = this.target.map((value, axis) => target[axis] ?? value);
+    this.limit();
   }
 
-  /** All corners of the box in sight, as near as that goes, from where the camera is. */
-  frame({ min, max }, aspect, turns = false) {
+  /** Back to where `limits` allow: low and high are as `views` of place; high ones of the polar angle are low elevations. */
+  limit() {
+    const { low, high, lowFov, highFov } = this.limits, far = ({ distance, share }) => distance ?? (share === null ? null : share * this.framed);
+    this.azimuth = clamp(this.azimuth, low.azimuth ?? -Infinity, high.azimuth ?? Infinity);
+    this.elevation = clamp(this.elevation, high.elevation ?? -STEEPEST, low.elevation ?? STEEPEST);
+    this.distance = clamp(this.distance, far(low) ?? 1e-3 * this.size, far(high) ?? 1e4 * this.size);
+    this.fov = clamp(this.fov, lowFov ?? 0, highFov ?? Infinity);
+  }
+
+  /** All corners of the box in sight from the camera's height, as near as that goes, however the box is turned. */
+  frame({ min, max }, aspect) {
     this.target = times(plus(min, max), 0.5);
     this.size = Math.hypot(...plus(max, min, -1)) / 2 || 1;
     const half = FILLED * Math.tan((this.fov * Math.PI) / 360);
     const corners = Array.from({ length: 8 }, (_, k) =>
       plus([0, 1, 2].map((axis) => ((k >> axis) & 1 ? max : min)[axis]), this.target, -1));
-    const angles = turns ? Array.from({ length: 16 }, (_, k) => (k * Math.PI) / 8) : [this.turntable];
-    const far = angles.flatMap((angle) => {
+    const far = TURNS.flatMap((angle) => {
       const { forward, side, above } = this._axes(angle);
       return corners.map((corner) =>
         Math.max(Math.abs(dot(corner, above)), Math.abs(dot(corner, side)) / aspect) / half - dot(corner, forward));
@@ -62,11 +83,13 @@ export class Orbit {
 
   turn(azimuth, elevation) {
     this.azimuth += azimuth;
-    this.elevation = steep(this.elevation + elevation);
+    this.elevation += elevation;
+    this.limit();
   }
 
   zoom(factor) {
-    this.distance = Math.min(1e4 * this.size, Math.max(1e-3 * this.size, this.distance * factor));
+    this.distance *= factor;
+    this.limit();
   }
 
   /** Along the image, in heights of the image. */

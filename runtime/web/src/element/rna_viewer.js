@@ -3,6 +3,7 @@ import { nameOf } from "../package/source.js";
 import { Notices, readableBytes } from "../ui/elements.js";
 import { cameraText, flag, lightText, propertyOf, READERS } from "./attributes.js";
 import { linearColour } from "./backdrop.js";
+import { Hotspots } from "./hotspots.js";
 import { attach } from "./shadow.js";
 import { spokenView } from "./spoken.js";
 import { Stage } from "./stage.js";
@@ -11,21 +12,36 @@ import { Turntable } from "./turntable.js";
 const BUILT_IN = ["studio", "white"];  // environments
 const NEAR = "50% 0px";  // of the window, around it: where an element is loaded and draws
 const SPEAK_MS = 500;    // after the last movement
+const PROMPT_MS = 3000;  // after the picture is there
 const ADDRESSES = { src: "asset", environment: "light", scene: "scene" };  // and what a failure is about
 
-export class RnaViewer extends HTMLElement {
+/** A place or a direction; as text, what data-position and data-normal take. */
+class Vector {
+  constructor(x, y, z) {
+    Object.assign(this, { x, y, z });
+  }
+
+  toString() {
+    return [this.x, this.y, this.z].map((value) => `${value}m`).join(" ");
+  }
+}
+
+// In node and in workers, where there are no elements, the class can be imported and no more.
+export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
   static observedAttributes = Object.keys(READERS);
 
   constructor() {
     super();
     const root = attach(this), part = (id) => root.getElementById(id);
-    this.parts = { view: part("view"), poster: part("poster"), image: root.querySelector("img"), loading: part("loading"), bar: part("bar"), bytes: part("bytes"), status: part("status"), tint: part("tint") };
+    this.parts = { view: part("view"), poster: part("poster"), image: root.querySelector("img"), loading: part("loading"), prompt: part("prompt"), bar: part("bar"), bytes: part("bytes"), status: part("status"), tint: part("tint") };
     this.settings = Object.fromEntries(Object.keys(READERS).map((name) => [propertyOf(name), null]));
     this.notices = new Notices(part("notice"));
     this.stage = new Stage(this.parts.view, this.notices, this.settings);
+    this.stage.look.isCovered = () => this._isCovered;
     this.turntable = new Turntable(this.stage);
+    new Hotspots(this, part("hotspots"), this.stage);
     this.stillness = matchMedia("(prefers-reduced-motion: reduce)");
-    Object.assign(this, { loaded: false, observer: null, isNear: false, isDismissed: false, isBegun: false, asked: null, failures: new Set() });
+    Object.assign(this, { loaded: false, observer: null, isNear: false, isFound: false, isDismissed: false, isBegun: false, asked: null, failures: new Set() });
     this._listen();
   }
 
@@ -33,7 +49,7 @@ export class RnaViewer extends HTMLElement {
     this.stage.labels = JSON.parse(this.dataset.labels ?? "{}");
     this.observer = new IntersectionObserver((entries) => this._seen(entries.at(-1).isIntersecting), { rootMargin: NEAR });
     this.observer.observe(this);
-    this.stillness.addEventListener("change", this.onstillness = () => this._turn());
+    this.stillness.addEventListener("change", this.onstillness = () => this._still());
     this._turn();
     this._tint();
     this._begin();
@@ -108,6 +124,13 @@ export class RnaViewer extends HTMLElement {
     if (this.loaded) this._hidePoster();
   }
 
+  /** Where the asset is at a place of the window, in pixels of CSS: { position, normal }, each x, y, z; null beside it. */
+  positionAndNormalFromPoint(clientX, clientY) {
+    const { left, top, width, height } = this.parts.view.getBoundingClientRect();
+    const hit = this.stage.hitAt((clientX - left) / width, (clientY - top) / height);
+    return hit && { position: new Vector(...hit.position), normal: new Vector(...hit.normal) };
+  }
+
   /** The picture as it is now: a Blob; null while there is none. */
   async toBlob({ mimeType = "image/png", qualityArgument, converged = false } = {}) {
     const { stage } = this;
@@ -135,6 +158,7 @@ export class RnaViewer extends HTMLElement {
     if (name === "samples") stage.setSampling({ rounds: settings.samples ?? 256 });
     if (name === "jitter") stage.setSampling({ jitter: settings.jitter ?? 1 });
     if (["camera-orbit", "camera-target", "field-of-view"].includes(name)) stage.placeCamera();
+    if (/^(min|max)-/.test(name)) stage.limitCamera();
     if (["sun", "light-rotation", "environment-intensity"].includes(name)) stage.placeLights();
     if (name === "ground") stage.setGround(settings.ground ?? stage.scene?.ground ?? false);
     if (name === "exposure") stage.setExposure(settings.exposure ?? stage.scene?.exposure ?? 0);
@@ -142,6 +166,7 @@ export class RnaViewer extends HTMLElement {
     if (name === "pixel-ratio") stage.resize();
     if (["maps", "tint"].includes(name) && stage.shown) stage.print();
     if (["loading", "reveal"].includes(name)) this._begin();
+    if (["camera-controls", "interaction-prompt"].includes(name)) this._prompt();
     if (name.startsWith("auto-rotate") || name === "rotation-per-second") this._turn();
     this._describe();
   }
@@ -189,6 +214,12 @@ export class RnaViewer extends HTMLElement {
     this.stage.setBackdrop(linearColour(getComputedStyle(this.parts.tint).backgroundColor));
   }
 
+  /** People want stillness, or no longer. */
+  _still() {
+    this._turn();
+    this._prompt();
+  }
+
   _turn() {
     const { autoRotate, autoRotateDelay, rotationPerSecond } = this.settings;
     Object.assign(this.turntable, { delay: autoRotateDelay ?? 3000, speed: rotationPerSecond ?? 30 });
@@ -209,6 +240,7 @@ export class RnaViewer extends HTMLElement {
       parts.status.textContent = `${this._name()} is shown`;
       this._fire("progress", { totalProgress: 1 });
       this._fire("load", { url: this.asked });
+      this._prompt();
     });
     on("ended", () => { parts.loading.hidden = true; });
     on("failed", ({ error, about }) => {
@@ -218,9 +250,26 @@ export class RnaViewer extends HTMLElement {
     });
     on("camera", ({ byUser }) => {
       this._fire("camera-change", { ...cameraText(stage.orbit), source: byUser ? "user-interaction" : "none" });
-      if (byUser) this._speak();
+      if (!byUser) return;
+      this._found();
+      this._speak();
     });
     on("light", ({ byUser }) => this._fire("light-change", { ...lightText(stage.lighting), source: byUser ? "user-interaction" : "none" }));
+  }
+
+  /** Says that the asset can be turned, to those who have not found out for a while and do not mind motion. */
+  _prompt() {
+    clearTimeout(this.prompting);
+    const { cameraControls, interactionPrompt } = this.settings;
+    const isWanted = () => cameraControls && interactionPrompt !== "none" && !this.isFound && !this.stillness.matches;
+    this.parts.prompt.hidden = true;
+    if (this.loaded && isWanted()) this.prompting = setTimeout(() => { this.parts.prompt.hidden = !isWanted(); }, PROMPT_MS);
+  }
+
+  /** They have: the prompt is no longer wanted. */
+  _found() {
+    this.isFound = true;
+    this._prompt();
   }
 
   _speak() {
@@ -245,6 +294,12 @@ export class RnaViewer extends HTMLElement {
     if (address) image.src = address;
     else image.removeAttribute("src");
     if (address) poster.hidden = false;
+  }
+
+  /** Whether a poster is seen in place of the picture. */
+  get _isCovered() {
+    const { poster, image } = this.parts;
+    return !poster.hidden && (!image.hidden || poster.firstChild.assignedElements().length > 0);
   }
 
   _hidePoster() {
@@ -305,4 +360,4 @@ for (const [name, read] of Object.entries(READERS)) {
   });
 }
 
-if (!customElements.get("rna-viewer")) customElements.define("rna-viewer", RnaViewer);
+if (globalThis.customElements && !customElements.get("rna-viewer")) customElements.define("rna-viewer", RnaViewer);

@@ -1,7 +1,7 @@
 // What is inside the element: canvas, poster, progress, a line for what goes wrong; and how it looks.
 
-const KEYS = "Arrow keys or one finger orbit. Plus, minus or a pinch go nearer and farther. Square brackets, Shift and arrow " +
-  "keys, or two fingers turn the light. Home resets.";
+const KEYS = "Arrow keys or one finger orbit. Plus, minus or a pinch go nearer and farther. W, A, S, D or two fingers pan. Square " +
+  "brackets, Shift and arrow keys, or three fingers turn the light. Home resets.";
 
 /** An element with attributes and what is in it; made so, since a policy may refuse HTML as text (Trusted Types). */
 function make(name, attributes, ...inside) {
@@ -14,11 +14,13 @@ function make(name, attributes, ...inside) {
 const content = () => [
   make("i", { id: "tint" }),
   make("div", { id: "view", part: "view" }),
+  make("div", { id: "hotspots" }),
   make("slot", {}),
   make("div", { id: "poster" }, make("slot", { name: "poster" }, make("img", { part: "poster", alt: "", hidden: "" }))),
   make("div", { id: "over" },
     make("div", { id: "loading", hidden: "" }, make("slot", { name: "progress-bar" },
       make("progress", { id: "bar", part: "progress-bar", "aria-label": "Loading" }), make("span", { id: "bytes" }))),
+    make("p", { id: "prompt", part: "prompt", "aria-hidden": "true", hidden: "" }, "Drag to turn"),
     make("p", { id: "notice", part: "notice", role: "alert", hidden: "" })),
   make("p", { id: "keys", class: "spoken" }, KEYS),
   make("p", { id: "status", class: "spoken", role: "status" }),
@@ -36,6 +38,9 @@ canvas { display: block; }
 canvas:focus-visible { outline: 2px solid #fff; outline-offset: -2px; }
 :host([camera-controls]) canvas { cursor: grab; }
 :host([camera-controls]) canvas.dragging { cursor: grabbing; }
+#hotspots { position: absolute; inset: 0; pointer-events: none; }
+#hotspots slot { display: block; position: absolute; transform: translate(-50%, -50%); pointer-events: auto; }
+#hotspots .unseen { visibility: hidden; }
 #poster { pointer-events: none; }
 ::slotted([slot="poster"]) { pointer-events: auto; }
 #poster img { object-fit: contain; }
@@ -57,6 +62,10 @@ canvas:focus-visible { outline: 2px solid #fff; outline-offset: -2px; }
 }
 #notice.calm { background: #000c; border-color: #555; }
 #notice span { display: block; }
+#prompt {
+  margin: 0 0 8%; padding: 6px 16px; border-radius: 999px; background: #000a; animation: prompt 4s ease-in-out infinite;
+}
+@keyframes prompt { 0%, 100% { transform: translateX(-24px); opacity: 0; } 20%, 80% { opacity: 1; } 50% { transform: translateX(24px); } }
 .spoken { position: absolute; width: 1px; height: 1px; margin: 0; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
 `;
 

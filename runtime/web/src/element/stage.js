@@ -1,5 +1,6 @@
 // An asset on a canvas: engine, package, camera and lights, and what becomes of them where one fails. It tells what
 // happens by events; a page's panel and the element listen.
+import { nearestHit } from "../geometry/nearest_hit.js";
 import { sceneArrays } from "../geometry/scene_arrays.js";
 import { evenImage } from "../light/environment.js";
 import { readImage } from "../light/image_files.js";
@@ -10,10 +11,12 @@ import { pictureOf } from "../package/images.js";
 import { Package } from "../package/package.js";
 import { BlobSource, nameOf, UrlSource } from "../package/source.js";
 import { wrappedDegrees } from "../ui/elements.js";
+import { rayThrough } from "./hotspots.js";
 import { LastingEngine } from "./lasting_engine.js";
 import { Lighting } from "./lighting.js";
-import { Orbit, viewFrom } from "./orbit.js";
+import { limitsOf, Orbit, viewFrom } from "./orbit.js";
 import { beforeFilmic } from "./view_transform.js";
+import { SHARP } from "./viewer.js";
 
 /**
  * Events: "engine"; "loading", "progress" (got, all), "package", "load", "ended", of an asset; "shown", of a picture;
@@ -45,6 +48,7 @@ export class Stage extends LastingEngine {
         : await UrlSource.open(from, progress, signal, this.labels[nameOf(from)]);
       const opened = await Package.open(source);
       signal.throwIfAborted();
+      if (opened.environment && this.settings.firstLook !== "off") this.lit.then(() => this.lighting.prepare());
       const wanted = this.settings.tier, tier = this._known(opened, wanted);
       if (await this.begun) opened.prefetch(tier, this.settings.firstLook !== "off");
       await this._offerPoster(opened);
@@ -114,6 +118,7 @@ export class Stage extends LastingEngine {
   async print() {
     const { arrays, settings: { maps, tint } } = this, wanted = maps ?? {};
     if (!arrays?.hasBaseColor) return this.notices.say(maps || tint ? "maps, tint: this asset has no base colour" : null, true, "maps");
+    if (!maps && !tint && !arrays.maps) return;  // as it came
     arrays.surfaces.tint = tint ?? [1, 1, 1];
     this._printed();
     try {
@@ -170,10 +175,10 @@ export class Stage extends LastingEngine {
     this.changed(moving);
   }
 
-  /** Something about the light changed. */
-  changed(moving = false) {
+  /** Something about the light changed. moving, coarsest: see Viewer.restart. */
+  changed(moving = false, coarsest = undefined) {
     if (!this.viewer) return;
-    if (this.engine.hasLobes && !this.lighting.isPrepared) return void this.lighting.prepare().then(() => this.changed(moving));
+    if (this.engine.hasLobes && !this.lighting.isPrepared) return void this.lighting.prepare().then(() => this.changed(moving, coarsest));
     const { lights, irradiance } = this.lighting.lights();
     if (lights.some(({ kind }) => kind === "environment") && this.uploaded !== this.lighting.tables()) {
       this.uploaded = this.lighting.tables();
@@ -182,7 +187,7 @@ export class Stage extends LastingEngine {
     this.viewer.lights = lights;
     this.viewer.firstLights = this.engine.hasLobes ? this.lighting.firstLights() : null;
     this.viewer.ground = this._ground(irradiance);
-    this.viewer.restart(moving);
+    this.viewer.restart(moving, coarsest);
   }
 
   /** Camera and lights as the scene and the attributes have them, which go before it. */
@@ -202,10 +207,25 @@ export class Stage extends LastingEngine {
       { target: settings.cameraTarget, fov: settings.fieldOfView },
     ];
     this.isTouched = false;
+    this.orbit.limits = limitsOf(settings);
     const { width, height } = this.canvas ?? { width: 1, height: 1 };
-    this.orbit.place(views, this.box, width / height, settings.autoRotate);
+    this.orbit.place(views, this.box, width / height);
     this.tell("camera", { byUser: false });
     this.viewer?.restart();
+  }
+
+  /** The camera where it is, if the settings still allow that. */
+  limitCamera() {
+    this.orbit.limits = limitsOf(this.settings);
+    this.orbit.limit();
+    this.tell("camera", { byUser: false });
+    this.viewer?.restart();
+  }
+
+  /** Where the asset is at a place of the picture, shares of its width and height: { position, normal }, or null. */
+  hitAt(x, y) {
+    const camera = this.viewer?.shownCamera;
+    return camera && this.arrays ? nearestHit(this.arrays, camera.position, rayThrough(camera, x, y)) : null;
   }
 
   placeLights() {
@@ -222,11 +242,11 @@ export class Stage extends LastingEngine {
     this.setLight({ rotation: wrappedDegrees(lightRotation ?? 0), strength: environmentIntensity ?? lighting.strength });
   }
 
-  /** Turns the asset under the lights and the camera, which keep their places. Radians. */
+  /** Turns the asset under the lights and the camera, which keep their places, in sharp pictures. Radians. */
   turnTable(angle, moving) {
     this.orbit.turntable = -angle;
     this.lighting.turntable = (-angle * 180) / Math.PI;
-    this.changed(moving);
+    this.changed(moving, SHARP);
   }
 
   /** relights: the ground, which has the colour of the page. */
@@ -284,11 +304,11 @@ export class Stage extends LastingEngine {
     if (!this.viewer || (!isNew && this.opened !== opened)) return;
     if (isNew) this.viewer.hasShown = false;
     this.viewer.pause();
-    const arrays = isNew ? await sceneArrays(shown.parts) : this.arrays;
-    if (shown.parts.every(({ environment }) => environment)) await this.lighting.prepare();
+    const building = isNew ? sceneArrays(shown.parts) : this.arrays;
+    if (!(await this._upload(building, shown))) return;
+    const arrays = await building;
+    if (this.engine.hasLobes) await this.lighting.prepare();
     signal?.throwIfAborted();
-    performance.mark("hierarchy");
-    if (!(await this._upload(arrays, shown))) return;
     performance.mark("asset");
     Object.assign(this, { opened, shown, arrays, box: arrays.box, isNew });
     if (isNew) await this.print();
@@ -303,11 +323,11 @@ export class Stage extends LastingEngine {
   }
 
   /** Hands the asset to the engine, and to the next one where that is lost meanwhile; false if there is none any more. */
-  async _upload(arrays, { parts }) {
+  async _upload(building, { parts }) {
     while ((await this.begun) && this.engine) {
       const { engine } = this;
       try {
-        await engine.setAsset(arrays, parts);
+        await engine.setAsset(building, parts);
         if (engine === this.engine) return true;
       } catch (error) {
         if (engine === this.engine) throw error;
@@ -332,7 +352,7 @@ export class Stage extends LastingEngine {
 
   pictured() {
     this.tell("shown");
-    if (!this.isNew) return;
+    if (!this.isNew || !this.viewer.stats.isSharp) return;
     this.isNew = false;
     this.tell("load");
   }

@@ -4,6 +4,7 @@
 const BAND_MS = 120;
 const MOVING_MS = 110;     // of a picture while something moves
 const COARSEST = 16;
+export const SHARP = 4;  // a picture of a quarter of the size, or finer: a poster gives way to it
 const NOISE = 0.4;         // of one sample, in values of the screen: differences that may be noise
 const NOISY_ROUNDS = 12;   // from which on no noise is taken out
 const LOOK_ROUNDS = 64;    // from which on nothing is left of the first look
@@ -16,16 +17,16 @@ export class Viewer extends EventTarget {
     super();
     Object.assign(this, { engine, canvas, orbit });
     Object.assign(this, {
-      lights: [], firstLights: null, ground: null, exposure: 0, view: "srgb", denoise: true, rounds: 256, jitter: 1, generation: 0, msPerPixel: 0.005, shown: null, rowsAhead: 0,
-      ready: false, stopped: false, moving: false, resting: false, backdrop: null, stats: { ms: 0, rounds: 0 },
+      lights: [], firstLights: null, shownCamera: null, ground: null, exposure: 0, view: "srgb", denoise: true, rounds: 256, jitter: 1, generation: 0, msPerPixel: 0.005, shown: null, rowsAhead: 0,
+      ready: false, stopped: false, moving: false, resting: false, backdrop: null, coarsest: COARSEST, isCovered: () => false, stats: { ms: 0, rounds: 0 },
     });
     this.wake = null;
   }
 
-  /** Starts the picture again, since something changed. `moving`: more changes will follow at once. */
-  restart(moving = false) {
-    this.moving = moving;
-    Object.assign(this.stats, { rounds: 0, scale: 0 });
+  /** Starts the picture again, since something changed. `moving`: more changes will follow at once. coarsest: size, as one in so many. */
+  restart(moving = false, coarsest = COARSEST) {
+    Object.assign(this, { moving, coarsest });
+    Object.assign(this.stats, { rounds: 0, scale: 0, isSharp: false });
     this.generation += 1;
     this.wake?.();
   }
@@ -101,13 +102,19 @@ export class Viewer extends EventTarget {
     }
   }
 
-  /** Sizes to go through: what is quick enough first, then four times as many pixels each. */
+  /** Nothing of the asset has been seen, and a poster is there until a picture is as sharp. */
+  get _isHidden() {
+    return !this.hasShown && this.isCovered();
+  }
+
+  /** Sizes to go through: what is quick enough first, then finer ones; the first look, which costs more than a sample, in more steps. */
   _scales() {
     const pixels = this.canvas.width * this.canvas.height * Math.max(1, (this.firstLights ?? this.lights).length);
+    const coarsest = this._isHidden ? SHARP : this.coarsest;
     let scale = 1;
-    while (scale < COARSEST && (pixels * this.msPerPixel) / scale ** 2 > MOVING_MS) scale *= 2;
-    const scales = [scale];
-    while (scale > 1) scales.push((scale = scale > 4 ? scale / 4 : 1));
+    while (scale < coarsest && (pixels * this.msPerPixel) / scale ** 2 > MOVING_MS) scale *= 2;
+    const scales = [scale], least = this.firstLights ? 2 : 1;
+    while (scale > 1) scales.push((scale = scale > 4 ? scale / 4 : scale > least ? least : 1));
     return scales;
   }
 
@@ -120,17 +127,17 @@ export class Viewer extends EventTarget {
     if (firstLights) {
       const begun = performance.now();
       if (!(await this._look(generation, { ...camera, jitter: 0 }))) return false;
-      this._present(0, scale, 1);
+      this._present(camera, 0, scale, 1);
       this._measure(performance.now() - begun, width * height, firstLights.length);
-    } else if (!this.hasShown) {  // one light is better than none
+    } else if (!this.hasShown && !this._isHidden) {  // one light is better than none
       if (!(await this._round(generation, camera, 0, this.lights.slice(0, 1)))) return false;
-      this._present(1, scale, 0);
+      this._present(camera, 1, scale, 0, false);
     }
     for (let round = 0; round < rounds; round++) {
       const begun = performance.now();
       if (!(await this._round(generation, camera, round, this.lights))) return false;
       const ms = performance.now() - begun;
-      this._present(round + 1, scale, firstLights ? lookShare(round + 1) : 0);
+      this._present(camera, round + 1, scale, firstLights ? lookShare(round + 1) : 0);
       this._measure(ms, width * height, this.lights.length);
       if (scale === 1) this.stats.ms = this.stats.ms ? 0.7 * this.stats.ms + 0.3 * ms : ms;
     }
@@ -182,13 +189,13 @@ export class Viewer extends EventTarget {
     if (engine.emits) engine.emission();
   }
 
-  /** firstLook: share of the first look in the picture. */
-  _present(rounds, scale, firstLook) {
-    Object.assign(this, { shown: { rounds, firstLook }, rowsAhead: 0 });
+  /** firstLook: share of the first look in the picture. isLit: by all lights. */
+  _present(camera, rounds, scale, firstLook, isLit = true) {
+    Object.assign(this, { shown: { rounds, firstLook }, shownCamera: { ...camera, ...this.engine.target }, rowsAhead: 0 });
     this.show();
     if (!this.hasShown) performance.mark("picture");
     this.hasShown = true;
-    Object.assign(this.stats, { rounds, scale });
+    Object.assign(this.stats, { rounds, scale, isSharp: isLit && scale <= SHARP });
     this.dispatchEvent(new Event("shown"));
   }
 

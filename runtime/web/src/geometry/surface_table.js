@@ -4,7 +4,7 @@ import { levelsOf } from "../package/images.js";
 import { finished } from "../steps.js";
 
 const { NONE, OF_NEURAL, OF_FIBERS, LETS_THROUGH, HAS_CUTOFF, BASE } = constants;
-const WRAPS = ["repeat", "clamp", "mirror"], IS_PRINT = 64;  // of the form of textures
+const WRAPS = ["repeat", "clamp", "mirror"], MIXES_SRGB = 256;  // of the form of textures
 const TEXTURES = records.Surface.members.textures.count;
 const NOTHING = new Uint32Array(0), WHITE = [1, 1, 1], AS_IS = [1, 0, 0, 0, 1, 0];
 
@@ -32,10 +32,7 @@ export class SurfaceTable {
     return result;
   }
 
-  /**
-   * { table, images, texturesAt, hasTextures, hasBaseColor, transmits }: rows of surfaces, then of textures; texels, a word
-   * each.
-   */
+  /** { table, images, texturesAt, hasBaseColor, transmits }: rows of surfaces, then of textures; texels, a word each. */
   arrays() {
     const { surfaces, textures, pieces, tint } = this, starts = [0];
     for (const piece of pieces) starts.push(starts.at(-1) + piece.length);
@@ -47,8 +44,8 @@ export class SurfaceTable {
     const table = Uint32Array.from(rows.flatMap((row) => [...row])), images = new Uint32Array(starts.at(-1));
     pieces.forEach((piece, k) => images.set(piece, starts[k]));
     return {
-      table, images, texturesAt: (surfaces.length * records.Surface.words) / 4, hasTextures: textures.some(({ label }) => label === undefined),
-      hasBaseColor: surfaces.some(({ factor }) => factor), transmits: surfaces.some(({ flags }) => flags & LETS_THROUGH),
+      table, images, texturesAt: (surfaces.length * records.Surface.words) / 4, hasBaseColor: surfaces.some(({ factor }) => factor),
+      transmits: surfaces.some(({ flags }) => flags & LETS_THROUGH),
     };
   }
 
@@ -102,7 +99,7 @@ export class SurfaceTable {
     own[colorSpace] ??= this.pieces.push(yield* levelsOf(image, colorSpace)) - 1;
     this.#made.set(image, own);
     return this.textures.push({
-      piece: own[colorSpace], width: image.width, height: image.height, form: u | (v << 2) | (colorSpace === "srgb" ? IS_PRINT : 0),
+      piece: own[colorSpace], width: image.width, height: image.height, form: u | (v << 2) | (colorSpace === "srgb" ? MIXES_SRGB : 0),
       row_u: transform.slice(0, 3), row_v: transform.slice(3), label, colorSpace,
     }) - 1;
   }

@@ -23,12 +23,12 @@ export async function evaluate(engine, part, output, rows, wantsAnswers = true) 
   return result;
 }
 
-/** Runs a kernel of rays over hits { place, b1, b2, x, wi, part }; a vector of each pixel. */
+/** Runs a kernel of rays over hits { place, b1, b2, x, wi, level, part }; a vector of each pixel. */
 async function answersOf(engine, hits, kernel, member) {
   const { device, band } = engine, { words, members } = records.Pixel, rows = new Uint32Array(words * hits.length);
-  hits.forEach(({ place, b1, b2, x, wi, part }, k) => {
+  hits.forEach(({ place, b1, b2, x, wi, level, part }, k) => {
     const bits = (v, last) => [...new Uint32Array(Float32Array.from(v).buffer), last];
-    rows.set(packed("Pixel", { position: bits(x, 0), axis: [0, 0, 0, part + 1], wo: [0, 0, 0, place], wi: bits(wi, 0), b1, b2 }), words * k);
+    rows.set(packed("Pixel", { position: bits(x, 0), axis: [0, 0, 0, part + 1], wo: [0, 0, 0, place], wi: bits(wi, 0), b1, b2, coverage: level }), words * k);
   });
   engine.resize(hits.length, 1);
   engine.span = { first: 0, pixels: hits.length, jitter: 0 };
@@ -43,8 +43,8 @@ async function answersOf(engine, hits, kernel, member) {
 /** (n, 3) visibilities. */
 export const visibility = (engine, hits) => answersOf(engine, hits, engine.kernels.light, "visibility");
 
-/** (n, 3) mapped normals. */
-export async function mappedNormals(engine, hits) {
-  const kernel = await engine.pipelines.get(engine.raySources.hit, "find_normals", engine.rayLayout);
-  return answersOf(engine, hits, kernel, "axis");
-}
+const ofHits = (entry, member) => async (engine, hits) =>
+  answersOf(engine, hits, await engine.pipelines.get(engine.raySources.hit, entry, engine.rayLayout), member);
+
+/** (n, 3) mapped normals, and base colours. */
+export const mappedNormals = ofHits("find_normals", "axis"), baseColors = ofHits("find_base_colors", "base_color");

@@ -64,28 +64,39 @@ export class WebGPUEngine {
     this._bind();
   }
 
-  /** Shows these parts; what was there before is let go. */
-  async setAsset(arrays, parts) {
-    const { device, pipelines } = this;
+  /** Shows these parts; what was there before is let go. building: sceneArrays of them; shaders compile meanwhile. */
+  async setAsset(building, parts) {
     this._deleteAsset();
-    const store = (content, what) => buffer(device, content, undefined, `the asset's ${what}`);
+    await this.compiled;
+    const hasLobes = parts.every(({ environment }) => environment);
+    this.lobeLight = hasLobes ? new LobeLight(this) : null;
+    const making = Promise.all(parts.map((part) => this._makePart(part)));
+    const ready = Promise.all([making, this._compileRays(parts), this._storeGeometry(building, parts)]);
+    ready.catch(() => making.then((made) => made.forEach(deletePart)).catch(() => {}));
+    const [made] = await ready;
+    Object.assign(this, { parts: made, hasLobes });
+    this._makeSums();
+  }
+
+  async _storeGeometry(building, parts) {
+    const arrays = await building;
+    performance.mark("hierarchy");
+    const { device } = this, store = (content, what) => buffer(device, content, undefined, `the asset's ${what}`);
     this.geometry = [
       store(arrays.nodes, "hierarchy"), store(arrays.primitives, "geometry"), store(arrays.points, "geometry"),
       store(instance(arrays.extent), "geometry"), store(arrays.normals, "geometry"),
     ];
     this._storeSurfaces(arrays);
-    await this.compiled;
-    this.raySources = rayKernels({ hasSegments: arrays.strands > 0, hasTextures: arrays.hasTextures, hasBaseColor: arrays.hasBaseColor });
-    const { hit, light } = this.raySources;
-    const hasLobes = parts.every(({ environment }) => environment);
-    this.lobeLight = hasLobes ? await LobeLight.make(this, arrays, parts) : null;
-    const [traced, lit, ...made] = await Promise.all([
-      pipelines.get(hit, "trace_pixels", this.rayLayout), pipelines.get(light, "light_pixels", this.rayLayout),
-      ...parts.map((part) => this._makePart(part)),
+    await this.lobeLight?.begin(arrays, parts);
+  }
+
+  async _compileRays(parts) {
+    const { pipelines } = this, isThere = (kind) => parts.some(kind);
+    this.raySources = rayKernels({ hasSegments: isThere(({ kind }) => kind === "fiber"), hasTextures: isThere(hasTextures), hasBaseColor: isThere(hasBaseColor) });
+    const [hit, light] = await Promise.all([
+      pipelines.get(this.raySources.hit, "trace_pixels", this.rayLayout), pipelines.get(this.raySources.light, "light_pixels", this.rayLayout),
     ]);
-    Object.assign(this, { parts: made, hasLobes });
-    this.kernels = { hit: traced, light: lit, ...this.queueKernels };
-    this._makeSums();
+    this.kernels = { hit, light, ...this.queueKernels };
   }
 
   async _makePart(part) {
@@ -289,10 +300,7 @@ export class WebGPUEngine {
   _deleteAsset() {
     for (const own of [...(this.geometry ?? []), this.table, this.images]) own?.destroy();
     this.lobeLight?.delete();
-    for (const { planes, ...decoders } of this.parts) {
-      planes.forEach((own) => own.destroy());
-      for (const own of Object.values(decoders)) own?.delete();
-    }
+    this.parts.forEach(deletePart);
     this.parts = [];
     this.geometry = this.images = this.table = null;
   }
@@ -303,6 +311,14 @@ export class WebGPUEngine {
     this.device.destroy();
   }
 }
+
+function deletePart({ planes, ...decoders }) {
+  planes.forEach((own) => own.destroy());
+  for (const own of Object.values(decoders)) own?.delete();
+}
+
+const hasTextures = ({ transmittance, normalMaps }) => transmittance.length + normalMaps.length > 0;
+const hasBaseColor = ({ baseColor }) => baseColor.length > 0;
 
 /** The only instance, where it stands in the world; node 0 is above it. */
 const instance = (extent) => packed("RnaInstance", {

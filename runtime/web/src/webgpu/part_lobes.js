@@ -11,21 +11,24 @@ const [uniform, storage, readOnly] = ["uniform", "storage", "read-only-storage"]
 
 /** What the lobes of all parts share: harmonics of the visibility, and the environment. */
 export class LobeLight {
-  static async make(engine, arrays, parts) {
-    const own = new LobeLight(), { device, pipelines, bandPixels } = engine;
-    Object.assign(own, { device, engine, rest: null });
-    const harmonics = new Int8Array(4 * arrays.points.length);  // 16 a point
-    parts.forEach(({ environment }, k) => harmonics.set(environment.harmonics ?? [], 16 * arrays.parts[k].point));
-    own.harmonics = buffer(device, harmonics, undefined, "the asset's visibility");
-    own.columns = buffer(device, 4 * VISIBILITY_COLUMNS * bandPixels);
-    own.record = buffer(device, bytesOf("LobeLight"), GPUBufferUsage.UNIFORM);
-    own.layouts = [
+  constructor(engine) {
+    const { device, bandPixels } = engine;
+    Object.assign(this, { device, engine, rest: null });
+    this.columns = buffer(device, 4 * VISIBILITY_COLUMNS * bandPixels);
+    this.record = buffer(device, bytesOf("LobeLight"), GPUBufferUsage.UNIFORM);
+    this.layouts = [
       groupLayout(device, { 0: uniform }), groupLayout(device, { 0: storage, 1: uniform }),
       groupLayout(device, { 0: readOnly, 1: readOnly, 2: readOnly, 3: storage }),
     ];
-    own.tell = await pipelines.get(sources.columns, "tell_visibility", own.layouts);
-    own.sampler = device.createSampler({ addressModeU: "repeat", magFilter: "linear", minFilter: "linear" });
-    return own;
+    this.sampler = device.createSampler({ addressModeU: "repeat", magFilter: "linear", minFilter: "linear" });
+  }
+
+  /** The visibility at the points of all parts. */
+  async begin(arrays, parts) {
+    const harmonics = new Int8Array(4 * arrays.points.length);  // 16 a point
+    parts.forEach(({ environment }, k) => harmonics.set(environment.harmonics ?? [], 16 * arrays.parts[k].point));
+    this.harmonics = buffer(this.device, harmonics, undefined, "the asset's visibility");
+    this.tell = await this.engine.pipelines.get(sources.columns, "tell_visibility", this.layouts);
   }
 
   /** rest: of firstLight. turn: of the image about +y, radians. radiance: of what is 1 in it. */

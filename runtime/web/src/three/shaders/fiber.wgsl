@@ -14,10 +14,10 @@ fn begin(primitive: u32, x: vec3f, wo: vec3f, width: f32) -> f32 {
     let size = max(abs(way.x), max(abs(way.y), abs(way.z)));
     vertex.axis = normalize(way / size);
     let across = cross(vertex.axis, wo);
-    let width = length(across);
+    let sine = length(across);
     vertex.h = 0.0;
-    if width > 1e-6 {
-        vertex.h = clamp(dot(vertex.n, across) / width, -1.0, 1.0);
+    if sine > 1e-6 {
+        vertex.h = clamp(dot(vertex.n, across) / sine, -1.0, 1.0);
     }
     return select(1.0, 0.0, entry.t >= RNA_FAR);
 }

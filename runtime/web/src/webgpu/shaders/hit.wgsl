@@ -74,3 +74,15 @@ fn find_normals(
         band[k].axis = pixel_of(hit, bitcast<vec3f>(band[k].wo.xyz)).axis;
     }
 }
+
+// Likewise the base colours; the level of images is where the coverage is.
+@compute @workgroup_size(64)
+fn find_base_colors(
+    @builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    let k = path_number(id, groups);
+    if k < frame.paths {
+        let at = band[k];
+        band[k].base_color = base_color_of_level(rna_primitives[at.wo.w], at.b1, at.b2, at.coverage);
+    }
+}

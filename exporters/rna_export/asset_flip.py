@@ -1,0 +1,119 @@
+"""How far an asset is from its reference: FLIP of its pixels alone, exposed as in a scene."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from rna_export.metrics import IRRADIANCE, flip
+from rna_render.lights import LUMINANCE
+from rna_sdk.error_words import error_text
+
+DEFINITION = (
+    "FLIP of the sRGB images over black, the asset's pixels alone, without the references' noise; "
+    "mean over images, and 95th percentile of all these pixels; each image is exposed so that 95% "
+    "of the asset's pixels have a luminance below 0.8, at most 3 stops more than the brightest"
+)
+SHOWN_AT = 0.8
+"""Displayed luminance, linear, of the 95th percentile of the asset's pixels in a picture."""
+
+MOST_STOPS = 3
+"""That a picture is exposed more than the brightest of its set: one lit from behind shows a rim."""
+
+_POWER = 2.0 / 0.7  # FLIP is a colour distance to the power 0.7 (Andersson et al. 2020, q_c)
+_LEAST = 0.25  # of FLIP with noise, which the extrapolation cannot tell from nothing
+_COVERED = 0.5  # of a pixel
+
+
+@dataclass(frozen=True)
+class AssetFlip:
+    """An asset's error: see `DEFINITION`.
+
+    Attributes:
+        mean: mean over images of the mean over the asset's pixels.
+        p95: 95th percentile of the asset's pixels of all images.
+        images: how many there are.
+    """
+
+    mean: float
+    p95: float
+    images: int
+
+    def __str__(self) -> str:
+        return error_text(self.mean, self.p95)
+
+
+@dataclass(frozen=True)
+class ImageFlip:
+    """FLIP at the asset's pixels of one image.
+
+    Attributes:
+        errors: (n,) float32, against the mean of both halves of the reference.
+        noisier: (2 n,) float32, against each half, whose noise has twice the variance.
+    """
+
+    errors: np.ndarray
+    noisier: np.ndarray
+
+    @classmethod
+    def of(
+        cls, image: np.ndarray, halves: np.ndarray, covered: np.ndarray, exposure: float
+    ) -> ImageFlip:
+        """image: (h, w, 3) radiance at irradiance 1. halves: (2, h, w, 3), independent references.
+
+        covered: (h, w), the asset's share of each pixel.
+        """
+        asset = covered >= _COVERED
+        references = [halves.mean(axis=0), *halves]
+        errors, *noisier = (flip(image, r, exposure)[1][asset] for r in references)
+        return cls(errors, np.concatenate(noisier))
+
+    @property
+    def mean(self) -> float:
+        """Mean of FLIP without the reference's noise; 0 of no pixel."""
+        if not len(self.errors):
+            return 0.0
+        return without_noise(float(self.errors.mean()), float(self.noisier.mean()))
+
+
+def asset_flip(images: Sequence[ImageFlip]) -> AssetFlip:
+    """The error over images; those without a pixel of the asset are left out."""
+    shown = [image for image in images if len(image.errors)]
+    if not shown:
+        return AssetFlip(0.0, 0.0, 0)
+    both = [image.errors for image in shown], [image.noisier for image in shown]
+    mean = without_noise(*(float(np.mean([rows.mean() for rows in of])) for of in both))
+    p95 = without_noise(*(float(np.percentile(np.concatenate(of), 95.0)) for of in both))
+    return AssetFlip(mean, p95, len(shown))
+
+
+def without_noise(error: float, noisier: float) -> float:
+    """FLIP against a reference without noise, from FLIP against noise of variance v and of 2 v.
+
+    Colour distances of independent errors add up in squares, so FLIP to the power 2 / 0.7 is
+    linear in v. Never above `error`, nor below a quarter of it, where noise hides the rest.
+    """
+    extrapolated: float = max(2.0 * error**_POWER - noisier**_POWER, 0.0) ** (1.0 / _POWER)
+    return min(max(extrapolated, _LEAST * error), error)
+
+
+def luminance_level(reference: np.ndarray) -> float:
+    """95th percentile of the luminance of the asset's pixels, (n, 3) radiance; 0 of none."""
+    return float(np.percentile(reference @ LUMINANCE, 95.0)) if len(reference) else 0.0
+
+
+def scene_exposure(level: float, brightest: float) -> float:
+    """Exposure of an image, for `metrics.display`; 1 where all is black.
+
+    level: `luminance_level` of its reference. brightest: the largest of its set of images.
+    """
+    level = max(level, brightest / 2.0**MOST_STOPS)
+    return SHOWN_AT / (IRRADIANCE * level) if level > 0.0 else 1.0
+
+
+def scene_exposures(references: Sequence[np.ndarray]) -> list[float]:
+    """Of each image of a set, whose references are (n, 3) radiance of the asset's pixels."""
+    levels = [luminance_level(reference) for reference in references]
+    return [scene_exposure(level, max(levels)) for level in levels]

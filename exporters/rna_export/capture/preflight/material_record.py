@@ -1,0 +1,62 @@
+"""What Blender says of the materials of a source: `blender/rna_materials/material_facts.py`."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import Field
+
+from rna_export.capture.capture_settings import DatasetModel
+
+Kind = Literal[
+    "opaque",
+    "coat",
+    "metal",
+    "brushed",
+    "velvet",
+    "scattering",
+    "thin",
+    "see-through",
+    "refracting",
+    "glass",
+    "volume",
+    "emissive",
+    "hair",
+]
+"""glass: smooth and refracting, mixed with something else; see-through: holes and thin panes."""
+
+
+class Detail(DatasetModel):
+    """The finest texture of a sort.
+
+    of: what it changes. node: its name in the node editor. size: metres from one detail to the
+    next; None where its coordinates do not tell.
+    """
+
+    of: Literal["relief", "gloss", "colour", "emission"]
+    node: str
+    size: float | None = Field(ge=0)
+
+
+class MaterialFacts(DatasetModel):
+    """A material that is learnt.
+
+    roughness: of its sharpest highlight; None without one, or where a texture gives it.
+    """
+
+    name: str
+    full_name: str
+    kinds: tuple[Kind, ...] = Field(min_length=1)
+    roughness: float | None
+    details: tuple[Detail, ...]
+
+
+class Glass(DatasetModel):
+    """Smooth glass that is left to hosts: see `blender/rna_materials/smooth_glass.py`."""
+
+    name: str
+    full_name: str
+    ior: float
+    tint: tuple[float, float, float]
+    roughness: float
+    absorption: tuple[float, float, float]  # 1/m

@@ -1,0 +1,186 @@
+"""Verdicts on materials: learnt well, roughly or not, and what to do."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Literal, NamedTuple
+
+from rna_export.capture.capture_settings import DatasetModel
+from rna_export.capture.preflight.material_record import Detail, Glass, MaterialFacts
+
+Learnt = Literal["well", "roughly", "not", "left to the host"]
+_WORSE: dict[Learnt, int] = {"well": 0, "left to the host": 0, "roughly": 1, "not": 2}
+
+_TEXELS = 2.0  # of a plane, from one detail to the next, at the least
+_MIRROR = 0.05  # roughness below which reflections come out softer
+_NAMED = 3
+_WORDS = {
+    "coat": "clear coat",
+    "thin": "thin, lit from behind",
+    "scattering": "light scatters inside",
+    "glass": "glass mixed with another shader",
+    "refracting": "frosted glass",
+    "see-through": "holes or thin panes",
+    "volume": "a volume inside",
+    "brushed": "brushed (anisotropic)",
+}
+
+
+class MaterialVerdict(DatasetModel):
+    """How well a material is learnt.
+
+    is_: what it is, in words. reasons: what is lost, and what to do; none if nothing is.
+    """
+
+    name: str
+    is_: str
+    learnt: Learnt
+    reasons: tuple[str, ...] = ()
+
+    @property
+    def lines(self) -> list[str]:
+        """The verdict in the terminal and on the contact sheet."""
+        learnt = self.learnt if self.learnt == "left to the host" else f"learnt {self.learnt}"
+        first = f"  {self.name!r}: {self.is_}: {'not learnt' if self.learnt == 'not' else learnt}"
+        return [first, *(f"    {reason}" for reason in self.reasons)]
+
+
+class _Reason(NamedTuple):
+    learnt: Learnt
+    text: str
+
+
+def verdicts(
+    materials: Iterable[MaterialFacts],
+    glass: Iterable[Glass],
+    texel: float,
+    mapped: Iterable[str],
+) -> tuple[MaterialVerdict, ...]:
+    """One a material, the worst first.
+
+    texel: side of a texel of the planes, m. mapped: full names of materials whose relief is a
+    normal map of the package.
+    """
+    relief = set(mapped)
+    result = [_verdict(each, texel, each.full_name in relief) for each in materials]
+    result += [_of_glass(each) for each in glass]
+    return tuple(sorted(result, key=lambda each: -_WORSE[each.learnt]))
+
+
+def not_learnt(of: Iterable[MaterialVerdict]) -> list[str]:
+    """Names of the materials with a part that is not learnt."""
+    return [each.name for each in of if each.learnt == "not"]
+
+
+def preflight_lines(of: Iterable[MaterialVerdict]) -> list[str]:
+    """What is said of all materials before the first ray; those without a loss share a line."""
+    of = list(of)
+    lines = [line for each in of if each.reasons for line in each.lines]
+    well: dict[str, list[str]] = {}
+    for each in of:
+        if not each.reasons:
+            well.setdefault(each.is_, []).append(each.name)
+    if well:
+        lines.append("  learnt well: " + "; ".join(f"{_listed(v)} ({k})" for k, v in well.items()))
+    return ["materials, and how well they will be learnt:", *lines] if lines else []
+
+
+def _listed(names: list[str]) -> str:
+    more = f" and {len(names) - _NAMED} more" if len(names) > _NAMED else ""
+    return ", ".join(map(repr, names[:_NAMED])) + more
+
+
+def length(metres: float) -> str:
+    """A length in words: "0.4 mm", "12 mm", "1.3 m"."""
+    return f"{metres:.2g} m" if metres >= 1.0 else f"{1000.0 * metres:.2g} mm"
+
+
+def _verdict(facts: MaterialFacts, texel: float, is_mapped: bool) -> MaterialVerdict:
+    reasons = [*_of_kinds(facts), *_of_details(facts, texel, is_mapped)]
+    learnt = max((r.learnt for r in reasons), key=_WORSE.__getitem__, default="well")
+    reasons.sort(key=lambda reason: -_WORSE[reason.learnt])
+    texts = tuple(reason.text for reason in reasons)
+    return MaterialVerdict(name=facts.name, is_=_in_words(facts), learnt=learnt, reasons=texts)
+
+
+def _in_words(facts: MaterialFacts) -> str:
+    words = [_WORDS.get(kind, kind) for kind in facts.kinds]
+    if facts.roughness is not None and facts.roughness < _MIRROR:
+        words.append(f"mirror-like (roughness {facts.roughness:.2g})")
+    words += [f"{d.of} by {d.node!r}" for d in facts.details if d.of in ("relief", "gloss")]
+    return ", ".join(words)
+
+
+def _of_kinds(facts: MaterialFacts) -> Iterator[_Reason]:
+    kinds = facts.kinds
+    if "glass" in kinds:
+        yield _Reason(
+            "not",
+            "what stands behind it is not seen through it: give the glass a material of its own, "
+            "which is then left to the host",
+        )
+    if "refracting" in kinds:
+        yield _Reason(
+            "roughly",
+            "it is learnt as a frosted surface: what stands behind it in a scene is not seen "
+            "through it",
+        )
+    if "volume" in kinds:
+        yield _Reason(
+            "roughly",
+            "the light that leaves its surface is learnt; what stands behind it in a scene is not "
+            "seen through it",
+        )
+    if facts.roughness is not None and facts.roughness < _MIRROR and "glass" not in kinds:
+        yield _Reason(
+            "roughly",
+            "reflections of small lamps come out softer than in the original; from a roughness of "
+            f"{_MIRROR:g} on they keep their width",
+        )
+
+
+def _of_details(facts: MaterialFacts, texel: float, is_mapped: bool) -> Iterator[_Reason]:
+    least = _TEXELS * texel
+    for detail in facts.details:
+        if detail.of == "relief" and is_mapped:
+            continue  # a normal map of the package
+        reason = _of_detail(detail, least)
+        if reason is not None:
+            yield reason
+
+
+def _of_detail(detail: Detail, least: float) -> _Reason | None:
+    """least: metres from one detail to the next that planes can hold."""
+    coarser = (
+        f"make its details at least {length(least)} large, or train in pieces (rna-train --cut)"
+    )
+    if detail.size is None or detail.size >= least:
+        return None
+    finer = f"({length(detail.size)} from one detail to the next; the planes hold {length(least)})"
+    if detail.of == "relief":
+        return _Reason(
+            "not",
+            f"its relief by {detail.node!r} is finer than the planes {finer} and becomes an even "
+            f"sheen: bake it into a normal map of its UVs, {coarser}",
+        )
+    if detail.of == "gloss":
+        return _Reason(
+            "roughly",
+            f"its shine varies by {detail.node!r} faster than the planes {finer} and becomes even: "
+            f"{coarser}",
+        )
+    if detail.of == "emission":
+        return _Reason(
+            "roughly",
+            f"its glow by {detail.node!r} is finer than the planes {finer} and blurred: {coarser}",
+        )
+    return None  # colours are textures of the package
+
+
+def _of_glass(glass: Glass) -> MaterialVerdict:
+    return MaterialVerdict(
+        name=glass.name,
+        is_=f"smooth glass (index {glass.ior:.3g})",
+        learnt="left to the host",
+        reasons=("an ordinary mesh of glTF beside the package, which a scene places with it",),
+    )

@@ -1,0 +1,73 @@
+"""An asset's error over its validation images: of reflected light and of emission."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from rna_export.asset_flip import AssetFlip, ImageFlip, asset_flip, scene_exposures
+from rna_export.capture.dataset.validation_view import CapturedImage, EmissionView
+from rna_export.metrics import RAYS_ALONG_A_PIXEL, display, emission_exposure, reduced
+
+_GLOWS = 2.0 / 255.0  # displayed level, linear
+
+
+def asset_error(
+    radiance: Sequence[np.ndarray], views: Sequence[CapturedImage], factor: int = 1
+) -> AssetFlip:
+    """Error of shaded rows, (n, 3) a view, in pixels of `factor` x `factor` of the images'.
+
+    Of strands alone, whose images have one ray a pixel, which shows one strand, pixels are those
+    of 4 x 4 rays at least, as pictures show strands. Of emission, only pixels count that glow in
+    one of both.
+    """
+    factor *= smallest_factor(views)
+    images = [
+        image_flip(rows, view, e, factor)
+        for rows, view, e in zip(radiance, views, picture_exposures(views), strict=True)
+    ]
+    return asset_flip(images)
+
+
+def smallest_factor(views: Sequence[CapturedImage]) -> int:
+    """Rays along a side of the pixels that errors are of."""
+    return RAYS_ALONG_A_PIXEL if all(view.is_of_strands for view in views) else 1
+
+
+def picture_exposures(views: Sequence[CapturedImage]) -> list[float]:
+    """Exposure of each view: of a scene, or where the 99th percentile of what glows is white."""
+    references = [view.reference for view in views]
+    if all(isinstance(view, EmissionView) for view in views):
+        return [emission_exposure(references)] * len(views)
+    return scene_exposures(references)
+
+
+def image_flip(rows: np.ndarray, view: CapturedImage, exposure: float, factor: int) -> ImageFlip:
+    """FLIP of one view's shaded rows (n, 3), in pixels of `factor` x `factor` of the image's."""
+    shows = np.ones_like(rows)
+    if isinstance(view, EmissionView):
+        brightest = np.maximum(*(display(r, exposure).max(axis=1) for r in (rows, view.reference)))
+        shows *= (brightest > _GLOWS)[:, None]
+    image, covered, *halves = (
+        reduced(view.image(of), factor) for of in (rows, shows, *view.halves)
+    )
+    return ImageFlip.of(image, np.stack(halves), covered[..., 0], exposure)
+
+
+def worse_error(
+    radiance: Sequence[np.ndarray],
+    views: Sequence[CapturedImage],
+    emitted: Sequence[tuple[np.ndarray, EmissionView]],
+    factor: int = 1,
+) -> AssetFlip:
+    """`asset_error` of reflected light, or of emission where that is larger.
+
+    emitted: rows and views of all parts that emit.
+    """
+    transport = asset_error(radiance, views, factor)
+    if not emitted:
+        return transport
+    rows, glowing = zip(*emitted, strict=True)
+    emission = asset_error(rows, glowing, factor)
+    return emission if emission.mean > transport.mean else transport

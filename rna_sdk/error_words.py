@@ -1,0 +1,22 @@
+"""An asset's error in words: the table of docs/error-in-words.md."""
+
+from __future__ import annotations
+
+_STEPS = (
+    (0.04, "very good: hard to tell from the original"),
+    (0.07, "good: differences show in close-ups"),
+    (0.11, "fair: differences show beside the original"),
+    (0.18, "rough: right where light falls, blotchy in shade and highlights"),
+    (0.30, "poor: stains or wrong colours that anybody sees"),
+)
+_WORST = "unusable: noise or wrong colours all over"
+
+
+def error_in_words(flip: float) -> str:
+    """What a mean FLIP of an asset's pixels looks like."""
+    return next((words for below, words in _STEPS if flip < below), _WORST)
+
+
+def error_text(flip: float, p95: float) -> str:
+    """Mean and 95th percentile of the FLIP of an asset's pixels, in figures and words."""
+    return f"FLIP {flip:.3f}, 95th percentile {p95:.2f} ({error_in_words(flip)})"

@@ -1,0 +1,185 @@
+"""Before the first ray each material is named: what it is, how well it is learnt, what to do."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rna_export.capture.blender_process.blender_process import Source
+from rna_export.capture.blender_process.blender_worker import BlenderWorker
+from rna_export.capture.capture_run import no_gain
+from rna_export.capture.opened_source import OpenedSource
+from rna_export.capture.preflight.material_record import Detail, MaterialFacts
+from rna_export.capture.preflight.sharpest import sharpest_of
+from rna_export.capture.preflight.verdicts import length, preflight_lines, verdicts
+from rna_render import MeshObject, read_mesh_object
+from rna_render.materials.material import Inside
+from rna_sdk.errors import CaptureError
+from tests.conftest import REPOSITORY
+from tests.exporters.conftest import OpenWorker
+from tests.exporters.scenes import write_scene
+
+RECIPE = REPOSITORY / "examples" / "recipes" / "materials.py"
+TEXEL = 0.4e-3
+
+VERDICTS = {
+    "paint": ("not", r"metal, clear coat, mirror-like \(roughness 0.03\), relief by 'Flakes'"),
+    "brushed": ("roughly", r"metal, brushed \(anisotropic\), gloss by 'Grain'"),
+    "wax": ("well", "light scatters inside"),
+    "velvet": ("well", "velvet"),
+    "leaf": ("well", "thin, lit from behind, holes or thin panes"),
+    "marble": ("well", "light scatters inside"),
+    "neon": ("well", "emissive"),
+    "hair": ("well", "hair"),
+    "skin": ("well", "opaque"),
+    "glass": ("left to the host", r"smooth glass \(index 1.5\)"),
+}
+
+
+def facts(**members: object) -> MaterialFacts:
+    usual = {"name": "m", "full_name": "m", "kinds": ["opaque"], "roughness": 0.5, "details": []}
+    return MaterialFacts(**{**usual, **members})  # type: ignore[arg-type]
+
+
+@pytest.mark.blender
+def test_ten_materials_in_one_scene(open_worker: OpenWorker, tmp_path: Path) -> None:
+    opened = OpenedSource.of(open_worker(RECIPE, "all"), {}, "x", None)
+    actual = {each.name: each for each in opened.materials}
+    for name, (learnt, words) in VERDICTS.items():
+        assert actual[name].learnt == learnt, actual[name].lines
+        assert re.fullmatch(words, actual[name].is_)
+    assert opened.settings.sharpest == pytest.approx(0.03)
+    assert "highlights of roughness 0.03, those of 'paint'" in opened.preflight[-1]
+    assert no_gain(opened) == "gain: none is promised, since 'paint' will not be learnt"
+    # What is left to the host is in the one file and not in the other.
+    assert set(opened.worker.export_corners(of_hosts=True)["material"]) == {"glass"}
+    assert "glass" not in opened.worker.export_corners()["material"]
+    assert "'glass'" not in " ".join(opened.exported.notes)
+    ball = written(opened.exported.glass, tmp_path)
+    assert ball.materials[0].inside == Inside(1.5, (0.0, 0.0, 0.0))
+    assert np.ptp(ball.positions, axis=0) == pytest.approx(0.1, rel=1e-3)
+
+
+def written(glb: bytes | None, folder: Path) -> MeshObject:
+    """The glass that a renderer reads."""
+    assert glb is not None
+    path = folder / "it.glass.glb"
+    path.write_bytes(glb)
+    return read_mesh_object(path)
+
+
+BOTTLE = """
+liquid = principled(Transmission_Weight=1.0, Roughness=0.02, IOR=1.33)
+tree = liquid.node_tree
+volume = tree.nodes.new("ShaderNodeVolumeAbsorption")
+volume.inputs["Color"].default_value, volume.inputs["Density"].default_value = (1, 0.5, 0, 1), 4.0
+tree.links.new(volume.outputs[0], tree.nodes["Material Output"].inputs["Volume"])
+both = add(CUBE, SIDES, diffuse((1, 1, 1)))
+both.data.materials.append(liquid)
+both.data.polygons.foreach_set("material_index", [0, 0, 1, 1, 1, 1])
+"""
+
+
+@pytest.mark.blender
+@pytest.mark.parametrize("glass", ["leave", "keep"])
+def test_one_object_of_glass_and_something_else(
+    glass: str, blender_python: Path, tmp_path: Path
+) -> None:
+    """Rays pass its glass, on which the rest's light depends if it is kept."""
+    source = Source(write_scene(tmp_path, "both", BOTTLE), glass=glass)
+    with BlenderWorker(blender_python, source, tmp_path / "scratch", 1) as worker:
+        opened = OpenedSource.of(worker, {}, "x", None)
+        check, _ = opened.checked(opened.scene, lambda: None)
+        # From inside the box, through the glass, onto the white side at x = -1.
+        at = np.float32([[0.0, 0.0, 0.0]]), np.float32([[-1.0, 0.0, 0.0]])
+        lit = worker.render_rays(*at, np.array([0.0, 0.8, 0.6]), 64, seed=1)
+    assert len(opened.exported.geometries["asset"].triangles) == 4
+    assert check.note() is None and check.used_rays == check.rays
+    assert lit.alpha == pytest.approx(1.0)
+    read = written(opened.exported.glass, tmp_path)
+    assert len(read.triangles) == 8
+    assert read.materials[0].roughness == pytest.approx(0.02)
+    assert read.materials[0].inside.ior == pytest.approx(1.33)
+    assert read.materials[0].inside.absorption == pytest.approx((0.0, 2.0, 4.0), abs=1e-5)
+
+
+@pytest.mark.blender
+def test_a_given_sharpest_is_kept(open_worker: OpenWorker) -> None:
+    opened = OpenedSource.of(open_worker(RECIPE, "paint"), {"sharpest": 0.1}, "x", None)
+    assert opened.settings.sharpest == 0.1
+    assert not any("views look for" in line for line in opened.preflight)
+
+
+@pytest.mark.blender
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("volume", "material 'volume' is a volume without a surface.*hide its objects"),
+        ("glass", "all of it is smooth glass .'principled'., which is left to the host"),
+    ],
+)
+def test_what_holds_nothing_to_learn_is_refused(
+    name: str, said: str, open_worker: OpenWorker
+) -> None:
+    ball = "add(*BALL, principled(Transmission_Weight=1.0, Roughness=0.0))"
+    source = RECIPE if name == "volume" else ball
+    with pytest.raises(CaptureError, match=said):
+        open_worker(source, *([name] if name == "volume" else []))
+
+
+@pytest.mark.parametrize(
+    ("of", "size", "mapped", "learnt"),
+    [
+        ("relief", 0.79e-3, False, "not"),
+        ("relief", 0.81e-3, False, "well"),
+        ("relief", 0.1e-3, True, "well"),
+        ("relief", None, False, "well"),
+        ("gloss", 0.1e-3, False, "roughly"),
+        ("emission", 0.1e-3, False, "roughly"),
+        ("colour", 0.1e-3, False, "well"),  # a texture of the package
+    ],
+)
+def test_details_are_compared_with_planes(
+    of: str, size: float | None, mapped: bool, learnt: str
+) -> None:
+    material = facts(details=[Detail(of=of, node="Grain", size=size)])  # type: ignore[arg-type]
+    (actual,) = verdicts([material], [], TEXEL, ["m"] if mapped else [])
+    assert actual.learnt == learnt
+    assert bool(actual.reasons) == (learnt != "well")
+    assert all("'Grain'" in reason for reason in actual.reasons)
+
+
+@pytest.mark.parametrize(
+    ("kinds", "learnt"),
+    [(["glass"], "not"), (["refracting"], "roughly"), (["volume"], "roughly"), (["hair"], "well")],
+)
+def test_kinds(kinds: list[str], learnt: str) -> None:
+    (actual,) = verdicts([facts(kinds=kinds)], [], TEXEL, [])
+    assert actual.learnt == learnt
+
+
+def test_lines_begin_with_the_worst_and_end_with_what_is_learnt_well() -> None:
+    materials = [facts(name=f"stone {k}") for k in range(5)]
+    fine = Detail(of="relief", node="Grain", size=1e-4)
+    lines = preflight_lines(verdicts([*materials, facts(details=[fine])], [], TEXEL, []))
+    assert lines[1] == "  'm': opaque, relief by 'Grain': not learnt"
+    assert "(0.1 mm from one detail to the next; the planes hold 0.8 mm)" in lines[2]
+    assert lines[-1] == "  learnt well: 'stone 0', 'stone 1', 'stone 2' and 2 more (opaque)"
+    assert preflight_lines([]) == []
+
+
+@pytest.mark.parametrize(
+    ("roughness", "sharpest", "named"),
+    [(0.05, 0.05, "m"), (0.0, 0.02, "m"), (0.3, 0.14, None), (None, 0.14, None)],
+)
+def test_highlights_are_looked_for_as_narrow_as_the_smoothest_material(
+    roughness: float | None, sharpest: float, named: str | None
+) -> None:
+    assert sharpest_of([facts(roughness=roughness)]) == (sharpest, named)
+
+
+def test_lengths() -> None:
+    assert [length(x) for x in (4e-4, 0.012, 1.25)] == ["0.4 mm", "12 mm", "1.2 m"]

@@ -1,0 +1,120 @@
+"""What is packed as rna-viewer: types, the manifest of its element, where it can be imported."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+import tarfile
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import REPOSITORY
+from tests.web.three.pages import packed
+
+ELEMENT_SOURCES = REPOSITORY / "runtime" / "web" / "src" / "element"
+REACT = """import "rna-viewer/react";
+import type { RnaViewer } from "rna-viewer/react";
+export const page = (
+  <rna-viewer src="toy.rna" alt="A toy" camera-controls={true} min-camera-orbit="auto 0deg auto"
+    style={{ width: 300 }} ref={(own: RnaViewer | null) => { own?.resetView(); }} />
+);
+export function listen(viewer: RnaViewer): void {
+  viewer.addEventListener("camera-change", ({ detail }) => console.log(detail.cameraOrbit.length));
+  const place: number | undefined = viewer.positionAndNormalFromPoint(1, 2)?.position.x;
+  viewer.cameraOrbit = place === undefined ? null : "0deg 90deg 2m";
+  document.querySelector("rna-viewer")?.dismissPoster();
+}
+// @ts-expect-error: no such value
+export const wrong = <rna-viewer loading="soon" />;
+"""
+OPTIONS = {
+    "strict": True, "noEmit": True, "jsx": "react-jsx", "module": "nodenext", "target": "es2022",
+    "lib": ["es2022", "dom"], "skipLibCheck": False,
+}  # fmt: skip
+PAGE = '<script type="module" src="main.js"></script><rna-viewer id="one"></rna-viewer>'
+
+
+@pytest.fixture(scope="module")
+def tarball(tmp_path_factory) -> Path:
+    return packed("rna-viewer", tmp_path_factory.mktemp("npm"))
+
+
+@pytest.fixture(scope="module")
+def package(tarball) -> Path:
+    """The package installed from it."""
+    modules = tarball.parent / "node_modules"
+    modules.mkdir()
+    with tarfile.open(tarball) as archive:
+        archive.extractall(modules, filter="data")
+    return (modules / "package").rename(modules / "rna-viewer")
+
+
+def test_files(package):
+    wanted = {"rna-viewer.js", "rna-viewer.d.ts", "react.d.ts", "custom-elements.json"}
+    names = {path.name for path in package.iterdir()}
+    assert names == wanted | {"package.json", "README.md", "LICENSE"}
+    manifest = json.loads((package / "package.json").read_text())
+    for own in manifest["exports"].values():
+        for name in own.values() if isinstance(own, dict) else [own]:
+            assert (package / name).is_file()
+
+
+def test_manifest_of_the_element_names_all_attributes(package):
+    program = f"""
+        import {{ READERS }} from "{(ELEMENT_SOURCES / "attributes.js").as_uri()}";
+        console.log(JSON.stringify(Object.keys(READERS)));
+    """
+    command = ["node", "--input-type=module", "-e", program]
+    done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=300)
+    names = json.loads(done.stdout)
+    (module,) = json.loads((package / "custom-elements.json").read_text())["modules"]
+    (element,) = module["declarations"]
+    assert [own["name"] for own in element["attributes"]] == names
+    assert all(own["description"] for own in element["attributes"])
+    assert "camera-change" in [own["name"] for own in element["events"]]
+    assert "poster" in [own["name"] for own in element["slots"]]
+    types = (package / "rna-viewer.d.ts").read_text().split("export interface RnaViewerAttributes")
+    written = [
+        line.split("?:")[0].strip().strip('"') for line in types[1].split("}")[0].splitlines()[1:]
+    ]
+    assert sorted(filter(None, written)) == sorted(names)
+
+
+@pytest.mark.parametrize("where", ["node", "worker"])
+def test_it_is_imported_without_a_window(package, where):
+    tell = 'import { RnaViewer } from "rna-viewer"; console.log(typeof RnaViewer);'
+    (package.parent.parent / "tell.mjs").write_text(tell)
+    start = 'import { Worker } from "node:worker_threads"; new Worker("./tell.mjs");'
+    program = tell if where == "node" else start
+    command = ["node", "--input-type=module", "-e", program]
+    done = subprocess.run(
+        command, capture_output=True, text=True, cwd=package.parent.parent, timeout=300
+    )
+    assert (done.stdout.strip(), done.stderr) == ("function", "")
+
+
+def _install(folder: Path, *names: object) -> None:
+    if subprocess.run(["npm", "ping"], capture_output=True).returncode:
+        pytest.skip("the npm registry does not answer")
+    (folder / "package.json").write_text('{"private": true, "type": "module"}')
+    install = ["npm", "install", "--no-audit", "--no-fund", "--loglevel=error", *map(str, names)]
+    subprocess.run(install, cwd=folder, check=True, timeout=600)
+
+
+def test_strict_react(tarball, tmp_path):
+    _install(tmp_path, tarball, "react@19", "@types/react@19", "typescript@5")
+    (tmp_path / "page.tsx").write_text(REACT)
+    (tmp_path / "tsconfig.json").write_text(json.dumps({"compilerOptions": OPTIONS}))
+    done = subprocess.run(["npx", "tsc"], cwd=tmp_path, capture_output=True, text=True, timeout=600)
+    assert done.stdout == ""
+
+
+def test_vite(tarball, tmp_path):
+    _install(tmp_path, tarball, "vite@7")
+    (tmp_path / "index.html").write_text(PAGE)
+    (tmp_path / "main.js").write_text('import "rna-viewer";')
+    subprocess.run(["npx", "vite", "build"], cwd=tmp_path, check=True, timeout=600)
+    (script,) = (tmp_path / "dist" / "assets").glob("*.js")
+    assert "rna-viewer" in script.read_text() and shutil.which("node")

@@ -1,0 +1,103 @@
+"""The poster and the first view are one camera, and the poster stays until a picture is as sharp."""
+
+from __future__ import annotations
+
+import io
+import json
+import shutil
+import subprocess
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from rna_export.export.poster_rendering import first_view, render_poster
+from tests.conftest import REPOSITORY
+from tests.package.builders import make_tiny_package
+from tests.web.element_pages import loads, show
+from tests.web.pages import TIMEOUT
+
+ELEMENT_SOURCES = REPOSITORY / "runtime" / "web" / "src" / "element"
+SLOPE = np.tan(np.radians(15))
+
+
+@pytest.mark.skipif(shutil.which("node") is None, reason="needs Node")
+@pytest.mark.parametrize("size", [[0.4, 0.8, 0.4], [10.0, 0.2, 0.2], [1.0, 1.0, 1.0]])
+def test_the_poster_has_the_viewers_camera(size):
+    box = {"min": [-x / 2 for x in size], "max": [x / 2 for x in size]}
+    program = f"""
+        import {{ Orbit }} from "{(ELEMENT_SOURCES / "orbit.js").as_uri()}";
+        const orbit = new Orbit();
+        orbit.place([], {json.dumps(box)}, 1.6);
+        console.log(JSON.stringify([orbit.distance, orbit.azimuth, orbit.elevation, orbit.fov]));
+    """
+    command = ["node", "--input-type=module", "-e", program]
+    done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=120)
+    distance, slopes = first_view(np.array(size))
+    assert json.loads(done.stdout) == pytest.approx([distance, 0.6, 0.35, 30])
+    assert max(slopes[0] / 1.6, slopes[1]) == pytest.approx(SLOPE)
+
+
+@pytest.mark.chromium
+@pytest.mark.parametrize(("width", "height"), [(320, 200), (160, 200)])
+def test_nothing_jumps_where_the_poster_gives_way(page, folder, url, width, height):
+    package = make_tiny_package(folder / "posed.rna")
+    (folder / "posed.png").write_bytes(render_poster(package))
+    style = f'style="width: {width}px; height: {height}px" samples="1" pixel-ratio="1"'
+    poster = 'src="posed.rna" poster="posed.png" loading="eager"'
+    show(page, folder, url, f'<rna-viewer id="one" {poster} {style} sun="none"></rna-viewer>')
+    loads(page, "one")
+    seen = {}
+    for name, change in (("poster", "showPoster"), ("picture", "dismissPoster")):
+        page.evaluate(f"one.{change}(), one.parts.image.decode()")
+        image = Image.open(io.BytesIO(page.screenshot())).convert("L")
+        seen[name] = np.asarray(image)[:height, :width] < 250
+    both, either = (
+        np.logical_and(*seen.values()).sum(),
+        np.logical_or(*seen.values()).sum(),
+    )
+    assert either > 1000 and both > 0.95 * either
+
+
+LEFT = """
+<rna-viewer id="one" src="tiny.rna" poster="poster.png" alt="Tiny" loading="eager" samples="2"
+  pixel-ratio="1" style="width: 192px; height: 120px"></rna-viewer>
+<script>
+  globalThis.steps = [];
+  customElements.whenDefined("rna-viewer").then(() => {
+    one.stage.addEventListener("engine", () => { one.stage.viewer.msPerPixel = 1; });
+    one.stage.addEventListener("shown", () => {
+      const { scale, rounds } = one.stage.viewer.stats;
+      steps.push([scale, rounds, one.parts.poster.hidden, one.loaded]);
+    });
+  });
+</script>
+"""
+
+
+@pytest.mark.chromium
+def test_the_poster_stays_until_a_picture_is_of_a_quarter_of_the_size(page, folder, url):
+    Image.new("RGB", (32, 20), "red").save(folder / "poster.png")
+    show(page, folder, url, LEFT)
+    page.wait_for("steps.some(([scale, rounds]) => scale === 1 && rounds === 2)", TIMEOUT)
+    steps = page.evaluate("steps")
+    assert steps[0] == [4, 1, False, False] and steps[1][2:] == [True, True]
+    # Turning by itself, too, it is no blur.
+    page.evaluate("one.stage.viewer.msPerPixel = 1, steps.length = 0, one.stage.turnTable(1, true)")
+    page.wait_for("steps.length", TIMEOUT)
+    assert page.evaluate("steps[0][0]") == 4
+    # People who move it get what is fast enough.
+    page.evaluate(
+        "one.stage.viewer.msPerPixel = 1, steps.length = 0, one.stage.viewer.restart(true)"
+    )
+    page.wait_for("steps.length", TIMEOUT)
+    assert page.evaluate("steps[0][0]") == 16
+
+
+@pytest.mark.chromium
+def test_without_a_poster_any_picture_is_shown_and_load_waits(page, folder, url):
+    show(page, folder, url, LEFT.replace('poster="poster.png"', ""))
+    page.wait_for("steps.some(([scale, rounds]) => scale === 1 && rounds === 2)", TIMEOUT)
+    steps = page.evaluate("steps")
+    assert [scale for scale, *_ in steps[:3]] == [16, 16, 4]
+    assert [step[3] for step in steps[:4]] == [False, False, False, True]

@@ -1,0 +1,54 @@
+"""Base colour in three.js is that of rna-run: the package's own print, and another one."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Iterator
+
+import pytest
+
+from tests.package.prints import make_print
+from tests.render.chromium import Page
+from tests.web.pages import TIMEOUT
+from tests.web.test_base_color import VIEW, printed_anew, write_files
+from tests.web.test_picture import LEAST_PSNR, by_rna_run, middles_of_pixels, psnr, write_scene
+from tests.web.three.pages import PAGE, installed, opened
+from tests.web.three.test_lights import LOAD, SUN, by_three
+
+pytestmark = pytest.mark.chromium
+__all__ = ["middles_of_pixels"]
+
+SIZE = [96, 60]
+PRINTED_ANEW = """(async () => {{
+    const asset = await new rna.RnaLoader().loadAsync("{}");
+    asset.tier = "hq";
+    const other = await asset.setMap("stamps", null).catch((error) => error.message);
+    if (!other.includes('expected label or stamp, found "stamps"')) throw new Error(other);
+    await picture(asset, 8, 8);
+    await asset.setMap("label", await (await fetch("noise.png")).blob());
+    asset.setTint(new THREE.Color(0.6, 1.2, 1));
+    return asset;
+}})()"""
+
+
+@pytest.fixture(scope="module")
+def page(tmp_path_factory) -> Iterator[Page]:
+    folder = tmp_path_factory.mktemp("prints")
+    installed(folder)
+    make_print(folder / "print.rna", write_files(folder))
+    shutil.copy(PAGE, folder)
+    with opened(folder, PAGE.name, *SIZE) as page:
+        page.wait_for("!!globalThis.test", TIMEOUT)
+        yield page
+
+
+@pytest.mark.parametrize("load", [LOAD, PRINTED_ANEW], ids=["its own print", "another print"])
+@pytest.mark.usefixtures("middles_of_pixels")
+def test_the_picture_of_the_path_tracer(load, page, tmp_path):
+    """By one decoder; after another picture by two, with another map and a tint."""
+    path = make_print(tmp_path / "print.rna", write_files(tmp_path))
+    scene = write_scene(tmp_path, {"path": path, **VIEW}, SUN, SIZE, 1)
+    if load == PRINTED_ANEW:
+        printed_anew(scene, path)
+    actual = by_three(page, {"path": path, **VIEW}, "sun()", SIZE, load=load)
+    assert psnr(actual, by_rna_run(scene)) >= LEAST_PSNR
