@@ -29,7 +29,7 @@ add(*square(1.4, z=1.3), pane)
 """
 SMALL = (
     "--rays 256 --samples 2 --validation-views 2 --validation-resolution 32 "
-    "--validation-samples 16 --steps 160 --presets tiny small --keep"
+    "--validation-samples 16 --steps 160 --presets tiny small"
 ).split()
 
 
@@ -79,10 +79,11 @@ def test_a_make_killed_in_each_of_its_stages_ends_with_a_package(tmp_path: Path)
 
 
 def test_a_goal_of_a_lamp_behind_glass_is_met(tmp_path: Path) -> None:
-    """Two parts, emission, and rays that pass: all go through it. Without --keep no rays stay."""
+    """Two parts, emission, and rays that pass: all go through it. With --discard no rays stay."""
     source = write_scene(tmp_path, "lamp", LAMP)
     out = tmp_path / "lamp.rna"
     options = [*SMALL[: SMALL.index("--presets")], "--presets", "tiny", "--min-psnr", "10"]
+    options.append("--discard")
     said = run(source, out, *options, "--parts", "objects")
     assert "goal met: PSNR of at least 10 dB" in said
     assert not (tmp_path / "lamp.make").exists()

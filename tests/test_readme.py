@@ -65,7 +65,7 @@ def test_its_commands_run_in_their_order(tmp_path: Path, monkeypatch: pytest.Mon
         ran.append(command)
         if command == "rna-make":
             options = make_parser().parse_args(arguments)
-            assert (REPOSITORY / options.model).is_file()
+            assert all((REPOSITORY / model).is_file() for model in options.model)
             assert write_starter(write_lambert_package(options.out, sphere(2)))
         elif command == "rna-capture":
             assert arguments == ["--setup-blender"]

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rna_sdk.package import Mesh
 from rna_sdk.package.geometry.curves import Curves
 from rna_sdk.runtime.fiber_asset import FiberAsset
 from rna_sdk.runtime.surface_asset import SurfaceAsset
@@ -16,10 +17,15 @@ _BRIGHT = 0.5  # of the brightest channel of hair, in a viewport
 Array = NDArray[np.float32]
 
 
-def surface_colors(part: SurfaceAsset, positions: Array, normals: Array) -> Array:
-    """Albedo at points (n, 3) with unit normals, as far as one direction tells: (n, 3)."""
+def surface_colors(part: SurfaceAsset) -> Array:
+    """Albedo at the vertices of its mesh, as far as one direction tells: (v, 3) float32.
+
+    Of base colour, the mean about each vertex.
+    """
+    positions, normals = part.mesh.positions, part.mesh.normals
     wi = _unit(normals + _across(normals))  # at 45 degrees, so that nothing is mirrored to the eye
-    visible, _ = part.evaluate(positions, normals, normals, wi)
+    base_color = part.base_color_at(*_vertices(part.mesh)) if part.uses_base_color else None
+    visible, _ = part.evaluate(positions, normals, normals, wi, base_color)
     colors = _as_albedo(visible, np.sqrt(0.5))
     if part.emits:
         colors += np.clip(part.emission(positions, normals, normals), 0.0, 1.0)
@@ -46,6 +52,17 @@ def fiber_colors(part: FiberAsset, curves: Curves) -> Array:
     if part.emits:
         colors += np.clip(part.emission(curves.points, t, h, wo), 0.0, 1.0)
     return colors
+
+
+def _vertices(mesh: Mesh) -> tuple[NDArray[np.int64], Array, Array, Array]:
+    """Of each vertex a triangle that it is a corner of, u, v there, and the triangle's width."""
+    corner = np.zeros(len(mesh.positions), np.int64)
+    corner[mesh.triangles.ravel()] = np.arange(mesh.triangles.size)
+    triangle, k = np.divmod(corner, 3)
+    a, b, c = mesh.positions[mesh.triangles[triangle]].swapaxes(0, 1)
+    width = np.sqrt(np.linalg.norm(np.cross(b - a, c - a), axis=1))
+    u, v, width = (values.astype(np.float32) for values in (k == 1, k == 2, width))
+    return triangle, u, v, width
 
 
 def _as_albedo(transport: Array, cosine: float) -> Array:

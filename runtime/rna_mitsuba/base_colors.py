@@ -74,7 +74,7 @@ class BaseColors:
         modes: mi.Point3u,
         active: mi.Bool,
     ) -> mi.Color3f:
-        """The bilinear lookup of 4.4 in linear colours; white of a record without an image."""
+        """The bilinear lookup of encoded values, made linear; white without an image."""
         size = dr.gather(mi.Point3u, self._sizes, number * _LEVELS + level, active)
         first, height, width = size
         active = active & (width > 0)
@@ -86,18 +86,20 @@ class BaseColors:
         color = mi.Color3f(0)
         for row, of_row in zip(rows, (1 - g, g), strict=True):
             for column, of_column in zip(columns, (1 - f, f), strict=True):
-                texel = self._linear(first + row * width + column, modes.z != 0, active)
+                texel = self._texel(first + row * width + column, active)
                 color += of_row * of_column * texel
+        color = dr.select(modes.z != 0, _linear(color / 255), color / 255)
         return dr.select(width > 0, color, 1)
 
-    def _linear(self, texel: mi.UInt32, is_srgb: mi.Bool, active: mi.Bool) -> mi.Color3f:
-        channels = []
-        for k in range(3):
-            value = dr.gather(type(self._texels), self._texels, 3 * texel + k, active)
-            c = mi.Float(value) / 255
-            curved = dr.power((c + 0.055) / 1.055, 2.4)
-            channels.append(dr.select(is_srgb, dr.select(c <= 0.04045, c / 12.92, curved), c))
-        return mi.Color3f(*channels)
+    def _texel(self, texel: mi.UInt32, active: mi.Bool) -> mi.Color3f:
+        kind = type(self._texels)
+        places = (3 * texel + k for k in range(3))
+        return mi.Color3f(*(mi.Float(dr.gather(kind, self._texels, p, active)) for p in places))
+
+
+def _linear(c: mi.Color3f) -> mi.Color3f:
+    """Of sRGB: IEC 61966-2-1."""
+    return dr.select(c <= 0.04045, c / 12.92, dr.power((c + 0.055) / 1.055, 2.4))
 
 
 def _packed(rows: Sequence[Sequence[float]]) -> mi.Float:

@@ -113,6 +113,7 @@ def test_a_bake_is_started_stopped_continued_and_replaces_its_original(
     assert printed_value(printed, "KEPT") == "True"  # no copies are left in the file
     job = json.loads((tmp_path / "cubes.bake" / "job.json").read_text())
     assert job["options"] == ["--presets", "small", "--minutes=20", "--min-psnr=30"]
+    assert job["source"] == "untitled.blend"  # the package records the name of the user's file
     # The source is what was selected, and what is below it, without place and turn.
     assert printed_value(printed, "OBJECTS") == "2"
     low, high = json.loads(printed_value(printed, "BOX"))
@@ -184,6 +185,7 @@ refused(bpy.ops.rna.bake)
 item.name = "stool"
 import bl_ext.user_default.rna_sdk.bake.operators as operators
 print("FOUND", item.rna_bake.out, operators.job_of(item).is_begun())
+print("SOURCE", operators.job_of(item).source.name)
 item.name = "chair"
 operators.job_of(item).remove()
 
@@ -205,6 +207,7 @@ def test_a_strangers_file_chooses_neither_folders_nor_sources_nor_commands(
     assert printed_value(printed, "KEPT") == "True"
     assert printed_value(printed, "JOBS") == "['evil.py', 'job.json']"
     assert printed_value(printed, "FOUND") == "chair.rna True"
+    assert printed_value(printed, "SOURCE") == "chair.blend"
     assert printed_value(printed, "NOTHING") == "True True"
     refusals = [line for line in printed.splitlines() if line.startswith("refused: ")]
     assert len(refusals) == 2 + 8 + 1 + 1 + 11

@@ -25,7 +25,7 @@ from rna_export.capture.estimate.gain import (
     predicted,
     table_of,
 )
-from rna_export.capture.estimate.pilot import Pilot, measure_pilot, variances
+from rna_export.capture.estimate.pilot import Pilot, measure_pilot, pilot_paths, variances
 from rna_export.capture.rays.asset_scene import AssetScene
 from rna_export.capture.rna_capture import main
 from rna_sdk.package import Domain
@@ -104,6 +104,19 @@ def test_a_pilot_finds_the_noise_of_what_renders() -> None:
     assert noisy.pixel_variance == pytest.approx(quiet.pixel_variance, rel=0.15)
     # The sine's slope within a pixel, 1/50 of the radius, and the rim.
     assert 1.0 < quiet.noise_ratio < noisy.noise_ratio
+
+
+def test_the_paths_of_a_pilot_are_known_before_it() -> None:
+    scene, settings = AssetScene([sphere(4)]), CaptureSettings(rays=1024)
+    traced = []
+
+    class Counting(NoisyCycles):
+        def render_rays(self, origins, *more, **how):
+            traced.append(len(origins))
+            return super().render_rays(origins, *more, **how)
+
+    measure_pilot(scene, Counting(scene, 0.1), settings, EVERYWHERE, False, 12e-6)
+    assert sum(traced) * settings.samples == pilot_paths(settings)
 
 
 def test_a_share_of_the_noise_ratio_is_found_and_left_out_assets_are_told_exactly() -> None:

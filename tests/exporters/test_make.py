@@ -26,6 +26,7 @@ from rna_export.make.goal import Goal
 from rna_export.make.make_options import MakeOptions
 from rna_export.make.make_run import Made, Make
 from rna_export.make.phases import Trainer
+from rna_export.make.state import Score, read_state
 from rna_export.training import report as report_module
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.presets import PRESETS
@@ -97,16 +98,31 @@ def make(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Callable[..., tuple
         minutes: float | None = None,
         stop_after: float = math.inf,
         work: Path = tmp_path / "work",
-        **settings: int,
+        more: float | None = None,
+        update: bool = False,
+        text: str = "",
+        **settings: Any,
     ) -> tuple[Made, Cycles]:
         cycles = Cycles(stop_after)
         monkeypatch.setattr(rays_module, "begin", cycles.begin)
         monkeypatch.setattr(rays_module, "finish", cycles.finish)
         workers = CaptureWorkers(Path("python"), tmp_path / "scratch", 1)
         source = Source(tmp_path / "ball.py")
-        source.path.touch()
+        source.path.write_text(text)
         options = MakeOptions(
-            source, settings, None, work, presets, goal, minutes, None, 0, "cpu", workers
+            source,
+            settings,
+            None,
+            work,
+            presets,
+            goal,
+            minutes,
+            None,
+            0,
+            "cpu",
+            workers,
+            more=more,
+            update=update,
         )
         return Make(options, run_module.monotonic(), print).run(), cycles
 
@@ -261,6 +277,85 @@ def test_another_order_in_the_same_folder_is_refused(make: Any) -> None:
     make(goal=Goal("min_psnr", 5.0))
     with pytest.raises(TrainingError, match="was started with goal"):
         make(goal=Goal("min_psnr", 6.0))
+
+
+def test_more_minutes_go_on_from_the_rays(make: Any, tmp_path: Path, capsys: Any) -> None:
+    first, cycles = make(minutes=0.1)
+    before = sorted((tmp_path / "work" / "rays" / "train").iterdir())
+    assert len(before) == cycles.shards and read_state(tmp_path / "work").is_finished
+    made, more = make(minutes=0.1, more=0.1)
+    assert "0.1 more minutes" in capsys.readouterr().out
+    assert made.why == "time is up" and made.rounds == first.rounds + 1
+    after = sorted((tmp_path / "work" / "rays" / "train").iterdir())
+    assert more.shards >= 1 and len(after) == len(before) + more.shards
+    state = read_state(tmp_path / "work")
+    assert state.is_finished and state.before["small"].psnr >= state.last["small"].score.psnr
+
+
+def test_more_minutes_that_were_stopped_go_on_with_their_own(make: Any, tmp_path: Path) -> None:
+    make(minutes=0.1)
+    with pytest.raises(Stopped):
+        make(minutes=0.1, more=0.1, stop_after=0)
+    begun = read_state(tmp_path / "work").more
+    made, _ = make(minutes=0.1, more=0.1)
+    assert made.rounds == 2 and read_state(tmp_path / "work").more == begun
+
+
+def test_the_better_model_is_kept(make: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A few more seconds make a worse one: the package has that of before."""
+    first, _ = make(minutes=0.1)
+    expected = load_checkpoint(first.checkpoints[0] / "best.ckpt").model.state_dict()
+    monkeypatch.setattr(run_module, "score", lambda *_: Score(psnr=1.0, flip=1.0))
+    made, _ = make(minutes=0.1, more=0.05)
+    actual = load_checkpoint(made.checkpoints[0] / "best.ckpt").model.state_dict()
+    assert made.checkpoints[0].parent.name == "before"
+    for name, weights in expected.items():
+        np.testing.assert_array_equal(actual[name], weights, name)
+
+
+def test_more_needs_rays(make: Any) -> None:
+    with pytest.raises(TrainingError, match="found no rays to go on from"):
+        make(more=0.1)
+
+
+def test_an_option_of_new_rays_may_change_with_more(make: Any) -> None:
+    make(minutes=0.1)
+    with pytest.raises(TrainingError, match=r"ball\.py has changed since .*: --update captures"):
+        make(minutes=0.1, text="red")
+    with pytest.raises(TrainingError, match="--sharpest: is for new rays"):
+        make(minutes=0.1, sharpest=0.05)
+    with pytest.raises(TrainingError, match="was started with settings"):
+        make(minutes=0.1, more=0.1, rays=9)
+    made, _ = make(minutes=0.1, more=0.1, sharpest=0.05)
+    assert made.dataset.manifest.settings.sharpest == 0.05
+
+
+def test_an_update_starts_from_the_old_model_where_the_geometry_is_the_same(
+    make: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: Any
+) -> None:
+    make(minutes=0.1)
+    starts = []
+
+    def noted(run: Any, *more: Any) -> Path:
+        starts.append(run.start)
+        return train(run, *more)
+
+    train = phases_module.train
+    monkeypatch.setattr(phases_module, "train", noted)
+    make(minutes=0.05, update=True, text="red")
+    assert "asset has the same geometry" in capsys.readouterr().out
+    assert starts == [tmp_path / "work" / "before" / "small" / "best.ckpt"]
+    state = read_state(tmp_path / "work")
+    assert state.is_finished and state.starts == ("asset",)
+    (tmp_path / "work" / "rays" / "geometry" / "asset.safetensors").write_bytes(b"another")
+    make(minutes=0.05, update=True, text="green")
+    assert "asset has another geometry: its training starts anew" in capsys.readouterr().out
+    assert starts[1:] == [None] and read_state(tmp_path / "work").starts == ()
+
+
+def test_an_update_needs_something_to_start_from(make: Any) -> None:
+    with pytest.raises(TrainingError, match="starts from the rays and models of a finished"):
+        make(minutes=0.05, update=True)
 
 
 def test_a_damaged_state_is_one_line(make: Any, tmp_path: Path) -> None:

@@ -99,7 +99,9 @@ def test_trials_are_chosen_by_name_family_and_table() -> None:
 
 
 def point(name: str, family: str, ns: float, psnr: float) -> dict[str, object]:
-    return {"name": name, "family": family, "ns": ns, "psnr": psnr, "precision": "float32-float16"}
+    flip = 10.0 ** (-psnr / 20.0)
+    known = {"name": name, "family": family, "ns": ns, "psnr": psnr, "flip": flip}
+    return {**known, "precision": "float32-float16"}
 
 
 def test_chart_takes_short_and_long_trainings_of_one_asset(out: Path, tmp_path: Path) -> None:

@@ -5,15 +5,19 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from rna_sdk.error_words import error_text
-from rna_sdk.package import Cone, Domain, Package, Provenance
+from rna_sdk.package import BaseColorRecord, Cone, Domain, Package, Provenance
 from rna_sdk.package.command.package_info import info_lines, package_info
 from rna_sdk.package.command.rna_info import main
+from rna_sdk.runtime import SurfaceAsset, load
+from rna_sdk.runtime.standin_colors import surface_colors
 from tests.conftest import REPOSITORY
-from tests.package.builders import make_tiny_package
+from tests.package.builders import make_part, make_tiny_package
 from tests.package.lobes import FOREST, with_lobes
+from tests.package.prints import LABEL, STAMP, make_images, make_print
 
 TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
 CURLS = REPOSITORY / "examples" / "fibers" / "curly_ball.rna"
@@ -57,6 +61,40 @@ def test_lobes_are_told_with_their_error(tmp_path: Path) -> None:
     lines = list(info_lines(info))
     assert "lobes       PSNR 30.50 dB, FLIP 0.0500 under forest; lobes alone 28.50 dB" in lines
     assert any(line.endswith("RNA_environment") for line in lines)
+
+
+def test_images_of_base_colour_are_listed(tmp_path: Path) -> None:
+    path = make_print(tmp_path / "print.rna")
+    info = package_info(path)
+    (part,) = info["parts"]
+    assert part["has"] == ["base colour"]
+    label, stamp = part["images"]
+    assert (label["label"], label["width"], label["height"]) == ("label", 4, 3)
+    assert stamp["entry"] == STAMP and stamp["bytes"] == len(make_images()[STAMP])
+    small, hq = (tier["parts"][0] for tier in info["tiers"])
+    assert small["uses_base_color"] and small["shadowed"] is None and hq["shadowed"] == "float32"
+    lines = list(info_lines(info))
+    size = f"{len(make_images()[LABEL]) / 1e6:.3g} MB"
+    assert f"images      label: 4 x 3 pixels, {size}, textures/label.png" in lines
+    assert any(line.endswith("float32 decoder, float32 for shadowed light") for line in lines)
+
+
+def test_a_glb_has_the_print_at_its_vertices(tmp_path: Path) -> None:
+    """A record of red, green or blue alone is so at the vertices of its triangles."""
+    records = tuple(
+        BaseColorRecord(triangles=(k, 1), factor=tuple(np.eye(3)[k % 3].tolist())) for k in range(4)
+    )
+    path = make_print(tmp_path / "print.rna", parts=(make_part(base_color=records),))
+    (part,) = load(path).parts
+    assert isinstance(part, SurfaceAsset)
+    colors = surface_colors(part)
+    black = surface_colors(part.with_base_color(tint=(0, 0, 0)))
+    added = (colors - black).reshape(4, 3, 3)
+    for k in range(4):
+        others = np.delete(added[k], k % 3, axis=1)
+        assert not others.any() and (added[k, :, k % 3] >= 0).all()
+    assert added.any()
+    assert main([str(path), "--glb", str(tmp_path / "print.glb")]) == 0
 
 
 def test_strands_are_counted(capsys: pytest.CaptureFixture[str]) -> None:

@@ -46,6 +46,7 @@ class Page:
         self._commands, self._answers, self._read = commands, answers, b""
         self._number = 0
         self._session: str | None = None
+        self._events: list[dict[str, Any]] = []
         target = self.call("Target.createTarget", url="about:blank")["targetId"]
         attached = self.call("Target.attachToTarget", targetId=target, flatten=True)
         self._session = attached["sessionId"]
@@ -59,6 +60,7 @@ class Page:
         os.write(self._commands, json.dumps(message).encode() + b"\0")
         while True:
             answer = self._next_message()
+            self._keep(answer)
             if answer.get("id") == self._number:
                 assert "error" not in answer, f"{method}: {answer['error']}"
                 return answer["result"]
@@ -83,6 +85,26 @@ class Page:
         """kind: mousePressed, mouseMoved, mouseReleased or mouseWheel."""
         self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, **more)
 
+    @contextmanager
+    def tracing(self, category: str) -> Iterator[list[dict[str, Any]]]:
+        """Trace events of the page's main thread, in the list once the block has ended."""
+        found: list[dict[str, Any]] = []
+        config = {"includedCategories": [category, "__metadata"]}
+        self.call("Tracing.start", transferMode="ReportEvents", traceConfig=config)
+        yield found
+        self._events.clear()
+        self.call("Tracing.end")
+        while not any(event["method"] == "Tracing.tracingComplete" for event in self._events):
+            self._keep(self._next_message())
+        sent = [event for event in self._events if event["method"] == "Tracing.dataCollected"]
+        events = [one for event in sent for one in event["params"]["value"]]
+        threads = _threads(events, "CrRendererMain")
+        found += [one for one in events if (one["pid"], one["tid"]) in threads]
+
+    def _keep(self, message: dict[str, Any]) -> None:
+        if message.get("method", "").startswith("Tracing."):
+            self._events.append(message)
+
     def screenshot(self) -> bytes:
         """PNG."""
         return base64.b64decode(self.call("Page.captureScreenshot", format="png")["data"])
@@ -95,6 +117,12 @@ class Page:
             self._read += data
         message, _, self._read = self._read.partition(b"\0")
         return json.loads(message)
+
+
+def _threads(events: list[dict[str, Any]], name: str) -> set[tuple[int, int]]:
+    """Process and thread of those with this name."""
+    named = [one for one in events if one.get("name") == "thread_name"]
+    return {(one["pid"], one["tid"]) for one in named if one["args"]["name"] == name}
 
 
 @contextmanager

@@ -76,22 +76,20 @@ def test_manifest_of_the_element_names_all_attributes(package):
     assert "camera-change" in [own["name"] for own in element["events"]]
     assert "poster" in [own["name"] for own in element["slots"]]
     types = (package / "rna-viewer.d.ts").read_text().split("export interface RnaViewerAttributes")
-    written = [
-        line.split("?:")[0].strip().strip('"') for line in types[1].split("}")[0].splitlines()[1:]
-    ]
+    lines = types[1].split("}")[0].splitlines()[1:]
+    written = [line.split("?:")[0].strip().strip('"') for line in lines]
     assert sorted(filter(None, written)) == sorted(names)
 
 
 @pytest.mark.parametrize("where", ["node", "worker"])
 def test_it_is_imported_without_a_window(package, where):
+    folder = package.parent.parent
     tell = 'import { RnaViewer } from "rna-viewer"; console.log(typeof RnaViewer);'
-    (package.parent.parent / "tell.mjs").write_text(tell)
-    start = 'import { Worker } from "node:worker_threads"; new Worker("./tell.mjs");'
-    program = tell if where == "node" else start
-    command = ["node", "--input-type=module", "-e", program]
-    done = subprocess.run(
-        command, capture_output=True, text=True, cwd=package.parent.parent, timeout=300
-    )
+    (folder / "node.mjs").write_text(tell)
+    start = 'import { Worker } from "node:worker_threads"; new Worker("./node.mjs");'
+    (folder / "worker.mjs").write_text(start)
+    command = ["node", f"{where}.mjs"]
+    done = subprocess.run(command, capture_output=True, text=True, cwd=folder, timeout=300)
     assert (done.stdout.strip(), done.stderr) == ("function", "")
 
 

@@ -9,10 +9,13 @@ import pytest
 
 from tests.conftest import REPOSITORY
 from tests.web.element_pages import SMALL, loads, show
+from tests.web.pages import TIMEOUT
 
 pytestmark = pytest.mark.chromium
 
-CURLS = REPOSITORY / "examples" / "fibers" / "curly_ball.rna"
+EXAMPLES = REPOSITORY / "examples"
+CURLS = EXAMPLES / "fibers" / "curly_ball.rna"
+LONGEST_MS = 100.0
 TURNS = """(() => {
     globalThis.turns = [];
     const { port1, port2 } = new MessageChannel();
@@ -37,3 +40,18 @@ def test_hierarchy_is_built_in_steps(page, folder, url):
     times = page.evaluate(BUILT)
     gaps = [b - a for a, b in pairwise(times)]
     assert len(gaps) > 10 and max(gaps) < (times[-1] - times[0]) / 3
+
+
+@pytest.mark.parametrize("name", ["quickstart/toy", "jade/fox", "fibers/curly_ball"])
+def test_no_task_is_long(page, folder, url, name):
+    """Of the bundled assets, from the address to the first picture; the main thread's own time."""
+    package = EXAMPLES / f"{name}.rna"
+    shutil.copy(package, folder)
+    show(page, folder, url, f'<rna-viewer id="one" loading="eager" {SMALL}></rna-viewer>')
+    page.wait_for("one.stage.engine", TIMEOUT)
+    page.evaluate("one.stage.engine.compiled.then(() => 0)")
+    with page.tracing("toplevel") as events:
+        page.evaluate(f"one.src = '{package.name}', 0")
+        loads(page, "one")
+    tasks = [one["tdur"] / 1e3 for one in events if one["name"].endswith("RunTask")]
+    assert len(tasks) > 20 and max(tasks) <= LONGEST_MS, sorted(tasks)[-5:]

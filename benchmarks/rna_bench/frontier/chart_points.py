@@ -52,6 +52,7 @@ def _point(record: Record, precision: str, point: Point, costs: Costs | None) ->
         "psnr": scores.psnr,
         "psnr_without_noise": asdict(scores.psnr_without_noise),
         "flip": scores.flip,
+        "flip_p95": scores.flip_p95,
         "p99": scores.p99,
         "views": [view.model_dump() for view in scores.views],
     }
@@ -67,11 +68,11 @@ def last_tenth(curve: Sequence[tuple[int, float]], steps: int) -> float | None:
 
 
 def front(points: list[dict[str, Any]], cost: str) -> list[dict[str, Any]]:
-    """Pareto front of cost and PSNR without ablations, cheapest point first."""
+    """Pareto front of cost and FLIP without ablations, cheapest point first."""
     known = [p for p in points if p["family"] != "ablation" and p[cost] is not None]
-    best, found = -float("inf"), []
-    for point in sorted(known, key=lambda p: (p[cost], -p["psnr"])):
-        if point["psnr"] > best:
-            best = point["psnr"]
+    best, found = float("inf"), []
+    for point in sorted(known, key=lambda p: (p[cost], p["flip"])):
+        if point["flip"] < best:
+            best = point["flip"]
             found.append(point)
     return found

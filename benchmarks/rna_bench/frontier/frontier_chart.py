@@ -1,14 +1,15 @@
-"""Frontiers as a picture: PSNR against cost, and against bytes."""
+"""Frontiers as a picture: FLIP against cost, and against bytes."""
 
 from __future__ import annotations
 
 from pathlib import Path
+from textwrap import wrap
 from typing import Any
 
 from matplotlib.ticker import EngFormatter, LogLocator, NullFormatter
 
 from rna_bench.frontier.chart_points import COSTS, front
-from rna_bench.plot_style import CYCLES, OPPONENT, OURS, PAPER, QUIET, figure, save_chart
+from rna_bench.plot_style import CYCLES, OPPONENT, OURS, PAPER, QUIET, figure, log_ticks, save_chart
 
 COLOURS = {"ours": OURS, "paper": PAPER, "opponent": OPPONENT, "ablation": QUIET, "cycles": CYCLES}
 LABELS = {
@@ -18,7 +19,7 @@ LABELS = {
     "ablation": "ablations",
     "cycles": "Cycles, paths a pixel",
 }
-_ABOVE = 4.0  # dB, free above the best model
+_ABOVE = 0.6  # of the best model's FLIP, where the chart ends
 _MARKERS = {"float32": "o", "int8": "D"}
 
 
@@ -51,12 +52,19 @@ def _draw_row(axes: Any, asset: str, reports: list[dict[str, Any]]) -> None:
         for report in shorter:
             _draw_points(axis, report["points"], cost, is_short=True)
         _draw_points(axis, longest["points"], cost)
-    top = axes[0].get_ylim()[1] + _ABOVE
-    axes[0].set_ylim(top=top)
-    _draw_cycles(axes[0], next((r["cycles"] for r in reports if r["cycles"]), None), top)
-    axes[0].set_ylabel("PSNR, dB (irradiance pi, clamped to [0, 1])")
+    flips = [point["flip"] for report in reports for point in report["points"]]
+    best, worst = _ABOVE * min(flips), 1.1 * max(flips)
+    axes[0].set(yscale="log", ylim=(worst, best))
+    log_ticks(axes[0].yaxis)
+    _draw_cycles(axes[0], next((r["cycles"] for r in reports if r["cycles"]), None), best)
+    axes[0].set_ylabel(f"{_flip_of(longest)}, better above")
     lengths = "; hollow: ".join(f"{_steps(report):,} steps" for report in reports)
     axes[0].set_title(f"{asset}: {lengths} of each model", loc="left")
+
+
+def _flip_of(report: dict[str, Any]) -> str:
+    """What the report's FLIP is of, as its definition begins."""
+    return "\n".join(wrap(report["definitions"]["flip"].split(";")[0], 40))
 
 
 def _draw_points(
@@ -72,7 +80,7 @@ def _draw_points(
                 label = LABELS[family] + (", int8" if decoder == "int8" else "")
                 axis.scatter(
                     [p[cost] for p in some],
-                    [p["psnr"] for p in some],
+                    [p["flip"] for p in some],
                     s=26,
                     facecolors="none" if is_short else COLOURS[family],
                     edgecolors=COLOURS[family],
@@ -84,28 +92,28 @@ def _draw_points(
     if is_short:
         return
     best = front(points, cost)
-    line = [p[cost] for p in best], [p["psnr"] for p in best]
+    line = [p[cost] for p in best], [p["flip"] for p in best]
     axis.step(*line, where="post", color=COLOURS["ours"], lw=1, alpha=0.6, label="best at its cost")
     for point in shown:
         if point["name"] in ("paper-small", "paper-hq") and point["precision"].startswith("float"):
-            at = point[cost], point["psnr"]
+            at = point[cost], point["flip"]
             axis.annotate(
                 point["name"], at, (0, 6), textcoords="offset points", fontsize=8, ha="center"
             )
 
 
 def _draw_cycles(axis: Any, curve: dict[str, Any] | None, top: float) -> None:
-    """Cycles' points; those above `top` stand at the edge, with their value."""
+    """Cycles' points; those better than `top` stand at the edge, with their value."""
     if curve is None:
         return
     ns = [p["ns"] for p in curve["points"]]
-    psnr = [p["scores"]["psnr"] for p in curve["points"]]
-    axis.plot(ns, psnr, "s-", ms=4, lw=1, color=COLOURS["cycles"], label=LABELS["cycles"])
-    for point, x, y in zip(curve["points"], ns, psnr, strict=True):
+    flips = [p["scores"]["flip"] for p in curve["points"]]
+    axis.plot(ns, flips, "s-", ms=4, lw=1, color=COLOURS["cycles"], label=LABELS["cycles"])
+    for point, x, y in zip(curve["points"], ns, flips, strict=True):
         text = {"textcoords": "offset points", "fontsize": 7}
-        if y <= top:
+        if y >= top:
             axis.annotate(str(point["samples"]), (x, y), (4, -9), **text)
         else:
             axis.plot(x, top, "^", ms=5, color=COLOURS["cycles"], clip_on=False)
-            label = f"{point['samples']}: {y:.0f} dB"
+            label = f"{point['samples']}: {y:.3f}"
             axis.annotate(label, (x, top), (-4, -38), rotation=90, **text)

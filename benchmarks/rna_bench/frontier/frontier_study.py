@@ -21,10 +21,11 @@ from rna_bench.frontier.trials.trial_pool import TrialPool, TrialWorkers, larges
 from rna_bench.frontier.trials.trial_record import Record, read_record
 from rna_bench.frontier.trials.trial_run import missing_precisions
 from rna_bench.results import write_results
+from rna_export.asset_flip import DEFINITION
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.validation_view import all_queries
-from rna_export.metrics import FLIP_DEFINITION, P99_DEFINITION, PSNR_DEFINITION
+from rna_export.metrics import P99_DEFINITION, PSNR_DEFINITION
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import TrainingError
 from rna_work.executors import Executor
@@ -138,7 +139,7 @@ class Study:
             ),
             "definitions": {
                 "psnr": PSNR_DEFINITION,
-                "flip": FLIP_DEFINITION,
+                "flip": DEFINITION,
                 "p99": P99_DEFINITION,
             },
             "models_planned": len(self.trials),

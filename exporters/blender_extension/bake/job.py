@@ -38,7 +38,6 @@ class Job:
 
     def __init__(self, folder):
         self.folder = Path(folder)
-        self.source = self.folder / "source.blend"
         self.sheet = self.folder / "compare" / "sheet.png"
         self._log, self._pid, self._settings = (self.folder / n for n in ("log", "pid", "job.json"))
 
@@ -57,9 +56,9 @@ class Job:
                     "here; move the folder away, or name another package"
                 )
 
-    def begin(self, out, options):
-        """Store the job's package and options, as its own; `source` exists already."""
-        settings = {"out": str(out), "options": options}
+    def begin(self, out, options, source):
+        """Store the job's package and options, as its own; its file `source` exists already."""
+        settings = {"out": str(out), "options": options, "source": source.name}
         temporary = self._settings.with_suffix(".part")
         seal = seal_of(self._sealed(settings))
         temporary.write_text(json.dumps({**settings, "seal": seal}, indent=1))
@@ -82,6 +81,15 @@ class Job:
     def out(self):
         """The package."""
         return Path(self._stored()["out"])
+
+    @property
+    def source(self):
+        """The .blend file with the objects, whose name the package records."""
+        return self.folder / self._stored()["source"]
+
+    def source_of(self, filepath):
+        """Place for the objects of a .blend file, by its name; the text is empty if unsaved."""
+        return self.folder / (f"{Path(filepath).stem}.blend" if filepath else "untitled.blend")
 
     def start(self, out, options):
         """Start, or continue. Raises SdkError without an environment of the SDK."""
@@ -111,9 +119,10 @@ class Job:
         """Delete what it wrote, if it is this user's; the package and all other files stay."""
         if not self.is_begun():
             return
+        source = self.source
         for name in _FOLDERS:
             shutil.rmtree(self.folder / name, ignore_errors=True)
-        for path in (self.source, self._log, self._pid, self.folder / "made", self._settings):
+        for path in (source, self._log, self._pid, self.folder / "made", self._settings):
             path.unlink(missing_ok=True)
         if not any(self.folder.iterdir()):
             self.folder.rmdir()
@@ -140,6 +149,7 @@ class Job:
             settings = {
                 "out": str(record["out"]),
                 "options": [str(one) for one in record["options"]],
+                "source": Path(record["source"]).name,
             }
             return settings if is_sealed(self._sealed(settings), record["seal"]) else None
         except (OSError, ValueError, KeyError, TypeError, RecursionError):

@@ -79,13 +79,14 @@ def _begin(context, item, job, out, options):
     items = with_children(selected)
     settings = item.rna_bake
     job.folder.mkdir(parents=True, exist_ok=True)
-    write_source(job.source, context.scene, items, frame_of(item))
+    source = job.source_of(bpy.data.filepath)
+    write_source(source, context.scene, items, frame_of(item))
     settings.originals.clear()
     for one in items:
         settings.originals.add().item = one
     if not settings.out:  # by which the job is found again, whatever the object is called then
         settings.out = out.name
-    job.begin(out, options)
+    job.begin(out, options, source)
 
 
 def _package_path(item):

@@ -17,7 +17,8 @@ def main():
     folder = Path(folder)
     check_can_bake()
     if not (folder / "made").is_file():
-        run("rna_export.make.rna_make", source, "--out", out, "--work", folder / "make", *options)
+        made = "--out", out, "--work", folder / "make", "--discard", *options
+        run("rna_export.make.rna_make", source, *made)
         (folder / "made").touch()
     sizes = ("--resolution", 256, "--cycles-samples", 64)
     run("rna_export.compare.rna_compare", out, source, "--out", folder / "compare", *sizes)

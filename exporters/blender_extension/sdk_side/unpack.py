@@ -68,7 +68,7 @@ def geometry(part):
         arrays = {"positions": mesh.positions, "normals": mesh.normals, "triangles": mesh.triangles}
         if mesh.uvs is not None:
             arrays["uvs"] = mesh.uvs
-        return arrays | {"colors": surface_colors(part, mesh.positions, mesh.normals)}
+        return arrays | {"colors": surface_colors(part)}
     curves = part.curves
     arrays = {"points": curves.points, "radii": curves.radii, "offsets": curves.offsets}
     return arrays | {"colors": fiber_colors(part, curves)}

@@ -24,7 +24,7 @@ from rna_export.capture.dataset.collect import Collector
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_manifest import CaptureManifest
 from rna_export.capture.estimate.gain import gain_text, table_of
-from rna_export.capture.estimate.pilot import LIGHTS, Pilot
+from rna_export.capture.estimate.pilot import LIGHTS, Pilot, pilot_paths
 from rna_export.capture.geometry.followed_source import captured_poses
 from rna_export.capture.opened_source import CHECK_RENDERS, OpenedSource
 from rna_export.capture.preflight.verdicts import not_learnt
@@ -149,10 +149,12 @@ def begin(
         poses = dict(captured_poses(worker, geometries, exported.sources, others))
         worker.show_frame(opened["frame"])
         why = no_gain(asset)
-        lights = LIGHTS if why is None else 0
+        lights, trial = (LIGHTS, pilot_paths(settings)) if why is None else (0, 0)
         with _trial(CHECK_RENDERS * (1 + len(poses)) + lights) as bar:
             check, speed = asset.checked(asset.scene, bar.update)
             rate = speed.rate * workers.backend().width()
+            if limit is not None:  # too few minutes are told before the estimate takes some of them
+                planned(settings, limit, opening + trial / speed.rate, rate, given)
             if why is None:
                 why = gain_text(asset.pilot(speed, bar.update), table_of())
             checks = {"": check}

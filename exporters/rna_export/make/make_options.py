@@ -32,6 +32,8 @@ class MakeOptions:
     device: str
     workers: CaptureWorkers
     picture: Path | None = None  # of the model in training, rewritten
+    more: float | None = None  # minutes, after those of an earlier run
+    update: bool = False  # of a source whose materials changed
 
     @property
     def asked(self) -> RunSettings:
@@ -55,8 +57,12 @@ class MakeOptions:
         """Share of the minutes for capture."""
         if self.goal is not None or self.minutes is None:
             return CAPTURE
+        return self.share_of(60.0 * self.minutes)
+
+    def share_of(self, seconds: float) -> float:
+        """Share of so much time for capture, in a single round."""
         widths = [PRESETS["surface"][name].model.width for name in self.presets]
-        return capture_share(60.0 * self.minutes, widths, self.device)
+        return capture_share(seconds, widths, self.device)
 
     @property
     def overlaps(self) -> bool:

@@ -18,16 +18,25 @@ from rna_export.export.extras import add_extras
 from rna_export.export.package_build import build_package
 from rna_export.export.precision import Precision
 from rna_export.make.capture_rounds import Rays, open_rays, rays_folder
+from rna_export.make.carry_on import (
+    before_folder,
+    begin_update,
+    finish,
+    go_on,
+    same_parts,
+    starts_of,
+)
+from rna_export.make.chosen_plan import chosen_plan, decoder_size, end_of, plan_text
 from rna_export.make.goal import Goal
 from rna_export.make.make_options import MakeOptions
 from rna_export.make.make_progress import Clock, Progress, Stage, quiet
 from rna_export.make.phases import Phase, Trainer, phase_folder, score, trained_in
-from rna_export.make.plan import FixedPlan, OpenPlan, Plan, TimedPlan, Verdict, verdict
-from rna_export.make.state import Last, Round, Score, State, load_state
+from rna_export.make.plan import Verdict, verdict
+from rna_export.make.state import Last, Round, Score, State, check_same, read_state
 from rna_export.training.checkpoint import Trained
-from rna_export.training.presets import PRESETS
 from rna_export.training.training_options import device_name
 from rna_export.training.validation import reference_warnings
+from rna_sdk.errors import TrainingError
 from rna_sdk.package import Manifest
 
 _RAYS, _PHASE, _LAST = 1.0, 1.0, 3.0  # weights of stages in the progress bar
@@ -57,12 +66,9 @@ class Make:
 
     def __init__(self, options: MakeOptions, begun: float, say: Callable[[str], None]):
         self._options, self._begun = options, begun
-        self._by_cost = sorted(options.presets, key=_decoder_size, reverse=True)
+        self._by_cost = sorted(options.presets, key=decoder_size, reverse=True)
         self._lead = self._by_cost[0]
-        self._state = load_state(options.work, options.asked) or self._first_state(say)
-        if self._state.rounds:
-            minutes = f"after {self._state.seconds / 60:.1f} min"
-            say(f"resuming {options.work} {minutes}, in round {len(self._state.rounds)}")
+        self._state = self._opened_state(say)
         self._spent_before = self._state.seconds
         self._trainer = Trainer(options.overlaps)
         self._seconds = dict.fromkeys(("capture", "training"), 0.0)
@@ -71,14 +77,15 @@ class Make:
             say(f"note: {note}")
         self._rays = Rays(options, dataset)
         self._goal = options.goal or Goal("min_psnr", math.inf)
-        self._plan = self._chosen_plan(dataset)
+        self._end = end_of(options, self._state)
+        self._plan = chosen_plan(options, self._state, dataset)
         geometries = {part.name: part.geometry() for part in dataset.parts}
-        say(f"{parts_lines(dataset.manifest.name, geometries)}{self._plan_text(dataset)}")
+        plan = plan_text(self._plan, options, self._state, dataset)
+        say(f"{parts_lines(dataset.manifest.name, geometries)}{plan}")
 
     def run(self) -> Made:
         """Capture and train to the end."""
-        minutes = self._options.minutes
-        clock = Clock(self._spent, None if minutes is None else 60.0 * minutes)
+        clock = Clock(self._spent, None if math.isinf(self._end) else self._end)
         self._progress = Progress(self._known_weight(), clock, self._finished_weight())
         try:
             stage = self._progress.stage("rendering validation images in Cycles", _RAYS)
@@ -102,8 +109,40 @@ class Make:
         finally:
             self._progress.close()
             self._save()
-        folders = tuple(self._best_folder(preset) for preset in self._options.presets)
+        best = {preset: self._best(preset) for preset in self._options.presets}
+        finish(self._state, self._options.work, best)
+        folders = tuple(folder for folder, _ in best.values())
         return Made(self._rays.dataset, why, len(self._state.rounds), folders, self._lead)
+
+    def _opened_state(self, say: Callable[[str], None]) -> State:
+        """That of the work folder, with what is asked for now; a new one if there is none."""
+        options = self._options
+        state = read_state(options.work)
+        if options.update and (state is None or state.is_finished or state.starts is None):
+            begin_update(options.work)
+            return self._first_state(say)
+        if state is None:
+            if options.more is not None:
+                raise TrainingError(
+                    f"{options.work}: found no rays to go on from, expected those of an rna-make "
+                    "without --discard"
+                )
+            return self._first_state(say)
+        new = check_same(state, options.asked, options.work, for_more=options.more is not None)
+        if options.more is not None:
+            go_on(state, options.work, options.more)
+        elif new and state.is_finished:
+            names = ", ".join(f"--{name}" for name in new)
+            raise TrainingError(f"{names}: is for new rays, and all are captured: give --more too")
+        if new:
+            Dataset(rays_folder(options)).change_settings(new)
+            settings = {**state.settings.settings, **new}
+            state.settings = state.settings.model_copy(update={"settings": settings})
+            state.save(options.work)
+        if state.rounds:
+            minutes = f"after {state.seconds / 60:.1f} min"
+            say(f"resuming {options.work} {minutes}, in round {len(state.rounds)}")
+        return state
 
     def _first_state(self, say: Callable[[str], None]) -> State:
         options = self._options
@@ -115,22 +154,18 @@ class Make:
         dataset = open_rays(options, self._begun, say)
         state = State(settings=options.asked, lights=dataset.manifest.settings.lights)
         state.seconds = monotonic() - self._begun
+        if options.update:
+            state.starts = same_parts(options.work, dataset)
+            for part in dataset.parts:
+                how = (
+                    "has the same geometry: its training starts from the old model"
+                    if part.name in state.starts
+                    else "has another geometry: its training starts anew"
+                )
+                say(f"{part.name} {how}")
         state.save(options.work)
         self._begun = monotonic()
         return state
-
-    def _chosen_plan(self, dataset: Dataset) -> Plan:
-        options, lights = self._options, self._state.lights
-        shard = dataset.manifest.settings.lights_per_shard
-        if options.minutes is not None:
-            seconds, tiers = 60.0 * options.minutes, len(options.presets)
-            share, has_goal = options.capture_share, options.goal is not None
-            return TimedPlan(lights, shard, seconds, tiers, has_goal, share, options.overlaps)
-        if options.fixes_lights:
-            return FixedPlan(lights, options.steps)
-        kinds = {part.kind for part in dataset.parts}
-        usual = max(PRESETS[kind][self._lead].training.steps for kind in kinds)
-        return OpenPlan(lights, shard, options.steps or usual)
 
     def _round(self) -> None:
         """The round that is not captured, or a new one, and its training."""
@@ -144,8 +179,10 @@ class Make:
             self._save()
         number, round_ = len(rounds) - 1, rounds[-1]
         stage = self._progress.stage(f"round {number + 1}: rendering light in Cycles", _RAYS)
+        begun = monotonic()
         with self._timed("capture"):
             self._rays.capture(round_, self._plan.capture_seconds(number, self._left()), stage)
+        self._state.capture_seconds += monotonic() - begun
         self._save()
         stage.done()
         self._train(number, round_)
@@ -168,7 +205,9 @@ class Make:
         work, lead = self._options.work, self._lead
         folder = phase_folder(work, lead, number)
         dataset, seed, device = self._rays.dataset, self._options.seed, self._options.device
-        phase = Phase(dataset, lead, round_.phase, folder, seed, device, self._options.picture)
+        starts = starts_of(self._state, work, lead, dataset)
+        picture = self._options.picture
+        phase = Phase(dataset, lead, round_.phase, folder, seed, device, picture, starts)
         with self._timed("training"):
             phase.run(shards, stage)
         stage.done()
@@ -189,7 +228,9 @@ class Make:
         if last.score is None:
             folder = phase_folder(self._options.work, preset, None)
             dataset, seed, device = self._rays.dataset, self._options.seed, self._options.device
-            phase = Phase(dataset, preset, last.phase, folder, seed, device, self._options.picture)
+            starts = starts_of(self._state, self._options.work, preset, dataset)
+            picture = self._options.picture
+            phase = Phase(dataset, preset, last.phase, folder, seed, device, picture, starts)
             with self._timed("training"):
                 phase.run(dataset.finished_shards(), stage)
             last.score = score(trained_in(folder, dataset), dataset)
@@ -206,20 +247,23 @@ class Make:
         captured = sum(r.is_captured for r in rounds)
         return self._plan.end if captured == self._plan.rounds else None
 
-    def _best_folder(self, preset: str) -> Path:
-        """Folder of the phase with the smallest error."""
-        result: dict[int | None, Score | None] = {}
+    def _best(self, preset: str) -> tuple[Path, Score]:
+        """Folder and score of the model with the smallest error."""
+        work, last = self._options.work, self._state.last.get(preset)
+        found: list[tuple[Path, Score | None]] = []
         if preset == self._lead:
-            result |= {k: r.score for k, r in enumerate(self._state.rounds)}
-        if preset in self._state.last:
-            result[None] = self._state.last[preset].score
-        errors = {k: self._goal.error_db(s) for k, s in result.items() if s is not None}
-        return phase_folder(self._options.work, preset, min(errors, key=errors.__getitem__))
+            rounds = enumerate(self._state.rounds)
+            found += [(phase_folder(work, preset, k), r.score) for k, r in rounds]
+        if last is not None:
+            found.append((phase_folder(work, preset, None), last.score))
+        if preset in self._state.before:
+            found.append((before_folder(work, preset), self._state.before[preset]))
+        scored = [(folder, score) for folder, score in found if score is not None]
+        return min(scored, key=lambda one: self._goal.error_db(one[1]))
 
     def _left(self) -> float:
-        """Seconds; infinite without --minutes."""
-        minutes = self._options.minutes
-        return math.inf if minutes is None else 60.0 * minutes - self._spent()
+        """Seconds; infinite without a limit."""
+        return self._end - self._spent()
 
     def _spent(self) -> float:
         return self._spent_before + monotonic() - self._begun
@@ -247,31 +291,14 @@ class Make:
         self._state.seconds = self._spent()
         self._state.save(self._options.work)
 
-    def _plan_text(self, dataset: Dataset) -> str:
-        """What is going to happen, in a line."""
-        rounds, presets = self._plan.rounds, " and ".join(self._options.presets)
-        settings = dataset.manifest.settings
-        rays = f"{self._state.lights:,} lights x {settings.rays:,} view rays"
-        if not self._options.fixes_lights:
-            rays += " are usual" if self._options.minutes is None else " fit into the time"
-        if rounds is None:
-            goal = (
-                "" if self._options.goal is None else f"the goal is met ({self._options.goal}) or "
-            )
-            until = f"until {goal}the error stops falling"
-            text = f"rounds of rendering in Cycles and training, {until}"
-        elif rounds == 1:
-            text = "rendering in Cycles"
-        else:
-            text = f"{rounds} rounds of rendering in Cycles and training"
-        return f"plan: {text} ({rays}); then the last training of {presets}, and the package"
-
     def _finished_weight(self) -> float:
         """Weight of the rounds that earlier runs finished, which have no stage any more."""
         return sum(_RAYS + _PHASE for round_ in self._state.rounds if round_.score is not None)
 
     def _known_weight(self) -> float:
         """Total weight of all known stages."""
+        if self._state.more is not None:
+            return 2.0 * _RAYS + _LAST * len(self._by_cost)
         rounds = self._plan.rounds or max(len(self._state.rounds), 1)
         phases = rounds if self._plan.rounds is None else rounds - 1
         return _RAYS * (1 + rounds) + _PHASE * phases + _LAST * len(self._by_cost)
@@ -290,11 +317,6 @@ def export(
     )
     add_extras(out, made.dataset, None, (), False, quiet)
     return manifest
-
-
-def _decoder_size(preset: str) -> int:
-    model = PRESETS["surface"][preset].model
-    return model.hidden_layers * model.width**2
 
 
 def _score_text(score: Score) -> str:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 from time import monotonic
@@ -32,7 +32,7 @@ class Phase:
     """A training of one preset, of all parts.
 
     folder: for checkpoints, one folder in it for each of several parts. picture: a file that shows
-    the model while it is trained; None for none.
+    the model while it is trained; None for none. starts: checkpoints of parts to start from.
     """
 
     dataset: Dataset
@@ -42,6 +42,7 @@ class Phase:
     seed: int
     device: str
     picture: Path | None = None
+    starts: Mapping[str, Path] = field(default_factory=dict)
 
     def run(self, shards: Sequence[Path], stage: Stage) -> None:
         """Train each part on the samples of these shards; parts that are finished are skipped."""
@@ -61,6 +62,7 @@ class Phase:
                 begun,
                 self.device,
                 after_checkpoint=partial(self._show, out),
+                start=self.starts.get(part.name),
             )
             table = SampleTable(part.samples_of(shards), device=self.device)
             train(run, table, quiet, stage.part(k / len(parts), 1 / len(parts)))

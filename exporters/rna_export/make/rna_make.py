@@ -27,6 +27,7 @@ from rna_export.export.package_options import (
     lobe_minutes,
 )
 from rna_export.export.precision import add_precision, precisions_of
+from rna_export.make.batch import check_outs, jobs_of, make_all
 from rna_export.training.presets import PRESETS
 from rna_export.training.training_options import add_device, chosen_device
 from rna_sdk.atomic_file import write_atomically
@@ -42,6 +43,7 @@ if TYPE_CHECKING:
     from rna_sdk.package import Manifest
 
 _GO_ON = "run the same command again to resume"
+_NOT_WITH_MORE = ("minutes", "lights", "steps", "max_error", "min_psnr", "update")
 _SETTINGS = (
     "samples",
     "rays",
@@ -67,9 +69,24 @@ def parser() -> argparse.ArgumentParser:
         "falling.\nThe same command resumes an interrupted run. Arguments after -- are passed to "
         "the source,\nas in rna-capture.",
     )
-    p.add_argument("model", type=Path, help="any model that rna-capture reads (path)")
     p.add_argument(
-        "--out", type=Path, metavar="RNA", help="output package (path, no default: required)"
+        "model",
+        nargs="+",
+        type=Path,
+        help="any model that rna-capture reads (path); several with --out-dir",
+    )
+    p.add_argument(
+        "--out",
+        type=Path,
+        metavar="RNA",
+        help="output package (path, no default: it or --out-dir is required)",
+    )
+    p.add_argument(
+        "--out-dir",
+        type=Path,
+        metavar="FOLDER",
+        help="folder for a package and a poster of each model, and a contact sheet (path, default: "
+        "none)",
     )
     goal = p.add_mutually_exclusive_group()
     goal.add_argument(
@@ -91,6 +108,19 @@ def parser() -> argparse.ArgumentParser:
         "(float, default: no limit)",
     )
     p.add_argument(
+        "--more",
+        type=float,
+        metavar="MINUTES",
+        help="go on from the rays of a finished run for so many minutes (float, default: none)",
+    )
+    p.add_argument(
+        "--update",
+        action="store_true",
+        help="capture a changed source anew, and start training from the old model where the "
+        "geometry is the same; takes a third of the time that was spent, or --minutes (default: "
+        "off)",
+    )
+    p.add_argument(
         "--lights",
         type=int,
         help="number of light directions; each preset is then trained once (int, default: rounds "
@@ -100,7 +130,6 @@ def parser() -> argparse.ArgumentParser:
         "--presets",
         nargs="+",
         choices=PRESETS["surface"],
-        default=["small"],
         help="one tier per preset, the default tier first; the target applies to the most "
         "expensive (default: small)",
     )
@@ -120,10 +149,12 @@ def parser() -> argparse.ArgumentParser:
         "--work",
         type=Path,
         metavar="FOLDER",
-        help="folder for rays and trainings, deleted at the end (path, default: OUT with suffix "
-        ".make)",
+        help="folder for rays and trainings, which --more and --update go on from (path, default: "
+        "OUT with suffix .make)",
     )
-    p.add_argument("--keep", action="store_true", help="keep the work folder (default: off)")
+    p.add_argument(
+        "--discard", action="store_true", help="delete the work folder at the end (default: off)"
+    )
     add_precision(p)
     add_credit(p)
     add_environment(p)
@@ -137,12 +168,15 @@ def main(argv: list[str] | None = None) -> int:
     options = parser()
     args = options.parse_args(joined_axes(command_line))
     if source_help.is_requested(arguments):
-        return run_command(lambda: source_help.show(args.model), args.debug, _GO_ON, "capture")
-    if args.out is None:
-        options.error("the following arguments are required: --out")
+        (model, *_) = args.model
+        return run_command(lambda: source_help.show(model), args.debug, _GO_ON, "capture")
+    check_outs(args, options)
     if args.minutes is not None and (args.lights is not None or args.steps is not None):
         options.error("--minutes sets --lights and --steps: give either it or them")
-    for name in ("minutes", "workers", "max_error", "min_psnr", "steps"):
+    for name in _NOT_WITH_MORE if args.more is not None else ():
+        if getattr(args, name):
+            options.error(f"--more has its own length: give no --{name.replace('_', '-')}")
+    for name in ("minutes", "more", "workers", "max_error", "min_psnr", "steps"):
         value = getattr(args, name)
         if value is not None and not 0 < value < math.inf:
             options.error(
@@ -150,11 +184,19 @@ def main(argv: list[str] | None = None) -> int:
             )
     if not 0 <= args.seed < 2**32:
         options.error(f"argument --seed: expected 0 to 2^32 - 1, found {args.seed}")
-    if len(set(args.presets)) < len(args.presets):
+    if args.presets and len(set(args.presets)) < len(args.presets):
         options.error(f"argument --presets: expected each once, found {' '.join(args.presets)}")
     check_settings(args, options)
     check_environment(args, options)
-    return run_command(lambda: _run(args, arguments, begun), args.debug, _GO_ON, "train")
+
+    def run() -> int:
+        jobs = jobs_of(args)
+        return make_all(jobs, lambda job: _run(job, arguments, monotonic()))
+
+    if args.out_dir is None:
+        (args.model,) = args.model
+        return run_command(lambda: _run(args, arguments, begun), args.debug, _GO_ON, "train")
+    return run_command(run, args.debug, _GO_ON, "train")
 
 
 def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> None:
@@ -167,6 +209,8 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     from rna_export.export.export_summary import closing_lines
     from rna_export.lobes.environment_training import add_lobes
     from rna_export.machine import keep_freed_memory
+    from rna_export.make.carried_options import carried_options
+    from rna_export.make.carry_on import size_of
     from rna_export.make.make_options import MakeOptions
     from rna_export.make.make_run import Make, export
     from rna_export.make.state import WRITTEN, is_work_folder
@@ -178,10 +222,13 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     given = [args.model] if args.for_scene is None else [args.model, args.for_scene]
     check_outputs([args.out], [*given, *args.environment_files])
     check_outside(work, [args.out, *given])
-    settings = {**given_settings(args), "seed": args.seed}
+    carried = carried_options(args, work, arguments)
+    arguments = carried.arguments
+    settings = {**carried.settings, **given_settings(args), "seed": carried.seed}
+    args.presets = list(carried.presets)
     goal = _goal(args)
     lobes_take = lobe_minutes(args)
-    minutes = None if args.minutes is None else args.minutes - lobes_take
+    minutes, more = (None if m is None else m - lobes_take for m in (carried.minutes, carried.more))
     precisions = precisions_of(args.precision, args.presets)
     source = Source.captured(args.model, arguments, CaptureSettings(**settings))
     for_scene = None if args.for_scene is None else read_scene(args.for_scene)
@@ -200,10 +247,12 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
                 goal=goal,
                 minutes=minutes,
                 steps=args.steps,
-                seed=args.seed,
+                seed=carried.seed,
                 device=device,
                 workers=CaptureWorkers(python, scratch, args.workers, executor, args.store),
                 picture=picture,
+                more=more,
+                update=args.update,
             )
             made = Make(options, begun, print).run()
         print("writing the package: measuring its error and cost, rendering its poster", flush=True)
@@ -212,13 +261,15 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
         lines = closing_lines(args.out, manifest, made.trained(), made.dataset)
         if args.environment:
             lines += add_lobes(args.out, args.out, lobes_take, args.environment_files)
-        others = [] if args.keep else folder.dissolve(*WRITTEN)
+        others = folder.dissolve(*WRITTEN) if args.discard else []
     if others:
         print(f"kept {work}: rna-make did not write {', '.join(others)}")
     print("\n".join([*lines, _outcome(made, manifest, goal)]))
     size = args.out.stat().st_size / 1e6
-    also_kept = f", {work}" if args.keep else ""
-    print(f"wrote {args.out}, {size:.2f} MB, {sheet_of(args.out)}{also_kept}")
+    print(f"wrote {args.out}, {size:.2f} MB, {sheet_of(args.out)}")
+    if not args.discard:
+        kept = f"kept {work}, {size_of([work]) / 1e6:,.0f} MB of rays and models"
+        print(f"{kept}: --more 10 goes on from them, --discard deletes them")
     if marked is not None:
         print(f"note: the exported geometry is not what Cycles renders; {marked} marks it")
     _tell_next(args)

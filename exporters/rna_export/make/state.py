@@ -12,7 +12,7 @@ from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import TrainingError
 
 _NAME = "make.json"
-WRITTEN = (_NAME, "rays", "runs", "scratch")
+WRITTEN = (_NAME, "rays", "runs", "before", "scratch")
 """Names of all that a run, of this version or an earlier one, writes into its work folder."""
 
 
@@ -62,16 +62,38 @@ class Last(BaseModel):
     score: Score | None = None
 
 
+class More(BaseModel):
+    """Minutes that were asked for later, by `rna-make --more`.
+
+    begun: seconds spent before them. rounds: that were captured before.
+    """
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    minutes: float
+    begun: float
+    rounds: int
+
+
 class State(BaseModel):
-    """Progress of a run. `save` writes it into the work folder."""
+    """Progress of a run. `save` writes it into the work folder.
+
+    before: scores of models that earlier minutes ended with, by preset; `before/PRESET` has them.
+    starts: parts whose training starts from these models: only their material has changed.
+    """
 
     model_config = ConfigDict(extra="forbid")
 
     settings: RunSettings
     lights: int  # that the capture was planned with
     seconds: float = 0.0  # spent so far
+    capture_seconds: float = 0.0  # of them, for rounds of rays
     rounds: list[Round] = []
     last: dict[str, Last] = {}
+    more: More | None = None
+    before: dict[str, Score] = {}
+    starts: tuple[str, ...] | None = None  # None: this is no update
+    is_finished: bool = False
 
     def save(self, work: Path) -> None:
         """The file is written atomically."""
@@ -83,25 +105,59 @@ def is_work_folder(folder: Path) -> bool:
     return (folder / _NAME).is_file()
 
 
-def load_state(work: Path, settings: RunSettings) -> State | None:
+def read_state(work: Path) -> State | None:
     """The state in a work folder; None if no make has begun there.
 
-    Raises `TrainingError` when it is damaged or belongs to a run with other settings.
+    Raises `TrainingError` when it is damaged.
     """
     path = work / _NAME
     if not path.is_file():
         return None
     try:
-        state = State.model_validate_json(path.read_bytes())
+        return State.model_validate_json(path.read_bytes())
     except ValidationError as error:
         raise TrainingError(
             f"{path}: {what_is_wrong(error)}; delete {work} to start over"
         ) from error
-    for name in RunSettings.model_fields:
-        begun, now = getattr(state.settings, name), getattr(settings, name)
-        if begun != now:
+
+
+_FOR_NEW_RAYS = ("sharpest", "samples")
+"""Settings of the capture that may change between rays of one dataset."""
+
+
+_OF_RAYS = ("source", "source_sha256", "arguments", "settings", "scene")
+"""Settings that rays depend on: more of them need the same."""
+
+
+def check_same(
+    state: State, asked: RunSettings, work: Path, for_more: bool
+) -> dict[str, int | float]:
+    """Settings of the capture that are new, for rays to come.
+
+    for_more: whether rays and models of the run are gone on from, not the run itself. Raises
+    `TrainingError` where the state belongs to a run with other settings.
+    """
+    begun = state.settings
+    if begun.source == asked.source and begun.source_sha256 != asked.source_sha256:
+        raise TrainingError(
+            f"{begun.source} has changed since its rays were captured: --update captures it anew "
+            f"and starts from the old model; or delete {work} to start over"
+        )
+    new = {}
+    for name in _FOR_NEW_RAYS:
+        value = asked.settings.get(name)
+        if value is not None and value != begun.settings.get(name):
+            assert isinstance(value, int | float)
+            new[name] = value
+    settings = {**asked.settings, **{k: begun.settings[k] for k in new if k in begun.settings}}
+    for name in new.keys() - begun.settings.keys():
+        settings.pop(name)
+    for name in _OF_RAYS if for_more else RunSettings.model_fields:
+        before = getattr(begun, name)
+        now = settings if name == "settings" else getattr(asked, name)
+        if before != now:
             raise TrainingError(
-                f"{work} was started with {name} {begun}, found {now}: delete it to start over, or "
-                "choose another --work"
+                f"{work} was started with {name} {before}, found {now}: delete it to start over, "
+                "or choose another --work"
             )
-    return state
+    return new

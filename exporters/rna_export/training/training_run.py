@@ -15,7 +15,7 @@ from tqdm import tqdm
 
 from rna_export.brightness import Brightness
 from rna_export.capture.dataset.dataset_part import DatasetPart
-from rna_export.training.checkpoint import load_progress, save_checkpoint
+from rna_export.training.checkpoint import load_checkpoint, load_progress, save_checkpoint
 from rna_export.training.model.emission import INPUTS
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.optimization import emission_batches
@@ -50,6 +50,7 @@ class Run:
     validations: int = 10  # over the run; the best checkpoint is one of as many
     base_color: bool = True  # whether the part's, if it has one, is a factor
     after_checkpoint: Callable[[], None] = lambda: None
+    start: Path | None = None  # checkpoint with the first weights; None: random ones
 
 
 def train(
@@ -88,6 +89,8 @@ def train(
     fitting = Fitting(run.preset, bounds, ceiling, unit, table.fields, emission, run.device)
     if saved:
         fitting.load(saved["fitting"])
+    elif run.start is not None:
+        fitting.start_from(load_checkpoint(run.start).model)
     best, so_far = run.out / "best.ckpt", run.out / _SO_FAR
     pace = _pace(run, begun, saved)
     batch = run.preset.training.batch

@@ -66,20 +66,47 @@ def _part(package: Package, index: int, has: list[str]) -> Info:
         "kind": record.kind,
         **counts,
         "has": has,
+        "images": _images(package, index),
         "proxies": list(package.proxy_heights(index)),
     }
 
 
+def _images(package: Package, part: int) -> list[Info]:
+    """The images of base colour, each once."""
+    images = {}
+    records = package.manifest.parts[part].base_color
+    for record, color in zip(records, package.base_color(part), strict=True):
+        if record.image is not None and color.image is not None:
+            height, width = color.image.shape[:2]
+            images[record.image] = {
+                "label": color.label,
+                "entry": record.image,
+                "width": width,
+                "height": height,
+                "bytes": package.manifest.entries[record.image].size,
+            }
+    return list(images.values())
+
+
 def contents(manifest: Manifest) -> list[tuple[Part, list[str]]]:
-    """Each part, and what it has beside geometry and transport: normal maps, emission, ..."""
+    """Each part, and what it has beside geometry and transport: normal maps, emission, ...
+
+    Decoders are those of the first tier.
+    """
     result, data = [], extension(manifest, Environment)
     lobes = data.parts if data else (None,) * len(manifest.parts)
     for part, tier_part, light in zip(manifest.parts, manifest.tiers[0].parts, lobes, strict=True):
-        named = {"transmittance": part.transmittance, "normal maps": part.normal_maps}
+        named = {
+            **{"transmittance": part.transmittance, "normal maps": part.normal_maps},
+            "base colour": part.base_color,
+        }
         has = [name for name, records in named.items() if records]
-        has += [decoder.form.name for decoder in tier_part.decoders[1:]]
+        has += [_DECODERS[decoder.form.name] for decoder in tier_part.decoders[1:]]
         result.append((part, [*has, *([f"{light.lobes} lobes"] if light else [])]))
     return result
+
+
+_DECODERS = {"shadowed": "a decoder of shadowed light", "emission": "emission"}
 
 
 def _tier(tier: Tier) -> Info:
@@ -104,6 +131,8 @@ def _tier_part(part: TierPart) -> Info:
         "channels": part.channels,
         "planes": part.plane_precision,
         "decoder": part.decoder_precision,
+        "shadowed": part.shadowed and part.shadowed.decoder_precision,
+        "uses_base_color": bool(part.uses_base_color),
     }
 
 
@@ -122,6 +151,8 @@ def _rows(info: Info) -> Iterator[tuple[str, str]]:
     if info["size_note"]:
         yield "note", info["size_note"]
     yield from _labelled("parts", map(_part_text, info["parts"]))
+    images = [image for part in info["parts"] for image in part["images"]]
+    yield from _labelled("images", map(_image_text, images))
     yield from _labelled("tiers", map(_tier_text, info["tiers"]))
     yield from _labelled("lobes", map(_lobes_text, info["lobes"] or ()))
     yield "directions", _directions_text(info["directions"])
@@ -150,6 +181,11 @@ def _part_text(part: Info) -> str:
     return f"{part['name']}: {part['kind']}, {', '.join([*counts, *part['has'], *proxies])}"
 
 
+def _image_text(image: Info) -> str:
+    size = f"{image['width']} x {image['height']} pixels, {image['bytes'] / 1e6:.3g} MB"
+    return f"{image['label']}: {size}, {image['entry']}"
+
+
 _COUNTS = ("triangles", "vertices", "strands", "points")
 
 
@@ -165,7 +201,8 @@ def _tier_text(tier: Info) -> str:
         cost = f"{tier['ns_per_query']:.0f} ns/query ({threads}, {tier['machine']})"
     first = tier["parts"][0]
     planes = f"{first['resolution']}^2 x {first['channels']} {first['planes']} planes"
-    return f"{tier['name']}: {error}; {cost}; {planes}, {first['decoder']} decoder"
+    shadowed = f", {first['shadowed']} for shadowed light" if first["shadowed"] else ""
+    return f"{tier['name']}: {error}; {cost}; {planes}, {first['decoder']} decoder{shadowed}"
 
 
 def _lobes_text(error: Info) -> str:

@@ -79,7 +79,7 @@ def _colors(path: Path, package: Package) -> dict[int, np.ndarray]:
     colors = {}
     for i, part in enumerate(load(path).parts):
         if part.kind == "surface" and not (standin and standin.parts[i].metallic):
-            colors[i] = np.minimum(surface_colors(part, part.mesh.positions, part.mesh.normals), 1)
+            colors[i] = np.minimum(surface_colors(part), 1)
     return colors
 
 

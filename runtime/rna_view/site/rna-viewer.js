@@ -12,7 +12,7 @@ canvas:focus-visible { outline: 2px solid #fff; outline-offset: -2px; }
 :host([camera-controls]) canvas { cursor: grab; }
 :host([camera-controls]) canvas.dragging { cursor: grabbing; }
 #hotspots { position: absolute; inset: 0; pointer-events: none; }
-#hotspots slot { display: block; position: absolute; transform: translate(-50%, -50%); pointer-events: auto; }
+#hotspots slot { display: flex; position: absolute; transform: translate(-50%, -50%); pointer-events: auto; }
 #hotspots .unseen { visibility: hidden; }
 #poster { pointer-events: none; }
 ::slotted([slot="poster"]) { pointer-events: auto; }

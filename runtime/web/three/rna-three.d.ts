@@ -8,7 +8,7 @@ export interface RnaOptions {
   environmentSamples?: number;
   /** Points of a RectAreaLight along each of its sides. Default 2. */
   areaSamples?: number;
-  /** Largest mean FLIP of the tier that is chosen by size. Default 0.05. */
+  /** Largest mean FLIP, of the asset's pixels, of the tier that is chosen by size. Default 0.1. */
   maxError?: number;
 }
 

@@ -9,10 +9,13 @@ import { flag, propertyOf, READERS } from "../src/element/attributes.js";
 const here = dirname(fileURLToPath(import.meta.url)), web = join(here, ".."), root = join(web, "../.."), out = process.argv[2];
 const docs = readFileSync(join(root, "docs/element.md"), "utf8");
 
-/** Rows of the tables of docs/element.md about something: [name, meaning] by the first column. */
-const rows = (heading) => [...docs.split(`## ${heading}\n`)[1].split("\n## ")[0].matchAll(/^\| `?([^|`]*)`? \| ([^|]*) \|/gm)]
-  .map(([, name, meaning]) => [name.trim(), meaning.replace(/\[([^\]]*)\]\([^)]*\)/g, "$1").replaceAll("`", "").trim()])
-  .filter(([name, meaning]) => !/^-+$/.test(name) && !["attribute", "event", "slot", "name"].includes(name) && meaning !== "content");
+/** [name, meaning] of what a table of docs/element.md lists; the name is empty for the default slot. */
+const rows = (heading) => docs.split(`## ${heading}\n`)[1].split("\n\n").map((text) => text.trim()).find((text) => text.startsWith("|"))
+  .split("\n").slice(2).flatMap((row) => {
+    const [cell, meaning] = row.split("|").slice(1).map((text) => text.trim()), names = [...cell.matchAll(/`([^`]+)`/g)].map(([, name]) => name);
+    const plain = meaning.replace(/\[([^\]]*)\]\([^)]*\)/g, "$1").replaceAll("`", "");
+    return (names.length ? names : [""]).map((name) => [name, plain]);
+  });
 
 const said = new Map(rows("Attributes"));
 const attributes = Object.entries(READERS).map(([name, read]) => {

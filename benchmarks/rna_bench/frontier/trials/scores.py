@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 from pydantic import BaseModel, ConfigDict
 
+from rna_export.asset_flip import asset_flip
 from rna_export.capture.dataset.validation_view import CapturedImage
 from rna_export.metrics import (
     NoiselessPsnr,
@@ -19,6 +20,7 @@ from rna_export.metrics import (
     to_png,
 )
 from rna_export.pictures import write_picture
+from rna_export.training.asset_error import image_flip, picture_exposures, smallest_factor
 from rna_export.training.validation import exposure
 
 
@@ -33,13 +35,14 @@ class ViewScores(BaseModel):
 
 
 class ModelScores(BaseModel):
-    """Means over the images, as `rna_export.metrics` defines them."""
+    """Means over the images, as `rna_export.metrics` and `asset_flip` define them."""
 
     model_config = ConfigDict(frozen=True)
 
     psnr: float
     psnr_without_noise: NoiselessPsnr
     flip: float
+    flip_p95: float
     p99: float
     relative_mse: float
     views: tuple[ViewScores, ...]
@@ -50,29 +53,35 @@ def judge(
 ) -> tuple[ModelScores, list[np.ndarray]]:
     """Scores of shaded rows, (n, 3) a view, against the captured ones; FLIP maps (h, w)."""
     pairs, e = [(r, v.reference, v) for r, v in zip(radiance, views, strict=True)], exposure(views)
-    flips = [flip(view.image(r), view.image(t), e) for r, t, view in pairs]
+    exposures, size = picture_exposures(views), smallest_factor(views)
+    errors = [
+        image_flip(r, view, x, size) for (r, _, view), x in zip(pairs, exposures, strict=True)
+    ]
     each = [
-        ViewScores(psnr=psnr(r, t, e), flip=mean, p99=relative_error_p99(r, t))
-        for (r, t, _), (mean, _) in zip(pairs, flips, strict=True)
+        ViewScores(psnr=psnr(r, t, e), flip=error.mean, p99=relative_error_p99(r, t))
+        for (r, t, _), error in zip(pairs, errors, strict=True)
     ]
     clean = [psnr_without_noise(r, view.halves[0], view.halves[1], e) for r, _, view in pairs]
+    of_asset = asset_flip(errors)
     scores = ModelScores(
         psnr=float(np.mean([view.psnr for view in each])),
         psnr_without_noise=NoiselessPsnr.mean(clean),
-        flip=float(np.mean([view.flip for view in each])),
+        flip=of_asset.mean,
+        flip_p95=of_asset.p95,
         p99=float(np.mean([view.p99 for view in each])),
         relative_mse=float(np.mean([relative_mse(r, t) for r, t, _ in pairs])),
         views=tuple(each),
     )
-    return scores, [errors for _, errors in flips]
+    shown = zip(pairs, exposures, strict=True)
+    return scores, [flip(view.image(r), view.image(t), x)[1] for (r, t, view), x in shown]
 
 
 def write_strips(
     stem: Path, radiance: list[np.ndarray], views: Sequence[CapturedImage], flips: list[np.ndarray]
 ) -> None:
     """`<stem>-render.png` and `<stem>-flip.png` (grey): all views in a row."""
-    e = exposure(views)
-    renders = [to_png(view.image(rows), e) for rows, view in zip(radiance, views, strict=True)]
+    shown = zip(radiance, views, picture_exposures(views), strict=True)
+    renders = [to_png(view.image(rows), e) for rows, view, e in shown]
     errors = np.clip(255.0 * np.concatenate(flips, axis=1) + 0.5, 0, 255).astype(np.uint8)
     write_picture(stem.with_name(f"{stem.name}-render.png"), np.concatenate(renders, axis=1))
     write_picture(stem.with_name(f"{stem.name}-flip.png"), errors)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
 from pathlib import Path
 
@@ -27,7 +28,7 @@ def files_of(source: str) -> dict[str, list[str]]:
     kinds: dict[str, str] = {}
     for path in [*_opened, *(getattr(m, "__file__", None) or "" for m in [*sys.modules.values()])]:
         kinds[os.path.abspath(path)] = "travel" if _is_below(path, folder) else "fixed"
-    for path in bpy.utils.blend_paths(absolute=False, packed=False, local=False):
+    for path in _of_blender():
         # What an importer names in Blender by an absolute path lies where the source says.
         imported = not source.endswith(".blend") and _is_below(path, folder)
         kind = "travel" if path.startswith("//") or imported else "fixed"
@@ -38,6 +39,39 @@ def files_of(source: str) -> dict[str, list[str]]:
         if os.path.isfile(path) and not any(_is_below(path, other) for other in _not_the_users()):
             result[kind].append(path)
     return {name: [p for p in paths if "__pycache__" not in p] for name, paths in result.items()}
+
+
+def _of_blender() -> list[str]:
+    """Paths that Blender names, as they are stored: with all tiles and frames of images."""
+    paths = bpy.utils.blend_paths(absolute=False, packed=False, local=False)
+    for image in bpy.data.images:
+        if image.source == "TILED":
+            numbers = [tile.number for tile in image.tiles]
+            paths += [image.filepath.replace("<UDIM>", str(n)) for n in numbers]
+            paths += [image.filepath.replace("<UVTILE>", _uv_tile(n)) for n in numbers]
+        elif image.source == "SEQUENCE":
+            paths += _frames(image.filepath)
+    return paths
+
+
+def _uv_tile(number: int) -> str:
+    """Mari's number of a tile: u1_v1 for 1001."""
+    v, u = divmod(number - 1001, 10)
+    return f"u{u + 1}_v{v + 1}"
+
+
+def _frames(path: str) -> list[str]:
+    """Images of a sequence: those whose names differ in the last number alone."""
+    numbered = re.fullmatch(r"(.*?)\d+(\D*)", path, re.DOTALL)
+    if numbered is None:
+        return []
+    begin, end = numbered.groups()
+    folder, name = os.path.split(bpy.path.abspath(begin))
+    pattern = re.compile(re.escape(name) + r"(\d+)" + re.escape(end))
+    if not os.path.isdir(folder):
+        return []
+    found = (pattern.fullmatch(each) for each in sorted(os.listdir(folder)))
+    return [f"{begin}{match[1]}{end}" for match in found if match]
 
 
 def _is_below(path: str, folder: str) -> bool:

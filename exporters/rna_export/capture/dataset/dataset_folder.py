@@ -152,7 +152,11 @@ class Dataset:
 
     def plan_lights(self, lights: int) -> None:
         """Change the planned number of lights; those captured already stay the same."""
-        settings = self.manifest.settings.model_copy(update={"lights": lights})
+        self.change_settings({"lights": lights})
+
+    def change_settings(self, changes: Mapping[str, int | float]) -> None:
+        """Change settings of what is not captured yet."""
+        settings = self.manifest.settings.model_copy(update=dict(changes))
         self.manifest = self.manifest.model_copy(update={"settings": settings})
         self.manifest.write(self.folder / "manifest.json")
 

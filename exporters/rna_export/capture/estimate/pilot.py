@@ -125,6 +125,11 @@ def measure_pilot(
     )
 
 
+def pilot_paths(settings: CaptureSettings) -> int:
+    """Paths that a pilot of the usual lights traces at most."""
+    return 3 * LIGHTS * min(_RAYS, settings.rays) * settings.samples
+
+
 def variances(luminance: np.ndarray, samples: int) -> tuple[float, float]:
     """Of a path along a fixed ray, and within a pixel, of what rays showed.
 

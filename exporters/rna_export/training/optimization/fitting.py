@@ -8,7 +8,7 @@ from typing import Any
 import torch
 from torch import Tensor
 
-from rna_export.training.model.neural_asset import new_model
+from rna_export.training.model.neural_asset import NeuralAsset, new_model
 from rna_export.training.model.shadow import RELATIVE_UNIT
 from rna_export.training.model.triplane import Triplane
 from rna_export.training.optimization.emission_batches import EmissionBatches
@@ -126,6 +126,14 @@ class Fitting:
             "optimizers": [optimizer.state_dict() for optimizer in self._optimizers],
             "steps": self._done,
         }
+
+    def start_from(self, model: NeuralAsset) -> None:
+        """Take over the weights of a trained model that have a place of the same shape here."""
+        found = dict(model.named_parameters())
+        with torch.no_grad():
+            for name, values in self.model.named_parameters():
+                if name in found and found[name].shape == values.shape:
+                    values.copy_(found[name])
 
     def load(self, state: dict[str, Any]) -> None:
         """Go on from a `state`."""

@@ -1,0 +1,73 @@
+"""Options of an `rna-make` that goes on from an earlier one: what is not given is that one's."""
+
+from __future__ import annotations
+
+import argparse
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from rna_export.make.state import State, read_state
+from rna_sdk.errors import TrainingError
+
+_PRESETS = ("small",)
+_UPDATE = 1 / 3  # of the time that was spent
+_LEAST = 0.1  # minutes that are worth going on for
+
+
+@dataclass(frozen=True)
+class CarriedOptions:
+    """What a run takes over: see `MakeOptions`. settings: but for those that are given."""
+
+    presets: tuple[str, ...]
+    arguments: tuple[str, ...]
+    settings: dict[str, Any]
+    seed: int
+    minutes: float | None
+    more: float | None
+
+
+def carried_options(
+    args: argparse.Namespace, work: Path, arguments: tuple[str, ...]
+) -> CarriedOptions:
+    """The options of this command, with those of the run in the work folder if it goes on from it.
+
+    `--minutes` above those of the run there are more minutes for it. Raises `TrainingError` for a
+    damaged run, and where no time is left.
+    """
+    state = read_state(work)
+    more = args.more if state is None else _more(args, state)
+    given = tuple(args.presets or ())
+    if state is None or not (more or args.update):
+        presets = given or _PRESETS
+        return CarriedOptions(presets, arguments, {}, args.seed, args.minutes, more)
+    before = state.settings
+    minutes = before.minutes
+    if args.update and (state.is_finished or args.minutes is not None):
+        minutes = args.minutes or round(max(1.0, _UPDATE * state.seconds / 60.0), 2)
+    return CarriedOptions(
+        given or before.presets,
+        arguments or before.arguments,
+        {k: v for k, v in before.settings.items() if k != "lights" or not args.update},
+        args.seed or before.seed,
+        minutes,
+        more,
+    )
+
+
+def _more(args: argparse.Namespace, state: State) -> float | None:
+    """Minutes to go on for; None if this is not asked."""
+    before = state.settings.minutes
+    if args.more is not None or args.update or args.minutes is None or before is None:
+        return args.more
+    if args.minutes == before:
+        return None
+    spent = state.seconds / 60.0
+    if state.more is not None and not state.is_finished:
+        spent = state.more.begun / 60.0
+    if args.minutes < spent + _LEAST:
+        raise TrainingError(
+            f"--minutes {args.minutes:g}: {spent:.1f} are spent already, expected more; --more 10 "
+            "goes on for another 10"
+        )
+    return float(args.minutes - spent)
