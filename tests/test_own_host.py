@@ -59,6 +59,23 @@ def test_its_visibility_is_the_renderers(names: dict) -> None:
     assert (free == blocked).mean() < 0.002  # edges and outlines, by rounding
 
 
+def test_its_strands_are_the_renderers(names: dict) -> None:
+    """What rays hit, where, and what lies in shadow, against Embree; ties at joints differ."""
+    scene, hits = PartsScene([names["curves"]]), len(names["k"])
+    eye, views = names["eye"], names["views"]
+    seen = scene.intersect(eye, views)
+    assert hits > 20 and hits == np.count_nonzero(seen.geometry >= 0)
+    seen = seen.take(np.flatnonzero(seen.geometry >= 0))
+    points = scene.points(0, seen.primitive, seen.u, seen.v, seen.ng)
+    same = points.segment == names["k"]
+    assert same.mean() > 0.9
+    np.testing.assert_allclose(points.x[same], names["hit"][same], atol=2e-6)
+    np.testing.assert_allclose(points.n[same], names["normal"][same], atol=0.02)
+    free = scene.visible(0, points, names["wi"])
+    assert 0.1 < free.mean() < 0.9
+    assert (free == names["in_shadow"]).mean() < 0.1
+
+
 def test_lobes_are_looked_up_in_a_sky(names: dict, tmp_path: Path) -> None:
     """A sky of one colour is the sum of the amplitudes; another adds light where lobes look up."""
     with Package.open(REPOSITORY / "examples" / "quickstart" / "toy.rna") as package:

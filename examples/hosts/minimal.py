@@ -104,7 +104,8 @@ def input_blocks(planes, p, h, axis, wo, wi):
     f, n, t = triplane(planes, p), axis, axis
     bent = n + 0.1 * np.pad(f, ((0, 0), (0, 3)))[:, :3]  # features move highlights
     q = np.where(length(bent) < 1e-6, n, unit(bent))
-    m, around_q = half_vector(wo, wi, n), half_vector(wo, wi, q)
+    opposite = length(wi + wo) < 1e-6
+    m = np.where(opposite, 0, unit(wi + wo))  # 0 for one across n, q and wi
     s_o, s_i, turned_o, turned_i = dot(t, wo), dot(t, wi), np.cross(t, wo), np.cross(t, wi)
     d = length(turned_o) * length(turned_i)
     cos_phi, sin_phi = dot(turned_o, turned_i) / d, dot(t, np.cross(wo, wi)) / d
@@ -119,8 +120,8 @@ def input_blocks(planes, p, h, axis, wo, wi):
         "normal": n,
         "tangent": t,
         "half_vector": np.hstack([dot(n, m), gap(n, m), dot(n, wi), dot(n, wo), dot(wi, m)]),
-        "highlight": np.log2(length(np.cross(n, m)) ** 2 + 1e-8) / 12,
-        "learned_normal": np.hstack([dot(q, around_q), gap(q, around_q)]),
+        "highlight": np.log2(np.where(opposite, 1, length(np.cross(n, m))) ** 2 + 1e-8) / 12,
+        "learned_normal": np.hstack([dot(q, m), gap(q, m)]),
         "fiber_angles": np.hstack(
             [s_i, s_o, along, np.log2(along**2 + 1e-3) / 6, cos_phi, sin_phi]
         ),
@@ -128,14 +129,9 @@ def input_blocks(planes, p, h, axis, wo, wi):
     }
 
 
-def half_vector(wo, wi, instead):
-    """Unit; `instead` where the directions are opposite."""
-    return np.where(length(wi + wo) < 1e-6, instead, unit(wi + wo))
-
-
 def gap(n, m):
     """1 - n.m on a scale that resolves highlights."""
-    return np.log2(length(n - m) ** 2 / 2 + 1e-4) / 6
+    return np.log2(np.maximum(1 - dot(n, m), 0) + 1e-4) / 6
 
 
 def dot(a, b):

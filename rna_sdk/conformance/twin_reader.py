@@ -10,9 +10,8 @@ import sys
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.conformance.base_color_hits import HIT
 from rna_sdk.conformance.lobe_queries import LobeQueries, answer_of
-from rna_sdk.conformance.reader_program import run_reader
+from rna_sdk.conformance.reader_program import BASE_COLOR_HIT, run_reader
 from rna_sdk.package import Mesh, Package, Planes, float_planes
 from rna_sdk.package.decoder.decoder_form import form_named
 from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS, in_order
@@ -61,7 +60,7 @@ def _sum(output: Rows, base_color: Rows) -> Rows:
 
 def base_color(package: str, records: bytes) -> Rows:
     """(n, 3): the base colour of n hits on meshes."""
-    hits = np.frombuffer(records, HIT)
+    hits = np.frombuffer(records, BASE_COLOR_HIT)
     result = np.empty((len(hits), 3), np.float32)
     with Package.open(package) as opened:
         for part in np.unique(hits["part"]).tolist():
@@ -80,7 +79,8 @@ def environment(package: str, tier: str, part: int, queries: LobeQueries) -> Row
         valid = _valid(arrays) & np.isfinite(queries.free)
         arguments = {name: rows[valid] for name, rows in arrays.items()}
         arguments["wi"] = mirror_reference(kind, arguments["axis"], arguments["wo"])
-        inputs = _queries(opened, part, environment.planes, environment.record.inputs, arguments)
+        of = environment.planes, environment.record.inputs
+        inputs = _queries(opened, part, *of, arguments, of_lobes=True)
         if environment.harmonics is not None:
             corners, weights = _corners(opened, part, queries)
             mixed = visibility_reference(environment.harmonics, corners[valid], weights[valid])
@@ -115,13 +115,18 @@ def _valid(arrays: dict[str, Rows]) -> NDArray[np.bool_]:
 
 
 def _queries(
-    opened: Package, part: int, planes: Planes, inputs: tuple[str, ...], arrays: dict[str, Rows]
+    opened: Package,
+    part: int,
+    planes: Planes,
+    inputs: tuple[str, ...],
+    arrays: dict[str, Rows],
+    of_lobes: bool = False,
 ) -> Rows:
     """(n, K): the blocks of these inputs."""
     at, axis, h, wo, wi = in_order(arrays)
     place = float_planes(planes), opened.manifest.parts[part].bounds.corners(), inputs
     if opened.manifest.parts[part].kind == "surface":
-        return queries_reference(*place, at, axis, wo, wi)
+        return queries_reference(*place, at, axis, wo, wi, of_lobes)
     return fiber_queries_reference(*place, at, axis, h, wo, wi)
 
 

@@ -19,8 +19,12 @@ _MOST_CELLS = 96
 """Cells of the grid along its longest side."""
 
 _TIE = 1e-3
-"""Surfaces whose distance differs by less than this share of the reach are told apart by normals:
-those of a mouth that is closed."""
+"""Surfaces whose distance differs by less than this share of the reach are told apart: a triangle
+with a corner there goes before one that only touches the place, then by normals, as those of a
+mouth that is closed."""
+
+_CORNER = 1.0 - 1e-6
+"""Weight from which on a place is a corner of its triangle."""
 
 
 def nearest_places(
@@ -180,7 +184,8 @@ def _search(
                         way = difference(combined(a, b, c, w[0], w[1], w[2]), p)
                         length = math.sqrt(dot(way, way))
                         ng = direction(cross(difference(b, a), difference(c, a)))
-                        score = length + _TIE * reach * (1.0 - dot(n, ng))
+                        unlike = 1.0 - dot(n, ng) - (max(w) > _CORNER)
+                        score = length + _TIE * reach * unlike
                         lower = score < best or (score == best and t < result[row])
                         if length <= reach and lower:
                             best = score

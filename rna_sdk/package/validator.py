@@ -109,14 +109,14 @@ def _check_entries(result: Inspection, container: Container, manifest: Manifest)
             issue = Issue.of(Code.ENTRY_SIZE, f"{where}/size", f"{size} bytes", record.size)
             result.issues.append(issue)
             continue
-        digest = hashlib.sha256(container.view(name)).hexdigest()
-        if digest != record.sha256:
-            issue = Issue.of(Code.ENTRY_HASH, f"{where}/sha256", digest, record.sha256)
-            result.issues.append(issue)
-            continue
         with result.collect():
             container.check_crc(name)
-            intact.add(name)
+            digest = hashlib.sha256(container.view(name)).hexdigest()
+            if digest == record.sha256:
+                intact.add(name)
+            else:
+                issue = Issue.of(Code.ENTRY_HASH, f"{where}/sha256", digest, record.sha256)
+                result.issues.append(issue)
     return intact
 
 

@@ -27,20 +27,23 @@ def queries_reference(
     normals: NDArray[np.floating],
     wo: NDArray[np.floating],
     wi: NDArray[np.floating],
+    of_lobes: bool = False,
 ) -> NDArray[np.float32]:
     """(n, K) float32: the blocks named in `inputs`, side by side, for points of a surface.
 
     planes: (3, R, R, C); bounds: (2, 3) lower and upper corner; positions, normals, wo, wi:
-    (n, 3), finite, object space, directions of any length but zero.
+    (n, 3), finite, object space, directions of any length but zero. of_lobes: wi is the mirror
+    direction of wo, and the half vector is n.
     """
     n, o, i = unit(normals), unit(wo), unit(wi)
+    m = n if of_lobes else _halfway(o, i)
     blocks: Blocks = {
         **_common_blocks(planes, bounds, positions, o, i),
         "normal": lambda: n,
-        "half_vector": lambda: _half_vector(n, o, i),
-        "highlight": lambda: _highlight(n, o, i),
+        "half_vector": lambda: _half_vector(n, o, i, m),
+        "highlight": lambda: _highlight(n, m),
     }
-    blocks["learned_normal"] = lambda: _learned_normal(n, blocks["features"](), o, i)
+    blocks["learned_normal"] = lambda: _learned_normal(n, blocks["features"](), m)
     return _joined(blocks, inputs)
 
 
@@ -115,37 +118,40 @@ def _bilinear(plane: NDArray[np.floating], u: Float, v: Float) -> Float:
     return result
 
 
-def _half_vector(n: Float, wo: Float, wi: Float) -> Float:
-    """(n, 5): n.h, log2(1 - min(n.h, 1) + 1e-4) / 6, n.wi, n.wo, wi.h."""
-    h = _halfway(n, wo, wi)
-    n_h = _dot(n, h)
-    log_gap = np.log2(1 - np.minimum(n_h, 1) + 1e-4) / 6
-    return np.stack([n_h, log_gap, _dot(n, wi), _dot(n, wo), _dot(wi, h)], axis=1)
+def _half_vector(n: Float, wo: Float, wi: Float, m: Float) -> Float:
+    """(n, 5): n.m, log2(1 - min(n.m, 1) + 1e-4) / 6, n.wi, n.wo, wi.m."""
+    return np.stack([*_along(n, m), _dot(n, wi), _dot(n, wo), _dot(wi, m)], axis=1)
 
 
-def _learned_normal(n: Float, features: Float, wo: Float, wi: Float) -> Float:
-    """(n, 2): q.h, log2(1 - min(q.h, 1) + 1e-4) / 6, with q along n + 0.1 (f0, f1, f2)."""
+def _along(n: Float, m: Float) -> tuple[Float, Float]:
+    """n.m, log2(1 - min(n.m, 1) + 1e-4) / 6."""
+    cosine = _dot(n, m)
+    return cosine, np.log2(1 - np.minimum(cosine, 1) + 1e-4) / 6
+
+
+def _learned_normal(n: Float, features: Float, m: Float) -> Float:
+    """(n, 2): q.m, log2(1 - min(q.m, 1) + 1e-4) / 6, with q along n + 0.1 (f0, f1, f2)."""
     bend = np.zeros((len(features), 3))
     bend[:, : features.shape[1]] = features[:, :3]
     q = n + BEND * bend
     length = np.linalg.norm(q, axis=1, keepdims=True)
     nothing = length < 1e-6
     q = np.where(nothing, n, q / np.where(nothing, 1, length))
-    return _half_vector(q, wo, wi)[:, :2]
+    return np.stack(_along(q, m), axis=1)
 
 
-def _highlight(n: Float, wo: Float, wi: Float) -> Float:
-    """(n, 1): log2(|n x h|^2 + 1e-8) / 12."""
-    aside = np.cross(n, _halfway(n, wo, wi))
-    return np.log2(_dot(aside, aside) + 1e-8)[:, None] / 12
+def _highlight(n: Float, m: Float) -> Float:
+    """(n, 1): log2(|n x m|^2 + 1e-8) / 12, and 0 of opposite directions."""
+    aside = np.where(m.any(axis=1), np.linalg.norm(np.cross(n, m), axis=1), 1)
+    return np.log2(aside**2 + 1e-8)[:, None] / 12
 
 
-def _halfway(n: Float, wo: Float, wi: Float) -> Float:
-    """Unit, n where directions are opposite."""
-    h = wi + wo
-    length = np.linalg.norm(h, axis=1, keepdims=True)
+def _halfway(wo: Float, wi: Float) -> Float:
+    """m, unit; 0 where directions are opposite, whose m is across n, q and wi."""
+    m = wi + wo
+    length = np.linalg.norm(m, axis=1, keepdims=True)
     opposite = length < 1e-6
-    return np.where(opposite, n, h / np.where(opposite, 1, length))
+    return np.where(opposite, 0, m / np.where(opposite, 1, length))
 
 
 def _fiber_angles(t: Float, wo: Float, wi: Float) -> Float:

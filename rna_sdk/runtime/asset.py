@@ -228,6 +228,9 @@ class AssetPart(Asset):
         entries = package.manifest.entries
         self._digests = entries[tier_part.planes].sha256, entries[tier_part.decoder].sha256
         self._geometry: Mesh | Curves = package.geometry(part, pixels)
+        for array in vars(self._geometry).values():
+            if isinstance(array, np.ndarray):  # who wrote to it would move the rest of `deformed`
+                array.flags.writeable = False
         proxied = any(pixels <= height for height in package.proxy_heights(part))
         lobes = None if proxied else package.environment(part)
         self._lobes = None if lobes is None else PartLobes(lobes, record, threads)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from os import PathLike
 
 from rna_sdk.cpu import thread_count
+from rna_sdk.errors import QueryError
 from rna_sdk.package import Package, Tier
 from rna_sdk.runtime.asset import CompositeAsset
 from rna_sdk.runtime.fiber_asset import FiberAsset
@@ -37,7 +38,8 @@ def load(
 
     Raises:
         PackageError: the file cannot be read or violates the format.
-        QueryError: no tier has this name or is good enough, or an argument is invalid.
+        QueryError: no tier has this name or is good enough, or an argument is invalid, such as a
+            path that is none.
 
     Examples:
         >>> asset = load("toy.rna", min_psnr=30.0)
@@ -46,6 +48,8 @@ def load(
         >>> asset.mesh.positions.dtype
         dtype('float32')
     """
+    if not isinstance(path, str | PathLike):
+        raise QueryError(f"path: expected the name of a package, found {type(path).__name__}")
     count = thread_count(threads)
     with Package.open(path) as package:
         record = choose_tier(package, tier, min_psnr, max_error, pixels)

@@ -80,7 +80,9 @@ class PartLobes:
         from rna_sdk.runtime.engine.tiles import QueryFiller, TileEvaluator
 
         lobes = self._lobes
-        filler = QueryFiller(lobes.planes, self._part.bounds, lobes.record, self._part.kind)
+        filler = QueryFiller(
+            lobes.planes, self._part.bounds, lobes.record, self._part.kind, of_lobes=True
+        )
         chain = decoder_from_bytes(lobes.decoder, lobes.record.decoder)
         decoder = Decoder(chain, filler.largest_query)
         return TileEvaluator(filler, decoder, self._threads)

@@ -58,25 +58,29 @@ def fiber_columns(
 
 
 def _log_gap(n: mi.Vector3f, m: mi.Vector3f) -> mi.Float:
+    """m: unit, or 0 for one across n."""
     off = n - m
-    return dr.log2(dr.dot(off, off) / 2 + 1e-4) / 6
+    gap = dr.select(dr.all(m == 0), 1, dr.dot(off, off) / 2)
+    return dr.log2(gap + 1e-4) / 6
 
 
 def _half_vector(n: mi.Vector3f, wo: mi.Vector3f, wi: mi.Vector3f) -> Columns:
-    m = half_vector(wo, wi, n)
+    m = half_vector(wo, wi)
     return [dr.dot(n, m), _log_gap(n, m), dr.dot(n, wi), dr.dot(n, wo), dr.dot(wi, m)]
 
 
 def _highlight(n: mi.Vector3f, wo: mi.Vector3f, wi: mi.Vector3f) -> Columns:
-    across = dr.cross(n, half_vector(wo, wi, n))
-    return [dr.log2(dr.dot(across, across) + 1e-8) / 12]
+    m = half_vector(wo, wi)
+    across = dr.cross(n, m)
+    square = dr.select(dr.all(m == 0), 1, dr.dot(across, across))
+    return [dr.log2(square + 1e-8) / 12]
 
 
 def _learned_normal(n: mi.Vector3f, features: Columns, wo: mi.Vector3f, wi: mi.Vector3f) -> Columns:
     first = [*features, 0, 0][:3]
     bent = n + 0.1 * mi.Vector3f(*first)
     q = dr.select(length(bent) < 1e-6, n, unit(bent))
-    m = half_vector(wo, wi, q)
+    m = half_vector(wo, wi)
     return [dr.dot(q, m), _log_gap(q, m)]
 
 

@@ -88,10 +88,15 @@ def asset(
         motion: a motion file of `rna-motion` that bends the asset; None is the asset at rest.
         frame: of the motion, from 0; it may lie between two.
 
+    Raises:
+        PackageError, QueryError: the package, the tier or the transform cannot be used. Mitsuba
+            would say so behind a traceback.
+
     Example:
         >>> entry = asset("toy.rna", to_world=mi.ScalarTransform4f().translate([0, 0, -1]))
         >>> scene = mi.load_dict({"type": "scene", "toy": entry, "sky": {"type": "constant"}})
     """
+    load_package(str(mi.file_resolver().resolve(os.fspath(path))), tier)
     entry: dict[str, Any] = {"type": "rna", "filename": os.fspath(path)}
     if tier is not None:
         entry["tier"] = tier
@@ -99,7 +104,9 @@ def asset(
         entry |= {"motion": os.fspath(motion), "frame": float(frame)}
     if to_world is not None:
         matrix = getattr(to_world, "matrix", to_world)
-        entry["to_world"] = mi.ScalarTransform4f(np.array(matrix, float).reshape(4, 4))
+        numbers = np.array(matrix, float).reshape(4, 4)
+        Transform(numbers)  # raises if not a similarity
+        entry["to_world"] = mi.ScalarTransform4f(numbers)
     return entry
 
 

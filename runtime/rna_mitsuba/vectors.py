@@ -45,14 +45,14 @@ def length(v: mi.Vector3f) -> mi.Float:
     return dr.select(square > 0, dr.sqrt(dr.select(square > 0, square, 1)), 0)
 
 
-def half_vector(wo: mi.Vector3f, wi: mi.Vector3f, instead: mi.Vector3f) -> mi.Vector3f:
-    """Unit, halfway of wo and wi; `instead` where they are opposite."""
+def half_vector(wo: mi.Vector3f, wi: mi.Vector3f) -> mi.Vector3f:
+    """Unit, halfway of wo and wi; 0 where they are opposite."""
     s, e = wi + wo, wi - wo
     nearly_opposite = dr.dot(s, s) < dr.dot(e, e)
     e2 = dr.select(nearly_opposite, dr.dot(e, e), 1)
     s = dr.select(nearly_opposite, s - e * (dr.dot(s, e) / e2), s)
     size = length(s)
-    return dr.select(size < 1e-6, instead, s / dr.select(size < 1e-6, 1, size))
+    return dr.select(size < 1e-6, 0, s / dr.select(size < 1e-6, 1, size))
 
 
 def components(*vectors: mi.Vector3f) -> list[mi.Float]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 import json
 import zipfile
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -92,9 +93,11 @@ def _blocks(formulas: Formulas, planes: np.ndarray, p: np.ndarray, h: np.ndarray
     def blocks(wo: np.ndarray, wi: np.ndarray) -> dict[str, np.ndarray]:
         bent = n + F(0.1) * np.pad(f, ((0, 0), (0, 3)))[:, :3]
         q = np.where(length(bent) < F(1e-6), n, unit(bent))
-        m, around_q = _half_vector(formulas, wo, wi, n), _half_vector(formulas, wo, wi, q)
+        m = _half_vector(formulas, wo, wi)
+        opposite = ~m.any(axis=1, keepdims=True)
+        gap = partial(_gap, formulas, m, opposite)
         s_o, s_i, along = dot(n, wo), dot(n, wi), dot(n, wi) + dot(n, wo)
-        across = cross(n, m)
+        across = np.where(opposite, F(1), dot(cross(n, m), cross(n, m)))
         c_o, cos_phi, sin_phi = _azimuth(formulas, n, wo, wi)
         cone = np.log2(along * along + F(1e-3)) / F(6)
         return {
@@ -105,9 +108,9 @@ def _blocks(formulas: Formulas, planes: np.ndarray, p: np.ndarray, h: np.ndarray
             "h": h[:, None],
             "wo": wo,
             "wi": wi,
-            "half_vector": np.hstack([dot(n, m), _gap(formulas, n, m), s_i, s_o, dot(wi, m)]),
-            "highlight": np.log2(dot(across, across) + F(1e-8)) / F(12),
-            "learned_normal": np.hstack([dot(q, around_q), _gap(formulas, q, around_q)]),
+            "half_vector": np.hstack([dot(n, m), gap(n), s_i, s_o, dot(wi, m)]),
+            "highlight": np.log2(across + F(1e-8)) / F(12),
+            "learned_normal": np.hstack([dot(q, m), gap(q)]),
             "fiber_angles": np.hstack([s_i, s_o, along, cone, cos_phi, sin_phi]),
             "fiber_lobes": _lobes(h[:, None], s_o, c_o, cos_phi, sin_phi),
         }
@@ -128,19 +131,17 @@ def _triplane(planes: np.ndarray, p: np.ndarray) -> np.ndarray:
     return total
 
 
-def _half_vector(
-    formulas: Formulas, wo: np.ndarray, wi: np.ndarray, instead: np.ndarray
-) -> np.ndarray:
+def _half_vector(formulas: Formulas, wo: np.ndarray, wi: np.ndarray) -> np.ndarray:
     s, e = wi + wo, wi - wo
     if formulas.half_vector:
-        opposite = dot(s, s) < dot(e, e)
-        s = np.where(opposite, s - e * (dot(s, e) / np.where(opposite, dot(e, e), F(1))), s)
-    return np.where(length(s) < F(1e-6), instead, unit(s))
+        nearly = dot(s, s) < dot(e, e)
+        s = np.where(nearly, s - e * (dot(s, e) / np.where(nearly, dot(e, e), F(1))), s)
+    return np.where(length(s) < F(1e-6), F(0), unit(s))
 
 
-def _gap(formulas: Formulas, n: np.ndarray, m: np.ndarray) -> np.ndarray:
+def _gap(formulas: Formulas, m: np.ndarray, opposite: np.ndarray, n: np.ndarray) -> np.ndarray:
     gap = dot(n - m, n - m) / F(2) if formulas.gap else F(1) - np.minimum(dot(n, m), F(1))
-    return np.log2(gap + F(1e-4)) / F(6)
+    return np.log2(np.where(opposite, F(1), gap) + F(1e-4)) / F(6)
 
 
 def _azimuth(formulas: Formulas, t: np.ndarray, wo: np.ndarray, wi: np.ndarray):

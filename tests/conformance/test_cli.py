@@ -112,13 +112,13 @@ def test_a_command_that_is_not_there(capsys: pytest.CaptureFixture[str]) -> None
         ("pass", "the reader wrote no file, expected"),
         ("print('all is lost', file=sys.stderr); sys.exit(3)", "exit status 3: all is lost"),
         (
-            "n = len(open(call[4], 'rb').read()) // 52; m = len(open(call[4], 'rb').read()) // 40\n"
+            "n = len(open(call[4], 'rb').read()) // 64; m = len(open(call[4], 'rb').read()) // 40\n"
             "open(call[5], 'wb').write(bytes(24 * n if call[0] == 'evaluate' else 12 * m))",
             "): found 0 0 0",
         ),
         (
             "n = len(open(call[4], 'rb').read()); transport = call[0] == 'evaluate'\n"
-            "n = n // 52 * 6 if transport else n // 40 * 3\n"
+            "n = n // 64 * 6 if transport else n // 40 * 3\n"
             "import struct; open(call[5], 'wb').write(struct.pack('<f', float('nan')) * n)",
             "found nan nan",
         ),

@@ -155,7 +155,7 @@ def test_a_reader_that_is_wrong_in_one_place_fails(
 def test_few_rows_of_int8_may_differ_by_a_step(
     rows: int, steps: float, passes: bool, kit: Kit
 ) -> None:
-    """2% of 403 are 8; of a float32 decoder, none may."""
+    """2% of 412 are 8; of a float32 decoder, none may."""
 
     def evaluate(form: str, package: str, tier: str, part: int, _: object) -> np.ndarray:
         query = package, tier, part, form

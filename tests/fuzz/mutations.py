@@ -194,6 +194,8 @@ _TEXT: list[Change] = [_change_number, _change_number, _change_line, change_byte
 _CHANGES: dict[str, list[Change]] = {
     ".gltf": [_change_json, _change_json, _change_buffer, change_bytes],
     ".glb": [change_bytes, _change_number],
+    ".rnam": [_change_number, change_word, change_bytes],
+    ".json": [_change_json, _change_json, change_text],
     ".obj": _TEXT,
     ".ply": _TEXT,
     ".yaml": _TEXT,

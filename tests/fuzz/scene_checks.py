@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +15,14 @@ from rna_render.materials import SRGB, Texture, read_alpha, read_texels
 from rna_render.scene import DiffuseModel, read_scene
 from rna_render.world.placements import Placement, mesh_light
 from rna_sdk.errors import RnaError
+from tests.fuzz.motion_files import GLTF_MOTIONS, MOTION_FILES, check_motion
 from tests.fuzz.scene_seeds import ENVIRONMENTS, MESHES, SCENES, TEXTURES
+from tests.fuzz.training_files import (
+    CHECKPOINTS,
+    MANIFESTS,
+    check_checkpoint,
+    check_manifest,
+)
 
 MOST_QUERIES = 48
 LONGEST_MESSAGE = 1000
@@ -111,9 +119,21 @@ def _check_scene(path: Path) -> None:
         load_world(scene_file)
 
 
+def _checked(arrays: Callable[[Path], list[tuple[str, np.ndarray]]]) -> Callable[[Path], None]:
+    def check_arrays(path: Path) -> None:
+        for name, values in arrays(path):
+            _finite(name, values)
+
+    return check_arrays
+
+
 _CHECKS: dict[str, Any] = {
     MESHES: _check_mesh,
     ENVIRONMENTS: _check_environment,
     TEXTURES: _check_texture,
     SCENES: _check_scene,
+    GLTF_MOTIONS: _checked(check_motion),
+    MOTION_FILES: _checked(check_motion),
+    CHECKPOINTS: _checked(check_checkpoint),
+    MANIFESTS: _checked(check_manifest),
 }

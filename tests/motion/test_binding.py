@@ -80,6 +80,23 @@ def test_surfaces_that_touch_part_in_motion() -> None:
     assert (upper.corners < count).all() and (lower.corners >= count).all()
 
 
+def test_a_vertex_of_the_source_goes_before_a_triangle_that_touches_it() -> None:
+    """Another piece ends on a vertex of a smooth sheet, and faces as the vertex's normal does."""
+    leaning = np.float32([0.6, 0.8, 0])
+    touched = SOURCE.positions[40]
+    across = np.float32([[-0.8, 0.6, 0], [0, 0, 1]])
+    piece = touched + 0.05 * (np.float32([[-1, -1], [2, -1], [-1, 2]]) @ across)
+    if np.cross(piece[1] - piece[0], piece[2] - piece[0]) @ leaning < 0:
+        piece = piece[::-1]
+    count = len(SOURCE.positions)
+    both = np.concatenate([SOURCE.positions, piece.astype(np.float32)])
+    triangles = np.concatenate([SOURCE.triangles, np.uint32([[count, count + 1, count + 2]])])
+    sheet = Mesh(SOURCE.positions, np.tile(leaning, (count, 1)), None, SOURCE.triangles)
+    (binding,) = bind([sheet], both, triangles)
+    both[count:] += np.float32([0, 1, 0])
+    np.testing.assert_allclose(binding.positions(both)[40], touched, atol=1e-6)
+
+
 def test_strands_follow_the_motion_of_their_roots() -> None:
     roots = SOURCE.positions[::7].astype(float)
     points = np.stack([roots + h * SOURCE.normals[::7] for h in (0, 0.1, 0.2)], axis=1)

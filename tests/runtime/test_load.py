@@ -10,6 +10,7 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -138,6 +139,22 @@ def test_a_broken_package_is_refused(tiers_path: Path, tmp_path: Path) -> None:
 def test_threads_are_the_cores_of_the_process_by_default(tiers_path: Path) -> None:
     assert load(tiers_path).threads == len(os.sched_getaffinity(0))
     assert load(tiers_path, threads=3).threads == 3
+
+
+@pytest.mark.parametrize("path", [None, 3, ["toy.rna"]])
+def test_a_path_that_is_none_is_said(path: Any) -> None:
+    message = f"^path: expected the name of a package, found {type(path).__name__}$"
+    with pytest.raises(QueryError, match=message):
+        load(path)
+
+
+def test_the_rest_shape_cannot_be_written(asset_path: Callable[..., Path]) -> None:
+    for kind in ("surface", "fiber"):
+        asset = load(asset_path(kind=kind))
+        geometry = asset.mesh if kind == "surface" else asset.curves
+        for array in (value for value in vars(geometry).values() if value is not None):
+            with pytest.raises(ValueError, match="read-only"):
+                array[...] = 0
 
 
 def test_geometry_and_bounds_come_with_the_asset(tiers_path: Path) -> None:

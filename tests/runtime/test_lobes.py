@@ -57,8 +57,11 @@ def test_lobes_are_those_of_the_package_evaluated_by_hand(part: Part, path: Path
         lobes = package.environment(number)
         box = package.manifest.parts[number].bounds.corners()
     place = float_planes(lobes.planes), box, lobes.record.inputs
-    make = queries_reference if part.kind == "surface" else fiber_queries_reference
-    blocks = make(*place, *at, mirror_reference(part.kind, at[1], at[-1]))
+    mirror = mirror_reference(part.kind, at[1], at[-1])
+    if part.kind == "surface":
+        blocks = queries_reference(*place, *at, mirror, of_lobes=True)
+    else:
+        blocks = fiber_queries_reference(*place, *at, mirror)
     session = ort.InferenceSession(bytes(lobes.decoder), providers=["CPUExecutionProvider"])
     queries = np.hstack([blocks, visibility])
     (output,) = session.run(["environment"], {"queries": queries})

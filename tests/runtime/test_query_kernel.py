@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -66,13 +68,24 @@ def test_planes_are_xy_yz_zx_with_u_along_rows() -> None:
     np.testing.assert_allclose(queries, [[111]], rtol=1e-4)
 
 
-def test_half_vector_is_the_normal_where_directions_are_opposite() -> None:
-    points = random_points(50)
-    points = Points(points.positions, points.normals, points.wo, -points.wo)
-    queries, valid = filled(make_planes(8, 4), points, ("half_vector",))
+def test_blocks_of_opposite_directions_are_in_the_middle_of_those_nearby() -> None:
+    """Half vectors around one pair of opposite directions turn once around them."""
+    inputs, planes = ("half_vector", "highlight", "learned_normal"), make_planes(8, 4)
+    points = random_points(64)[np.zeros(64, np.int64)]
+    o = points.wo[0].astype(float)
+    side = np.cross(o, points.normals[0])
+    side /= np.linalg.norm(side)
+    turn = np.arange(64)[:, None] * np.pi / 32
+    around = 1e-3 * (np.cos(turn) * side + np.sin(turn) * np.cross(o, side))
+    nearby, valid = filled(planes, replace(points, wi=np.float32(around - o)), inputs)
+    exactly, _ = filled(planes, replace(points, wi=-points.wo), inputs)
     assert valid.all()
-    np.testing.assert_allclose(queries[:, 0], 1, atol=1e-6)
-    np.testing.assert_allclose(queries[:, 1], np.log2(1e-4) / 6, atol=1e-5)
+    cosines = [0, 2, 3, 4, 6]  # of m with n, wi and q; of n with wi and wo
+    np.testing.assert_allclose(exactly[0, cosines], nearby[:, cosines].mean(axis=0), atol=1e-3)
+    # Where m is across n they agree in all; q is another vector: its gap is among those nearby.
+    across = nearby[[0, 32]].mean(axis=0)
+    np.testing.assert_allclose(exactly[0, [1, 5]], across[[1, 5]], atol=1e-3)
+    assert nearby[:, 7].min() < exactly[0, 7] < nearby[:, 7].max()
 
 
 def test_features_lean_the_learned_normal() -> None:

@@ -3,10 +3,10 @@
     python -m tests.web.first_seconds OUT.json before=OLD/rna-viewer.js after=NEW/rna-viewer.js
 
 For each bundled asset, the builds in turn: when the first picture of the asset is seen, when the
-element says `load`, and when a picture is first seen whose FLIP to the converged one is at most 0.1
-and 0.05. Each is told in seconds since the page began, in seconds of the browser's processors, which
-other programs on the machine hardly change, and in bytes of the package that were fetched. WebGPU in
-software, so that these processors do all of the work.
+element says `load`, and when a picture is first seen whose FLIP to the converged one is at most
+0.1 and 0.05. Each is told in seconds since the page began, in seconds of the browser's
+processors, which other programs on the machine hardly change, and in bytes of the package that
+were fetched. WebGPU in software, so that these processors do all of the work.
 """
 
 from __future__ import annotations
@@ -54,7 +54,8 @@ PAGE = """<!doctype html><style>
     .reduce((sum, own) => sum + own.encodedBodySize, 0);
   const sheet = new OffscreenCanvas(WIDTH, HEIGHT).getContext("2d", { willReadFrequently: true });
   function take() {
-    const { stage, parts } = one, { scale, rounds } = stage.viewer.stats, figures = { seconds: now() };
+    const { stage, parts } = one, { scale, rounds } = stage.viewer.stats;
+    const figures = { seconds: now() };
     sheet.drawImage(stage.canvas, 0, 0);
     const { data } = sheet.getImageData(0, 0, WIDTH, HEIGHT);
     Object.assign(figures, { scale, rounds, bytes: bytes() });
@@ -126,7 +127,7 @@ def processor_seconds() -> Callable[[], float]:
 
 
 def load(page: Page, folder: Path, url: str, build: str, package: str, goal: np.ndarray) -> Any:
-    """Figures of one load; it ends when all goals are met, or with as many samples as the goal has."""
+    """Figures of one load, until all goals are met or it has as many samples as the goal."""
     processors = processor_seconds()
     show(page, folder, url, build, package)
     found: dict[str, Any] = {}

@@ -23,7 +23,8 @@ from tests.web.test_page import write_image
 ELEMENT_SOURCES = REPOSITORY / "runtime" / "web" / "src" / "element"
 AGAIN = "one.stage.engine && one.stage.engine !== before && one.stage.viewer?.stats.rounds"
 TWO = f"""
-<rna-viewer id="one" src="tiny.rna" alt="A tiny thing" camera-controls {SMALL}></rna-viewer>
+<rna-viewer id="one" src="tiny.rna" alt="A tiny thing" camera-controls interpolation-decay="0"
+  {SMALL}></rna-viewer>
 <rna-viewer id="two" src="fibers.rna" sun="10deg 20deg 3" {SMALL}></rna-viewer>
 """
 

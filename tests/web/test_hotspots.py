@@ -15,6 +15,7 @@ pytestmark = pytest.mark.chromium
 
 MESH = make_mesh()
 CORNERS = MESH.positions[MESH.triangles].astype(np.float64)
+JUMPS = 'interpolation-decay="0"'
 BOXES = """Object.fromEntries([...one.children].map((own) => {
     const { left, top, width, height } = own.getBoundingClientRect();
     const isSeen = getComputedStyle(own).visibility === "visible" && width > 0;
@@ -32,7 +33,7 @@ def shown(page, folder, url) -> None:
         f' data-visibility-attribute="visible" style="width: 6px; height: 4px">{name}</button>'
         for name, position in (("front", "0m 0m 0.386m"), ("back", "0m -0.2m -0.708m"))
     )
-    element = f'<rna-viewer id="one" src="spots.rna" camera-controls {view} {SMALL}>'
+    element = f'<rna-viewer id="one" src="spots.rna" camera-controls {view} {SMALL} {JUMPS}>'
     show(page, folder, url, f"{element}{spots}</rna-viewer>")
     loads(page, "one")
 
@@ -134,3 +135,43 @@ def test_the_prompt_is_for_those_who_have_not_moved_it(page):
     page.wait_for(prompt, TIMEOUT)
     page.evaluate("one._prompt(), new Promise((resolve) => setTimeout(resolve, 3500))")
     assert page.evaluate(prompt)
+
+
+@pytest.mark.usefixtures("shown")
+def test_the_camera_glides_to_where_it_is_put(page):
+    page.evaluate("one.interpolationDecay = 200, one.resetView(), 0")
+    page.evaluate("globalThis.turns = [], one.cameraOrbit = '350deg 60deg 4m', 0")
+    assert page.evaluate("one.cameraOrbit") == "-10deg 60deg 4m"
+    tell = "() => turns.push((one.stage.orbit.azimuth * 180) / Math.PI)"
+    page.evaluate(f"one.stage.addEventListener('shown', {tell}), 0")
+    page.wait_for("!one.stage.glide.goal", TIMEOUT)
+    page.wait_for("one.stage.viewer.stats.rounds === 1 && !one.stage.viewer.moving", TIMEOUT)
+    turns = page.evaluate("turns")
+    # The shorter way, nearer with each picture, then all samples of the last one.
+    assert len(turns) > 3 and turns == sorted(turns, reverse=True)
+    assert 350 < turns[0] <= 360.001 and turns[-1] == pytest.approx(350)
+    page.evaluate("one.stage.isStill = true, one.cameraOrbit = '20deg 60deg 4m', 0")
+    assert page.evaluate("one.stage.glide.goal === null")
+    page.evaluate("one.stage.isStill = false, one.interpolationDecay = 0, 0")
+
+
+@pytest.mark.usefixtures("shown")
+def test_pictures_come_where_changes_come_faster(page):
+    """A picture that takes longer than the next change is shown all the same."""
+    page.evaluate("""(async () => {
+        const { viewer, engine, orbit } = one.stage, done = engine.done;
+        globalThis.pictures = 0;
+        one.stage.addEventListener("shown", () => { pictures += 1; });
+        engine.done = async () => {
+            await new Promise((resolve) => setTimeout(resolve, 60));
+            return done.call(engine);
+        };
+        for (let k = 0; k < 40; k++) {
+            orbit.turn(0.01, 0);
+            viewer.restart(true);
+            await new Promise((resolve) => setTimeout(resolve, 15));
+        }
+        engine.done = done;
+        viewer.restart();
+    })()""")
+    assert page.evaluate("pictures") >= 3

@@ -1,4 +1,4 @@
-"""The poster and the first view are one camera, and the poster stays until a picture is as sharp."""
+"""The poster and the first view are one camera; the poster stays until a picture is as sharp."""
 
 from __future__ import annotations
 

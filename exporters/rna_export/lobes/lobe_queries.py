@@ -32,7 +32,8 @@ class QueryRows:
     def __init__(self, package: Package, tier: str, part: int, visibility_columns: int) -> None:
         """package: open. visibility_columns: of ViewPoints.visibility, or 0 to leave it out."""
         own, record = package.tier(tier).parts[part], package.manifest.parts[part]
-        self._filler = QueryFiller(package.planes(tier, part), record.bounds, own, record.kind)
+        planes = package.planes(tier, part)
+        self._filler = QueryFiller(planes, record.bounds, own, record.kind, of_lobes=True)
         self._blocks, self._visibility = query_width(own.inputs, own.channels), visibility_columns
         self.inputs, self.columns = own.inputs, self._blocks + visibility_columns
 

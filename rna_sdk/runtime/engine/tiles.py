@@ -35,11 +35,20 @@ class QueryFiller:
         largest_query: no number in the queries is further from 0.
     """
 
-    def __init__(self, planes: Planes, bounds: Bounds, part: TierPartFields, kind: Kind) -> None:
+    def __init__(
+        self,
+        planes: Planes,
+        bounds: Bounds,
+        part: TierPartFields,
+        kind: Kind,
+        of_lobes: bool = False,
+    ) -> None:
+        """of_lobes: wi is the mirror direction, and the half vector of the blocks the normal."""
         low, high = bounds.corners().astype(np.float64)
         self._box = np.stack([low, 1 / (high - low)])
         self._columns = block_columns(part.inputs, part.channels)
         self._channels, self._resolution = part.channels, part.resolution
+        self._of_lobes = of_lobes
         # Planes stay as they are in the file, converted as they are read: less memory and cache.
         texels, scales = _parts(planes)
         if self._resolution == 1:  # the same everywhere, like four equal texels
@@ -74,6 +83,7 @@ class QueryFiller:
             self._resolution,
             self._box,
             self._columns,
+            self._of_lobes,
             *sources,
             queries,
             valid,

@@ -56,17 +56,28 @@ def put(queries: Rows, row: int, column: int, values: Any) -> None:
 
 @compiled()
 def put_surface(
-    queries: Rows, row: int, columns: NDArray[np.int64], n: Any, wo: Any, wi: Any, bend: Any
+    queries: Rows,
+    row: int,
+    columns: NDArray[np.int64],
+    n: Any,
+    wo: Any,
+    wi: Any,
+    bend: Any,
+    of_lobes: bool,
 ) -> None:
-    """The blocks of surfaces alone, in LANES rows from `row` on; bend: of `learned_normal`."""
+    """The blocks of surfaces alone, in LANES rows from `row` on; bend: of `learned_normal`.
+
+    of_lobes: the half vector is n (12.1), which that of wo and its mirror direction is but for
+    its sign.
+    """
     put(queries, row, columns[NORMAL], n)
-    h, opposite = halfway(wo, wi)
+    m, opposite = halfway(n, n) if of_lobes else halfway(wo, wi)
     if columns[HALF_VECTOR] >= 0:
-        put(queries, row, columns[HALF_VECTOR], half_vector(n, wo, wi, h, opposite))
+        put(queries, row, columns[HALF_VECTOR], half_vector(n, wo, wi, m, opposite))
     if columns[HIGHLIGHT] >= 0:
-        put(queries, row, columns[HIGHLIGHT], (highlight(n, h, opposite),))
+        put(queries, row, columns[HIGHLIGHT], (highlight(n, m, opposite),))
     if columns[LEARNED_NORMAL] >= 0:
-        put(queries, row, columns[LEARNED_NORMAL], learned_normal(n, bend, h, opposite))
+        put(queries, row, columns[LEARNED_NORMAL], learned_normal(n, bend, m, opposite))
 
 
 @compiled()

@@ -59,6 +59,7 @@ def query_kernel(kind: str, channels: int, precision: str) -> QueryKernel:
         resolution  int
         box         (2, 3) float64, lower corner and 1 / extent of the bounds
         columns     int64, of `block_columns`
+        of_lobes    bool, of the blocks of lobes: wi is the mirror direction, the half vector n
         positions, axes, h, wo, wi  those of INPUT_ARRAYS; n is LANES or more
         queries     (n, K) float32, written
         valid       (n,) bool, written: False where an argument is NaN or infinite or a
@@ -73,6 +74,7 @@ def query_kernel(kind: str, channels: int, precision: str) -> QueryKernel:
         types.intp,
         _BOX,
         _COLUMNS,
+        types.boolean,
         *(_SCALARS if array.columns == 1 else _VECTORS for array in INPUT_ARRAYS),
         types.float32[:, ::1],
         types.boolean[::1],
@@ -83,6 +85,7 @@ def query_kernel(kind: str, channels: int, precision: str) -> QueryKernel:
         resolution: int,
         box: NDArray[np.float64],
         columns: NDArray[np.int64],
+        of_lobes: bool,
         positions: Rows,
         axes: Rows,
         h: NDArray[np.float32],
@@ -137,7 +140,7 @@ def query_kernel(kind: str, channels: int, precision: str) -> QueryKernel:
                 bend = axis  # where no block reads it
                 if columns[LEARNED_NORMAL] >= 0:
                     bend = first_three(gathered, first, stride, channels)
-                put_surface(queries, row, columns, axis, o, l, bend)
+                put_surface(queries, row, columns, axis, o, l, bend, of_lobes)
             store_mask(valid, start, known)
             if not everywhere(known):
                 _clear(queries, row, valid)

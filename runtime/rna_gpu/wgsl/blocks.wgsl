@@ -30,9 +30,9 @@ fn rna_common_blocks(x: vec3f, wo: vec3f, wi: vec3f) -> vec3f {
     return first.xyz;
 }
 
-// Halfway between wo and wi, `instead` where they are opposite ("In float32": the difference of
-// their lengths goes).
-fn rna_halfway(wo: vec3f, wi: vec3f, instead: vec3f) -> vec3f {
+// Halfway between wo and wi, 0 where they are opposite, for a vector across n, q and wi ("In
+// float32": the difference of their lengths goes).
+fn rna_halfway(wo: vec3f, wi: vec3f) -> vec3f {
     var s = wi + wo;
     let e = wi - wo;
     let square = dot(e, e);
@@ -41,7 +41,7 @@ fn rna_halfway(wo: vec3f, wi: vec3f, instead: vec3f) -> vec3f {
     }
     let size = length(s);
     if size < 1e-6 {
-        return instead;
+        return vec3f(0.0);
     }
     return s / size;
 }

@@ -17,7 +17,7 @@ struct RnaLobe {
 fn rna_run_lobes(
     x: vec3f, axis: vec3f, h: f32, wo: vec3f, m: vec3f, visibility: array<vec4f, 4>,
 ) -> u32 {
-    rna_put_queries(x, axis, h, wo, m);
+    rna_put_queries(x, axis, h, wo, m, axis); // the half vector of surfaces is n
     let first = rna_part.query_groups - RNA_VISIBILITY_GROUPS;
     for (var k = 0u; k < RNA_VISIBILITY_GROUPS; k++) {
         rna_values[first + k] = visibility[k];

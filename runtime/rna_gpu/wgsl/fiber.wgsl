@@ -3,11 +3,12 @@
 // x: object space, metres. t (root to tip), wo, wi: unit; h: offset across the width; all finite.
 // An emission decoder reads no wi.
 fn rna_fiber(x: vec3f, t: vec3f, h: f32, wo: vec3f, wi: vec3f) -> RnaTransport {
-    rna_put_queries(x, t, h, wo, wi);
+    rna_put_queries(x, t, h, wo, wi, wi);
     return rna_decode(vec3f(1.0));
 }
 
-fn rna_put_queries(x: vec3f, t: vec3f, h: f32, wo: vec3f, wi: vec3f) {
+// The last argument is the half vector of surfaces.
+fn rna_put_queries(x: vec3f, t: vec3f, h: f32, wo: vec3f, wi: vec3f, m: vec3f) {
     rna_common_blocks(x, wo, wi);
     rna_fiber_blocks(t, clamp(h, -1.0, 1.0), wo, wi);
 }

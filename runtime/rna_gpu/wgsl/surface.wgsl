@@ -3,13 +3,14 @@
 // x: object space, metres. n, wo, wi: unit, away from the surface; all finite. An emission decoder
 // reads no wi, and one without factors no base colour.
 fn rna_surface(x: vec3f, n: vec3f, wo: vec3f, wi: vec3f, base_color: vec3f) -> RnaTransport {
-    rna_put_queries(x, n, 0.0, wo, wi);
+    rna_put_queries(x, n, 0.0, wo, wi, rna_halfway(wo, wi));
     return rna_decode(base_color);
 }
 
-fn rna_put_queries(x: vec3f, n: vec3f, h: f32, wo: vec3f, wi: vec3f) {
+// m: the half vector.
+fn rna_put_queries(x: vec3f, n: vec3f, h: f32, wo: vec3f, wi: vec3f, m: vec3f) {
     let features = rna_common_blocks(x, wo, wi);
-    rna_surface_blocks(n, features, wo, wi);
+    rna_surface_blocks(n, features, wo, wi, m);
 }
 
 fn rna_query(

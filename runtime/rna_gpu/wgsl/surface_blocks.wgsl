@@ -1,9 +1,9 @@
 // Input blocks of surfaces alone: spec/RNA.md, 6.3 Input blocks and "In float32".
 
-// log2(1 - min(n.m, 1) + 1e-4) / 6
+// log2(1 - min(n.m, 1) + 1e-4) / 6; m: unit, or 0 for one across n
 fn rna_log_gap(n: vec3f, m: vec3f) -> f32 {
     let gap = n - m;
-    return log2(0.5 * dot(gap, gap) + 1e-4) / 6.0;
+    return log2(select(0.5 * dot(gap, gap), 1.0, all(m == vec3f(0.0))) + 1e-4) / 6.0;
 }
 
 fn rna_half_vector(slot: u32, n: vec3f, m: vec3f, wo: vec3f, wi: vec3f) {
@@ -15,10 +15,11 @@ fn rna_half_vector(slot: u32, n: vec3f, m: vec3f, wo: vec3f, wi: vec3f) {
 
 fn rna_highlight(slot: u32, n: vec3f, m: vec3f) {
     let aside = cross(n, m);
-    rna_put(slot, vec4f(log2(dot(aside, aside) + 1e-8) / 12.0, 0.0, 0.0, 0.0));
+    let square = select(dot(aside, aside), 1.0, all(m == vec3f(0.0)));
+    rna_put(slot, vec4f(log2(square + 1e-8) / 12.0, 0.0, 0.0, 0.0));
 }
 
-fn rna_learned_normal(slot: u32, n: vec3f, features: vec3f, wo: vec3f, wi: vec3f) {
+fn rna_learned_normal(slot: u32, n: vec3f, features: vec3f, m: vec3f) {
     if slot == RNA_NONE {
         return;
     }
@@ -29,14 +30,13 @@ fn rna_learned_normal(slot: u32, n: vec3f, features: vec3f, wo: vec3f, wi: vec3f
     } else {
         q = q / size;
     }
-    let m = rna_halfway(wo, wi, q);
     rna_values[slot] = vec4f(dot(q, m), rna_log_gap(q, m), 0.0, 0.0);
 }
 
-fn rna_surface_blocks(n: vec3f, features: vec3f, wo: vec3f, wi: vec3f) {
+// m: of rna_halfway; of lobes n.
+fn rna_surface_blocks(n: vec3f, features: vec3f, wo: vec3f, wi: vec3f, m: vec3f) {
     rna_put(rna_slot(RNA_BLOCK_NORMAL), vec4f(n, 0.0));
-    let m = rna_halfway(wo, wi, n);
     rna_half_vector(rna_slot(RNA_BLOCK_HALF_VECTOR), n, m, wo, wi);
     rna_highlight(rna_slot(RNA_BLOCK_HIGHLIGHT), n, m);
-    rna_learned_normal(rna_slot(RNA_BLOCK_LEARNED_NORMAL), n, features, wo, wi);
+    rna_learned_normal(rna_slot(RNA_BLOCK_LEARNED_NORMAL), n, features, m);
 }

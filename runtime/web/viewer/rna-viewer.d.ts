@@ -15,6 +15,7 @@ export interface RnaViewerAttributes {
   sun?: string;
   "light-rotation"?: string;
   ground?: boolean;
+  skybox?: boolean;
   exposure?: number | string;
   "view-transform"?: "srgb" | "filmic";
   "camera-orbit"?: string;
@@ -31,6 +32,7 @@ export interface RnaViewerAttributes {
   "wheel-zoom"?: "focus" | "always";
   "touch-action"?: "pan-y" | "pan-x" | "none";
   "interaction-prompt"?: "auto" | "none";
+  "interpolation-decay"?: number | string;
   "auto-rotate"?: boolean;
   "auto-rotate-delay"?: number | string;
   "rotation-per-second"?: string;

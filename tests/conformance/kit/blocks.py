@@ -50,10 +50,16 @@ def moved_blocks(blocks: np.ndarray, rng: np.random.Generator) -> np.ndarray:
     return _moved(blocks, rng, 2)
 
 
-def decoder_inputs(points: Points, inputs: tuple[str, ...], planes: np.ndarray) -> np.ndarray:
-    """(n, K) float64: the blocks named in `inputs`; planes: (3, R, R, C) float64, decoded."""
+def decoder_inputs(
+    points: Points, inputs: tuple[str, ...], planes: np.ndarray, of_lobes: bool = False
+) -> np.ndarray:
+    """(n, K) float64: the blocks named in `inputs`; planes: (3, R, R, C) float64, decoded.
+
+    of_lobes: the half vector is the normal, 12.1.
+    """
     features = triplane(planes, points.p)
     n, wo, wi = points.axis, points.wo, points.wi
+    m = n if of_lobes else halfway(wo, wi)
     made: dict[str, Callable[[], np.ndarray]] = {
         "features": lambda: features,
         "position": lambda: 2 * points.p - 1,
@@ -62,9 +68,9 @@ def decoder_inputs(points: Points, inputs: tuple[str, ...], planes: np.ndarray) 
         "h": lambda: points.h[:, None],
         "wo": lambda: wo,
         "wi": lambda: wi,
-        "half_vector": lambda: half_vector(n, wo, wi),
-        "highlight": lambda: highlight(n, wo, wi),
-        "learned_normal": lambda: learned_normal(n, features, wo, wi),
+        "half_vector": lambda: half_vector(n, wo, wi, m),
+        "highlight": lambda: highlight(n, m),
+        "learned_normal": lambda: learned_normal(n, features, m),
         "fiber_angles": lambda: fiber_angles(n, wo, wi),
         "fiber_lobes": lambda: fiber_lobes(n, points.h, wo, wi),
     }
@@ -86,37 +92,38 @@ def triplane(planes: np.ndarray, p: np.ndarray) -> np.ndarray:
     return total
 
 
-def halfway(wo: np.ndarray, wi: np.ndarray, instead: np.ndarray) -> np.ndarray:
-    """m, and `instead` where directions are opposite."""
+def halfway(wo: np.ndarray, wi: np.ndarray) -> np.ndarray:
+    """m; NaN where directions are opposite."""
     total = wi + wo
     opposite = np.linalg.norm(total, axis=1, keepdims=True) < 1e-6
-    return np.where(opposite, instead, unit(np.where(opposite, instead, total)))
+    return np.where(opposite, np.nan, unit(np.where(opposite, wi, total)))
 
 
-def half_vector(n: np.ndarray, wo: np.ndarray, wi: np.ndarray) -> np.ndarray:
-    m = halfway(wo, wi, n)
-    return np.stack([dot(n, m), _log_gap(n, m), dot(n, wi), dot(n, wo), dot(wi, m)], axis=1)
+def cosines(n: np.ndarray, m: np.ndarray) -> np.ndarray:
+    """n.m, 0 of opposite directions, whose m is across all others."""
+    return np.nan_to_num(dot(n, m), nan=0.0)
 
 
-def highlight(n: np.ndarray, wo: np.ndarray, wi: np.ndarray) -> np.ndarray:
-    aside = np.cross(n, halfway(wo, wi, n))
-    return np.log2(dot(aside, aside) + 1e-8)[:, None] / 12
+def half_vector(n: np.ndarray, wo: np.ndarray, wi: np.ndarray, m: np.ndarray) -> np.ndarray:
+    return np.stack([cosines(n, m), _log_gap(n, m), dot(n, wi), dot(n, wo), cosines(wi, m)], axis=1)
 
 
-def learned_normal(
-    n: np.ndarray, features: np.ndarray, wo: np.ndarray, wi: np.ndarray
-) -> np.ndarray:
+def highlight(n: np.ndarray, m: np.ndarray) -> np.ndarray:
+    sine = np.linalg.norm(np.cross(n, m), axis=1)
+    return np.log2(np.nan_to_num(sine, nan=1.0) ** 2 + 1e-8)[:, None] / 12
+
+
+def learned_normal(n: np.ndarray, features: np.ndarray, m: np.ndarray) -> np.ndarray:
     f = np.zeros((len(n), 3))
     f[:, : features.shape[1]] = features[:, :3]
     bent = n + 0.1 * f
     none = np.linalg.norm(bent, axis=1, keepdims=True) < 1e-6
     q = np.where(none, n, unit(np.where(none, n, bent)))
-    m = halfway(wo, wi, q)
-    return np.stack([dot(q, m), _log_gap(q, m)], axis=1)
+    return np.stack([cosines(q, m), _log_gap(q, m)], axis=1)
 
 
 def _log_gap(n: np.ndarray, m: np.ndarray) -> np.ndarray:
-    return np.log2(np.maximum(0, 1 - dot(n, m)) + 1e-4) / 6
+    return np.log2(np.maximum(0, 1 - cosines(n, m)) + 1e-4) / 6
 
 
 def azimuth(t: np.ndarray, wo: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

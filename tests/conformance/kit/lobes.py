@@ -88,7 +88,7 @@ def _mirrored(points: Points, is_fiber: bool) -> Points:
 
 
 def _inputs(points: Points, plan: LobesPlan, planes: np.ndarray) -> np.ndarray:
-    return decoder_inputs(points, plan.inputs, planes)
+    return decoder_inputs(points, plan.inputs, planes, of_lobes=True)
 
 
 def _mixed(part: PartPlan, harmonics: np.ndarray | None, rows: np.ndarray) -> np.ndarray:

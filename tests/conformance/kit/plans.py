@@ -123,8 +123,8 @@ HERE = (3.0, -0.7, 0.5), 0.002
 
 PLANS = (
     one_part(
-        *("surface-float32", "float32 planes, two float32 tiers"),
-        *(shapes.ball(), *ONE),
+        *("surface-float32", "float32 planes, two float32 tiers; a ball under a shell"),
+        *(shapes.capped_ball(), *ONE),
         (
             TierPlan("small", SURFACE, 6, 4, "float32"),
             TierPlan("hq", SURFACE_ALL, 9, 5, "float32", widths=(24, 16, 16), mixing=6),

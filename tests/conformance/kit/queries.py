@@ -1,8 +1,8 @@
 """Queries of the kit, (n, 16) float32, class by class.
 
 Columns: position, normal or tangent, h, wo, wi, and the base colour, which is 0 here. A class is
-what a reader may stumble over. Rows stay clear of the thresholds of 6.3, where rounding decides
-between two answers.
+what a reader may stumble over. Rows stay clear of the thresholds of 6.3 by 10%: where rounding
+decides, there are two answers.
 """
 
 from __future__ import annotations
@@ -117,6 +117,23 @@ def opposite(make: Maker) -> np.ndarray:
     return rows
 
 
+def around_thresholds(make: Maker) -> np.ndarray:
+    """On both sides of the 1e-6 of opposite directions, and of d of fibers, to 6 digits.
+
+    Directions along an axis of space hold small components that others round off.
+    """
+    sizes = np.float32([1e-9, 1e-8, 1e-7, 3e-7, 6e-7, 9e-7, 1.1e-6, 2e-6, 5e-6, 2e-5, 8e-5, 3e-4])
+    rows = make.ordinary(2 * len(sizes))
+    for k, size in enumerate(np.repeat(sizes, 2)):
+        first, second, third = np.roll(np.eye(3, dtype=np.float32), k, axis=0)
+        if make.is_fiber:
+            rows[k, AXIS], rows[k, WO] = first, first + 0.02 * second
+            rows[k, WI] = first + 50 * size * (-second if k % 2 else third)
+        else:
+            rows[k, WO], rows[k, WI] = first, size * (second if k % 2 else third) - first
+    return rows
+
+
 def same(make: Maker) -> np.ndarray:
     """wi = wo, at the end both the normal or tangent too."""
     rows = make.ordinary(8)
@@ -205,6 +222,7 @@ CLASSES: dict[str, Callable[[Maker], np.ndarray]] = {
     "mirror": mirror,
     "nearly opposite": nearly_opposite,
     "opposite": opposite,
+    "around the thresholds": around_thresholds,
     "same": same,
     "along the axis": along,
     "outside the bounds": outside,

@@ -20,6 +20,21 @@ def ball(rings: int = 6, sectors: int = 9, radius: float = 0.8) -> Mesh:
     return smooth(radius * points, points, wrap=True)
 
 
+def capped_ball() -> Mesh:
+    """The ball under a piece of a shell, below which a lift at the terminator must end."""
+    theta, phi = np.linspace(0.6, 1.5, 4)[:, None], np.linspace(0, 2.6, 6)[None]
+    y = np.cos(theta) + 0 * phi
+    points = np.stack([np.sin(theta) * np.cos(phi), y, np.sin(theta) * np.sin(phi)], axis=2)
+    inner, outer = ball(), smooth(0.9 * points, points, wrap=False)
+    count = np.uint32(len(inner.positions))
+    return Mesh(
+        np.concatenate([inner.positions, outer.positions]),
+        np.concatenate([inner.normals, outer.normals]),
+        None,
+        np.concatenate([inner.triangles, outer.triangles + count]),
+    )
+
+
 def bowl(rings: int = 5, sectors: int = 10) -> Mesh:
     """An open bowl, smooth shaded, whose normals point inward: its inside sees the far rim."""
     theta = np.linspace(0.15, 1.6, rings + 1)[:, None]

@@ -7,7 +7,7 @@ from unittest import mock
 
 from rna_sdk.package.container import zip_layout as z
 from tests.package.builders import pack
-from tests.package.corpus.registry import DECODER, MESH, Entries, case
+from tests.package.corpus.registry import DECODER, MESH, PLANES, Entries, case
 
 HIDDEN = bytes(range(64))
 
@@ -263,6 +263,20 @@ def no_entries(entries: Entries) -> bytes:
 @case("ZIP_CRC")
 def wrong_crc(entries: Entries) -> bytes:
     return patch_entry(pack(entries.items()), MESH, "both", crc=0x12345678)
+
+
+@case("ZIP_CRC")
+def one_damaged_byte(entries: Entries) -> bytes:
+    """Neither CRC-32 nor SHA-256 is that of the data."""
+    data, planes = pack(entries.items()), entries[PLANES]
+    at = data.index(planes) + len(planes) - 5
+    return data[:at] + bytes([data[at] ^ 1]) + data[at + 1 :]
+
+
+@case("ZIP_CRC")
+def one_damaged_byte_of_the_manifest(entries: Entries) -> bytes:
+    """It is no JSON either."""
+    return pack(entries.items()).replace(b'"format"', b'"for\x00at"', 1)
 
 
 @case("ZIP_CRC")

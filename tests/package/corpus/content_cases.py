@@ -207,6 +207,21 @@ def glb_with_wrong_bounds(entries: Entries) -> bytes:
     return with_gltf(entries, lambda g: g["accessors"][0].update(max=[1e300, 1, 1]))
 
 
+@case("GEOMETRY_RANGE")
+def glb_with_an_accessor_at_an_odd_byte(entries: Entries) -> bytes:
+    return with_gltf(entries, lambda g: g["accessors"][0].update(byteOffset=2))
+
+
+@case("GEOMETRY_RANGE")
+def glb_with_a_view_at_an_odd_byte(entries: Entries) -> bytes:
+    return with_gltf(entries, lambda g: g["bufferViews"][0].update(byteOffset=2))
+
+
+@case("GEOMETRY_BOUNDS")
+def glb_with_bounds_of_two_axes(entries: Entries) -> bytes:
+    return with_gltf(entries, lambda g: g["accessors"][0].update(min=[0, 0]))
+
+
 @case("GEOMETRY_BOUNDS")
 def glb_without_bounds(entries: Entries) -> bytes:
     return with_gltf(entries, lambda g: g["accessors"][0].pop("min"))
@@ -314,6 +329,29 @@ def int8_planes_with_an_infinite_scale(entries: Entries) -> bytes:
     return with_int8_planes(entries, planes_to_bytes(planes))
 
 
+@case("PLANES_TENSOR")
+def planes_that_are_a_number(entries: Entries) -> bytes:
+    return with_planes_header(entries, {"planes": 5})
+
+
+@case("PLANES_HEADER")
+def planes_without_offsets(entries: Entries) -> bytes:
+    planes = {"dtype": "F16", "shape": list(make_planes().shape)}
+    return with_planes_header(entries, {"planes": planes})
+
+
+@case("PLANES_DTYPE")
+def planes_without_a_dtype(entries: Entries) -> bytes:
+    planes = {"shape": list(make_planes().shape), "data_offsets": [0, make_planes().nbytes]}
+    return with_planes_header(entries, {"planes": planes})
+
+
+@case("PLANES_SHAPE")
+def planes_without_a_shape(entries: Entries) -> bytes:
+    planes = {"dtype": "F16", "data_offsets": [0, make_planes().nbytes]}
+    return with_planes_header(entries, {"planes": planes})
+
+
 @case("PLANES_SHAPE")
 def planes_of_another_shape(entries: Entries) -> bytes:
     return with_entry(entries, PLANES, planes_to_bytes(make_planes(resolution=16)))
@@ -395,6 +433,36 @@ def decoder_with_a_size_named_in_no_utf8(entries: Entries) -> bytes:
 @case("DECODER_PROFILE")
 def decoder_opset_too_new(entries: Entries) -> bytes:
     return with_decoder(entries, lambda m: setattr(m.opset_import[0], "version", 22))
+
+
+@case("DECODER_PROFILE")
+def decoder_without_an_operator_set(entries: Entries) -> bytes:
+    return with_decoder(entries, lambda m: m.ClearField("opset_import"))
+
+
+@case("DECODER_PROFILE")
+def decoder_of_two_operator_sets(entries: Entries) -> bytes:
+    other = helper.make_opsetid("ai.onnx.ml", 3)
+    return with_decoder(entries, lambda m: m.opset_import.append(other))
+
+
+@case("DECODER_PROFILE")
+def decoder_without_a_version(entries: Entries) -> bytes:
+    return with_decoder(entries, lambda m: m.ClearField("ir_version"))
+
+
+@case("DECODER_PROFILE")
+def decoder_with_a_constant_of_no_type(entries: Entries) -> bytes:
+    return with_decoder(entries, lambda m: setattr(m.graph.initializer[0], "data_type", 0))
+
+
+@case("DECODER_PROFILE")
+def decoder_with_a_constant_cut_short(entries: Entries) -> bytes:
+    def cut(model: onnx.ModelProto) -> None:
+        constant = model.graph.initializer[0]
+        constant.raw_data = constant.raw_data[:-1]
+
+    return with_decoder(entries, cut)
 
 
 @case("DECODER_PROFILE")

@@ -103,6 +103,16 @@ def curves_with_a_fraction_in_a_shape(entries: Entries) -> bytes:
 
 
 @case("GEOMETRY_PROFILE", "fiber")
+def curves_without_a_shape(entries: Entries) -> bytes:
+    return with_header(entries, lambda h: h["radii"].pop("shape"))
+
+
+@case("GEOMETRY_RANGE", "fiber")
+def curves_without_offsets(entries: Entries) -> bytes:
+    return with_header(entries, lambda h: h["radii"].pop("data_offsets"))
+
+
+@case("GEOMETRY_PROFILE", "fiber")
 def curves_unaligned(entries: Entries) -> bytes:
     return with_header(entries, lambda h: None, pad=1)
 

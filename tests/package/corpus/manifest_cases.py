@@ -125,6 +125,11 @@ def kind_of_another_type(entries: Entries) -> bytes:
     return with_manifest(entries, lambda m: part(m).update(kind=["surface"]))
 
 
+@case("KIND_UNSUPPORTED")
+def kind_that_is_null(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: part(m).update(kind=None))
+
+
 @case("EXTENSION_REQUIRED")
 def unknown_required_extension(entries: Entries) -> bytes:
     names = ["EXT_novel"]

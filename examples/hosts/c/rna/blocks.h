@@ -33,15 +33,15 @@ static float log_gap(double cosine) {
     return log2_of((float)(1 - (cosine < 1 ? cosine : 1) + 1e-4)) * (1.0f / 6);
 }
 
-/* m: halfway of wi and wo, or `n` where they are opposite. */
-static void find_halfway(const Points *points, double n[3][ROWS], double m[3][ROWS]) {
+/* m: halfway of wi and wo; where they are opposite, 0 for one across n, q and wi. */
+static void find_halfway(const Points *points, double m[3][ROWS]) {
     for (int r = 0; r < ROWS; r++) {
         double x = points->wi[0][r] + points->wo[0][r], y = points->wi[1][r] + points->wo[1][r];
         double z = points->wi[2][r] + points->wo[2][r], square = x * x + y * y + z * z;
-        double scale = square < 1e-12 ? 0 : 1 / sqrt(square), rest = square < 1e-12;
-        m[0][r] = x * scale + rest * n[0][r];
-        m[1][r] = y * scale + rest * n[1][r];
-        m[2][r] = z * scale + rest * n[2][r];
+        double scale = square < 1e-12 ? 0 : 1 / sqrt(square);
+        m[0][r] = x * scale;
+        m[1][r] = y * scale;
+        m[2][r] = z * scale;
     }
 }
 
@@ -64,7 +64,7 @@ static void surface_blocks(const int column[BLOCKS], int channels, Points *point
     float *half_vector = queries + column[HALF_VECTOR] * ROWS;
     float *highlight = queries + column[HIGHLIGHT] * ROWS;
     float *learned_normal = queries + column[LEARNED_NORMAL] * ROWS;
-    if (column[HALF_VECTOR] >= 0 || column[HIGHLIGHT] >= 0) find_halfway(points, points->axis, m);
+    if (column[HALF_VECTOR] >= 0 || column[HIGHLIGHT] >= 0 || column[LEARNED_NORMAL] >= 0) find_halfway(points, m);
     if (column[HALF_VECTOR] >= 0)
         for (int r = 0; r < ROWS; r++) {
             double n_m = DOT(points->axis, m, r);
@@ -79,11 +79,11 @@ static void surface_blocks(const int column[BLOCKS], int channels, Points *point
             double x = points->axis[1][r] * m[2][r] - points->axis[2][r] * m[1][r];
             double y = points->axis[2][r] * m[0][r] - points->axis[0][r] * m[2][r];
             double z = points->axis[0][r] * m[1][r] - points->axis[1][r] * m[0][r];
-            highlight[r] = log2_of((float)(x * x + y * y + z * z + 1e-8)) * (1.0f / 12);
+            double opposite = DOT(m, m, r) == 0;
+            highlight[r] = log2_of((float)(x * x + y * y + z * z + opposite + 1e-8)) * (1.0f / 12);
         }
     if (column[LEARNED_NORMAL] >= 0) {
         find_learned_normal(points, features, channels, q);
-        find_halfway(points, q, m);
         for (int r = 0; r < ROWS; r++) {
             double q_m = DOT(q, m, r);
             learned_normal[r] = (float)q_m;

@@ -206,12 +206,10 @@ static void check_entries(Container *zip, const Json *root, RnaReport *report) {
                    size);
             continue;
         }
+        if (!check_crc(zip, entry, report)) continue;
         sha256(entry_data(zip, entry), digest);
-        if (!is_string(member(record, "sha256"), digest)) {
-            refuse(report, "ENTRY_HASH", where, "the declared SHA-256", "%s", digest);
-            continue;
-        }
-        entry->intact = check_crc(zip, entry, report);
+        entry->intact = is_string(member(record, "sha256"), digest);
+        if (!entry->intact) refuse(report, "ENTRY_HASH", where, "the declared SHA-256", "%s", digest);
     }
 }
 

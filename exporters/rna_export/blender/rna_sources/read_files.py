@@ -43,7 +43,7 @@ def files_of(source: str) -> dict[str, list[str]]:
 
 def _of_blender() -> list[str]:
     """Paths that Blender names, as they are stored: with all tiles and frames of images."""
-    paths = bpy.utils.blend_paths(absolute=False, packed=False, local=False)
+    paths: list[str] = bpy.utils.blend_paths(absolute=False, packed=False, local=False)
     for image in bpy.data.images:
         if image.source == "TILED":
             numbers = [tile.number for tile in image.tiles]

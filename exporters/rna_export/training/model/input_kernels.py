@@ -124,7 +124,7 @@ def _fill_block(
         put_fiber(queries, row, columns, axis, clamped(load_lanes(h, start)), o, l)
     else:
         bend = first_three(features, start * np.uintp(channels), np.uintp(channels), channels)
-        put_surface(queries, row, columns, axis, o, l, bend)
+        put_surface(queries, row, columns, axis, o, l, bend, False)
 
 
 @compiled(parallel=True)
@@ -164,12 +164,13 @@ def _add_bending(
     n = unit(load_vectors(axes, start))
     o, l = unit(load_vectors(wo, start)), unit(load_vectors(wi, start))  # noqa: E741
     bend = first_three(features, start * channels, channels, features.shape[1])
-    q, m, length = bent(n, bend, *halfway(o, l))
+    q, length = bent(n, bend)
+    m, opposite = halfway(o, l)
     d = m[0] - q[0], m[1] - q[1], m[2] - q[2]
     # Of q.m and of log2(1 - q.m + 1e-4) / 6, by q.m; then of q.m, by what q is the direction of.
     of_gap = load_column(gradient, at + np.uintp(1), width)
     slope = load_column(gradient, at, width) - of_gap * _OF_LOG / (0.5 * dot(d, d) + 1e-4)
-    slope = where(length < SHORTEST, 0.0, slope * BEND / length)
+    slope = where(opposite, 0.0, where(length < SHORTEST, 0.0, slope * BEND / length))
     along = dot(d, q)
     for c in range(min(3, features.shape[1])):
         place = start * channels + np.uintp(c)

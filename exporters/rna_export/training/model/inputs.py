@@ -34,6 +34,7 @@ def assemble(blocks: tuple[str, ...], features: Tensor, p: Tensor, at: Points) -
 def assembled(blocks: tuple[str, ...], features: Tensor, p: Tensor, at: Points) -> Tensor:
     """`assemble` in plain PyTorch: for GPUs, and the kernels' twin."""
     frame = cache(lambda: fiber_frame(at["tangent"], at["wo"], at["wi"]))
+    m = cache(lambda: halfway(at["wo"], at["wi"]))
     columns = {
         "features": lambda: features,
         "position": lambda: 2.0 * p - 1.0,
@@ -42,43 +43,48 @@ def assembled(blocks: tuple[str, ...], features: Tensor, p: Tensor, at: Points) 
         "h": lambda: at["h"].clamp(-1.0, 1.0)[:, None],
         "wo": lambda: at["wo"],
         "wi": lambda: at["wi"],
-        "half_vector": lambda: half_vector(at["normal"], at["wo"], at["wi"]),
-        "highlight": lambda: highlight(at["normal"], at["wo"], at["wi"]),
-        "learned_normal": lambda: learned_normal(at["normal"], features, at["wo"], at["wi"]),
+        "half_vector": lambda: half_vector(at["normal"], at["wo"], at["wi"], m()),
+        "highlight": lambda: highlight(at["normal"], m()),
+        "learned_normal": lambda: learned_normal(at["normal"], features, m()),
         "fiber_angles": lambda: fiber_angles(frame()),
         "fiber_lobes": lambda: fiber_lobes(at["h"], frame()),
     }
     return torch.cat([columns[b]() for b in blocks], dim=1)
 
 
-def half_vector(n: Tensor, wo: Tensor, wi: Tensor) -> Tensor:
-    """n.h, log2(1 - n.h + 1e-4) / 6, n.wi, n.wo, wi.h: (k, 5)."""
-    h = _halfway(n, wo, wi)
-    n_h = _dot(n, h)
-    sharp = torch.log2(1.0 - n_h.clamp(max=1.0) + 1e-4) / 6.0
-    return torch.cat([n_h, sharp, _dot(n, wi), _dot(n, wo), _dot(wi, h)], dim=1)
+def half_vector(n: Tensor, wo: Tensor, wi: Tensor, m: Tensor) -> Tensor:
+    """n.m, log2(1 - n.m + 1e-4) / 6, n.wi, n.wo, wi.m: (k, 5)."""
+    return torch.cat([_along(n, m), _dot(n, wi), _dot(n, wo), _dot(wi, m)], dim=1)
 
 
-def learned_normal(n: Tensor, features: Tensor, wo: Tensor, wi: Tensor) -> Tensor:
-    """q.h and log2(1 - q.h + 1e-4) / 6, (k, 2), with q along n + BEND (f0, f1, f2)."""
+def _along(n: Tensor, m: Tensor) -> Tensor:
+    """n.m and log2(1 - n.m + 1e-4) / 6, (k, 2)."""
+    cosine = _dot(n, m)
+    sharp = torch.log2(1.0 - cosine.clamp(max=1.0) + 1e-4) / 6.0
+    return torch.cat([cosine, sharp], dim=1)
+
+
+def learned_normal(n: Tensor, features: Tensor, m: Tensor) -> Tensor:
+    """q.m and log2(1 - q.m + 1e-4) / 6, (k, 2), with q along n + BEND (f0, f1, f2)."""
     bend = torch.nn.functional.pad(features[:, :3], (0, max(0, 3 - features.shape[1])))
     q = n + BEND * bend
     length = q.norm(dim=1, keepdim=True)
     q = torch.where(length < 1e-6, n, q / length.clamp(min=1e-6))
-    return half_vector(q, wo, wi)[:, :2]
+    return _along(q, m)
 
 
-def highlight(n: Tensor, wo: Tensor, wi: Tensor) -> Tensor:
-    """log2(|n x h|^2 + 1e-8) / 12, (k, 1): a sine keeps the digits that 1 - n.h loses."""
-    aside = torch.cross(n, _halfway(n, wo, wi), dim=1)
-    return torch.log2(_dot(aside, aside) + 1e-8) / 12.0
+def highlight(n: Tensor, m: Tensor) -> Tensor:
+    """log2(|n x m|^2 + 1e-8) / 12, (k, 1): a sine keeps the digits that 1 - n.m loses."""
+    aside = torch.cross(n, m, dim=1)
+    opposite = (m == 0).all(dim=1, keepdim=True)
+    return torch.log2(torch.where(opposite, 1.0, _dot(aside, aside)) + 1e-8) / 12.0
 
 
-def _halfway(n: Tensor, wo: Tensor, wi: Tensor) -> Tensor:
-    """Unit, n where directions are opposite: (k, 3)."""
+def halfway(wo: Tensor, wi: Tensor) -> Tensor:
+    """m, unit, (k, 3); 0 where directions are opposite, whose m is across n, q and wi."""
     total = wi + wo
     length = total.norm(dim=1, keepdim=True)
-    return torch.where(length < 1e-6, n, total / length.clamp(min=1e-6))
+    return torch.where(length < 1e-6, 0.0, total / length.clamp(min=1e-6))
 
 
 class FiberFrame(NamedTuple):

@@ -13,6 +13,7 @@ export function isForPicture(stage, event) {
 export function actions(stage) {
   const moved = (change, hindrance) => (...values) => {
     if (stage.settings[hindrance]) return;
+    stage.glide.stop();
     change(...values);
     stage.isTouched = true;
     stage.viewer.restart(values.at(-1) === true);
@@ -29,6 +30,6 @@ export function actions(stage) {
       stage.setLight({ rotation, sunHeight }, { moving: moving === true, byUser: true });
     },
     settle: () => stage.viewer.moving && stage.viewer.restart(),
-    reset: () => stage.reset(),
+    reset: () => stage.glideTo(() => stage.reset()),
   };
 }

@@ -109,7 +109,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
 
   /** Camera and lights as the attributes have them. */
   resetView() {
-    this.stage.reset();
+    this.stage.glideTo(() => this.stage.reset());
   }
 
   showPoster() {
@@ -157,10 +157,11 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     if (name === "first-look" && stage.shown) stage.switchTier(stage.shown.name);
     if (name === "samples") stage.setSampling({ rounds: settings.samples ?? 256 });
     if (name === "jitter") stage.setSampling({ jitter: settings.jitter ?? 1 });
-    if (["camera-orbit", "camera-target", "field-of-view"].includes(name)) stage.placeCamera();
+    if (["camera-orbit", "camera-target", "field-of-view"].includes(name)) stage.glideTo(() => stage.placeCamera());
     if (/^(min|max)-/.test(name)) stage.limitCamera();
     if (["sun", "light-rotation", "environment-intensity"].includes(name)) stage.placeLights();
     if (name === "ground") stage.setGround(settings.ground ?? stage.scene?.ground ?? false);
+    if (name === "skybox") stage.changed();
     if (name === "exposure") stage.setExposure(settings.exposure ?? stage.scene?.exposure ?? 0);
     if (name === "view-transform") stage.setView(settings.viewTransform ?? stage.scene?.view ?? "srgb");
     if (name === "pixel-ratio") stage.resize();
@@ -222,6 +223,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
 
   _turn() {
     const { autoRotate, autoRotateDelay, rotationPerSecond } = this.settings;
+    this.stage.isStill = this.stillness.matches;
     Object.assign(this.turntable, { delay: autoRotateDelay ?? 3000, speed: rotationPerSecond ?? 30 });
     this.turntable.switch(!!autoRotate && this.isBegun && !this.stillness.matches);
   }
@@ -334,9 +336,9 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
 
 /** What is shown now, in the words of the attributes, which stay as they were written. */
 const LIVE = {
-  cameraOrbit: ({ stage }) => cameraText(stage.orbit).cameraOrbit,
-  cameraTarget: ({ stage }) => cameraText(stage.orbit).cameraTarget,
-  fieldOfView: ({ stage }) => cameraText(stage.orbit).fieldOfView,
+  cameraOrbit: ({ stage }) => cameraText(stage.view).cameraOrbit,
+  cameraTarget: ({ stage }) => cameraText(stage.view).cameraTarget,
+  fieldOfView: ({ stage }) => cameraText(stage.view).fieldOfView,
   sun: ({ stage }) => lightText(stage.lighting).sun,
   lightRotation: ({ stage }) => lightText(stage.lighting).lightRotation,
   environmentIntensity: ({ stage }) => stage.lighting.strength,

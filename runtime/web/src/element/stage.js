@@ -11,12 +11,15 @@ import { pictureOf } from "../package/images.js";
 import { Package } from "../package/package.js";
 import { BlobSource, nameOf, UrlSource } from "../package/source.js";
 import { wrappedDegrees } from "../ui/elements.js";
+import { Glide } from "./glide.js";
 import { rayThrough } from "./hotspots.js";
 import { LastingEngine } from "./lasting_engine.js";
 import { Lighting } from "./lighting.js";
 import { limitsOf, Orbit, viewFrom } from "./orbit.js";
 import { beforeFilmic } from "./view_transform.js";
 import { SHARP } from "./viewer.js";
+
+const DECAY_MS = 50;  // of the way of a camera that glides
 
 /**
  * Events: "engine"; "loading", "progress" (got, all), "package", "load", "ended", of an asset; "shown", of a picture;
@@ -25,7 +28,8 @@ import { SHARP } from "./viewer.js";
 export class Stage extends LastingEngine {
   constructor(place, notices, settings) {
     super(place, notices, settings);
-    Object.assign(this, { orbit: new Orbit(), lighting: new Lighting(), labels: {}, ground: false, scene: null, isTouched: false });
+    Object.assign(this, { orbit: new Orbit(), lighting: new Lighting(), labels: {}, ground: false, scene: null, isTouched: false, isStill: false });
+    this.glide = new Glide(this);
     Object.assign(this, { opened: null, shown: null, loading: null, lit: Promise.resolve(), placing: Promise.resolve() });
   }
 
@@ -184,6 +188,8 @@ export class Stage extends LastingEngine {
       this.uploaded = this.lighting.tables();
       this.engine.setEnvironment(this.uploaded);
     }
+    const sky = this.settings.skybox && lights.find(({ kind }) => kind === "environment");
+    this.viewer.sky = sky ? { strength: sky.colour[0], angle: sky.angle } : null;
     this.viewer.lights = lights;
     this.viewer.firstLights = this.engine.hasLobes ? this.lighting.firstLights() : null;
     this.viewer.ground = this._ground(irradiance);
@@ -207,6 +213,7 @@ export class Stage extends LastingEngine {
       { target: settings.cameraTarget, fov: settings.fieldOfView },
     ];
     this.isTouched = false;
+    this.glide.stop();
     this.orbit.limits = limitsOf(settings);
     const { width, height } = this.canvas ?? { width: 1, height: 1 };
     this.orbit.place(views, this.box, width / height);
@@ -214,8 +221,20 @@ export class Stage extends LastingEngine {
     this.viewer?.restart();
   }
 
+  /** What `place` does to the camera, gliding there where it is seen. */
+  glideTo(place) {
+    if (!this.viewer?.hasShown || this.isNew) return place();
+    this.glide.to(place, this.isStill ? 0 : this.settings.interpolationDecay ?? DECAY_MS);
+  }
+
+  /** The view that the camera has, or glides to. */
+  get view() {
+    return this.glide.goal ?? this.orbit;
+  }
+
   /** The camera where it is, if the settings still allow that. */
   limitCamera() {
+    this.glide.stop();
     this.orbit.limits = limitsOf(this.settings);
     this.orbit.limit();
     this.tell("camera", { byUser: false });
@@ -367,8 +386,8 @@ export class Stage extends LastingEngine {
 
   _ground(irradiance) {
     const { view, exposure, backdrop } = this.look;
-    this.notices.say(this.ground && !backdrop ? "ground: expected an opaque background-color" : null, true, "ground");
-    if (!this.ground || !backdrop || !this.box) return null;
+    this.notices.say(this.ground && (!backdrop || this.settings.skybox) ? "ground: expected an opaque background-color, and no skybox" : null, true, "ground");
+    if (!this.ground || !backdrop || this.settings.skybox || !this.box) return null;
     const colour = view === "filmic" ? beforeFilmic(backdrop) : backdrop;
     const { min, max } = this.box, size = Math.hypot(...max.map((high, k) => high - min[k]));
     return {

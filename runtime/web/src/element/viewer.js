@@ -17,7 +17,7 @@ export class Viewer extends EventTarget {
     super();
     Object.assign(this, { engine, canvas, orbit });
     Object.assign(this, {
-      lights: [], firstLights: null, shownCamera: null, ground: null, exposure: 0, view: "srgb", denoise: true, rounds: 256, jitter: 1, generation: 0, msPerPixel: 0.005, shown: null, rowsAhead: 0,
+      lights: [], firstLights: null, sky: null, shownCamera: null, ground: null, exposure: 0, view: "srgb", denoise: true, rounds: 256, jitter: 1, generation: 0, msPerPixel: 0.005, shown: null, rowsAhead: 0,
       ready: false, stopped: false, moving: false, resting: false, backdrop: null, coarsest: COARSEST, isCovered: () => false, stats: { ms: 0, rounds: 0 },
     });
     this.wake = null;
@@ -76,7 +76,7 @@ export class Viewer extends EventTarget {
     const { rounds, firstLook } = this.shown, noisy = this.denoise && rounds < NOISY_ROUNDS && !firstLook;
     this.engine.show({
       rounds, firstLook, rowsAhead: this.rowsAhead, exposure: 2 ** this.exposure, backdrop: this.backdrop ? [...this.backdrop, 1] : [0, 0, 0, 0], filmic: this.view === "filmic",
-      spread: noisy ? NOISE / Math.sqrt(rounds) : 0,
+      spread: noisy ? NOISE / Math.sqrt(rounds) : 0, camera: this.shownCamera, sky: this.sky,
     });
   }
 
@@ -93,8 +93,9 @@ export class Viewer extends EventTarget {
     }
   }
 
-  /** All sizes of the picture, until something changes. */
+  /** All sizes of the picture, until something changes. One of many that follow at once is finished: else none would be seen. */
   async _picture(generation) {
+    this.isFleeting = this.moving;
     for (const scale of this._scales()) {
       const rounds = scale === 1 && !this.moving ? this.rounds : Number(!this.firstLights);
       if (!(await this._stage(generation, scale, rounds))) return;
@@ -175,7 +176,8 @@ export class Viewer extends EventTarget {
       if (this.resting) await new Promise((resolve) => { this.rouse = resolve; });
       work(from, Math.min(height, from + rows));
       await engine.done();
-      if (generation !== this.generation || this.stopped || engine.lost) return false;
+      const isUnwanted = this.isFleeting ? !this.ready || !this.moving : generation !== this.generation;
+      if (isUnwanted || this.stopped || engine.lost) return false;
     }
     return true;
   }

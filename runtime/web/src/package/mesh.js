@@ -64,7 +64,7 @@ function readAccessor(json, bin, index, where) {
   if (needed > view.byteLength || (view.byteOffset ?? 0) + view.byteLength > bin.length) {
     fail("GEOMETRY_RANGE", where, `accessor ${index} reaches past its bytes`);
   }
-  if (start % 4) fail("GEOMETRY_PROFILE", where, `accessor ${index} is not aligned`);
+  if (start % 4) fail("GEOMETRY_RANGE", where, `accessor ${index} is not aligned`);
   const values = stride === element ? typed(Type, bin, start, items * accessor.count) : new Type(items * accessor.count);
   if (stride !== element) {
     const all = typed(Type, bin, start, Math.floor(needed - (accessor.byteOffset ?? 0)) / Type.BYTES_PER_ELEMENT);

@@ -1,6 +1,6 @@
 // The planes of a tier part (spec, 5), as they are stored.
 import { fail } from "./errors.js";
-import { isMetadata, isTensor, readHeader, takeTensors } from "./tensors.js";
+import { isMetadata, isObject, isTensor, readHeader, takeTensors } from "./tensors.js";
 
 const DTYPES = { float16: "F16", float32: "F32", int8: "I8" };
 const LARGEST = 1e18;
@@ -18,11 +18,11 @@ export function readPlanes(bytes, { planePrecision: precision, resolution, chann
   if (found.length !== names.length || names.some((name) => !found.includes(name))) {
     fail("PLANES_TENSOR", where, `found ${found.join(", ") || "no tensors"}, expected ${names.join(", ")}`);
   }
-  for (const name of names) if (!isTensor(tensors[name])) fail("PLANES_HEADER", where, `${name} is no tensor`);
+  for (const name of names) if (!isObject(tensors[name])) fail("PLANES_TENSOR", where, `${name} is no object`);
   for (const name of names) {
     const [dtype, shape] = expected[name], own = tensors[name];
     if (own.dtype !== dtype) fail("PLANES_DTYPE", where, `${name}: found ${own.dtype}, expected ${dtype}`);
-    if (own.shape.join() !== shape.join()) {
+    if (!isTensor(own) || own.shape.join() !== shape.join()) {
       fail("PLANES_SHAPE", where, `${name}: found [${own.shape}], expected [${shape}]`);
     }
   }

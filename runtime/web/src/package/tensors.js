@@ -26,15 +26,13 @@ export function readHeader(bytes, where, code) {
   return { tensors, metadata, data };
 }
 
-const isObject = (value) => value !== null && typeof value === "object" && !Array.isArray(value);
+export const isObject = (value) => value !== null && typeof value === "object" && !Array.isArray(value);
 const isCount = (value) => Number.isSafeInteger(value) && value >= 0;
 
-/** Whether the tensor object is one at all: dtype, shape of counts, two offsets. */
-export function isTensor(tensor) {
-  return isObject(tensor) && typeof tensor.dtype === "string" && Array.isArray(tensor.shape)
-    && tensor.shape.every(isCount) && Array.isArray(tensor.data_offsets)
-    && tensor.data_offsets.length === 2 && tensor.data_offsets.every(isCount);
-}
+const isCounts = (value) => Array.isArray(value) && value.every(isCount);
+
+/** Whether it is an object with a dtype and a shape of counts. */
+export const isTensor = (tensor) => isObject(tensor) && typeof tensor.dtype === "string" && isCounts(tensor.shape);
 
 export const isMetadata = (value) => value === undefined || isObject(value);
 
@@ -42,7 +40,9 @@ export const isMetadata = (value) => value === undefined || isObject(value);
 export function takeTensors(bytes, { tensors, data }, names, where, code) {
   let next = 0;
   const result = names.map((name) => {
-    const { dtype, shape, data_offsets: [first, last] } = tensors[name];
+    const { dtype, shape, data_offsets: offsets } = tensors[name];
+    if (!isCounts(offsets) || offsets.length !== 2) fail(code, where, `${name}: data_offsets are not two counts`);
+    const [first, last] = offsets;
     const count = shape.reduce((product, side) => product * side, 1);
     if (first !== next || last - first !== count * TYPES[dtype].BYTES_PER_ELEMENT || data + last > bytes.length) {
       fail(code, where, `the bytes of ${name} are not where they must be`);

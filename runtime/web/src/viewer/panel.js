@@ -23,7 +23,7 @@ export class Panel {
     on("denoise", "change", ({ checked }) => stage.setDenoise(checked));
     on("ground", "change", ({ checked }) => stage.setGround(checked));
     on("faster", "click", () => stage.switchTier(this.faster));
-    on("reset", "click", () => stage.reset());
+    on("reset", "click", () => stage.glideTo(() => stage.reset()));
     on("screenshot", "click", () => this._save());
     on("fullscreen", "click", () => this._fullScreen());
     const hear = (name, action) => stage.addEventListener(name, action);
@@ -59,7 +59,7 @@ export class Panel {
     document.title = `${name} – RNA viewer`;
     element("name").textContent = name;
     element("tier").replaceChildren(...tiers.map((own) => new Option(own.name, own.name, false, own.name === tier.name)));
-    element("error").textContent = validation ? `${validation.psnr.toFixed(1)} dB, FLIP ${validation.flip.toFixed(3)}` : "not recorded";
+    element("error").textContent = validation ? `FLIP ${validation.flip.toFixed(3)}, ${validation.psnr.toFixed(1)} dB` : "not recorded";
     element("cost").textContent = cost ? `${cost.multiplyAdds.toLocaleString("en")} multiply-adds` : "not recorded";
     element("size").textContent = readableBytes(opened.bytesOf(tier.name));
   }

@@ -143,7 +143,7 @@ export class WebGPUEngine {
     if (!this.geometry) return;
     const { images } = this.arrays, floats = this.environment?.floats ?? new Float32Array(0);
     this.images?.destroy();
-    this.images = buffer(this.device, 4 * (images.length + floats.length), undefined, "the environment");
+    this.images = buffer(this.device, 4 * (images.length + floats.length), undefined, "the store of images");
     this.device.queue.writeBuffer(this.images, 0, images);
     this.device.queue.writeBuffer(this.images, 4 * images.length, floats);
   }
@@ -180,7 +180,7 @@ export class WebGPUEngine {
         bindGroup(device, rayLayout[2], this.geometry),
       ],
       queue: [sums, band, queries], look: [sums, band, bindGroup(device, this.lookLayout[2], [this.seen, this.firstLook])],
-      show: bind(device, this.shown, 0, [this.showRecord, this.sums, this.firstLook]),
+      show: bind(device, this.shown, 0, [this.showRecord, this.sums, this.firstLook, this.images]),
     };
   }
 
@@ -222,10 +222,11 @@ export class WebGPUEngine {
   }
 
   /** firstLook: its share in what is shown, 1 where there are no samples. rowsAhead: from the top, with one sample more. */
-  show({ rounds, firstLook, rowsAhead, exposure, backdrop, filmic, spread }) {
+  show({ rounds, firstLook, rowsAhead, exposure, backdrop, filmic, spread, camera, sky }) {
     const { width, height } = this.target, { canvas, device } = this;
     device.queue.writeBuffer(this.showRecord, 0, packed("Show", {
       size: [canvas.width, canvas.height], picture: [width, height], backdrop, rounds, rows_ahead: rowsAhead, exposure, filmic: Number(filmic), spread, first_look: firstLook,
+      ...(sky && this._sky(camera, sky)),
     }));
     const encoder = device.createCommandEncoder();
     const view = this.context.getCurrentTexture().createView();
@@ -235,6 +236,15 @@ export class WebGPUEngine {
     pass.draw(3);
     pass.end();
     device.queue.submit([encoder.finish()]);
+  }
+
+  /** The environment behind the asset. strength: of its radiance; angle: of its turn, radians. */
+  _sky({ corner, stepX, stepY, width, height }, { strength, angle }) {
+    const { environment, arrays } = this, { places } = environment;
+    return {
+      corner, across: stepX.map((value) => value * width), down: stepY.map((value) => value * height), sky: strength,
+      sky_size: [environment.width, environment.height], sky_turn: [Math.cos(angle), Math.sin(angle)], sky_texels: arrays.images.length + places[0],
+    };
   }
 
   async done() {
@@ -269,12 +279,12 @@ export class WebGPUEngine {
     this.device.queue.submit([encoder.finish()]);
   }
 
-  /** rna_gpu's Frame: render/frame.wgsl. */
+  /** rna_gpu's Frame: render/frame.wgsl. Images are averaged over what a sample stands for, so that print becomes sharper. */
   _writeFrame({ position, corner, stepX, stepY }, sample) {
     const { lightsAt, arrays, span, target } = this;
     this.device.queue.writeBuffer(this.frameRecord, 0, packed("Frame", {
       camera: position, corner, step_x: stepX, step_y: stepY, width: target.width, paths: span.pixels, sample, branches: 1, depth: 1, rays: constants.CAMERA_RAY,
-      flags: arrays.transmits ? constants.TRANSMITS : 0, textures: arrays.texturesAt, lights: lightsAt, spread: Math.hypot(...stepY),
+      flags: arrays.transmits ? constants.TRANSMITS : 0, textures: arrays.texturesAt, lights: lightsAt, spread: Math.hypot(...stepY) / Math.sqrt(span.jitter > 0 ? sample + 1 : 1),
     }));
   }
 

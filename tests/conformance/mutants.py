@@ -1,0 +1,158 @@
+"""Mutants of the minimal host: what the conformance kit finds, each caught or allowed by a clause.
+
+    python -m tests.conformance.mutants         tries all, and writes mutants.json
+
+A mutant is the host with one change: a number, an operator, a comparison, a function. It is caught
+where a case of the kit fails, or it ends in an exception or not at all.
+"""
+
+from __future__ import annotations
+
+import ast
+import copy
+import json
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+from rna_sdk.conformance.kit import Kit, load_kit
+from rna_sdk.conformance.scoring import cases, score
+from rna_sdk.package.decoder.query_arrays import in_order
+from tests.conformance.conftest import KIT, InProcess
+from tests.conftest import REPOSITORY
+from tests.time_limit import time_limit
+
+HOST = REPOSITORY / "examples" / "hosts" / "minimal.py"
+RECORD = Path(__file__).with_name("mutants.json")
+SECONDS = 60
+CAUGHT = "caught"
+
+FIRST = ("surface-float32", "fiber-float16", "surface-int8", "parts-lantern")
+"""Packages whose cases are tried first: between them nearly all that can go wrong."""
+
+_OPERATORS: dict[type, type] = {
+    ast.Add: ast.Sub,
+    ast.Sub: ast.Add,
+    ast.Mult: ast.Div,
+    ast.Div: ast.Mult,
+    ast.MatMult: ast.Mult,
+    ast.Pow: ast.Mult,
+    ast.BitAnd: ast.BitOr,
+    ast.BitOr: ast.BitAnd,
+    ast.LShift: ast.RShift,
+    ast.RShift: ast.LShift,
+    ast.Lt: ast.GtE,
+    ast.Eq: ast.NotEq,
+    ast.NotEq: ast.Eq,
+    ast.In: ast.NotIn,
+    ast.Is: ast.IsNot,
+    ast.USub: ast.UAdd,
+}
+_FUNCTIONS = {
+    "minimum": "maximum",
+    "maximum": "minimum",
+    "cos": "sin",
+    "sin": "cos",
+    "arcsin": "sin",
+    "sqrt": "square",
+    "log2": "log",
+    "rint": "trunc",
+    "all": "any",
+    "any": "all",
+}
+
+
+@dataclass(frozen=True)
+class Mutant:
+    """A change, by what it is, and the source with it."""
+
+    name: str
+    source: str
+
+
+def mutants(source: str) -> list[Mutant]:
+    """All mutants of a program but of its last statement, the command line."""
+    tree = ast.parse(source)
+    nodes = list(ast.walk(tree))
+    protocol = set(ast.walk(tree.body[-1]))
+    result = {}
+    for number, node in enumerate(nodes):
+        if node in protocol or not hasattr(node, "lineno"):
+            continue
+        for change in range(len(list(_changes(copy.copy(node))))):
+            changed = copy.deepcopy(tree)
+            copied = list(ast.walk(changed))[number]
+            before = ast.unparse(copied)
+            list(_changes(copied))[change]()
+            after = ast.unparse(changed)
+            name = f"line {node.lineno}:{node.col_offset}: {before} -> {ast.unparse(copied)}"
+            if after != ast.unparse(tree):
+                result[name] = Mutant(name, after)
+    return list(result.values())
+
+
+def _changes(node: ast.AST) -> Iterator[Any]:
+    """Functions that each change the node in place."""
+
+    def put(**values: Any) -> Any:
+        return lambda: [setattr(node, key, value) for key, value in values.items()]
+
+    if isinstance(node, ast.Constant) and type(node.value) in (int, float):
+        yield put(value=node.value + 1 if isinstance(node.value, int) else node.value * 1.5)
+        if isinstance(node.value, float) and node.value < 0.01:  # thresholds
+            yield put(value=node.value * 100)
+            yield put(value=node.value / 100)
+    if other := _OPERATORS.get(type(getattr(node, "op", None))):
+        yield put(op=other())
+    if isinstance(node, ast.Compare) and (other := _OPERATORS.get(type(node.ops[0]))):
+        yield put(ops=[other(), *node.ops[1:]])
+    if isinstance(node, ast.Attribute) and node.attr in _FUNCTIONS:
+        yield put(attr=_FUNCTIONS[node.attr])
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "unit":
+        yield put(func=ast.Name("abs", ast.Load()))
+        yield put(func=ast.Name("np.array", ast.Load()))
+
+
+def verdict(mutant: Mutant, kit: Kit) -> str:
+    """CAUGHT, or "passes"."""
+    host = ModuleType("mutant")
+    try:
+        exec(compile(mutant.source, mutant.name, "exec"), host.__dict__)
+        with time_limit(SECONDS):
+            order = sorted(cases(kit, "evaluate"), key=lambda case: case.package.stem not in FIRST)
+            passes = all(score(InProcess(_answers(host)), kit, case).passed for case in order)
+    except Exception:
+        return CAUGHT
+    return "passes" if passes else CAUGHT
+
+
+def _answers(host: ModuleType) -> Any:
+    def evaluate(
+        form: str, package: str, tier: str, part: int, arrays: dict[str, np.ndarray]
+    ) -> np.ndarray:
+        x, axis, h, wo, wi = (rows.astype(float) for rows in in_order(arrays))
+        at = package, tier, part, x, axis, h if len(h) else np.zeros(len(x)), wo
+        return np.float32(host.emission(*at) if form == "emission" else host.evaluate(*at, wi))
+
+    return evaluate
+
+
+def main() -> int:
+    kit, verdicts = load_kit(KIT), {}
+    for mutant in mutants(HOST.read_text()):
+        verdicts[mutant.name] = verdict(mutant, kit)
+        if verdicts[mutant.name] != CAUGHT:
+            print(mutant.name, flush=True)
+    RECORD.write_text(json.dumps(verdicts, indent=1) + "\n")
+    passing = [name for name, value in verdicts.items() if value != CAUGHT]
+    print(f"{len(verdicts)} mutants, {len(passing)} pass")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
