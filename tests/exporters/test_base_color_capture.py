@@ -39,7 +39,7 @@ for k, changes in enumerate(changes_of):
     tree.links.new(shown, shader.inputs["Color"])
     tree.links.new(shader.outputs[0], tree.nodes["Material Output"].inputs["Surface"])
     mesh = bpy.data.meshes.new("label")
-    mesh.from_pydata([(x, y + 2 * k, 0) for x, y in ((0, 0), (2, 0), (2, 1), (0, 1))], [],
+    mesh.from_pydata([(x, y + 1.5 * k, 0) for x, y in ((0, 0), (2, 0), (2, 1), (0, 1))], [],
                      [(0, 1, 2), (0, 2, 3)])
     layer = mesh.uv_layers.new(name="UVMap")
     corners = [(0.2, 0.1), (0.9, 0.1), (0.9, 0.8), (0.2, 0.8)]
@@ -124,10 +124,10 @@ def captured(
     assert np.allclose(at["base_color"][on_red], [0.8, 0.1, 0.2], atol=1e-3)
     mesh, labels = exported.geometries["asset"], []
     for k in range(len(changes)):
-        on = ~on_red & (np.abs(at["position"][:, 2] + 2 * k + 0.5) < 0.51)
+        on = ~on_red & (np.abs(at["position"][:, 2] + 1.5 * k + 0.5) < 0.51)
         assert on.sum() > 100
         first = mesh.positions[mesh.triangles[:, 0]]
-        (triangle, *_) = np.flatnonzero((first[:, 1] < 0.1) & (np.abs(first[:, 2] + 2 * k) < 1.01))
+        (triangle, *_) = np.flatnonzero((first[:, 1] < 0.1) & (np.abs(first[:, 2] + 1.5 * k) < 0.1))
         (name,) = (
             r.image
             for r in exported.colors["asset"]
