@@ -46,6 +46,7 @@ COMMANDS = {
         Command("peers-data", "peers.views_command", resumes=True),
         Command("assets", "accuracy.assets_command"),
         Command("words", "accuracy.words_command"),
+        Command("materials", "accuracy.materials_command", resumes=True),
         Command("lobes", "accuracy.lobes_command"),
         Command("evaluate", "speed.evaluate"),
         Command("cores", "speed.cores"),

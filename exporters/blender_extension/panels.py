@@ -56,10 +56,10 @@ class PackagePanel(_Properties, bpy.types.Panel):
 
 
 def tier_line(tier):
-    """`small: 37.6 dB, FLIP 0.038, 214 ns/query`."""
+    """`small: FLIP 0.126, 38.9 dB, 156 ns/query`."""
     facts = [
-        f"{tier['psnr']:.1f} dB" if tier["psnr"] is not None else None,
         f"FLIP {tier['flip']:.3f}" if tier["flip"] is not None else None,
+        f"{tier['psnr']:.1f} dB" if tier["psnr"] is not None else None,
         f"{tier['nsPerQuery']:.0f} ns/query" if tier["nsPerQuery"] is not None else None,
     ]
     return f"{tier['name']}: {', '.join(f for f in facts if f) or 'no figures recorded'}"

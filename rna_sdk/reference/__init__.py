@@ -17,8 +17,9 @@ Input blocks (6.2): `queries.queries_reference`, `queries.fiber_queries_referenc
 Lobes (12, RNA_environment): `lobes.py`. Fast form:
     numba                rna_sdk/runtime/kernels/lobe_kernels.py
 
-Base colour (4.6): `base_color.py`. Fast form:
+Base colour (4.6): `base_color.py`. Fast forms:
     numba                rna_sdk/runtime/kernels/base_color_kernel.py
+    shaders              images.wgsl
 
 The twin reader of `rna_sdk.conformance` answers with these references.
 """

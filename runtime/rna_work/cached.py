@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import fcntl
 import hashlib
 import os
 import shutil
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from uuid import uuid4
 
@@ -55,8 +54,14 @@ def content_hash(path: Path) -> str:
 
 @contextmanager
 def locked(file: Path) -> Iterator[None]:
-    """Held by one of all machines that share the file; free again where its holder ends."""
+    """Held by one of all machines that share the file; free again where its holder ends.
+
+    Not on Windows, which has no such locks.
+    """
     file.parent.mkdir(parents=True, exist_ok=True)
     with file.open("w") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
+        with suppress(ModuleNotFoundError):
+            import fcntl
+
+            fcntl.flock(lock, fcntl.LOCK_EX)
         yield

@@ -90,7 +90,7 @@ class ProcessSlot:
 
 
 def _how(status: int | None) -> str:
-    if status == -signal.SIGKILL:
+    if status == -9:  # SIGKILL, which Windows has not
         return "killed; is there enough memory?"
     return f"status {status}"
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +15,7 @@ from rna_bench.cli import main
 from rna_bench.scenes import scenes_study
 from rna_bench.scenes.beside_cycles import Beside, OurScene
 from rna_bench.scenes.equal_error import equal_error
+from rna_bench.scenes.filled import filled
 from rna_bench.scenes.scene_list import NEAR_AND_FAR, find_environment, scenes
 from rna_bench.scenes.stage import Stage
 from rna_bench.scenes.stored import StoredResults
@@ -90,6 +92,24 @@ def test_instances_near_and_far_stand_apart(stage: Stage, tmp_path: Path) -> Non
     assert apart[np.triu_indices(len(middles), 1)].min() > 2.0 * stage.radius
     distance = np.linalg.norm(middles - scene.camera.position, axis=1)
     assert distance.max() > 5.0 * distance.min()
+
+
+def test_the_asset_fills_the_share_of_the_picture_that_is_asked_for(stage: Stage) -> None:
+    fitted = filled(replace(stage, resolution=(160, 90)), 1 / 3)
+    near, far = (OurScene(s.scene()).channels(4)["A"].mean() for s in (fitted, stage))
+    assert near == pytest.approx(1 / 3, rel=0.03) and far < 0.2
+    with pytest.raises(SceneError, match="--share: expected a number between 0 and 1, found 1"):
+        filled(stage, 1.0)
+
+
+def test_flip_is_of_the_asset_and_not_of_what_is_around_it() -> None:
+    asset = np.zeros((128, 192), bool)
+    asset[32:96, 48:144] = True
+    reference = np.full((128, 192, 3), 0.4, np.float32)
+    beside = Beside.of(np.stack([reference] * 2), asset)
+    background = np.where(asset[..., None], reference, 0.1).astype(np.float32)
+    inside = np.where(asset[..., None], 0.1, reference).astype(np.float32)
+    assert beside.flip(background).mean < 0.1 < 0.4 < beside.flip(inside).mean
 
 
 def test_what_is_kept_was_made_with_the_same_settings(tmp_path: Path) -> None:

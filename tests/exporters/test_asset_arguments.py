@@ -15,7 +15,8 @@ ASSETS = {"surface": SurfaceAsset, "fiber": FiberAsset}
 
 def fields_of(kind: str) -> dict[str, np.ndarray]:
     """Every field in the reverse of the order that captures have, and one that is not asked."""
-    names = [*reversed(SAMPLE_FIELDS[kind]), "uv"]
+    printed = ["base_color"] if kind == "surface" else []
+    names = [*printed, *reversed(SAMPLE_FIELDS[kind]), "uv"]
     return {name: np.full((2, 3), k, np.float32) for k, name in enumerate(names)}
 
 
@@ -35,5 +36,8 @@ def test_queries_of_views_leave_out_what_the_runtime_does_not_take() -> None:
     fields = fields_of("surface")
     view = ValidationView(0, 2, np.arange(2), fields, np.zeros((2, 2, 3), np.float32))
     actual = all_queries([view, view])
-    for values, name in zip(actual, ("position", "normal", "wo", "wi"), strict=True):
+    for values, name in zip(actual, ("position", "normal", "wo", "wi", "base_color"), strict=True):
         assert np.array_equal(values, np.concatenate([fields[name]] * 2))
+    del fields["base_color"]
+    *_, wi, base_color = all_queries([view, view])
+    assert base_color is None and np.array_equal(wi, np.concatenate([fields["wi"]] * 2))

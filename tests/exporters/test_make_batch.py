@@ -108,6 +108,11 @@ def test_more_minutes_in_all_are_more_minutes(work: Path) -> None:
         carried_options(asked(minutes=2.0), work, ())
 
 
+def test_minutes_of_lobes_are_no_minutes_of_the_run(work: Path) -> None:
+    assert carried_options(asked(minutes=5.0), work, (), 2.0).more is None  # 3 of them, as before
+    assert carried_options(asked(more=5.0), work, (), 2.0).more == pytest.approx(3.0)
+
+
 def test_an_update_takes_a_third_of_the_time(work: Path) -> None:
     assert carried_options(asked(update=True), work, ()).minutes == pytest.approx(1.0)
     assert carried_options(asked(update=True, minutes=2.0), work, ()).minutes == 2.0

@@ -139,14 +139,15 @@ def test_what_holds_nothing_to_learn_is_refused(
         ("relief", None, False, "well"),
         ("gloss", 0.1e-3, False, "roughly"),
         ("emission", 0.1e-3, False, "roughly"),
-        ("colour", 0.1e-3, False, "well"),  # a texture of the package
+        ("colour", 0.1e-3, True, "well"),
+        ("colour", 0.1e-3, False, "roughly"),
     ],
 )
 def test_details_are_compared_with_planes(
     of: str, size: float | None, mapped: bool, learnt: str
 ) -> None:
     material = facts(details=[Detail(of=of, node="Grain", size=size)])  # type: ignore[arg-type]
-    (actual,) = verdicts([material], [], TEXEL, ["m"] if mapped else [])
+    (actual,) = verdicts([material], [], TEXEL, *2 * [["m"] if mapped else []])
     assert actual.learnt == learnt
     assert bool(actual.reasons) == (learnt != "well")
     assert all("'Grain'" in reason for reason in actual.reasons)
@@ -157,14 +158,14 @@ def test_details_are_compared_with_planes(
     [(["glass"], "not"), (["refracting"], "roughly"), (["volume"], "roughly"), (["hair"], "well")],
 )
 def test_kinds(kinds: list[str], learnt: str) -> None:
-    (actual,) = verdicts([facts(kinds=kinds)], [], TEXEL, [])
+    (actual,) = verdicts([facts(kinds=kinds)], [], TEXEL, [], [])
     assert actual.learnt == learnt
 
 
 def test_lines_begin_with_the_worst_and_end_with_what_is_learnt_well() -> None:
     materials = [facts(name=f"stone {k}") for k in range(5)]
     fine = Detail(of="relief", node="Grain", size=1e-4)
-    lines = preflight_lines(verdicts([*materials, facts(details=[fine])], [], TEXEL, []))
+    lines = preflight_lines(verdicts([*materials, facts(details=[fine])], [], TEXEL, [], []))
     assert lines[1] == "  'm': opaque, relief by 'Grain': not learnt"
     assert "(0.1 mm from one detail to the next; the planes hold 0.8 mm)" in lines[2]
     assert lines[-1] == "  learnt well: 'stone 0', 'stone 1', 'stone 2' and 2 more (opaque)"

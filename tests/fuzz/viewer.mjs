@@ -23,6 +23,15 @@ const { NotSupported, PackageError } = await load("errors.js");
 
 const SLOW_MS = 20000;
 
+// Node decodes no images: each is black, of one size.
+globalThis.createImageBitmap = async () => ({ width: 4, height: 3 });
+globalThis.OffscreenCanvas = class {
+  getContext(kind) {
+    const getImageData = (x, y, width, height) => ({ data: new Uint8ClampedArray(4 * width * height) });
+    return kind === "2d" ? { drawImage() {}, getImageData } : null;
+  }
+};
+
 // Each entry in a buffer of its own size: a view past its end, inside the package, is a RangeError.
 const read = Package.prototype._data;
 Package.prototype._data = async function exactly(name) {
@@ -39,12 +48,18 @@ function checkTexture({ triangles: [first, count], texture }, mesh) {
   expect(values.length === height * width * channels, "a texture of another size");
 }
 
-function checkPart({ mesh, curves, transmittance, normalMaps, planes, transport, emission, environment }) {
+function checkBaseColor({ triangles: [first, count], image }, mesh) {
+  expect(first + count <= mesh.indices.length / 3, "base colour past the mesh");
+  expect(!image || (mesh.uvs && image.pixels.length === 4 * image.width * image.height), "an image of another size");
+}
+
+function checkPart({ mesh, curves, transmittance, normalMaps, baseColor, planes, decoders, environment }) {
   if (mesh) {
     expect(mesh.positions.length === mesh.normals.length, "normals of another count");
     expect(!mesh.uvs || mesh.uvs.length / 2 === mesh.positions.length / 3, "uvs of another count");
     expect(mesh.indices.every((index) => 3 * index + 2 < mesh.positions.length), "a vertex that is not there");
     [...transmittance, ...normalMaps].forEach((record) => checkTexture(record, mesh));
+    baseColor.forEach((record) => checkBaseColor(record, mesh));
   } else {
     expect(curves.points.length === 3 * curves.radii.length, "radii of another count");
     expect(curves.offsets.every((offset) => offset <= curves.radii.length), "a point that is not there");
@@ -54,7 +69,7 @@ function checkPart({ mesh, curves, transmittance, normalMaps, planes, transport,
   if (environment?.harmonics) {
     expect(environment.harmonics.length * 3 === 16 * (mesh?.positions ?? curves.points).length, "harmonics of another count");
   }
-  for (const { layers } of [transport, emission, environment].filter(Boolean)) {
+  for (const { layers } of [...Object.values(decoders), environment].filter(Boolean)) {
     for (const { weight, bias, rows, columns } of layers) {
       expect(weight.length === rows * columns && bias.length === columns, "a layer of another size");
     }

@@ -44,7 +44,7 @@ fn find_lobes(@builtin(global_invocation_id) id: vec3<u32>) {
     let x = bitcast<vec3f>(at.position);
     let place = rna_run_lobes(x, axis, bitcast<f32>(at.h), wo, m, visibility);
     for (var j = 0u; j < RNA_LOBES; j++) {
-        let lobe = rna_lobe(place, j, axis, wo, m, bitcast<f32>(at.reserved_3));
+        let lobe = rna_lobe(place, j, axis, wo, m, bitcast<f32>(at.blue));
         results[2u * (RNA_LOBES * row + j)] = vec4f(lobe.amplitude, lobe.kappa);
         results[2u * (RNA_LOBES * row + j) + 1u] = vec4f(lobe.axis, 0.0);
     }
@@ -95,7 +95,7 @@ def test_lobes(kind: str, with_visibility: bool, device: Device) -> None:
 
     arguments = float_planes(planes), bounds.corners(), part.inputs, rows["position"], rows["axis"]
     if kind == "surface":
-        queries = queries_reference(*arguments, rows["wo"], m)
+        queries = queries_reference(*arguments, rows["wo"], m, of_lobes=True)
     else:
         queries = fiber_queries_reference(*arguments, rows["h"], rows["wo"], m)
     session = ort.InferenceSession(decoder_to_bytes(decoder), providers=["CPUExecutionProvider"])
@@ -132,7 +132,7 @@ def test_lobes(kind: str, with_visibility: bool, device: Device) -> None:
 
 def _gpu_rows(rows: dict[str, np.ndarray], m: np.ndarray) -> np.ndarray:
     packed = np.zeros(COUNT, ROW.dtype)
-    for name, values in {**rows, "wi": m, "reserved_3": rows["free"]}.items():
+    for name, values in {**rows, "wi": m, "blue": rows["free"]}.items():
         if name in packed.dtype.names:
             packed[name] = np.ascontiguousarray(values, np.float32).view(np.uint32)
     return packed

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import os
 import subprocess
 from dataclasses import replace
@@ -12,11 +13,12 @@ import onnx
 import pytest
 
 from rna_sdk.runtime import load
+from rna_sdk.runtime.tiers import expected_error
 from tests.conformance.kit.decoders import Int8Decoder, KitInt8Layer
-from tests.hosts.c_host import CAsset, compiler
+from tests.hosts.c_host import SOURCES, CAsset, compiler
 from tests.hosts.packages import broken_constants, make_profile_tier, write_profile_package
 from tests.package.builders import read_entries
-from tests.package.corpus.registry import DECODER, with_entry
+from tests.package.corpus.registry import DECODER, with_entry, with_manifest
 
 pytestmark = pytest.mark.skipif(compiler() is None, reason="needs cc and make")
 
@@ -150,3 +152,56 @@ def test_pipes_and_devices_are_refused(programs: dict[str, Path], tmp_path: Path
 
 def run(*command: object) -> subprocess.CompletedProcess[str]:
     return subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=60)
+
+
+def test_error_by_height_and_domain_are_those_of_the_runtime(
+    programs: dict[str, Path], tmp_path: Path
+) -> None:
+    rna = ctypes.CDLL(str(programs["librna.so"]))
+    rna.rna_open.restype, rna.rna_flip_at.restype = ctypes.c_void_p, ctypes.c_double
+    rna.rna_in_domain.restype = ctypes.c_bool
+    up, down = ((ctypes.c_float * 3)(0.6, y, 0) for y in (0.8, -0.8))
+    cone = {"axis": [0, 1, 0], "halfAngle": 0.7}
+    for region, contains in (("sphere", [1, 1]), ("hemisphere", [1, 0]), ([cone], [1, 0])):
+        path = tmp_path / "toy.rna"
+        path.write_bytes(
+            with_manifest(read_entries(TOY), lambda m, r=region: m["domain"].update(wi=r))
+        )
+        asset = ctypes.c_void_p(rna.rna_open(str(path).encode(), None))
+        assert [rna.rna_in_domain(asset, True, d) for d in (up, down)] == contains
+        assert rna.rna_in_domain(asset, False, down)
+        assert not rna.rna_in_domain(asset, True, (ctypes.c_float * 3)(np.nan, 1, 0))
+        tier = load(path).tier
+        for pixels in (1e6, 300, 77.0, 40, 3, 0.5):
+            actual = rna.rna_flip_at(asset, 0, ctypes.c_double(pixels))
+            assert actual == pytest.approx(expected_error(tier, pixels), rel=1e-9)
+        assert rna.rna_flip_at(asset, 9, ctypes.c_double(100)) < 0
+        rna.rna_close(asset)
+
+
+def test_null_and_nan_are_answered(programs: dict[str, Path]) -> None:
+    """No report, no path, no asset, and coordinates that are not numbers."""
+    rna = ctypes.CDLL(str(programs["librna.so"]))
+    for name in ("rna_open", "rna_open_memory", "rna_part", "rna_tier"):
+        getattr(rna, name).restype = ctypes.c_void_p
+    assert rna.rna_open(None, None) is None
+    assert rna.rna_open_memory(None, 0, None) is None
+    assert rna.rna_part(None, 0) is None and rna.rna_tier(None, 0) is None
+    assert rna.rna_part_count(None) == rna.rna_tier_count(None) == 0
+    assert rna.rna_tier_index(None, b"small") == -1
+    asset = ctypes.c_void_p(rna.rna_open(str(TOY).encode(), None))
+    assert asset and rna.rna_tier_index(asset, None) == -1
+    normal = (ctypes.c_float * 3)(1, 1, 1)
+    nan, tau = ctypes.c_double(np.nan), (ctypes.c_float * 3)(1, 1, 1)
+    rna.rna_normal(asset, 0, 0, nan, nan, normal)
+    rna.rna_transmittance(asset, 0, 0, nan, nan, (ctypes.c_float * 3)(np.nan, 0, 1), tau)
+    rna.rna_normal(None, 0, 0, nan, nan, normal)
+    rna.rna_transmittance(None, 0, 0, nan, nan, normal, tau)
+    assert [*normal, *tau] == [0] * 6
+    rna.rna_close(asset)
+    rna.rna_close(None)
+
+
+def test_it_compiles_without_warnings(tmp_path: Path) -> None:
+    command = ["cc", "-std=c11", "-Wall", "-Wextra", "-pedantic", "-Werror", "-O0", "-c"]
+    subprocess.run([*command, SOURCES / "rna.c", "-o", tmp_path / "rna.o"], check=True)

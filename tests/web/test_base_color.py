@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from rna_sdk import runtime
 from rna_view.site_files import Site
@@ -53,12 +54,13 @@ PRINT = """
     tint: [0.6, 1.2, 1]"""
 
 
-def write_files(folder: Path) -> dict[str, bytes]:
-    """Images for make_print, finer than pixels; in the folder another one, noise.png."""
+def write_files(folder: Path, cells: tuple[int, int] = (256, 128)) -> dict[str, bytes]:
+    """Images of so many random cells for make_print; in the folder another one, noise.png."""
     rng = np.random.default_rng(9)
-    noise = [rng.integers(0, 256, (128, 256, 3)).astype(np.uint8) for _ in range(2)]
-    (folder / "noise.png").write_bytes(image_bytes(noise[1][:100]))
-    return {LABEL: image_bytes(noise[0]), STAMP: image_bytes(noise[1][:7, :9])}
+    noise = [rng.integers(0, 256, (*cells[::-1], 3)).astype(np.uint8) for _ in range(2)]
+    images = [np.asarray(Image.fromarray(one).resize((256, 128))) for one in noise]
+    (folder / "noise.png").write_bytes(image_bytes(images[1][:100]))
+    return {LABEL: image_bytes(images[0]), STAMP: image_bytes(images[1][:7, :9])}
 
 
 def printed_anew(scene: Path, path: Path) -> None:

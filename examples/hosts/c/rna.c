@@ -2,28 +2,36 @@
  * rna/ are parts of it, one concept each, and all their names are static.
  *
  * Nothing read from a package is trusted before it was compared with the bytes that are there. */
-#define _POSIX_C_SOURCE 200809L
+#define _POSIX_C_SOURCE 200809L /* for S_ISREG */
 #include "rna.h"
+
+#if defined(__GNUC__) /* tables leave out members that are 0 */
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+#endif
 
 #include "rna/base_color.h"
 #include "rna/blocks.h"
 #include "rna/package.h"
 
-#include <fcntl.h>
-#include <sys/mman.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
-static RnaAsset *open_span(Span file, bool mapped, RnaReport *report) {
+#ifndef S_ISREG
+#define S_ISREG(mode) (((mode) & _S_IFMT) == _S_IFREG)
+#endif
+
+/* own: what is freed with the asset, or NULL. */
+static RnaAsset *open_span(Span file, void *own, RnaReport *report) {
     RnaAsset *asset = calloc(1, sizeof *asset);
     Container *zip = calloc(1, sizeof *zip);
     if (asset && zip) {
         asset->file = zip->file = file;
-        asset->mapped = mapped;
+        asset->own = own;
         read_package(zip, asset, report);
     } else {
         refuse(report, "FILE_UNREADABLE", "byte 0", "memory for it", "not enough");
-        if (mapped) munmap((void *)(uintptr_t)file.at, file.size);
+        free(asset);
+        asset = NULL;
+        free_aligned(own);
     }
 #ifdef RNA_EXACT_ENTRIES
     if (asset && zip) {
@@ -38,52 +46,98 @@ static RnaAsset *open_span(Span file, bool mapped, RnaReport *report) {
 }
 
 RnaAsset *rna_open_memory(const void *data, size_t size, RnaReport *report) {
+    RnaReport unread;
+    if (!report) report = &unread;
     memset(report, 0, sizeof *report);
-    if ((uintptr_t)data % ALIGNMENT == 0) return open_span((Span){data, size}, false, report);
+    if (data && (uintptr_t)data % ALIGNMENT == 0) return open_span((Span){data, size}, NULL, report);
     refuse(report, "FILE_UNREADABLE", "byte 0", "an address that is a multiple of 64", "%p", data);
     return NULL;
 }
 
+/* The bytes of a file whose size is known; NULL where it has others. */
+static void *bytes_of(const char *path, size_t size) {
+    FILE *file = fopen(path, "rb");
+    void *bytes = file ? aligned(size) : NULL;
+    if (bytes && fread(bytes, 1, size, file) != size) {
+        free_aligned(bytes);
+        bytes = NULL;
+    }
+    if (file) fclose(file);
+    return bytes;
+}
+
 RnaAsset *rna_open(const char *path, RnaReport *report) {
+    RnaReport unread;
+    if (!report) report = &unread;
     memset(report, 0, sizeof *report);
     struct stat status;
-    int file = open(path, O_RDONLY | O_NONBLOCK); /* a pipe would wait for a writer */
-    bool good = file >= 0 && fstat(file, &status) == 0 && S_ISREG(status.st_mode);
+    bool good = path && stat(path, &status) == 0 && S_ISREG(status.st_mode); /* a pipe would wait for a writer */
     size_t size = good ? (size_t)status.st_size : 0;
-    void *data = NULL;
-    if (good && size > 0 && size < UINT32_MAX) {
-        data = mmap(NULL, size, PROT_READ, MAP_PRIVATE, file, 0);
-        good = data != MAP_FAILED;
+    void *own = NULL;
+    if (good && size > 0 && size < UINT32_MAX) { /* others are refused for their size */
+        own = bytes_of(path, size);
+        good = own != NULL;
     }
-    if (file >= 0) close(file);
-    if (good) return open_span((Span){data, size}, data != NULL, report);
-    refuse(report, "FILE_UNREADABLE", "byte 0", "a readable file", "%s", path);
+    if (good) return open_span((Span){own, size}, own, report);
+    refuse(report, "FILE_UNREADABLE", "byte 0", "a readable file", "%s", path ? path : "no path");
     return NULL;
 }
 
 void rna_close(RnaAsset *asset) {
     if (!asset) return;
     free_package(asset);
-    if (asset->mapped) munmap((void *)(uintptr_t)asset->file.at, asset->file.size);
+    free_aligned(asset->own);
     free(asset);
 }
 
-int rna_part_count(const RnaAsset *asset) { return asset->parts; }
+int rna_part_count(const RnaAsset *asset) { return asset ? asset->parts : 0; }
 
 const RnaPart *rna_part(const RnaAsset *asset, int part) {
-    return part >= 0 && part < asset->parts ? &asset->part[part].public : NULL;
+    return asset && part >= 0 && part < asset->parts ? &asset->part[part].public : NULL;
 }
 
-int rna_tier_count(const RnaAsset *asset) { return asset->tiers; }
+int rna_tier_count(const RnaAsset *asset) { return asset ? asset->tiers : 0; }
 
 int rna_tier_index(const RnaAsset *asset, const char *name) {
-    for (int i = 0; i < asset->tiers; i++)
+    for (int i = 0; asset && name && i < asset->tiers; i++)
         if (strcmp(asset->tier[i].public.name, name) == 0) return i;
     return -1;
 }
 
 const RnaTier *rna_tier(const RnaAsset *asset, int tier) {
-    return tier >= 0 && tier < asset->tiers ? &asset->tier[tier].public : NULL;
+    return asset && tier >= 0 && tier < asset->tiers ? &asset->tier[tier].public : NULL;
+}
+
+double rna_flip_at(const RnaAsset *asset, int tier, double pixels) {
+    const RnaTier *of = rna_tier(asset, tier);
+    if (!of || !asset->tier[tier].validation) return -1;
+    const Json *table = member(asset->tier[tier].validation, "flipAtHeight");
+    if (!table || !table->first) return of->flip;
+    const Json *at = table->first; /* the tallest first */
+    double height = member(at, "height")->number, flip = member(at, "flip")->number;
+    while (pixels > 0 && pixels < height && (at = at->next)) {
+        double lower = member(at, "height")->number, its_flip = member(at, "flip")->number;
+        if (pixels > lower) return flip + (its_flip - flip) * log(height / pixels) / log(height / lower);
+        height = lower;
+        flip = its_flip;
+    }
+    return flip;
+}
+
+bool rna_in_domain(const RnaAsset *asset, bool is_wi, const float direction[3]) {
+    const Json *region = asset ? member(asset->domain, is_wi ? "wi" : "wo") : NULL;
+    if (!region || !direction) return false;
+    const double x = direction[0], y = direction[1], z = direction[2], length = sqrt(x * x + y * y + z * z);
+    if (!(length > 0 && length <= DBL_MAX)) return false;
+    if (is_string(region, "sphere")) return true;
+    if (is_string(region, "hemisphere")) return y >= 0;
+    for (const Json *cone = region->first; cone; cone = cone->next) {
+        const Json *i = member(cone, "axis")->first, *j = i->next, *k = j->next;
+        double size = sqrt(i->number * i->number + j->number * j->number + k->number * k->number);
+        double cosine = (i->number * x + j->number * y + k->number * z) / (size * length);
+        if (cosine >= cos(member(cone, "halfAngle")->number) - 1e-6) return true; /* float32 directions */
+    }
+    return false;
 }
 
 static float light(float value, bool valid) {
@@ -92,7 +146,7 @@ static float light(float value, bool valid) {
 
 /* The tier part that rows are asked of; NULL where an argument is missing or wrong. */
 static const TierPart *asked_part(const RnaAsset *asset, int tier, int part, const Batch *batch) {
-    const RnaPart *of = asset ? rna_part(asset, part) : NULL;
+    const RnaPart *of = rna_part(asset, part);
     if (!of || !rna_tier(asset, tier)) return NULL;
     const bool given = batch->positions && batch->axes && batch->wo && batch->wi;
     if (batch->n && !(given && (of->kind == RNA_SURFACE || batch->h))) return NULL;
@@ -115,6 +169,7 @@ static void put_light(const float *outputs, size_t column, size_t factor, const 
 static RnaStatus run_network(const RnaPart *of, const TierPart *with, const Network *network, const Batch *batch,
                              const float *base_colors, float *const *colours, size_t count) {
     if (batch->n == 0) return RNA_OK;
+    if (!colours[0] || !colours[count - 1]) return RNA_BAD_ARGUMENT;
     size_t size = (size_t)ROWS * (size_t)rounded_up(network->decoder->widest, ALIGNMENT);
     float *buffers = aligned(2 * size * sizeof *buffers);
     if (!buffers) return RNA_OUT_OF_MEMORY;
@@ -129,7 +184,7 @@ static RnaStatus run_network(const RnaPart *of, const TierPart *with, const Netw
                 put_light(results, 3 * i, 3 * count, base_colors ? base_colors + at : NULL, points.valid[r], r,
                           colours[i] + at);
     }
-    free(buffers);
+    free_aligned(buffers);
     return RNA_OK;
 }
 
@@ -183,7 +238,8 @@ void rna_normal(const RnaAsset *asset, int part, uint32_t triangle, double b1, d
                 triangle - of->normal_maps[i].first < of->normal_maps[i].count)
                 bend_normal(&of->normal_maps[i], of->mesh, corner, b, n);
     }
-    for (int k = 0; k < 3; k++) normal[k] = (float)n[k];
+    bool known = isfinite(n[0] + n[1] + n[2]);
+    for (int k = 0; k < 3; k++) normal[k] = known ? (float)n[k] : 0;
 }
 
 RnaStatus rna_set_image(RnaAsset *asset, int part, int record, const uint8_t *rgb) {

@@ -53,6 +53,7 @@ typedef struct RnaTier {
     bool is_int8;         /* the arithmetic of the decoders, where it is that of all parts */
     double multiply_adds; /* a query; int8 ones count half when tiers are compared.  Below 0: unknown */
     double flip;          /* mean error on images the training never saw.  Below 0: unknown */
+    double psnr;          /* of the same images, dB.  NaN: unknown */
 } RnaTier;
 
 /* A mesh: `normals` are corner normals; interpolate them over the hit triangle and normalise. */
@@ -125,8 +126,8 @@ typedef struct RnaPart {
 
 typedef struct RnaAsset RnaAsset;
 
-/* The asset in a file, which is mapped, checked by section 10, and not written to; NULL where
- * an issue is an error.  `report` is filled in either case. */
+/* The asset in a file, which is read, and checked by section 10; NULL where an issue is an error.
+ * `report` is filled in either case, and may be NULL. */
 RnaAsset *rna_open(const char *path, RnaReport *report);
 
 /* As rna_open, of bytes that the host loaded.  They are not copied: they must start at a multiple
@@ -136,11 +137,20 @@ RnaAsset *rna_open_memory(const void *data, size_t size, RnaReport *report);
 /* Frees the asset, and with it all that its functions returned.  NULL is fine. */
 void rna_close(RnaAsset *asset);
 
+/* Of an asset that is NULL there are no parts and no tiers. */
 int rna_part_count(const RnaAsset *asset);                   /* 1 to RNA_MAX_PARTS */
 const RnaPart *rna_part(const RnaAsset *asset, int part);    /* NULL where there is none */
 int rna_tier_count(const RnaAsset *asset);
 int rna_tier_index(const RnaAsset *asset, const char *name); /* -1 where there is none */
 const RnaTier *rna_tier(const RnaAsset *asset, int tier);    /* NULL where there is none */
+
+/* The tier's flip where the sphere about the bounds of all parts is `pixels` high in the image (section 3,
+ * "Error by size"), its largest where that is not above 0; below 0: unknown. */
+double rna_flip_at(const RnaAsset *asset, int tier, double pixels);
+
+/* Whether the asset was trained for wi, or else for wo, in this direction (section 7.1, "Domain"); outside of it
+ * results are extrapolated. */
+bool rna_in_domain(const RnaAsset *asset, bool is_wi, const float direction[3]);
 
 /* Transport at n points of a part: radiance towards wo under irradiance 1 from wi, linear RGB
  * (section 7.1).
@@ -173,7 +183,8 @@ void rna_transmittance(const RnaAsset *asset, int part, uint32_t triangle, doubl
 
 /* The normal of a surface's query at a hit, unit, not turned to the viewer: that of the corners,
  * interpolated, with the relief of the part's normal maps (sections 4.1 and 4.5).  The visibility ray and
- * rna_transmittance go by the one without.  0 for a part or triangle that is not there. */
+ * rna_transmittance go by the one without.  0 for a part or triangle that is not there, and for coordinates
+ * that are not finite. */
 void rna_normal(const RnaAsset *asset, int part, uint32_t triangle, double b1, double b2, float normal[3]);
 
 /* Gives a record of base colour the pixels of its image, which the host decoded: height x width x 3 of 8 bits,

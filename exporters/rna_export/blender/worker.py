@@ -39,13 +39,8 @@ with few_cores(THREADS):
     import bpy
     from rna_geometry import curves_export, mesh_export, scene_parts
     from rna_geometry.shown_objects import as_rendered
-    from rna_materials import (
-        base_colors,
-        material_facts,
-        object_materials,
-        smooth_glass,
-        surface_textures,
-    )
+    from rna_materials import base_colors, object_materials, surface_textures
+    from rna_preflight import material_facts, smooth_glass
     from rna_renders import ray_render, render_settings, scene_render, white_card
     from rna_sources import read_files, shown_frame, source_scene
 

@@ -70,7 +70,7 @@ class OpenedSource:
         scene = _scene(exported, settings)
         limited = None if for_scene is None else scene_domain(for_scene, name, scene)
         glass = [Glass(**each) for each in worker.opened["glass"]]
-        judged = verdicts(facts, glass, _texel(exported), exported.mapped)
+        judged = verdicts(facts, glass, _texel(exported), exported.mapped, exported.coloured)
         lines = preflight_lines(judged)
         if of is not None and "sharpest" not in given:
             lines += [f"views look for highlights of roughness {sharpest:.2g}, those of {of!r}"]

@@ -59,8 +59,8 @@ def check_environment(args: Namespace, options: ArgumentParser) -> None:
 
 
 def lobe_minutes(args: Namespace) -> float:
-    """Limit of the lobes' training and measurement, of a command with --minutes; 0 for none."""
+    """Limit of the lobes' training and measurement, of `rna-make`; 0 for none."""
     if not args.environment:
         return 0.0
-    whole = float("inf") if args.minutes is None else args.minutes
+    whole = args.minutes or args.more or float("inf")
     return float(min(args.environment_minutes, _SHARE * whole))

@@ -28,23 +28,24 @@ class CarriedOptions:
 
 
 def carried_options(
-    args: argparse.Namespace, work: Path, arguments: tuple[str, ...]
+    args: argparse.Namespace, work: Path, arguments: tuple[str, ...], elsewhere: float = 0.0
 ) -> CarriedOptions:
     """The options of this command, with those of the run in the work folder if it goes on from it.
 
-    `--minutes` above those of the run there are more minutes for it. Raises `TrainingError` for a
-    damaged run, and where no time is left.
+    `--minutes` above those of the run there are more minutes for it. elsewhere: of the given
+    minutes, those that are not for rays and models. Raises `TrainingError` for a damaged run, and
+    where no time is left.
     """
-    state = read_state(work)
-    more = args.more if state is None else _more(args, state)
-    given = tuple(args.presets or ())
+    state, given = read_state(work), tuple(args.presets or ())
+    asked, more = (None if m is None else m - elsewhere for m in (args.minutes, args.more))
+    if state is not None and more is None and not args.update:
+        more = _more(asked, state)
     if state is None or not (more or args.update):
-        presets = given or _PRESETS
-        return CarriedOptions(presets, arguments, {}, args.seed, args.minutes, more)
+        return CarriedOptions(given or _PRESETS, arguments, {}, args.seed, asked, more)
     before = state.settings
     minutes = before.minutes
-    if args.update and (state.is_finished or args.minutes is not None):
-        minutes = args.minutes or round(max(1.0, _UPDATE * state.seconds / 60.0), 2)
+    if args.update and (state.is_finished or asked is not None):
+        minutes = asked or round(max(1.0, _UPDATE * state.seconds / 60.0), 2)
     return CarriedOptions(
         given or before.presets,
         arguments or before.arguments,
@@ -55,20 +56,17 @@ def carried_options(
     )
 
 
-def _more(args: argparse.Namespace, state: State) -> float | None:
-    """Minutes to go on for; None if this is not asked."""
+def _more(asked: float | None, state: State) -> float | None:
+    """Minutes to go on for; None if this is not asked. asked: minutes in all."""
     before = state.settings.minutes
-    more: float | None = args.more
-    if more is not None or args.update or args.minutes is None or before is None:
-        return more
-    if args.minutes == before:
+    if asked is None or before is None or asked == before:
         return None
     spent = state.seconds / 60.0
     if state.more is not None and not state.is_finished:
         spent = state.more.begun / 60.0
-    if args.minutes < spent + _LEAST:
+    if asked < spent + _LEAST:
         raise TrainingError(
-            f"--minutes {args.minutes:g}: {spent:.1f} are spent already, expected more; --more 10 "
-            "goes on for another 10"
+            f"--minutes {asked:g}: {spent:.1f} are spent already, expected more; --more 10 goes on "
+            "for another 10"
         )
-    return float(args.minutes - spent)
+    return asked - spent

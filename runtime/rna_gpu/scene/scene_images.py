@@ -30,7 +30,7 @@ class Images:
         self._arrays: list[NDArray[np.uint32]] = [np.zeros(4, np.uint32)]
         self._length = 4
         self._offsets: dict[int, tuple[int, object]] = {}
-        self._levels: dict[int, tuple[int, object]] = {}
+        self._levels: dict[tuple[int, str], tuple[int, object]] = {}
         self.textures: list[NDArray[Any]] = []
 
     def add(self, values: NDArray[Any]) -> int:
@@ -76,12 +76,13 @@ class Images:
     def add_base_color(self, record: BaseColor) -> int:
         """Number of the texture of a record's image, its levels one behind the other."""
         assert record.image is not None  # the caller has asked
-        if id(record.image) not in self._levels:
+        key = id(record.image), record.color_space
+        if key not in self._levels:
             levels = [_words(level) for level in base_color_levels(record)]
-            self._levels[id(record.image)] = self.add(np.concatenate(levels)), record.image
+            self._levels[key] = self.add(np.concatenate(levels)), record.image
         wrap_u, wrap_v = (_WRAPS[way] for way in record.wrap)
         form = wrap_u | wrap_v << 2 | int(record.color_space == "srgb") << 8
-        place = self._levels[id(record.image)][0]
+        place = self._levels[key][0]
         transform = np.reshape(record.transform, (2, 3))
         return self._add_record(place, record.image.shape, form, transform)
 

@@ -325,7 +325,8 @@ def _largest_step(
 def _with_cancelled_normals(
     queries: np.ndarray, classes: list[tuple[str, int, int]]
 ) -> tuple[np.ndarray, list[tuple[str, int, int]]]:
-    """With rows whose normal the features cancel, n + 0.1 f = 0, at the end."""
+    """With rows whose normal the features cancel, n + 0.1 f = 0 or 3e-7 long, at the end."""
     rows = queries[:6].copy()
     rows[:, 3:6] = (1, 0, 0)
+    rows[3:, 4] = 3e-7
     return np.concatenate([queries, rows]), [*classes, ("cancelled normal", len(queries), 6)]

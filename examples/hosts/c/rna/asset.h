@@ -47,13 +47,15 @@ typedef struct TierPart {
 
 typedef struct Tier {
     RnaTier public;
+    const Json *validation; /* NULL: not recorded */
     TierPart part[RNA_MAX_PARTS];
 } Tier;
 
 struct RnaAsset {
     Span file;
-    bool mapped;
+    void *own; /* the file's bytes where rna_open has read them */
     JsonText manifest; /* what the names live on */
+    const Json *domain;
     int parts, tiers;
     Part part[RNA_MAX_PARTS];
     Tier tier[MAX_TIERS];

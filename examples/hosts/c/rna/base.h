@@ -84,4 +84,21 @@ static uint32_t u16_at(const uint8_t *at) { return at[0] | (uint32_t)at[1] << 8;
 static uint32_t u32_at(const uint8_t *at) { return u16_at(at) | u16_at(at + 2) << 16; }
 static uint64_t u64_at(const uint8_t *at) { return u32_at(at) | (uint64_t)u32_at(at + 4) << 32; }
 
+/* Memory that starts at a multiple of ALIGNMENT, for free_aligned.  Windows has no aligned_alloc. */
+static void *aligned(size_t size) {
+    const size_t more = ALIGNMENT + sizeof(void *);
+    unsigned char *block = size < SIZE_MAX - more ? malloc(size + more) : NULL;
+    if (!block) return NULL;
+    uintptr_t first = (uintptr_t)block + sizeof(void *);
+    unsigned char *result = block + sizeof(void *) + (ALIGNMENT - first % ALIGNMENT) % ALIGNMENT;
+    memcpy(result - sizeof(void *), &block, sizeof(void *));
+    return result;
+}
+
+static void free_aligned(void *memory) {
+    void *block = NULL;
+    if (memory) memcpy(&block, (unsigned char *)memory - sizeof(void *), sizeof(void *));
+    free(block);
+}
+
 #endif

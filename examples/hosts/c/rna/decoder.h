@@ -186,8 +186,4 @@ static const float *run_decoder(const Decoder *decoder, float *a, float *b) {
     return b;
 }
 
-static void *aligned(size_t size) {
-    return aligned_alloc(ALIGNMENT, (size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT);
-}
-
 #endif

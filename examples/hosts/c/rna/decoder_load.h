@@ -153,8 +153,8 @@ static bool check_results(Builder *b) {
     const float *results = good ? run_decoder(decoder, x, y) : NULL;
     for (int i = 0; good && i < b->interface->outputs * ROWS; i++)
         good = results[i] >= 0 && results[i] <= FLT_MAX;
-    free(x);
-    free(y);
+    free_aligned(x);
+    free_aligned(y);
     return good || stop(b, "DECODER_RESULT", "results that are not finite, or below 0");
 }
 

@@ -247,6 +247,10 @@ static void read_tier(Container *zip, const Json *json, RnaAsset *asset, RnaRepo
                              .is_int8 = true,
                              .multiply_adds = measured(json, "cost", "multiplyAdds"),
                              .flip = measured(json, "validation", "flip")};
+    const Json *validation = member(json, "validation");
+    const bool known = validation && validation->type != JSON_NULL;
+    tier->validation = known ? validation : NULL;
+    tier->public.psnr = known ? member(validation, "psnr")->number : NAN;
     for (const Json *of = member(json, "parts")->first; of; of = of->next, i++) {
         TierPart *part = &tier->part[i];
         read_part_planes(zip, of, asset, part, report);
@@ -262,6 +266,7 @@ static void read_package(Container *zip, RnaAsset *asset, RnaReport *report) {
     const Json *root = read_manifest(entry_data(zip, &zip->entries[0]), &asset->manifest, report);
     if (!root) return;
     check_entries(zip, root, report);
+    asset->domain = member(root, "domain");
     for (const Json *part = member(root, "parts")->first; part; part = part->next)
         read_part(zip, part, asset, report);
     for (const Json *tier = member(root, "tiers")->first; tier; tier = tier->next)

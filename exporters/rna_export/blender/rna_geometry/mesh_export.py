@@ -11,9 +11,9 @@ from rna_geometry import shown_objects
 from rna_geometry.attributes import read, uv_map
 from rna_geometry.shown_objects import SURFACES, top_object
 from rna_materials.object_materials import materials_of
-from rna_materials.smooth_glass import is_left
 from rna_materials.uv_charts import Chart
 from rna_materials.uv_dependence import IDENTITY
+from rna_preflight.smooth_glass import is_left
 
 
 def export_mesh(

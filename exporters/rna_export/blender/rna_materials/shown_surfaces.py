@@ -10,9 +10,9 @@ import bpy
 from rna_geometry.shown_objects import as_rendered
 from rna_materials import normal_maps
 from rna_materials.material_uses import Use, Wanted, shown_materials, uses_of
-from rna_materials.smooth_glass import is_left
 from rna_materials.transparency import transmittance_of
 from rna_materials.uv_render import ColourOfUv
+from rna_preflight.smooth_glass import is_left
 
 
 @dataclass

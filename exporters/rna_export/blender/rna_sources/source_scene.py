@@ -11,8 +11,9 @@ from pathlib import Path
 import bpy
 from rna_geometry import render_only, shown_objects
 from rna_geometry.shown_objects import as_rendered
-from rna_materials import material_check, material_facts
+from rna_materials import material_check
 from rna_materials.emission import nodes_of
+from rna_preflight import material_facts
 from rna_sources import (
     camera_visibility,
     gltf_import,

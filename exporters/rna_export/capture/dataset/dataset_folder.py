@@ -6,7 +6,7 @@ toy.rays/
   poses/00012.safetensors     positions of the parts at a frame of the source, arrays NAME
   transmittance/0.safetensors texture of a material that lets light through, as in a package
   normals/0.safetensors       normal map of a material, as in a package
-  base_color/0.png            image of a material's base colour, or .jpg, .webp
+  base_color/paper.png        image of a material's base colour, or .jpg, .webp
   glass.glb                   smooth glass that is left to hosts, if there is any
   train/00000.safetensors     samples of some lights, arrays NAME/FIELD
   emission/00000.safetensors  samples of what the asset emits, if it does

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import io
+import itertools
+import re
 from dataclasses import dataclass, field
+from pathlib import PurePosixPath
 from typing import Any
 
 import numpy as np
@@ -78,10 +81,18 @@ class BaseColors:
         if _difference(image, pixels) > (WRONG_FILE if image.data.ndim == 1 else WRONG):
             return False
         if entry is None:
-            entry = f"base_color/{len(self.files)}.{_ENDINGS[file[:2]]}"
+            entry = self._new_entry(name, _ENDINGS[file[:2]])
             self.files[entry], self.images[entry] = file, pixels
         self.entries[name] = entry
         return True
+
+    def _new_entry(self, material: str, ending: str) -> str:
+        """A name that tells the material: hosts exchange images by it."""
+        label = re.sub(r"[^A-Za-z0-9-]+", "-", material).strip("-")[:40] or "image"
+        names = (f"{label}-{k}" if k else label for k in itertools.count())
+        taken = {PurePosixPath(entry).stem.lower() for entry in self.files}
+        free = next(name for name in names if name.lower() not in taken)
+        return f"base_color/{free}.{ending}"
 
     def records(self, mesh: Mesh, ranges: dict[str, tuple[int, int]]) -> list[BaseColorRecord]:
         """Records of a part; none if no image of it is finer than planes would be.

@@ -35,8 +35,9 @@ class ExportedParts:
     maps: its normal maps. colors: its base colour. textures: of all, by name: the texels of the
     former two, and the files of images. sources: the source's vertices of each
     surface. notes: what of the materials could not be told. has_opaque_cutouts: whether some of it
-    lets light through. has_learnt_relief: whether some relief is in no map. mapped: full names of
-    the materials that have a normal map. glass: a .glb of what is left to hosts; None for nothing.
+    lets light through. has_learnt_relief: whether some relief is in no map. mapped, coloured: full
+    names of the materials that have a normal map, and a base colour. glass: a .glb of what is left
+    to hosts; None for nothing.
     """
 
     parts: tuple[ScenePart, ...]
@@ -49,6 +50,7 @@ class ExportedParts:
     has_opaque_cutouts: bool = False
     has_learnt_relief: bool = True
     mapped: tuple[str, ...] = ()
+    coloured: tuple[str, ...] = ()
     glass: bytes | None = None
     notes: list[str] = field(default_factory=list)
 
@@ -99,6 +101,7 @@ def exported_parts(worker: BlenderWorker, settings: CaptureSettings) -> Exported
         has_opaque_cutouts=textures.captured_holes,
         has_learnt_relief=textures.learnt_relief,
         mapped=tuple(textures.normals),
+        coloured=tuple(colors.of_material),
         notes=[*textures.notes, *colors.notes],
     )
     for part in worker.parts:

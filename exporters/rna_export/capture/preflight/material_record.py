@@ -1,4 +1,4 @@
-"""What Blender says of the materials of a source: `blender/rna_materials/material_facts.py`."""
+"""What Blender says of the materials of a source: `blender/rna_preflight/material_facts.py`."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ class MaterialFacts(DatasetModel):
 
 
 class Glass(DatasetModel):
-    """Smooth glass that is left to hosts: see `blender/rna_materials/smooth_glass.py`."""
+    """Smooth glass that is left to hosts: see `blender/rna_preflight/smooth_glass.py`."""
 
     name: str
     full_name: str

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from typing import Literal, NamedTuple
 
 from rna_export.capture.capture_settings import DatasetModel
 from rna_export.capture.preflight.material_record import Detail, Glass, MaterialFacts
+from rna_export.capture.preflight.sharpest import LEAST
 
 Learnt = Literal["well", "roughly", "not", "left to the host"]
 _WORSE: dict[Learnt, int] = {"well": 0, "left to the host": 0, "roughly": 1, "not": 2}
 
 _TEXELS = 2.0  # of a plane, from one detail to the next, at the least
-_MIRROR = 0.05  # roughness below which reflections come out softer
+_MIRROR = 0.05  # roughness that an artist calls a mirror's
 _NAMED = 3
 _WORDS = {
     "coat": "clear coat",
@@ -55,14 +56,18 @@ def verdicts(
     glass: Iterable[Glass],
     texel: float,
     mapped: Iterable[str],
+    coloured: Iterable[str],
 ) -> tuple[MaterialVerdict, ...]:
     """One a material, the worst first.
 
-    texel: side of a texel of the planes, m. mapped: full names of materials whose relief is a
-    normal map of the package.
+    texel: side of a texel of the planes, m. mapped, coloured: full names of materials whose relief,
+    and whose colour, are textures of the package.
     """
-    relief = set(mapped)
-    result = [_verdict(each, texel, each.full_name in relief) for each in materials]
+    textures = {"relief": set(mapped), "colour": set(coloured)}
+    result = []
+    for each in materials:
+        stored = [sort for sort, names in textures.items() if each.full_name in names]
+        result.append(_verdict(each, texel, stored))
     result += [_of_glass(each) for each in glass]
     return tuple(sorted(result, key=lambda each: -_WORSE[each.learnt]))
 
@@ -95,8 +100,11 @@ def length(metres: float) -> str:
     return f"{metres:.2g} m" if metres >= 1.0 else f"{1000.0 * metres:.2g} mm"
 
 
-def _verdict(facts: MaterialFacts, texel: float, is_mapped: bool) -> MaterialVerdict:
-    reasons = [*_of_kinds(facts), *_of_details(facts, texel, is_mapped)]
+def _verdict(facts: MaterialFacts, texel: float, stored: Collection[str]) -> MaterialVerdict:
+    """stored: sorts of details that are textures of the package."""
+    learnt_details = (detail for detail in facts.details if detail.of not in stored)
+    of_details = [_of_detail(detail, _TEXELS * texel) for detail in learnt_details]
+    reasons = [*_of_kinds(facts), *(reason for reason in of_details if reason is not None)]
     learnt = max((r.learnt for r in reasons), key=_WORSE.__getitem__, default="well")
     reasons.sort(key=lambda reason: -_WORSE[reason.learnt])
     texts = tuple(reason.text for reason in reasons)
@@ -131,22 +139,12 @@ def _of_kinds(facts: MaterialFacts) -> Iterator[_Reason]:
             "the light that leaves its surface is learnt; what stands behind it in a scene is not "
             "seen through it",
         )
-    if facts.roughness is not None and facts.roughness < _MIRROR and "glass" not in kinds:
+    if facts.roughness is not None and facts.roughness < LEAST and "glass" not in kinds:
         yield _Reason(
             "roughly",
-            "reflections of small lamps come out softer than in the original; from a roughness of "
-            f"{_MIRROR:g} on they keep their width",
+            "reflections of small lamps come out softer than in the original; views look for "
+            f"highlights of a roughness of {LEAST:g} at the least",
         )
-
-
-def _of_details(facts: MaterialFacts, texel: float, is_mapped: bool) -> Iterator[_Reason]:
-    least = _TEXELS * texel
-    for detail in facts.details:
-        if detail.of == "relief" and is_mapped:
-            continue  # a normal map of the package
-        reason = _of_detail(detail, least)
-        if reason is not None:
-            yield reason
 
 
 def _of_detail(detail: Detail, least: float) -> _Reason | None:
@@ -174,7 +172,11 @@ def _of_detail(detail: Detail, least: float) -> _Reason | None:
             "roughly",
             f"its glow by {detail.node!r} is finer than the planes {finer} and blurred: {coarser}",
         )
-    return None  # colours are textures of the package
+    return _Reason(
+        "roughly",
+        f"its colour by {detail.node!r} is finer than the planes {finer} and blurred: bake it into "
+        f"an image of its UVs, {coarser}",
+    )
 
 
 def _of_glass(glass: Glass) -> MaterialVerdict:

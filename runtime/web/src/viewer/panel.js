@@ -59,7 +59,7 @@ export class Panel {
     document.title = `${name} – RNA viewer`;
     element("name").textContent = name;
     element("tier").replaceChildren(...tiers.map((own) => new Option(own.name, own.name, false, own.name === tier.name)));
-    element("error").textContent = validation ? `${validation.psnr.toFixed(1)} dB, FLIP ${validation.flip.toFixed(3)}` : "not recorded";
+    element("error").textContent = validation ? `FLIP ${validation.flip.toFixed(3)}, ${validation.psnr.toFixed(1)} dB` : "not recorded";
     element("cost").textContent = cost ? `${cost.multiplyAdds.toLocaleString("en")} multiply-adds` : "not recorded";
     element("size").textContent = readableBytes(opened.bytesOf(tier.name));
   }

@@ -143,7 +143,7 @@ export class WebGPUEngine {
     if (!this.geometry) return;
     const { images } = this.arrays, floats = this.environment?.floats ?? new Float32Array(0);
     this.images?.destroy();
-    this.images = buffer(this.device, 4 * (images.length + floats.length), undefined, "the environment");
+    this.images = buffer(this.device, 4 * (images.length + floats.length), undefined, "the store of images");
     this.device.queue.writeBuffer(this.images, 0, images);
     this.device.queue.writeBuffer(this.images, 4 * images.length, floats);
   }
@@ -279,12 +279,12 @@ export class WebGPUEngine {
     this.device.queue.submit([encoder.finish()]);
   }
 
-  /** rna_gpu's Frame: render/frame.wgsl. */
+  /** rna_gpu's Frame: render/frame.wgsl. Images are averaged over what a sample stands for, so that print becomes sharper. */
   _writeFrame({ position, corner, stepX, stepY }, sample) {
     const { lightsAt, arrays, span, target } = this;
     this.device.queue.writeBuffer(this.frameRecord, 0, packed("Frame", {
       camera: position, corner, step_x: stepX, step_y: stepY, width: target.width, paths: span.pixels, sample, branches: 1, depth: 1, rays: constants.CAMERA_RAY,
-      flags: arrays.transmits ? constants.TRANSMITS : 0, textures: arrays.texturesAt, lights: lightsAt, spread: Math.hypot(...stepY),
+      flags: arrays.transmits ? constants.TRANSMITS : 0, textures: arrays.texturesAt, lights: lightsAt, spread: Math.hypot(...stepY) / Math.sqrt(span.jitter > 0 ? sample + 1 : 1),
     }));
   }
 

@@ -12,7 +12,7 @@ from rna_geometry.attributes import read, uv_map
 from rna_geometry.shown_objects import SURFACES
 from rna_materials.node_sources import origin
 from rna_materials.object_materials import materials_of
-from rna_materials.shader_values import Shader, constant
+from rna_preflight.shader_values import Shader, constant
 
 _WAVE = 20.0 / (2.0 * math.pi)  # waves a unit, of Blender's Wave Texture at scale 1
 _OCTAVE = 2.0  # of a noise with detail: its second octave still shows

@@ -9,7 +9,8 @@ import bpy
 from rna_materials import emission
 from rna_materials.material_uses import shown_materials
 from rna_materials.node_sources import origin, sources
-from rna_materials.shader_values import (
+from rna_materials.uv_render import surface_output
+from rna_preflight.shader_values import (
     Shader,
     constant,
     is_on,
@@ -17,9 +18,8 @@ from rna_materials.shader_values import (
     textures_of,
     volume_shaders,
 )
-from rna_materials.smooth_glass import is_left, is_smooth_glass, refracts
-from rna_materials.texture_sizes import Extent, detail, extents
-from rna_materials.uv_render import surface_output
+from rna_preflight.smooth_glass import is_left, is_smooth_glass, refracts
+from rna_preflight.texture_sizes import Extent, detail, extents
 
 _MIRRORS = ("BSDF_GLOSSY", "BSDF_METALLIC", "BSDF_GLASS", "BSDF_REFRACTION")
 _GLOSS = (

@@ -11,8 +11,8 @@ import bpy
 from rna_geometry import shown_objects
 from rna_materials.node_sources import linked
 from rna_materials.object_materials import materials_of
-from rna_materials.shader_values import Shader, constant, surface_shaders, volume_shaders
 from rna_materials.uv_render import surface_output
+from rna_preflight.shader_values import Shader, constant, surface_shaders, volume_shaders
 
 SMOOTH = 0.05
 """Roughness up to which glass counts as smooth."""
