@@ -11,9 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.conformance.base_color_hits import HIT
 from rna_sdk.conformance.lobe_queries import LobeQueries, answer_of
-from rna_sdk.conformance.reader_program import run_reader
+from rna_sdk.conformance.reader_program import BASE_COLOR_HIT, run_reader
 from rna_sdk.package import Package
 from rna_sdk.package.issues import is_valid
 from rna_sdk.package.validator import validate
@@ -41,7 +40,7 @@ def base_color(package: str, records: bytes) -> NDArray[np.float32]:
     """(n, 3): the base colour of n hits on meshes."""
     from rna_sdk.runtime.base_color import BaseColorMaps
 
-    hits = np.frombuffer(records, HIT)
+    hits = np.frombuffer(records, BASE_COLOR_HIT)
     result = np.empty((len(hits), 3), np.float32)
     with Package.open(package) as opened:
         for part in np.unique(hits["part"]).tolist():

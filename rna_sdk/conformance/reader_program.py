@@ -33,6 +33,17 @@ Validate = Callable[[str], tuple[bool, list[str]]]
 """package -> whether it is valid, and the codes of its issues."""
 
 
+BASE_COLOR_HIT = np.dtype(
+    {
+        "names": ["primitive", "u", "v", "level", "part"],
+        "formats": ["<u4", "<f4", "<f4", "<f4", "<u4"],
+        "offsets": [0, 4, 8, 12, 28],
+        "itemsize": 32,
+    }
+)
+"""A hit record of the level `base-color`."""
+
+
 def run_reader(
     arguments: Sequence[str] | None = None,
     *,

@@ -10,9 +10,8 @@ import sys
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.conformance.base_color_hits import HIT
 from rna_sdk.conformance.lobe_queries import LobeQueries, answer_of
-from rna_sdk.conformance.reader_program import run_reader
+from rna_sdk.conformance.reader_program import BASE_COLOR_HIT, run_reader
 from rna_sdk.package import Mesh, Package, Planes, float_planes
 from rna_sdk.package.decoder.decoder_form import form_named
 from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS, in_order
@@ -61,7 +60,7 @@ def _sum(output: Rows, base_color: Rows) -> Rows:
 
 def base_color(package: str, records: bytes) -> Rows:
     """(n, 3): the base colour of n hits on meshes."""
-    hits = np.frombuffer(records, HIT)
+    hits = np.frombuffer(records, BASE_COLOR_HIT)
     result = np.empty((len(hits), 3), np.float32)
     with Package.open(package) as opened:
         for part in np.unique(hits["part"]).tolist():

@@ -2,6 +2,7 @@
 
 from .asset import Asset as Asset
 from .asset import CompositeAsset as CompositeAsset
+from .base_color import base_color_levels as base_color_levels
 from .deformation import DeformedCurves as DeformedCurves
 from .deformation import DeformedMesh as DeformedMesh
 from .deformation import RestPoints as RestPoints

@@ -115,7 +115,11 @@ def _texel_density(mesh: Mesh, record: BaseColor, own: slice) -> Rows:
 
 
 def base_color_levels(record: BaseColor) -> list[Texture]:
-    """The record's image, and each level of half the size, in 8 bits, down to one texel."""
+    """The image of a record and its smaller levels, for hosts that look it up themselves.
+
+    Returns (H, W, 3) uint8 arrays in the colour space of the image, each half as high and wide as
+    the one before, down to (1, 1, 3): spec/RNA.md, 4.6.
+    """
     assert record.image is not None
     linear = linear_of(record.color_space)
     edges = (linear[1:] + linear[:-1]) / 2.0  # between the values that 8 bits have

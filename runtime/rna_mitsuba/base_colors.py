@@ -9,7 +9,7 @@ import mitsuba as mi
 import numpy as np
 
 from rna_sdk.package import BaseColor
-from rna_sdk.runtime.base_color import base_color_levels
+from rna_sdk.runtime import base_color_levels
 
 _NONE = 0xFFFFFFFF
 _LEVELS = 14  # of 8192 texels a side

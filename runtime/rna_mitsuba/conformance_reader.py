@@ -17,8 +17,7 @@ if mi.variant() is None:
 from rna_mitsuba.evaluator import PartEvaluator
 from rna_mitsuba.points import FiberGeometry
 from rna_mitsuba.tracing import NO_STRAND, PackageScene
-from rna_sdk.conformance.base_color_hits import HIT
-from rna_sdk.conformance.reader_program import run_reader
+from rna_sdk.conformance.reader_program import BASE_COLOR_HIT, run_reader
 from rna_sdk.package import Package
 
 
@@ -79,7 +78,7 @@ def normals(package: str, records: bytes) -> np.ndarray:
 
 def base_color(package: str, records: bytes) -> np.ndarray:
     """Base colours of n hits on meshes, (n, 3) float32."""
-    hits = np.frombuffer(records, HIT)
+    hits = np.frombuffer(records, BASE_COLOR_HIT)
     result = np.empty((len(hits), 3), np.float32)
     with Package.open(package) as opened:
         scene = PackageScene(opened)

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from rna_sdk.conformance import reader, twin_reader
-from rna_sdk.conformance.base_color_hits import HIT
 from rna_sdk.conformance.kit import Kit
+from rna_sdk.conformance.reader_program import BASE_COLOR_HIT
 from rna_sdk.package import BaseColor, Package
 from rna_sdk.reference import base_color as reference
 from tests.conformance.conftest import InProcess
@@ -23,7 +23,7 @@ def test_hits_are_of_every_sort(kit: Kit) -> None:
     (case,) = kit.base_color
     rows = {c.name: c.rows for c in case.classes}
     assert sum(rows.values()) == len(case.expected) and min(rows.values()) >= 12
-    hits = np.fromfile(case.hits, HIT)
+    hits = np.fromfile(case.hits, BASE_COLOR_HIT)
     with Package.open(case.package) as package:
         records = package.base_color()
     wraps = {wrap for record in records if record.image is not None for wrap in record.wrap}
@@ -93,7 +93,7 @@ def with_levels(change: Callable[[np.ndarray], np.ndarray]) -> InProcess:
     """Hits are asked in other levels."""
 
     def answer(package: str, records: bytes) -> np.ndarray:
-        hits = np.frombuffer(records, HIT).copy()
+        hits = np.frombuffer(records, BASE_COLOR_HIT).copy()
         hits["level"] = change(hits["level"])
         return reader.base_color(package, hits.tobytes())
 

@@ -107,7 +107,8 @@ class NeuralAsset(nn.Module):
         colours = [self._with_base_color(y, at)]
         if self.shadow is not None:
             queries = assemble(self.shadow.inputs, features, p, at)
-            colours.append(self._with_base_color(self.shadow(queries), at))
+            # Much of it is black. What is below 0 costs nothing, so blacks need not be hit exactly.
+            colours.append(self._with_base_color(_cut_off(self.shadow(queries)), at))
         return torch.cat(colours, dim=1)
 
     def _with_base_color(self, y: Tensor, at: Points) -> Tensor:
@@ -115,9 +116,7 @@ class NeuralAsset(nn.Module):
         y = y.reshape(len(y), -1, 3)
         if not self.config.uses_base_color:
             return y
-        # A package cuts both terms off at 0. In training a gradient leads back from there.
-        slope = _LEAK if torch.is_grad_enabled() else 0.0
-        rest, factor = nn.functional.leaky_relu(y, slope).chunk(2, dim=1)
+        rest, factor = _cut_off(y).chunk(2, dim=1)
         total = torch.exp(rest) + at["base_color"][:, None] * torch.expm1(factor)
         return torch.log(total.clamp(min=_LEAST))
 
@@ -157,6 +156,11 @@ class NeuralAsset(nn.Module):
         """Radiance where the light is visible and where it is shadowed, (k, 2, 3)."""
         sums = torch.tensor(self.config.colour_sums, dtype=y.dtype, device=y.device)
         return torch.einsum("sc,kcr->ksr", sums, self.colours(y))
+
+
+def _cut_off(y: Tensor) -> Tensor:
+    """y as packages have it, 0 at least; in training a gradient leads back from below."""
+    return nn.functional.leaky_relu(y, _LEAK if torch.is_grad_enabled() else 0.0)
 
 
 MODELS: dict[str, type[NeuralAsset]] = {"triplane": NeuralAsset}

@@ -90,7 +90,7 @@ export class SurfaceTable {
       texels[k] = r | (g << 8) | (b << 16);
     }
     const piece = this.pieces.push(texels) - 1;
-    return this.textures.push({ piece, width, height, row_u: [1, 0, 0], row_v: [0, 1, 0] }) - 1;
+    return this.textures.push({ piece, width, height, form: 0, row_u: [1, 0, 0], row_v: [0, 1, 0] }) - 1;
   }
 
   /** Number of the texture of a record of base colour, with all levels. */

@@ -143,7 +143,7 @@ export class WebGPUEngine {
     if (!this.geometry) return;
     const { images } = this.arrays, floats = this.environment?.floats ?? new Float32Array(0);
     this.images?.destroy();
-    this.images = buffer(this.device, 4 * (images.length + floats.length), undefined, "the environment");
+    this.images = buffer(this.device, 4 * (images.length + floats.length), undefined, "the store of images");
     this.device.queue.writeBuffer(this.images, 0, images);
     this.device.queue.writeBuffer(this.images, 4 * images.length, floats);
   }
