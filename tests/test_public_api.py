@@ -32,6 +32,7 @@ OUR_TOOLS = {
         "cores",
         "cpu",
         "file_kinds",
+        "glass_beside",
         "gltf_remedies",
         "kernel_threads",
         "memory",

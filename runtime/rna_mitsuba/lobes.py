@@ -13,7 +13,7 @@ import drjit as dr
 import mitsuba as mi
 
 UNIFORM, COSINE, MIRROR = 0.2, 0.35, 0.45  # shares on surfaces
-MIRROR_KAPPA = 20.0
+MIRROR_PARTS, MIRROR_KAPPAS = (0.5, 0.3, 0.2), (20.0, 400.0, 8000.0)
 FIBER_UNIFORM, CONE, FORWARD = 0.3, 0.45, 0.25  # shares on fibers
 CONE_SCALE, FORWARD_KAPPA = 0.06, 5.0
 
@@ -39,9 +39,7 @@ class Lobes:
     def sample(self, choice: mi.Float, u: mi.Point2f) -> mi.Vector3f:
         """Unit directions from three numbers in [0, 1)."""
         uniform = 1 - 2 * u.x
-        on_surface = dr.select(
-            choice < UNIFORM + COSINE, dr.sqrt(1 - u.x), _fisher(u.x, MIRROR_KAPPA)
-        )
+        on_surface = dr.select(choice < UNIFORM + COSINE, dr.sqrt(1 - u.x), _mirror(u.x))
         on_surface = dr.select(choice < UNIFORM, uniform, on_surface)
         surface_axis = dr.select(choice < UNIFORM + COSINE, self.axis, self.mirror)
         sine = self._cone_sine(u.x)
@@ -59,7 +57,7 @@ class Lobes:
         """Density of `sample` in unit wi, per steradian."""
         surface = UNIFORM / (4 * dr.pi)
         surface += COSINE * dr.maximum(0, dr.dot(self.axis, wi)) / dr.pi
-        surface += MIRROR * _fisher_pdf(dr.dot(self.mirror, wi), MIRROR_KAPPA)
+        surface += MIRROR * _mirror_pdf(dr.dot(self.mirror, wi))
         fiber = FIBER_UNIFORM / (4 * dr.pi)
         fiber += CONE * self._cone_pdf(dr.dot(self.axis, wi))
         fiber += FORWARD * _fisher_pdf(-dr.dot(self.wo, wi), FORWARD_KAPPA)
@@ -87,7 +85,23 @@ def _some(axis: mi.Vector3f) -> mi.Vector3f:
     return dr.select(dr.dot(axis, axis) > 0.25, axis, mi.Vector3f(0, 1, 0))
 
 
-def _fisher(u: mi.Float, kappa: float) -> mi.Float:
+def _mirror(u: mi.Float) -> mi.Float:
+    """Cosine to the mirror direction; u chooses the width, too."""
+    first, second, third = MIRROR_PARTS
+    broad, last = u < first, u >= first + second
+    low = dr.select(broad, 0.0, dr.select(last, first + second, first))
+    left = (u - low) / dr.select(broad, first, dr.select(last, third, second))
+    kappas = [mi.Float(kappa) for kappa in MIRROR_KAPPAS]
+    kappa = dr.select(broad, kappas[0], dr.select(last, kappas[2], kappas[1]))
+    return _fisher(dr.minimum(left, 1 - 2**-24), kappa)
+
+
+def _mirror_pdf(cosine: mi.Float) -> mi.Float:
+    parts = zip(MIRROR_PARTS, MIRROR_KAPPAS, strict=True)
+    return sum((part * _fisher_pdf(cosine, kappa) for part, kappa in parts), mi.Float(0))
+
+
+def _fisher(u: mi.Float, kappa: float | mi.Float) -> mi.Float:
     """Cosine to the axis of a von Mises-Fisher direction; Jakob, Numerically stable sampling of
     the von Mises-Fisher distribution on S2 (2012)."""
     return dr.maximum(-1, 1 + dr.log(u + (1 - u) * dr.exp(-2 * kappa)) / kappa)

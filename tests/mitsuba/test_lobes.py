@@ -10,7 +10,8 @@ def test_lobes_are_those_of_the_renderer() -> None:
 
     surface = SURFACE_LOBES.uniform, SURFACE_LOBES.cosine, SURFACE_LOBES.mirror
     assert (lobes.UNIFORM, lobes.COSINE, lobes.MIRROR) == surface
-    assert lobes.MIRROR_KAPPA == SURFACE_LOBES.mirror_kappa
+    assert lobes.MIRROR_KAPPAS == SURFACE_LOBES.mirror_kappas
+    assert lobes.MIRROR_PARTS == SURFACE_LOBES.mirror_parts
     fiber = FIBER_LOBES.uniform, FIBER_LOBES.cone, FIBER_LOBES.forward
     assert (lobes.FIBER_UNIFORM, lobes.CONE, lobes.FORWARD) == fiber
     widths = FIBER_LOBES.cone_scale, FIBER_LOBES.forward_kappa

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -11,13 +13,14 @@ from rna_render.world.neural_sampling import LobeMixture
 from tests.render.assets import unit_vectors
 from tests.render.chi_squared import assert_directions_follow
 
+WIDE = 20.0, 40.0, 80.0  # that cells of the whole sphere resolve
 MIXTURES = {
     "uniform": LobeMixture(uniform=1.0),
     "cosine": LobeMixture(cosine=1.0),
-    "mirror": LobeMixture(mirror=1.0),
+    "mirror": LobeMixture(mirror=1.0, mirror_kappas=WIDE),
     "cone": LobeMixture(cone=1.0),
     "forward": LobeMixture(forward=1.0),
-    "surfaces": SURFACE_LOBES,
+    "surfaces": replace(SURFACE_LOBES, mirror_kappas=WIDE),
     "fibers": FIBER_LOBES,
 }
 
@@ -43,6 +46,19 @@ def test_directions_follow_their_density(name, seed):
     assert_directions_follow(wi, lambda w: mixture.pdf(*tiled(at, len(w)), w))
 
 
+@pytest.mark.parametrize("kappa", [400.0, 8000.0])
+def test_narrow_highlights_follow_their_density(kappa):
+    n, t, wo = (tiled([v], N)[0] for v in frame(2))
+    mixture = LobeMixture(mirror=1.0, mirror_kappas=(kappa, 1.5 * kappa, 2.0 * kappa))
+    wi = mixture.sample(n, t, wo, np.random.default_rng(4).random((N, 3)))
+    mirror = 2.0 * (n[0] @ wo[0]) * n[0] - wo[0]
+
+    def density(w):
+        return mixture.pdf(*(rows[: len(w)] for rows in (n, t, wo)), w)
+
+    assert_directions_follow(wi, density, mirror, np.sqrt(60.0 / kappa))
+
+
 def test_a_fiber_seen_along_its_tangent_is_sampled_too():
     """The cone of specular reflection is one direction there."""
     n, t = np.float32([1, 0, 0]), np.float32([0, 0, 1])
@@ -64,7 +80,7 @@ def test_a_normal_and_a_tangent_of_no_length_are_no_trouble():
 def test_points_spread_evenly_are_so_among_lobes():
     """The first number chooses the lobe and is used again there: 64 points of a net, one lobe's
     share of 0.25, and 16 of them there, whatever the seed."""
-    mixture = LobeMixture(uniform=0.25, mirror=0.75, mirror_kappa=1e6)
+    mixture = LobeMixture(uniform=0.25, mirror=0.75, mirror_kappas=(1e6,) * 3)
     mirror = np.float32([[0, 0, 1]])
     for seed in range(8):
         points = Sampler(seed, 0).square(np.zeros(1, np.uint32), 1, 64)

@@ -111,7 +111,8 @@ TABLE_CONSTANTS = {
 LOBE_CONSTANTS = {
     "SURFACE_SHARES": (SURFACE_LOBES.uniform, SURFACE_LOBES.cosine, SURFACE_LOBES.mirror),
     "FIBER_SHARES": (FIBER_LOBES.uniform, FIBER_LOBES.cone, FIBER_LOBES.forward),
-    "MIRROR_KAPPA": SURFACE_LOBES.mirror_kappa,
+    "MIRROR_PARTS": SURFACE_LOBES.mirror_parts,
+    "MIRROR_KAPPAS": SURFACE_LOBES.mirror_kappas,
     "CONE_SCALE": FIBER_LOBES.cone_scale,
     "FORWARD_KAPPA": FIBER_LOBES.forward_kappa,
 }

@@ -45,7 +45,7 @@ RestMaps = Sequence[NormalMaps | None]
 """The relief of an asset's parts at rest; None of those without."""
 
 # The lobes that rays leave assets in, by kind; see docs/decisions/renderer.md.
-SURFACE_LOBES = LobeMixture(uniform=0.2, cosine=0.35, mirror=0.45, mirror_kappa=20.0)
+SURFACE_LOBES = LobeMixture(uniform=0.2, cosine=0.35, mirror=0.45)
 FIBER_LOBES = LobeMixture(uniform=0.3, cone=0.45, cone_scale=0.06, forward=0.25, forward_kappa=5.0)
 
 

@@ -21,8 +21,10 @@ from rna_trace.angles import sine_and_cosine
 from rna_trace.vectors import Vector, along, dot, unit, vector_at
 
 # Places in a mixture's numbers: shares of the lobes, then their widths.
-UNIFORM, COSINE, MIRROR, CONE, FORWARD, MIRROR_KAPPA, CONE_SCALE, FORWARD_KAPPA = range(8)
+UNIFORM, COSINE, MIRROR, CONE, FORWARD, CONE_SCALE, FORWARD_KAPPA, MIRROR_PARTS = range(8)
 LOBES = 5
+WIDTHS = 3  # of the mirror lobe
+MIRROR_KAPPAS = MIRROR_PARTS + WIDTHS
 
 BELOW_ONE = 1.0 - 2.0**-53
 
@@ -32,7 +34,8 @@ class LobeMixture:
     """Shares and widths of the lobes; shares add up to 1.
 
     uniform: all directions alike. cosine: about the normal, turned to the viewer. mirror: about
-    the mirror direction, von Mises-Fisher with concentration mirror_kappa. cone: about the cone
+    the mirror direction, a mixture of von Mises-Fisher lobes with concentrations mirror_kappas, of
+    which each is the given part: highlights of rough and of smooth materials. cone: about the cone
     of specular reflection from a fiber, sine of inclination logistic with scale cone_scale
     about its value there, all azimuths alike. forward: about -wo, von Mises-Fisher with
     concentration forward_kappa.
@@ -43,7 +46,8 @@ class LobeMixture:
     mirror: float = 0.0
     cone: float = 0.0
     forward: float = 0.0
-    mirror_kappa: float = 20.0
+    mirror_kappas: tuple[float, float, float] = (20.0, 400.0, 8000.0)
+    mirror_parts: tuple[float, float, float] = (0.5, 0.3, 0.2)
     cone_scale: float = 0.1
     forward_kappa: float = 20.0
 
@@ -81,10 +85,10 @@ class LobeMixture:
 
     @cached_property
     def numbers(self) -> np.ndarray:
-        """Shares and widths for compiled code, (8,) float64."""
+        """Shares and widths for compiled code, (13,) float64."""
         shares = np.array([self.uniform, self.cosine, self.mirror, self.cone, self.forward])
-        widths = self.mirror_kappa, self.cone_scale, self.forward_kappa
-        return np.append(shares / shares.sum(), widths)
+        mirrors = *self.mirror_parts, *self.mirror_kappas
+        return np.append(shares / shares.sum(), [self.cone_scale, self.forward_kappa, *mirrors])
 
 
 def _rows(row: np.ndarray | None, points: np.ndarray) -> np.ndarray:
@@ -122,6 +126,25 @@ def _fisher_pdf(cosine: float, kappa: float) -> float:
     return float(
         kappa * np.exp(kappa * (cosine - 1.0)) / (2.0 * np.pi * (1.0 - np.exp(-2.0 * kappa)))
     )
+
+
+@compiled(inline=True, fastmath=())
+def _mirror_cosine(numbers: np.ndarray, u: float) -> float:
+    """Cosine to the mirror direction; u chooses the width, too."""
+    k, left = 0, u
+    while k < WIDTHS - 1 and left >= numbers[MIRROR_PARTS + k]:
+        left -= numbers[MIRROR_PARTS + k]
+        k += 1
+    left = min(left / numbers[MIRROR_PARTS + k], BELOW_ONE)
+    return _fisher_cosine(left, numbers[MIRROR_KAPPAS + k])
+
+
+@compiled(inline=True, fastmath=())
+def _mirror_pdf(numbers: np.ndarray, cosine: float) -> float:
+    density = 0.0
+    for k in range(WIDTHS):
+        density += numbers[MIRROR_PARTS + k] * _fisher_pdf(cosine, numbers[MIRROR_KAPPAS + k])
+    return density
 
 
 @compiled(inline=True, fastmath=())
@@ -181,7 +204,7 @@ def lobe_sample(numbers: np.ndarray, frame: Frame, u1: float, u2: float) -> Vect
     elif lobe == COSINE:
         direction = _about(normal, np.sqrt(1.0 - u1), u2)
     elif lobe == MIRROR:
-        direction = _about(mirror, _fisher_cosine(u1, numbers[MIRROR_KAPPA]), u2)
+        direction = _about(mirror, _mirror_cosine(numbers, u1), u2)
     elif lobe == CONE:
         direction = _about(tangent, _cone_sine(u1, -dot(tangent, o), numbers[CONE_SCALE]), u2)
     else:
@@ -197,7 +220,7 @@ def lobe_density(numbers: np.ndarray, frame: Frame, w: Vector) -> float:
     density: float = numbers[UNIFORM] / (4.0 * np.pi)
     density += numbers[COSINE] * max(0.0, dot(normal, w)) / np.pi
     if numbers[MIRROR] > 0.0:
-        density += numbers[MIRROR] * _fisher_pdf(dot(mirror, w), numbers[MIRROR_KAPPA])
+        density += numbers[MIRROR] * _mirror_pdf(numbers, dot(mirror, w))
     if numbers[CONE] > 0.0:
         density += numbers[CONE] * _cone_pdf(dot(tangent, w), -dot(tangent, o), numbers[CONE_SCALE])
     if numbers[FORWARD] > 0.0:

@@ -2,6 +2,7 @@
 
 const SURFACE_SHARES = vec3f(0.2, 0.35, 0.45);
 const FIBER_SHARES = vec3f(0.3, 0.45, 0.25);
-const MIRROR_KAPPA: f32 = 20.0;
+const MIRROR_PARTS = vec3f(0.5, 0.3, 0.2);
+const MIRROR_KAPPAS = vec3f(20.0, 400.0, 8000.0);
 const CONE_SCALE: f32 = 0.06;
 const FORWARD_KAPPA: f32 = 5.0;

@@ -60,7 +60,7 @@ fn lobe_sample(at: LobeFrame, is_fiber: bool, u: vec2f) -> vec3f {
     if is_fiber {
         return normalize(along_axis(-at.o, fisher_cosine(left, FORWARD_KAPPA), u.y));
     }
-    return normalize(along_axis(at.mirror, fisher_cosine(left, MIRROR_KAPPA), u.y));
+    return normalize(along_axis(at.mirror, mirror_cosine(left), u.y));
 }
 
 // Of surfaces: uniform, cosine, mirror; of fibers: uniform, cone, forward.
@@ -76,7 +76,7 @@ fn lobe_density(at: LobeFrame, is_fiber: bool, w: vec3f) -> f32 {
         second = lobe_cone_pdf(dot(at.tangent, w), -dot(at.tangent, at.o));
         third = fisher_pdf(-dot(at.o, w), FORWARD_KAPPA);
     } else {
-        third = fisher_pdf(dot(at.mirror, w), MIRROR_KAPPA);
+        third = mirror_pdf(dot(at.mirror, w));
     }
     return shares.x * SPHERE_PDF + shares.y * second + shares.z * third;
 }

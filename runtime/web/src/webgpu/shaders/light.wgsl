@@ -24,7 +24,7 @@ fn mirrored_share(at: Surroundings) -> f32 {
 fn direction_about(at: Surroundings, u: vec2f) -> vec3f {
     let share = mirrored_share(at);
     if u.y < share {
-        return normalize(along_axis(at.mirror, fisher_cosine(u.y / share, MIRROR_KAPPA), u.x));
+        return normalize(along_axis(at.mirror, mirror_cosine(u.y / share), u.x));
     }
     let rest = (u.y - share) / (1.0 - share);
     let all_sides = rest < FROM_ALL_SIDES;
@@ -38,7 +38,7 @@ fn density_about(at: Surroundings, wi: vec3f) -> f32 {
         return SPHERE_PDF;
     }
     let rest = mix(max(0.0, dot(at.n, wi)) / PI, SPHERE_PDF, FROM_ALL_SIDES);
-    return mix(rest, fisher_pdf(dot(at.mirror, wi), MIRROR_KAPPA), mirrored_share(at));
+    return mix(rest, mirror_pdf(dot(at.mirror, wi)), mirrored_share(at));
 }
 
 fn surroundings_of(pixel: Pixel) -> Surroundings {
