@@ -196,6 +196,8 @@ def _expected(kind: Any) -> str:
         if more[-1] is ...:
             return "a list, each item after a '-'"
         return f"a list of {1 + len(more)} {_WORDS[_choices(item)[0]].removeprefix('a ')}s"
+    if get_origin(first) is dict:
+        return "a mapping"
     if _is_model(first):
         keys = [*first.model_fields]
         return f"a mapping of {', '.join(keys[:_KEYS])}{' ...' if len(keys) > _KEYS else ''}"
