@@ -26,7 +26,7 @@ from rna_trace import FiberPoints
 _ROWS, _NEW = 2048, 32  # points of a step, and those of them that no step has had
 _KEPT = 100_000  # points
 _DIRECTIONS = 64  # of a point
-_SURFACE = LobeMixture(uniform=0.6, mirror=0.4, mirror_kappa=40.0)
+_SURFACE = LobeMixture(uniform=0.6, mirror=0.4, mirror_kappas=(40.0,) * 3)
 _FIBER = LobeMixture(uniform=0.6, cone=0.4, cone_scale=0.08)
 _GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
 _RATE, _WARMUP = 5e-3, 100  # steps
