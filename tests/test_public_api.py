@@ -32,6 +32,7 @@ OUR_TOOLS = {
         "cores",
         "cpu",
         "file_kinds",
+        "glass_beside",
         "gltf_remedies",
         "kernel_threads",
         "memory",
@@ -51,7 +52,7 @@ OTHER_HALF = {
     "rna_render.world.domain_watch",
 }
 """What rna_gpu alone may import of the renderer, for the same lights, materials and paths."""
-MEASURED = {"rna_render.lights", "rna_render.world.world_loading"}
+MEASURED = {"rna_render.world.world_loading"}
 """Insides that rna_bench alone measures."""
 EXPORTED = {"rna_render.lights", "rna_render.materials", "rna_render.world.neural_sampling"}
 """Where the exporter measures lobes as renderers use them, with the brightest directions apart,

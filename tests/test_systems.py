@@ -1,7 +1,6 @@
-"""What can be checked of Windows and macOS on Linux: modules, functions and paths of theirs.
+"""What can be checked of Windows and macOS on Linux: modules, functions and names of files.
 
-Packages of others are imported first, as they are here; ours, then, in a Python without what the
-other system lacks.
+Ours are imported and run in a Python without what the other system lacks.
 """
 
 from __future__ import annotations
@@ -18,11 +17,10 @@ from tests.conftest import REPOSITORY
 TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
 
 _SCRIPT = """\
-import importlib, os, pkgutil, signal, sys, warnings
+import importlib, os, pkgutil, signal, sys
 import embreex, numba, onnxruntime, OpenEXR, PIL.Image, pydantic, tqdm, trimesh, yaml
 
 system, toy, out = sys.argv[1:]
-sys.platform = system
 missing = ["sched_getaffinity", "sched_setaffinity"]
 if system == "win32":
     missing += ["fork", "killpg", "getuid", "mkfifo", "statvfs", "getpgid", "setsid"]

@@ -115,7 +115,7 @@ def test_the_paths_of_a_pilot_are_known_before_it() -> None:
             traced.append(len(origins))
             return super().render_rays(origins, *more, **how)
 
-    measure_pilot(scene, Counting(scene, 0.1), settings, EVERYWHERE, False, 12e-6)
+    measure_pilot(scene, Counting(scene, 0.1), settings, EVERYWHERE, False, 12e-6, lambda: None)
     assert sum(traced) * settings.samples == pilot_paths(settings)
 
 

@@ -225,8 +225,8 @@ def test_options_that_do_not_belong_together(given, output, tmp_path, capsys):
 
 def test_the_last_quarter_of_a_make_is_for_lobes():
     def minutes(**given: object) -> float:
-        usual = {"environment": True, "environment_minutes": 5.0, "minutes": None}
+        usual = {"environment": True, "environment_minutes": 5.0, "minutes": None, "more": None}
         return lobe_minutes(Namespace(**(usual | given)))
 
     assert [minutes(), minutes(minutes=8.0), minutes(minutes=60.0)] == [5.0, 2.0, 5.0]
-    assert minutes(environment=False) == 0.0
+    assert minutes(more=8.0) == 2.0 and minutes(environment=False) == 0.0

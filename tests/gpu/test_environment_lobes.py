@@ -95,7 +95,7 @@ def test_lobes(kind: str, with_visibility: bool, device: Device) -> None:
 
     arguments = float_planes(planes), bounds.corners(), part.inputs, rows["position"], rows["axis"]
     if kind == "surface":
-        queries = queries_reference(*arguments, rows["wo"], m)
+        queries = queries_reference(*arguments, rows["wo"], m, of_lobes=True)
     else:
         queries = fiber_queries_reference(*arguments, rows["h"], rows["wo"], m)
     session = ort.InferenceSession(decoder_to_bytes(decoder), providers=["CPUExecutionProvider"])

@@ -16,12 +16,11 @@ from rna_bench.scenes.beside_cycles import EXPOSURE_DEFINITION
 from rna_bench.scenes.filled import filled
 from rna_bench.scenes.judge import judge
 from rna_bench.scenes.measured_scene import MeasuredScene, Plan
-from rna_bench.scenes.scene_list import find_environment, scenes
+from rna_bench.scenes.scene_list import BESIDE_ENVIRONMENTS, find_environment, scenes
 from rna_bench.scenes.scenes_sheet import draw_sheet
 from rna_bench.scenes.stage import Stage
 from rna_bench.scenes.stored import StoredResults
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
-from rna_render.scene import Scene
 from rna_sdk.errors import SceneError
 from rna_sdk.runtime import load
 from rna_work.progress import Progress
@@ -44,9 +43,11 @@ DEFINITIONS = {
 def study(args: argparse.Namespace) -> None:
     """Measure the scenes that the options ask for; write `scenes.json` and `scenes.png`."""
     environments = [find_environment(name) for name in args.environment]
+    _check(args, environments)
     stage, plan = _stage(args), _plan(args)
     args.out.mkdir(parents=True, exist_ok=True)
-    chosen = _chosen(scenes(stage, environments, args.out.resolve()), args.scenes)
+    every = scenes(stage, environments, args.out.resolve())
+    chosen = {name: every[name] for name in every if args.scenes is None or name in args.scenes}
     references, measured = _stored_results(args, stage, environments)
     done, result = [], {}
     with Progress(len(chosen), "scene", "measuring") as progress:
@@ -121,8 +122,10 @@ def _digest(path: Path) -> str:
     return hashlib.sha256(path.read_bytes()).hexdigest()[:16]
 
 
-def _chosen(every: dict[str, Scene], names: list[str] | None) -> dict[str, Scene]:
-    unknown = sorted(set(names or ()) - set(every))
+def _check(args: argparse.Namespace, environments: list[Path]) -> None:
+    """Raises SceneError for scenes that there are not, or a source; before anything is rendered."""
+    every = [*(path.stem for path in environments), *BESIDE_ENVIRONMENTS]
+    unknown = sorted(set(args.scenes or ()) - set(every))
     if unknown:
         raise SceneError(f"--scenes: found {', '.join(unknown)}; expected of {', '.join(every)}")
-    return {name: scene for name, scene in every.items() if names is None or name in names}
+    _digest(args.source)

@@ -146,7 +146,7 @@ static float light(float value, bool valid) {
 
 /* The tier part that rows are asked of; NULL where an argument is missing or wrong. */
 static const TierPart *asked_part(const RnaAsset *asset, int tier, int part, const Batch *batch) {
-    const RnaPart *of = asset ? rna_part(asset, part) : NULL;
+    const RnaPart *of = rna_part(asset, part);
     if (!of || !rna_tier(asset, tier)) return NULL;
     const bool given = batch->positions && batch->axes && batch->wo && batch->wi;
     if (batch->n && !(given && (of->kind == RNA_SURFACE || batch->h))) return NULL;

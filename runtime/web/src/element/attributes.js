@@ -60,14 +60,14 @@ function sunLight(value) {
 }
 
 /** By label its address. */
-function maps(value) {
+function addresses(value) {
   const pairs = value.trim().split(/\s+/).filter(Boolean).map((word) => [word.slice(0, word.indexOf("=")), word.slice(word.indexOf("=") + 1)]);
   if (pairs.some(([label, address]) => !label || !address)) expected("LABEL=ADDRESS ..., as label=label-de.png", value);
   return Object.fromEntries(pairs);
 }
 
 /** Linear RGB. */
-function tint(value) {
+function tintColour(value) {
   const found = value.trim().split(/\s+/).map(Number), isColour = globalThis.CSS?.supports("color", value);
   if (found.length === 3 && found.every((one) => one >= 0 && one < Infinity)) return found;
   return (isColour && linearColour(value)) || expected("a colour, or R G B of linear light, as 1 0.5 0.2", value);
@@ -85,7 +85,7 @@ export const READERS = {
   "touch-action": choice("pan-y", "pan-x", "none"), "wheel-zoom": choice("focus", "always"), "interaction-prompt": choice("auto", "none"), "interpolation-decay": number(0, 1e5),
   "auto-rotate": flag, "auto-rotate-delay": number(0, 1e9), "rotation-per-second": turn,
   samples: number(1, 1e6, true), "pixel-ratio": number(0.1, 8), jitter: number(0, 1),
-  "first-look": choice("auto", "off"), maps, tint,
+  "first-look": choice("auto", "off"), maps: addresses, tint: tintColour,
 };
 
 /** The name of an attribute's property, as cameraOrbit. */

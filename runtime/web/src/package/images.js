@@ -11,9 +11,38 @@ export async function readImage(bytes, where) {
   const isKnown = STARTS.some((start) => start.every((byte, k) => bytes[k] === byte));
   const wrong = (found) => fail("BASE_COLOR_IMAGE", where, `found ${found}, expected a PNG, JPEG or WebP of 1 to ${WIDEST} pixels a side`);
   if (!isKnown) wrong("another file");
+  const sides = sidesOf(bytes);  // before any memory is taken
+  if (!sides) wrong("a file without a size");
+  if (!sides.every((side) => side >= 1 && side <= WIDEST)) wrong(`${sides.join(" x ")} pixels`);
   const bitmap = await createImageBitmap(new Blob([withoutOrientation(bytes)]), AS_STORED).catch(() => wrong("what cannot be decoded"));
-  if (Math.max(bitmap.width, bitmap.height) > WIDEST) wrong(`${bitmap.width} x ${bitmap.height} pixels`);
   return pixelsOf(bitmap);
+}
+
+/** [width, height] by the file's header; null where it has none. */
+function sidesOf(bytes) {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
+  try {
+    if (bytes[0] === 0x89) return [view.getUint32(16), view.getUint32(20)];
+    if (bytes[0] === 0x52) return sidesOfWebp(view);
+    for (let at = 2; ; at += 2 + view.getUint16(at + 2)) {
+      const marker = view.getUint16(at);
+      if (marker < 0xffc0 || marker === 0xffda) return null;
+      if (marker <= 0xffcf && ![0xffc4, 0xffc8, 0xffcc].includes(marker)) return [view.getUint16(at + 7), view.getUint16(at + 5)];
+    }
+  } catch {
+    return null;  // it ends before
+  }
+}
+
+/** By its first chunk: with all features, lossless or lossy. */
+function sidesOfWebp(view) {
+  const side = (at) => 1 + view.getUint16(at, true) + 65536 * view.getUint8(at + 2);
+  const kind = String.fromCharCode(...[12, 13, 14, 15].map((at) => view.getUint8(at)));
+  if (kind === "VP8X") return [side(24), side(27)];
+  if (kind === "VP8 ") return [view.getUint16(26, true) & 0x3fff, view.getUint16(28, true) & 0x3fff];
+  if (kind !== "VP8L") return null;
+  const bits = view.getUint32(21, true);
+  return [1 + (bits & 0x3fff), 1 + ((bits >>> 14) & 0x3fff)];
 }
 
 /** The same of a picture of the page's: a Blob, ImageBitmap, canvas, or element of an image. */
