@@ -75,7 +75,7 @@ def row(name: str, field: FieldInfo) -> str:
 def _default(field: FieldInfo) -> str:
     value = field.default
     assert value is not PydanticUndefined
-    if value in (None, (), "") or isinstance(value, BaseModel):
+    if value in (None, (), {}, "") or isinstance(value, BaseModel):
         return "none"
     if isinstance(value, tuple):
         return f"`[{', '.join(f'{item:g}' for item in value)}]`"

@@ -158,8 +158,8 @@ class QualityModel(Model):
 
     max_error: Positive | None = Field(
         default=None,
-        description="Largest mean FLIP of an asset at its size in the image; each asset gets the "
-        "cheapest tier that meets it.",
+        description="Largest mean FLIP of an asset's pixels at its size in the image; each asset "
+        "gets the cheapest tier that meets it.",
     )
     seconds: Positive | None = Field(
         default=None,
