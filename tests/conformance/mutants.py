@@ -1,6 +1,6 @@
 """Mutants of the minimal host: what the conformance kit finds, each caught or allowed by a clause.
 
-    python -m tests.conformance.mutants         tries all, and prints those that pass
+    python -m tests.conformance.mutants         tries all, and writes mutants.json
 
 A mutant is the host with one change: a number, an operator, a comparison, a function. It is caught
 where a case of the kit fails, or it ends in an exception or not at all. What passes must be in
@@ -11,9 +11,11 @@ from __future__ import annotations
 
 import ast
 import copy
+import json
 import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
+from pathlib import Path
 from types import ModuleType
 from typing import Any
 
@@ -28,7 +30,9 @@ from tests.time_limit import time_limit
 
 HOST = REPOSITORY / "examples" / "hosts" / "minimal.py"
 SECONDS = 60
-CAUGHT = "caught"
+CAUGHT, FORBIDDEN = "caught", "passes, though the format forbids it"
+RECORD = Path(__file__).with_name("mutants.json")
+"""Name of a mutant -> CAUGHT, or why it passes."""
 
 FIRST = ("surface-float32", "fiber-float16", "surface-int8", "parts-lantern")
 """Packages whose cases are tried first: between them nearly all that can go wrong."""
@@ -173,15 +177,16 @@ def _answers(host: ModuleType) -> Any:
 
 
 def main() -> int:
-    kit, tried = load_kit(KIT), mutants(HOST.read_text())
-    unexpected = 0
-    for mutant in tried:
-        if verdict(mutant, kit) != CAUGHT:
-            why = reason(mutant)
-            print(f"{mutant.name}: {why or 'NOT ALLOWED'}", flush=True)
-            unexpected += not why
-    print(f"{len(tried)} mutants, {unexpected} pass that the format forbids")
-    return int(bool(unexpected))
+    kit, verdicts = load_kit(KIT), {}
+    for mutant in mutants(HOST.read_text()):
+        verdicts[mutant.name] = verdict(mutant, kit)
+        if verdicts[mutant.name] != CAUGHT:
+            verdicts[mutant.name] = reason(mutant) or FORBIDDEN
+            print(f"{mutant.name}: {verdicts[mutant.name]}", flush=True)
+    RECORD.write_text(json.dumps(verdicts, indent=1) + "\n")
+    forbidden = list(verdicts.values()).count(FORBIDDEN)
+    print(f"{len(verdicts)} mutants, {forbidden} pass that the format forbids")
+    return int(forbidden > 0)
 
 
 if __name__ == "__main__":

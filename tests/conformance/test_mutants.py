@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
+import json
+
 import pytest
 
 from rna_sdk.conformance.kit import Kit
-from tests.conformance.mutants import CAUGHT, HOST, Mutant, mutants, verdict
+from tests.conformance.mutants import CAUGHT, HOST, RECORD, Mutant, mutants, reason, verdict
 
 ALL = mutants(HOST.read_text())
+
+
+def test_all_are_on_record_and_caught_or_allowed() -> None:
+    """Stale after a change of the host: run python -m tests.conformance.mutants."""
+    record = json.loads(RECORD.read_text())
+    assert list(record) == [mutant.name for mutant in ALL]
+    assert all(record[m.name] in (CAUGHT, reason(m) or None) for m in ALL)
 
 
 def test_there_are_many_and_they_differ() -> None:
