@@ -31,10 +31,14 @@ class LambertAsset:
     environment_form: None = None
     transmittance_records: tuple = ()
     normal_maps: tuple = ()
+    uses_base_color: bool = False
 
     @property
     def parts(self):
         return (self,)
+
+    def transport(self, positions, normals, wo, wi, visibility, base_color=None):
+        return blended(self.evaluate(positions, normals, wo, wi), visibility)
 
     def evaluate(self, positions, normals, wo, wi):
         cosine = np.maximum(np.sum(normals * wi, axis=1, keepdims=True), 0.0)
@@ -91,11 +95,21 @@ class FiberProbe:
     def parts(self):
         return (self,)
 
+    def transport(self, positions, tangents, h, wo, wi, visibility):
+        return blended(self.evaluate(positions, tangents, h, wo, wi), visibility)
+
     def evaluate(self, positions, tangents, h, wo, wi):
         sine = np.linalg.norm(np.cross(tangents, wi), axis=1)
         visible = np.stack([sine, (1 + h) / 2, np.full_like(h, 1 / (4 * np.pi))], axis=1)
         shadowed = np.broadcast_to(np.asarray(self.shadowed), visible.shape)
         return visible.astype(np.float32), shadowed.astype(np.float32)
+
+
+def blended(both, visibility):
+    """What `transport` gives of visible and shadowed light."""
+    visible, shadowed = both
+    v = np.float32(visibility).reshape(len(visible), -1)
+    return v * visible + (1 - v) * shadowed
 
 
 def sphere(subdivisions: int = 4, radius: float = 1.0) -> Mesh:

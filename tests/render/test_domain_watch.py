@@ -47,8 +47,8 @@ def test_queries_outside_are_counted_and_answered(tmp_path: Path) -> None:
     wo, wi = rows(FRONT, FRONT, UP, UP), rows(UP, DOWN, DOWN, UP)
     points = np.zeros((4, 3), np.float32), rows(UP, UP, UP, UP), wo, wi
     (part,) = watch.parts
-    for actual, expected in zip(part.evaluate(*points), asset.evaluate(*points), strict=True):
-        np.testing.assert_array_equal(actual, expected)
+    free = np.array([True, False, True, False])
+    np.testing.assert_array_equal(part.transport(*points, free), asset.transport(*points, free))
     assert watch.complaint() == (
         "a.rna: 75.0% of the queries are outside the directions that it was trained for "
         "(views 50.0%, lights 50.0%)"
@@ -66,7 +66,7 @@ def test_a_warning_comes_once(tmp_path: Path) -> None:
     watch = WatchedAsset(asset, "a.rna")
     zero = np.zeros((1, 3), np.float32)
     warn_of_extrapolation([watch])  # nothing was asked: no warning, which would be an error
-    watch.parts[0].evaluate(zero, rows(UP), rows(DOWN), rows(UP))
+    watch.parts[0].transport(zero, rows(UP), rows(DOWN), rows(UP), np.ones(1, bool))
     with pytest.warns(DomainWarning) as caught:
         warn_of_extrapolation([watch, watch])
     assert len(caught) == 1

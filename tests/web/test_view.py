@@ -85,7 +85,8 @@ def test_a_box_is_framed_whole(page, low, high, aspect):
     box = f"{{min: {low}, max: {high}}}"
     cameras = page.evaluate(
         f"(() => {{ const orbit = new rnaViewer.orbit.constructor(); orbit.frame({box}, {aspect});"
-        " return Array.from({ length: 16 }, (_, k) => { orbit.azimuth = k * Math.PI / 8;"
+        " const home = orbit.azimuth;"
+        " return Array.from({ length: 16 }, (_, k) => { orbit.azimuth = home + k * Math.PI / 8;"
         f" return orbit.camera({aspect}, 1); }}); }})()"
     )
     corners = np.stack(np.meshgrid(*zip(low, high, strict=True)), axis=-1).reshape(8, 3)
