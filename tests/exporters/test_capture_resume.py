@@ -188,8 +188,10 @@ def test_validation_views_are_two_independent_halves(uninterrupted: Path) -> Non
     for view in views:
         assert len(view.pixel) > 50
         assert len(np.unique(view.samples["wi"], axis=0)) == 1
-        assert not np.array_equal(view.halves[0], view.halves[1])
+        if view.samples["radiance"].any():  # from behind, an opaque ball is black
+            assert not np.array_equal(view.halves[0], view.halves[1])
         assert np.allclose(view.halves.mean(axis=0), view.samples["radiance"])
+    assert any(view.samples["radiance"].any() for view in views)
     lights = {tuple(view.samples["wi"][0]) for view in views}
     trained = {tuple(wi) for wi in dataset.training_samples()["wi"]}
     assert len(lights) == 2 and not lights & trained

@@ -88,7 +88,7 @@ def make(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Callable[..., tuple
     for name, width in (("tiny", 16), ("small", 24)):
         preset = tiny(name, steps=80, optimizer="adam").with_model(width=width)
         monkeypatch.setitem(PRESETS["surface"], name, preset)
-    monkeypatch.setattr(plan_module, "LEAST_GAIN_DB", 6.0)  # three rounds or four
+    monkeypatch.setattr(plan_module, "LEAST_GAIN_DB", 3.0)  # three rounds or four
     monkeypatch.setattr(Curves, "draw", lambda _: None)
     monkeypatch.setattr(report_module, "write_images", lambda *_: None)
 

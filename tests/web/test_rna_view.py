@@ -142,7 +142,7 @@ def test_scene_becomes_camera_and_lights():
     assert site.attributes == {"scene": "scene.json"} and not site.notes
     assert site.contents[name_of(toy)] == toy and site.labels == {name_of(toy): "toy.rna"}
     notes = scene_site(EXAMPLES / "scene" / "scene.yaml").notes
-    assert any("objects" in note for note in notes)
+    assert any("object" in note for note in notes)
 
 
 SCENE = """
