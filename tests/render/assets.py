@@ -40,7 +40,7 @@ class LambertAsset:
     def transport(self, positions, normals, wo, wi, visibility, base_color=None):
         return blended(self.evaluate(positions, normals, wo, wi), visibility)
 
-    def evaluate(self, positions, normals, wo, wi):
+    def evaluate(self, positions, normals, wo, wi, base_color=None):
         cosine = np.maximum(np.sum(normals * wi, axis=1, keepdims=True), 0.0)
         visible = np.asarray(self.albedo) / np.pi * cosine
         shadowed = np.broadcast_to(np.asarray(self.shadowed), visible.shape)
