@@ -156,7 +156,7 @@ def test_a_training_says_its_score_and_no_package_takes_it(tmp_path, monkeypatch
     options = ["--preset", "analytic", "--steps", "10", "--out", str(runs)]
     assert train_main([str(dataset.folder), *options]) == 0
     printed = capsys.readouterr().out
-    assert "analytic: PSNR" in printed and "10 of 20,000 steps" in printed
+    assert "analytic: FLIP" in printed and "10 of 20,000 steps" in printed
     assert "next:" not in printed
     trained = load_checkpoint(runs / "best.ckpt")
     actual, lines = textures_of([trained], dataset.dataset)

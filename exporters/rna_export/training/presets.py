@@ -81,6 +81,11 @@ class ModelConfig(BaseModel):
         return self.texture == "triplane" and self.material == "learned"
 
     @property
+    def has_shadow_decoder(self) -> bool:
+        """Whether shadowed light has a decoder of its own: a model without the hint has none."""
+        return self.shadow_width > 0 and self.visibility_hint
+
+    @property
     def colour_sums(self) -> tuple[tuple[int, ...], tuple[int, ...]]:
         """Weights of the decoder's colours in the visible and in the shadowed transport."""
         if self.separates_direct:

@@ -54,12 +54,12 @@ class NeuralAsset(nn.Module):
             layers += [nn.Linear(columns, width), nn.ReLU()]
             columns = width
         terms = 6 if config.uses_base_color else 3
-        colours = len(config.colour_sums[0]) - bool(config.shadow_width)
+        colours = len(config.colour_sums[0]) - config.has_shadow_decoder
         outputs = PARAMETERS.get(config.material, terms * colours)
         self.decoder = nn.Sequential(*layers, nn.Linear(columns, outputs))
         self.shadow = (
             ShadowDecoder(config.shadow_inputs, config.channels, config.shadow_width, terms)
-            if config.shadow_width
+            if config.has_shadow_decoder
             else None
         )
         self.emission = (
