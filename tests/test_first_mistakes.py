@@ -20,7 +20,7 @@ MISTAKES = [  # what is typed, the exit status, a part of the last line
     ("rna-run none.rna --png a.png", 1, "none.rna: No such file or directory"),
     ("rna-view helmet.glb", 1, "rna-make helmet.glb --out helmet.rna makes a package"),
     ("rna-info scene.yaml", 1, "a scene, not a package; rna-run scene.yaml --png scene.png"),
-    ("rna-make helmet.glb", 2, "the following arguments are required: --out"),
+    ("rna-make helmet.glb", 2, "expected one of --out and --out-dir"),
     ("rna-make helmet.glb --out a.rna --minutse 5", 2, "did you mean --minutes?"),
     ("rna-make toy.rna --out b.rna", 1, "a package, not a model; rna-run toy.rna --png toy.png"),
     ("rna-capture toy.rna --out b.rays", 1, "a package, not a model"),

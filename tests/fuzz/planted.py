@@ -82,6 +82,7 @@ def planted_web_reader(folder: Path, bugs: list[Bug]) -> Path:
     """The viewer's reader with these faults."""
     package = folder / "runtime" / "web" / "src" / "package"
     shutil.copytree(WEB_READER, package)
+    shutil.copy(WEB_READER.parent / "steps.js", package.parent)
     (folder / "spec" / "schema").mkdir(parents=True)
     for name in ("blocks.json", "schema/manifest.schema.json"):
         shutil.copy(REPOSITORY / "spec" / name, folder / "spec" / name)
