@@ -119,6 +119,11 @@ def base_color_levels(record: BaseColor) -> list[Texture]:
 
     Returns (H, W, 3) uint8 arrays in the colour space of the image, each half as high and wide as
     the one before, down to (1, 1, 3): spec/RNA.md, 4.6.
+
+    Examples:
+        >>> asset = load("toy.rna")
+        >>> [base_color_levels(record) for record in asset.base_colors]  # it has no print
+        []
     """
     assert record.image is not None
     linear = linear_of(record.color_space)

@@ -202,7 +202,7 @@ def test_tiers_of_any_pair_share_their_entries(checkpoint: Path, tmp_path: Path)
     with Package.open(path) as package:
         manifest = package.manifest
     assert len(manifest.tiers) == 4
-    assert len(manifest.entries) == 1 + 2 + 2
+    assert len(manifest.entries) == 1 + 2 + 2 * 2  # two precisions of planes and of decoders
 
 
 def test_a_tier_that_loses_too_much_is_refused(

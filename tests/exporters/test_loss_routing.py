@@ -25,6 +25,8 @@ def gradient_of_the_outputs(kind: str, preset: str, visible: float) -> tuple[flo
     rows[:, -1] = visible
     sample_loss(fitting.model, columns(rows, fields), 4.0).backward()
     gradient = fitting.model.decoder[-1].weight.grad.abs()
+    if (shadow := fitting.model.shadow) is not None:
+        return gradient.max().item(), shadow.decoder[-1].weight.grad.abs().max().item()
     return gradient[:-3].max().item(), gradient[-3:].max().item()
 
 

@@ -189,7 +189,7 @@ def test_planes_stay_in_the_file(asset_path: Callable[..., Path], precision: str
 
     package.planes = remembered  # type: ignore[assignment, method-assign]
     asset = SurfaceAsset(package, package.manifest.tiers[0], 1, 0, "asset")
-    assert np.shares_memory(asset._evaluators["transport"]._filler._texels, views[0])
+    assert np.shares_memory(asset._evaluators["transport"][0]._filler._texels, views[0])
     assert not views[0].flags.writeable
 
 

@@ -43,6 +43,11 @@ class BaseColor:
         wrap: what lies beyond the image's edges along u, and along v.
         transform: (a, b, c, d, e, f): the image is looked up at (a u + b v + c, d u + e v + f).
         label: what the image is called: its entry's name without folder and suffix.
+
+    Examples:
+        >>> with Package.open("toy.rna") as package:
+        ...     package.base_color()  # the toy has no print
+        []
     """
 
     first: int
