@@ -22,7 +22,7 @@ class BaseColorMaps:
     """The base colour of a mesh; of one without records it is white."""
 
     def __init__(self, mesh: Mesh, records: Sequence[BaseColor]) -> None:
-        self._mesh, self._records = mesh, tuple(records)
+        self._mesh = mesh
         number = np.full(len(mesh.triangles), -1, np.int32)
         density = np.zeros(len(mesh.triangles), np.float32)
         for k, record in enumerate(records):

@@ -12,7 +12,7 @@ import torch
 from torch import Tensor
 
 from rna_export.export.int8_decoder import Int8Decoder
-from rna_export.training.model.inputs import Points, assemble
+from rna_export.training.model.inputs import Points, assemble, in_box
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.model.shadow import ShadowDecoder
 from rna_export.training.model.triplane import Triplane
@@ -71,7 +71,7 @@ class DecoderModel:
     def queries(self, at: Points) -> Tensor:
         """The decoder's queries, (k, K)."""
         grid = self.triplane
-        p = ((at["position"] - grid.low) / (grid.high - grid.low)).clamp(0.0, 1.0)
+        p = in_box(at["position"], grid.low, grid.high)
         return assemble(self.inputs, grid(at["position"]), p, at)
 
     def transport(self, y: Tensor) -> Tensor:

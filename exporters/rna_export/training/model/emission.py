@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 import torch
 from torch import Tensor, nn
 
-from rna_export.training.model.inputs import Points, assemble
-from rna_export.training.model.layers import through
+from rna_export.training.model.inputs import Points, assemble, in_box
+from rna_export.training.model.layers import new_layers, through
 from rna_export.training.model.triplane import Triplane
 from rna_sdk.package import query_width
 
@@ -30,18 +28,14 @@ class EmissionDecoder(nn.Module):
     def __init__(self, inputs: tuple[str, ...], channels: int, width: int):
         super().__init__()
         self.inputs = inputs
-        sizes = [query_width(inputs, channels)] + [width] * HIDDEN_LAYERS
-        layers: list[nn.Module] = []
-        for columns_in, columns_out in pairwise(sizes):
-            layers += [nn.Linear(columns_in, columns_out), nn.ReLU()]
-        self.decoder = nn.Sequential(*layers, nn.Linear(sizes[-1], 3))
+        self.decoder = new_layers(query_width(inputs, channels), width, HIDDEN_LAYERS, 3)
         self.register_buffer("ceiling", torch.tensor(100.0))
         self.register_buffer("unit", torch.tensor(1.0))
 
     def queries(self, triplane: Triplane, at: Points, blur: float | Tensor = 1.0) -> Tensor:
         """The decoder's queries, (k, K)."""
         position = at["position"]
-        p = ((position - triplane.low) / (triplane.high - triplane.low)).clamp(0.0, 1.0)
+        p = in_box(position, triplane.low, triplane.high)
         return assemble(self.inputs, triplane(position, blur), p, at)
 
     def forward(self, triplane: Triplane, at: Points, blur: float | Tensor = 1.0) -> Tensor:

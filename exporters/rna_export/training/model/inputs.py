@@ -18,6 +18,11 @@ Points = dict[str, Tensor]
 """Queries by name: position, wo, wi and normal or tangent, (k, 3) each; for fibers also h, (k,)."""
 
 
+def in_box(position: Tensor, low: Tensor, high: Tensor) -> Tensor:
+    """Positions (k, 3) in the box of the planes, from 0 to 1."""
+    return ((position - low) / (high - low)).clamp(0.0, 1.0)
+
+
 def assemble(blocks: tuple[str, ...], features: Tensor, p: Tensor, at: Points) -> Tensor:
     """The decoder's input (k, K). `features`: (k, C). `p`: position in the bounds, 0 to 1."""
     if features.device.type != "cpu":

@@ -2,12 +2,22 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Any
 
 import torch
 from torch import Tensor, nn
 
 from rna_export.training.optimization.product_kernels import weight_gradient
+
+
+def new_layers(columns: int, width: int, hidden: int, outputs: int) -> nn.Sequential:
+    """Linear layers with a ReLU between each two: `hidden` of a width, and one of the outputs."""
+    sizes = [columns] + [width] * hidden
+    layers: list[nn.Module] = []
+    for before, after in pairwise(sizes):
+        layers += [nn.Linear(before, after), nn.ReLU()]
+    return nn.Sequential(*layers, nn.Linear(sizes[-1], outputs))
 
 
 def through(layers: nn.Sequential, x: Tensor, bfloat16: bool = False) -> Tensor:

@@ -9,8 +9,8 @@ from torch import Tensor, nn
 
 from rna_export.training.model.analytic import PARAMETERS, shaded
 from rna_export.training.model.emission import EmissionDecoder
-from rna_export.training.model.inputs import Points, assemble
-from rna_export.training.model.layers import through
+from rna_export.training.model.inputs import Points, assemble, in_box
+from rna_export.training.model.layers import new_layers, through
 from rna_export.training.model.shadow import ShadowDecoder
 from rna_export.training.model.triplane import Triplane
 from rna_export.training.presets import ModelConfig
@@ -47,16 +47,11 @@ class NeuralAsset(nn.Module):
         super().__init__()
         self.config = config
         self.triplane = self._new_features(config, bounds)
-        width = config.width
-        layers: list[nn.Module] = []
-        columns = query_width(config.inputs, config.channels)
-        for _ in range(config.hidden_layers):
-            layers += [nn.Linear(columns, width), nn.ReLU()]
-            columns = width
+        width, columns = config.width, query_width(config.inputs, config.channels)
         terms = 6 if config.uses_base_color else 3
         colours = len(config.colour_sums[0]) - config.has_shadow_decoder
         outputs = PARAMETERS.get(config.material, terms * colours)
-        self.decoder = nn.Sequential(*layers, nn.Linear(columns, outputs))
+        self.decoder = new_layers(columns, width, config.hidden_layers, outputs)
         self.shadow = (
             ShadowDecoder(config.shadow_inputs, config.channels, config.shadow_width, terms)
             if config.has_shadow_decoder
@@ -130,9 +125,7 @@ class NeuralAsset(nn.Module):
 
     def _place(self, at: Points) -> Tensor:
         """Positions in the bounds, (k, 3) from 0 to 1."""
-        grid = self.triplane
-        p: Tensor = ((at["position"] - grid.low) / (grid.high - grid.low)).clamp(0.0, 1.0)
-        return p
+        return in_box(at["position"], self.triplane.low, self.triplane.high)
 
     def feature_matrices(self) -> list[Tensor]:
         """Matrices of a network that features come from, which Muon takes; planes have none."""

@@ -7,12 +7,10 @@ from behind. So this one is not given what tells highlights (docs/decisions/mode
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 import torch
 from torch import Tensor, nn
 
-from rna_export.training.model.layers import through
+from rna_export.training.model.layers import new_layers, through
 from rna_sdk.package import query_width
 
 HIDDEN_LAYERS = 3
@@ -29,11 +27,8 @@ class ShadowDecoder(nn.Module):
     def __init__(self, inputs: tuple[str, ...], channels: int, width: int, outputs: int):
         super().__init__()
         self.inputs = inputs
-        sizes = [query_width(inputs, channels)] + [width] * HIDDEN_LAYERS
-        layers: list[nn.Module] = []
-        for before, after in pairwise(sizes):
-            layers += [nn.Linear(before, after), nn.ReLU()]
-        self.decoder = nn.Sequential(*layers, nn.Linear(width, outputs))
+        columns = query_width(inputs, channels)
+        self.decoder = new_layers(columns, width, HIDDEN_LAYERS, outputs)
         self.register_buffer("unit", torch.tensor(RELATIVE_UNIT))
 
     def forward(self, queries: Tensor) -> Tensor:
