@@ -305,6 +305,8 @@ class AssetPart(Asset):
         evaluators = self._evaluators[TRANSPORT.name]
         if len(evaluators) == 1:
             visible, shadowed = self.decode(TRANSPORT.name, checked)
+            if isinstance(visibility, np.ndarray) and visibility.dtype == np.bool_:
+                return np.where(visibility[:, None], visible, shadowed)
             return v * visible + (np.float32(1.0) - v) * shadowed
         result = np.zeros((count, COLUMNS), np.float32)
         for evaluator, share in zip(evaluators, (v, np.float32(1.0) - v), strict=True):

@@ -9,7 +9,7 @@ from torch import Tensor, nn
 
 from rna_export.lobes.lobe_queries import LobeInputs, QueryRows
 from rna_export.lobes.view_points import LobesAt, Rows, ViewPoints
-from rna_export.training.model.layers import through
+from rna_export.training.model.layers import new_layers, through
 from rna_sdk.reference.lobes import NARROW, SHIFT, SMALLEST_KAPPA, WIDE
 
 LOBES = 8
@@ -35,16 +35,13 @@ class LobeModel(nn.Module):
     def __init__(self, columns: int, width: int = WIDTH, hidden_layers: int = HIDDEN_LAYERS):
         """columns: K of the queries. width: of the hidden layers."""
         super().__init__()
-        layers: list[nn.Module] = []
-        for _ in range(hidden_layers):
-            layers += [nn.Linear(columns, width), nn.ReLU()]
-            columns = width
-        last = nn.Linear(columns, 9 * LOBES)
+        self.decoder = new_layers(columns, width, hidden_layers, 9 * LOBES)
+        last = self.decoder[-1]
+        assert isinstance(last, nn.Linear)
         last.weight.data *= 0.1
         of_lobe = torch.full((9,), math.log1p(_FURNACE / LOBES / _UNIT))
         of_lobe[6:] = math.log1p(SHIFT / _UNIT)
         last.bias.data = of_lobe.repeat(LOBES)
-        self.decoder = nn.Sequential(*layers, last)
         self.register_buffer("ceiling", torch.tensor(_CEILING))
         self.register_buffer("unit", torch.tensor(_UNIT))
 
