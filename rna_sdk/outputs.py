@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterable
 from pathlib import Path
 
-from rna_sdk.atomic_file import remove_leftovers, temporary_path
+from rna_sdk.atomic_file import check_replaceable, remove_leftovers, temporary_path
 from rna_sdk.console import command_line
 from rna_sdk.errors import RnaError
 from rna_sdk.file_kinds import is_gltf
@@ -47,10 +47,9 @@ def check_outside(folder: Path, paths: Iterable[Path]) -> None:
 
 def check_writable(path: Path) -> None:
     """Raises RnaError if no file can be written there; removes leftovers of killed processes."""
-    if path.is_dir():
-        raise RnaError(f"{path}: cannot be written: it is a folder")
     temporary = temporary_path(path)
     try:
+        check_replaceable(path)
         temporary.touch()
         temporary.unlink()
         remove_leftovers(path.parent)

@@ -8,6 +8,7 @@ Asks pip, for the versions in constraints.txt and Python 3.11, and downloads not
 from __future__ import annotations
 
 import json
+import os
 import re
 import subprocess
 import sys
@@ -48,7 +49,8 @@ def wheels(wanted: dict[str, str], platforms: tuple[str, ...]) -> set[str]:
             *("--only-binary", ":all:", "--report", "-", *options),
         ]
         lines = [f"{name}=={version}" for name, version in left.items()]
-        done = subprocess.run([*command, *lines], capture_output=True, text=True)
+        plain = {**os.environ, "PIP_CONFIG_FILE": os.devnull, "PIP_FIND_LINKS": ""}
+        done = subprocess.run([*command, *lines], capture_output=True, text=True, env=plain)
         if done.returncode == 0:
             found = json.loads(done.stdout)["install"]
             return {one["metadata"]["name"].lower().replace("_", "-") for one in found}
