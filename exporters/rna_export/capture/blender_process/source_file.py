@@ -1,0 +1,21 @@
+"""Is a path a model that Blender is to open? Asked before Blender starts."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from rna_export.blender.rna_sources.source_formats import SOURCE_FORMATS
+from rna_sdk.errors import CaptureError
+from rna_sdk.file_kinds import not_a
+
+SUFFIXES = ", ".join(SOURCE_FORMATS)
+
+
+def check_source(source: Path) -> None:
+    """Raises `CaptureError` for a missing file or an unsupported format."""
+    if not source.is_file():
+        raise CaptureError(f"{source}: no such file")
+    if source.suffix.lower() not in SOURCE_FORMATS:
+        if (wrong := not_a("model", source)) is not None:
+            raise CaptureError(f"{source}: {wrong}")
+        raise CaptureError(f"{source}: found {source.suffix!r}, expected one of {SUFFIXES}")
