@@ -47,9 +47,9 @@ def check_outside(folder: Path, paths: Iterable[Path]) -> None:
 
 def check_writable(path: Path) -> None:
     """Raises RnaError if no file can be written there; removes leftovers of killed processes."""
-    temporary = temporary_path(path)
     try:
         check_replaceable(path)
+        temporary = temporary_path(path)
         temporary.touch()
         temporary.unlink()
         remove_leftovers(path.parent)

@@ -7,14 +7,19 @@ from pathlib import Path
 from rna_export.blender.rna_sources.source_formats import SOURCE_FORMATS
 from rna_sdk.errors import CaptureError
 from rna_sdk.file_kinds import not_a
+from rna_sdk.regular_file import check_regular
 
 SUFFIXES = ", ".join(SOURCE_FORMATS)
 
 
 def check_source(source: Path) -> None:
-    """Raises `CaptureError` for a missing file or an unsupported format."""
-    if not source.is_file():
-        raise CaptureError(f"{source}: no such file")
+    """Raises `CaptureError` for what is no file, or of an unsupported format."""
+    try:
+        check_regular(source)
+    except FileNotFoundError:
+        raise CaptureError(f"{source}: no such file") from None
+    except OSError as error:
+        raise CaptureError(f"{source}: {error.strerror}") from None
     if source.suffix.lower() not in SOURCE_FORMATS:
         if (wrong := not_a("model", source)) is not None:
             raise CaptureError(f"{source}: {wrong}")
