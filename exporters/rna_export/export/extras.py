@@ -62,7 +62,7 @@ def _proxies(
     record = package.manifest.parts[part]
     if not heights or record.kind != "surface":
         return []
-    if record.transmittance or record.normal_maps:
+    if record.transmittance or record.normal_maps or record.base_color:
         say(f"{record.name}: no proxy, its textures are mapped to its triangles")
         return []
     mesh = package.mesh(part)
