@@ -13,7 +13,7 @@ from rna_export.training.checkpoint import Trained
 from rna_sdk.errors import ExportError
 from rna_sdk.package import Package, SourceVertices
 from rna_sdk.package.geometry.geometry_files import Geometry
-from rna_sdk.package.manifest.extensions import Standin
+from rna_sdk.package.manifest.extensions import Standin, Variant, Variants
 from rna_sdk.package.manifest.pictures import png_size
 from rna_sdk.package.packing import Unpacked
 
@@ -46,6 +46,8 @@ def add_extras(
         say("\n".join([*lines, f"stand-in: textures of {sum(map(bool, textures))} parts"]))
         if any(textures):
             unpacked = unpacked.with_standin_textures(textures)
+    if dataset.manifest.variants:
+        unpacked = unpacked.with_extension(*variants_of(dataset))
     with Package.open(package) as opened:
         levels = [_proxies(opened, k, proxies, say) for k in range(len(materials))]
     if any(levels):
@@ -53,6 +55,19 @@ def add_extras(
     if source:
         unpacked = unpacked.with_source(_sources(dataset))
     (unpacked.deflated() if deflate else unpacked).write(package)
+
+
+def variants_of(dataset: Dataset) -> tuple[Variants, dict[str, bytes]]:
+    """The prints by name, and the images that they alone have."""
+    names, files = dataset.manifest.variants, {}
+    for part in dataset.parts:
+        files |= part.variant_files()
+    changes = [[part.captured.variants[k] for part in dataset.parts] for k in range(len(names))]
+    variants = (
+        Variant(name=name, parts=tuple(one if any(one) else None for one in of_parts))
+        for name, of_parts in zip(names, changes, strict=True)
+    )
+    return Variants(variants=tuple(variants)), files
 
 
 def _proxies(
