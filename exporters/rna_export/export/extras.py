@@ -59,7 +59,8 @@ def add_extras(
 
 def variants_of(dataset: Dataset) -> tuple[Variants, dict[str, bytes]]:
     """The prints by name, and the images that they alone have."""
-    names, files = dataset.manifest.variants, {}
+    names = dataset.manifest.variants
+    files: dict[str, bytes] = {}
     for part in dataset.parts:
         files |= part.variant_files()
     changes = [[part.captured.variants[k] for part in dataset.parts] for k in range(len(names))]

@@ -142,7 +142,8 @@ def _described(material: Any, textures: list[dict[str, Any]]) -> dict[str, Any]:
     members = copy.deepcopy(material.to_dict())
     members |= members.get("pbrMetallicRoughness") or {}
     members = {name: value for name, value in members.items() if value is not None}
-    return _with_images(_DEFAULTS | members, textures)
+    described: dict[str, Any] = _with_images(_DEFAULTS | members, textures)
+    return described
 
 
 def _with_images(members: Any, textures: list[dict[str, Any]]) -> Any:

@@ -91,8 +91,7 @@ class BaseColors:
         """Base colours of a variant's materials, over the charts of those that they replace."""
         pairs = materials.items()
         charts = {other: self.charts[own] for own, other in pairs if own in self.charts}
-        shared = {"files": self.files, "images": self.images, "folder": VARIANTS}
-        colors = BaseColors({}, charts, {}, [], **shared)
+        colors = BaseColors({}, charts, {}, [], VARIANTS, files=self.files, images=self.images)
         if materials:
             worker.show_variant(name)
             colors._add(worker, largest, set(materials.values()))
