@@ -175,13 +175,15 @@ def _shown(dataset: Dataset, scene: AssetScene, worker: BlenderWorker, turn: int
     """The scene in the pose and the print whose turn it is, which Blender shows as well."""
     manifest = dataset.manifest
     turn, pose = divmod(turn, manifest.pose_count)
-    number = turn % len(manifest.prints)
-    variant = manifest.prints[number]
     if manifest.poses:
         worker.show_frame(manifest.poses[pose])
         scene = scene.in_pose(pose)
-    worker.show_variant(None if variant is None else manifest.variants[variant])
-    return scene.printed(number)
+    if len(manifest.prints) > 1:
+        number = turn % len(manifest.prints)
+        variant = manifest.prints[number]
+        worker.show_variant(None if variant is None else manifest.variants[variant])
+        scene = scene.printed(number)
+    return scene
 
 
 def _all_rows(pieces: list[Samples]) -> Samples:
