@@ -210,8 +210,9 @@ class _MeshPoints(_NeuralPoints):
         free = self._free(self._asset.mirror(self.n, self._wo))
         visibility = self._asset.visibility_at(*self.where)
         amplitudes, axes = self._asset.lobes(self.x, self.n, self._wo, free, visibility)
-        detail = self._asset.print_detail_at(*self.where, self.widths)
-        amplitudes[:, : amplitudes.shape[1] // 2] *= detail[:, None]
+        if self.base_color is not None:
+            detail = self._asset.print_detail_at(*self.where, self.widths)
+            amplitudes[:, : amplitudes.shape[1] // 2] *= detail[:, None]
         return amplitudes, axes, free
 
 
