@@ -235,6 +235,19 @@ def test_what_nodes_make_of_uv_coordinates_is_baked(
         assert np.abs(base - shown).mean() < 0.01
 
 
+def test_images_that_are_baked_with_fewer_texels_are_told(
+    open_worker: OpenWorker, tmp_path: Path
+) -> None:
+    """As tiles of UDIM are, where all of them together are larger than what is baked."""
+    source = {"path": str(print_of(tmp_path)), "changes": [TWO_IMAGES]}
+    worker = open_worker(PRINTED.format(**source, shader="ShaderNodeBsdfDiffuse"))
+    (note,) = exported_parts(worker, CaptureSettings(texture_size=512)).notes
+    assert note == (
+        "material 'label' has a base colour of 674 x 272 texels, baked with 512 x 512; "
+        "--texture-size takes more, up to 8192"
+    )
+
+
 def test_what_is_no_function_of_uv_coordinates_is_told(
     open_worker: OpenWorker, tmp_path: Path
 ) -> None:
