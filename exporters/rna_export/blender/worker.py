@@ -40,7 +40,7 @@ with few_cores(THREADS):
     from rna_geometry import curves_export, mesh_export, scene_parts
     from rna_geometry.shown_objects import as_rendered
     from rna_materials import base_colors, object_materials, surface_textures
-    from rna_preflight import material_facts, smooth_glass
+    from rna_preflight import changing_materials, material_facts, smooth_glass
     from rna_renders import ray_render, render_settings, scene_render, white_card
     from rna_sources import read_files, shown_frame, source_scene
 
@@ -74,6 +74,7 @@ def open_scene(request: dict[str, Any]) -> dict[str, Any]:
         "blender": source_scene.blender_version(),
         "emitters": printable(emitters),
         "materials": materials,
+        "changing": printable(as_rendered(changing_materials.changing)),
         "glass": glass,
         "files": read_files.files_of(request["source"]),
         "frame": bpy.context.scene.frame_current,

@@ -33,7 +33,7 @@ def size_notes(geometries: Mapping[str, Mesh | Curves]) -> list[str]:
     if longest > _LONGEST:
         notes.append(
             f"the longest side is {metres(longest)}; if the source is in centimetres, scale it by "
-            "0.01 (-- --unit 0.01 for .hair, .tfx, .abc and .usd)"
+            "0.01 (-- --unit 0.01 for .abc and .usd, 0.0001 for .hair and .tfx, read as centimetres)"
         )
     return notes
 

@@ -22,8 +22,9 @@ Kind = Literal[
     "volume",
     "emissive",
     "hair",
+    "varied",
 ]
-"""glass: smooth and refracting, mixed with something else; see-through: holes and thin panes."""
+"""varied: each strand differs at random. glass: smooth and refracting, mixed with something else; see-through: holes and thin panes."""
 
 
 class Detail(DatasetModel):
