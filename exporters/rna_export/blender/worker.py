@@ -127,7 +127,9 @@ def main() -> None:
         except Exception as error:
             traceback.print_exc()
             (line,) = printable([" ".join(str(error).split())])  # Blender's are of several
-            reply({"ok": False, "error": f"{type(error).__name__}: {line}"})
+            is_ours = type(error) is ValueError  # else Blender's, or a script's
+            says = line if is_ours else f"Blender says: {type(error).__name__}: {line}"
+            reply({"ok": False, "error": says})
     os._exit(0)  # bpy may crash while it unloads; every result is already a file
 
 

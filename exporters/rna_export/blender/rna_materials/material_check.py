@@ -14,6 +14,8 @@ from rna_materials.object_materials import materials_of
 
 _OF_EEVEE = {"SHADERTORGB": "Shader to RGB", "EEVEE_SPECULAR": "Specular BSDF"}
 _NAMED = 3
+FIND = "use File > External Data > Find Missing Files, and save"
+"""What helps where a file that a .blend names is gone."""
 
 
 def problems() -> list[str]:
@@ -93,7 +95,7 @@ def _of_image(image: bpy.types.Image | None) -> str | None:
         return None
     path = bpy.path.abspath(image.filepath, library=image.library)
     reason = "cannot be read" if Path(path).is_file() else "is missing"
-    return f"image {path!r} {reason}; renders show it pink"
+    return f"image {path!r} {reason}; renders show it pink: {FIND}"
 
 
 def _of_script(node: bpy.types.Node) -> str | None:

@@ -24,7 +24,8 @@ Kind = Literal[
     "hair",
     "varied",
 ]
-"""varied: each strand differs at random. glass: smooth and refracting, mixed with something else; see-through: holes and thin panes."""
+"""glass: smooth and refracting, mixed with something else; see-through: holes and thin panes.
+varied: each strand differs at random."""
 
 
 class Detail(DatasetModel):
