@@ -81,13 +81,14 @@ def _of_node(node: bpy.types.Node) -> str | None:
     if node.type in _OF_EEVEE:
         return f"the node {_OF_EEVEE[node.type]!r} is for EEVEE only; Cycles leaves it out"
     if node.type in ("TEX_IMAGE", "TEX_ENVIRONMENT"):
-        return _of_image(node.image)
+        return of_image(node.image)
     if node.type == "SCRIPT":
         return _of_script(node)
     return None
 
 
-def _of_image(image: bpy.types.Image | None) -> str | None:
+def of_image(image: bpy.types.Image | None) -> str | None:
+    """Why renders cannot show an image; None if they can."""
     if image is None:
         return "an image texture has no image; renders show it pink"
     if image.source == "GENERATED" or image.size[0]:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import bpy
 from rna_geometry import shown_objects
 from rna_geometry.attributes import uv_map
+from rna_materials.material_check import of_image
 from rna_materials.node_sources import Inside, origin, sources
 from rna_materials.object_materials import materials_of
 from rna_materials.uv_render import surface_output
@@ -34,7 +35,7 @@ def problems() -> list[str]:
 def _images_on_uvs(material: bpy.types.Material) -> Iterator[bpy.types.Image]:
     output = surface_output(material)
     for node, _, inside in () if output is None else sources(output.inputs["Surface"]):
-        if node.type == "TEX_IMAGE" and node.image is not None and _is_on_uvs(node, inside):
+        if node.type == "TEX_IMAGE" and _is_on_uvs(node, inside) and of_image(node.image) is None:
             yield node.image
 
 
