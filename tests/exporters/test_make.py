@@ -29,8 +29,7 @@ from rna_export.make.phases import Trainer
 from rna_export.make.state import Score, read_state
 from rna_export.training import report as report_module
 from rna_export.training.checkpoint import load_checkpoint
-from rna_export.training.optimization import fitting as fitting_module
-from rna_export.training.presets import PRESETS, TrainingConfig
+from rna_export.training.presets import PRESETS
 from rna_export.training.report import Curves
 from rna_sdk.errors import TrainingError
 from tests.exporters.synthetic import RAYS, make_dataset, samples_of_light, tiny
@@ -280,19 +279,8 @@ def test_another_order_in_the_same_folder_is_refused(make: Any) -> None:
         make(goal=Goal("min_psnr", 6.0))
 
 
-def test_more_minutes_go_on_from_rays_and_model(
-    make: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: Any
-) -> None:
+def test_more_minutes_go_on_from_the_rays(make: Any, tmp_path: Path, capsys: Any) -> None:
     first, cycles = make(minutes=0.1)
-    (earlier,) = first.trained()
-    rates: list[float] = []
-    of_progress = fitting_module.rate
-
-    def noted(config: TrainingConfig, progress: float) -> float:
-        rates.append(of_progress(config, progress))
-        return rates[-1]
-
-    monkeypatch.setattr(fitting_module, "rate", noted)
     before = sorted((tmp_path / "work" / "rays" / "train").iterdir())
     assert len(before) == cycles.shards and read_state(tmp_path / "work").is_finished
     made, more = make(minutes=0.1, more=0.1)
@@ -300,9 +288,6 @@ def test_more_minutes_go_on_from_rays_and_model(
     assert made.why == "time is up" and made.rounds == first.rounds + 1
     after = sorted((tmp_path / "work" / "rays" / "train").iterdir())
     assert more.shards >= 1 and len(after) == len(before) + more.shards
-    assert max(rates) == pytest.approx(0.5, abs=0.02) and min(rates) < 0.01
-    later = load_checkpoint(tmp_path / "work" / "runs" / "small" / "last" / "best.ckpt")
-    assert later.steps > max(earlier.steps, len(rates) - 1)
     state = read_state(tmp_path / "work")
     assert state.is_finished and state.before["small"].psnr >= state.last["small"].score.psnr
 

@@ -137,14 +137,28 @@ def test_late_stages_share_what_is_left() -> None:
     assert plan.last_phase(-5.0, 1).minutes > 0.0
 
 
-def test_more_minutes_are_shared_as_those_of_a_single_run() -> None:
-    plan = MorePlan(16, 600.0, 150.0, 64, 1, capture_share(900.0, [64]))
-    assert plan.rounds == 2 and plan.phase(1, 600.0) is None
-    seconds = plan.capture_seconds(1, 600.0)
-    assert seconds == pytest.approx(0.75 * 570.0)
-    assert plan.last_phase(600.0 - seconds, 1).minutes == pytest.approx(0.25 * 9.5, abs=1e-3)
+@pytest.mark.parametrize(
+    ("before", "more", "capture"),
+    [
+        (300.0, 600.0, 345.0),  # as a single run of 15 minutes has, 225 s are for training
+        (180.0, 180.0, 51.3),  # at least .3 of what is there
+        (60.0, 1200.0, 855.0),
+    ],
+)
+def test_more_minutes_leave_the_training_of_a_single_run(
+    before: float, more: float, capture: float
+) -> None:
+    whole = before + more
+    plan = MorePlan(16, more, 0.5 * before, 64, 1, capture_share(whole, [64]), whole)
+    assert plan.rounds == 2 and plan.phase(1, more) is None
+    seconds = plan.capture_seconds(1, more)
+    assert seconds == pytest.approx(capture, rel=0.01)
+    usable = more - min(30.0, 0.05 * more)
+    assert plan.last_phase(more - seconds, 1).minutes == pytest.approx(
+        (usable - seconds) / 60, abs=1e-3
+    )
 
 
 def test_more_lights_are_planned_than_the_time_is_for() -> None:
-    plan = MorePlan(16, 600.0, 150.0, 320, 1, 0.5)
+    plan = MorePlan(16, 600.0, 150.0, 320, 1, 0.5, 900.0)
     assert plan.lights_of(1, 320) == 320 + 1664  # 1.3 times those of 10 minutes, in shards

@@ -13,7 +13,6 @@ from rna_sdk.errors import TrainingError
 
 _BEFORE = "before"  # folder of models that earlier minutes ended with, and of their geometry
 _GEOMETRY = "geometry"
-_BEGIN = 0.5
 
 
 def go_on(state: State, work: Path, minutes: float) -> None:
@@ -70,17 +69,10 @@ def before_folder(work: Path, preset: str) -> Path:
 
 
 def starts_of(state: State, work: Path, preset: str, dataset: Dataset) -> dict[str, Path]:
-    """Checkpoints of parts to start from: in an update, or with more minutes."""
-    folder, parts = before_folder(work, preset), state.starts or ()
-    if state.more is not None:
-        parts = tuple(part.name for part in dataset.parts)
-    paths = {p: part_folder(folder, dataset, p) / "best.ckpt" for p in parts}
+    """Checkpoints of parts to start from, in an update."""
+    folder = before_folder(work, preset)
+    paths = {p: part_folder(folder, dataset, p) / "best.ckpt" for p in state.starts or ()}
     return {part: path for part, path in paths.items() if path.is_file()}
-
-
-def begin_of(state: State) -> float:
-    """Progress that trainings begin at: that of their starts, whose rates had come down."""
-    return _BEGIN if state.more is not None else 0.0
 
 
 def finish(state: State, work: Path, best: dict[str, tuple[Path, Score]]) -> None:

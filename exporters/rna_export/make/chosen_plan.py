@@ -16,14 +16,16 @@ def chosen_plan(options: MakeOptions, state: State, dataset: Dataset) -> Plan:
     lights, more = state.lights, state.more
     shard = dataset.manifest.settings.lights_per_shard
     if more is not None:
+        whole, tiers = end_of(options, state), len(options.presets)
         return MorePlan(
             shard,
             60.0 * more.minutes,
             state.capture_seconds,
             state.rounds[more.rounds - 1].lights,
             more.rounds,
-            options.share_of(end_of(options, state)),
-            len(options.presets),
+            options.share_of(whole),
+            whole,
+            tiers,
         )
     if options.minutes is not None:
         seconds, tiers = 60.0 * options.minutes, len(options.presets)
@@ -50,7 +52,7 @@ def plan_text(plan: Plan, options: MakeOptions, state: State, dataset: Dataset) 
     if more is not None:
         had = state.rounds[more.rounds - 1].lights
         text = f"{more.minutes:g} more minutes after {more.begun / 60:.1f}: rays of more lights"
-        return f"plan: {text} than the {had:,} so far, then the training of {presets} goes on"
+        return f"plan: {text} than the {had:,} so far, then the last training of {presets}"
     rays = f"{state.lights:,} lights x {settings.rays:,} view rays"
     if not options.fixes_lights:
         rays += " are usual" if options.minutes is None else " fit into the time"

@@ -20,7 +20,6 @@ from rna_export.export.precision import Precision
 from rna_export.make.capture_rounds import Rays, open_rays, rays_folder
 from rna_export.make.carry_on import (
     before_folder,
-    begin_of,
     begin_update,
     finish,
     go_on,
@@ -231,8 +230,7 @@ class Make:
             dataset, seed, device = self._rays.dataset, self._options.seed, self._options.device
             starts = starts_of(self._state, self._options.work, preset, dataset)
             picture = self._options.picture
-            begin = begin_of(self._state)
-            phase = Phase(dataset, preset, last.phase, folder, seed, device, picture, starts, begin)
+            phase = Phase(dataset, preset, last.phase, folder, seed, device, picture, starts)
             with self._timed("training"):
                 phase.run(dataset.finished_shards(), stage)
             last.score = score(trained_in(folder, dataset), dataset)

@@ -1,4 +1,4 @@
-"""Trainings of `rna-make`: those between captures from scratch, since texels keep early noise."""
+"""Trainings of `rna-make`, each from scratch: texels keep the noise of early samples."""
 
 from __future__ import annotations
 
@@ -33,7 +33,6 @@ class Phase:
 
     folder: for checkpoints, one folder in it for each of several parts. picture: a file that shows
     the model while it is trained; None for none. starts: checkpoints of parts to start from.
-    begin: the progress that these have; see `Run`.
     """
 
     dataset: Dataset
@@ -44,7 +43,6 @@ class Phase:
     device: str
     picture: Path | None = None
     starts: Mapping[str, Path] = field(default_factory=dict)
-    begin: float = 0.0
 
     def run(self, shards: Sequence[Path], stage: Stage) -> None:
         """Train each part on the samples of these shards; parts that are finished are skipped."""
@@ -65,7 +63,6 @@ class Phase:
                 self.device,
                 after_checkpoint=partial(self._show, out),
                 start=self.starts.get(part.name),
-                begin=self.begin if part.name in self.starts else 0.0,
             )
             table = SampleTable(part.samples_of(shards), device=self.device)
             train(run, table, quiet, stage.part(k / len(parts), 1 / len(parts)))

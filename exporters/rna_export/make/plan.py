@@ -45,6 +45,7 @@ _TRAINING_SECONDS = {"cpu": 120.0, "cuda": 60.0}
 """Device -> of 64 neurons' width, after which more lights gain more."""
 _BETWEEN = 0.15  # share for trainings between captures, if there are several
 _SLACK = 1.3  # lights planned over those expected: the clock ends a capture, not the plan
+_LEAST_CAPTURE = 0.3  # share of more minutes, after those of an earlier run
 _EXPORT_SECONDS, _EXPORT_SHARE = 30.0, 0.05  # kept for the package, a tier: the lesser of both
 
 
@@ -186,10 +187,11 @@ class TimedPlan:
 
 @dataclass(frozen=True)
 class MorePlan:
-    """One more capture, then the training of before goes on with all rays, within more minutes.
+    """One more capture, then the last phase from scratch on all rays, within more minutes.
 
     seconds: more of them. captured: what earlier captures took. lights: that those had. before:
-    rounds of them. share: for capture, as a single run of the whole length has. tiers: to export.
+    rounds of them. share: of the whole time, for captures of a single run of that length.
+    whole: seconds of such a run. tiers: to export.
     """
 
     shard: int
@@ -198,6 +200,7 @@ class MorePlan:
     lights: int
     before: int
     share: float
+    whole: float
     tiers: int = 1
     end: ClassVar[Verdict] = "time is up"
 
@@ -212,8 +215,10 @@ class MorePlan:
         return in_shards(before + _SLACK * rate * self.seconds, before, self.shard)
 
     def capture_seconds(self, round_: int, left: float) -> float:
-        """Time limit of the capture."""
-        return self.share * self._usable(left)
+        """Time limit of the capture: what leaves the last phase as much as in a single run."""
+        usable = self._usable(left)
+        wanted = usable - (1.0 - self.share) * self.whole
+        return min(max(wanted, _LEAST_CAPTURE * usable), self.share * usable)
 
     def phase(self, round_: int, left: float) -> Length | None:
         """No training between captures."""

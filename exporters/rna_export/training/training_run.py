@@ -51,8 +51,6 @@ class Run:
     base_color: bool = True  # whether the part's, if it has one, is a factor
     after_checkpoint: Callable[[], None] = lambda: None
     start: Path | None = None  # checkpoint with the first weights; None: random ones
-    begin: float = 0.0  # progress that its training counts as: rates and blur go on from there
-    steps_before: int = 0  # of that training
 
 
 def train(
@@ -81,9 +79,6 @@ def train(
     knows_base_color = run.base_color and run.preset_name not in PAPER_PRESETS
     if knows_base_color and run.dataset.captured.base_color and run.preset.model.packageable:
         run = replace(run, preset=run.preset.with_model(uses_base_color=True))
-    start = None if run.start is None else load_checkpoint(run.start)
-    if start is not None and run.begin > 0.0:
-        run = replace(run, steps_before=start.steps)
     run.out.mkdir(parents=True, exist_ok=True)
     saved = _continued(run.out / "last.ckpt", run)
     done = saved["step"] if saved else 0
@@ -94,8 +89,8 @@ def train(
     fitting = Fitting(run.preset, bounds, ceiling, unit, table.fields, emission, run.device)
     if saved:
         fitting.load(saved["fitting"])
-    elif start is not None:
-        fitting.start_from(start.model)
+    elif run.start is not None:
+        fitting.start_from(load_checkpoint(run.start).model)
     best, so_far = run.out / "best.ckpt", run.out / _SO_FAR
     pace = _pace(run, begun, saved)
     batch = run.preset.training.batch
@@ -159,8 +154,7 @@ def _fit(
     batches, losses = iter(table), []
     while pace.progress < 1.0:
         validated = _validations(run, pace)
-        progress = run.begin + (1.0 - run.begin) * pace.progress
-        losses.append(threads.run(partial(fitting.step, next(batches), progress)))
+        losses.append(threads.run(partial(fitting.step, next(batches), pace.progress)))
         pace.advance()
         done += 1
         if run.minutes is not None:
@@ -219,7 +213,7 @@ def _record(run: Run, done: int) -> dict[str, Any]:
         "preset": run.preset.model_dump(mode="json"),
         "preset_name": run.preset_name,
         "seed": run.seed,
-        "steps": run.steps_before + (run.preset.training.steps if run.minutes is None else done),
+        "steps": run.preset.training.steps if run.minutes is None else done,
         "minutes": run.minutes,
         "part": run.dataset.name,
         "cut": run.dataset.dataset.cut,
@@ -243,7 +237,7 @@ def _continued(last: Path, run: Run) -> dict[str, Any] | None:
         (
             "length",
             length(begun["minutes"], begun["steps"]),
-            length(run.minutes, record["steps"]),
+            length(run.minutes, run.preset.training.steps),
         ),
         ("model or training", begun_preset.model_dump(mode="json"), record["preset"]),
         ("dataset", begun["capture"], record["capture"]),
