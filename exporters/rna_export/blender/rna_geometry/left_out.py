@@ -48,22 +48,26 @@ def _has_shape(item: bpy.types.Object) -> bool:
 
 def _much_the_longest() -> tuple[str, float] | None:
     """The top object beside which all else is small, and how many times as long it is."""
-    corners: dict[str, list[np.ndarray]] = {}
+    boxes: dict[str, np.ndarray] = {}
     for instance in shown_objects.seen():
         if instance.object.type in (*SURFACES, HAIR):
-            box = np.array([*map(list, instance.object.bound_box)])
             matrix = np.array(instance.matrix_world)
-            corners.setdefault(top_object(instance), []).append(
-                box @ matrix[:3, :3].T + matrix[:3, 3]
-            )
-    boxes = {name: np.concatenate(each) for name, each in corners.items()}
+            corners = np.array([*map(list, instance.object.bound_box)]) @ matrix[:3, :3].T
+            box = np.array([corners.min(axis=0), corners.max(axis=0)]) + matrix[:3, 3]
+            name = top_object(instance)
+            boxes[name] = _around([boxes.get(name, box), box])
     if len(boxes) < 2:
         return None
     name = max(boxes, key=lambda each: _longest(boxes[each]))
-    rest = _longest(np.concatenate([box for other, box in boxes.items() if other != name]))
+    rest = _longest(_around([box for other, box in boxes.items() if other != name]))
     times = _longest(boxes[name]) / rest if rest > 0.0 else 0.0
     return (name, times) if times >= _BACKDROP else None
 
 
-def _longest(points: np.ndarray) -> float:
-    return float(np.ptp(points, axis=0).max())
+def _around(boxes: list[np.ndarray]) -> np.ndarray:
+    """The box (2, 3) around boxes."""
+    return np.array([np.min([b[0] for b in boxes], axis=0), np.max([b[1] for b in boxes], axis=0)])
+
+
+def _longest(box: np.ndarray) -> float:
+    return float((box[1] - box[0]).max())
