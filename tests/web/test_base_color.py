@@ -13,7 +13,7 @@ from rna_sdk import runtime
 from rna_view.site_files import Site
 from rna_view.site_source import site_for
 from tests.gpu.test_evaluate import rows
-from tests.package.prints import LABEL, STAMP, image_bytes, make_print
+from tests.package.prints import LABEL, STAMP, image_bytes, make_print, make_variants
 from tests.web.pages import TIMEOUT, base64_of, call_reader, picture, viewer, wait_for_picture
 from tests.web.test_picture import (
     LEAST_PSNR,
@@ -90,3 +90,28 @@ def test_the_picture_of_the_path_tracer(tmp_path):
         assert page.evaluate(f"{element}.availableMaps") == ["label", "stamp"]
         said = page.evaluate(f"{element}.setMap('stamps', null).catch(String)")
         assert said.endswith('expected label or stamp, found "stamps"')
+
+
+@pytest.mark.usefixtures("middles_of_pixels")
+def test_variants_as_the_path_tracer_shows_them(tmp_path):
+    """By the scene, then by the attribute; of one that is not there a line is said."""
+    path = make_variants(tmp_path / "print.rna")
+    scene = write_scene(tmp_path, {"path": path, **VIEW}, SUNS, SIZE, 1)
+    own, plain = by_rna_run(scene), scene.read_text()
+    scene.write_text(plain.replace(f"{{path: {path}}}", f"{{path: {path}, variant: deep red}}"))
+    red = by_rna_run(scene)
+    assert psnr(own, red) < LEAST_PSNR - 10
+    element = "document.querySelector('rna-viewer')"
+    with viewer(site_for(scene), "samples=1&pixel-ratio=1&ui=0&jitter=0", *SIZE) as page:
+        wait_for_picture(page, 1)
+        assert psnr(picture(page), red) >= LEAST_PSNR
+        assert page.evaluate(f"{element}.availableVariants") == ["as it is", "deep red"]
+        for name, shown in (("as it is", own), ("deep red", red), ("blue", own)):
+            page.evaluate(f"{element}.variantName = '{name}'")
+            chosen = "null" if name == "blue" else f"'{name}'"
+            page.wait_for(f"rnaViewer.arrays.variant === {chosen}", TIMEOUT)
+            page.evaluate("rnaViewer.viewer.start()")  # `picture` has paused it
+            wait_for_picture(page, 1)
+            assert psnr(picture(page), shown) >= LEAST_PSNR, name
+        told = page.evaluate(f"{element}.shadowRoot.textContent + document.body.textContent")
+        assert 'variant-name: expected "as it is" or "deep red", found "blue"' in told

@@ -53,12 +53,17 @@ class _Found:
 
 
 def export_base_colors(
-    path: str, charts: dict[str, Any], as_texels: Collection[str], largest: int
+    path: str,
+    charts: dict[str, Any],
+    as_texels: Collection[str],
+    largest: int,
+    only: Collection[str] | None = None,
 ) -> dict[str, Any]:
     """Write an .npz of `image0`, ...: (n,) uint8 of a file, or (h, w, 3) uint8 in sRGB; and points.
 
     charts: that textures have taken, by material (see `surface_textures.export_textures`).
     as_texels: materials of which no files are wanted. largest: texels a side of what is baked.
+    only: full names of the materials that are wanted; None: of all that surfaces show.
 
     Returns `colors`: records of material (its full name), factor, and for an image its number,
     colorSpace, wrap and transform, with `uvs0`, ... (p, 2) float32 stored coordinates of points and
@@ -72,7 +77,7 @@ def export_base_colors(
     notes = []
     copies = Copies()
     try:
-        for found in _with_uses(list(_found(copies, Path(path).parent))):
+        for found in _with_uses(list(_found(copies, Path(path).parent, only))):
             name = found.material.name_full
             color = {"material": name, "factor": _unit(found.base.factor)}
             try:
@@ -95,9 +100,11 @@ def _others(charts: dict[str, Any]) -> dict[str, dict[str, float]]:
     return {name: texels_of_inputs(each, charts.get(name)) for name, each in named.items()}
 
 
-def _found(copies: Copies, folder: Path) -> list[_Found]:
+def _found(copies: Copies, folder: Path, only: Collection[str] | None) -> list[_Found]:
     result = []
     on_surfaces, _ = as_rendered(shown_materials)
+    if only is not None:
+        on_surfaces &= set(only)
     for material in list(bpy.data.materials):
         if material.name_full not in on_surfaces or material.node_tree is None:
             continue
