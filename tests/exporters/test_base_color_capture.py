@@ -44,6 +44,8 @@ for k, changes in enumerate(changes_of):
     layer = mesh.uv_layers.new(name="UVMap")
     corners = [(0.2, 0.1), (0.9, 0.1), (0.9, 0.8), (0.2, 0.8)]
     layer.uv.foreach_set("vector", [x for c in (0, 1, 2, 0, 2, 3) for x in corners[c]])
+    colours = mesh.color_attributes.new("Faded", "FLOAT_COLOR", "POINT")
+    colours.data.foreach_set("color", [x for c in (1.0, 0.5, 0.5, 1.0) for x in (c, c, c, 1.0)])
     mesh.materials.append(material)
     bpy.context.scene.collection.objects.link(bpy.data.objects.new("label", mesh))
 red = diffuse((0.8, 0.1, 0.2))
@@ -76,6 +78,14 @@ image.pack()
 of.image = image
 """
 ALPHA = 'image.alpha_mode = "STRAIGHT"'
+OF_VERTICES = """
+faded, mix = tree.nodes.new("ShaderNodeVertexColor"), tree.nodes.new("ShaderNodeMix")
+mix.data_type, mix.blend_type, faded.layer_name = "RGBA", "MULTIPLY", "Faded"
+mix.inputs["Factor"].default_value = 1.0
+tree.links.new(faded.outputs["Color"], mix.inputs["A"])
+tree.links.new(shown, mix.inputs["B"])
+shown = mix.outputs["Result"]
+"""
 UNALIKE = 'image.colorspace_settings.name = "ACEScg"'
 IN_A_GROUP = """
 group = bpy.data.node_groups.new("print", "ShaderNodeTree")
@@ -179,6 +189,16 @@ def test_a_file_whose_colours_alpha_changes_is_taken_as_cycles_shows_it(
     exported, ((name, base, shown),) = captured(open_worker, tmp_path, path, [ALPHA])
     assert exported.textures[name] != path.read_bytes()
     assert np.abs(base - shown).mean() < 0.005
+
+
+def test_an_image_times_colours_of_vertices_is_taken_over(
+    open_worker: OpenWorker, tmp_path: Path
+) -> None:
+    """They are learnt, with the light that the image is a factor of."""
+    path = print_of(tmp_path)
+    exported, ((name, base, shown),) = captured(open_worker, tmp_path, path, [OF_VERTICES])
+    assert exported.notes == [] and exported.textures[name] == path.read_bytes()
+    assert (shown < base + 0.01).all() and 0.6 < shown.sum() / base.sum() < 0.9
 
 
 TWO_IMAGES = """
