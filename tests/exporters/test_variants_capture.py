@@ -12,6 +12,7 @@ import pytest
 from PIL import Image
 
 from rna_export.capture.blender_process.capture_worker import scene_of
+from rna_export.capture.capture_plan import plan_lines
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.capture_tasks import TrainingShard
 from rna_export.capture.dataset.dataset_folder import Dataset
@@ -109,6 +110,8 @@ def test_variants_are_captured_in_turn(open_worker: OpenWorker, tmp_path: Path) 
     manifest = manifest_of(settings, parts=exported.captured(), variants=tuple(exported.variants))
     assert (manifest.variants, manifest.prints) == (("usual", "night"), (None, 1))
     dataset = Dataset.create(tmp_path / "rays", manifest, exported.geometries, exported.textures)
+    said = plan_lines(dataset, exported.geometries, 1e6)
+    assert "lights take turns at 2 prints: the source's own, 'night'\n" in said
     TrainingShard(0).run(dataset, scene_of(dataset), worker)
     at = dataset.only.training_samples()
     body = (at["position"][:, 0] < 1.1) & (at["radiance"].mean(axis=1) > 1e-3)

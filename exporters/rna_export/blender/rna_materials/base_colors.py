@@ -15,6 +15,7 @@ import bpy
 import numpy as np
 from rna_geometry.shown_objects import as_rendered
 from rna_materials.base_color_images import (
+    LARGEST,
     baked,
     file_of,
     is_cut_off,
@@ -31,6 +32,8 @@ from rna_materials.uv_charts import Chart
 from rna_materials.uv_dependence import IDENTITY
 from rna_materials.uv_points import NotOfUv, UvPoints, joined
 from rna_materials.uv_render import ColourOfUv
+
+_EVERY = 1 << 30  # texels a side, that are none too many
 
 
 @dataclass
@@ -74,7 +77,7 @@ def export_base_colors(
     charts = dict(charts)
     colors: list[dict[str, Any]] = []
     arrays: dict[str, Any] = {}
-    notes = []
+    notes: list[str] = []
     copies = Copies()
     try:
         for found in _with_uses(list(_found(copies, Path(path).parent, only))):
@@ -84,7 +87,7 @@ def export_base_colors(
                 if found.image is not None:
                     color |= _image(found, charts, name in as_texels, arrays, len(colors))
                 elif found.shown is not None:
-                    color |= _baked(found, charts, largest, arrays, len(colors))
+                    color |= _baked(found, charts, largest, arrays, len(colors), notes)
                 colors.append(color)
             except NotOfUv as problem:
                 notes += _note(found, problem)
@@ -178,13 +181,24 @@ def _baked(
     largest: int,
     arrays: dict[str, np.ndarray],
     number: int,
+    notes: list[str],
 ) -> dict[str, Any]:
-    """The members of a record of what is no image, as a texture. Raises NotOfUv."""
+    """The members of a record of what is no image, as a texture. Raises NotOfUv.
+
+    notes: gets one where the images have more texels than that.
+    """
     name, shown = found.material.name_full, found.shown
     assert shown is not None  # the caller has asked
     points = UvPoints.of(found.uses, shown)
     taken = _chart(found, points, charts[name]) if name in charts else None
     image, chart = baked(shown, points, taken, largest)
+    width, height = chart.size(shown.depends, largest=_EVERY)
+    if shown.depends.images and max(width, height) > largest:
+        notes.append(
+            f"material {found.material.name!r} has a base colour of {width} x {height} texels, "
+            f"baked with {image.shape[1]} x {image.shape[0]}; --texture-size takes more, up to "
+            f"{LARGEST}"
+        )
     charts[name] = {"layer": chart.layer, "matrix": chart.matrix.tolist()}
     arrays[f"image{number}"] = image
     arrays[f"uvs{number}"] = chart.stored(points.uvs.astype(np.float32))

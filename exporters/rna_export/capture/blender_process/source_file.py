@@ -18,9 +18,14 @@ def check_source(source: Path) -> None:
         check_regular(source)
     except FileNotFoundError:
         raise CaptureError(f"{source}: no such file") from None
+    except IsADirectoryError:
+        raise CaptureError(f"{source}: is a folder, expected a file") from None
     except OSError as error:
         raise CaptureError(f"{source}: {error.strerror}") from None
     if source.suffix.lower() not in SOURCE_FORMATS:
         if (wrong := not_a("model", source)) is not None:
             raise CaptureError(f"{source}: {wrong}")
-        raise CaptureError(f"{source}: found {source.suffix!r}, expected one of {SUFFIXES}")
+        raise CaptureError(
+            f"{source}: found {source.suffix!r}, expected one of {SUFFIXES}; what Blender can "
+            "import, it can save as .blend"
+        )
