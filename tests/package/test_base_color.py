@@ -136,7 +136,7 @@ def test_an_image_cut_short_is_refused() -> None:
 
 def test_an_image_in_printing_inks_is_refused() -> None:
     data = saved(Image.fromarray(PIXELS).convert("CMYK"), "JPEG")
-    with pytest.raises(PackageError, match="BASE_COLOR_IMAGE at .*Found a JPEG in CMYK"):
+    with pytest.raises(PackageError, match=r"BASE_COLOR_IMAGE at .*Found a JPEG in CMYK"):
         decoded(data)
 
 
