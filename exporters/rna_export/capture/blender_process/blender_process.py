@@ -159,7 +159,7 @@ class BlenderProcess:
                 if line.startswith("RNA "):
                     answer: dict[str, Any] = json.loads(line[4:])
                     if not answer["ok"]:
-                        said = with_remedy(f"Blender says: {answer['error']}")
+                        said = with_remedy(answer["error"])
                         raise CaptureError(f"{self.source.path}: {said}")
                     return answer
                 self._log.write(line)
