@@ -6,6 +6,7 @@ told from what is being written.
 
 from __future__ import annotations
 
+import errno
 import os
 import re
 from collections.abc import Iterator
@@ -24,6 +25,7 @@ def atomic_file(path: Path) -> Iterator[Path]:
     is one that no other process has, on this machine or on another that shares the folder. An
     OSError without a file name, or with the temporary one, gets that of `path`.
     """
+    check_replaceable(path)
     temporary = temporary_path(path)
     try:
         with _locked(path.parent, alone=False):
@@ -37,6 +39,16 @@ def atomic_file(path: Path) -> Iterator[Path]:
         if error.filename not in (None, str(temporary)):
             raise
         raise OSError(error.errno, error.strerror, str(path)) from error
+
+
+def check_replaceable(path: Path) -> None:
+    """Raises OSError for a folder, pipe or device: a file would take its place."""
+    if path.is_dir():
+        raise IsADirectoryError(errno.EISDIR, "it is a folder", str(path))
+    if path.exists() and not path.is_file():
+        raise OSError(
+            errno.EINVAL, "it is a pipe or a device, which a file would replace", str(path)
+        )
 
 
 def write_atomically(path: Path, data: bytes) -> None:

@@ -40,7 +40,8 @@ class CommandParser(argparse.ArgumentParser):
         """Prints the example, the message and what an unknown option may have meant; exits."""
         usage = f"usage: {self._example or f'{self.prog} ...'}"
         print(f"{usage}    ({self.prog} --help lists all options)", file=sys.stderr)
-        self.exit(2, f"{self.prog}: error: {message}{self._hint(message)}\n")
+        line = "; ".join(message.splitlines())  # names of files may have several
+        self.exit(2, f"{self.prog}: error: {line}{self._hint(message)}\n")
 
     def _hint(self, message: str) -> str:
         if not message.startswith("unrecognized arguments:"):

@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterable
 from pathlib import Path
 
-from rna_sdk.atomic_file import remove_leftovers, temporary_path
+from rna_sdk.atomic_file import check_replaceable, remove_leftovers, temporary_path
 from rna_sdk.console import command_line
 from rna_sdk.errors import RnaError
 from rna_sdk.file_kinds import is_gltf
@@ -47,12 +47,11 @@ def check_outside(folder: Path, paths: Iterable[Path]) -> None:
 
 def check_writable(path: Path) -> None:
     """Raises RnaError if no file can be written there; removes leftovers of killed processes."""
-    if path.is_dir():
-        raise RnaError(f"{path}: cannot be written: it is a folder")
-    if not path.parent.is_dir():
+    if not path.is_dir() and not path.parent.is_dir():
         raise RnaError(f"{path}: there is no folder {path.parent}: make it first")
-    temporary = temporary_path(path)
     try:
+        check_replaceable(path)
+        temporary = temporary_path(path)
         temporary.touch()
         temporary.unlink()
         remove_leftovers(path.parent)

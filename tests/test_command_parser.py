@@ -31,6 +31,12 @@ def test_every_command_says_its_version(
     assert capsys.readouterr().out == f"{command} {rna_sdk.__version__}\n"
 
 
+def test_a_name_of_two_lines_makes_an_error_of_one(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        main_of("rna-export")(["two\nlines.rna", "--out", "out.rna"])
+    assert "found two; lines.rna, expected checkpoints" in capsys.readouterr().err.splitlines()[1]
+
+
 @pytest.mark.parametrize("command", COMMANDS)
 def test_bad_usage_is_an_example_and_the_error(
     command: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch

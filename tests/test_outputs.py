@@ -2,18 +2,32 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
 
+from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import RnaError
 from rna_sdk.outputs import check_outputs, check_package_name, check_writable
+
+
+def test_a_device_is_not_replaced_by_a_file(tmp_path: Path) -> None:
+    """Which the superuser could do, to /dev/null too."""
+    os.mkfifo(tmp_path / "pipe")
+    with pytest.raises(RnaError, match="pipe: cannot be written: it is a pipe or a device"):
+        check_outputs([tmp_path / "pipe"], [])
+    with pytest.raises(OSError, match="it is a pipe or a device"):
+        write_atomically(tmp_path / "pipe", b"x")
+    assert (tmp_path / "pipe").is_fifo()
 
 
 def test_an_output_that_cannot_be_written_is_named(tmp_path: Path) -> None:
     (tmp_path / "taken.exr").mkdir()
     with pytest.raises(RnaError, match=r"taken\.exr: cannot be written: it is a folder"):
         check_writable(tmp_path / "taken.exr")
+    with pytest.raises(RnaError, match=r"\.: cannot be written: it is a folder"):
+        check_writable(Path(""))
     with pytest.raises(RnaError, match=r"a\.exr: there is no folder .*nowhere: make it first"):
         check_writable(tmp_path / "nowhere" / "a.exr")
     check_writable(tmp_path / "new.exr")

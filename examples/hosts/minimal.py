@@ -55,7 +55,9 @@ def answer(output, path, tier_name, number, x, axis, h, wo, wi, base_color=None)
         colour = run(nodes, {**constants, "queries": queries})[name]
         if uses_base_color:  # 7.1: the second half of the columns are its factors
             colour, factor = np.hsplit(colour, 2)
-            colour = colour + np.tile(base_color[rows], colour.shape[1] // 3) * factor
+            colour = np.maximum(
+                colour + np.tile(base_color[rows], colour.shape[1] // 3) * factor, 0
+            )
         colours.append(colour)
     result = np.zeros((len(x), {"transport": 6, "emission": 3}[output]))
     result[rows] = np.hstack(colours)

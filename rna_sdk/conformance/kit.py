@@ -14,8 +14,11 @@ from numpy.typing import NDArray
 from rna_sdk.errors import ConformanceError
 
 INDEX = "kit.json"
-VERSION = 6
-LEVELS = ("evaluate", "environment", "visibility", "normals", "base-color", "validate")
+VERSION = 7
+LEVELS = (
+    *("evaluate", "environment", "visibility", "normals", "base-color"),
+    *("geometry", "deformed", "validate"),
+)
 """All but the second are of the format itself; that is of an extension that no reader must know."""
 
 
@@ -76,16 +79,27 @@ class VisibilityCase:
 
 
 @dataclass(frozen=True)
-class NormalsCase:
-    """Hits on a part of a package; expected, tolerance: (n, 3) float64, the mapped normal."""
+class GeometryCase:
+    """A part of a package, with integers for its geometry.
 
-    level: ClassVar[str] = "normals"
+    Attributes:
+        expected, tolerance: float64, a row for each vertex or point.
+    """
+
+    level: ClassVar[str] = "geometry"
     package: Path
     part: int
-    hits: Path
     expected: NDArray[np.float64]
     tolerance: NDArray[np.float64]
     classes: tuple[RowClass, ...]
+
+
+@dataclass(frozen=True)
+class NormalsCase(GeometryCase):
+    """Hits on a part of a package; expected, tolerance: (n, 3) float64, the mapped normal."""
+
+    level: ClassVar[str] = "normals"
+    hits: Path
 
 
 @dataclass(frozen=True)
@@ -93,6 +107,15 @@ class BaseColorCase(NormalsCase):
     """Hits on a part of a package; expected, tolerance: (n, 3) float64, the base colour."""
 
     level: ClassVar[str] = "base-color"
+
+
+@dataclass(frozen=True)
+class DeformedCase(NormalsCase):
+    """Hits on a part with other positions, those in the file `shape`; expected, tolerance:
+    (n, 15) float64, rest position, normal or tangent there, rotation to rest by rows."""
+
+    level: ClassVar[str] = "deformed"
+    shape: Path
 
 
 @dataclass(frozen=True)
@@ -111,7 +134,7 @@ class ValidateCase:
 
 
 Evaluated = TypeVar("Evaluated", bound=EvaluateCase)
-OfHits = TypeVar("OfHits", bound=NormalsCase)
+OfPart = TypeVar("OfPart", bound=GeometryCase)
 
 
 @dataclass(frozen=True)
@@ -130,6 +153,8 @@ class Kit:
     visibility: tuple[VisibilityCase, ...]
     normals: tuple[NormalsCase, ...]
     base_color: tuple[BaseColorCase, ...]
+    geometry: tuple[GeometryCase, ...]
+    deformed: tuple[DeformedCase, ...]
     validate: tuple[ValidateCase, ...]
 
 
@@ -170,8 +195,10 @@ def load_kit(folder: Path) -> Kit:
         tuple(_evaluate_case(EvaluateCase, folder, record) for record in index["evaluate"]),
         tuple(_evaluate_case(LobesCase, folder, record) for record in index["environment"]),
         tuple(_visibility_case(folder, record) for record in index["visibility"]),
-        tuple(_hits_case(NormalsCase, folder, record) for record in index["normals"]),
-        tuple(_hits_case(BaseColorCase, folder, record) for record in index["base-color"]),
+        tuple(_part_case(NormalsCase, folder, record) for record in index["normals"]),
+        tuple(_part_case(BaseColorCase, folder, record) for record in index["base-color"]),
+        tuple(_part_case(GeometryCase, folder, record) for record in index["geometry"]),
+        tuple(_part_case(DeformedCase, folder, record) for record in index["deformed"]),
         tuple(
             ValidateCase(
                 folder / record["package"],
@@ -220,14 +247,10 @@ def _expected(
     return expected, tolerance
 
 
-def _hits_case(case: type[OfHits], folder: Path, record: dict[str, Any]) -> OfHits:
-    return case(
-        folder / record["package"],
-        record["part"],
-        folder / record["hits"],
-        *_expected(folder, record),
-        _classes(record),
-    )
+def _part_case(case: type[OfPart], folder: Path, record: dict[str, Any]) -> OfPart:
+    files = {name: folder / record[name] for name in ("hits", "shape") if name in record}
+    values = *_expected(folder, record), _classes(record)
+    return case(folder / record["package"], record["part"], *values, **files)
 
 
 def _visibility_case(folder: Path, record: dict[str, Any]) -> VisibilityCase:

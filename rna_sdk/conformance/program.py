@@ -109,6 +109,21 @@ def of_hits(program: Program, level: str, package: Path, hits: Path) -> NDArray[
     return _results(program, rows, 3, level, str(package), str(hits))
 
 
+def geometry(
+    program: Program, shape: tuple[int, int], package: Path, part: int
+) -> NDArray[np.float64]:
+    """(vertices or points, columns), the geometry that the program restores."""
+    return _results(program, *shape, "geometry", str(package), str(part))
+
+
+def deformed(
+    program: Program, rows: int, package: Path, part: int, shape: Path, hits: Path
+) -> NDArray[np.float64]:
+    """(n, 15) rest position, normal or tangent, and rotation for a file of n hits."""
+    where = str(package), str(part), str(shape), str(hits)
+    return _results(program, rows, 15, "deformed", *where)
+
+
 def _results(program: Program, rows: int, columns: int, *call: str) -> NDArray[np.float64]:
     """Values that the program writes to a file, whose name is its last argument."""
     with tempfile.TemporaryDirectory() as folder:

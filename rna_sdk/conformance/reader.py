@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from rna_sdk.conformance.lobe_queries import LobeQueries, answer_of
 from rna_sdk.conformance.reader_program import BASE_COLOR_HIT, run_reader
-from rna_sdk.package import Package
+from rna_sdk.package import Curves, Package
 from rna_sdk.package.issues import is_valid
 from rna_sdk.package.validator import validate
 
@@ -51,6 +51,31 @@ def base_color(package: str, records: bytes) -> NDArray[np.float32]:
     return result
 
 
+def geometry(package: str, part: int) -> NDArray[np.float32]:
+    """(v, 8) position, normal, texture coordinate; or (p, 4) point, radius."""
+    with Package.open(package) as opened:
+        own = opened.geometry(part)
+        if isinstance(own, Curves):
+            return np.column_stack([own.points, own.radii])
+        uvs = np.zeros((len(own.positions), 2), np.float32) if own.uvs is None else own.uvs
+        return np.hstack([own.positions, own.normals, uvs])
+
+
+def deformed(
+    package: str, part: int, shape: NDArray[np.float32], records: bytes
+) -> NDArray[np.float32]:
+    """(n, 15) by the runtime."""
+    from rna_sdk.runtime import load
+
+    words = np.frombuffer(records, "<u4").reshape(-1, 8)
+    primitive, place = words[:, 0].astype(np.int32), words.view("<f4")[:, 1:6].astype(np.float32)
+    asset: Any = load(package).parts[part]  # of either kind: the arguments fit it
+    first = np.ascontiguousarray(place[:, 0])
+    across = place[:, 1:4] if asset.kind == "fiber" else place[:, 1]
+    rest = asset.deformed(shape).rest_points(primitive, first, np.ascontiguousarray(across))
+    return np.hstack([rest.positions, rest.axes, rest.rotations.reshape(-1, 9)])
+
+
 def check(package: str) -> tuple[bool, list[str]]:
     """Whether the package is valid, and the codes of its issues."""
     issues = validate(package)
@@ -60,6 +85,11 @@ def check(package: str) -> tuple[bool, list[str]]:
 if __name__ == "__main__":
     sys.exit(
         run_reader(
-            evaluate=evaluate, environment=environment, base_color=base_color, validate=check
+            evaluate=evaluate,
+            environment=environment,
+            base_color=base_color,
+            geometry=geometry,
+            deformed=deformed,
+            validate=check,
         )
     )

@@ -29,6 +29,10 @@ Environment = Callable[[str, str, int, LobeQueries], NDArray[np.float32]]
 """(package, tier, part, queries) -> (n, 6 L), amplitude and axis of each lobe."""
 OfHits = Callable[[str, bytes], NDArray[np.float32]]
 """(package, hit records) -> (n, 3): visibility, RGB, or mapped normals, or base colours."""
+Geometry = Callable[[str, int], NDArray[np.float32]]
+"""(package, part) -> (v, 8) vertices or (p, 4) points."""
+Deformed = Callable[[str, int, NDArray[np.float32], bytes], NDArray[np.float32]]
+"""(package, part, shape (p, 3), hit records) -> (n, 15)."""
 Validate = Callable[[str], tuple[bool, list[str]]]
 """package -> whether it is valid, and the codes of its issues."""
 
@@ -52,6 +56,8 @@ def run_reader(
     visibility: OfHits | None = None,
     normals: OfHits | None = None,
     base_color: OfHits | None = None,
+    geometry: Geometry | None = None,
+    deformed: Deformed | None = None,
     validate: Validate | None = None,
 ) -> int:
     """The exit status of the program; a level is had if its function is given."""
@@ -60,7 +66,7 @@ def run_reader(
     level, *rest = list(sys.argv[1:] if arguments is None else arguments) or [""]
     try:
         if level == "levels" and not rest:
-            had = (evaluate, environment, *of_hits.values(), validate)
+            had = (evaluate, environment, *of_hits.values(), geometry, deformed, validate)
             print("\n".join(name for name, function in zip(LEVELS, had, strict=True) if function))
         elif level in forms and evaluate and len(rest) == 5:
             _answer(evaluate, forms[level], *rest)
@@ -71,6 +77,13 @@ def run_reader(
         elif (asked := of_hits.get(level)) and len(rest) == 3:
             package, hits, results = rest
             _write(results, asked(package, Path(hits).read_bytes()))
+        elif level == "geometry" and geometry and len(rest) == 3:
+            package, part, results = rest
+            _write(results, geometry(package, int(part)))
+        elif level == "deformed" and deformed and len(rest) == 5:
+            package, part, shape, hits, results = rest
+            positions = np.fromfile(shape, "<f4").reshape(-1, 3).astype(np.float32)
+            _write(results, deformed(package, int(part), positions, Path(hits).read_bytes()))
         elif level == "validate" and validate and len(rest) == 1:
             valid, codes = validate(rest[0])
             print("\n".join(codes))

@@ -18,7 +18,7 @@ from rna_sdk.console import command_parser, run_command, split_script_arguments
 from rna_sdk.cores import core_count
 from rna_sdk.errors import ConformanceError
 
-MEASURED = ("evaluate", "environment", "normals", "base-color")
+MEASURED = ("evaluate", "environment", "normals", "base-color", "geometry", "deformed")
 """Levels whose rows have tolerances of their own."""
 _TABLE = "{:<10} {:<24} {:<18} {:>5} {:>6}  {:>10} {:>9}  {}"
 

@@ -9,7 +9,9 @@ from numpy.typing import NDArray
 
 from rna_sdk.conformance import program as reader
 from rna_sdk.conformance.kit import (
+    DeformedCase,
     EvaluateCase,
+    GeometryCase,
     Kit,
     LobesCase,
     NormalsCase,
@@ -48,7 +50,7 @@ class Score:
     note: str = ""
 
 
-Case = EvaluateCase | VisibilityCase | NormalsCase | ValidateCase
+Case = EvaluateCase | VisibilityCase | GeometryCase | ValidateCase
 
 
 def cases(kit: Kit, level: str) -> list[Case]:
@@ -65,8 +67,8 @@ def score(program: Program, kit: Kit, case: Case) -> Score:
             return _evaluate(program, case, kit.int8_share)
         if isinstance(case, VisibilityCase):
             return _visibility(program, case, kit.visibility_tolerance)
-        if isinstance(case, NormalsCase):
-            return _normals(program, case)
+        if isinstance(case, GeometryCase):
+            return _of_part(program, case)
         return _validate(program, case)
     except ConformanceError as error:
         return replace(_nothing(case), note=str(error))
@@ -91,13 +93,20 @@ def _lobes(program: Program, case: LobesCase) -> Score:
     return _compared(case, actual, allowed(actual) | (np.isfinite(actual) & is_axis))
 
 
-def _normals(program: Program, case: NormalsCase) -> Score:
-    actual = reader.of_hits(program, case.level, case.package, case.hits)
+def _of_part(program: Program, case: GeometryCase) -> Score:
+    if isinstance(case, DeformedCase):
+        where = case.package, case.part, case.shape, case.hits
+        actual = reader.deformed(program, len(case.expected), *where)
+    elif isinstance(case, NormalsCase):
+        actual = reader.of_hits(program, case.level, case.package, case.hits)
+    else:
+        rows, columns = case.expected.shape
+        actual = reader.geometry(program, (rows, columns), case.package, case.part)
     return _compared(case, actual, np.isfinite(actual))
 
 
 def _compared(
-    case: EvaluateCase | NormalsCase,
+    case: EvaluateCase | GeometryCase,
     actual: NDArray[np.float64],
     good: NDArray[np.bool_],
     step: float = 0.0,
@@ -138,7 +147,7 @@ def _units(difference: NDArray[np.float64], tolerance: NDArray[np.float64]) -> N
 
 
 def _worst(
-    case: EvaluateCase | VisibilityCase | NormalsCase, actual: NDArray[np.float64], row: int
+    case: EvaluateCase | VisibilityCase | GeometryCase, actual: NDArray[np.float64], row: int
 ) -> str:
     return (
         f"row {row} ({_class_of(case.classes, row)}): found {_shown(actual[row])}, "

@@ -52,10 +52,10 @@ def evaluate(form: str, package: str, tier: str, part: int, arrays: dict[str, Ro
 
 
 def _sum(output: Rows, base_color: Rows) -> Rows:
-    """(n, width): the terms without base colour and those with it, which are behind them."""
+    """(n, width): terms without base colour and those with it, which are behind them, from 0 on."""
     light, factors = np.hsplit(output, 2)
-    scaled: Rows = light + np.tile(base_color, light.shape[1] // 3) * factors
-    return scaled
+    scaled = light + np.tile(base_color, light.shape[1] // 3) * factors
+    return np.maximum(scaled, 0)
 
 
 def base_color(package: str, records: bytes) -> Rows:

@@ -10,7 +10,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rna_sdk.conformance.reader import base_color, check, environment, evaluate
+from rna_sdk.conformance.reader import (
+    base_color,
+    check,
+    deformed,
+    environment,
+    evaluate,
+    geometry,
+)
 from rna_sdk.conformance.reader_program import run_reader
 from rna_sdk.package import Curves, Mesh, Package
 
@@ -30,16 +37,16 @@ def visibility(package: str, records: bytes) -> np.ndarray:
         count = len(opened.manifest.parts)
         geometries = [opened.geometry(part) for part in range(count)]
         transmittance = [
-            mesh_transmittance(geometry, opened.transmittance(part))
-            if isinstance(geometry, Mesh)
+            mesh_transmittance(shape, opened.transmittance(part))
+            if isinstance(shape, Mesh)
             else None
-            for part, geometry in enumerate(geometries)
+            for part, shape in enumerate(geometries)
         ]
     scene = PartsScene(geometries, transmittance)
     seen = np.empty((len(words), 3), np.float32)
-    for part, geometry in enumerate(geometries):
+    for part, shape in enumerate(geometries):
         rows = np.flatnonzero(words[:, 7] == part)
-        points, wi = _points(geometry, words[rows])
+        points, wi = _points(shape, words[rows])
         result = scene.visible(part, points, wi)
         seen[rows] = result if result.ndim == 2 else result[:, None]
     return seen
@@ -65,16 +72,16 @@ def normals(package: str, records: bytes) -> np.ndarray:
 
 
 def _points(
-    geometry: Mesh | Curves, words: np.ndarray
+    shape: Mesh | Curves, words: np.ndarray
 ) -> tuple[SurfacePoints | FiberPoints, np.ndarray]:
     """The points of hit records on one part, and their directions."""
     from rna_trace.fiber import FiberPoints
     from rna_trace.surface import SurfacePoints
 
     numbers, primitive = words.view("<f4").astype(np.float32), words[:, 0].astype(np.int32)
-    if isinstance(geometry, Mesh):
+    if isinstance(shape, Mesh):
         b1, b2 = np.ascontiguousarray(numbers[:, 1:3].T)
-        points = SurfacePoints.of(geometry, primitive, b1, b2)
+        points = SurfacePoints.of(shape, primitive, b1, b2)
         return points, np.ascontiguousarray(numbers[:, 3:6])
     x, wi = (np.ascontiguousarray(numbers[:, k : k + 3]) for k in (1, 4))
     no_use = np.zeros_like(x)
@@ -89,6 +96,8 @@ if __name__ == "__main__":
             visibility=visibility,
             normals=normals,
             base_color=base_color,
+            geometry=geometry,
+            deformed=deformed,
             validate=check,
         )
     )

@@ -15,11 +15,18 @@ import pytest
 
 from rna_sdk.conformance.kit import Kit, load_kit
 from rna_sdk.conformance.program import Answer
-from rna_sdk.conformance.reader_program import Environment, Evaluate, run_reader
+from rna_sdk.conformance.reader_program import (
+    Deformed,
+    Environment,
+    Evaluate,
+    Geometry,
+    run_reader,
+)
 from tests.conftest import REPOSITORY
 
 KIT = REPOSITORY / "spec" / "conformance"
-MINIMAL = REPOSITORY / "examples" / "hosts" / "minimal.py"
+HOSTS = REPOSITORY / "examples" / "hosts"
+MINIMAL = HOSTS / "minimal.py"
 
 
 @pytest.fixture(scope="session")
@@ -30,11 +37,33 @@ def kit() -> Kit:
 @pytest.fixture(scope="session")
 def minimal() -> ModuleType:
     """The minimal host as a module."""
-    spec = importlib.util.spec_from_file_location("minimal_host", MINIMAL)
+    return host_module("minimal")
+
+
+@pytest.fixture
+def deformed_host() -> ModuleType:
+    """The host of deformed shapes as a module of its own, to be changed."""
+    return host_module("deformed")
+
+
+def host_module(name: str) -> ModuleType:
+    spec = importlib.util.spec_from_file_location(f"{name}_host", HOSTS / f"{name}.py")
     assert spec is not None and spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
+
+
+def with_geometry(host: ModuleType) -> InProcess:
+    """The host of deformed shapes, or a changed one, as a reader."""
+
+    def geometry(package: str, part: int) -> np.ndarray:
+        return np.float32(host.geometry(package, part))
+
+    def deformed(package: str, part: int, shape: np.ndarray, records: bytes) -> np.ndarray:
+        return np.float32(host.deformed(package, part, shape.astype(float), records))
+
+    return InProcess(geometry=geometry, deformed=deformed)
 
 
 @dataclass(frozen=True)
@@ -47,6 +76,8 @@ class InProcess:
     validate: Callable[[str], tuple[bool, list[str]]] | None = None
     environment: Environment | None = None
     base_color: Callable[[str, bytes], np.ndarray] | None = None
+    geometry: Geometry | None = None
+    deformed: Deformed | None = None
 
     def run(self, *arguments: str) -> Answer:
         out, errors = io.StringIO(), io.StringIO()

@@ -80,7 +80,9 @@ def evaluate(
         colour = _run(formulas, nodes, values, inputs)[name]
         if uses_base_color:
             colour, factor = np.hsplit(colour, 2)
-            colour = colour + np.tile(base_color[rows], colour.shape[1] // 3) * factor
+            colour = np.maximum(
+                colour + np.tile(base_color[rows], colour.shape[1] // 3) * factor, 0
+            )
         colours.append(colour)
     result = np.zeros((len(queries), 3 if output == "emission" else 6), F)
     result[rows] = np.hstack(colours)

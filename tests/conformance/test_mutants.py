@@ -1,4 +1,4 @@
-"""Mutants of the minimal host: a few of those that `python -m tests.conformance.mutants` tries."""
+"""Mutants of the hosts in Python: a few of what `python -m tests.conformance.mutants` tries."""
 
 from __future__ import annotations
 
@@ -7,9 +7,18 @@ import json
 import pytest
 
 from rna_sdk.conformance.kit import Kit
-from tests.conformance.mutants import CAUGHT, HOST, RECORD, Mutant, mutants, reason, verdict
+from tests.conformance.mutants import (
+    CAUGHT,
+    LEVELS,
+    RECORD,
+    Mutant,
+    mutants,
+    reason,
+    source_of,
+    verdict,
+)
 
-ALL = mutants(HOST.read_text())
+ALL = [mutant for host in LEVELS for mutant in mutants(host)]
 
 
 def test_all_are_on_record_and_caught_or_allowed() -> None:
@@ -21,7 +30,7 @@ def test_all_are_on_record_and_caught_or_allowed() -> None:
 
 def test_there_are_many_and_they_differ() -> None:
     assert len(ALL) >= 100
-    assert len({mutant.source for mutant in ALL} | {HOST.read_text()}) > 0.9 * len(ALL)
+    assert len({mutant.source for mutant in ALL} - set(map(source_of, LEVELS))) > 0.9 * len(ALL)
 
 
 @pytest.mark.parametrize(
@@ -31,6 +40,8 @@ def test_there_are_many_and_they_differ() -> None:
         "2 * p - 1 -> 2 * p + 1",
         "np.log2 -> np.log",
         "np.rint -> np.trunc",
+        "n / 32767 -> n * 32767",
+        "angle * turned -> angle / turned",
     ],
 )
 def test_a_change_is_caught(change: str, kit: Kit) -> None:
@@ -38,5 +49,6 @@ def test_a_change_is_caught(change: str, kit: Kit) -> None:
     assert verdict(mutant, kit) == CAUGHT
 
 
-def test_the_host_itself_passes(kit: Kit) -> None:
-    assert verdict(Mutant("unchanged", HOST.read_text()), kit) == "passes"
+@pytest.mark.parametrize("host", LEVELS)
+def test_a_host_itself_passes(host: str, kit: Kit) -> None:
+    assert verdict(Mutant(host, "unchanged", source_of(host)), kit) == "passes"

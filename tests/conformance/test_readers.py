@@ -26,7 +26,7 @@ from rna_sdk.package.decoder.query_arrays import in_order
 from rna_trace import parts_scene
 from rna_trace.surface import OFFSET, SurfacePoints, leaving_origins
 from tests.conformance import float32_reader
-from tests.conformance.conftest import KIT, InProcess
+from tests.conformance.conftest import KIT, InProcess, with_geometry
 from tests.conformance.float32_reader import Formulas
 from tests.conformance.kit.blocks import unit
 from tests.conformance.kit.visibility import strands
@@ -54,6 +54,8 @@ def test_the_runtime_passes_every_level(kit: Kit) -> None:
         reader.check,
         reader.environment,
         reader.base_color,
+        reader.geometry,
+        reader.deformed,
     )
     assert claimed_levels(program) == LEVELS
     assert failures(program, kit, *LEVELS) == []
@@ -73,7 +75,9 @@ def test_our_readers_are_programs(module: str, kit: Kit, tmp_path: Path) -> None
     program = Command((sys.executable, "-m", module), timeout=300)
     had = claimed_levels(program)
     assert had == (
-        LEVELS if "render" in module else ("evaluate", "environment", "base-color", "validate")
+        LEVELS
+        if "render" in module
+        else tuple(level for level in LEVELS if level not in ("visibility", "normals"))
     )
     one = replace(
         kit,
@@ -396,3 +400,62 @@ def turned(texture: np.ndarray, *factors: int) -> np.ndarray:
 def test_readers_that_get_normal_maps_wrong_fail(change, kit: Kit) -> None:  # type: ignore[no-untyped-def]
     (failed,) = failures(InProcess(normals=with_maps(change)), kit, "normals")
     assert failed.package == "surface-relief" and "expected" in failed.note
+
+
+def angles_of_the_shape(host: ModuleType) -> None:
+    """Corners weigh by their angles in the deformed shape."""
+    rest_of_mesh, normals = host.rest_of_mesh, host.deformed_normals
+
+    def changed(mesh, shape, *hits):  # type: ignore[no-untyped-def]
+        host.deformed_normals = lambda _, *of: normals({**mesh, "positions": shape}, *of)
+        return rest_of_mesh(mesh, shape, *hits)
+
+    host.rest_of_mesh = changed
+
+
+def facets_alone(host: ModuleType) -> None:
+    """Q is that of the triangle."""
+    host.smallest_rotations = lambda a, b: np.tile(np.eye(3), (len(a), 1, 1))
+
+
+def unturned_roots(host: ModuleType) -> None:
+    """A strand's first segment turns by the smallest angle."""
+    host.root_rotation = lambda *strand: np.eye(3)
+
+
+MESHES = {
+    *("surface-float32", "surface-clip", "surface-quantised", "surface-relief", "surface-tiny"),
+}
+STRANDS = {"fiber-float16", "fiber-int8", "fiber-one-channel", "parts-head"}
+
+
+@pytest.mark.filterwarnings("ignore:invalid value:RuntimeWarning")  # a half turn has many axes
+@pytest.mark.parametrize(
+    ("change", "packages"),
+    [
+        (angles_of_the_shape, MESHES),
+        (facets_alone, MESHES | STRANDS),
+        (unturned_roots, STRANDS),
+    ],
+)
+def test_readers_that_turn_deformed_shapes_wrong_fail(
+    change: Callable[[ModuleType], None], packages: set[str], kit: Kit, deformed_host: ModuleType
+) -> None:
+    change(deformed_host)
+    failed = failures(with_geometry(deformed_host), kit, "deformed")
+    assert {score.package for score in failed} == packages
+
+
+@pytest.mark.parametrize(
+    ("name", "change", "package"),
+    [
+        ("unit", lambda normals: normals, "surface-quantised"),
+        ("rounded", lambda values: np.float16(values).astype(float), "fiber-quantised"),
+    ],
+)
+def test_readers_that_restore_geometry_wrong_fail(
+    name: str, change: Callable, package: str, kit: Kit, deformed_host: ModuleType
+) -> None:
+    setattr(deformed_host, name, change)
+    failed = failures(with_geometry(deformed_host), kit, "geometry")
+    assert package in {score.package for score in failed}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import json
 import os
 import subprocess
 from dataclasses import replace
@@ -200,6 +201,39 @@ def test_null_and_nan_are_answered(programs: dict[str, Path]) -> None:
     assert [*normal, *tau] == [0] * 6
     rna.rna_close(asset)
     rna.rna_close(None)
+
+
+def test_data_of_extensions_are_as_in_the_file(programs: dict[str, Path]) -> None:
+    """The text of the JSON, and the bytes of an entry; NULL for what is not there."""
+    rna, size = ctypes.CDLL(str(programs["librna.so"])), ctypes.c_size_t()
+    for name in ("rna_open", "rna_extension", "rna_entry"):
+        getattr(rna, name).restype = ctypes.c_void_p
+    asset = ctypes.c_void_p(rna.rna_open(str(TOY).encode(), None))
+    entries = read_entries(TOY)
+    extensions = json.loads(entries["manifest.json"])["extensions"]
+    for name, expected in extensions.items():
+        at = rna.rna_extension(asset, name.encode(), ctypes.byref(size))
+        assert json.loads(ctypes.string_at(at, size.value)) == expected
+    image = extensions["RNA_poster"]["image"]
+    at = rna.rna_entry(asset, image.encode(), ctypes.byref(size))
+    assert ctypes.string_at(at, size.value) == entries[image]
+    for of in (asset, None):
+        assert rna.rna_extension(of, b"ACME_none", ctypes.byref(size)) is None and size.value == 0
+        assert rna.rna_entry(of, b"none", None) is None
+    rna.rna_close(asset)
+
+
+@pytest.mark.parametrize(
+    "target",
+    ["x86_64-windows-gnu", "x86-windows-gnu", "arm-linux-musleabihf", "aarch64-macos"],
+)
+def test_it_compiles_for_other_systems(target: str, tmp_path: Path) -> None:
+    """By zig's compiler, where `pip install ziglang` has it."""
+    zig = Path(pytest.importorskip("ziglang").__file__).with_name("zig")
+    command = [zig, "cc", "-target", target, "-std=c11", "-Wall", "-Wextra", "-pedantic", "-Werror"]
+    caches = dict.fromkeys(("ZIG_GLOBAL_CACHE_DIR", "ZIG_LOCAL_CACHE_DIR"), str(tmp_path))
+    command += ["-fno-math-errno", "-ffp-contract=off", "-O1", "-c", SOURCES / "rna.c"]
+    subprocess.run([*command, "-o", tmp_path / "rna.o"], check=True, env={**os.environ, **caches})
 
 
 def test_it_compiles_without_warnings(tmp_path: Path) -> None:

@@ -192,6 +192,15 @@ def test_a_motion_that_cannot_be_posed(tmp_path: Path, change: Any) -> None:
     assert "\n" not in str(caught.value)
 
 
+def test_data_that_lost_its_scheme_is_not_repeated(tmp_path: Path) -> None:
+    path = bending_arm(tmp_path / "a.gltf", MESH, 90)
+    document = json.loads(path.read_text())
+    document["buffers"][0]["uri"] = document["buffers"][0]["uri"].replace("data:", "dataA")
+    path.write_text(json.dumps(document))
+    with pytest.raises(MotionError, match=r"a uri of \d+ characters, which begins with 'dataA"):
+        GltfMotion(path)
+
+
 def test_times_before_the_start_are_refused(tmp_path: Path) -> None:
     track = ("translation", [-5, -1], np.zeros((2, 3)))
     with pytest.raises(MotionError, match="do not ascend from 0"):

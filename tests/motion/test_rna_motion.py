@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from rna_export.capture.blender_process import blender_env
 from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.capture.geometry.followed_source import captured_poses
@@ -161,3 +162,23 @@ def test_a_motion_file_of_what_blender_evaluates(
     capsys.readouterr()
     assert main([str(source), str(asset), "--out", str(out), "--rest-frame", "1"]) == 1
     assert "arm.rna: was captured at frame 5, found --rest-frame 1" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("name", "reason"),
+    [("loop.blend", "Too many levels of symbolic links"), ("model.rna", "a package, not a model")],
+)
+def test_what_is_no_model_is_refused_before_blender_starts(
+    name: str,
+    reason: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    (tmp_path / "loop.blend").symlink_to("loop.blend")
+    (tmp_path / "model.rna").write_bytes(b"a package")
+    monkeypatch.setattr(blender_env, "find_or_set_up", lambda: pytest.fail("Blender starts"))
+    assert main([str(tmp_path / name), str(TOY), "--out", str(tmp_path / "out.rnam")]) == 1
+    error = capsys.readouterr().err
+    assert error.startswith(f"error: {tmp_path / name}: ") and reason in error
+    assert error.count("\n") == 1

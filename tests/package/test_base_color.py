@@ -134,6 +134,12 @@ def test_an_image_cut_short_is_refused() -> None:
                 decoded(whole[:size])
 
 
+def test_an_image_in_printing_inks_is_refused() -> None:
+    data = saved(Image.fromarray(PIXELS).convert("CMYK"), "JPEG")
+    with pytest.raises(PackageError, match=r"BASE_COLOR_IMAGE at .*Found a JPEG in CMYK"):
+        decoded(data)
+
+
 def test_what_is_wrong_is_refused_when_writing(tmp_path: Path) -> None:
     manifest, path = make_print_manifest(), tmp_path / "print.rna"
     data, images = {tier.name: make_tier_data(tier) for tier in manifest.tiers}, make_images()

@@ -149,3 +149,13 @@ def test_a_key_twice_among_very_many_is_found_at_once(entries: Entries, tmp_path
     start = time.process_time()
     assert [issue.code for issue in validate(path)] == ["JSON_DUPLICATE_KEY"]
     assert time.process_time() - start < 5
+
+
+def test_an_archive_of_another_program_is_told_by_what_differs(tmp_path: Path) -> None:
+    path = tmp_path / "other.rna"
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("a.txt", "x")
+    (issue,) = validate(path)
+    assert issue.code == "ZIP_HEADER"
+    assert "made by 788" in issue.found and "external attributes" in issue.found
+    assert "made by 20" in issue.expected and "name size" not in issue.found

@@ -27,6 +27,7 @@ from rna_sdk.package.manifest.extensions import (
 )
 from rna_sdk.package.packing import Unpacked
 from tests.package.builders import make_mesh, read_entries
+from tests.time_limit import time_limit
 
 
 def png(width: int = 3, height: int = 2) -> bytes:
@@ -87,6 +88,14 @@ def test_entry_that_would_inflate_too_far_stays_as_it_is(tiny: Path, tmp_path: P
     assert len(package.entries[poster]) == len(png_of_zeros)
     with Package.open(path) as opened:
         assert opened.poster() == png_of_zeros
+
+
+def test_a_pipe_or_device_is_no_package(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Neither is opened, not to see whether a ZIP program wrote it either: it may never end."""
+    os.mkfifo(tmp_path / "pipe.rna")
+    with time_limit(20):
+        assert main([str(tmp_path / "pipe.rna"), "--out", str(tmp_path / "x.rna")]) == 1
+    assert "Found a pipe or a device; expected a file" in capsys.readouterr().err
 
 
 def test_a_pipe_is_no_poster(

@@ -6,6 +6,8 @@
  *     conform visibility PACKAGE HITS RESULTS
  *     conform normals PACKAGE HITS RESULTS
  *     conform base-color PACKAGE HITS RESULTS
+ *     conform geometry PACKAGE PART RESULTS
+ *     conform deformed PACKAGE PART SHAPE HITS RESULTS
  *     conform validate PACKAGE
  *
  * Files are little-endian, without headers; spec/conformance/README.md describes them. */
@@ -196,6 +198,78 @@ static int answer_hits(const RnaAsset *asset, Ask *ask, const char *hits, const 
     return problem ? fails(problem, hits) : 0;
 }
 
+/* A row for each vertex, of 8 numbers, or point, of 4. */
+static int answer_geometry(const RnaPart *part, const char *out) {
+    const RnaMesh *mesh = part->mesh;
+    const size_t n = mesh ? mesh->vertex_count : part->curves->point_count, columns = mesh ? 8 : 4;
+    float *rows = calloc(n + 1, columns * sizeof *rows);
+    for (size_t i = 0; rows && i < n; i++) {
+        float *row = rows + columns * i;
+        memcpy(row, (mesh ? mesh->positions : part->curves->points) + 3 * i, 3 * sizeof *row);
+        if (mesh) memcpy(row + 3, mesh->normals + 3 * i, 3 * sizeof *row);
+        if (mesh && mesh->uvs) memcpy(row + 6, mesh->uvs + 2 * i, 2 * sizeof *row);
+        if (!mesh) row[3] = part->curves->radii[i];
+    }
+    const bool good = rows && write_file(out, rows, n * columns * sizeof *rows);
+    free(rows);
+    return good ? 0 : fails("results cannot be written", out);
+}
+
+/* The rest points of the records of hits, n x 15. */
+static const char *rest_points(const RnaShape *shape, bool is_mesh, size_t n, const unsigned char *records,
+                               float *results) {
+    for (size_t i = 0; i < n; i++, records += HIT_BYTES) {
+        float place[2], normal[3];
+        RnaRest rest;
+        memcpy(place, records + 4, sizeof place);
+        memcpy(normal, records + 8, sizeof normal);
+        const double b[2] = {place[0], is_mesh ? place[1] : 0};
+        if (!rna_rest_point(shape, word_at(records), b, normal, &rest))
+            return "a triangle or segment that is not there";
+        memcpy(results + 15 * i, rest.position, 3 * sizeof *results);
+        memcpy(results + 15 * i + 3, rest.axis, 3 * sizeof *results);
+        memcpy(results + 15 * i + 6, rest.rotation, 9 * sizeof *results);
+    }
+    return NULL;
+}
+
+static int answer_deformed(const RnaAsset *asset, int number, const char *positions, const char *hits,
+                           const char *out) {
+    const RnaPart *part = rna_part(asset, number);
+    const size_t points = part->mesh ? part->mesh->vertex_count : part->curves->point_count;
+    size_t size, hits_size;
+    float *moved = read_file(positions, &size);
+    unsigned char *records = read_file(hits, &hits_size);
+    const size_t n = records ? hits_size / HIT_BYTES : 0;
+    float *results = calloc(n + 1, 15 * sizeof *results);
+    const bool right = moved && records && size == 12 * points && hits_size % HIT_BYTES == 0;
+    RnaShape *shape = right ? rna_deform(asset, number, moved) : NULL;
+    const char *problem = !right ? "not the points of the part, or not records of 32 bytes" : NULL;
+    if (!problem && !(shape && results)) problem = "out of memory";
+    if (!problem) problem = rest_points(shape, part->mesh, n, records, results);
+    if (!problem && !write_file(out, results, n * 15 * sizeof *results)) problem = "results cannot be written";
+    rna_free_shape(shape);
+    free(moved);
+    free(records);
+    free(results);
+    return problem ? fails(problem, hits) : 0;
+}
+
+/* geometry PACKAGE PART RESULTS, or deformed PACKAGE PART SHAPE HITS RESULTS */
+static int answer_of_part(char **argv) {
+    RnaAsset *asset = open_or_tell(argv[2]);
+    char *end;
+    const int number = (int)strtol(argv[3], &end, 10);
+    const RnaPart *part = *end || end == argv[3] ? NULL : rna_part(asset, number);
+    int status = 2;
+    if (asset && !part) fails("no such part", argv[3]);
+    if (part)
+        status = argv[5] ? answer_deformed(asset, number, argv[4], argv[5], argv[6])
+                         : answer_geometry(part, argv[4]);
+    rna_close(asset);
+    return status;
+}
+
 static int validate(const char *path) {
     RnaReport report;
     rna_close(rna_open(path, &report));
@@ -205,8 +279,10 @@ static int validate(const char *path) {
 
 int main(int argc, char **argv) {
     const char *level = argc > 1 ? argv[1] : "";
-    if (argc == 2 && strcmp(level, "levels") == 0) return puts("evaluate\nvisibility\nnormals\nbase-color\nvalidate") < 0;
+    if (argc == 2 && strcmp(level, "levels") == 0) return puts("evaluate\nvisibility\nnormals\nbase-color\ngeometry\ndeformed\nvalidate") < 0;
     if (argc == 3 && strcmp(level, "validate") == 0) return validate(argv[2]);
+    if ((argc == 5 && strcmp(level, "geometry") == 0) || (argc == 7 && strcmp(level, "deformed") == 0))
+        return answer_of_part(argv);
     const bool evaluates = strcmp(level, "evaluate") == 0, emits = strcmp(level, "emission") == 0;
     Ask *ask = argc != 5                          ? NULL
                : strcmp(level, "visibility") == 0 ? ask_visibility
@@ -217,7 +293,8 @@ int main(int argc, char **argv) {
         fputs("usage: conform levels | evaluate PACKAGE TIER PART QUERIES RESULTS |\n"
               "       emission PACKAGE TIER PART QUERIES RESULTS |\n"
               "       visibility PACKAGE HITS RESULTS | normals PACKAGE HITS RESULTS |\n"
-              "       base-color PACKAGE HITS RESULTS | validate PACKAGE\n", stderr);
+              "       base-color PACKAGE HITS RESULTS | geometry PACKAGE PART RESULTS |\n"
+              "       deformed PACKAGE PART SHAPE HITS RESULTS | validate PACKAGE\n", stderr);
         return 2;
     }
     RnaAsset *asset = open_or_tell(argv[2]);

@@ -11,6 +11,7 @@
 
 #include "rna/base_color.h"
 #include "rna/blocks.h"
+#include "rna/deform.h"
 #include "rna/package.h"
 
 #include <sys/stat.h>
@@ -23,23 +24,17 @@
 static RnaAsset *open_span(Span file, void *own, RnaReport *report) {
     RnaAsset *asset = calloc(1, sizeof *asset);
     Container *zip = calloc(1, sizeof *zip);
-    if (asset && zip) {
-        asset->file = zip->file = file;
-        asset->own = own;
-        read_package(zip, asset, report);
-    } else {
+    if (!asset || !zip) {
         refuse(report, "FILE_UNREADABLE", "byte 0", "memory for it", "not enough");
         free(asset);
-        asset = NULL;
+        free(zip);
         free_aligned(own);
+        return NULL;
     }
-#ifdef RNA_EXACT_ENTRIES
-    if (asset && zip) {
-        asset->zip = zip;
-        zip = NULL;
-    }
-#endif
-    free(zip);
+    asset->file = zip->file = file;
+    asset->own = own;
+    asset->zip = zip;
+    read_package(zip, asset, report);
     if (report->errors == 0) return asset;
     rna_close(asset);
     return NULL;
@@ -282,6 +277,19 @@ double rna_texel_density(const RnaAsset *asset, int part, uint32_t triangle) {
     const RnaPart *of = rna_part(asset, part);
     const int record = base_color_record(of, triangle);
     return record < 0 ? 0 : density_on(&of->base_colors[record], of->mesh, &of->mesh->triangles[3 * (size_t)triangle]);
+}
+
+const char *rna_extension(const RnaAsset *asset, const char *name, size_t *size) {
+    const Json *data = asset && name && asset->extensions ? member(asset->extensions, name) : NULL;
+    if (size) *size = data ? data->text.size : 0;
+    return data ? (const char *)data->text.at : NULL;
+}
+
+const void *rna_entry(const RnaAsset *asset, const char *name, size_t *size) {
+    const Entry *entry = asset && name ? find_entry(asset->zip, (Span){(const uint8_t *)name, strlen(name)}) : NULL;
+    const Span data = entry ? entry_data(asset->zip, entry) : (Span){0};
+    if (size) *size = data.size;
+    return data.at;
 }
 
 const char *rna_status_text(RnaStatus status) {

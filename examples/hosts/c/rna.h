@@ -202,6 +202,39 @@ void rna_base_color(const RnaAsset *asset, int part, uint32_t triangle, double b
 /* Texels of its image a unit of length on the triangle; 0 where it has no image, or no area. */
 double rna_texel_density(const RnaAsset *asset, int part, uint32_t triangle);
 
+/* A part with other positions: bent, stretched (section 8.3).  Rays are traced against these positions; what they hit
+ * asks the decoder at its rest point, with directions turned to rest. */
+typedef struct RnaShape RnaShape;
+
+typedef struct RnaRest {
+    float position[3]; /* at rest, for rna_evaluate */
+    float axis[3];     /* the normal, without normal maps, or the tangent there */
+    float rotation[9]; /* by rows: takes directions of the shape to rest */
+} RnaRest;
+
+/* positions: of the mesh's vertices or the curves' points, deformed, as many and in their order; copied.  NULL where there
+ * is no such part, or not enough memory. */
+RnaShape *rna_deform(const RnaAsset *asset, int part, const float *positions);
+
+/* Corner normals of the deformed mesh, vertex_count x 3, unit, for its visibility rays; NULL of fibers. */
+const float *rna_shape_normals(const RnaShape *shape);
+
+/* The rest point of a hit on the shape.  Of a surface place holds b1 and b2 of the triangle, and normal is not read; of
+ * fibers it holds the place in the segment, 0 to 1, and normal is the outward one of the hit.  Segments count strand after
+ * strand.  False where there is no such triangle or segment. */
+bool rna_rest_point(const RnaShape *shape, uint32_t primitive, const double place[2], const float normal[3],
+                    RnaRest *rest);
+
+/* Frees the shape, which must be before rna_close of its asset.  NULL is fine. */
+void rna_free_shape(RnaShape *shape);
+
+/* What a package holds of an extension (section 9): the JSON text of its data, without a zero byte behind it.  NULL
+ * where the manifest has none. */
+const char *rna_extension(const RnaAsset *asset, const char *name, size_t *size);
+
+/* The bytes of an entry, such as "extensions/NAME/..."; NULL where there is none. */
+const void *rna_entry(const RnaAsset *asset, const char *name, size_t *size);
+
 /* A sentence for a status. */
 const char *rna_status_text(RnaStatus status);
 

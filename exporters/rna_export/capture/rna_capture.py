@@ -16,6 +16,7 @@ from pydantic import ValidationError
 
 from rna_export.blender.rna_sources.source_formats import SOURCE_FORMATS
 from rna_export.capture.blender_process import blender_env, source_help
+from rna_export.capture.blender_process.source_file import SUFFIXES, check_source
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.frame_options import FRAME_SETTINGS, add_frames
 from rna_export.capture.orientation import AXES, joined_axes
@@ -23,7 +24,6 @@ from rna_export.machine import keep_freed_memory
 from rna_sdk.console import command_line, command_parser, run_command, split_script_arguments
 from rna_sdk.cores import core_count
 from rna_sdk.errors import CaptureError
-from rna_sdk.file_kinds import not_a
 from rna_sdk.owned_folder import owned
 from rna_work.cluster.cluster_option import add_cluster_option
 from rna_work.cluster.store import add_store_option
@@ -34,7 +34,6 @@ if TYPE_CHECKING:
     from rna_render.scene import SceneFile
 
 _GO_ON = "run the same command again to resume"
-_SUFFIXES = ", ".join(SOURCE_FORMATS)
 _Z_UP = ", ".join(suffix for suffix, known in SOURCE_FORMATS.items() if known.up == "Z")
 _BECOMES = {
     "front": "+Z (X, Y, Z, -X, -Y or -Z, default: -Y for Z up, as in Blender; else Z, as in glTF)",
@@ -72,7 +71,7 @@ def parser() -> argparse.ArgumentParser:
         "a Python source, or set what a groom, Alembic or\nUSD file lacks; to list them: "
         "rna-capture groom.tfx -- --help",
     )
-    p.add_argument("source", nargs="?", type=Path, help=f"model (path), one of {_SUFFIXES}")
+    p.add_argument("source", nargs="?", type=Path, help=f"model (path), one of {SUFFIXES}")
     p.add_argument(
         "--out",
         type=Path,
@@ -263,20 +262,6 @@ def _estimate(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
         pilot = measured_pilot(source, given, workers, say, for_scene)
     if pilot is not None:
         print(gain_text(pilot, table_of()))
-
-
-def check_source(source: Path) -> None:
-    """Raises `CaptureError` for a missing file or an unsupported format."""
-    if not source.is_file():
-        what = "is a folder, expected a file" if source.is_dir() else "no such file"
-        raise CaptureError(f"{source}: {what}")
-    if source.suffix.lower() not in SOURCE_FORMATS:
-        if (wrong := not_a("model", source)) is not None:
-            raise CaptureError(f"{source}: {wrong}")
-        raise CaptureError(
-            f"{source}: found {source.suffix!r}, expected one of {_SUFFIXES}; what Blender can "
-            "import, it can save as .blend"
-        )
 
 
 def _is_dataset(folder: Path) -> bool:

@@ -78,15 +78,14 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     from rna_export.capture.blender_process import blender_env
     from rna_export.capture.blender_process.blender_process import Source
     from rna_export.capture.blender_process.blender_worker import BlenderWorker
+    from rna_export.capture.blender_process.source_file import check_source
     from rna_export.compare.comparison_page import error_of, is_report, write_page
     from rna_export.compare.comparison_run import Pair, compare
     from rna_export.compare.origin import Origin
     from rna_sdk.cores import core_count
-    from rna_sdk.errors import CaptureError
     from rna_sdk.runtime import load
 
-    if not args.source.is_file():
-        raise CaptureError(f"{args.source}: no such file")
+    check_source(args.source)
     asset = load(args.package, tier=args.tier, threads=1)
     origin = Origin.of(args.package, args.tier)
     doubt = origin.doubt(args.source)

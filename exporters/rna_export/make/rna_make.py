@@ -10,10 +10,10 @@ from time import monotonic
 from typing import TYPE_CHECKING
 
 from rna_export.capture.blender_process import source_help
+from rna_export.capture.blender_process.source_file import check_source
 from rna_export.capture.orientation import joined_axes
 from rna_export.capture.rna_capture import (
     check_settings,
-    check_source,
     given_settings,
 )
 from rna_export.export.package_options import (

@@ -142,9 +142,11 @@ def _of_blender(
     from rna_export.capture.blender_process.blender_env import find_or_set_up
     from rna_export.capture.blender_process.blender_process import Source
     from rna_export.capture.blender_process.blender_worker import BlenderWorker
+    from rna_export.capture.blender_process.source_file import check_source
     from rna_export.capture.geometry.followed_source import FollowedSource
     from rna_sdk.errors import CaptureError
 
+    check_source(options.source)
     axes = {"front": options.front, "up": options.up}
     source = Source(options.source, script, rest_frame=options.rest_frame, **axes)
     folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="rna-motion-"))

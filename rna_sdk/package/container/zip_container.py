@@ -138,12 +138,18 @@ def _read_directory(data: memoryview) -> tuple[list[tuple[z.CentralHeader, str]]
         refuse(code, max(end_offset, 0), "no end record", "an end record as the last 22 bytes")
     end = z.EndRecord(*z.END.unpack_from(data, end_offset))
     if 0xFFFF in (end.entries, end.disk) or end.disk or end.directory_disk:
-        refuse(Code.ZIP_ZIP64, end_offset, end, "one disk, no ZIP64")
+        found = f"{end.entries} entries, disk {end.disk} and {end.directory_disk}"
+        refuse(Code.ZIP_ZIP64, end_offset, found, "one disk, no ZIP64")
     if end.entries > MAX_ENTRIES:
         refuse(Code.ZIP_TOO_MANY, end_offset, end.entries, f"at most {MAX_ENTRIES}")
     whole = end.directory_offset + end.directory_size == end_offset
     if not whole or end.comment_size or end.entries_here != end.entries:
-        refuse(Code.ZIP_DIRECTORY, end_offset, end, f"a directory that ends at {end_offset}")
+        found = (
+            f"{end.directory_size} bytes at {end.directory_offset}, {end.entries_here} of "
+            f"{end.entries} entries, a comment of {end.comment_size} bytes"
+        )
+        expected = f"a directory that ends at {end_offset}, with all entries and no comment"
+        refuse(Code.ZIP_DIRECTORY, end_offset, found, expected)
 
     headers: list[tuple[z.CentralHeader, str]] = []
     seen: set[str] = set()
@@ -167,14 +173,16 @@ def _read_central(
         refuse(Code.ZIP_DIRECTORY, offset, "a header cut short", "a central header")
     header = z.CentralHeader(*z.CENTRAL.unpack_from(data, offset))
     if header.magic != z.CENTRAL_MAGIC or header.extra_size or header.comment_size:
-        refuse(Code.ZIP_DIRECTORY, offset, header, "a central header, no extra field or comment")
+        sizes = f"{header.extra_size} and {header.comment_size} bytes behind the name"
+        found = f"signature {header.magic:#010x}, {sizes}"
+        refuse(Code.ZIP_DIRECTORY, offset, found, "a central header, no extra field or comment")
     if 0xFFFFFFFF in (header.size, header.stored_size, header.offset):
-        refuse(Code.ZIP_ZIP64, offset, header, "sizes and offsets below 4 GiB")
+        refuse(Code.ZIP_ZIP64, offset, "0xffffffff", "sizes and offsets below 4 GiB")
     if header.flags & z.FLAG_ENCRYPTED:
         refuse(Code.ZIP_ENCRYPTED, offset, f"flags {header.flags:#06x}", "flags 0")
     fixed = header._replace(**z.FIXED_CENTRAL)
     if header != fixed._replace(method=header.method):
-        refuse(Code.ZIP_HEADER, offset, header, fixed)
+        refuse(Code.ZIP_HEADER, offset, *z.differing(header, fixed))
     if header.method != z.STORED:
         refuse(Code.ZIP_COMPRESSED, offset, f"method {header.method}", "method 0 (stored)")
     if header.size != header.stored_size:
@@ -210,8 +218,11 @@ def _read_local(
         refuse(Code.ZIP_TRUNCATED, start, found, f"an end at or before {directory_offset}")
 
     wanted = z.LocalHeader(z.LOCAL_MAGIC, *central[2:11], local.extra_size)
-    if local != wanted or bytes(data[name_offset:extra_offset]) != name.encode("ascii"):
-        refuse(Code.ZIP_LOCAL_HEADER, start, local, wanted)
+    if local != wanted:
+        refuse(Code.ZIP_LOCAL_HEADER, start, *z.differing(local, wanted))
+    own_name = bytes(data[name_offset:extra_offset])
+    if own_name != name.encode("ascii"):
+        refuse(Code.ZIP_LOCAL_HEADER, start, repr(own_name[:80]), name)
     extra = bytes(data[extra_offset:data_offset])
     if extra and (len(extra) < z.EXTRA.size or extra != z.padding_field(len(extra))):
         refuse(Code.ZIP_EXTRA, extra_offset, extra[:16].hex(), f"zeros in field {z.PADDING_ID:#x}")

@@ -74,6 +74,18 @@ class EndRecord(NamedTuple):
     comment_size: int
 
 
+def differing(
+    found: LocalHeader | CentralHeader, expected: LocalHeader | CentralHeader
+) -> tuple[str, str]:
+    """The members in which two headers differ, in words, as found and as expected."""
+    names = [name for name in found._fields if getattr(found, name) != getattr(expected, name)]
+    texts = [
+        ", ".join(f"{name.replace('_', ' ')} {getattr(header, name)}" for name in names)
+        for header in (found, expected)
+    ]
+    return texts[0], texts[1]
+
+
 FIXED_CENTRAL = {
     "made_by": VERSION,
     "version": VERSION,

@@ -7,9 +7,11 @@ import os
 import zipfile
 from dataclasses import replace
 from os import PathLike
+from pathlib import Path
 
 from rna_sdk.errors import PackageError
 from rna_sdk.package.limits import MAX_DEFLATE_RATIO
+from rna_sdk.regular_file import check_regular
 
 _EXPECTED = "the file as it was exported, or as rna-pack writes it: readers use entries in place"
 
@@ -45,6 +47,7 @@ def zipped_entries(path: str | PathLike[str], manifest: str) -> list[tuple[str, 
 def _traces(path: str | PathLike[str], manifest: str) -> list[str]:
     """What shows that another program wrote this archive; none if it holds no manifest."""
     try:
+        check_regular(Path(path))
         with zipfile.ZipFile(path) as archive:
             entries = archive.infolist()
     except Exception:  # whatever zipfile makes of a broken archive

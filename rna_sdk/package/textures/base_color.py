@@ -97,6 +97,8 @@ def image_from_bytes(data: bytes | memoryview, name: str) -> Texture:
             if max(image.size) > MAX_TEXTURE_SIDE:
                 found = f"{image.width} x {image.height} pixels"
                 refuse(Code.BASE_COLOR_IMAGE, name, found, expected)
+            if image.mode == "CMYK":  # whose colours decoders do not agree on
+                refuse(Code.BASE_COLOR_IMAGE, name, "a JPEG in CMYK", expected + ", grey or RGB")
             pixels = _rgb(image)
     except UnidentifiedImageError:
         refuse(Code.BASE_COLOR_IMAGE, name, "another file", expected)

@@ -304,7 +304,7 @@ def _light(
         light = decoder(inputs)
         if base_color is not None:
             light, factors = np.hsplit(light, 2)
-            light = light + np.tile(base_color, light.shape[1] // 3) * factors
+            light = np.maximum(light + np.tile(base_color, light.shape[1] // 3) * factors, 0)
         results.append(light)
     return np.hstack(results)
 

@@ -17,15 +17,20 @@ from tests.conformance.kit.answers import Answers
 from tests.conformance.kit.assets import Query, write_asset
 from tests.conformance.kit.base_color import BaseColorHits, make_base_color_hits
 from tests.conformance.kit.broken import broken_packages
+from tests.conformance.kit.deformed import SHAPES, DeformedHits, make_deformed_hits
 from tests.conformance.kit.hits import make_hits
 from tests.conformance.kit.normals import NormalHits, make_normal_hits
 from tests.conformance.kit.plans import PLANS, Plan
+from tests.conformance.kit.restored import PLAIN, restored
 
 INDEX = "kit.json"
 BY_HAND = {"README.md"}
 INT8_SHARE = 0.02  # of the rows of an int8 decoder may differ by a step
 VISIBILITY_TOLERANCE = 1e-3
-ROUNDED = ("expected/", "blocks/", "queries/", "visibility/", "normals/", "base-color/")
+ROUNDED = (
+    *("expected/", "blocks/", "queries/", "visibility/", "normals/", "base-color/"),
+    *("geometry/", "deformed/"),
+)
 
 Files = dict[str, bytes]
 
@@ -47,6 +52,8 @@ def kit_files() -> Files:
             index["visibility"].append(_visibility_case(files, plan, package))
             index["normals"] += _normals_cases(files, plan, package)
             index["base-color"] += _base_color_cases(files, plan, package)
+            index["geometry"] += _geometry_cases(files, plan, package)
+            index["deformed"] += _deformed_cases(files, plan, package)
             index["validate"].append(_validate_case(package, True, plan.warning))
         for name, broken in broken_packages(Path(folder)).items():
             path = f"broken/{name}.rna"
@@ -127,21 +134,59 @@ def _base_color_cases(files: Files, plan: Plan, package: str) -> list[dict[str, 
     return cases
 
 
+def _geometry_cases(files: Files, plan: Plan, package: str) -> list[dict[str, Any]]:
+    """One of each part whose geometry is in integers, and of PLAIN."""
+    cases = []
+    for number, part in enumerate(plan.parts):
+        if part.geometry.quantised is not None or plan.name in PLAIN:
+            rows, tolerance = restored(part.geometry)
+            made = rows, tolerance, [("all", 0, len(rows))]
+            cases.append(_part_case(files, plan, package, number, "geometry", *made))
+    return cases
+
+
+def _deformed_cases(files: Files, plan: Plan, package: str) -> list[dict[str, Any]]:
+    """One of each part that has a deformed shape."""
+    cases = []
+    for number, part in enumerate(plan.parts):
+        if deform := SHAPES.get((plan.name, number)):
+            made = make_deformed_hits(len(plan.name), number, part.geometry, deform)
+            case = _hits_case(files, plan, package, number, "deformed", made)
+            case["shape"] = f"hits/{plan.name}.{number}.shape.f32"
+            files[case["shape"]] = made.shape.astype("<f4").tobytes()
+            cases.append(case)
+    return cases
+
+
 def _hits_case(
     files: Files,
     plan: Plan,
     package: str,
     part: int,
     level: str,
-    made: NormalHits | BaseColorHits,
+    made: NormalHits | BaseColorHits | DeformedHits,
 ) -> dict[str, Any]:
-    name = f"{plan.name}.{part}"
-    paths = {"hits": f"hits/{name}.{level}.bin", "expected": f"{level}/{name}.f64"}
-    files[paths["hits"]] = made.records
-    both = np.concatenate([made.expected, made.tolerance], axis=1)
-    files[paths["expected"]] = both.astype("<f8").tobytes()
-    case = {"package": package, "part": part, "what": plan.what, **paths}
-    return case | {"rows": len(both), "classes": _classes(made.classes)}
+    answers = made.expected, made.tolerance, made.classes
+    case = _part_case(files, plan, package, part, level, *answers)
+    case["hits"] = f"hits/{plan.name}.{part}.{level}.bin"
+    files[case["hits"]] = made.records
+    return case
+
+
+def _part_case(
+    files: Files,
+    plan: Plan,
+    package: str,
+    part: int,
+    level: str,
+    expected: np.ndarray,
+    tolerance: np.ndarray,
+    classes: list[tuple[str, int, int]],
+) -> dict[str, Any]:
+    path = f"{level}/{plan.name}.{part}.f64"
+    files[path] = np.concatenate([expected, tolerance], axis=1).astype("<f8").tobytes()
+    case = {"package": package, "part": part, "what": plan.what, "expected": path}
+    return case | {"rows": len(expected), "classes": _classes(classes)}
 
 
 def _validate_case(

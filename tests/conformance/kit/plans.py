@@ -9,6 +9,7 @@ import numpy as np
 
 from rna_sdk.package import BaseColor, Curves, Mesh, NormalMap, Transmittance, quantise
 from tests.conformance.kit import shapes
+from tests.conformance.kit.restored import with_extremes
 from tests.conformance.kit.visibility import Body
 
 SURFACE = ("features", "position", "normal", "wo", "wi", "half_vector")
@@ -191,7 +192,7 @@ PLANS = (
     ),
     one_part(
         *("surface-quantised", "a mesh in 16 bits, with texture coordinates; lobes"),
-        *(quantise(shapes.with_uvs(shapes.bowl())), *ONE),
+        *(with_extremes(shapes.with_uvs(shapes.bowl())), *ONE),
         (TierPlan("small", SURFACE, 6, 4, widths=(12,)),),
         lobes=LobesPlan(SURFACE, 4, visibility=True),
     ),

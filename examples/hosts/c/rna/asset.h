@@ -55,14 +55,12 @@ struct RnaAsset {
     Span file;
     void *own; /* the file's bytes where rna_open has read them */
     JsonText manifest; /* what the names live on */
-    const Json *domain;
+    const Json *domain, *extensions; /* the second NULL where there are none */
     int parts, tiers;
     Part part[RNA_MAX_PARTS];
     Tier tier[MAX_TIERS];
     Loaded *decoders;
-#ifdef RNA_EXACT_ENTRIES
-    Container *zip; /* which holds the copies of the entries */
-#endif
+    Container *zip;
 };
 
 #endif

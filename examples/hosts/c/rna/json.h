@@ -18,6 +18,7 @@ typedef struct Json {
     JsonType type;
     Span key;    /* of a member */
     Span string; /* unescaped, with a zero byte behind it */
+    Span text;   /* the value as it is written */
     double number;
     struct Json *first, *next; /* items or members, and the next sibling */
     size_t count;
@@ -253,6 +254,7 @@ static bool take_items(JsonText *text, Json *parent) {
 static Json *take_value(JsonText *text) {
     Json *value = text->values++;
     memset(value, 0, sizeof *value);
+    value->text.at = text->at;
     bool good = true;
     if (take_word(text, "null")) {
         value->type = JSON_NULL;
@@ -273,6 +275,7 @@ static Json *take_value(JsonText *text) {
     } else {
         good = take_number(text, value);
     }
+    value->text.size = (size_t)(text->at - value->text.at);
     return good ? value : NULL;
 }
 

@@ -267,6 +267,7 @@ static void read_package(Container *zip, RnaAsset *asset, RnaReport *report) {
     if (!root) return;
     check_entries(zip, root, report);
     asset->domain = member(root, "domain");
+    asset->extensions = member(root, "extensions");
     for (const Json *part = member(root, "parts")->first; part; part = part->next)
         read_part(zip, part, asset, report);
     for (const Json *tier = member(root, "tiers")->first; tier; tier = tier->next)
@@ -285,9 +286,9 @@ static void free_package(RnaAsset *asset) {
     }
     free_json(&asset->manifest);
 #ifdef RNA_EXACT_ENTRIES
-    for (int i = 0; asset->zip && i < MAX_ENTRIES; i++) free(asset->zip->entries[i].copy);
-    free(asset->zip);
+    for (int i = 0; i < MAX_ENTRIES; i++) free(asset->zip->entries[i].copy);
 #endif
+    free(asset->zip);
 }
 
 #endif

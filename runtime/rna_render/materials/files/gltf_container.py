@@ -24,6 +24,9 @@ from rna_sdk.regular_file import read_regular
 DTYPES = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
 
+_LONGEST_URI = 512
+"""Of a file beside this one: longer ones are data without their `data:`, which floods errors."""
+
 # Section 4.4: the binary container.
 GLB_MAGIC, GLB_VERSION, CHUNK_JSON, CHUNK_BINARY = b"glTF", 2, b"JSON", b"BIN\0"
 
@@ -127,6 +130,8 @@ class GltfContainer:
             raise SceneError(error.strerror or str(error), file=path) from error
 
     def _beside(self, uri: str) -> Path:
+        if len(uri) > _LONGEST_URI:
+            raise ValueError(f"a uri of {len(uri)} characters, which begins with {uri[:40]!r}")
         return self.path.parent / unquote(uri)
 
 
