@@ -64,7 +64,8 @@ import {{ Viewer }} from "{address}";
 let rows = 0;
 const engine = {{
   bandPixels: 1e6, resize(width, height) {{ this.target = {{ width, height }}; }},
-  trace(camera, sample, from, to) {{ rows += to - from; }}, light() {{}}, async done() {{}}, show() {{}},
+  trace(camera, sample, from, to) {{ rows += to - from; }},
+  light() {{}}, show() {{}}, async done() {{}},
 }};
 const viewer = new Viewer(engine, {{ width: 64, height: 40 }}, {{ camera: () => ({{}}) }});
 viewer.start();
