@@ -212,7 +212,7 @@ def _ours(
     learning_rate: float,
     hidden_layers: int = 4,
     planes: dict[str, tuple[int, int]] = _PLANES,
-    shadow_width: int = 32,
+    shadow_width: int = 64,
 ) -> Preset:
     resolution, channels = planes[kind]
     return Preset(
@@ -247,7 +247,7 @@ PRESETS = {
     kind: {
         "tiny": _ours(kind, 32, 20_000, 4e-3, 2, _TINY_PLANES, shadow_width=16),
         "small": _ours(kind, 64, 20_000, 4e-3),
-        "hq": _ours(kind, 256, 20_000, 2e-3, shadow_width=64),
+        "hq": _ours(kind, 256, 20_000, 2e-3, shadow_width=128),
         "paper-small": _paper(kind, 64),
         "paper-hq": _paper(kind, 512),
     }
