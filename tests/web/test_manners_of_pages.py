@@ -39,11 +39,7 @@ def test_an_element_that_was_made_before_its_script(page, folder, url):
     loads(page, "one")
     widths = "[one.stage.canvas.width, one.stage.canvas.height]"
     assert page.evaluate(widths) == [64, 40]
-    metrics = {"width": 0, "height": 0, "mobile": False}
-    page.call("Emulation.setDeviceMetricsOverride", **metrics, deviceScaleFactor=2)
-    page.wait_for(f"{widths}[0] === 128", TIMEOUT)
-    page.call("Emulation.clearDeviceMetricsOverride")
-    page.wait_for(f"{widths}[0] === 64", TIMEOUT)
+    widths = widths.replace("one", "viewer")
     page.evaluate(
         """(() => {
             globalThis.engine = one.stage.engine, globalThis.viewer = one;
@@ -57,3 +53,8 @@ def test_an_element_that_was_made_before_its_script(page, folder, url):
     page.evaluate("viewer.style.width = '64px', viewer.style.height = '40px', 0")
     page.wait_for("viewer.stage.canvas.width === 64 && viewer.stage.viewer.stats.scale", TIMEOUT)
     assert page.evaluate("viewer.stage.engine === engine && viewer.notices.place.hidden")
+    metrics = {"width": 0, "height": 0, "mobile": False}
+    page.call("Emulation.setDeviceMetricsOverride", **metrics, deviceScaleFactor=2)
+    page.wait_for(f"{widths}[0] === 128", TIMEOUT)
+    page.call("Emulation.clearDeviceMetricsOverride")
+    page.wait_for(f"{widths}[0] === 64", TIMEOUT)

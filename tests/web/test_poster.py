@@ -68,9 +68,10 @@ const engine = {{
   light() {{}}, show() {{}}, async done() {{}},
 }};
 const viewer = new Viewer(engine, {{ width: 64, height: 40 }}, {{ camera: () => ({{}}) }});
+viewer.addEventListener("shown", () => console.log(rows), {{ once: true }});
 viewer.start();
-await viewer.pictured();
-console.log(rows);
+await viewer.converged(1);
+await viewer.stop();
 """
 
 
