@@ -15,6 +15,7 @@ import base64
 import json
 import os
 import re
+import shlex
 import shutil
 import sys
 import tempfile
@@ -173,7 +174,14 @@ def measure(builds: dict[str, Path], write: Callable[[dict[str, Any]], object]) 
 def main() -> None:
     out, *given = sys.argv[1:]
     builds = {name: Path(script) for name, script in (one.split("=", 1) for one in given)}
-    head = {"stamp": stamp(sys.argv), "width": WIDTH, "height": HEIGHT, "samples": SAMPLES}
+    names = (f"{name}={script.name}" for name, script in builds.items())
+    command = shlex.join(["python", "-m", "tests.web.first_seconds", Path(out).name, *names])
+    head = {
+        "stamp": stamp([]) | {"command": command},
+        "width": WIDTH,
+        "height": HEIGHT,
+        "samples": SAMPLES,
+    }
     measure(
         builds,
         lambda assets: Path(out).write_text(
