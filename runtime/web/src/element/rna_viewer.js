@@ -51,9 +51,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     this.stage.labels = JSON.parse(this.dataset.labels ?? "{}");
     this.observer = new IntersectionObserver((entries) => this._seen(entries.at(-1).isIntersecting), { rootMargin: NEAR });
     this.observer.observe(this);
-    this.leaving = new AbortController();
-    this.stillness.addEventListener("change", () => this._still(), { signal: this.leaving.signal });
-    this._watchRatio();
+    this.stillness.addEventListener("change", this.onstillness = () => this._still());
     this._takeOver();
     this._turn();
     this._tint();
@@ -63,7 +61,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
   /** An element that only moves within its page keeps its GPU. */
   disconnectedCallback() {
     this.observer.disconnect();
-    this.leaving.abort();
+    this.stillness.removeEventListener("change", this.onstillness);
     queueMicrotask(() => {
       if (this.isConnected || !this.isBegun) return;
       if (this.stage.loading) this.asked = null;
@@ -149,16 +147,6 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     this.stage.rest(!isNear);
     this._tint();  // where it was not displayed, no transition told of a change
     this._begin();
-  }
-
-  /** The screen's pixels for one of CSS may change where the element's size does not; a query is about one ratio. */
-  _watchRatio() {
-    const ratio = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
-    const changed = () => {
-      this.stage.resize();
-      this._watchRatio();
-    };
-    ratio.addEventListener("change", changed, { once: true, signal: this.leaving.signal });
   }
 
   /** Properties that the page set before there was a class, which hide those of the class; and a word on misspelt attributes. */
