@@ -49,6 +49,8 @@ def check_writable(path: Path) -> None:
     """Raises RnaError if no file can be written there; removes leftovers of killed processes."""
     if path.is_dir():
         raise RnaError(f"{path}: cannot be written: it is a folder")
+    if not path.parent.is_dir():
+        raise RnaError(f"{path}: there is no folder {path.parent}: make it first")
     temporary = temporary_path(path)
     try:
         temporary.touch()

@@ -30,6 +30,7 @@ MAX_TIERS = 16
 MAX_CONES = 16
 MAX_PROXIES = 8
 MAX_LOBES = 32
+MAX_VARIANTS = 64
 MAX_VALIDATIONS = 64
 """Environments under which the error of lobes is recorded."""
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from os import PathLike
 from types import TracebackType
@@ -32,11 +33,13 @@ from rna_sdk.package.manifest.extensions import (
     ProxyLevel,
     Source,
     StandinTextures,
+    Variants,
+    changed_record,
     extension,
 )
-from rna_sdk.package.manifest.manifest_model import Manifest, Part
+from rna_sdk.package.manifest.manifest_model import BaseColorFields, Manifest, Part
 from rna_sdk.package.manifest.manifest_tiers import Tier, TierPart
-from rna_sdk.package.textures.base_color import BaseColor, image_from_bytes
+from rna_sdk.package.textures.base_color import BaseColor, image_from_bytes, label_of
 from rna_sdk.package.textures.normal_maps import NORMALS, NormalMap
 from rna_sdk.package.textures.planes import Planes, planes_from_bytes
 from rna_sdk.package.textures.texture_form import Texture
@@ -272,21 +275,43 @@ class Package:
             for r in self._part(part).normal_maps
         ]
 
-    def base_color(self, part: int = 0) -> list[BaseColor]:
+    def variants(self) -> tuple[str, ...]:
+        """Names of the prints that `base_color` and `load` choose by (RNA_variants)."""
+        data = extension(self.manifest, Variants)
+        return tuple(variant.name for variant in data.variants) if data else ()
+
+    def base_color(self, part: int = 0, variant: str | None = None) -> list[BaseColor]:
         """Base colour of a part, with its images; empty if it has none.
+
+        variant: name of a print; None for the asset's own.
 
         Raises:
             PackageError: an image cannot be decoded.
-            QueryError: the package has no such part, or is closed.
+            QueryError: the package has no such part or variant, or is closed.
         """
+        own = self._part(part).base_color
+        records = [
+            changed_record(record, change)
+            for record, change in zip(own, self._changes(part, variant), strict=True)
+        ]
         images: dict[str, Texture] = {}
-        for record in self._part(part).base_color:
+        for record in records:
             if record.image is not None and record.image not in images:
                 images[record.image] = image_from_bytes(self._view(record.image), record.image)
         return [
-            BaseColor.of(record, images.get(record.image or ""))
-            for record in self._part(part).base_color
+            BaseColor.of(record, images.get(record.image or ""), label_of(usual) or None)
+            for usual, record in zip(own, records, strict=True)
         ]
+
+    def _changes(self, part: int, variant: str | None) -> Sequence[BaseColorFields | None]:
+        data = extension(self.manifest, Variants)
+        for one in data.variants if data else ():
+            if one.name == variant and (changes := one.parts[part]) is not None:
+                return changes
+        if variant not in (None, *self.variants()):
+            known = ", ".join(map(repr, self.variants())) or "none: it has no variants"
+            raise QueryError(f"found the variant {variant!r}, expected one of: {known}")
+        return [None] * len(self._part(part).base_color)
 
     def planes(self, tier: str, part: int = 0) -> Planes:
         """A part's triplane, planes XY, YZ, ZX: an array (3, R, R, C), or Int8Planes.

@@ -19,7 +19,14 @@ from rna_sdk.package.geometry.source_vertices import source_vertices_from_bytes
 from rna_sdk.package.geometry.vertex_visibility import vertex_count, visibility_from_bytes
 from rna_sdk.package.issues import Code, Issue, Severity
 from rna_sdk.package.manifest.deflate import decoded_entry
-from rna_sdk.package.manifest.extensions import Deflate, Environment, Proxy, Source, extension
+from rna_sdk.package.manifest.extensions import (
+    Deflate,
+    Environment,
+    Proxy,
+    Source,
+    extension,
+    variant_records,
+)
 from rna_sdk.package.manifest.manifest_checks import manifest_warnings
 from rna_sdk.package.manifest.manifest_fields import Bounds
 from rna_sdk.package.manifest.manifest_model import Manifest, NormalMapRecord, TransmittanceRecord
@@ -153,7 +160,8 @@ def _check_contents(
                     where = pointer("parts", k, "normalMaps")
                     check_normal_maps(part, geometry, textures.of_normals, where)
                     where = pointer("parts", k, "baseColor")
-                    check_base_color(part, geometry, textures.of_image, where)
+                    more = variant_records(manifest, k)
+                    check_base_color(part, geometry, textures.of_image, where, more)
     result.issues += poster_issues(container, manifest, intact)
     _check_proxies(result, container, manifest, intact)
     checked: set[object] = set()  # tiers and parts may share entries

@@ -190,11 +190,18 @@ class AssetPart(Asset):
     """Names of arrays in errors: those of the arguments of `evaluate`."""
 
     def __init__(
-        self, package: Package, tier: Tier, threads: int, part: int, name: str, pixels: float
+        self,
+        package: Package,
+        tier: Tier,
+        threads: int,
+        part: int,
+        name: str,
+        pixels: float,
+        variant: str | None,
     ) -> None:
         """package: open. tier: one of its tiers. threads: at least 1. part: index of the part.
 
-        pixels: as for `Package.geometry`.
+        pixels: as for `Package.geometry`. variant: as for `Package.base_color`.
         """
         # onnxruntime and numba load with the first asset, not with this module.
         from rna_sdk.runtime.engine.decoder_sessions import Decoder
@@ -211,7 +218,7 @@ class AssetPart(Asset):
         self.normal_maps: tuple[NormalMap, ...] = tuple(package.normal_maps(part))
         filler = QueryFiller(package.planes(tier.name, part), box, tier_part, self.kind)
         self.base_colors: tuple[BaseColor, ...] = (
-            tuple(package.base_color(part)) if tier_part.uses_base_color else ()
+            tuple(package.base_color(part, variant)) if tier_part.uses_base_color else ()
         )
         evaluators = {
             one.form.name: TileEvaluator(

@@ -34,12 +34,13 @@ class FiberAsset(AssetPart):
         part: int,
         name: str,
         pixels: float = math.inf,
+        variant: str | None = None,
     ) -> None:
         """package: open. tier: one of its tiers. part: index of a part with curves.
 
-        pixels: as for `Package.geometry`.
+        pixels: as for `Package.geometry`. variant: as for `Package.base_color`.
         """
-        super().__init__(package, tier, threads, part, name, pixels)
+        super().__init__(package, tier, threads, part, name, pixels, variant)
         assert isinstance(self._geometry, Curves)
         self.curves = self._geometry
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from os import PathLike
+from typing import Any
 
 from rna_sdk.cpu import thread_count
 from rna_sdk.errors import QueryError
@@ -21,6 +22,7 @@ def load(
     min_psnr: float | None = None,
     max_error: float | None = None,
     pixels: float | None = None,
+    variant: str | None = None,
 ) -> SurfaceAsset | FiberAsset | CompositeAsset:
     """Open the package at `path` for evaluation. The file may be replaced afterwards.
 
@@ -35,11 +37,12 @@ def load(
     pixels: height in the image of the sphere about the asset's bounds. For a small asset a cheaper
         tier meets `max_error`, and the geometry is that of a proxy if the package has one for this
         size. None: as high as the validation images.
+    variant: name of a print of the package, as `Package.variants` lists them; None: its own.
 
     Raises:
         PackageError: the file cannot be read or violates the format.
-        QueryError: no tier has this name or is good enough, or an argument is invalid, such as a
-            path that is none.
+        QueryError: no tier has this name or is good enough, the package has no such variant or the
+            tier no base colour, or an argument is invalid, such as a path that is none.
 
     Examples:
         >>> asset = load("toy.rna", min_psnr=30.0)
@@ -53,19 +56,21 @@ def load(
     count = thread_count(threads)
     with Package.open(path) as package:
         record = choose_tier(package, tier, min_psnr, max_error, pixels)
-        height = image_height(pixels)
+        if variant is not None and not any(part.uses_base_color for part in record.parts):
+            raise QueryError(f"variant {variant!r}: tier {record.name!r} has no base colour")
+        how = image_height(pixels), variant
         if len(package.manifest.parts) == 1:
-            return _part(package, record, count, 0, package.manifest.name, height)
+            return _part(package, record, count, 0, package.manifest.name, *how)
         parts = tuple(
-            _part(package, record, count, k, part.name, height)
+            _part(package, record, count, k, part.name, *how)
             for k, part in enumerate(package.manifest.parts)
         )
         return CompositeAsset(package.manifest.name, parts)
 
 
 def _part(
-    package: Package, tier: Tier, threads: int, part: int, name: str, pixels: float
+    package: Package, tier: Tier, threads: int, part: int, name: str, *how: Any
 ) -> SurfaceAsset | FiberAsset:
     kind = package.manifest.parts[part].kind
     cls = SurfaceAsset if kind == "surface" else FiberAsset
-    return cls(package, tier, threads, part, name, pixels)
+    return cls(package, tier, threads, part, name, *how)

@@ -20,6 +20,10 @@ if TYPE_CHECKING:
     from rna_sdk.runtime.base_color import BaseColorMaps
 
 
+_LEAST_BASE_COLOR = np.float32(0.02)
+"""Added to both base colours of a ratio: spec/RNA.md, 12.1, Print."""
+
+
 class SurfaceAsset(AssetPart):
     """An asset, or one of its parts, whose geometry is a mesh.
 
@@ -38,12 +42,13 @@ class SurfaceAsset(AssetPart):
         part: int,
         name: str,
         pixels: float = math.inf,
+        variant: str | None = None,
     ) -> None:
         """package: open. tier: one of its tiers. part: index of a part with a mesh.
 
-        pixels: as for `Package.geometry`.
+        pixels: as for `Package.geometry`. variant: as for `Package.base_color`.
         """
-        super().__init__(package, tier, threads, part, name, pixels)
+        super().__init__(package, tier, threads, part, name, pixels, variant)
         assert isinstance(self._geometry, Mesh)
         self.mesh = self._geometry
 
@@ -144,6 +149,23 @@ class SurfaceAsset(AssetPart):
             QueryError: an argument is no such array, or a primitive is not there.
         """
         return self._base_color_maps.at(primitives, u, v, widths)
+
+    def print_detail_at(
+        self, primitives: NDArray[np.integer], u: Rows, v: Rows, widths: Rows
+    ) -> Rows:
+        """Factor of the amplitudes of the first half of `lobes`: spec/RNA.md, 12.1, Print.
+
+        The base colour at ray hits over that of a texel of the lobes' planes; arguments as for
+        `base_color_at`. Returns (n, 3) float32, 1 where the part has no base colour or no lobes.
+        """
+        if self.environment_form is None or not self.base_colors:
+            return np.ones((len(u), 3), np.float32)
+        sides = np.asarray(self.bounds[1]) - self.bounds[0]
+        texel = np.float32(sides.max() / self.environment_form.resolution)
+        own = self.base_color_at(primitives, u, v, widths)
+        blurred = self.base_color_at(primitives, u, v, np.maximum(widths, texel))
+        ratio: Rows = (own + _LEAST_BASE_COLOR) / (blurred + _LEAST_BASE_COLOR)
+        return ratio
 
     @cached_property
     def _base_color_maps(self) -> BaseColorMaps:

@@ -56,8 +56,10 @@ def _add_asset(scene_file: SceneFile, site: Site) -> str:
 
 
 def _add_print(scene_file: SceneFile, site: Site) -> None:
-    """Maps and tint of the scene's first asset."""
+    """Variant, maps and tint of the scene's first asset."""
     model = scene_file.scene.assets[0]
+    if model.variant is not None:
+        site.attributes["variant-name"] = model.variant
     if model.tint != (1.0, 1.0, 1.0):
         site.attributes["tint"] = " ".join(f"{value:.9g}" for value in model.tint)
     for label, given in model.maps.items():

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from rna_sdk.error_words import error_in_words
 from tests.blender.conftest import RunInBlender
 from tests.conftest import REPOSITORY
 
@@ -54,7 +55,7 @@ bpy.context.view_layer.update()
 for item in scene.objects:
     item.select_set(item == body)
 bpy.context.view_layer.objects.active = body
-body.rna_bake.out, body.rna_bake.min_psnr = os.path.abspath("cubes.rna"), 30
+body.rna_bake.out, body.rna_bake.goal = os.path.abspath("cubes.rna"), "0.07"
 names = {item.name for item in bpy.data.objects}, {one.name for one in bpy.data.scenes}
 
 wait = operators.Job.wait
@@ -89,6 +90,8 @@ corners = [
 ]
 print("BOX", json.dumps([[f(c[k] for c in corners) for k in range(3)] for f in (min, max)]))
 print("OBJECTS", len(bpy.context.scene.objects))
+goals = operators.RnaBake.bl_rna.properties["goal"].enum_items
+print("GOALS", json.dumps([(goal.identifier, goal.name) for goal in goals]))
 """
 
 
@@ -112,7 +115,7 @@ def test_a_bake_is_started_stopped_continued_and_replaces_its_original(
     assert json.loads(printed_value(printed, "STATES")) == [list(state) for state in states]
     assert printed_value(printed, "KEPT") == "True"  # no copies are left in the file
     job = json.loads((tmp_path / "cubes.bake" / "job.json").read_text())
-    assert job["options"] == ["--presets", "small", "--minutes=20", "--min-psnr=30"]
+    assert job["options"] == ["--presets", "small", "--minutes=20", "--max-error=0.07"]
     assert job["source"] == "untitled.blend"  # the package records the name of the user's file
     # The source is what was selected, and what is below it, without place and turn.
     assert printed_value(printed, "OBJECTS") == "2"
@@ -120,6 +123,9 @@ def test_a_bake_is_started_stopped_continued_and_replaces_its_original(
     assert low == pytest.approx([-1, -2, -1], abs=1e-5)
     assert high == pytest.approx([1, 2, 2], abs=1e-5)
     assert printed_value(printed, "HIDDEN") == "True True"
+    _, *goals = json.loads(printed_value(printed, "GOALS"))
+    for flip, name in goals:
+        assert error_in_words(float(flip) - 0.001).startswith(f"{name.lower()}: ")
     scale, turn = map(float, printed_value(printed, "TURNED").split())
     assert (scale, turn) == pytest.approx((3**0.5, 1.5707963), abs=1e-5)
 

@@ -44,6 +44,8 @@ for k, changes in enumerate(changes_of):
     layer = mesh.uv_layers.new(name="UVMap")
     corners = [(0.2, 0.1), (0.9, 0.1), (0.9, 0.8), (0.2, 0.8)]
     layer.uv.foreach_set("vector", [x for c in (0, 1, 2, 0, 2, 3) for x in corners[c]])
+    colours = mesh.color_attributes.new("Faded", "FLOAT_COLOR", "POINT")
+    colours.data.foreach_set("color", [x for c in (1.0, 0.5, 0.5, 1.0) for x in (c, c, c, 1.0)])
     mesh.materials.append(material)
     bpy.context.scene.collection.objects.link(bpy.data.objects.new("label", mesh))
 red = diffuse((0.8, 0.1, 0.2))
@@ -76,6 +78,14 @@ image.pack()
 of.image = image
 """
 ALPHA = 'image.alpha_mode = "STRAIGHT"'
+OF_VERTICES = """
+faded, mix = tree.nodes.new("ShaderNodeVertexColor"), tree.nodes.new("ShaderNodeMix")
+mix.data_type, mix.blend_type, faded.layer_name = "RGBA", "MULTIPLY", "Faded"
+mix.inputs["Factor"].default_value = 1.0
+tree.links.new(faded.outputs["Color"], mix.inputs["A"])
+tree.links.new(shown, mix.inputs["B"])
+shown = mix.outputs["Result"]
+"""
 UNALIKE = 'image.colorspace_settings.name = "ACEScg"'
 IN_A_GROUP = """
 group = bpy.data.node_groups.new("print", "ShaderNodeTree")
@@ -181,6 +191,16 @@ def test_a_file_whose_colours_alpha_changes_is_taken_as_cycles_shows_it(
     assert np.abs(base - shown).mean() < 0.005
 
 
+def test_an_image_times_colours_of_vertices_is_taken_over(
+    open_worker: OpenWorker, tmp_path: Path
+) -> None:
+    """They are learnt, with the light that the image is a factor of."""
+    path = print_of(tmp_path)
+    exported, ((name, base, shown),) = captured(open_worker, tmp_path, path, [OF_VERTICES])
+    assert exported.notes == [] and exported.textures[name] == path.read_bytes()
+    assert (shown < base + 0.01).all() and 0.6 < shown.sum() / base.sum() < 0.9
+
+
 TWO_IMAGES = """
 other = tree.nodes.new("ShaderNodeTexImage")
 other.image = bpy.data.images.load(image.filepath)
@@ -213,6 +233,19 @@ def test_what_nodes_make_of_uv_coordinates_is_baked(
     assert exported.notes == []
     for _, base, shown in labels:
         assert np.abs(base - shown).mean() < 0.01
+
+
+def test_images_that_are_baked_with_fewer_texels_are_told(
+    open_worker: OpenWorker, tmp_path: Path
+) -> None:
+    """As tiles of UDIM are, where all of them together are larger than what is baked."""
+    source = {"path": str(print_of(tmp_path)), "changes": [TWO_IMAGES]}
+    worker = open_worker(PRINTED.format(**source, shader="ShaderNodeBsdfDiffuse"))
+    (note,) = exported_parts(worker, CaptureSettings(texture_size=512)).notes
+    assert note == (
+        "material 'label' has a base colour of 674 x 272 texels, baked with 512 x 512; "
+        "--texture-size takes more, up to 8192"
+    )
 
 
 def test_what_is_no_function_of_uv_coordinates_is_told(

@@ -183,10 +183,10 @@ def test_a_missing_library_is_named(
     library = save_blend(tmp_path / "library.blend", LIBRARY)
     path = save_blend(tmp_path / "scene.blend", LINKED)
     library.unlink()
-    with pytest.raises(CaptureError, match=r"linked library .*/library\.blend is missing$"):
+    with pytest.raises(CaptureError, match=r"library .*/library\.blend is missing: use File"):
         open_worker(path)
     save_blend(library, "")
-    with pytest.raises(CaptureError, match=r"library\.blend has no Collection 'group'$"):
+    with pytest.raises(CaptureError, match=r"library\.blend has no Collection 'group': use File"):
         open_worker(path)
 
 

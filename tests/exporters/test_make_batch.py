@@ -62,6 +62,7 @@ def test_models_of_one_name_are_refused_before_any_work(tmp_path: Path) -> None:
         (["a.blend", "--out", "a.rna", "--more", "5", "--minutes", "3"], "give no --minutes"),
         (["a.blend", "--out", "a.rna", "--more", "5", "--update"], "give no --update"),
         (["a.blend", "--out", "a.rna", "--more", "0"], "--more: expected a number above 0"),
+        (["a.blend", "--out", "a.rna", "--max-error", "36"], "found 36; --min-psnr is for dB"),
     ],
 )
 def test_bad_usage_exits_with_2(arguments: list[str], message: str, capsys) -> None:

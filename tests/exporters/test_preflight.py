@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -11,6 +13,7 @@ import pytest
 from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.capture.capture_run import no_gain
+from rna_export.capture.geometry.followed_source import captured_poses
 from rna_export.capture.opened_source import OpenedSource
 from rna_export.capture.preflight.material_record import Detail, MaterialFacts
 from rna_export.capture.preflight.sharpest import sharpest_of
@@ -20,7 +23,7 @@ from rna_render.materials.material import Inside
 from rna_sdk.errors import CaptureError
 from tests.conftest import REPOSITORY
 from tests.exporters.conftest import OpenWorker
-from tests.exporters.scenes import write_scene
+from tests.exporters.scenes import fur, write_scene
 
 RECIPE = REPOSITORY / "examples" / "recipes" / "materials.py"
 TEXEL = 0.4e-3
@@ -69,6 +72,51 @@ def written(glb: bytes | None, folder: Path) -> MeshObject:
     path = folder / "it.glass.glb"
     path.write_bytes(glb)
     return read_mesh_object(path)
+
+
+MOVING = """
+def image_of(source):
+    image = bpy.data.images.new(source, 4, 4)
+    image.source = source
+    material = principled()
+    node = material.node_tree.nodes.new("ShaderNodeTexImage")
+    node.image = image
+    material.node_tree.links.new(
+        node.outputs[0], material.node_tree.nodes["Principled BSDF"].inputs["Base Color"])
+    return material
+add(*square(1.0), image_of("SEQUENCE"))
+add(*square(1.0, z=1.0), image_of("GENERATED"))
+pulsing = principled(Emission_Strength=1.0)
+strength = pulsing.node_tree.nodes["Principled BSDF"].inputs["Emission Strength"]
+strength.keyframe_insert("default_value", frame=1)
+add(*square(1.0, z=2.0), pulsing)
+material = bpy.data.materials["hair"]
+info = material.node_tree.nodes.new("ShaderNodeHairInfo")
+shader = next(n for n in material.node_tree.nodes if n.type == "BSDF_HAIR_PRINCIPLED")
+material.node_tree.links.new(info.outputs["Random"], shader.inputs["Melanin"])
+"""
+
+
+@pytest.mark.blender
+def test_what_changes_with_the_frame_or_the_strand_is_said(open_worker: OpenWorker) -> None:
+    opened = open_worker(fur(20, 0.1, 1e-3, 1e-4, 0.5) + MOVING).opened
+    assert opened["changing"] == [
+        "material 'principled' plays the image 'SEQUENCE'",
+        "material 'principled.002' is animated",
+    ]
+    (hair,) = (each for each in opened["materials"] if "hair" in each["kinds"])
+    assert hair["kinds"] == ["hair", "varied"]
+    (verdict,) = verdicts([MaterialFacts(**hair)], [], TEXEL, [], [])
+    assert (verdict.learnt, verdict.is_) == ("roughly", "hair, each strand different")
+    assert "strands that lie together come out in their mean" in verdict.reasons[0]
+
+
+def test_poses_of_a_material_that_changes_are_refused() -> None:
+    opened = {"frame": 1, "changing": ["material 'screen' plays the image 'clip.mp4'"]}
+    worker: Any = SimpleNamespace(source=Source(Path("tv.blend")), opened=opened)
+    assert dict(captured_poses(worker, {}, {}, [])) == {}
+    with pytest.raises(CaptureError, match=r"tv.blend: material 'screen' plays the image.*no --p"):
+        dict(captured_poses(worker, {}, {}, [9]))
 
 
 BOTTLE = """

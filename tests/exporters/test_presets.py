@@ -51,6 +51,12 @@ def test_ours_ask_no_dearer_decoder() -> None:
         assert count(kind, "hq")[1] < 0.28 * count(kind, "paper-hq")[1]
 
 
+def test_planes_beside_print_are_smoother() -> None:
+    """Where base colour is a factor; strands' planes, coarse, are never smoothed."""
+    assert PRESETS["surface"]["small"].with_base_color().training.smoothing == 2.0
+    assert PRESETS["fiber"]["small"].with_base_color().training.smoothing == 0.0
+
+
 @pytest.mark.parametrize(("kind", "preset"), PAPER)
 def test_training_of_the_paper(kind: str, preset: str) -> None:
     config = PRESETS[kind][preset].training

@@ -40,5 +40,5 @@ def test_geometry_far_from_the_origin_is_named() -> None:
 
 def test_what_looks_like_centimetres_is_named() -> None:
     (note,) = size_notes({"asset": scaled(sphere(2), 90.0)})
-    assert "180 m" in note and "centimetres" in note
+    assert "180 m" in note and "are read as centimetres, -- --unit 0.0001" in note
     assert size_notes({"asset": scaled(sphere(2), 5.0)}) == []

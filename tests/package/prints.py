@@ -11,6 +11,8 @@ import numpy as np
 from PIL import Image
 
 from rna_sdk.package import BaseColorRecord, Manifest, Tier, TierShadowed, write_package
+from rna_sdk.package.manifest.extensions import Variants
+from rna_sdk.package.packing import Unpacked
 from tests.package.builders import (
     INPUTS,
     make_manifest,
@@ -21,6 +23,7 @@ from tests.package.builders import (
 )
 
 LABEL, STAMP = "textures/label.png", "textures/stamp.jpg"
+RED = "extensions/RNA_variants/red.png"
 SHADOWED = "decoders/hq-shadowed.onnx"
 
 
@@ -76,3 +79,16 @@ def make_print(path: str | Path, images: Mapping[str, bytes] | None = None, **ch
     data = {tier.name: make_tier_data(tier) for tier in manifest.tiers}
     write_package(path, manifest, [make_mesh()], data, images or make_images())
     return Path(path)
+
+
+def make_variants(path: str | Path, **changes: Any) -> Path:
+    """The package with two variants: `deep red` changes the first and the last record of three."""
+    red = {"image": RED, "factor": [1.0, 0.5, 0.5], "wrap": ["repeat", "clamp"]}
+    records = [red, None, {"factor": [0.75, 0.125, 0.0]}]
+    variants = [{"name": "as it is", "parts": [None]}, {"name": "deep red", "parts": [records]}]
+    made, file = Unpacked.read(make_print(path, **changes)), image_bytes(RED_PIXELS)
+    made.with_extension(Variants.model_validate({"variants": variants}), {RED: file}).write(path)
+    return Path(path)
+
+
+RED_PIXELS = np.random.default_rng(8).integers(0, 256, (2, 5, 3)).astype(np.uint8)

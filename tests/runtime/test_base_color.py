@@ -16,6 +16,7 @@ from rna_sdk.reference.queries import queries_reference
 from rna_sdk.runtime import SurfaceAsset, load
 from rna_sdk.runtime.base_color import BaseColorMaps
 from tests.package.builders import make_mesh
+from tests.package.lobes import with_lobes
 from tests.package.prints import make_print, tiers
 from tests.runtime.points import Points, random_points
 
@@ -242,3 +243,19 @@ def test_hits_that_are_not_there_are_refused(printed: tuple[Path, str]) -> None:
     with pytest.raises(QueryError, match="widths: "):
         asset.base_color_at(np.int64([0, 1]), zero, zero, np.zeros(3, np.float32))
     assert asset.base_color_at(np.empty(0, np.int64), zero[:0], zero[:0]).shape == (0, 3)
+
+
+def test_print_beyond_the_planes_of_lobes(tmp_path: Path) -> None:
+    """Its ratio; 1 of pixels that are wider than their texels, and of a part without lobes."""
+    plain = make_print(tmp_path / "print.rna")
+    asset = load(with_lobes(plain, tmp_path / "lobes.rna"))
+    rng = np.random.default_rng(2)
+    number, (u, v) = rng.integers(0, 4, 50).astype(np.uint32), rng.random((2, 50), np.float32) / 2
+    texel = float(np.ptp(asset.bounds, axis=0).max() / asset.environment_form.resolution)
+    narrow, wide = (np.full(50, width, np.float32) for width in (1e-3, 2.0 * texel))
+    own, blurred = (asset.base_color_at(number, u, v, width) for width in (1e-3, texel))
+    expected = (own + 0.02) / (blurred + 0.02)
+    np.testing.assert_allclose(asset.print_detail_at(number, u, v, narrow), expected, rtol=1e-5)
+    assert np.ptp(expected) > 0.5
+    assert (asset.print_detail_at(number, u, v, wide) == 1.0).all()
+    assert (load(plain).print_detail_at(number, u, v, narrow) == 1.0).all()

@@ -132,3 +132,16 @@ def call_reader(page: Page, method: str, *arguments: Any) -> Any:
 def base64_of(path: Path) -> str:
     """A file's bytes, as the page takes them."""
     return base64.b64encode(path.read_bytes()).decode()
+
+
+FIRST_LOOK = """(async () => {
+    const { viewer, engine } = rnaViewer, { sums } = engine;
+    viewer.pause();
+    await engine.done();
+    engine.sums = engine.firstLook;
+    const values = await engine.picture();
+    engine.sums = sums;
+    viewer.start();
+    return [...values];
+})()"""
+"""RGBA of the first look, rows from the top."""

@@ -10,11 +10,22 @@ import pytest
 from PIL import Image
 
 from rna_sdk import runtime
+from rna_sdk.package.blocks import query_width
 from rna_view.site_files import Site
 from rna_view.site_source import site_for
 from tests.gpu.test_evaluate import rows
-from tests.package.prints import LABEL, STAMP, image_bytes, make_print
-from tests.web.pages import TIMEOUT, base64_of, call_reader, picture, viewer, wait_for_picture
+from tests.package.builders import INPUTS
+from tests.package.lobes import even_decoder, with_lobes
+from tests.package.prints import LABEL, STAMP, image_bytes, make_print, make_variants
+from tests.web.pages import (
+    FIRST_LOOK,
+    TIMEOUT,
+    base64_of,
+    call_reader,
+    picture,
+    viewer,
+    wait_for_picture,
+)
 from tests.web.test_picture import (
     LEAST_PSNR,
     SUNS,
@@ -90,3 +101,48 @@ def test_the_picture_of_the_path_tracer(tmp_path):
         assert page.evaluate(f"{element}.availableMaps") == ["label", "stamp"]
         said = page.evaluate(f"{element}.setMap('stamps', null).catch(String)")
         assert said.endswith('expected label or stamp, found "stamps"')
+
+
+@pytest.mark.usefixtures("middles_of_pixels")
+def test_variants_as_the_path_tracer_shows_them(tmp_path):
+    """By the scene, then by the attribute; of one that is not there a line is said."""
+    path = make_variants(tmp_path / "print.rna")
+    scene = write_scene(tmp_path, {"path": path, **VIEW}, SUNS, SIZE, 1)
+    own, plain = by_rna_run(scene), scene.read_text()
+    scene.write_text(plain.replace(f"{{path: {path}}}", f"{{path: {path}, variant: deep red}}"))
+    red = by_rna_run(scene)
+    assert psnr(own, red) < LEAST_PSNR - 10
+    element = "document.querySelector('rna-viewer')"
+    with viewer(site_for(scene), "samples=1&pixel-ratio=1&ui=0&jitter=0", *SIZE) as page:
+        wait_for_picture(page, 1)
+        assert psnr(picture(page), red) >= LEAST_PSNR
+        assert page.evaluate(f"{element}.availableVariants") == ["as it is", "deep red"]
+        for name, shown in (("as it is", own), ("deep red", red), ("blue", own)):
+            page.evaluate(f"{element}.variantName = '{name}'")
+            chosen = "null" if name == "blue" else f"'{name}'"
+            page.wait_for(f"rnaViewer.arrays.variant === {chosen}", TIMEOUT)
+            page.evaluate("rnaViewer.viewer.start()")  # `picture` has paused it
+            wait_for_picture(page, 1)
+            assert psnr(picture(page), shown) >= LEAST_PSNR, name
+        told = page.evaluate(f"{element}.shadowRoot.textContent + document.body.textContent")
+        assert 'variant-name: expected "as it is" or "deep red", found "blue"' in told
+
+
+@pytest.mark.usefixtures("middles_of_pixels")
+def test_the_first_look_is_as_sharp_as_the_print(tmp_path):
+    """Beside the lobes of the path tracer, under an even sky."""
+    plain = make_print(tmp_path / "plain.rna", write_files(tmp_path))
+    columns = query_width(INPUTS, 2) + 16
+    lobes = even_decoder(columns, 0.125)
+    path = with_lobes(plain, tmp_path / "print.rna", decoder=lobes)
+    sky = "{type: environment, radiance: [1.5, 1.5, 1.5], visible_to_camera: false}"
+    scene = write_scene(tmp_path, {"path": path, **VIEW}, sky, SIZE, 1)
+    with scene.open("a") as file:
+        file.write("\nquality: {environment: lobes}\n")
+    expected = by_rna_run(scene)
+    with viewer(site_for(scene), "samples=1&pixel-ratio=1&ui=0&jitter=0", *SIZE) as page:
+        wait_for_picture(page, 1)
+        look = np.float32(page.evaluate(FIRST_LOOK)).reshape(*SIZE[::-1], 4)
+    inside = look[..., 3] > 0.999
+    assert np.ptp(expected[inside][:, :3]) > 0.2 and inside.sum() > 300
+    assert psnr(look[inside], expected[inside]) >= LEAST_PSNR

@@ -16,7 +16,7 @@ from tests.conftest import REPOSITORY
 from tests.package.builders import INPUTS, make_tier, make_tiny_fiber_package, make_tiny_package
 from tests.package.lobes import even_decoder, with_lobes
 from tests.render.chromium import NO_GPU, Page
-from tests.web.pages import TIMEOUT, base64_of, notice, viewer, wait_for_picture
+from tests.web.pages import FIRST_LOOK, TIMEOUT, base64_of, notice, viewer, wait_for_picture
 
 pytestmark = pytest.mark.chromium
 
@@ -133,16 +133,6 @@ rnaViewer.viewer.addEventListener("shown", () => {
     const { stats: { rounds, scale }, shown: { firstLook } } = rnaViewer.viewer;
     pictures.push([rounds, scale, firstLook]);
 });"""
-FIRST_LOOK = """(async () => {
-    const { viewer, engine } = rnaViewer, { sums } = engine;
-    viewer.pause();
-    await engine.done();
-    engine.sums = engine.firstLook;
-    const values = await engine.picture();
-    engine.sums = sums;
-    viewer.start();
-    return [...values];
-})()"""
 
 
 def test_package_with_lobes_has_a_first_look(page, tmp_path, package):

@@ -54,7 +54,8 @@ def _make(package: Path, name: str, args: argparse.Namespace) -> None:
     package.parent.mkdir(parents=True, exist_ok=True)
     effort = "--lights", str(args.lights), "--steps", str(args.steps)
     images = "--validation-views", "4", "--validation-resolution", str(_SIDE)
-    if make([str(RECIPE), "--out", str(package), *effort, *images, "--keep", "--", name]) != 0:
+    workers = () if args.workers is None else ("--workers", str(args.workers))
+    if make([str(RECIPE), "--out", str(package), *effort, *images, *workers, "--", name]) != 0:
         raise RnaError(f"{package}: rna-make failed")
 
 
@@ -107,5 +108,6 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--lights", type=int, default=250, help="light directions of each")
     parser.add_argument("--steps", type=int, default=4000, help="training steps of each")
+    parser.add_argument("--workers", type=int, help="Blender processes (int, default: rna-make's)")
     parser.add_argument("--picture", type=Path, help="JPEG to write (path)")
     add_out(parser)

@@ -105,8 +105,8 @@ def _options(settings):
     result = ["--presets", *settings.presets.split()]
     if settings.minutes > 0.0:
         result.append(f"--minutes={settings.minutes:g}")
-    if settings.min_psnr > 0.0:
-        result.append(f"--min-psnr={settings.min_psnr:g}")
+    if settings.goal != "NONE":
+        result.append(f"--max-error={settings.goal}")
     if settings.license:
         result.append(f"--license={settings.license}")
     try:
@@ -212,13 +212,17 @@ class RnaBake(bpy.types.PropertyGroup):
     minutes: bpy.props.FloatProperty(
         name="Minutes", description="Time of the whole bake; 0 for no limit", default=20.0, min=0.0
     )
-    min_psnr: bpy.props.FloatProperty(
-        name="Goal (dB)",
-        description="PSNR of validation images that is good enough; 0 for none: then the bake goes "
-        "on until the time is up, or the error stops falling",
-        default=0.0,
-        min=0.0,
-        max=100.0,
+    goal: bpy.props.EnumProperty(
+        name="Goal",
+        description="The error that is good enough: mean FLIP of the asset's pixels. Without a "
+        "goal the bake goes on until the time is up, or the error stops falling",
+        items=(
+            ("NONE", "As Good as Time Allows", "No goal"),
+            ("0.04", "Very Good", "FLIP below 0.04: hard to tell from the original"),
+            ("0.07", "Good", "FLIP below 0.07: differences show in close-ups"),
+            ("0.11", "Fair", "FLIP below 0.11: differences show beside the original"),
+        ),
+        default="NONE",
     )
     presets: bpy.props.EnumProperty(
         name="Tiers",

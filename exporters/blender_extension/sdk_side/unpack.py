@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from rna_sdk.atomic_file import atomic_file
+from rna_sdk.error_words import error_in_words
 from rna_sdk.errors import PackageError
 from rna_sdk.package import Package
 from rna_sdk.runtime import load
@@ -53,10 +54,11 @@ def facts(manifest):
 
 def tier_facts(tier):
     validation, cost = tier.validation, tier.cost
+    flip = None if validation is None else validation.flip
     return {
         "name": tier.name,
-        "psnr": None if validation is None else validation.psnr,
-        "flip": None if validation is None else validation.flip,
+        "flip": flip,
+        "words": None if flip is None else error_in_words(flip),
         "nsPerQuery": None if cost is None else cost.ns_per_query,
     }
 

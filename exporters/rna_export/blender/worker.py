@@ -40,9 +40,9 @@ with few_cores(THREADS):
     from rna_geometry import curves_export, mesh_export, scene_parts
     from rna_geometry.shown_objects import as_rendered
     from rna_materials import base_colors, object_materials, surface_textures
-    from rna_preflight import material_facts, smooth_glass
+    from rna_preflight import changing_materials, material_facts, smooth_glass
     from rna_renders import ray_render, render_settings, scene_render, white_card
-    from rna_sources import read_files, shown_frame, source_scene
+    from rna_sources import gltf_variants, read_files, shown_frame, source_scene
 
 _last_opened: dict[str, Any] = {}  # the request
 
@@ -51,6 +51,7 @@ def open_scene(request: dict[str, Any]) -> dict[str, Any]:
     read_files.watch()
     _last_opened.update(request)
     shown_frame.opening()
+    gltf_variants.opening()
     axes = request["front"], request["up"]
     notes = source_scene.load(request["source"], request["arguments"], request["frame"], *axes)
     render_settings.apply()
@@ -74,7 +75,9 @@ def open_scene(request: dict[str, Any]) -> dict[str, Any]:
         "blender": source_scene.blender_version(),
         "emitters": printable(emitters),
         "materials": materials,
+        "changing": printable(as_rendered(changing_materials.changing)),
         "glass": glass,
+        "variants": gltf_variants.found(),
         "files": read_files.files_of(request["source"]),
         "frame": bpy.context.scene.frame_current,
     }
@@ -90,7 +93,7 @@ def show_frame(request: dict[str, Any]) -> None:
 HANDLERS = {
     "open": open_scene,
     "exportBaseColors": lambda r: base_colors.export_base_colors(
-        r["out"], r["charts"], r["asTexels"], r["largest"]
+        r["out"], r["charts"], r["asTexels"], r["largest"], r["only"]
     ),
     "exportCurves": lambda r: as_rendered(
         lambda: curves_export.export_curves(r["out"], r["owner"])
@@ -105,6 +108,7 @@ HANDLERS = {
     "renderScene": scene_render.render_scene,
     "renderView": ray_render.render_view,
     "showFrame": show_frame,
+    "showVariant": lambda r: gltf_variants.show(r["name"]),
 }
 
 
@@ -126,7 +130,9 @@ def main() -> None:
         except Exception as error:
             traceback.print_exc()
             (line,) = printable([" ".join(str(error).split())])  # Blender's are of several
-            reply({"ok": False, "error": f"{type(error).__name__}: {line}"})
+            is_ours = type(error) is ValueError  # else Blender's, or a script's
+            says = line if is_ours else f"Blender says: {type(error).__name__}: {line}"
+            reply({"ok": False, "error": says})
     os._exit(0)  # bpy may crash while it unloads; every result is already a file
 
 

@@ -26,6 +26,7 @@ def plan_lines(dataset: Dataset, geometries: Mapping[str, Mesh | Curves], rate: 
         f"{parts_lines(dataset.manifest.name, geometries)}"
         f"{_domain_line(dataset.manifest)}"
         f"{_poses_line(dataset.manifest)}"
+        f"{_prints_line(dataset.manifest)}"
         f"training: {settings.lights:,} lights x {settings.rays:,} view rays = "
         f"{samples / 1e6:.2f} M samples of {settings.samples} paths\n"
         f"validation: {settings.validation_views} images of {settings.validation_resolution}"
@@ -61,6 +62,14 @@ def _poses_line(manifest: CaptureManifest) -> str:
     """The poses by frame; empty for the rest frame alone."""
     frames = ", ".join(map(str, manifest.poses))
     return f"rays take turns at {manifest.pose_count} poses: frames {frames}\n" if frames else ""
+
+
+def _prints_line(manifest: CaptureManifest) -> str:
+    """The variants that are captured; empty for none."""
+    names = [repr(manifest.variants[k]) for k in manifest.prints if k is not None]
+    if not names:
+        return ""
+    return f"lights take turns at {len(names) + 1} prints: the source's own, {', '.join(names)}\n"
 
 
 def _share(region: Region) -> str:

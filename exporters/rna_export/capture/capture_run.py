@@ -178,6 +178,7 @@ def begin(
         settings=settings,
         rest_frame=opened["frame"],
         poses=(opened["frame"], *poses) if poses else (),
+        variants=tuple(exported.variants),
         blender=opened["blender"],
         generator=f"rna-capture {rna_sdk.__version__}",
         opaque_cutouts=exported.has_opaque_cutouts,

@@ -57,7 +57,7 @@ class TrainingShard:
         return len(self._lights(dataset)) * settings.rays * settings.samples
 
     def run(self, dataset: Dataset, scene: AssetScene, worker: BlenderWorker) -> None:
-        turns = _by_pose(self._lights(dataset), dataset)
+        turns = _by_look(self._lights(dataset), dataset)
         lights = [self._light(dataset, scene, worker, light) for light in turns]
         write_parts(self.path(dataset), _all_rows(lights))
 
@@ -71,7 +71,7 @@ class TrainingShard:
     ) -> Samples:
         settings = dataset.manifest.settings
         domain = dataset.manifest.domain
-        scene = _posed(dataset, scene, worker, light)
+        scene = _shown(dataset, scene, worker, light)
         wi = light_direction(light, settings.seed, domain.wi)
         rng = np.random.default_rng([settings.seed, 1, light])
         rays = sample_view_rays(scene, wi, settings.rays, domain.wo, rng)
@@ -99,8 +99,8 @@ class ValidationHalf:
 
     def run(self, dataset: Dataset, scene: AssetScene, worker: BlenderWorker) -> None:
         settings = dataset.manifest.settings
-        # Every fourth view is a close-up: in each pose at times.
-        scene = _posed(dataset, scene, worker, self.view + self.view // 4)
+        # Every fourth view is a close-up: in each pose and print at times.
+        scene = _shown(dataset, scene, worker, self.view + self.view // 4)
         rng = np.random.default_rng([settings.seed, 2, self.view])
         domain = dataset.manifest.domain
         wi = directions_in(domain.wi, rng.random((1, 2)))[0]
@@ -140,12 +140,12 @@ class EmissionShard:
 
     def run(self, dataset: Dataset, scene: AssetScene, worker: BlenderWorker) -> None:
         settings, pieces = dataset.manifest.settings, []
-        for k in _by_pose(range(settings.lights_per_shard), dataset):
+        for k in _by_look(range(settings.lights_per_shard), dataset):
             rng = np.random.default_rng([settings.seed, 5, self.index, k])
-            posed = _posed(dataset, scene, worker, k)
-            rays = sample_view_rays(posed, None, settings.rays, dataset.manifest.domain.wo, rng)
+            shown = _shown(dataset, scene, worker, k)
+            rays = sample_view_rays(shown, None, settings.rays, dataset.manifest.domain.wo, rng)
             arguments = rays, None, settings.samples, int(rng.integers(2**31)), rng
-            pieces.append(_capture(dataset, posed, worker, *arguments))
+            pieces.append(_capture(dataset, shown, worker, *arguments))
         write_parts(self.path(dataset), _all_rows(pieces))
 
 
@@ -165,18 +165,25 @@ def all_tasks(dataset: Dataset) -> list[Task]:
     ]
 
 
-def _by_pose(turns: Iterable[int], dataset: Dataset) -> list[int]:
-    """Numbers of lights, those of one pose together: they take turns at the poses."""
-    return sorted(turns, key=lambda turn: turn % dataset.manifest.pose_count)
-
-
-def _posed(dataset: Dataset, scene: AssetScene, worker: BlenderWorker, turn: int) -> AssetScene:
-    """The scene in the pose whose turn it is, which Blender shows as well."""
+def _by_look(turns: Iterable[int], dataset: Dataset) -> list[int]:
+    """Numbers of lights, those of one pose and print together: they take turns at these."""
     manifest = dataset.manifest
-    if not manifest.poses:
-        return scene
-    worker.show_frame(manifest.poses[turn % manifest.pose_count])
-    return scene.in_pose(turn % manifest.pose_count)
+    return sorted(turns, key=lambda turn: turn % (manifest.pose_count * len(manifest.prints)))
+
+
+def _shown(dataset: Dataset, scene: AssetScene, worker: BlenderWorker, turn: int) -> AssetScene:
+    """The scene in the pose and the print whose turn it is, which Blender shows as well."""
+    manifest = dataset.manifest
+    turn, pose = divmod(turn, manifest.pose_count)
+    if manifest.poses:
+        worker.show_frame(manifest.poses[pose])
+        scene = scene.in_pose(pose)
+    if len(manifest.prints) > 1:
+        number = turn % len(manifest.prints)
+        variant = manifest.prints[number]
+        worker.show_variant(None if variant is None else manifest.variants[variant])
+        scene = scene.printed(number)
+    return scene
 
 
 def _all_rows(pieces: list[Samples]) -> Samples:

@@ -268,11 +268,15 @@ def _estimate(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
 def check_source(source: Path) -> None:
     """Raises `CaptureError` for a missing file or an unsupported format."""
     if not source.is_file():
-        raise CaptureError(f"{source}: no such file")
+        what = "is a folder, expected a file" if source.is_dir() else "no such file"
+        raise CaptureError(f"{source}: {what}")
     if source.suffix.lower() not in SOURCE_FORMATS:
         if (wrong := not_a("model", source)) is not None:
             raise CaptureError(f"{source}: {wrong}")
-        raise CaptureError(f"{source}: found {source.suffix!r}, expected one of {_SUFFIXES}")
+        raise CaptureError(
+            f"{source}: found {source.suffix!r}, expected one of {_SUFFIXES}; what Blender can "
+            "import, it can save as .blend"
+        )
 
 
 def _is_dataset(folder: Path) -> bool:

@@ -13,7 +13,7 @@ from rna_export.training.checkpoint import Trained
 from rna_sdk.errors import ExportError
 from rna_sdk.package import Package, SourceVertices
 from rna_sdk.package.geometry.geometry_files import Geometry
-from rna_sdk.package.manifest.extensions import Standin
+from rna_sdk.package.manifest.extensions import Standin, Variant, Variants
 from rna_sdk.package.manifest.pictures import png_size
 from rna_sdk.package.packing import Unpacked
 
@@ -46,6 +46,8 @@ def add_extras(
         say("\n".join([*lines, f"stand-in: textures of {sum(map(bool, textures))} parts"]))
         if any(textures):
             unpacked = unpacked.with_standin_textures(textures)
+    if dataset.manifest.variants:
+        unpacked = unpacked.with_extension(*variants_of(dataset))
     with Package.open(package) as opened:
         levels = [_proxies(opened, k, proxies, say) for k in range(len(materials))]
     if any(levels):
@@ -55,6 +57,20 @@ def add_extras(
     (unpacked.deflated() if deflate else unpacked).write(package)
 
 
+def variants_of(dataset: Dataset) -> tuple[Variants, dict[str, bytes]]:
+    """The prints by name, and the images that they alone have."""
+    names = dataset.manifest.variants
+    files: dict[str, bytes] = {}
+    for part in dataset.parts:
+        files |= part.variant_files()
+    changes = [[part.captured.variants[k] for part in dataset.parts] for k in range(len(names))]
+    variants = (
+        Variant(name=name, parts=tuple(one if any(one) else None for one in of_parts))
+        for name, of_parts in zip(names, changes, strict=True)
+    )
+    return Variants(variants=tuple(variants)), files
+
+
 def _proxies(
     package: Package, part: int, heights: Sequence[int], say: Callable[[str], None]
 ) -> list[tuple[Geometry, int]]:
@@ -62,7 +78,7 @@ def _proxies(
     record = package.manifest.parts[part]
     if not heights or record.kind != "surface":
         return []
-    if record.transmittance or record.normal_maps:
+    if record.transmittance or record.normal_maps or record.base_color:
         say(f"{record.name}: no proxy, its textures are mapped to its triangles")
         return []
     mesh = package.mesh(part)

@@ -61,6 +61,11 @@ def main(argv: list[str] | None = None) -> int:
             options.error(
                 f"argument --{name.replace('_', '-')}: expected a number above 0, found {value:g}"
             )
+    if args.max_error is not None and args.max_error >= 1.0:
+        options.error(
+            "argument --max-error: expected a FLIP below 1, such as 0.07 for good, found "
+            f"{args.max_error:g}; --min-psnr is for dB"
+        )
     if not 0 <= args.seed < 2**32:
         options.error(f"argument --seed: expected 0 to 2^32 - 1, found {args.seed}")
     if args.presets and len(set(args.presets)) < len(args.presets):

@@ -165,6 +165,11 @@ class Preset(BaseModel):
         """This preset, but for these fields of `TrainingConfig`."""
         return self.model_copy(update={"training": self.training.model_copy(update=fields)})
 
+    def with_base_color(self) -> Preset:
+        """This preset where base colour is a factor: planes hold no print, and may be smoother."""
+        smoothing = _SMOOTHING_BESIDE_PRINT if self.training.smoothing else 0.0
+        return self.with_model(uses_base_color=True).with_training(smoothing=smoothing)
+
     def on_device(self, device: str) -> Preset:
         """This preset, on "cuda" with the batch that is usual there."""
         return self.with_training(batch=BATCH["cuda"]) if device == "cuda" else self
@@ -199,6 +204,7 @@ def _paper(kind: str, width: int) -> Preset:
 _PLANES = {"surface": (256, 8), "fiber": (32, 16)}
 # Measured on surfaces alone (docs/decisions/training.md).
 _SMOOTHING = {"surface": 0.25, "fiber": 0.0}
+_SMOOTHING_BESIDE_PRINT = 2.0
 # A decoder of shadowed light has a unit a tenth as large (docs/decisions/model.md).
 _SHADOW_WEIGHT = {"surface": 0.1, "fiber": 1.0}
 # For assets that are small in the image.

@@ -78,7 +78,7 @@ def train(
         run = replace(run, preset=run.preset.with_model(emission_inputs=inputs))
     knows_base_color = run.base_color and run.preset_name not in PAPER_PRESETS
     if knows_base_color and run.dataset.captured.base_color and run.preset.model.packageable:
-        run = replace(run, preset=run.preset.with_model(uses_base_color=True))
+        run = replace(run, preset=run.preset.with_base_color())
     run.out.mkdir(parents=True, exist_ok=True)
     saved = _continued(run.out / "last.ckpt", run)
     done = saved["step"] if saved else 0

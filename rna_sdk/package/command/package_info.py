@@ -35,6 +35,7 @@ def package_info(path: Path) -> Info:
             "size": [float(f"{side:.6g}") for side in high - low],
             "size_note": size_note(low, high),
             "parts": [_part(package, k, has) for k, (_, has) in enumerate(contents(manifest))],
+            "variants": list(package.variants()),
             "tiers": [_tier(tier) for tier in manifest.tiers],
             "lobes": lobes
             and [one.model_dump(mode="json", by_alias=False) for one in lobes.validation],
@@ -153,6 +154,8 @@ def _rows(info: Info) -> Iterator[tuple[str, str]]:
     yield from _labelled("parts", map(_part_text, info["parts"]))
     images = [image for part in info["parts"] for image in part["images"]]
     yield from _labelled("images", map(_image_text, images))
+    if info["variants"]:
+        yield "variants", ", ".join(info["variants"])
     yield from _labelled("tiers", map(_tier_text, info["tiers"]))
     yield from _labelled("lobes", map(_lobes_text, info["lobes"] or ()))
     yield "directions", _directions_text(info["directions"])

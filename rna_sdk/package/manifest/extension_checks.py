@@ -20,6 +20,7 @@ from rna_sdk.package.manifest.extensions import (
     Source,
     Standin,
     StandinTextures,
+    Variants,
 )
 from rna_sdk.package.manifest.input_checks import input_issues
 from rna_sdk.package.manifest.manifest_model import Manifest
@@ -54,6 +55,8 @@ def _data_issues(data: Extension, manifest: Manifest) -> Iterator[Issue]:
         where, expected = pointer("extensions", data.NAME, "parts"), f"{len(manifest.parts)}"
         yield Issue.of(Code.PARTS_DIFFER, where, f"{len(data.parts)} parts", expected)
         return
+    if isinstance(data, Variants):
+        yield from _variant_issues(data, manifest)
     for path, entry in _references(data):
         if entry not in manifest.entries:
             where = pointer("extensions", data.NAME, *path)
@@ -65,7 +68,8 @@ def _data_issues(data: Extension, manifest: Manifest) -> Iterator[Issue]:
                 yield from input_issues(lobes.optional_decoder, part.kind, what, where)
     if isinstance(data, Proxy | StandinTextures):
         for k, (part, item) in enumerate(zip(manifest.parts, data.parts, strict=True)):
-            if (part.transmittance or part.normal_maps) and item:
+            printed = isinstance(data, Proxy) and part.base_color
+            if (part.transmittance or part.normal_maps or printed) and item:
                 where, found = _place(data, k), f"{data.NAME} of a part with textures"
                 yield Issue.of(Code.FIELD_VALUE, where, found, "null")
     if isinstance(data, Source | StandinTextures):
@@ -73,6 +77,20 @@ def _data_issues(data: Extension, manifest: Manifest) -> Iterator[Issue]:
             if part.kind != "surface" and of_mesh is not None:
                 found = f"{data.NAME} of a {part.kind}"
                 yield Issue.of(Code.FIELD_VALUE, _place(data, k), found, "null")
+
+
+def _variant_issues(data: Variants, manifest: Manifest) -> Iterator[Issue]:
+    """Each variant is of all parts, and of all records of base colour of those that it changes."""
+    for j, variant in enumerate(data.variants):
+        where = "extensions", data.NAME, "variants", j, "parts"
+        if len(variant.parts) != len(manifest.parts):
+            found, expected = f"{len(variant.parts)} parts", f"{len(manifest.parts)}"
+            yield Issue.of(Code.PARTS_DIFFER, pointer(*where), found, expected)
+            continue
+        for k, (part, changes) in enumerate(zip(manifest.parts, variant.parts, strict=True)):
+            if changes is not None and len(changes) != len(part.base_color):
+                found, expected = f"{len(changes)} records", f"{len(part.base_color)}, as baseColor"
+                yield Issue.of(Code.FIELD_VALUE, pointer(*where, k), found, expected)
 
 
 def _place(data: Extension, part: int, *member: str) -> str:
@@ -111,6 +129,12 @@ def _references(data: Extension) -> Iterator[tuple[tuple[str | int, ...], str]]:
         for k, textures in enumerate(data.parts):
             for member, entry in (textures.entries if textures else {}).items():
                 yield ("parts", k, member), entry
+    if isinstance(data, Variants):
+        for j, variant in enumerate(data.variants):
+            for k, changes in enumerate(variant.parts):
+                for i, change in enumerate(changes or ()):
+                    if change is not None and change.image is not None:
+                        yield ("variants", j, "parts", k, i, "image"), change.image
     if isinstance(data, Proxy):
         for k, proxies in enumerate(data.parts):
             for j, proxy in enumerate(proxies or ()):

@@ -17,7 +17,9 @@ from rna_sdk.package.limits import (
     MAX_LOBES,
     MAX_PARTS,
     MAX_PROXIES,
+    MAX_TEXTURE_RECORDS,
     MAX_VALIDATIONS,
+    MAX_VARIANTS,
 )
 from rna_sdk.package.manifest.manifest_fields import (
     EntryPath,
@@ -28,7 +30,7 @@ from rna_sdk.package.manifest.manifest_fields import (
     Record,
     SparseRecord,
 )
-from rna_sdk.package.manifest.manifest_model import Manifest
+from rna_sdk.package.manifest.manifest_model import BaseColorFields, BaseColorRecord, Manifest
 from rna_sdk.package.manifest.manifest_tiers import TierPartFields, part_decoder
 
 
@@ -198,6 +200,50 @@ class Source(Extension):
     parts: Annotated[_ByPart[EntryPath], _not_all_null("an entry of some part")]
 
 
+Changes = Annotated[
+    tuple[BaseColorFields | None, ...], Field(min_length=1, max_length=MAX_TEXTURE_RECORDS)
+]
+"""In the place of each record of base colour of a part; None where it stays as it is."""
+
+
+class Variant(Record):
+    """A print of the asset, by name; null for a part that stays as it is."""
+
+    name: str = Field(min_length=1, description="Unique in the package.")
+    parts: _ByPart[Changes]
+
+
+def _differ(value: tuple[Variant, ...]) -> tuple[Variant, ...]:
+    if len({variant.name for variant in value}) < len(value):
+        raise PydanticCustomError("FIELD_VALUE", "names that differ")
+    return value
+
+
+class Variants(Extension):
+    """Prints that a host may choose in the place of the asset's own."""
+
+    NAME: ClassVar[str] = "RNA_variants"
+    variants: Annotated[
+        tuple[Variant, ...],
+        Field(min_length=1, max_length=MAX_VARIANTS),
+        AfterValidator(_differ),
+    ]
+
+
+def variant_records(manifest: Manifest, part: int) -> list[BaseColorFields]:
+    """What all variants have in the place of records of a part."""
+    data = extension(manifest, Variants)
+    changes = [variant.parts[part] or () for variant in data.variants] if data else []
+    return [change for of_variant in changes for change in of_variant if change is not None]
+
+
+def changed_record(record: BaseColorRecord, change: BaseColorFields | None) -> BaseColorRecord:
+    """The record of the same triangles in a variant."""
+    if change is None:
+        return record
+    return BaseColorRecord(triangles=record.triangles, **dict(change))
+
+
 T = TypeVar("T", bound=Extension)
 EXTENSIONS: tuple[type[Extension], ...] = (
     Deflate,
@@ -207,6 +253,7 @@ EXTENSIONS: tuple[type[Extension], ...] = (
     Environment,
     Source,
     StandinTextures,
+    Variants,
 )
 
 

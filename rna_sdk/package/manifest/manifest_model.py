@@ -72,10 +72,8 @@ ColorSpace = Literal["srgb", "linear"]
 Affine = tuple[Coordinate, Coordinate, Coordinate, Coordinate, Coordinate, Coordinate]
 
 
-class BaseColorRecord(TriangleRange):
-    """Triangles with a base colour: a factor, times an image."""
-
-    ENTRY: ClassVar = "image"
+class BaseColorFields(SparseRecord):
+    """A base colour: a factor, times an image."""
 
     image: Annotated[EntryPath | None, NotNull()] = Field(
         default=None, description="Entry with a PNG, JPEG or WebP; white without one."
@@ -92,6 +90,12 @@ class BaseColorRecord(TriangleRange):
     transform: Annotated[Affine | None, NotNull()] = Field(
         default=None, description="From texture coordinates to the image's: (a, b, c, d, e, f)."
     )
+
+
+class BaseColorRecord(BaseColorFields, TriangleRange):
+    """Triangles with a base colour."""
+
+    ENTRY: ClassVar = "image"
 
 
 class Part(SparseRecord):

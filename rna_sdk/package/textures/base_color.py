@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 from typing import TYPE_CHECKING
@@ -15,6 +15,7 @@ from rna_sdk.package.issues import Code, refuse
 from rna_sdk.package.limits import MAX_TEXTURE_SIDE
 from rna_sdk.package.manifest.manifest_model import (
     Affine,
+    BaseColorFields,
     BaseColorRecord,
     ColorSpace,
     Part,
@@ -60,8 +61,10 @@ class BaseColor:
     label: str = ""
 
     @classmethod
-    def of(cls, record: BaseColorRecord, image: Texture | None) -> BaseColor:
-        """What a record of the manifest says, with its image."""
+    def of(
+        cls, record: BaseColorRecord, image: Texture | None, label: str | None = None
+    ) -> BaseColor:
+        """What a record of the manifest says, with its image. label: None for its entry's."""
         return cls(
             *record.triangles,
             image,
@@ -69,8 +72,13 @@ class BaseColor:
             record.factor or WHITE,
             record.wrap or ("repeat", "repeat"),
             record.transform or IDENTITY,
-            PurePosixPath(record.image or "").stem,
+            label_of(record) if label is None else label,
         )
+
+
+def label_of(record: BaseColorFields) -> str:
+    """What the image of a record is called: its entry's name without folder and suffix."""
+    return PurePosixPath(record.image or "").stem
 
 
 def image_from_bytes(data: bytes | memoryview, name: str) -> Texture:
@@ -106,19 +114,24 @@ def _rgb(image: Image) -> Texture:
 
 
 def check_base_color(
-    part: Part, mesh: Mesh, image_of: Callable[[str], Texture | None], where: str
+    part: Part,
+    mesh: Mesh,
+    image_of: Callable[[str], Texture | None],
+    where: str,
+    more: Sequence[BaseColorFields] = (),
 ) -> None:
-    """Compare the records of a part with its mesh.
+    """Compare the records of a part, and those of its variants, with its mesh.
 
     image_of: the image of an entry's name, or None where it is not as it must be.
-    where: JSON pointer of the part's `baseColor`.
+    where: JSON pointer of the part's `baseColor`. more: what variants have in their place.
 
     Raises:
         PackageError: BASE_COLOR_RANGE or BASE_COLOR_UV.
     """
     ranges = [record.triangles for record in part.base_color]
     check_last_range(ranges, mesh, Code.BASE_COLOR_RANGE, where)
-    images = [record.image for record in part.base_color if record.image is not None]
+    records = [*part.base_color, *more]
+    images = [record.image for record in records if record.image is not None]
     if images and mesh.uvs is None:
         found, expected = f"no TEXCOORD_0 beside {images[0]}", "texture coordinates"
         refuse(Code.BASE_COLOR_UV, part.geometry, found, expected)

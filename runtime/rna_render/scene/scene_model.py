@@ -66,6 +66,10 @@ class AssetModel(Model):
         default=TransformModel(), description="Placement in the world; identity if omitted."
     )
     emission: Nonnegative = Field(default=1.0, description="Scale factor on the asset's emission.")
+    variant: str | None = Field(
+        default=None,
+        description="A print of the package, as `rna-info` lists its variants; its own if omitted.",
+    )
     maps: dict[str, FilePath] = Field(
         default={},
         description="Other images for its base colour: the label of an image, as `rna-info` lists "

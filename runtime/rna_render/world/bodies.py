@@ -103,7 +103,7 @@ class AssetBody:
             result = _MeshPoints(asset, self.scene, part, points, wo, rest)
             if asset.uses_base_color:
                 result.base_color = asset.base_color_at(*where[:3], widths)
-        result.where = where[:3]
+        result.where, result.widths = where[:3], widths
         # Lobes know the visibility of the asset at rest, and are trained for what viewers see.
         result.gives_lobes = seen and rest is None and asset.environment_form is not None
         return result
@@ -128,12 +128,13 @@ class _NeuralPoints(Points):
     """Points of a part of an asset: its decoder evaluates scattering, given visibility along wi.
 
     rest: what the decoder is asked with instead of the points, where the part is in motion.
-    where: primitives and barycentric coordinates of the hits.
+    where: primitives and barycentric coordinates of the hits. widths: of a pixel there.
     """
 
     _lobes: LobeMixture
     tangents: np.ndarray
     where: tuple[np.ndarray, np.ndarray, np.ndarray]
+    widths: np.ndarray
 
     def __init__(
         self,
@@ -208,7 +209,11 @@ class _MeshPoints(_NeuralPoints):
     def lobes(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         free = self._free(self._asset.mirror(self.n, self._wo))
         visibility = self._asset.visibility_at(*self.where)
-        return *self._asset.lobes(self.x, self.n, self._wo, free, visibility), free
+        amplitudes, axes = self._asset.lobes(self.x, self.n, self._wo, free, visibility)
+        if self.base_color is not None:
+            detail = self._asset.print_detail_at(*self.where, self.widths)
+            amplitudes[:, : amplitudes.shape[1] // 2] *= detail[:, None]
+        return amplitudes, axes, free
 
 
 class _StrandPoints(_NeuralPoints):

@@ -88,12 +88,13 @@ def _placed_assets(scene_file: SceneFile, tiers: Tiers, loaded: Loaded) -> list[
         if model.motion is not None:
             pixels = None  # a proxy has other vertices
         try:
-            asset = load(path, chosen.tier, pixels)
+            asset = load(path, chosen.tier, pixels, model.variant)
         except QueryError as error:
-            raise scene_file.error(("assets", index, "tier"), str(error)) from error
+            key = "tier" if model.variant is None else "variant"
+            raise scene_file.error(("assets", index, key), str(error)) from error
         other = None
         if chosen.indirect is not None:
-            other = load(path, chosen.indirect, pixels)
+            other = load(path, chosen.indirect, pixels, model.variant)
         if model.maps or model.tint != (1.0, 1.0, 1.0):
             try:
                 asset = load.printed(asset, model)
@@ -114,20 +115,22 @@ def _placed_assets(scene_file: SceneFile, tiers: Tiers, loaded: Loaded) -> list[
 
 
 class _AssetLoader:
-    """Loads each tier, proxy and emission of a package once."""
+    """Loads each tier, proxy, variant and emission of a package once."""
 
     def __init__(self) -> None:
-        self._loaded: dict[tuple[Path, str | None, float | None], Asset] = {}
+        self._loaded: dict[tuple[Path, str | None, float | None, str | None], Asset] = {}
         # With the asset that each was made of, so that its id stays its own.
         self._printed: dict[tuple[int, str], tuple[Asset, Asset]] = {}
         self._emissions: dict[int, AssetEmission | None] = {}
 
-    def __call__(self, path: Path, tier: str | None, pixels: float | None) -> Asset:
+    def __call__(
+        self, path: Path, tier: str | None, pixels: float | None, variant: str | None
+    ) -> Asset:
         from rna_sdk.runtime import load
 
-        key = path, tier, pixels
+        key = path, tier, pixels, variant
         if key not in self._loaded:
-            asset = load(path, tier=tier, threads=1, pixels=pixels)
+            asset = load(path, tier=tier, threads=1, pixels=pixels, variant=variant)
             self._loaded[key] = watched(asset, path.name)
         return self._loaded[key]
 

@@ -17,6 +17,8 @@ export class RnaLoader extends Loader<RnaAsset> {
   constructor(manager?: LoadingManager);
   /** Reads one tier alone; null: all, from which each picture chooses. */
   setTier(name: string | null): this;
+  /** Shows a variant of the package; null: its own print. A package without it is refused. */
+  setVariant(name: string | null): this;
   /** For what is loaded from here on. Throws for an option or a value that it does not know. */
   setOptions(options: RnaOptions): this;
   /** From bytes that are there already. */
@@ -35,6 +37,8 @@ export class RnaAsset extends Group {
   readonly tiers: string[];
   /** A tier's name (another one throws), or "auto": the cheapest that is good enough for the asset's size in the image. */
   tier: string;
+  /** Names of the package's variants, for the loader's setVariant. */
+  readonly variants: string[];
   /** What the images of base colour are called, for setMap. */
   readonly maps: string[];
   /** Another picture for the images with that label; null: the package's own. Copies share it. Rejects for another label. */

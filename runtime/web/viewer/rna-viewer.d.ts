@@ -8,6 +8,7 @@ export interface RnaViewerAttributes {
   loading?: "auto" | "lazy" | "eager";
   reveal?: "auto" | "manual";
   tier?: string;
+  "variant-name"?: string;
   maps?: string;
   tint?: string;
   environment?: string;
@@ -76,6 +77,7 @@ type Overlaid = keyof RnaViewerProperties;
 export interface RnaViewer extends Omit<HTMLElement, Overlaid>, RnaViewerProperties {
   readonly loaded: boolean;
   readonly availableTiers: string[];
+  readonly availableVariants: string[];
   readonly availableMaps: string[];
   /** Rejects for a label that the package does not have. */
   setMap(label: string, picture: Blob | ImageBitmap | CanvasImageSource | null): Promise<void>;

@@ -27,6 +27,7 @@ LOBES = "extensions/RNA_environment/asset.onnx"
 VISIBILITY = "extensions/RNA_environment/asset-visibility.safetensors"
 TEXTURE = "extensions/RNA_standin_textures/asset.png"
 PROXY = "extensions/RNA_proxy/asset-64.glb"
+RED = "extensions/RNA_variants/red.png"
 
 
 def used(manifest: dict[str, Any], name: str, data: Any, required: bool = False) -> None:
@@ -277,3 +278,66 @@ def visibility_with_a_vertex_missing(entries: Entries) -> bytes:
 @case("ENVIRONMENT_VISIBILITY")
 def visibility_up_to_degree_two(entries: Entries) -> bytes:
     return with_visibility(entries, np.zeros((12, 9), np.int8))
+
+
+@case("FIELD_VALUE")
+def proxy_of_a_part_with_base_colour(entries: Entries) -> bytes:
+    def edit(manifest: dict[str, Any]) -> None:
+        manifest["parts"][0]["baseColor"] = [{"triangles": [0, 1], "factor": [1, 0, 0]}]
+        data = {"parts": [[{"geometry": PROXY, "height": 64}]]}
+        used(manifest, "RNA_proxy", data)
+
+    return with_entry(entries, PROXY, entries[MESH], edit)
+
+
+def with_variants(entries: Entries, *variants: dict[str, Any], records: int = 1) -> bytes:
+    """The package with these prints in the place of so many records of base colour."""
+    colors = [{"triangles": [k, 1], "factor": [0.5, 0.5, 0.5]} for k in range(records)]
+
+    def edit(manifest: dict[str, Any]) -> None:
+        manifest["parts"][0]["baseColor"] = colors
+        used(manifest, "RNA_variants", {"variants": list(variants)})
+
+    return with_manifest(entries, edit)
+
+
+@case("FIELD_VALUE")
+def two_variants_of_one_name(entries: Entries) -> bytes:
+    red = {"name": "red", "parts": [[{"factor": [1, 0, 0]}]]}
+    return with_variants(entries, red, red)
+
+
+@case("FIELD_VALUE")
+def variant_without_a_name(entries: Entries) -> bytes:
+    return with_variants(entries, {"name": "", "parts": [None]})
+
+
+@case("FIELD_VALUE")
+def variant_of_one_record_where_there_are_two(entries: Entries) -> bytes:
+    variant = {"name": "red", "parts": [[{"factor": [1, 0, 0]}]]}
+    return with_variants(entries, variant, records=2)
+
+
+@case("FIELD_UNKNOWN")
+def variant_with_triangles_of_its_own(entries: Entries) -> bytes:
+    return with_variants(entries, {"name": "red", "parts": [[{"triangles": [0, 2]}]]})
+
+
+@case("PARTS_DIFFER")
+def variant_of_two_parts(entries: Entries) -> bytes:
+    return with_variants(entries, {"name": "red", "parts": [None, None]})
+
+
+@case("REFERENCE_MISSING")
+def variant_whose_image_is_not_there(entries: Entries) -> bytes:
+    return with_variants(entries, {"name": "red", "parts": [[{"image": RED}]]})
+
+
+@case("BASE_COLOR_IMAGE")
+def variant_whose_image_is_none(entries: Entries) -> bytes:
+    def edit(manifest: dict[str, Any]) -> None:
+        manifest["parts"][0]["baseColor"] = [{"triangles": [0, 1]}]
+        variants = [{"name": "red", "parts": [[{"image": RED}]]}]
+        used(manifest, "RNA_variants", {"variants": variants})
+
+    return with_entry(entries, RED, b"none", edit)

@@ -9,6 +9,7 @@ import bpy
 import numpy as np
 from rna_geometry import shown_objects
 from rna_geometry.attributes import read, uv_map
+from rna_geometry.left_out import unrendered
 from rna_geometry.shown_objects import SURFACES, top_object
 from rna_materials.object_materials import materials_of
 from rna_materials.uv_charts import Chart
@@ -40,7 +41,9 @@ def export_mesh(
             corners.append(_corners(instance, names, charted, vertices, of_hosts))
         vertices += _vertex_count(instance.object)
     if not corners:
-        raise ValueError("the scene has no mesh with faces")
+        hidden = unrendered()
+        why = f": renders do not show {hidden}, turn on its camera icon in the Outliner"
+        raise ValueError(f"the scene has no mesh with faces{why if hidden else ''}")
     positions, normals, uvs, has_uv, material, vertex = zip(*corners, strict=True)
     used = np.unique(np.concatenate(material))
     np.savez(

@@ -29,7 +29,8 @@ _MIXED = {"MIX": ("Factor_Float", "A_Color", "B_Color"), "MIX_RGB": ("Fac", "Col
 class BaseColour:
     """A material's base colour: the factor (3,), times the colour that `source` gives.
 
-    source: None for a factor alone.
+    source: None for a factor alone. Colours of vertices that multiply it are no part of it: the
+    light that it is a factor of is learnt with them.
     """
 
     factor: np.ndarray
@@ -111,4 +112,12 @@ def _of_mix(
         return 1.0 - w + w * np.array(value), first, inside
     if w == 1.0 and (value := own_value(first, inside)) is not None:
         return np.array(value), second, inside
+    of_vertices = [_is_of_vertices(each, inside) for each in (first, second)]
+    if w == 1.0 and of_vertices in ([True, False], [False, True]):
+        return np.ones(3), second if of_vertices[0] else first, inside
     return None
+
+
+def _is_of_vertices(socket: bpy.types.NodeSocket, inside: Inside) -> bool:
+    source = origin(socket, inside)
+    return source is not None and source[0].type in ("VERTEX_COLOR", "ATTRIBUTE")

@@ -15,6 +15,7 @@ import bpy
 import numpy as np
 from rna_geometry.shown_objects import as_rendered
 from rna_materials.base_color_images import (
+    LARGEST,
     baked,
     file_of,
     is_cut_off,
@@ -31,6 +32,8 @@ from rna_materials.uv_charts import Chart
 from rna_materials.uv_dependence import IDENTITY
 from rna_materials.uv_points import NotOfUv, UvPoints, joined
 from rna_materials.uv_render import ColourOfUv
+
+_EVERY = 1 << 30  # texels a side, that are none too many
 
 
 @dataclass
@@ -53,12 +56,17 @@ class _Found:
 
 
 def export_base_colors(
-    path: str, charts: dict[str, Any], as_texels: Collection[str], largest: int
+    path: str,
+    charts: dict[str, Any],
+    as_texels: Collection[str],
+    largest: int,
+    only: Collection[str] | None = None,
 ) -> dict[str, Any]:
     """Write an .npz of `image0`, ...: (n,) uint8 of a file, or (h, w, 3) uint8 in sRGB; and points.
 
     charts: that textures have taken, by material (see `surface_textures.export_textures`).
     as_texels: materials of which no files are wanted. largest: texels a side of what is baked.
+    only: full names of the materials that are wanted; None: of all that surfaces show.
 
     Returns `colors`: records of material (its full name), factor, and for an image its number,
     colorSpace, wrap and transform, with `uvs0`, ... (p, 2) float32 stored coordinates of points and
@@ -69,17 +77,17 @@ def export_base_colors(
     charts = dict(charts)
     colors: list[dict[str, Any]] = []
     arrays: dict[str, Any] = {}
-    notes = []
+    notes: list[str] = []
     copies = Copies()
     try:
-        for found in _with_uses(list(_found(copies, Path(path).parent))):
+        for found in _with_uses(list(_found(copies, Path(path).parent, only))):
             name = found.material.name_full
             color = {"material": name, "factor": _unit(found.base.factor)}
             try:
                 if found.image is not None:
                     color |= _image(found, charts, name in as_texels, arrays, len(colors))
                 elif found.shown is not None:
-                    color |= _baked(found, charts, largest, arrays, len(colors))
+                    color |= _baked(found, charts, largest, arrays, len(colors), notes)
                 colors.append(color)
             except NotOfUv as problem:
                 notes += _note(found, problem)
@@ -95,9 +103,11 @@ def _others(charts: dict[str, Any]) -> dict[str, dict[str, float]]:
     return {name: texels_of_inputs(each, charts.get(name)) for name, each in named.items()}
 
 
-def _found(copies: Copies, folder: Path) -> list[_Found]:
+def _found(copies: Copies, folder: Path, only: Collection[str] | None) -> list[_Found]:
     result = []
     on_surfaces, _ = as_rendered(shown_materials)
+    if only is not None:
+        on_surfaces &= set(only)
     for material in list(bpy.data.materials):
         if material.name_full not in on_surfaces or material.node_tree is None:
             continue
@@ -171,13 +181,24 @@ def _baked(
     largest: int,
     arrays: dict[str, np.ndarray],
     number: int,
+    notes: list[str],
 ) -> dict[str, Any]:
-    """The members of a record of what is no image, as a texture. Raises NotOfUv."""
+    """The members of a record of what is no image, as a texture. Raises NotOfUv.
+
+    notes: gets one where the images have more texels than that.
+    """
     name, shown = found.material.name_full, found.shown
     assert shown is not None  # the caller has asked
     points = UvPoints.of(found.uses, shown)
     taken = _chart(found, points, charts[name]) if name in charts else None
     image, chart = baked(shown, points, taken, largest)
+    width, height = chart.size(shown.depends, largest=_EVERY)
+    if shown.depends.images and max(width, height) > largest:
+        notes.append(
+            f"material {found.material.name!r} has a base colour of {width} x {height} texels, "
+            f"baked with {image.shape[1]} x {image.shape[0]}; --texture-size takes more, up to "
+            f"{LARGEST}"
+        )
     charts[name] = {"layer": chart.layer, "matrix": chart.matrix.tolist()}
     arrays[f"image{number}"] = image
     arrays[f"uvs{number}"] = chart.stored(points.uvs.astype(np.float32))

@@ -14,6 +14,8 @@ from rna_materials.object_materials import materials_of
 
 _OF_EEVEE = {"SHADERTORGB": "Shader to RGB", "EEVEE_SPECULAR": "Specular BSDF"}
 _NAMED = 3
+FIND = "use File > External Data > Find Missing Files, and save"
+"""What helps where a file that a .blend names is gone."""
 
 
 def problems() -> list[str]:
@@ -79,13 +81,14 @@ def _of_node(node: bpy.types.Node) -> str | None:
     if node.type in _OF_EEVEE:
         return f"the node {_OF_EEVEE[node.type]!r} is for EEVEE only; Cycles leaves it out"
     if node.type in ("TEX_IMAGE", "TEX_ENVIRONMENT"):
-        return _of_image(node.image)
+        return of_image(node.image)
     if node.type == "SCRIPT":
         return _of_script(node)
     return None
 
 
-def _of_image(image: bpy.types.Image | None) -> str | None:
+def of_image(image: bpy.types.Image | None) -> str | None:
+    """Why renders cannot show an image; None if they can."""
     if image is None:
         return "an image texture has no image; renders show it pink"
     if image.source == "GENERATED" or image.size[0]:
@@ -93,7 +96,7 @@ def _of_image(image: bpy.types.Image | None) -> str | None:
         return None
     path = bpy.path.abspath(image.filepath, library=image.library)
     reason = "cannot be read" if Path(path).is_file() else "is missing"
-    return f"image {path!r} {reason}; renders show it pink"
+    return f"image {path!r} {reason}; renders show it pink: {FIND}"
 
 
 def _of_script(node: bpy.types.Node) -> str | None:

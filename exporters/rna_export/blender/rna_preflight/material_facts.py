@@ -59,6 +59,8 @@ def _facts(material: bpy.types.Material, extent: Extent, on_hair: bool) -> dict[
     kinds = dict.fromkeys(kind for shader in shaders for kind in _kinds(shader))
     if on_hair:
         kinds = {"hair": None, **kinds}
+        if _is_varied(material):
+            kinds["varied"] = None
     if volume_shaders(material):
         kinds["volume"] = None
     if not kinds:
@@ -71,6 +73,17 @@ def _facts(material: bpy.types.Material, extent: Extent, on_hair: bool) -> dict[
         "roughness": min(rough, default=None),
         "details": [] if on_hair else list(_details(material, shaders, extent)),
     }
+
+
+def _is_varied(material: bpy.types.Material) -> bool:
+    """Whether a random number a strand, or what Principled Hair makes of it, shows."""
+    output = surface_output(material)
+    for node, socket, inside in () if output is None else sources(output.inputs["Surface"]):
+        if node.type == "HAIR_INFO" and socket.name == "Random":
+            return True
+        if any(is_on((node, inside), name) for name in ("Random Color", "Random Roughness")):
+            return True
+    return False
 
 
 def _kinds(shader: Shader) -> Iterator[str]:

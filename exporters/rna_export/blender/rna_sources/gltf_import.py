@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import bpy
+from rna_sources import gltf_variants
 
 _VISIBILITY = "KHR_node_visibility"
 
@@ -14,11 +15,13 @@ def load(source: str) -> list[str]:
     from io_scene_gltf2.io.imp.gltf2_io_gltf import glTFImporter
 
     notes: list[str] = []
+    read: list[Any] = []
     checks = glTFImporter.checks
 
     def checks_and_ours(importer: Any) -> None:
         importer.extensions_managed.append(_VISIBILITY)
         checks(importer)
+        read.extend((importer.data, gltf_variants.described(importer.data)))
         notes.extend(_hide_nodes(importer.data))
         notes.extend(_unknown(importer.data, importer.extensions_managed))
 
@@ -27,7 +30,7 @@ def load(source: str) -> list[str]:
         bpy.ops.import_scene.gltf(filepath=source)
     finally:
         glTFImporter.checks = checks
-    return notes
+    return [*notes, *gltf_variants.read(*read)]
 
 
 def _hide_nodes(data: Any) -> list[str]:

@@ -9,9 +9,9 @@ import sys
 from pathlib import Path
 
 import bpy
-from rna_geometry import render_only, shown_objects
+from rna_geometry import left_out, render_only, shown_objects
 from rna_geometry.shown_objects import as_rendered
-from rna_materials import material_check
+from rna_materials import material_check, missing_uvs
 from rna_materials.emission import nodes_of
 from rna_preflight import material_facts
 from rna_sources import (
@@ -91,7 +91,8 @@ def _check_libraries() -> None:
     names = ", ".join(f"{item.rna_type.identifier} {item.name!r}" for item in here[:3])
     more = f" and {len(here) - 3} more" if len(here) > 3 else ""
     lacks = f"has no {names}{more}"
-    raise ValueError(f"the linked library {path} {lacks if Path(path).is_file() else 'is missing'}")
+    what = lacks if Path(path).is_file() else "is missing"
+    raise ValueError(f"the linked library {path} {what}: {material_check.FIND}")
 
 
 def _make_local() -> None:
@@ -142,7 +143,12 @@ def keep_only_the_asset() -> list[str]:
         "render; Curve to Mesh makes tubes of them, and in a hair curves object they are hair"
         for name in as_rendered(shown_objects.bare_curves)
     ]
-    return [*notes, *as_rendered(material_check.problems)]
+    return [*notes, *as_rendered(_what_surprises)]
+
+
+def _what_surprises() -> list[str]:
+    """Notes on what an artist may not have meant."""
+    return [*left_out.notes(), *missing_uvs.problems(), *material_check.problems()]
 
 
 def _hide_what_no_package_holds() -> list[str]:

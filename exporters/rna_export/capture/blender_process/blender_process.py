@@ -67,6 +67,7 @@ class BlenderProcess:
         self._python, self.source, self._threads = python, source, threads
         self._folder, self._name = folder, name
         self._frame = source.rest_frame  # that the source shows; None for the one it opens with
+        self._variant: str | None = None  # that it shows; None for its own materials
         self._process: subprocess.Popen[str] | None = None
         self._spent = 0.0  # processor time of processes that have ended, s
 
@@ -96,6 +97,8 @@ class BlenderProcess:
             )
             self._frame = self.opened["frame"]
             self.parts = tuple(ScenePart(**part) for part in self.opened["parts"])
+            if self._variant is not None:
+                self._ask(op="showVariant", name=self._variant)
         except BaseException:
             self.close()
             raise
@@ -156,7 +159,7 @@ class BlenderProcess:
                 if line.startswith("RNA "):
                     answer: dict[str, Any] = json.loads(line[4:])
                     if not answer["ok"]:
-                        said = with_remedy(f"Blender says: {answer['error']}")
+                        said = with_remedy(answer["error"])
                         raise CaptureError(f"{self.source.path}: {said}")
                     return answer
                 self._log.write(line)
@@ -182,6 +185,12 @@ class BlenderProcess:
         """First and last frame of the source's scene, and frames a second."""
         answer = self._ask(op="frameSpan")
         return answer["first"], answer["last"], answer["rate"]
+
+    def show_variant(self, name: str | None) -> None:
+        """Show another of the source's variants; None: its own materials."""
+        if name != self._variant:
+            self._variant = name
+            self._ask(op="showVariant", name=name)
 
     def show_frame(self, frame: int) -> None:
         """Go to another frame of the source, for what is exported and rendered then."""

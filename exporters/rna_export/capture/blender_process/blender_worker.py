@@ -115,15 +115,20 @@ class BlenderWorker(BlenderProcess):
         return MaterialTextures(holes, normals, answer["charts"], *flags, answer["notes"])
 
     def export_base_colors(
-        self, charts: dict[str, Any], largest: int, as_texels: Collection[str] = ()
+        self,
+        charts: dict[str, Any],
+        largest: int,
+        as_texels: Collection[str] = (),
+        only: Collection[str] | None = None,
     ) -> MaterialColors:
-        """Base colours of all materials that surfaces show.
+        """Base colours of all materials that surfaces show, or of some of them.
 
         charts: of `MaterialTextures`. largest: texels a side of what is baked, at most.
         as_texels: materials whose image is wanted as Cycles shows it, and not as its file.
         """
         request = {"charts": charts, "asTexels": sorted(as_texels), "largest": largest}
-        return MaterialColors.of(*self._exported("exportBaseColors", **request))
+        wanted = None if only is None else sorted(only)
+        return MaterialColors.of(*self._exported("exportBaseColors", **request, only=wanted))
 
     def _exported(self, op: str, **request: Any) -> tuple[dict[str, np.ndarray], dict[str, Any]]:
         path = self._folder / f"exported-{self._name}.npz"

@@ -115,12 +115,13 @@ def opened(folder: Path, manifest: str) -> tuple[Dataset, AssetScene]:
 
 
 def scene_of(dataset: Dataset) -> AssetScene:
-    """All parts of a dataset, ready for rays, and its poses."""
+    """All parts of a dataset, ready for rays, and its poses and prints."""
     geometries = [part.geometry() for part in dataset.parts]
     transmittances = [part.transmittance() for part in dataset.parts]
     maps = [part.normal_maps() for part in dataset.parts]
     arguments = geometries, dataset.manifest.settings.sharpest, transmittances, maps
-    colors = [part.base_color() for part in dataset.parts]
+    prints = dataset.manifest.prints
+    colors = [[part.base_color(variant) for part in dataset.parts] for variant in prints]
     scene = AssetScene(*arguments, base_colors=colors)
     posed = ([p.positions(frame) for p in dataset.parts] for frame in dataset.manifest.poses[1:])
     scene.poses = tuple(AssetScene(*arguments, positions, colors) for positions in posed)

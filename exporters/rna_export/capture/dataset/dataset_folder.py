@@ -84,6 +84,7 @@ class Dataset:
             if not isinstance(texture, bytes):
                 form = NORMALS if name.startswith("normals/") else TRANSMITTANCE
                 texture = form.to_bytes(texture, name)
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)  # of variants
             write_atomically(folder / name, texture)
         for name, geometry in geometries.items():
             arrays = geometry_arrays(geometry, (sources or {}).get(name))

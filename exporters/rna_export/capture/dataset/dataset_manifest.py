@@ -14,6 +14,7 @@ from rna_sdk.atomic_file import write_atomically
 from rna_sdk.package import Domain
 from rna_sdk.package.manifest.manifest_fields import Name
 from rna_sdk.package.manifest.manifest_model import (
+    BaseColorFields,
     BaseColorRecord,
     NormalMapRecord,
     TransmittanceRecord,
@@ -67,6 +68,11 @@ class CapturedPart(DatasetModel):
     transmittance: tuple[TransmittanceRecord, ...] = ()  # textures are files of the dataset
     normal_maps: tuple[NormalMapRecord, ...] = ()  # likewise
     base_color: tuple[BaseColorRecord, ...] = ()  # images are files of the dataset
+    variants: tuple[tuple[BaseColorFields | None, ...], ...] = ()  # of each; none: as it is
+
+    def changes(self, variant: int) -> tuple[BaseColorFields | None, ...]:
+        """What a variant has in the place of each record of base colour."""
+        return self.variants[variant] or (None,) * len(self.base_color)
 
     @model_validator(mode="after")
     def _has_a_box(self) -> Self:
@@ -92,6 +98,7 @@ class CaptureManifest(DatasetModel):
     settings: CaptureSettings
     rest_frame: int | None = None  # of the source, that the geometry is of; None: not recorded
     poses: tuple[int, ...] = ()  # frames of the source, the rest frame first; none: that alone
+    variants: tuple[str, ...] = ()  # names of other prints of the source
     blender: str
     generator: str
     opaque_cutouts: bool  # light through some materials counts as theirs: alpha may be below 1
@@ -121,6 +128,17 @@ class CaptureManifest(DatasetModel):
     def pose_count(self) -> int:
         """Of poses that rays are captured in: rays, and images, take turns."""
         return max(len(self.poses), 1)
+
+    @property
+    def prints(self) -> tuple[int | None, ...]:
+        """Prints that rays are captured in by turns: None for the source's own, then the variants
+        that change something."""
+        changing = (
+            k
+            for k in range(len(self.variants))
+            if any(change is not None for part in self.parts for change in part.changes(k))
+        )
+        return None, *changing
 
     @property
     def transmits(self) -> bool:

@@ -22,7 +22,12 @@ from rna_export.capture.dataset.validation_view import EmissionView, ValidationV
 from rna_export.capture.geometry.stored_geometry import geometry_from_arrays, source_from_arrays
 from rna_sdk.errors import CaptureError, PackageError
 from rna_sdk.package import BaseColor, Curves, Mesh, SourceVertices
-from rna_sdk.package.manifest.manifest_model import NormalMapRecord, TransmittanceRecord
+from rna_sdk.package.manifest.extensions import changed_record
+from rna_sdk.package.manifest.manifest_model import (
+    BaseColorFields,
+    NormalMapRecord,
+    TransmittanceRecord,
+)
 from rna_sdk.package.textures.base_color import image_from_bytes
 from rna_sdk.package.textures.normal_maps import NORMALS, NormalMap
 from rna_sdk.package.textures.transmittance import Transmittance, texture_from_bytes
@@ -110,24 +115,32 @@ class DatasetPart:
             NormalMap(*record.triangles, self._map(record)) for record in self.captured.normal_maps
         )
 
-    def base_color(self) -> tuple[BaseColor, ...]:
-        """The base colour of its triangles; none of a part without."""
+    def base_color(self, variant: int | None = None) -> tuple[BaseColor, ...]:
+        """Base colour of its triangles, the source's own or a variant's; none of a part without."""
+        records = self.captured.base_color
+        if variant is not None:
+            pairs = zip(records, self.captured.changes(variant), strict=True)
+            records = tuple(changed_record(record, change) for record, change in pairs)
         images = {
             name: self._read_texture(name, partial(image_from_bytes, name=name))
-            for name in self._image_names()
+            for name in _image_names(records)
         }
         return tuple(
             BaseColor.of(record, None if record.image is None else images[record.image])
-            for record in self.captured.base_color
+            for record in records
         )
 
     def base_color_files(self) -> dict[str, bytes]:
         """The files of the images of its base colour, by the names in their records."""
-        return {name: self._read_texture(name, bytes) for name in self._image_names()}
+        names = _image_names(self.captured.base_color)
+        return {name: self._read_texture(name, bytes) for name in names}
 
-    def _image_names(self) -> list[str]:
-        names = (record.image for record in self.captured.base_color)
-        return [name for name in dict.fromkeys(names) if name is not None]
+    def variant_files(self) -> dict[str, bytes]:
+        """The files of images that variants alone have, by the names in their records."""
+        changes = [one for variant in self.captured.variants for one in variant]
+        names = _image_names([one for one in changes if one is not None])
+        own = _image_names(self.captured.base_color)
+        return {name: self._read_texture(name, bytes) for name in names if name not in own}
 
     def textures(self) -> dict[str, np.ndarray]:
         """Textures of transmittance and normal maps, by the names in their records."""
@@ -226,3 +239,8 @@ class DatasetPart:
         samples = {name: first[name][rows[0]] for name in fields}
         samples["radiance"] = halves.mean(axis=0)
         return kind(index, resolution, pixel, samples, halves)
+
+
+def _image_names(records: Iterable[BaseColorFields]) -> list[str]:
+    names = (record.image for record in records)
+    return [name for name in dict.fromkeys(names) if name is not None]

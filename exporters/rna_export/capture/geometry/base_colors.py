@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import itertools
 import re
+from collections.abc import Collection
 from dataclasses import dataclass, field
 from pathlib import PurePosixPath
 from typing import Any
@@ -18,12 +19,16 @@ from rna_export.capture.geometry.blurred_textures import PLANE_TEXELS
 from rna_sdk.errors import PackageError
 from rna_sdk.package import BaseColor, Mesh
 from rna_sdk.package.limits import MAX_TEXTURE_RECORDS
-from rna_sdk.package.manifest.manifest_model import BaseColorRecord
+from rna_sdk.package.manifest.extensions import Variants
+from rna_sdk.package.manifest.manifest_model import BaseColorFields, BaseColorRecord
 from rna_sdk.package.textures.base_color import image_from_bytes
 from rna_sdk.runtime.base_color import BaseColorMaps
 
 WRONG_FILE, WRONG = 0.01, 0.03  # mean difference from Cycles' colours, linear
 FINE = 0.01  # RMS of what planes would blur, linear: above it, print is worth a texture
+VARIANTS = f"extensions/{Variants.NAME}"
+"""Folder of the images of variants."""
+
 _POINTS = 1 << 14
 _ENDINGS = {b"\x89P": "png", b"\xff\xd8": "jpg", b"RI": "webp"}
 
@@ -34,38 +39,74 @@ class BaseColors:
 
     entries: names of the images, by material. files: of the images, by name. images: decoded.
     charts: the texture coordinates of all textures. others: see `MaterialColors`. notes: for the
-    user.
+    user. folder: where the files lie in a package. variants: by name.
     """
 
     of_material: dict[str, MaterialColor]
     charts: dict[str, Any]
     others: dict[str, dict[str, float]]
     notes: list[str]
+    folder: str = "base_color"
     entries: dict[str, str] = field(default_factory=dict)
     files: dict[str, bytes] = field(default_factory=dict)
     images: dict[str, np.ndarray] = field(default_factory=dict)
+    variants: dict[str, Variant] = field(default_factory=dict)
 
     @classmethod
     def of(cls, worker: BlenderWorker, charts: dict[str, Any], largest: int) -> BaseColors:
-        """Of all materials of the source.
+        """Of all materials of the source, and of its variants.
 
         charts: that other textures have taken. largest: texels a side of what is baked, at most.
 
         An image whose file does not have the colours that Cycles shows is taken as Cycles shows it.
         """
-        first = worker.export_base_colors(charts, largest)
-        colors = cls(dict(first.of_material), first.charts, first.others, list(first.notes))
-        wrong = [name for name in first.of_material if not colors._add_image(name)]
+        colors = cls({}, charts, {}, [])
+        colors._add(worker, largest, None)
+        for variant in worker.opened["variants"]:
+            colors._add_variant(worker, largest, variant["name"], variant["materials"])
+        worker.show_variant(None)
+        return colors
+
+    def _add(self, worker: BlenderWorker, largest: int, only: Collection[str] | None) -> None:
+        """Base colours of what the worker shows; only: of these materials; None: of all."""
+        charts = self.charts
+        first = worker.export_base_colors(charts, largest, only=only)
+        self.of_material |= first.of_material
+        self.charts, self.others = first.charts, first.others
+        self.notes += first.notes
+        wrong = [name for name in first.of_material if not self._add_image(name)]
         if wrong:
-            colors.of_material |= worker.export_base_colors(charts, largest, wrong).of_material
+            self.of_material |= worker.export_base_colors(charts, largest, wrong, only).of_material
             for name in wrong:
-                if not colors._add_image(name):
-                    del colors.of_material[name]
-                    colors.notes.append(
+                if not self._add_image(name):
+                    del self.of_material[name]
+                    self.notes.append(
                         f"material {name!r} has a base colour that is no image over its UV "
                         "coordinates: it is learnt, and as fine as the planes"
                     )
-        return colors
+
+    def _add_variant(
+        self, worker: BlenderWorker, largest: int, name: str, materials: dict[str, str]
+    ) -> None:
+        """Base colours of a variant's materials, over the charts of those that they replace."""
+        pairs = materials.items()
+        charts = {other: self.charts[own] for own, other in pairs if own in self.charts}
+        colors = BaseColors({}, charts, {}, [], VARIANTS, files=self.files, images=self.images)
+        if materials:
+            worker.show_variant(name)
+            colors._add(worker, largest, set(materials.values()))
+        for own, other in pairs:
+            fits = colors.charts.get(other) == self.charts.get(own, colors.charts.get(other))
+            if own not in self.of_material or other not in colors.of_material or not fits:
+                self.notes.append(
+                    f"variant {name!r} is left out: material {other!r} has a base colour that is "
+                    f"no colour or image over the UV coordinates of {own!r}"
+                )
+                return
+        for own, other in pairs:
+            if other in colors.charts:
+                self.charts[own] = colors.charts[other]
+        self.variants[name] = Variant(colors, materials)
 
     def _add_image(self, name: str) -> bool:
         """Keep the image of a material; whether it has Cycles' colours. True without an image."""
@@ -92,37 +133,59 @@ class BaseColors:
         names = (f"{label}-{k}" if k else label for k in itertools.count())
         taken = {PurePosixPath(entry).stem.lower() for entry in self.files}
         free = next(name for name in names if name.lower() not in taken)
-        return f"base_color/{free}.{ending}"
+        return f"{self.folder}/{free}.{ending}"
 
-    def records(self, mesh: Mesh, ranges: dict[str, tuple[int, int]]) -> list[BaseColorRecord]:
-        """Records of a part; none if no image of it is finer than planes would be.
+    def records(self, mesh: Mesh, ranges: dict[str, tuple[int, int]]) -> dict[str, BaseColorRecord]:
+        """Records of a part by material, in order; none where no image of it is finer than planes
+        would be and no variant changes it.
 
         ranges: triangles of each material.
         """
         with_image = [name for name in ranges if name in self.entries]
-        if not any(self._is_fine(mesh, name, ranges[name]) for name in with_image):
-            return []
+        changed = {own for variant in self.variants.values() for own in variant.materials}
+        is_changed = not changed.isdisjoint(ranges)
+        if not is_changed and not any(self._is_fine(mesh, k, ranges[k]) for k in with_image):
+            return {}
         plain = [name for name in ranges if name in self.of_material and name not in self.entries]
-        largest = sorted(with_image + plain, key=lambda name: (name in plain, -ranges[name][1]))
+        largest = sorted(
+            with_image + plain,
+            key=lambda name: (name not in changed, name in plain, -ranges[name][1]),
+        )
         kept = largest[:MAX_TEXTURE_RECORDS]
-        return [self._record(name, ranges[name]) for name in ranges if name in kept]
+        return {name: self._record(name, ranges[name]) for name in ranges if name in kept}
+
+    def changes(self, name: str, variant: str) -> BaseColorFields | None:
+        """What a variant has in the place of a material's record; None: the same."""
+        own = self.variants[variant]
+        other = own.materials.get(name)
+        return None if other is None else BaseColorFields(**own.colors._members(other))
 
     def _is_fine(self, mesh: Mesh, name: str, triangles: tuple[int, int]) -> bool:
         record = self._record(name, triangles)
         return blurred(mesh, BaseColor.of(record, self.images[self.entries[name]])) > FINE
 
     def _record(self, name: str, triangles: tuple[int, int]) -> BaseColorRecord:
+        return BaseColorRecord(triangles=triangles, **self._members(name))
+
+    def _members(self, name: str) -> dict[str, Any]:
         color = self.of_material[name]
         if color.image is None:
-            return BaseColorRecord(triangles=triangles, factor=color.factor)
-        return BaseColorRecord(
-            triangles=triangles,
-            image=self.entries[name],
-            color_space=color.image.color_space,
-            factor=color.factor,
-            wrap=color.image.wrap,
-            transform=color.image.transform,
-        )
+            return {"factor": color.factor}
+        return {
+            "image": self.entries[name],
+            "color_space": color.image.color_space,
+            "factor": color.factor,
+            "wrap": color.image.wrap,
+            "transform": color.image.transform,
+        }
+
+
+@dataclass
+class Variant:
+    """Base colours of a variant's materials. materials: by name, that of the one in its place."""
+
+    colors: BaseColors
+    materials: dict[str, str]
 
 
 def blurred(mesh: Mesh, color: BaseColor) -> float:

@@ -7,19 +7,19 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 import trimesh
 
 from rna_export.capture.dataset.dataset_folder import Dataset
-from rna_export.capture.dataset.dataset_manifest import BASE_COLOR
+from rna_export.capture.dataset.dataset_manifest import BASE_COLOR, CapturedPart
 from rna_export.capture.dataset.dataset_part import DatasetPart, View
 from rna_export.capture.dataset.validation_view import EmissionView, ValidationView
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Mesh
 from rna_sdk.package.geometry.quantised_mesh import QuantisedMesh
 from rna_sdk.package.limits import MAX_PARTS
-from rna_sdk.package.manifest.manifest_model import BaseColorRecord
 from rna_trace import PartsScene
 
 _MARGIN = 0.02  # of a piece's longest side: 5 texels of 256, on either side of a seam
@@ -63,7 +63,7 @@ class CutDataset(Dataset):
             )
         cut = cut_triangles(mesh, self.cut)
         seams = _Seams([_taken(mesh, triangles) for triangles in cut])
-        colors = [_within(part.captured.base_color, triangles) for triangles in cut]
+        colors = [_within(part.captured, triangles) for triangles in cut]
         return [Piece(self, part, k, seams, colors[k]) for k in range(self.cut)]
 
 
@@ -81,10 +81,10 @@ class Piece(DatasetPart):
         whole: DatasetPart,
         number: int,
         seams: _Seams,
-        colors: tuple[BaseColorRecord, ...],
+        colors: dict[str, Any],
     ):
         bounds = _with_margin(seams, number, whole)
-        own = {"name": f"{whole.name}_{number}", "bounds": bounds, "base_color": colors}
+        own = {"name": f"{whole.name}_{number}", "bounds": bounds, **colors}
         super().__init__(dataset, whole.captured.model_copy(update=own))
         self._whole, self._number, self._seams = whole, number, seams
 
@@ -151,17 +151,18 @@ def _with_margin(
     return tuple(low.tolist()), tuple(high.tolist())
 
 
-def _within(
-    records: tuple[BaseColorRecord, ...], triangles: np.ndarray
-) -> tuple[BaseColorRecord, ...]:
-    """What records say of some triangles, whose numbers grow."""
-    result = []
-    for record in records:
+def _within(captured: CapturedPart, triangles: np.ndarray) -> dict[str, Any]:
+    """Base colour and variants of some triangles of a part, whose numbers grow, by member."""
+    records, kept = [], []
+    for k, record in enumerate(captured.base_color):
         first, count = record.triangles
         low, high = np.searchsorted(triangles, [first, first + count]).tolist()
         if high > low:
-            result.append(record.model_copy(update={"triangles": (low, high - low)}))
-    return tuple(result)
+            records.append(record.model_copy(update={"triangles": (low, high - low)}))
+            kept.append(k)
+    changes = (captured.changes(k) for k in range(len(captured.variants)))
+    variants = tuple(tuple(of_variant[k] for k in kept) for of_variant in changes)
+    return {"base_color": tuple(records), "variants": variants}
 
 
 def cut_triangles(mesh: Mesh, pieces: int) -> list[np.ndarray]:

@@ -19,6 +19,7 @@ from rna_export.capture.preflight.material_record import Glass
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Mesh, SourceVertices, quantise
 from rna_sdk.package.manifest.manifest_model import (
+    BaseColorFields,
     BaseColorRecord,
     NormalMapRecord,
     TransmittanceRecord,
@@ -32,8 +33,9 @@ class ExportedParts:
     """The parts of an opened source, by name, in order.
 
     geometries: the mesh or strands of each. records: what lets light through, of each surface.
-    maps: its normal maps. colors: its base colour. textures: of all, by name: the texels of the
-    former two, and the files of images. sources: the source's vertices of each
+    maps: its normal maps. colors: its base colour. variants: by name, what is in the place of these
+    records, of parts that have any. textures: of all, by name: the texels of the former two, and
+    the files of images. sources: the source's vertices of each
     surface. notes: what of the materials could not be told. has_opaque_cutouts: whether some of it
     lets light through. has_learnt_relief: whether some relief is in no map. mapped, coloured: full
     names of the materials that have a normal map, and a base colour. glass: a .glb of what is left
@@ -45,6 +47,7 @@ class ExportedParts:
     records: dict[str, list[TransmittanceRecord]] = field(default_factory=dict)
     maps: dict[str, list[NormalMapRecord]] = field(default_factory=dict)
     colors: dict[str, list[BaseColorRecord]] = field(default_factory=dict)
+    variants: dict[str, dict[str, tuple[BaseColorFields | None, ...]]] = field(default_factory=dict)
     textures: dict[str, np.ndarray | bytes] = field(default_factory=dict)
     sources: dict[str, SourceVertices] = field(default_factory=dict)
     has_opaque_cutouts: bool = False
@@ -67,6 +70,7 @@ class ExportedParts:
             transmittance=tuple(self.records.get(part.name, ())),
             normal_maps=tuple(self.maps.get(part.name, ())),
             base_color=tuple(self.colors.get(part.name, ())),
+            variants=tuple(of.get(part.name, ()) for of in self.variants.values()),
         )
 
     def transmittances(self) -> list[tuple[Transmittance, ...]]:
@@ -102,6 +106,7 @@ def exported_parts(worker: BlenderWorker, settings: CaptureSettings) -> Exported
         has_learnt_relief=textures.learnt_relief,
         mapped=tuple(textures.normals),
         coloured=tuple(colors.of_material),
+        variants={name: {} for name in colors.variants},
         notes=[*textures.notes, *colors.notes],
     )
     for part in worker.parts:
@@ -175,8 +180,12 @@ def _add_surface(
             mapped = NormalMapRecord(triangles=triangles, texture=texture)
             exported.maps.setdefault(part.name, []).append(mapped)
     if records := colors.records(mesh, ranges):
-        exported.colors[part.name] = records
-        images = {record.image for record in records if record.image is not None}
+        exported.colors[part.name] = list(records.values())
+        shown: list[BaseColorFields | None] = [*records.values()]
+        for variant, parts in exported.variants.items():
+            parts[part.name] = tuple(colors.changes(name, variant) for name in records)
+            shown += parts[part.name]
+        images = {one.image for one in shown if one is not None and one.image is not None}
         exported.textures |= {name: colors.files[name] for name in images}
     if note := blurred_note(part.name, corners, colors.others):
         exported.notes.append(note)

@@ -124,11 +124,17 @@ def captured_poses(
 
     worker: an opened source, which shows its rest frame. geometries: of its parts, there.
     sources: numbers of their vertices, where they are known. frames: without the rest frame.
-    Raises CaptureError where nothing moves, MotionError where triangles or strands change.
+    Raises CaptureError where nothing moves or a material changes, MotionError where triangles or
+    strands change.
     """
     if not frames:
         return
     name, rest_frame = worker.source.path.name, worker.opened["frame"]
+    for what in worker.opened["changing"][:1]:
+        raise CaptureError(
+            f"{name}: {what}, and a model has one look in all its poses: use a still image and a "
+            "material without keyframes, or no --poses"
+        )
     numbers = [sources.get(part) for part in geometries]
     source = FollowedSource(worker, list(geometries.values()), "its own rest frame", numbers)
     rest = [g.points if isinstance(g, Curves) else g.positions for g in geometries.values()]

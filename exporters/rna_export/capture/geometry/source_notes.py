@@ -33,7 +33,8 @@ def size_notes(geometries: Mapping[str, Mesh | Curves]) -> list[str]:
     if longest > _LONGEST:
         notes.append(
             f"the longest side is {metres(longest)}; if the source is in centimetres, scale it by "
-            "0.01 (-- --unit 0.01 for .hair, .tfx, .abc and .usd)"
+            "0.01 (-- --unit 0.01 for .abc and .usd; for .hair and .tfx, which are read as "
+            "centimetres, -- --unit 0.0001)"
         )
     return notes
 

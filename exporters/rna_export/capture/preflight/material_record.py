@@ -22,8 +22,10 @@ Kind = Literal[
     "volume",
     "emissive",
     "hair",
+    "varied",
 ]
-"""glass: smooth and refracting, mixed with something else; see-through: holes and thin panes."""
+"""glass: smooth and refracting, mixed with something else; see-through: holes and thin panes.
+varied: each strand differs at random."""
 
 
 class Detail(DatasetModel):

@@ -24,6 +24,7 @@ _WORDS = {
     "see-through": "holes or thin panes",
     "volume": "a volume inside",
     "brushed": "brushed (anisotropic)",
+    "varied": "each strand different",
 }
 
 
@@ -132,6 +133,12 @@ def _of_kinds(facts: MaterialFacts) -> Iterator[_Reason]:
             "roughly",
             "it is learnt as a frosted surface: what stands behind it in a scene is not seen "
             "through it",
+        )
+    if "varied" in kinds:
+        yield _Reason(
+            "roughly",
+            "strands that lie together come out in their mean: let colour and roughness follow "
+            "clumps or places instead of a random number a strand",
         )
     if "volume" in kinds:
         yield _Reason(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -63,8 +64,8 @@ class AssetScene:
 
     sharpest: roughness of the smoothest material whose highlights views are to find.
     transmittances: what each part lets through; none at all if left out. normal_maps, base_colors:
-    likewise. positions: of each part in a pose, (v, 3) float32; none at all if left out. Rays meet
-    this shape, and samples are those of the rest shape: spec/RNA.md, 8.3.
+    likewise, the latter of each print. positions: of each part in a pose, (v, 3) float32; none at
+    all if left out. Rays meet this shape; samples are those of the rest shape: spec/RNA.md, 8.3.
 
     Attributes:
         poses: the same asset in other poses, which rays of a capture meet by turns with this one.
@@ -80,7 +81,7 @@ class AssetScene:
         transmittances: Sequence[Sequence[Transmittance]] = (),
         normal_maps: Sequence[Sequence[NormalMap]] = (),
         positions: Sequence[np.ndarray] = (),
-        base_colors: Sequence[Sequence[BaseColor]] = (),
+        base_colors: Sequence[Sequence[Sequence[BaseColor]]] = (),
     ):
         self.poses: tuple[AssetScene, ...] = ()
         rest = geometries
@@ -97,10 +98,14 @@ class AssetScene:
             )
         ]
         self._scene = PartsScene(geometries, tables, _maps(geometries, normal_maps))
-        self._colors = [
-            BaseColorMaps(geometry, of_part) if of_part and isinstance(geometry, Mesh) else None
-            for geometry, of_part in zip(rest, base_colors or [()] * len(rest), strict=True)
+        self._prints = [
+            [
+                BaseColorMaps(geometry, of_part) if of_part and isinstance(geometry, Mesh) else None
+                for geometry, of_part in zip(rest, of_print, strict=True)
+            ]
+            for of_print in base_colors or [[()] * len(rest)]
         ]
+        self._colors = self._prints[0]
         self._rest_maps = _maps(rest, normal_maps) if self._deformed else []
         self.transmits = self._scene.transmits
         corners = np.concatenate([shape.points for shape in self.shapes])
@@ -191,6 +196,12 @@ class AssetScene:
     def in_pose(self, number: int) -> AssetScene:
         """The asset in one of its poses; 0 for this one."""
         return self if number == 0 else self.poses[number - 1]
+
+    def printed(self, number: int) -> AssetScene:
+        """The asset in one of its prints; 0 for the first."""
+        other = copy.copy(self)
+        other._colors = self._prints[number]
+        return other
 
     def visible(self, points: ShadePoints, wi: np.ndarray) -> np.ndarray:
         """The visibility of the transport contract along wi (n, 3) at each point.

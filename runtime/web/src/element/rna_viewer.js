@@ -91,6 +91,11 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     return this.stage.opened?.manifest.tiers.map(({ name }) => name) ?? [];
   }
 
+  /** Names of the package's variants, once it is open. */
+  get availableVariants() {
+    return this.stage.opened?.variants ?? [];
+  }
+
   /** What images of base colour in the package are called, once it is shown. */
   get availableMaps() {
     return this.stage.arrays?.surfaces.labels ?? [];
@@ -170,6 +175,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     if (name === "scene" && this.isBegun) this._openScene();
     if (name === "environment" && this.isBegun) this._light();
     if (name === "tier" && stage.opened && !stage.loading) stage.switchTier(settings.tier);
+    if (name === "variant-name" && stage.shown && !stage.loading) stage.switchVariant(settings.variantName);
     if (name === "first-look" && stage.shown) stage.switchTier(stage.shown.name);
     if (name === "samples") stage.setSampling({ rounds: settings.samples ?? 256 });
     if (name === "jitter") stage.setSampling({ jitter: settings.jitter ?? 1 });

@@ -10,6 +10,7 @@ import { otherFile } from "../package/other_files.js";
 import { pictureOf } from "../package/images.js";
 import { Package } from "../package/package.js";
 import { BlobSource, nameOf, UrlSource } from "../package/source.js";
+import { finished } from "../steps.js";
 import { wrappedDegrees } from "../ui/elements.js";
 import { Glide } from "./glide.js";
 import { rayThrough } from "./hotspots.js";
@@ -53,11 +54,13 @@ export class Stage extends LastingEngine {
       const opened = await Package.open(source);
       signal.throwIfAborted();
       if (opened.environment && this.settings.firstLook !== "off") this.lit.then(() => this.lighting.prepare());
-      const wanted = this.settings.tier, tier = this._known(opened, wanted);
+      const wanted = this.settings.tier, tier = this._known(opened, wanted), print = this.settings.variantName;
+      opened.variant = this._knownVariant(opened, print);
       if (await this.begun) opened.prefetch(tier, this.settings.firstLook !== "off");
       await this._offerPoster(opened);
       await this._show(opened, tier, true, signal);
       if (this.settings.tier !== wanted) await this._show(opened, this._known(opened, this.settings.tier), false, signal);
+      if (this.settings.variantName !== print) await this.switchVariant(this.settings.variantName);
     } catch (error) {
       if (!signal.aborted) this.failed(error, "asset");
     } finally {
@@ -78,6 +81,31 @@ export class Stage extends LastingEngine {
     } finally {
       this.tell("ended");
     }
+  }
+
+  /** Another variant of the package that is shown; null: its own print. */
+  async switchVariant(name) {
+    const { opened, arrays } = this, chosen = (opened.variant = this._knownVariant(opened, name));
+    const isWanted = () => opened === this.opened && opened.variant === chosen;
+    try {
+      const prints = await opened.prints(this.shown.parts);
+      if (isWanted()) await finished(arrays.surfaces.reprint(prints));
+      if (!isWanted()) return;
+      arrays.maps = {};  // they are on the print before
+      this._printed();
+      await this.print();
+      arrays.variant = chosen;
+    } catch (error) {
+      this.failed(error, "asset");
+    }
+  }
+
+  /** The name of a variant that the package has, else null and a line. */
+  _knownVariant({ variants }, name) {
+    const isThere = name === null || variants.includes(name);
+    const there = variants.map((one) => JSON.stringify(one)).join(" or ") || "none: it has no variants";
+    this.notices.say(isThere ? null : `variant-name: expected ${there}, found ${JSON.stringify(name)}`, true, "variant-name");
+    return isThere ? name : null;
   }
 
   /** The name of a tier that the package has, else null and a line. */

@@ -26,10 +26,27 @@ export class SurfaceTable {
     const numbers = lists.map((list) => recordOf(list, count)), known = new Map(), result = new Uint32Array(count);
     for (let k = 0; k < count; k++) {
       const own = numbers.map((list) => list[k]), key = own.join();
-      if (!known.has(key)) known.set(key, yield* this._ofRecords(part, ...lists.map((list, j) => list[own[j]])));
+      if (!known.has(key)) {
+        known.set(key, yield* this._ofRecords(part, ...lists.map((list, j) => list[own[j]])));
+        this.surfaces[known.get(key)].record = own[2];
+      }
       result[k] = known.get(key);
     }
     return result;
+  }
+
+  /** In steps, other records of base colour in the place of those of each part. */
+  *reprint(prints) {
+    for (const surface of this.surfaces) {
+      const color = surface.factor && prints[surface.part][surface.record];
+      if (!color) continue;
+      surface.factor = color.factor ?? WHITE;
+      surface.textures[BASE] = color.image ? yield* this._print(color) : NONE;
+    }
+    const used = new Set(this.surfaces.map(({ textures }) => textures[BASE]));
+    this.textures.forEach((texture, k) => {
+      if (texture.label !== undefined && !used.has(k)) delete texture.label;
+    });
   }
 
   /** { table, images, texturesAt, hasBaseColor, transmits }: rows of surfaces, then of textures; texels, a word each. */
@@ -37,7 +54,7 @@ export class SurfaceTable {
     const { surfaces, textures, pieces, tint } = this, starts = [0];
     for (const piece of pieces) starts.push(starts.at(-1) + piece.length);
     const rows = [
-      ...surfaces.map(({ factor, ...surface }) => packed("Surface", { ...surface, ...(factor && { base_color: factor.map((value, c) => value * tint[c]) }) })),
+      ...surfaces.map(({ factor, record, ...surface }) => packed("Surface", { ...surface, ...(factor && { base_color: factor.map((value, c) => value * tint[c]) }) })),
       ...textures.map(({ piece, width, height, form, row_u, row_v }) =>
         packed("Texture", { place: starts[piece], size: (height << 16) | width, form, row_u, row_v })),
     ];

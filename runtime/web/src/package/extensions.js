@@ -1,4 +1,5 @@
 // The extensions that the spec defines (12): their data in the manifest.
+import published from "../../../../spec/schema/manifest.schema.json";
 import { checkEnvironment, ENVIRONMENT_SCHEMA } from "./environment_form.js";
 import { fail } from "./errors.js";
 import { checkSchema } from "./schema.js";
@@ -8,6 +9,13 @@ const integer = (minimum, maximum = Number.MAX_SAFE_INTEGER) => ({ type: "intege
 const share = { type: "number", minimum: 0, maximum: 1 };
 const record = (properties) =>
   ({ type: "object", properties, required: Object.keys(properties), additionalProperties: false });
+
+/** A record of base colour without triangles, for each of a part; null where it stays. */
+const { triangles, ...printed } = published.$defs.BaseColorRecord.properties;
+const orNull = (schema) => ({ anyOf: [{ type: "null" }, schema] });
+const changes = {
+  type: "array", minItems: 1, maxItems: 64, items: orNull({ type: "object", properties: printed, additionalProperties: false }),
+};
 
 const LARGEST = 2 ** 32 - 2;
 // A coded entry inflates to this many bytes and RATIO times those stored, at most.
@@ -35,14 +43,20 @@ const SCHEMAS = {
   RNA_proxy: record({
     parts: {
       type: "array", minItems: 1, maxItems: 16,
-      items: {
-        anyOf: [
-          { type: "null" },
-          { type: "array", minItems: 1, maxItems: 8, items: record({ geometry: path, height: integer(1) }) },
-        ],
-      },
+      items: orNull({ type: "array", minItems: 1, maxItems: 8, items: record({ geometry: path, height: integer(1) }) }),
     },
   }),
+  RNA_variants: {
+    $defs: published.$defs,
+    ...record({
+      variants: {
+        type: "array", minItems: 1, maxItems: 64,
+        items: record({
+          name: { type: "string", minLength: 1 }, parts: { type: "array", minItems: 1, maxItems: 16, items: orNull(changes) },
+        }),
+      },
+    }),
+  },
   RNA_environment: ENVIRONMENT_SCHEMA,
 };
 export const KNOWN_EXTENSIONS = Object.keys(SCHEMAS);
@@ -101,6 +115,17 @@ const CHECKS = {
         if (j && height >= levels[j - 1].height) fail("FIELD_VALUE", where, "heights must descend");
       });
     });
+  },
+  RNA_variants({ variants }, manifest, where) {
+    if (new Set(variants.map(({ name }) => name)).size < variants.length) fail("FIELD_VALUE", where, "two variants of one name");
+    for (const { name, parts } of variants) {
+      checkCount(parts, manifest, where);
+      parts.forEach((changes, k) => {
+        const records = manifest.parts[k].baseColor?.length ?? 0;
+        if (changes && changes.length !== records) fail("FIELD_VALUE", where, `${name}: ${changes.length} records, expected ${records}`);
+        for (const change of changes ?? []) if (change?.image !== undefined) checkReference(manifest, change.image, where);
+      });
+    }
   },
   RNA_environment(data, manifest, where) {
     checkCount(data.parts, manifest, where);

@@ -56,13 +56,22 @@ export class Package {
     const tier = this.tier(name), names = this._entriesOf(tier), data = new Map();
     this._fetch(this._needed(name, wantsLobes));
     for (const entry of names) data.set(entry, await this._data(entry));
-    for (const entry of this._images()) {
-      if (!this.images.has(entry)) this.images.set(entry, await readImage(data.get(entry), entry));
-      data.set(entry, this.images.get(entry));
-    }
+    await this._readImages(data);
     const parts = this.manifest.parts.map((part, k) => this._part(part, tier.parts[k], k, data));
     if (wantsLobes && this.environment) await this._addEnvironment(parts, tier, data);
     return { name: tier.name, tier, parts };
+  }
+
+  /** Names of the prints that `variant` may be. */
+  get variants() {
+    return variantsOf(this.manifest).map(({ name }) => name);
+  }
+
+  /** Base colour in the chosen variant of each of the parts, which were loaded. */
+  async prints(parts) {
+    const data = new Map();
+    await this._readImages(data);
+    return parts.map(({ mesh }, k) => this._print(k, data, mesh));
   }
 
   /** Adds what the parts have for whole environments. */
@@ -111,11 +120,7 @@ export class Package {
       checkRecord(record, texture, result.mesh, where, "NORMAL_MAP");
       return { ...record, texture };
     });
-    result.baseColor = (part.baseColor ?? []).map((record) => {
-      const image = record.image === undefined ? null : data.get(record.image);
-      checkRecord(record, image, result.mesh, where, "BASE_COLOR");
-      return { ...record, image, label: image && stemOf(record.image) };
-    });
+    result.baseColor = this._print(k, data, result.mesh);
     result.planes = readPlanes(data.get(own.planes), own, own.planes);
     result.decoders = this._decoders(own, data);
     return result;
@@ -136,10 +141,33 @@ export class Package {
     };
   }
 
+  /** Base colour of a part, with its images. */
+  _print(k, data, mesh) {
+    const own = this.manifest.parts[k].baseColor ?? [];
+    return this._records(k).map((record, j) => {
+      const image = record.image === undefined ? null : data.get(record.image);
+      checkRecord(record, image, mesh, `/parts/${k}`, "BASE_COLOR");
+      return { ...record, image, label: image && stemOf(own[j].image ?? record.image) };
+    });
+  }
+
+  /** Records of base colour of a part, in the chosen variant. */
+  _records(k) {
+    const chosen = variantsOf(this.manifest).find(({ name }) => name === this.variant)?.parts[k];
+    return (this.manifest.parts[k].baseColor ?? []).map((own, j) => (chosen?.[j] ? { ...chosen[j], triangles: own.triangles } : own));
+  }
+
   /** Entries of the images of base colour. */
   _images() {
-    const all = this.manifest.parts.flatMap(({ baseColor = [] }) => baseColor.map(({ image }) => image));
+    const all = this.manifest.parts.flatMap((_, k) => this._records(k).map(({ image }) => image));
     return new Set(all.filter((image) => image !== undefined));
+  }
+
+  async _readImages(data) {
+    for (const entry of this._images()) {
+      if (!this.images.has(entry)) this.images.set(entry, await readImage(data.get(entry) ?? (await this._data(entry)), entry));
+      data.set(entry, this.images.get(entry));
+    }
   }
 
   _entriesOf(tier) {
@@ -202,6 +230,8 @@ export class Package {
     return decoded;
   }
 }
+
+const variantsOf = ({ extensions }) => extensions?.RNA_variants?.variants ?? [];
 
 /** What an image is called: of textures/label.png, label. */
 const stemOf = (entry) => entry.split("/").pop().replace(/\.[^.]*$/, "");

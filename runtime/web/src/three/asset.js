@@ -74,6 +74,11 @@ export class RnaAsset extends Group {
     this.choice = name;
   }
 
+  /** Names of the package's variants, for the loader's `setVariant`. */
+  get variants() {
+    return (this.manifest.extensions?.RNA_variants?.variants ?? []).map(({ name }) => name);
+  }
+
   /** What images of base colour are called: those that `setMap` takes. */
   get maps() {
     return this.content.buffers.surfaces.labels;

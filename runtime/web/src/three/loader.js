@@ -7,7 +7,7 @@ import { read } from "./reading.js";
 export class RnaLoader extends Loader {
   constructor(manager) {
     super(manager);
-    this.tier = null;
+    this.tier = this.variant = null;
     this.options = {};
     this.aborting = new AbortController();
     this.files = new Set();
@@ -16,6 +16,12 @@ export class RnaLoader extends Loader {
   /** Reads this tier of a package alone; null: all, and each picture chooses. */
   setTier(name) {
     this.tier = name;
+    return this;
+  }
+
+  /** Shows this variant of a package; null: its own print. */
+  setVariant(name) {
+    this.variant = name;
     return this;
   }
 
@@ -54,7 +60,7 @@ export class RnaLoader extends Loader {
   }
 
   async parseAsync(bytes, name = "package") {
-    return new RnaAsset(await read(bytes, name, this.tier, this.aborting.signal), this.options);
+    return new RnaAsset(await read(bytes, name, this, this.aborting.signal), this.options);
   }
 
   abort() {

@@ -6,9 +6,13 @@ import { sceneArrays } from "../geometry/scene_arrays.js";
 import { Package } from "../package/package.js";
 import { BlobSource } from "../package/source.js";
 
-/** What `RnaAsset` shows. wanted: a tier's name, or null for all. */
-export async function readAsset(bytes, name, wanted = null) {
+/** What `RnaAsset` shows. wanted: a tier's name, or null for all. variant: its name, or null for the package's own print. */
+export async function readAsset(bytes, name, wanted = null, variant = null) {
   const own = await Package.open(new BlobSource(new Blob([bytes]), name));
+  if (variant !== null && !own.variants.includes(variant)) {
+    throw new Error(`setVariant: expected ${own.variants.map((one) => JSON.stringify(one)).join(" or ") || "a package with variants"}, found ${JSON.stringify(variant)}`);
+  }
+  own.variant = variant;
   const names = wanted ? [own.tier(wanted).name] : own.manifest.tiers.map((tier) => tier.name);
   const loaded = [];
   for (const tier of names) loaded.push(await own.load(tier));

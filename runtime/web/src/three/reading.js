@@ -7,11 +7,11 @@ const waiting = new Map();
 let worker, count = 0;
 
 /** What `readAsset` gives; an AbortSignal lets go of it. */
-export async function read(bytes, name, tier, signal) {
+export async function read(bytes, name, { tier, variant }, signal) {
   signal?.throwIfAborted();
   worker ??= openWorker();
   const there = await worker;
-  if (!there) return readAsset(bytes, name, tier);
+  if (!there) return readAsset(bytes, name, tier, variant);
   return new Promise((resolve, reject) => {
     const number = count++;
     waiting.set(number, { resolve, reject });
@@ -19,7 +19,7 @@ export async function read(bytes, name, tier, signal) {
       waiting.delete(number);
       reject(signal.reason);
     }, { once: true });
-    there.postMessage({ number, bytes, name, tier });
+    there.postMessage({ number, bytes, name, tier, variant });
   });
 }
 

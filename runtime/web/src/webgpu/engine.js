@@ -73,7 +73,7 @@ export class WebGPUEngine {
     const ready = Promise.all([making, this._compileKernels(parts, hasLobes), this._storeGeometry(building, parts)]);
     ready.catch(() => making.then((made) => made.forEach(deletePart)).catch(() => {}));
     const [made] = await ready;
-    Object.assign(this, { parts: made, hasLobes });
+    Object.assign(this, { parts: made, hasLobes, texel: hasLobes ? Math.max(...parts.map(texelOf)) : 0 });
     this._makeSums();
   }
 
@@ -295,7 +295,7 @@ export class WebGPUEngine {
     const under = ground && { ground: ground.height, ground_colour: ground.colour, ground_size: ground.size, middle: [ground.x, ground.z] };
     this.device.queue.writeBuffer(this.viewRecord, 0, packed("View", {
       first, jitter, kind: viewerLights[kind], is_first: Number(isFirst), direction, counts_coverage: Number(countsCoverage), colour, part,
-      form, shift, pixels: width * height, shares, ...under,
+      form, shift, pixels: width * height, shares, texel: this.texel ?? 0, ...under,
     }));
   }
 
@@ -330,6 +330,8 @@ function deletePart({ planes, ...decoders }) {
 }
 
 const hasTextures = ({ transmittance, normalMaps }) => transmittance.length + normalMaps.length > 0;
+/** Width of a texel of the planes of a part's lobes. */
+const texelOf = ({ bounds: { min, max }, environment }) => Math.max(...max.map((high, k) => high - min[k])) / environment.planes.resolution;
 const hasBaseColor = ({ baseColor }) => baseColor.length > 0;
 
 /** The only instance, where it stands in the world; node 0 is above it. */

@@ -17,6 +17,7 @@ struct View {
     shift: vec2f,  // of the rays, pixels
     pixels: u32,   // of the whole picture
     shares: f32,   // rays a pixel of the first look's edges
+    texel: f32,    // of the lobes' planes, object space
 }
 
 const FORM_TRANSPORT = 0u;
@@ -38,6 +39,7 @@ struct Pixel {
     visibility: vec3f,
     coverage: f32, // of the ground
     base_color: vec3f,
+    detail: vec3f, // factor of the lobes' first half
 }
 
 @group(1) @binding(0) var<storage, read_write> band: array<Pixel>;

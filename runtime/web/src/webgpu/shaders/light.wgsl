@@ -15,6 +15,7 @@ struct Surroundings {
 }
 
 const MIRRORED = 1.0 / 3.0;
+const LEAST_BASE_COLOR = 0.02;
 const FROM_ALL_SIDES = 0.25;
 
 fn mirrored_share(at: Surroundings) -> f32 {
@@ -64,6 +65,17 @@ fn mirrored(number: u32, pixel: Pixel) -> Arrival {
     let wo = bitcast<vec3f>(pixel.wo.xyz);
     let m = select(reflect(-wo, axis), reflect(wo, axis), rna_is_segment(rna_primitives[pixel.wo.w]));
     return Arrival(m, vec3f(1.0));
+}
+
+// The base colour over that of a texel of the lobes' planes: spec/RNA.md, 12.1, Print.
+fn detail_of(pixel: Pixel) -> vec3f {
+    let record = rna_primitives[pixel.wo.w];
+    if pixel.axis.w == 0u || rna_is_segment(record) {
+        return vec3f(1.0);
+    }
+    let width = max(view.texel, frame.spread * distance(frame.camera, bitcast<vec3f>(pixel.position.xyz)));
+    let blurred = base_color_on(record, pixel.b1, pixel.b2, width);
+    return (pixel.base_color + LEAST_BASE_COLOR) / (blurred + LEAST_BASE_COLOR);
 }
 
 // One sample of both techniques each, as two lights: the balance heuristic (Veach and Guibas 1995).
@@ -131,6 +143,9 @@ fn light_pixels(
     let arrival = arrival_at(view.first + k, pixel);
     pixel.wi = vec4<u32>(bitcast<vec3<u32>>(arrival.wi), 0u);
     pixel.radiance = pixel.through * arrival.radiance;
+    if view.kind == LIGHT_MIRROR {
+        pixel.detail = detail_of(pixel);
+    }
     if pixel.axis.w != 0u {
         pixel.visibility = visibility_of(pixel, arrival.wi);
     } else {

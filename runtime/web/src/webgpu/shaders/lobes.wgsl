@@ -9,7 +9,7 @@ struct LobeLight {
     an_octave: f32,   // levels
 }
 
-@group(1) @binding(0) var<storage, read> rows: array<RnaRow>; // wi: the mirror direction; blue: its visibility
+@group(1) @binding(0) var<storage, read> rows: array<RnaRow>; // wi: the mirror direction; blue: its visibility; red and green: Pixel.detail, halves
 @group(1) @binding(1) var<storage, read_write> answers: array<vec4f>;
 @group(1) @binding(2) var<storage, read> count: array<u32>; // [0]
 @group(1) @binding(3) var<storage, read> columns: array<vec4f>; // 4 a row
@@ -50,10 +50,11 @@ fn light_by_lobes(
         visibility[k] = columns[4u * row + k];
     }
     let place = rna_run_lobes(bitcast<vec3f>(at.position), axis, bitcast<f32>(at.h), wo, m, visibility);
+    let detail = vec3f(unpack2x16float(at.red), unpack2x16float(at.green).x);
     var sum = vec3f(0.0);
     for (var j = 0u; j < RNA_LOBES; j++) {
         let lobe = rna_lobe(place, j, axis, wo, m, bitcast<f32>(at.blue));
-        sum += lobe.amplitude * mean_under(lobe);
+        sum += lobe.amplitude * select(vec3f(1.0), detail, j < RNA_LOBES / 2u) * mean_under(lobe);
     }
     answers[row] = vec4f(light.colour * sum, 0.0);
 }

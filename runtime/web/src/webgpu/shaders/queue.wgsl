@@ -42,8 +42,9 @@ fn gather(
     let wi = select(pixel.wi, pixel.wo, view.form == FORM_EMISSION);
     let free = dot(pixel.visibility, vec3f(1.0 / 3.0)); // read with lobes alone
     let color = bitcast<vec3<u32>>(pixel.base_color);
-    let last = select(color.z, bitcast<u32>(free), view.form == FORM_ENVIRONMENT);
-    rows[at] = RnaRow(pixel.position.xyz, pixel.position.w, pixel.axis.xyz, color.x, pixel.wo.xyz, color.y, wi.xyz, last);
+    let detail = vec3<u32>(pack2x16float(pixel.detail.xy), pack2x16float(pixel.detail.zz), bitcast<u32>(free));
+    let more = select(color, detail, view.form == FORM_ENVIRONMENT);
+    rows[at] = RnaRow(pixel.position.xyz, pixel.position.w, pixel.axis.xyz, more.x, pixel.wo.xyz, more.y, wi.xyz, more.z);
 }
 
 @compute @workgroup_size(64)

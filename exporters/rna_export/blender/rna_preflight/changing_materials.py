@@ -1,0 +1,33 @@
+"""Materials that look otherwise in another frame: no model of several poses can follow them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import bpy
+from rna_materials.material_uses import shown_materials
+from rna_materials.node_sources import sources
+from rna_materials.uv_render import surface_output
+
+
+def changing() -> list[str]:
+    """Which shown materials change with the frame, and by what; within `as_rendered`."""
+    names = sorted(name for each in shown_materials() for name in each)
+    materials = (bpy.data.materials.get(name) for name in names)
+    found = ((m, next(_changes(m), None)) for m in materials if m is not None)
+    return [f"material {m.name!r} {what}" for m, what in found if what is not None]
+
+
+def _changes(material: bpy.types.Material) -> Iterator[str]:
+    output = surface_output(material)
+    nodes = [] if output is None else [n for n, _, _ in sources(output.inputs["Surface"])]
+    for node in nodes:
+        if node.type == "TEX_IMAGE" and node.image and node.image.source in ("MOVIE", "SEQUENCE"):
+            yield f"plays the image {node.image.name!r}"
+    trees = [material, material.node_tree, *(node.id_data for node in nodes)]
+    if any(tree is not None and _is_animated(tree.animation_data) for tree in trees):
+        yield "is animated"
+
+
+def _is_animated(data: bpy.types.AnimData | None) -> bool:
+    return data is not None and bool(data.action or data.drivers or data.nla_tracks)
