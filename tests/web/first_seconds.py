@@ -15,6 +15,7 @@ import base64
 import json
 import os
 import re
+import shlex
 import shutil
 import sys
 import tempfile
@@ -150,7 +151,8 @@ def load(page: Page, folder: Path, url: str, build: str, package: str, goal: np.
     return found
 
 
-def measure(builds: dict[str, Path]) -> dict[str, Any]:
+def measure(builds: dict[str, Path], write: Callable[[dict[str, Any]], object]) -> None:
+    """Hands the results on after each load."""
     results: dict[str, Any] = {}
     with tempfile.TemporaryDirectory() as place:
         folder = Path(place)
@@ -166,14 +168,26 @@ def measure(builds: dict[str, Path]) -> dict[str, Any]:
                     with open_page(find_chromium(), WIDTH, HEIGHT, SOFTWARE_GPU) as page:
                         own[name] = load(page, folder, url, name, package, goal)
                         print(Path(package).stem, name, own[name], flush=True)
-    return results
+                    write(results)
 
 
 def main() -> None:
     out, *given = sys.argv[1:]
     builds = {name: Path(script) for name, script in (one.split("=", 1) for one in given)}
-    head = {"stamp": stamp(sys.argv), "width": WIDTH, "height": HEIGHT, "samples": SAMPLES}
-    Path(out).write_text(json.dumps(head | {"assets": measure(builds)}, indent=1) + "\n")
+    names = (f"{name}={script.name}" for name, script in builds.items())
+    command = shlex.join(["python", "-m", "tests.web.first_seconds", Path(out).name, *names])
+    head = {
+        "stamp": stamp([]) | {"command": command},
+        "width": WIDTH,
+        "height": HEIGHT,
+        "samples": SAMPLES,
+    }
+    measure(
+        builds,
+        lambda assets: Path(out).write_text(
+            json.dumps({**head, "assets": assets}, indent=1) + "\n"
+        ),
+    )
 
 
 if __name__ == "__main__":

@@ -59,6 +59,30 @@ def test_nothing_jumps_where_the_poster_gives_way(page, folder, url, width, heig
     assert either > 1000 and both > 0.95 * either
 
 
+DRAWS = """
+import {{ Viewer }} from "{address}";
+let rows = 0;
+const engine = {{
+  bandPixels: 1e6, resize(width, height) {{ this.target = {{ width, height }}; }},
+  trace(camera, sample, from, to) {{ rows += to - from; }},
+  light() {{}}, show() {{}}, async done() {{}},
+}};
+const viewer = new Viewer(engine, {{ width: 64, height: 40 }}, {{ camera: () => ({{}}) }});
+viewer.addEventListener("shown", () => console.log(rows), {{ once: true }});
+viewer.start();
+await viewer.converged(1);
+await viewer.stop();
+"""
+
+
+@pytest.mark.skipif(shutil.which("node") is None, reason="needs Node")
+def test_the_first_picture_is_drawn_once():
+    program = DRAWS.format(address=(ELEMENT_SOURCES / "viewer.js").as_uri())
+    command = ["node", "--input-type=module", "-e", program]
+    done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=120)
+    assert int(done.stdout) == 40
+
+
 LEFT = """
 <rna-viewer id="one" src="tiny.rna" poster="poster.png" alt="Tiny" loading="eager" samples="2"
   pixel-ratio="1" style="width: 192px; height: 120px"></rna-viewer>

@@ -32,15 +32,15 @@ def packed(name: str, folder: Path) -> Path:
     return tarball
 
 
-def installed(folder: Path) -> Path:
-    """The packed package and three.js below `folder`/node_modules; the tarball."""
+def installed(folder: Path, three: str = "three") -> Path:
+    """The packed package and a release of three.js below `folder`/node_modules; the tarball."""
     tarball = packed("rna-three", folder)
     modules = folder / "node_modules"
     modules.mkdir()
     with tarfile.open(tarball) as archive:
         archive.extractall(modules, filter="data")
     (modules / "package").rename(modules / "rna-three")
-    (modules / "three").symlink_to(MODULES / "three")
+    (modules / "three").symlink_to(MODULES / three)
     return tarball
 
 

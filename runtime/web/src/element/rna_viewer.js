@@ -1,6 +1,7 @@
 // <rna-viewer src="toy.rna" auto-rotate camera-controls>: an asset on any page. Its attributes, properties and events.
 import { nameOf } from "../package/source.js";
 import { Notices, readableBytes } from "../ui/elements.js";
+import { nearName } from "../ui/near_name.js";
 import { cameraText, flag, lightText, propertyOf, READERS } from "./attributes.js";
 import { linearColour } from "./backdrop.js";
 import { Hotspots } from "./hotspots.js";
@@ -13,6 +14,7 @@ const BUILT_IN = ["studio", "white"];  // environments
 const NEAR = "50% 0px";  // of the window, around it: where an element is loaded and draws
 const SPEAK_MS = 500;    // after the last movement
 const PROMPT_MS = 3000;  // after the picture is there
+const NOT_OURS = /^(data-|aria-|on|dir$)|[^a-z-]/;  // attributes, of HTML and of frameworks
 const ADDRESSES = { src: "asset", environment: "light", scene: "scene" };  // and what a failure is about
 
 /** A place or a direction; as text, what data-position and data-normal take. */
@@ -50,6 +52,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     this.observer = new IntersectionObserver((entries) => this._seen(entries.at(-1).isIntersecting), { rootMargin: NEAR });
     this.observer.observe(this);
     this.stillness.addEventListener("change", this.onstillness = () => this._still());
+    this._takeOver();
     this._turn();
     this._tint();
     this._begin();
@@ -149,6 +152,19 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     this.stage.rest(!isNear);
     this._tint();  // where it was not displayed, no transition told of a change
     this._begin();
+  }
+
+  /** Properties that the page set before there was a class, which hide those of the class; and a word on misspelt attributes. */
+  _takeOver() {
+    for (const property of Object.keys(READERS).map(propertyOf).filter((name) => Object.hasOwn(this, name))) {
+      const value = this[property];
+      delete this[property];
+      this[property] = value;
+    }
+    for (const name of this.getAttributeNames()) {
+      const near = !(name in READERS) && !NOT_OURS.test(name) && nearName(name, Object.keys(READERS));
+      if (near) console.warn(`rna-viewer has no attribute ${name}: did you mean ${near}?`);
+    }
   }
 
   /** What an attribute changes of what is there. */

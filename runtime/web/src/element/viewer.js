@@ -33,8 +33,8 @@ export class Viewer extends EventTarget {
 
   start() {
     this.ready = true;
-    this.running ??= this._run();
     this.restart();
+    this.running ??= this._run();  // last: a restart would throw its first picture away
   }
 
   pause() {

@@ -52,8 +52,9 @@ export function* buildHierarchy(boxes, at = 0) {
 /** Makes the box at `to` of `target` hold the one at `from` of `boxes` too. */
 function grow(target, to, boxes, from) {
   for (let k = 0; k < 3; k++) {
-    target[to + k] = Math.min(target[to + k], boxes[from + k]);
-    target[to + 3 + k] = Math.max(target[to + 3 + k], boxes[from + 3 + k]);
+    const low = boxes[from + k], high = boxes[from + 3 + k];
+    if (low < target[to + k]) target[to + k] = low;
+    if (high > target[to + 3 + k]) target[to + 3 + k] = high;
   }
 }
 
@@ -81,8 +82,8 @@ function spanOf({ centres, order }, first, end, axis) {
   let low = Infinity, high = -Infinity;
   for (let k = first; k < end; k++) {
     const value = centres[3 * order[k] + axis];
-    low = Math.min(low, value);
-    high = Math.max(high, value);
+    if (value < low) low = value;
+    if (value > high) high = value;
   }
   return [low, high];
 }

@@ -71,8 +71,8 @@ export class RnaLoader extends Loader {
   }
 
   _file() {
-    return new FileLoader(this.manager).setPath(this.path).setResponseType("arraybuffer").setRequestHeader(this.requestHeader)
-      .setWithCredentials(this.withCredentials).setPriority(this.priority).setCache(this.cache);
+    const { path, requestHeader, withCredentials, priority, cache } = this;  // three.js 0.186 has no priority and no cache
+    return Object.assign(new FileLoader(this.manager), { path, requestHeader, withCredentials, priority, cache, responseType: "arraybuffer" });
   }
 }
 

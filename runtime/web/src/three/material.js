@@ -1,6 +1,7 @@
 // The node material of a part in one tier: rna_gpu's WGSL with the buffers that three.js binds.
-import { DoubleSide, Euler, FrontSide, LightingNode, NodeMaterial, StorageBufferAttribute } from "three/webgpu";
-import { attribute, bool, buffer, Fn, pmremTexture, positionGeometry, referenceAttribute, storage, wgsl, wgslFn } from "three/tsl";
+import { DoubleSide, Euler, FrontSide, InstancedInterleavedBuffer, LightingNode, NodeMaterial, StorageBufferAttribute } from "three/webgpu";
+import * as tsl from "three/tsl";
+import { attribute, bool, buffer, Fn, pmremTexture, positionGeometry, storage, wgsl, wgslFn } from "three/tsl";
 import { SurfaceTable } from "../geometry/surface_table.js";
 import { fragmentOf, towardsViewer } from "./fragment.js";
 import { RnaLighting, shadowPosition } from "./lighting.js";
@@ -112,8 +113,8 @@ export class RnaMaterial extends NodeMaterial {
   setupPosition(builder) {
     const result = super.setupPosition(builder);
     if (builder.object.isInstancedMesh) {
-      const matrix = referenceAttribute("instanceMatrix", "mat4");
-      instanceColumns.forEach((column, k) => column.assign(matrix.element(k).xyz));
+      const columns = columnsOf(builder.object);
+      instanceColumns.forEach((column, k) => column.assign(columns[k].xyz));
     }
     return result;
   }
@@ -127,6 +128,14 @@ export class RnaMaterial extends NodeMaterial {
     super.dispose();
     for (const own of this.stored) own.dispose();
   }
+}
+
+/** Of an instance's matrix. three.js 0.186, which has no referenceAttribute, has a program for each InstancedMesh. */
+function columnsOf({ instanceMatrix }) {
+  const matrix = tsl.referenceAttribute?.("instanceMatrix", "mat4");
+  if (matrix) return [0, 1, 2].map((k) => matrix.element(k));
+  const all = new InstancedInterleavedBuffer(instanceMatrix.array, 16);
+  return [0, 1, 2].map((k) => tsl.instancedDynamicBufferAttribute(all, "vec4", 16, 4 * k));
 }
 
 /** Tells RnaLighting of the environment, of the scene or of the material: a node that is asked along a direction. */

@@ -40,15 +40,14 @@ export class WebGPUEngine {
     ];
     this.queueLayout = [groupLayout(device, { 0: uniform, 2: storage }), band, groupLayout(device, { 0: storage, 1: storage, 2: storage })];
     this.lookLayout = [...this.queueLayout.slice(0, 2), groupLayout(device, { 0: storage, 1: storage })];
-    const [begin, gather, scatter, remember, smooth, shown] = await Promise.all([
+    const [begin, gather, scatter, shown] = await Promise.all([
       ...["begin", "gather", "scatter"].map((name) => this.pipelines.get(sources.queue, name, this.queueLayout)),
-      ...["remember", "smooth_edges"].map((name) => this.pipelines.get(sources.look, name, this.lookLayout)),
       device.createRenderPipelineAsync({
         layout: "auto", vertex: { module: show, entryPoint: "corner" },
         fragment: { module: show, entryPoint: "colour", targets: [{ format }] },
       }),
     ]);
-    Object.assign(this, { queueKernels: { begin, gather, scatter, remember, smooth }, shown });
+    Object.assign(this, { queueKernels: { begin, gather, scatter }, shown });
     this._makeBand();
   }
 
@@ -71,7 +70,7 @@ export class WebGPUEngine {
     const hasLobes = parts.every(({ environment }) => environment);
     this.lobeLight = hasLobes ? new LobeLight(this) : null;
     const making = Promise.all(parts.map((part) => this._makePart(part)));
-    const ready = Promise.all([making, this._compileRays(parts), this._storeGeometry(building, parts)]);
+    const ready = Promise.all([making, this._compileKernels(parts, hasLobes), this._storeGeometry(building, parts)]);
     ready.catch(() => making.then((made) => made.forEach(deletePart)).catch(() => {}));
     const [made] = await ready;
     Object.assign(this, { parts: made, hasLobes, texel: hasLobes ? Math.max(...parts.map(texelOf)) : 0 });
@@ -90,13 +89,16 @@ export class WebGPUEngine {
     await this.lobeLight?.begin(arrays, parts);
   }
 
-  async _compileRays(parts) {
+  /** Those of rays, and with lobes those of the first look. */
+  async _compileKernels(parts, hasLobes) {
     const { pipelines } = this, isThere = (kind) => parts.some(kind);
     this.raySources = rayKernels({ hasSegments: isThere(({ kind }) => kind === "fiber"), hasTextures: isThere(hasTextures), hasBaseColor: isThere(hasBaseColor) });
-    const [hit, light] = await Promise.all([
+    const look = hasLobes ? ["remember", "smooth_edges"] : [];
+    const [hit, light, remember, smooth] = await Promise.all([
       pipelines.get(this.raySources.hit, "trace_pixels", this.rayLayout), pipelines.get(this.raySources.light, "light_pixels", this.rayLayout),
+      ...look.map((name) => pipelines.get(sources.look, name, this.lookLayout)),
     ]);
-    this.kernels = { hit, light, ...this.queueKernels };
+    this.kernels = { hit, light, remember, smooth, ...this.queueKernels };
   }
 
   async _makePart(part) {

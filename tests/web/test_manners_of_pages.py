@@ -1,0 +1,49 @@
+"""Elements as pages of others treat them: made early, hidden, moved."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.web.element_pages import loads, show
+from tests.web.pages import TIMEOUT
+
+pytestmark = pytest.mark.chromium
+
+EARLY = """<dialog id="place"></dialog><div id="other"></div><script>
+  globalThis.said = [];
+  console.warn = (text) => said.push(text);
+  const made = globalThis.viewer = document.createElement("rna-viewer");
+  Object.assign(made, { id: "one", src: "tiny.rna", samples: 1, cameraControls: true });
+  made.setAttribute("camera-orbot", "0deg 90deg 2m");
+  made.setAttribute("dir", "ltr");
+  made.setAttribute("data-scr", "x");
+  made.style.display = "none";
+  place.append(made);
+</script>"""
+
+
+def test_an_element_that_was_made_before_its_script(page, folder, url):
+    """In a dialog that is opened later, without a size at first; then in a shadow tree."""
+    show(page, folder, url, EARLY)
+    page.wait_for("one.getAttribute('src') === 'tiny.rna'", TIMEOUT)
+    own = page.evaluate("[one.samples, one.cameraControls, Object.hasOwn(one, 'src')]")
+    assert own == [1, True, False]
+    said = "rna-viewer has no attribute camera-orbot: did you mean camera-orbit?"
+    assert page.evaluate("said") == [said]
+    assert page.evaluate("count('load', 'one')") == 0
+    page.evaluate("one.style.display = '', place.showModal(), 0")
+    loads(page, "one")
+    assert page.evaluate("[viewer.stage.canvas.width, viewer.stage.canvas.height]") == [64, 40]
+    page.evaluate(
+        """(() => {
+            globalThis.engine = viewer.stage.engine;
+            place.close();
+            other.attachShadow({ mode: "closed" }).append(viewer);
+            return 0;
+        })()"""
+    )
+    page.evaluate("viewer.style.width = '0', viewer.style.height = '0', 0")
+    page.wait_for("viewer.stage.canvas.width === 1", TIMEOUT)
+    page.evaluate("viewer.style.width = '64px', viewer.style.height = '40px', 0")
+    page.wait_for("viewer.stage.canvas.width === 64 && viewer.stage.viewer.stats.scale", TIMEOUT)
+    assert page.evaluate("viewer.stage.engine === engine && viewer.notices.place.hidden")
