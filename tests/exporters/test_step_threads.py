@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 import torch
 
+from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.optimization import product_kernels
 from rna_export.training.optimization.fitting import Fitting
 from rna_export.training.optimization.product_kernels import (
@@ -15,7 +16,7 @@ from rna_export.training.optimization.product_kernels import (
     weight_gradient,
 )
 from rna_export.training.optimization.samples import SampleTable
-from rna_export.training.optimization.step_threads import StepThreads
+from rna_export.training.optimization.step_threads import StepThreads, step_products
 from rna_export.training.presets import PRESETS
 from rna_sdk.kernel_threads import kernel_threads
 
@@ -145,6 +146,16 @@ def test_narrow_products_are_those_of_torch_and_repeat() -> None:
         assert products_repeat(narrow, [], before)
     finally:
         use_threads(before)
+
+
+def test_products_are_those_of_a_step() -> None:
+    """Whose bits may depend on threads: visible light's in bfloat16, too, shadowed light's not."""
+    preset = PRESETS["surface"]["hq"]
+    model = NeuralAsset(preset.model, torch.tensor([[-1.0] * 3, [1.0] * 3]))
+    model.multiplies_in_bfloat16 = True
+    products = step_products(model, (2048, 256))
+    assert {p.columns_out for p in products if p.dtype == torch.bfloat16} == {256, 6}
+    assert preset.model.shadow_width in {p.columns_out for p in products if p.dtype == torch.float32}
 
 
 def test_products_that_differ_are_found(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -69,7 +69,7 @@ class StepThreads:
         kernels = isinstance(model.triplane, Triplane) and model.ceiling.device.type == "cpu"
         if most == 1 or not kernels:
             return cls(1)
-        repeat = products_repeat(_products(model, batches), fitting.stacks(), most)
+        repeat = products_repeat(step_products(model, batches), fitting.stacks(), most)
         return cls(most if repeat else 1)
 
     def __enter__(self) -> StepThreads:
@@ -149,13 +149,21 @@ class StepThreads:
             self._use(count)
 
 
-def _products(model: NeuralAsset, batches: tuple[int, int]) -> list[Product]:
-    """Products of the model's layers in a step."""
-    decoders = [(model.decoder, batches[0])]
+def step_products(model: NeuralAsset, batches: tuple[int, int]) -> list[Product]:
+    """Products of the model's layers in a step: those of visible light alone may be bfloat16.
+
+    batches: rows of a step, of transport and of emission.
+    """
+    decoders = [(model.decoder, batches[0], torch.float32)]
+    if model.multiplies_in_bfloat16:
+        decoders.append((model.decoder, batches[0], torch.bfloat16))
     if model.shadow is not None:
-        decoders.append((model.shadow.decoder, batches[0]))
+        decoders.append((model.shadow.decoder, batches[0], torch.float32))
     if model.emission is not None:
-        decoders.append((model.emission.decoder, batches[1]))
-    layers = [(m, rows) for d, rows in decoders for m in d if isinstance(m, nn.Linear)]
-    dtypes = [torch.float32, *([torch.bfloat16] if model.multiplies_in_bfloat16 else [])]
-    return [Product(n, m.in_features, m.out_features, t) for m, n in layers for t in dtypes]
+        decoders.append((model.emission.decoder, batches[1], torch.float32))
+    return [
+        Product(rows, layer.in_features, layer.out_features, dtype)
+        for decoder, rows, dtype in decoders
+        for layer in decoder
+        if isinstance(layer, nn.Linear)
+    ]
