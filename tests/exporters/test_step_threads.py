@@ -154,8 +154,8 @@ def test_products_are_those_of_a_step() -> None:
     model = NeuralAsset(preset.model, torch.tensor([[-1.0] * 3, [1.0] * 3]))
     model.multiplies_in_bfloat16 = True
     products = step_products(model, (2048, 256))
-    assert {p.columns_out for p in products if p.dtype == torch.bfloat16} == {256, 6}
-    assert preset.model.shadow_width in {p.columns_out for p in products if p.dtype == torch.float32}
+    assert (2048, 128, 128, torch.float32) in products
+    assert {p.columns_out for p in products if p.dtype == torch.bfloat16} == {256, 3}
 
 
 def test_products_that_differ_are_found(monkeypatch: pytest.MonkeyPatch) -> None:
