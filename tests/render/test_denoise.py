@@ -77,6 +77,13 @@ def test_texture_is_kept_and_noise_is_not():
     assert error["it"][:, 72:120].mean() < 0.25 * error["raw"][:, 72:120].mean()
 
 
+def test_a_speck_is_taken_out_where_all_about_it_is_clean() -> None:
+    filtered = np.full((64, 64, 3), 0.5, np.float32)
+    image, variance = filtered.copy(), np.full((64, 64, 3), 1e-6)
+    image[40, 20], variance[40, 20] = 2.0, 2.0
+    assert abs(blended(image, filtered, variance)[40, 20] - 0.5).max() < 0.05
+
+
 def test_an_image_without_noise_is_not_changed():
     rng = np.random.default_rng(0)
     image = rng.random((32, 48, 3)).astype(np.float32)

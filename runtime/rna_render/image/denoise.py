@@ -20,6 +20,7 @@ FLAT_ALBEDO = np.float32(0.5)
 _RADIUS = 3  # pixels, of the boxes that errors are averaged over, twice
 _DARK = 0.01  # of the image's mean brightness, below which errors are not relative
 _UNSEEN = 0.09  # of the brightness there: noise that costs little
+_SPECK = 16.0  # times the variance about it, from where a pixel counts by its own
 _PREFERENCE = 10.0  # squared bias over squared noise that costs as much: lost texture is seen more
 
 # What Open Image Denoise calls its qualities: oidn.h, OIDNQuality.
@@ -123,13 +124,16 @@ def blended(rgb: np.ndarray, filtered: np.ndarray, variance: np.ndarray) -> np.n
     The square of their difference is that of the filter's bias, which is lost texture, and the
     image's variance, (height, width, 3). Both are averaged over a few pixels, and relative to the
     brightness there. The filtered form counts where the variance is large beside the bias, and
-    large enough to be seen.
+    large enough to be seen. A speck, whose own variance is far above that about it, is taken out
+    by its own.
     """
     brightness = _averaged(filtered.mean(axis=-1, dtype=np.float64))
     scale = 1.0 / (brightness + _DARK * brightness.mean() + np.finfo(np.float32).tiny)[..., None]
     difference = _averaged(np.square((rgb - filtered) * scale).sum(axis=-1))
-    noise = _averaged((variance * scale * scale).sum(axis=-1))
+    own = (variance * scale * scale).sum(axis=-1)
+    noise = _averaged(own)
     bias = _PREFERENCE * np.maximum(difference - noise, 0.0) + 3.0 * _UNSEEN**2
+    noise = np.where(own > _SPECK * noise, own, noise)
     share = (noise / (noise + bias))[..., None]  # of the filtered form
     return np.asarray(rgb + share * (filtered - rgb), np.float32)
 
