@@ -1,5 +1,5 @@
 """The extension needs Blender's Python alone, and of the SDK its public names
-and the functions that write files whole and give stand-ins their colours."""
+and the functions that write files whole, say errors in words and give stand-ins their colours."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ EXTENSION = REPOSITORY / "exporters" / "blender_extension"
 IN_BLENDER = {"bpy", "bpy_extras", "mathutils", "numpy", *sys.stdlib_module_names}
 PUBLIC = {
     "rna_sdk.atomic_file",
+    "rna_sdk.error_words",
     "rna_sdk.errors",
     "rna_sdk.package",
     "rna_sdk.runtime",

@@ -290,5 +290,5 @@ def test_names_that_no_file_can_have(uri, tmp_path):
     gltf = textured(tmp_path)
     gltf.json["images"][0]["uri"] = uri
     (tmp_path / "a.gltf").write_text(json.dumps(gltf.json))
-    with pytest.raises(SceneError, match=r"cannot read|no such file"):
+    with pytest.raises(SceneError, match=r"cannot read|no such file|a uri of \d+ characters"):
         read(tmp_path / "a.gltf")
