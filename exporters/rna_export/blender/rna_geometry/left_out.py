@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import bpy
 import numpy as np
+from listing import listed
 from rna_geometry import shown_objects
 from rna_geometry.shown_objects import HAIR, SURFACES, top_object
 
-_NAMED = 3
 _BACKDROP = 12.0  # times as long as all else
 
 
@@ -22,9 +22,7 @@ def unrendered() -> str | None:
         for item in bpy.context.scene.objects
         if item.name_full not in shown and _has_shape(item) and item.show_instancer_for_render
     ]
-    listed = ", ".join(map(repr, names[:_NAMED]))
-    more = f" and {len(names) - _NAMED} more" if len(names) > _NAMED else ""
-    return f"{listed}{more}" if names else None
+    return listed([*map(repr, names)]) or None
 
 
 def notes() -> list[str]:

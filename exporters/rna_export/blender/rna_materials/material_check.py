@@ -9,11 +9,11 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import bpy
+from listing import listed
 from rna_geometry import shown_objects
 from rna_materials.object_materials import materials_of
 
 _OF_EEVEE = {"SHADERTORGB": "Shader to RGB", "EEVEE_SPECULAR": "Specular BSDF"}
-_NAMED = 3
 FIND = "use File > External Data > Find Missing Files, and save"
 """What helps where a file that a .blend names is gone."""
 
@@ -46,9 +46,8 @@ def shown_materials() -> Iterator[tuple[bpy.types.Material | None, str]]:
 def _of_bare(names: list[str]) -> list[str]:
     if not names:
         return []
-    listed = ", ".join(map(repr, names[:_NAMED]))
-    more = f" and {len(names) - _NAMED} more" if len(names) > _NAMED else ""
-    return [f"without a material, and so of Cycles' usual grey: {listed}{more}"]
+    named = listed([*map(repr, names)])
+    return [f"without a material, and so of Cycles' usual grey: {named}"]
 
 
 def _of_material(material: bpy.types.Material) -> list[str]:

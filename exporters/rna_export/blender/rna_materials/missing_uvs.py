@@ -8,9 +8,9 @@ import bpy
 from rna_geometry import shown_objects
 from rna_geometry.attributes import uv_map
 from rna_materials.material_check import of_image
-from rna_materials.node_sources import Inside, origin, sources
+from rna_materials.node_sources import Inside, origin
 from rna_materials.object_materials import materials_of
-from rna_materials.uv_render import surface_output
+from rna_materials.uv_render import surface_sources
 
 
 def problems() -> list[str]:
@@ -33,8 +33,7 @@ def problems() -> list[str]:
 
 
 def _images_on_uvs(material: bpy.types.Material) -> Iterator[bpy.types.Image]:
-    output = surface_output(material)
-    for node, _, inside in () if output is None else sources(output.inputs["Surface"]):
+    for node, _, inside in surface_sources(material):
         if node.type == "TEX_IMAGE" and _is_on_uvs(node, inside) and of_image(node.image) is None:
             yield node.image
 

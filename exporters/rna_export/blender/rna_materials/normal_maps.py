@@ -5,17 +5,14 @@ from __future__ import annotations
 import bpy
 import numpy as np
 from rna_materials.node_sources import Source, lifted, linked, origin, sources
-from rna_materials.uv_render import surface_output
+from rna_materials.uv_render import surface_sources
 
 FLAT = 1.0 / 127.0  # x or y of a normal that a texel cannot tell from 0
 
 
 def normal_source(material: bpy.types.Material) -> Source | None:
     """Where the first shader's linked normal input comes from; None if no shader has one."""
-    output = surface_output(material)
-    if output is None:
-        return None
-    for node, _, inside in sources(output.inputs["Surface"]):
+    for node, _, inside in surface_sources(material):
         socket = node.inputs.get("Normal")
         if node.type.startswith("BSDF_") and socket is not None and linked(socket) is not None:
             source = origin(socket, inside)

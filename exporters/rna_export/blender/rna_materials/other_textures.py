@@ -9,7 +9,7 @@ import numpy as np
 from rna_materials.base_color_source import COLOURS
 from rna_materials.node_sources import sources
 from rna_materials.uv_dependence import IDENTITY, dependence
-from rna_materials.uv_render import surface_output
+from rna_materials.uv_render import surface_sources
 
 _MAPPED = ("Normal", "Coat Normal", "Alpha")
 
@@ -21,11 +21,10 @@ def texels_of_inputs(
 
     chart: see `surface_textures.export_textures`; None for UVs as they are.
     """
-    output = surface_output(material)
     matrix = IDENTITY if chart is None else np.array(chart["matrix"])
     scale = abs(np.linalg.det(matrix[:, :2]))
     result: dict[str, float] = {}
-    for node, _, inside in [] if output is None else sources(output.inputs["Surface"]):
+    for node, _, inside in surface_sources(material):
         if node.type not in COLOURS or scale == 0.0:
             continue
         for socket in node.inputs:

@@ -6,11 +6,12 @@ centre.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import bpy
 import numpy as np
-from rna_materials.node_sources import sources
+from rna_materials.node_sources import Source, sources
 from rna_materials.uv_charts import Chart
 from rna_materials.uv_dependence import dependence
 
@@ -25,6 +26,13 @@ def surface_output(material: bpy.types.Material) -> bpy.types.Node | None:
         return None
     output = tree.get_output_node("CYCLES") or tree.get_output_node("ALL")
     return output if output is not None and output.inputs["Surface"].is_linked else None
+
+
+def surface_sources(material: bpy.types.Material) -> Iterator[Source]:
+    """`sources` of the surface; none of a material without."""
+    output = surface_output(material)
+    if output is not None:
+        yield from sources(output.inputs["Surface"])
 
 
 class ColourOfUv:

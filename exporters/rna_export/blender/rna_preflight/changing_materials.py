@@ -6,8 +6,7 @@ from collections.abc import Iterator
 
 import bpy
 from rna_materials.material_uses import shown_materials
-from rna_materials.node_sources import sources
-from rna_materials.uv_render import surface_output
+from rna_materials.uv_render import surface_sources
 
 
 def changing() -> list[str]:
@@ -19,8 +18,7 @@ def changing() -> list[str]:
 
 
 def _changes(material: bpy.types.Material) -> Iterator[str]:
-    output = surface_output(material)
-    nodes = [] if output is None else [n for n, _, _ in sources(output.inputs["Surface"])]
+    nodes = [node for node, _, _ in surface_sources(material)]
     for node in nodes:
         if node.type == "TEX_IMAGE" and node.image and node.image.source in ("MOVIE", "SEQUENCE"):
             yield f"plays the image {node.image.name!r}"

@@ -8,8 +8,8 @@ from typing import Any
 import bpy
 from rna_materials import emission
 from rna_materials.material_uses import shown_materials
-from rna_materials.node_sources import origin, sources
-from rna_materials.uv_render import surface_output
+from rna_materials.node_sources import origin
+from rna_materials.uv_render import surface_output, surface_sources
 from rna_preflight.shader_values import (
     Shader,
     constant,
@@ -77,8 +77,7 @@ def _facts(material: bpy.types.Material, extent: Extent, on_hair: bool) -> dict[
 
 def _is_varied(material: bpy.types.Material) -> bool:
     """Whether a random number a strand, or what Principled Hair makes of it, shows."""
-    output = surface_output(material)
-    for node, socket, inside in () if output is None else sources(output.inputs["Surface"]):
+    for node, socket, inside in surface_sources(material):
         if node.type == "HAIR_INFO" and socket.name == "Random":
             return True
         if any(is_on((node, inside), name) for name in ("Random Color", "Random Roughness")):
@@ -157,8 +156,7 @@ def _of_displacement(material: bpy.types.Material) -> Iterator[Shader]:
 
 def _of_mixes(material: bpy.types.Material) -> Iterator[Shader]:
     """Textures that choose between shaders, but for those of holes."""
-    output = surface_output(material)
-    for node, _, inside in () if output is None else sources(output.inputs["Surface"]):
+    for node, _, inside in surface_sources(material):
         if node.type == "MIX_SHADER":
             mixed = [origin(socket, inside) for socket in node.inputs[1:3]]
             if not any(s is not None and s[0].type == "BSDF_TRANSPARENT" for s in mixed):

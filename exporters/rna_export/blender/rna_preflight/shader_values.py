@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import bpy
 from rna_materials.node_sources import Inside, linked, origin, sources
-from rna_materials.uv_render import surface_output
+from rna_materials.uv_render import surface_sources
 
 Shader = tuple[bpy.types.Node, Inside]
 """A shader node, and the groups around it."""
@@ -16,12 +16,9 @@ _SHADERS = ("BSDF_", "EMISSION", "SUBSURFACE_SCATTERING", "EEVEE_SPECULAR", "HOL
 
 def surface_shaders(material: bpy.types.Material) -> list[Shader]:
     """Those that the surface of a material shows; none without a surface."""
-    output = surface_output(material)
-    if output is None:
-        return []
     return [
         (node, inside)
-        for node, _, inside in sources(output.inputs["Surface"])
+        for node, _, inside in surface_sources(material)
         if node.type.startswith(_SHADERS)
     ]
 

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import bpy
+from listing import listed
 from rna_geometry.shown_objects import HAIR, SURFACES
-
-_NAMED = 3
 
 
 def leave_out_unseen() -> list[str]:
@@ -48,6 +47,4 @@ def _reason(item: bpy.types.Object, layer: bpy.types.ViewLayer) -> str | None:
 
 
 def _listed(names: list[str]) -> str:
-    listed = ", ".join(map(repr, names[:_NAMED]))
-    more = f" and {len(names) - _NAMED} more" if len(names) > _NAMED else ""
-    return f"object{'s' if len(names) > 1 else ''} {listed}{more}"
+    return f"object{'s' if len(names) > 1 else ''} {listed([*map(repr, names)])}"

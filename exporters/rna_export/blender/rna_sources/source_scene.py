@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 import bpy
+from listing import listed
 from rna_geometry import left_out, render_only, shown_objects
 from rna_geometry.shown_objects import as_rendered
 from rna_materials import material_check, missing_uvs
@@ -88,9 +89,7 @@ def _check_libraries() -> None:
     library = missing[0].library
     path = bpy.path.abspath(library.filepath, library=library.parent)
     here = [item for item in missing if item.library == library]
-    names = ", ".join(f"{item.rna_type.identifier} {item.name!r}" for item in here[:3])
-    more = f" and {len(here) - 3} more" if len(here) > 3 else ""
-    lacks = f"has no {names}{more}"
+    lacks = f"has no {listed([f'{item.rna_type.identifier} {item.name!r}' for item in here])}"
     what = lacks if Path(path).is_file() else "is missing"
     raise ValueError(f"the linked library {path} {what}: {material_check.FIND}")
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import bpy
-
-_NAMED = 3
+from listing import listed
 
 
 def restore(path: Path) -> list[str]:
@@ -29,9 +28,8 @@ def restore(path: Path) -> list[str]:
         mesh.shade_flat()
     if not shown:
         return []
-    names = ", ".join(repr(mesh.name) for mesh in shown[:_NAMED])
-    more = f" and {len(shown) - _NAMED} more" if len(shown) > _NAMED else ""
-    return [f"the file has no normals, so these meshes have facets, as in USD: {names}{more}"]
+    names = listed([repr(mesh.name) for mesh in shown])
+    return [f"the file has no normals, so these meshes have facets, as in USD: {names}"]
 
 
 def _has_normals(mesh: object) -> bool:

@@ -6,12 +6,12 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from rna_export.blender.listing import listed
 from rna_sdk.size_note import metres
 
 PLANE_TEXELS = 256
 """Along a part's longest side, as the usual preset has them."""
 _FINER = 1.5  # times, from which it is told
-_NAMED = 3
 
 
 def blurred_note(
@@ -38,10 +38,9 @@ def blurred_note(
             found.append(f"{material!r} ({names}: {metres(min(finer.values()))})")
     if not found:
         return None
-    more = f" and {len(found) - _NAMED} more" if len(found) > _NAMED else ""
     return (
         f"part {part!r}: texels of planes of {PLANE_TEXELS} are {metres(width)} wide, and blur "
-        f"finer ones of {', '.join(found[:_NAMED])}{more}"
+        f"finer ones of {listed(found)}"
     )
 
 

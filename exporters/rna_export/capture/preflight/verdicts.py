@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator
 from typing import Literal, NamedTuple
 
+from rna_export.blender.listing import listed
 from rna_export.capture.capture_settings import DatasetModel
 from rna_export.capture.preflight.material_record import Detail, Glass, MaterialFacts
 from rna_export.capture.preflight.sharpest import LEAST
@@ -14,7 +15,6 @@ _WORSE: dict[Learnt, int] = {"well": 0, "left to the host": 0, "roughly": 1, "no
 
 _TEXELS = 2.0  # of a plane, from one detail to the next, at the least
 _MIRROR = 0.05  # roughness that an artist calls a mirror's
-_NAMED = 3
 _WORDS = {
     "coat": "clear coat",
     "thin": "thin, lit from behind",
@@ -87,13 +87,9 @@ def preflight_lines(of: Iterable[MaterialVerdict]) -> list[str]:
         if not each.reasons:
             well.setdefault(each.is_, []).append(each.name)
     if well:
-        lines.append("  learnt well: " + "; ".join(f"{_listed(v)} ({k})" for k, v in well.items()))
+        named = (f"{listed([*map(repr, names)])} ({what})" for what, names in well.items())
+        lines.append("  learnt well: " + "; ".join(named))
     return ["materials, and how well they will be learnt:", *lines] if lines else []
-
-
-def _listed(names: list[str]) -> str:
-    more = f" and {len(names) - _NAMED} more" if len(names) > _NAMED else ""
-    return ", ".join(map(repr, names[:_NAMED])) + more
 
 
 def length(metres: float) -> str:
