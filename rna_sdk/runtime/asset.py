@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, ClassVar, NoReturn, Self, TypeVar, cast
 
@@ -196,8 +197,8 @@ class AssetPart(Asset):
         threads: int,
         part: int,
         name: str,
-        pixels: float,
-        variant: str | None,
+        pixels: float = math.inf,
+        variant: str | None = None,
     ) -> None:
         """package: open. tier: one of its tiers. threads: at least 1. part: index of the part.
 

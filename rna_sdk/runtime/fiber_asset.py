@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from functools import cached_property
 from typing import ClassVar, Literal
@@ -10,39 +9,23 @@ from typing import ClassVar, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.package import Curves, Package, Tier
+from rna_sdk.package import Curves
 from rna_sdk.package.decoder.query_arrays import Rows
 from rna_sdk.runtime.asset import AssetPart
 from rna_sdk.runtime.deformation import DeformedCurves, RestCurves
 
 
 class FiberAsset(AssetPart):
-    """An asset, or one of its parts, whose geometry is curves: hair, fur, fibers of cloth.
-
-    Attributes:
-        curves: the geometry, object space, metres.
-    """
+    """An asset, or one of its parts, whose geometry is curves: hair, fur, fibers of cloth."""
 
     kind: Literal["fiber"]
     _labels: ClassVar[Mapping[str, str]] = {"position": "positions", "axis": "tangents"}
 
-    def __init__(
-        self,
-        package: Package,
-        tier: Tier,
-        threads: int,
-        part: int,
-        name: str,
-        pixels: float = math.inf,
-        variant: str | None = None,
-    ) -> None:
-        """package: open. tier: one of its tiers. part: index of a part with curves.
-
-        pixels: as for `Package.geometry`. variant: as for `Package.base_color`.
-        """
-        super().__init__(package, tier, threads, part, name, pixels, variant)
+    @property
+    def curves(self) -> Curves:
+        """The geometry, object space, metres."""
         assert isinstance(self._geometry, Curves)
-        self.curves = self._geometry
+        return self._geometry
 
     def evaluate(
         self,

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from os import PathLike
-from typing import Any
 
 from rna_sdk.cpu import thread_count
 from rna_sdk.errors import QueryError
-from rna_sdk.package import Package, Tier
+from rna_sdk.package import Package
 from rna_sdk.runtime.asset import CompositeAsset
 from rna_sdk.runtime.fiber_asset import FiberAsset
 from rna_sdk.runtime.surface_asset import SurfaceAsset
@@ -58,19 +57,13 @@ def load(
         record = choose_tier(package, tier, min_psnr, max_error, pixels)
         if variant is not None and not any(part.uses_base_color for part in record.parts):
             raise QueryError(f"variant {variant!r}: tier {record.name!r} has no base colour")
-        how = image_height(pixels), variant
-        if len(package.manifest.parts) == 1:
-            return _part(package, record, count, 0, package.manifest.name, *how)
-        parts = tuple(
-            _part(package, record, count, k, part.name, *how)
-            for k, part in enumerate(package.manifest.parts)
-        )
+        height, records = image_height(pixels), package.manifest.parts
+
+        def part(k: int, name: str) -> SurfaceAsset | FiberAsset:
+            kind = SurfaceAsset if records[k].kind == "surface" else FiberAsset
+            return kind(package, record, count, k, name, height, variant)
+
+        if len(records) == 1:
+            return part(0, package.manifest.name)
+        parts = tuple(part(k, of.name) for k, of in enumerate(records))
         return CompositeAsset(package.manifest.name, parts)
-
-
-def _part(
-    package: Package, tier: Tier, threads: int, part: int, name: str, *how: Any
-) -> SurfaceAsset | FiberAsset:
-    kind = package.manifest.parts[part].kind
-    cls = SurfaceAsset if kind == "surface" else FiberAsset
-    return cls(package, tier, threads, part, name, *how)

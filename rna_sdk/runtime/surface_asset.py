@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, ClassVar, Literal
@@ -11,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.errors import QueryError
-from rna_sdk.package import Mesh, Package, Tier
+from rna_sdk.package import Mesh
 from rna_sdk.package.decoder.query_arrays import Rows
 from rna_sdk.runtime.asset import AssetPart
 from rna_sdk.runtime.deformation import DeformedMesh, RestMesh
@@ -25,32 +24,16 @@ _LEAST_BASE_COLOR = np.float32(0.02)
 
 
 class SurfaceAsset(AssetPart):
-    """An asset, or one of its parts, whose geometry is a mesh.
-
-    Attributes:
-        mesh: the geometry, object space, metres.
-    """
+    """An asset, or one of its parts, whose geometry is a mesh."""
 
     kind: Literal["surface"]
     _labels: ClassVar[Mapping[str, str]] = {"position": "positions", "axis": "normals"}
 
-    def __init__(
-        self,
-        package: Package,
-        tier: Tier,
-        threads: int,
-        part: int,
-        name: str,
-        pixels: float = math.inf,
-        variant: str | None = None,
-    ) -> None:
-        """package: open. tier: one of its tiers. part: index of a part with a mesh.
-
-        pixels: as for `Package.geometry`. variant: as for `Package.base_color`.
-        """
-        super().__init__(package, tier, threads, part, name, pixels, variant)
+    @property
+    def mesh(self) -> Mesh:
+        """The geometry, object space, metres."""
         assert isinstance(self._geometry, Mesh)
-        self.mesh = self._geometry
+        return self._geometry
 
     def evaluate(
         self,
@@ -151,20 +134,20 @@ class SurfaceAsset(AssetPart):
         return self._base_color_maps.at(primitives, u, v, widths)
 
     def print_detail_at(
-        self, primitives: NDArray[np.integer], u: Rows, v: Rows, widths: Rows
+        self, primitives: NDArray[np.integer], u: Rows, v: Rows, widths: Rows, base_color: Rows
     ) -> Rows:
         """Factor of the amplitudes of the first half of `lobes`: spec/RNA.md, 12.1, Print.
 
-        The base colour at ray hits over that of a texel of the lobes' planes; arguments as for
-        `base_color_at`. Returns (n, 3) float32, 1 where the part has no base colour or no lobes.
+        The base colour at ray hits over that of a texel of the lobes' planes. base_color: (n, 3)
+        float32, what `base_color_at` gave for the other arguments. Returns (n, 3) float32, 1 where
+        the part has no base colour or no lobes.
         """
         if self.environment_form is None or not self.base_colors:
             return np.ones((len(u), 3), np.float32)
         sides = np.asarray(self.bounds[1]) - self.bounds[0]
         texel = np.float32(sides.max() / self.environment_form.resolution)
-        own = self.base_color_at(primitives, u, v, widths)
         blurred = self.base_color_at(primitives, u, v, np.maximum(widths, texel))
-        ratio: Rows = (own + _LEAST_BASE_COLOR) / (blurred + _LEAST_BASE_COLOR)
+        ratio: Rows = (base_color + _LEAST_BASE_COLOR) / (blurred + _LEAST_BASE_COLOR)
         return ratio
 
     @cached_property

@@ -255,7 +255,9 @@ def test_print_beyond_the_planes_of_lobes(tmp_path: Path) -> None:
     narrow, wide = (np.full(50, width, np.float32) for width in (1e-3, 2.0 * texel))
     own, blurred = (asset.base_color_at(number, u, v, width) for width in (1e-3, texel))
     expected = (own + 0.02) / (blurred + 0.02)
-    np.testing.assert_allclose(asset.print_detail_at(number, u, v, narrow), expected, rtol=1e-5)
+    detail = asset.print_detail_at(number, u, v, narrow, own)
+    np.testing.assert_allclose(detail, expected, rtol=1e-5)
     assert np.ptp(expected) > 0.5
-    assert (asset.print_detail_at(number, u, v, wide) == 1.0).all()
-    assert (load(plain).print_detail_at(number, u, v, narrow) == 1.0).all()
+    coarse = asset.base_color_at(number, u, v, wide)
+    assert (asset.print_detail_at(number, u, v, wide, coarse) == 1.0).all()
+    assert (load(plain).print_detail_at(number, u, v, narrow, own) == 1.0).all()

@@ -211,7 +211,7 @@ class _MeshPoints(_NeuralPoints):
         visibility = self._asset.visibility_at(*self.where)
         amplitudes, axes = self._asset.lobes(self.x, self.n, self._wo, free, visibility)
         if self.base_color is not None:
-            detail = self._asset.print_detail_at(*self.where, self.widths)
+            detail = self._asset.print_detail_at(*self.where, self.widths, self.base_color)
             amplitudes[:, : amplitudes.shape[1] // 2] *= detail[:, None]
         return amplitudes, axes, free
 
