@@ -59,6 +59,9 @@ const SCHEMAS = {
   },
   RNA_environment: ENVIRONMENT_SCHEMA,
 };
+/** The prints that a manifest names, with what they have in the place of base colour. */
+export const variantsOf = ({ extensions }) => extensions?.RNA_variants?.variants ?? [];
+
 export const KNOWN_EXTENSIONS = Object.keys(SCHEMAS);
 
 /** Fails where the data of a known extension is not as it must be. */

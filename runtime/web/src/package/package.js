@@ -6,6 +6,7 @@ import { readDecoder } from "./decoder.js";
 import { decodeEntry } from "./deflate.js";
 import { entriesOf, environmentOf, readHarmonics, VISIBILITY_COLUMNS } from "./environment_form.js";
 import { fail } from "./errors.js";
+import { variantsOf } from "./extensions.js";
 import { readImage } from "./images.js";
 import { checkEntries, readManifest } from "./manifest.js";
 import { readMesh } from "./mesh.js";
@@ -230,8 +231,6 @@ export class Package {
     return decoded;
   }
 }
-
-const variantsOf = ({ extensions }) => extensions?.RNA_variants?.variants ?? [];
 
 /** What an image is called: of textures/label.png, label. */
 const stemOf = (entry) => entry.split("/").pop().replace(/\.[^.]*$/, "");

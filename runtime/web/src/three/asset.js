@@ -1,5 +1,6 @@
 // An asset in a scene: a mesh for each part; each picture takes the tier that is good enough for its size.
 import { Box3, BufferAttribute, BufferGeometry, Color, Group, InstancedMesh, Matrix4, Mesh, Sphere, Vector2, Vector3 } from "three/webgpu";
+import { variantsOf } from "../package/extensions.js";
 import { pictureOf } from "../package/images.js";
 import { keepPipelines } from "./kept_pipelines.js";
 import { MARK, RnaMaterial, SharedBuffers } from "./material.js";
@@ -76,7 +77,7 @@ export class RnaAsset extends Group {
 
   /** Names of the package's variants, for the loader's `setVariant`. */
   get variants() {
-    return (this.manifest.extensions?.RNA_variants?.variants ?? []).map(({ name }) => name);
+    return variantsOf(this.manifest).map(({ name }) => name);
   }
 
   /** What images of base colour are called: those that `setMap` takes. */
