@@ -47,7 +47,7 @@ def check_outside(folder: Path, paths: Iterable[Path]) -> None:
 
 def check_writable(path: Path) -> None:
     """Raises RnaError if no file can be written there; removes leftovers of killed processes."""
-    if not path.is_dir() and not path.parent.is_dir():
+    if not path.parent.is_dir():
         raise RnaError(f"{path}: there is no folder {path.parent}: make it first")
     try:
         check_replaceable(path)
