@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
+from runpy import run_path
 
 import pytest
 
@@ -30,6 +31,16 @@ pytestmark = pytest.mark.skipif(
 def test_one_thread_takes_one_core(work: str) -> None:
     (row,) = measure(work, [1], [], 4.0)["threads"]
     assert row["cores_a_thread"] <= MOST
+
+
+def test_workers_that_start_together_import_blender_on_different_cores() -> None:
+    """On one core sixteen of them took 40 s."""
+    few_cores = REPOSITORY / "exporters" / "rna_export" / "blender" / "few_cores.py"
+    chosen = run_path(str(few_cores))["chosen"]
+    taken = [chosen({0, 2, 4, 6}, 1, number) for number in range(1001, 1005)]
+    assert set().union(*taken) == {0, 2, 4, 6}
+    assert chosen({0, 2, 4, 6}, 3, 3) == {6, 0, 2}
+    assert chosen({5}, 2, 7) == {5}
 
 
 @pytest.mark.blender

@@ -141,6 +141,12 @@ def test_bands_are_of_one_size_and_as_many_for_each_thread(count: int, threads: 
     assert len(bands) % threads == 0 or count <= threads * SMALL_BAND
 
 
+def test_bands_of_many_samples_are_as_few_as_they_can_be() -> None:
+    """Python's work for a band, one thread at a time, is that of as much light as possible."""
+    assert len(_bands(8 * BAND, 16, BAND, samples=1)) == 16
+    assert len(_bands(8 * BAND, 16, BAND, samples=64)) == 8
+
+
 def test_directions_of_an_image_are_those_of_plain_sums() -> None:
     """Cells by their running sums, in blocks or not: any number of directions, in any order."""
     texels = RNG.random((12, 20, 3)).astype(np.float32) ** 4

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 import numpy as np
 import onnx
 import pytest
@@ -88,9 +86,8 @@ def test_a_row_does_not_depend_on_place_or_number_of_rows(width: int, as_it_is: 
 
 
 def test_larger_decoders_take_fewer_rows_at_once() -> None:
-    sizes = [Decoder(random_decoder(22, width, 4)).tile_rows for width in (16, 64, 128, 512)]
-    assert sizes == [4096, 2048, 1024, 512]
-    assert all(a > b for a, b in pairwise(sizes))
+    sizes = [Decoder(random_decoder(22, width, 4)).tile_rows for width in (64, 128, 192, 512)]
+    assert sizes == [8192, 8192, 1024, 512]  # up to 128 compiled
 
 
 @pytest.mark.parametrize(("largest", "clips"), [(100.0, 1), (65504.0, 1), (65505.0, 2)])

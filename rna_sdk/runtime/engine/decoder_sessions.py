@@ -15,8 +15,14 @@ from rna_sdk.runtime.engine.compiled_decoder import CompiledDecoder
 from rna_sdk.runtime.engine.decoder_graph import fast_graph
 from rna_sdk.runtime.engine.int8_entry import Entry
 
+_COMPILED_TILE = 8192
+"""Rows a call of a kernel of ours, whose activations are of a panel, not of the tile.
+
+Python does the less between calls, one thread at a time.
+"""
+
 _TILES = ((32_768, 4096), (131_072, 2048), (524_288, 1024))
-"""(bytes of the model, rows): up to this size, so many rows a call run fastest.
+"""(bytes of the model, rows): up to this size, so many rows a call of onnxruntime run fastest.
 
 Measured with 22 inputs, 4 hidden layers and widths 16 to 512: what counts is that the
 activations of two layers stay in a core's L2 cache and that a call's fixed cost does not show.
@@ -59,8 +65,7 @@ class Decoder:
             fast = None
         self._form = fast or Graph(chain)
         self.columns = self._form.columns
-        fitting = [rows for size, rows in _TILES if len(chain) <= size]
-        self.tile_rows = fitting[0] if fitting else _LARGE_MODEL_TILE
+        self.tile_rows = _tile_rows(self._form, len(chain))
 
     def run(self, queries: NDArray[np.float32]) -> NDArray[np.float32]:
         """The output, (n, outputs) float32, of `queries`, (n, columns) float32, finite."""
@@ -97,6 +102,12 @@ class Graph:
         inputs = {self._input: values.reshape(self._shape)}
         output: NDArray[np.float32] = self._session.run(None, inputs)[0]
         return output
+
+
+def _tile_rows(form: Graph | CompiledDecoder, model_bytes: int) -> int:
+    if isinstance(form, CompiledDecoder):
+        return _COMPILED_TILE
+    return next((rows for size, rows in _TILES if model_bytes <= size), _LARGE_MODEL_TILE)
 
 
 def _fast_form(decoder: ProfileDecoder, largest_query: float) -> Graph | CompiledDecoder | None:

@@ -140,8 +140,8 @@ class TileEvaluator:
                     helper.result()
 
     def _tile_rows(self, count: int) -> int:
-        """Rows a tile: the decoder's best, or less where some threads would get none."""
-        share = -(-count // self._threads)
+        """Rows a tile: the decoder's best, or less where threads would get fewer than two."""
+        share = -(-count // (2 * self._threads if self._threads > 1 else 1))
         return min(self._decoder.tile_rows, max(_SMALLEST_TILE, _rounded_up(share)))
 
     def _run_tiles(self, batch: Batch, starts: Iterator[int], rows: int) -> None:

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, fields
 
 import numpy as np
-from numba import prange
 
 from rna_render.image.halves import Halves
 from rna_sdk.compiled import compiled
@@ -215,21 +214,22 @@ def _float32(values: np.ndarray) -> np.ndarray:
     return np.asarray(np.clip(values, -largest, largest), np.float32)
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(fastmath=())
 def _add_to(total: np.ndarray, values: np.ndarray) -> None:
     """Add (n, c) values to (n, c) float64 sums.
 
-    Memory of layers that a scene lacks, which are 0, is never touched.
+    Memory of layers that a scene lacks, which are 0, is never touched. One thread: memory sets the
+    pace, and the others render.
     """
-    for k in prange(len(values)):
+    for k in range(len(values)):
         for c in range(values.shape[1]):
             if values[k, c] != 0.0:
                 total[k, c] += values[k, c]
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(fastmath=())
 def _keep_first(kept: np.ndarray, numbers: np.ndarray) -> None:
     """Take over (n,) numbers where (n,) those kept are still 0."""
-    for k in prange(len(numbers)):
+    for k in range(len(numbers)):
         if kept[k] == 0:
             kept[k] = numbers[k]

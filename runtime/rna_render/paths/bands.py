@@ -27,6 +27,7 @@ from rna_work.threads import Threads
 # than SMALL_BAND if the image has them, so that each step has more to do than to start.
 BAND = 1 << 16
 SMALL_BAND = 1 << 13
+_BANDS_A_THREAD = 8  # of all samples, from where the last ones leave few threads idle
 
 _Band = tuple[np.ndarray, Sampler, bool]
 """Pixels, the sample's numbers, and whether it is the sample's last band."""
@@ -56,17 +57,22 @@ class BandRenderer(Protocol):
 
 
 def rendered_bands(
-    renderer: BandRenderer, count: int, samplers: Iterable[Sampler], most: int | None = None
+    renderer: BandRenderer,
+    count: int,
+    samplers: Iterable[Sampler],
+    most: int | None = None,
+    samples: int = 1,
 ) -> Generator[tuple[Layers, int, bool], None, None]:
     """The bands of each sample in turn, of how many samples each is, and whether it is their last.
 
-    count: pixels of the image. most: pixels of a band, the renderer's if None. As many bands are
-    under way as numba has threads for the caller, and as many wait, so that no thread idles while
-    the caller takes what is finished; a caller that stops early waits for those under way, and the
-    rest is not begun.
+    count: pixels of the image. most: pixels of a band, the renderer's if None. samples: how many
+    there will be, as far as is known: of many, each has no more bands than it needs. As many bands
+    are under way as numba has threads for the caller, and as many wait, so that no thread idles
+    while the caller takes what is finished; a caller that stops early waits for those under way,
+    and the rest is not begun.
     """
     threads = min(kernel_threads(), renderer.at_once or kernel_threads())
-    bands = _bands(count, threads, most or renderer.band)
+    bands = _bands(count, threads, most or renderer.band, samples)
     work = (
         (band, sampler, band is bands[-1])
         for sampler in _together(renderer, iter(samplers))
@@ -114,8 +120,14 @@ def _together(renderer: BandRenderer, samplers: Iterator[Sampler]) -> Iterator[S
         yield replace(first, count=1 + others)
 
 
-def _bands(count: int, threads: int, most: int) -> list[np.ndarray]:
-    """Places of pixels, (n,) uint32 each; bands of one size, as many for each thread."""
+def _bands(count: int, threads: int, most: int, samples: int = 1) -> list[np.ndarray]:
+    """Places of pixels, (n,) uint32 each; bands of one size.
+
+    Of few samples as many for each thread. Of many the fewest: threads go on to the next sample,
+    and what Python does for a band, one thread at a time, is the less the larger bands are.
+    """
     fewest = max(1, -(-count // most))
-    shared = min(-(-fewest // threads) * threads, -(-count // SMALL_BAND))
-    return np.array_split(np.arange(count, dtype=np.uint32), max(fewest, shared))
+    if fewest * samples < _BANDS_A_THREAD * threads:
+        shared = min(-(-fewest // threads) * threads, -(-count // SMALL_BAND))
+        fewest = max(fewest, shared)
+    return np.array_split(np.arange(count, dtype=np.uint32), fewest)

@@ -30,7 +30,8 @@ def render(
     if scene.quality is not None and scene.quality.seconds is not None:
         samplers = in_time(samplers, scene.quality.seconds, lambda: film.samples)
     sample: list[Layers] = []
-    with closing(rendered_bands(renderer, film.width * film.height, samplers)) as bands:
+    pixels = film.width * film.height
+    with closing(rendered_bands(renderer, pixels, samplers, samples=scene.samples)) as bands:
         for band, samples, last in bands:
             sample.append(band)
             progress(len(band.hit) * samples)
