@@ -354,14 +354,6 @@ class Package:
         planes = planes_from_bytes(self._view(record.planes), record)
         return EnvironmentLobes(record, planes, self._view(record.decoder), harmonics)
 
-    def layout(self) -> dict[str, range]:
-        """Byte range of each entry in the file, its header included; for `tier_ranges`.
-
-        Raises:
-            QueryError: the package is closed.
-        """
-        return self._opened().layout()
-
     def _proxies(self, part: int) -> tuple[ProxyLevel, ...]:
         data = extension(self.manifest, Proxy)
         return (data.parts[part] if data else None) or ()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from pydantic import BaseModel, ConfigDict, ValidationError
+from pydantic import BaseModel, ValidationError
 
 from rna_export.capture.dataset.dataset_manifest import what_is_wrong
 from rna_export.make.plan import Length
@@ -16,10 +16,8 @@ WRITTEN = (_NAME, "rays", "runs", "before", "scratch")
 """Names of all that a run, of this version or an earlier one, writes into its work folder."""
 
 
-class RunSettings(BaseModel):
+class RunSettings(BaseModel, extra="forbid", frozen=True):
     """Settings that must match to resume a run; `settings` in the file."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
 
     source: str
     source_sha256: str
@@ -33,19 +31,15 @@ class RunSettings(BaseModel):
     seed: int
 
 
-class Score(BaseModel):
+class Score(BaseModel, extra="forbid", frozen=True):
     """Score over the validation images, all parts together; flip: of the asset's pixels."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
 
     psnr: float
     flip: float
 
 
-class Round(BaseModel):
+class Round(BaseModel, extra="forbid"):
     """A capture, and the training of the leading preset on all rays so far."""
-
-    model_config = ConfigDict(extra="forbid")
 
     lights: int  # after it
     is_captured: bool = False
@@ -53,36 +47,30 @@ class Round(BaseModel):
     score: Score | None = None
 
 
-class Last(BaseModel):
+class Last(BaseModel, extra="forbid"):
     """The last phase of a preset."""
-
-    model_config = ConfigDict(extra="forbid")
 
     phase: Length
     score: Score | None = None
 
 
-class More(BaseModel):
+class More(BaseModel, extra="forbid", frozen=True):
     """Minutes that were asked for later, by `rna-make --more`.
 
     begun: seconds spent before them. rounds: that were captured before.
     """
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
 
     minutes: float
     begun: float
     rounds: int
 
 
-class State(BaseModel):
+class State(BaseModel, extra="forbid"):
     """Progress of a run. `save` writes it into the work folder.
 
     before: scores of models that earlier minutes ended with, by preset; `before/PRESET` has them.
     starts: parts whose training starts from these models: only their material has changed.
     """
-
-    model_config = ConfigDict(extra="forbid")
 
     settings: RunSettings
     lights: int  # that the capture was planned with

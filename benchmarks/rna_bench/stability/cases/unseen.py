@@ -97,7 +97,6 @@ CASE = Case(
     title="Unseen directions",
     varies="trained on the upper hemisphere, asked on the sphere",
     mark="finite, and at most 1.5 times the largest trained value",
-    advice="Values stay bounded but mean nothing there: capture the directions that scenes use.",
     measure=measure,
     judge=judge,
     draw=draw,

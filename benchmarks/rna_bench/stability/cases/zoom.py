@@ -156,7 +156,6 @@ CASE = Case(
     title="Strong zoom",
     varies="a pixel's footprint, 10 texels down to a tenth",
     mark="at a tenth of a texel FLIP at most 0.1, or 1.5 times that of a texture as coarse",
-    advice="Detail finer than a texel is blurred: raise the resolution for close-ups.",
     measure=measure,
     judge=judge,
     draw=draw,

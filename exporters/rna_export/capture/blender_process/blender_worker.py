@@ -244,8 +244,8 @@ class BlenderWorker(BlenderProcess):
         scene: see `rna_export.compare.cycles_scene`. No clamping. `denoise`: by Cycles' own
         denoiser, Open Image Denoise with albedo and normals. What the scene describes is
         built anew when it is another one than in the render before; the numbers of samples may
-        differ without a fresh process, so the same render need not repeat to the bit. `to_world` and
-        `fov_y` as in `render_view`; the source emits nothing.
+        differ without a fresh process, so the same render need not repeat to the bit. `to_world`
+        and `fov_y` as in `render_view`; the source emits nothing.
         """
         self._holds_scene = True
         out = self._folder / f"scene-{self._name}-{self._renders}.exr"
