@@ -25,12 +25,12 @@ Rows = NDArray[np.float32]
 
 def evaluate(form: str, package: str, tier: str, part: int, arrays: dict[str, Rows]) -> Rows:
     """(n, width): the results of the form's decoders, 0 for rows that are no queries."""
-    asked = form_named(form)
-    result = np.zeros((len(arrays["wo"]), asked.width(None)), np.float32)
+    wanted = form_named(form)
+    result = np.zeros((len(arrays["wo"]), wanted.width(None)), np.float32)
     with Package.open(package) as opened:
         tier_part = opened.tier(tier).parts[part]
         decoders = [
-            one for one in tier_part.decoders if set(one.form.results) <= set(asked.results)
+            one for one in tier_part.decoders if set(one.form.results) <= set(wanted.results)
         ]
         if not decoders:
             return result

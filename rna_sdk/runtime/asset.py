@@ -282,7 +282,7 @@ class AssetPart(Asset):
         """The results of a decoder, each (n, 3) float32; 0 if the part has no such decoder.
 
         form: name of its form: "transport" gives (visible, shadowed), "emission" (radiance,).
-        arrays: by name, those that the form is asked with: position, axis (a normal or tangent), h
+        arrays: by name, those that the form takes: position, axis (a normal or tangent), h
         (of fibers alone), wo, wi, and base_color where the tier part uses it. out: arrays for the
         results, as for `evaluate`.
 

@@ -28,7 +28,7 @@ from rna_sdk.runtime import Asset, FiberAsset, SurfaceAsset, load
 STEPS = 10_000
 """Of training, all parts together."""
 ROUGH_DB = 25.0
-"""dB with bright directions, below which a user is told that the look is rough."""
+"""dB with bright directions, below which a user is warned that the look is rough."""
 
 BAR = "{desc}: {percentage:3.0f}%|{bar}| {elapsed}<{remaining}"
 """Of a progress bar whose total is 1."""
@@ -88,8 +88,8 @@ def _trained(
         seconds = max((end - now) / (len(seen) - done), 0.1)
         paces = StepPace(usual), TimePace(seconds, now)
         steps = fit_lobes(model, own, queries, paces, k, filling(bar, share))
-        told = f"{steps:,} of {usual:,} steps, {model.multiply_adds:,} multiply-adds a query"
-        say(f"environment: lobes of {own.part.name}: {told}")
+        spent = f"{steps:,} of {usual:,} steps, {model.multiply_adds:,} multiply-adds a query"
+        say(f"environment: lobes of {own.part.name}: {spent}")
         lobes[k] = exported_lobes(model, own, queries, asset.tier.name)
     return lobes
 
@@ -122,7 +122,7 @@ def parts_with_lobes(
 
 
 def filling(bar: tqdm, share: float = 1.0) -> Callable[[float], None]:
-    """Fills a share of a bar, told parts of what the share stands for; sums may be rounded up."""
+    """Fills a share of a bar by parts of what the share stands for; sums may be rounded up."""
     return lambda part: bar.update(min(share * part, bar.total - bar.n))
 
 

@@ -151,8 +151,8 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     size = args.out.stat().st_size / 1e6
     print(f"wrote {args.out}, {size:.2f} MB, {sheet_of(args.out)}")
     if not args.discard:
-        kept = f"kept {work}, {size_of([work]) / 1e6:,.0f} MB of rays and models"
-        print(f"{kept}: --more 10 goes on from them, --discard deletes them")
+        line = f"kept {work}, {size_of([work]) / 1e6:,.0f} MB of rays and models"
+        print(f"{line}: --more 10 goes on from them, --discard deletes them")
     if marked is not None:
         print(f"note: the exported geometry is not what Cycles renders; {marked} marks it")
     _tell_next(args)

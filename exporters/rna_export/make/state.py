@@ -55,7 +55,7 @@ class Last(BaseModel, extra="forbid"):
 
 
 class More(BaseModel, extra="forbid", frozen=True):
-    """Minutes that were asked for later, by `rna-make --more`.
+    """Minutes requested later, by `rna-make --more`.
 
     begun: seconds spent before them. rounds: that were captured before.
     """
@@ -118,7 +118,7 @@ _OF_RAYS = ("source", "source_sha256", "arguments", "settings", "scene")
 
 
 def check_same(
-    state: State, asked: RunSettings, work: Path, for_more: bool
+    state: State, requested: RunSettings, work: Path, for_more: bool
 ) -> dict[str, int | float]:
     """Settings of the capture that are new, for rays to come.
 
@@ -126,23 +126,23 @@ def check_same(
     `TrainingError` where the state belongs to a run with other settings.
     """
     begun = state.settings
-    if begun.source == asked.source and begun.source_sha256 != asked.source_sha256:
+    if begun.source == requested.source and begun.source_sha256 != requested.source_sha256:
         raise TrainingError(
             f"{begun.source} has changed since its rays were captured: --update captures it anew "
             f"and starts from the old model; or delete {work} to start over"
         )
     new = {}
     for name in _FOR_NEW_RAYS:
-        value = asked.settings.get(name)
+        value = requested.settings.get(name)
         if value is not None and value != begun.settings.get(name):
             assert isinstance(value, int | float)
             new[name] = value
-    settings = {**asked.settings, **{k: begun.settings[k] for k in new if k in begun.settings}}
+    settings = {**requested.settings, **{k: begun.settings[k] for k in new if k in begun.settings}}
     for name in new.keys() - begun.settings.keys():
         settings.pop(name)
     for name in _OF_RAYS if for_more else RunSettings.model_fields:
         before = getattr(begun, name)
-        now = settings if name == "settings" else getattr(asked, name)
+        now = settings if name == "settings" else getattr(requested, name)
         if before != now:
             raise TrainingError(
                 f"{work} was started with {name} {before}, found {now}: delete it to start over, "

@@ -31,7 +31,7 @@ class DecoderForm:
     Attributes:
         name: of the form and of the decoder's one output.
         results: what the output's columns are, COLUMNS each, side by side.
-        arrays: names of the QUERY_ARRAYS that it is asked with.
+        arrays: names of the QUERY_ARRAYS that it takes.
         member: of a tier part, with the decoder's record; "" for the tier part itself.
         count: name of a member of the record: so many times there are all results; "" for once.
         has_factors: whether a tier part that uses base colour has a factor of each result, in the

@@ -1,6 +1,6 @@
 """Pixels far smaller than a texel.
 
-What a picture may lose there is told by a texture: Cycles' own image with one value a texel, and
+What a picture may lose there is what a texture loses: Cycles' own image with one value a texel, and
 straight lines between them, as any renderer shows a texture from too near.
 """
 

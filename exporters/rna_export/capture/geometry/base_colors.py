@@ -151,8 +151,8 @@ class BaseColors:
             with_image + plain,
             key=lambda name: (name not in changed, name in plain, -ranges[name][1]),
         )
-        kept = largest[:MAX_TEXTURE_RECORDS]
-        return {name: self._record(name, ranges[name]) for name in ranges if name in kept}
+        stored = largest[:MAX_TEXTURE_RECORDS]
+        return {name: self._record(name, ranges[name]) for name in ranges if name in stored}
 
     def changes(self, name: str, variant: str) -> BaseColorFields | None:
         """What a variant has in the place of a material's record; None: the same."""

@@ -153,15 +153,15 @@ def _with_margin(
 
 def _within(captured: CapturedPart, triangles: np.ndarray) -> dict[str, Any]:
     """Base colour and variants of some triangles of a part, whose numbers grow, by member."""
-    records, kept = [], []
+    records, numbers = [], []
     for k, record in enumerate(captured.base_color):
         first, count = record.triangles
         low, high = np.searchsorted(triangles, [first, first + count]).tolist()
         if high > low:
             records.append(record.model_copy(update={"triangles": (low, high - low)}))
-            kept.append(k)
+            numbers.append(k)
     changes = (captured.changes(k) for k in range(len(captured.variants)))
-    variants = tuple(tuple(of_variant[k] for k in kept) for of_variant in changes)
+    variants = tuple(tuple(of_variant[k] for k in numbers) for of_variant in changes)
     return {"base_color": tuple(records), "variants": variants}
 
 
