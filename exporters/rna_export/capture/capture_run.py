@@ -133,8 +133,8 @@ def begin(
 
     `given`: settings, by name, that are not to be the usual ones of the asset's kind. `limit`
     replaces the number of lights by as many as fit, and may make the validation images smaller.
-    `for_scene` limits views and lights to its own. `say_first`: gets lines on how well materials are
-    learnt, and what the asset is expected to gain in scenes; None for `say`.
+    `for_scene` limits views and lights to its own. `say_first`: gets lines on how well materials
+    are learnt, and what the asset is expected to gain in scenes; None for `say`.
     """
     start, say_first = monotonic(), say_first or say
     with workers.probe(source) as worker:
