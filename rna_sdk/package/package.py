@@ -16,10 +16,7 @@ from rna_sdk.package.container.zip_container import Container
 from rna_sdk.package.geometry.curves import Curves
 from rna_sdk.package.geometry.geometry_files import Geometry, geometry_from_bytes
 from rna_sdk.package.geometry.mesh import Mesh
-from rna_sdk.package.geometry.source_vertices import (
-    SourceVertices,
-    source_vertices_from_bytes,
-)
+from rna_sdk.package.geometry.source_vertices import SourceVertices, source_vertices_from_bytes
 from rna_sdk.package.geometry.vertex_visibility import (
     Harmonics,
     vertex_count,

@@ -23,13 +23,7 @@ from rna_sdk.package import (
     Transmittance,
     decoder_from_bytes,
 )
-from rna_sdk.package.decoder.decoder_form import (
-    COLUMNS,
-    SHADOWED,
-    TRANSPORT,
-    VISIBLE,
-    form_named,
-)
+from rna_sdk.package.decoder.decoder_form import COLUMNS, SHADOWED, TRANSPORT, VISIBLE, form_named
 from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS, Rows
 from rna_sdk.package.manifest.manifest_fields import Kind
 from rna_sdk.package.textures.exchanged_images import check_images, with_images

@@ -67,12 +67,7 @@ class BaseColorMaps:
         return self._looked_up(primitives, u, v, widths, np.ones_like(self._density))
 
     def _looked_up(
-        self,
-        primitives: NDArray[np.integer],
-        u: Rows,
-        v: Rows,
-        widths: Rows | float,
-        density: Rows,
+        self, primitives: NDArray[np.integer], u: Rows, v: Rows, widths: Rows | float, density: Rows
     ) -> Rows:
         number = indices("primitives", primitives, len(self._mesh.triangles))
         count = len(number)

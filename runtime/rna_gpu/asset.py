@@ -110,12 +110,7 @@ class GpuSurface(GpuPart):
     """A part whose geometry is a mesh."""
 
     def evaluate(
-        self,
-        positions: Rows,
-        normals: Rows,
-        wo: Rows,
-        wi: Rows,
-        base_color: Rows | None = None,
+        self, positions: Rows, normals: Rows, wo: Rows, wi: Rows, base_color: Rows | None = None
     ) -> tuple[Rows, Rows]:
         """Like `rna_sdk.runtime.SurfaceAsset.evaluate`, within the tolerance of the spec (8.2)."""
         arrays = {"position": positions, "axis": normals, "wo": wo, "wi": wi}

@@ -185,8 +185,7 @@ def test_data_of_extensions_are_as_in_the_file(programs: dict[str, Path]) -> Non
 
 
 @pytest.mark.parametrize(
-    "target",
-    ["x86_64-windows-gnu", "x86-windows-gnu", "arm-linux-musleabihf", "aarch64-macos"],
+    "target", ["x86_64-windows-gnu", "x86-windows-gnu", "arm-linux-musleabihf", "aarch64-macos"]
 )
 def test_it_compiles_for_other_systems(target: str, tmp_path: Path) -> None:
     """By zig's compiler, where `pip install ziglang` has it."""

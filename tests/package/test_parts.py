@@ -153,10 +153,7 @@ def test_what_does_not_fit_the_manifest_is_not_written(tmp_path: Path) -> None:
     for code, arguments in (
         ("PARTS_DIFFER at /parts", (geometries[:1], good, textures)),
         ("PARTS_DIFFER at /tiers/1", (geometries, {**good, "hq": good["hq"][:1]}, textures)),
-        (
-            "PARTS_DIFFER at /tiers/1/parts/0/emission",
-            (geometries, {**good, "hq": dark}, textures),
-        ),
+        ("PARTS_DIFFER at /tiers/1/parts/0/emission", (geometries, {**good, "hq": dark}, textures)),
         ("GEOMETRY_CONTAINER at /parts/0/geometry", (geometries[::-1], good, textures)),
         (
             "REFERENCE_MISSING at /parts/0/transmittance/1",

@@ -137,11 +137,7 @@ class Study:
             "dataset": self.dataset.manifest.model_dump(
                 mode="json", by_alias=True, exclude=exclude
             ),
-            "definitions": {
-                "psnr": PSNR_DEFINITION,
-                "flip": DEFINITION,
-                "p99": P99_DEFINITION,
-            },
+            "definitions": {"psnr": PSNR_DEFINITION, "flip": DEFINITION, "p99": P99_DEFINITION},
             "models_planned": len(self.trials),
             "training_device": records[0].device,
             "costs": costs.model_dump() if costs else None,

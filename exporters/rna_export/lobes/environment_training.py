@@ -95,10 +95,7 @@ def _trained(
 
 
 def _measured(
-    package: Unpacked,
-    views: Sequence[PartViews],
-    environments: dict[str, np.ndarray],
-    bar: tqdm,
+    package: Unpacked, views: Sequence[PartViews], environments: dict[str, np.ndarray], bar: tqdm
 ) -> list[EnvironmentValidation]:
     """Errors of a package's lobes, as the runtime answers."""
     with tempfile.TemporaryDirectory() as folder:

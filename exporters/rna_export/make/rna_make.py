@@ -12,14 +12,8 @@ from typing import TYPE_CHECKING
 from rna_export.capture.blender_process import source_help
 from rna_export.capture.blender_process.source_file import check_source
 from rna_export.capture.orientation import joined_axes
-from rna_export.capture.rna_capture import (
-    check_settings,
-    given_settings,
-)
-from rna_export.export.package_options import (
-    check_environment,
-    lobe_minutes,
-)
+from rna_export.capture.rna_capture import check_settings, given_settings
+from rna_export.export.package_options import check_environment, lobe_minutes
 from rna_export.export.precision import precisions_of
 from rna_export.make.batch import check_outs, jobs_of, make_all
 from rna_export.make.make_parser import parser

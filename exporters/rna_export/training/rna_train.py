@@ -46,9 +46,7 @@ def parser() -> argparse.ArgumentParser:
         "per part if there are several (path, required)",
     )
     p.add_argument(
-        "--part",
-        metavar="NAME",
-        help="train only this part (str, default: all parts in turn)",
+        "--part", metavar="NAME", help="train only this part (str, default: all parts in turn)"
     )
     p.add_argument(
         "--cut",
@@ -110,9 +108,7 @@ def parser() -> argparse.ArgumentParser:
         "their visible area (float, default: the preset's steps)",
     )
     length.add_argument(
-        "--steps",
-        type=int,
-        help=f"training steps per part (int, default: the preset's, {usual})",
+        "--steps", type=int, help=f"training steps per part (int, default: the preset's, {usual})"
     )
     p.add_argument(
         "--seed",

@@ -83,12 +83,7 @@ EMISSION = DecoderForm("emission", ("radiance",), ("position", "axis", "h", "wo"
 FORMS = (TRANSPORT, EMISSION)
 """What a tier part answers: always the first, and the other where it has a decoder of it."""
 
-ENVIRONMENT = DecoderForm(
-    "environment",
-    ("visible", "shadowed", "axis"),
-    _LIT,
-    count="lobes",
-)
+ENVIRONMENT = DecoderForm("environment", ("visible", "shadowed", "axis"), _LIT, count="lobes")
 """Of the extension RNA_environment; wi is the mirror direction of wo."""
 
 

@@ -137,12 +137,7 @@ class _NeuralPoints(Points):
     widths: np.ndarray
 
     def __init__(
-        self,
-        scene: PartsScene,
-        part: int,
-        at: PartPoints,
-        wo: np.ndarray,
-        rest: RestPoints | None,
+        self, scene: PartsScene, part: int, at: PartPoints, wo: np.ndarray, rest: RestPoints | None
     ) -> None:
         self._scene, self._part, self._at, self._wo, self._rest = scene, part, at, wo, rest
         self.x, self.n = at.x, at.n

@@ -40,10 +40,7 @@ class Hit:
 
 
 def base_color(
-    mesh: Mesh,
-    records: Sequence[BaseColor],
-    hit: Hit,
-    rounding: np.random.Generator | None = None,
+    mesh: Mesh, records: Sequence[BaseColor], hit: Hit, rounding: np.random.Generator | None = None
 ) -> np.ndarray:
     """(3,) linear RGB; rounding: moves what readers round to float32."""
     for record in records:

@@ -62,11 +62,7 @@ def short_grid(kind: str, steps: int = SHORT_STEPS) -> list[Trial]:
 
 
 def ours(
-    kind: str,
-    width: int,
-    layers: int = 4,
-    planes: int | None = None,
-    channels: int | None = None,
+    kind: str, width: int, layers: int = 4, planes: int | None = None, channels: int | None = None
 ) -> Trial:
     """A model of our inputs and training; planes and channels as in our presets if not given."""
     preset = PRESETS[kind]["small"].with_model(

@@ -171,11 +171,7 @@ def _check_hair(shown: ColourOfUv) -> None:
 
 
 def _fit_holes(
-    surface: Surface,
-    cutoff: float | None,
-    tried: list[Chart],
-    points: UvPoints,
-    truth: np.ndarray,
+    surface: Surface, cutoff: float | None, tried: list[Chart], points: UvPoints, truth: np.ndarray
 ) -> Fit:
     """The best texture of a material's holes; with a cutoff, of what is compared with it."""
     shown = surface.shown

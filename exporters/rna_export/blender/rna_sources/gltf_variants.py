@@ -106,9 +106,7 @@ def _changes(data: Any, variant: int) -> dict[Material | None, set[Material | No
 
 
 def _why_not(
-    changes: dict[Material | None, set[Material | None]],
-    materials: list[dict[str, Any]],
-    data: Any,
+    changes: dict[Material | None, set[Material | None]], materials: list[dict[str, Any]], data: Any
 ) -> str | None:
     """Why a variant is no other base colour alone; None where it is."""
     for own, others in changes.items():

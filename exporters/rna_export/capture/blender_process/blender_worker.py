@@ -82,10 +82,7 @@ class BlenderWorker(BlenderProcess):
         return Curves(points, arrays["radii"], arrays["offsets"].astype(np.uint32))
 
     def export_corners(
-        self,
-        owner: str | None = None,
-        charts: dict[str, Any] | None = None,
-        of_hosts: bool = False,
+        self, owner: str | None = None, charts: dict[str, Any] | None = None, of_hosts: bool = False
     ) -> dict[str, np.ndarray]:
         """Corners of a top object's triangles, or of the scene's, +Y up: see `mesh_export.py`.
 
