@@ -17,7 +17,8 @@ from rna_sdk.package import Curves
 from rna_trace.embree import TriangleScene
 from rna_trace.embree import library as embree_library
 from rna_trace.parts_scene import PartsScene
-from tests.render.assets import EMBREE_ROUNDING, sphere, unit_vectors
+from tests.render.assets import EMBREE_ROUNDING, sphere
+from tests.runtime.points import unit_vectors
 
 PROCESSORS = [
     pytest.param(
