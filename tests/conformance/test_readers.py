@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from rna_render import conformance_reader
-from rna_sdk.conformance import reader, twin_reader
+from rna_sdk.conformance import reader
 from rna_sdk.conformance.kit import LEVELS, Kit
 from rna_sdk.conformance.lobe_queries import LobeQueries
 from rna_sdk.conformance.program import Command, Program, claimed_levels
@@ -25,7 +25,7 @@ from rna_sdk.package import Curves, NormalMap, Package, Transmittance
 from rna_sdk.package.decoder.query_arrays import in_order
 from rna_trace import parts_scene
 from rna_trace.surface import OFFSET, SurfacePoints, leaving_origins
-from tests.conformance import float32_reader
+from tests.conformance import float32_reader, twin_reader
 from tests.conformance.conftest import KIT, InProcess, with_geometry
 from tests.conformance.float32_reader import Formulas
 from tests.conformance.kit.blocks import unit

@@ -7,11 +7,11 @@ curve by 170; half of the distances are the same to the bit.
 from __future__ import annotations
 
 import gc
+from pathlib import Path
 
 import numpy as np
 import pytest
 
-from rna_sdk.cpu import has_avx512
 from rna_sdk.errors import SceneError
 from rna_sdk.package import Curves
 from rna_trace.embree import TriangleScene
@@ -20,10 +20,11 @@ from rna_trace.parts_scene import PartsScene
 from tests.render.assets import EMBREE_ROUNDING, sphere
 from tests.runtime.points import unit_vectors
 
+HAS_AVX512 = "avx512f" in Path("/proc/cpuinfo").read_text().split()
 PROCESSORS = [
     pytest.param(
         "avx512",
-        marks=pytest.mark.skipif(not has_avx512(), reason="needs a processor with AVX-512"),
+        marks=pytest.mark.skipif(not HAS_AVX512, reason="needs a processor with AVX-512"),
     ),
     *("avx2", "avx", "sse4.2"),
 ]

@@ -1,17 +1,12 @@
-"""The runtime's numpy twin as a reader program, with the decoder's graph as the package has it.
-
-rna-conform -- python -m rna_sdk.conformance.twin_reader
-"""
+"""The runtime's numpy twin as a reader, with the decoder's graph as the package has it."""
 
 from __future__ import annotations
-
-import sys
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.conformance.lobe_queries import LobeQueries, answer_of
-from rna_sdk.conformance.reader_program import BASE_COLOR_HIT, run_reader
+from rna_sdk.conformance.reader_program import BASE_COLOR_HIT
 from rna_sdk.package import Mesh, Package, Planes, float_planes
 from rna_sdk.package.decoder.decoder_form import form_named
 from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS, in_order
@@ -128,7 +123,3 @@ def _queries(
     if opened.manifest.parts[part].kind == "surface":
         return queries_reference(*place, at, axis, wo, wi, of_lobes)
     return fiber_queries_reference(*place, at, axis, h, wo, wi)
-
-
-if __name__ == "__main__":
-    sys.exit(run_reader(evaluate=evaluate, environment=environment, base_color=base_color))
