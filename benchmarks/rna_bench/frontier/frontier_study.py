@@ -56,9 +56,7 @@ class Study:
         dataset = Dataset(args.dataset).only
         grid, usual = (short_grid, SHORT_STEPS) if args.short else (full_grid, FULL_STEPS)
         trials = grid(dataset.kind, args.steps or usual)
-        workers = TrialWorkers.usual(
-            args.device, args.workers, executor, args.store, dataset.folder
-        )
+        workers = TrialWorkers.usual(args.device, args.workers, executor, dataset.folder)
         return cls(dataset, trials, _chosen(trials, args.trials), args.out, workers, args.stamp)
 
     def folder(self, trial: Trial) -> Path:
