@@ -15,16 +15,18 @@ from tests.web.three.pages import packed
 
 ELEMENT_SOURCES = REPOSITORY / "runtime" / "web" / "src" / "element"
 REACT = """import "rna-viewer/react";
-import type { RnaViewer } from "rna-viewer/react";
+import type { RnaViewer, RnaViewerEvents } from "rna-viewer/react";
 export const page = (
   <rna-viewer src="toy.rna" alt="A toy" camera-controls={true} min-camera-orbit="auto 0deg auto"
     style={{ width: 300 }} ref={(own: RnaViewer | null) => { own?.resetView(); }} />
 );
-export function listen(viewer: RnaViewer): void {
-  viewer.addEventListener("camera-change", ({ detail }) => console.log(detail.cameraOrbit.length));
+export function listen(viewer: RnaViewer): () => void {
+  const turned = ({ detail }: RnaViewerEvents["camera-change"]) => console.log(detail.cameraOrbit);
+  viewer.addEventListener("camera-change", turned);
   const place: number | undefined = viewer.positionAndNormalFromPoint(1, 2)?.position.x;
   viewer.cameraOrbit = place === undefined ? null : "0deg 90deg 2m";
   document.querySelector("rna-viewer")?.dismissPoster();
+  return () => viewer.removeEventListener("camera-change", turned);
 }
 // @ts-expect-error: no such value
 export const wrong = <rna-viewer loading="soon" />;

@@ -92,6 +92,10 @@ export interface RnaViewer extends Omit<HTMLElement, Overlaid>, RnaViewerPropert
     name: Name, listener: (event: RnaViewerEvents[Name]) => void, options?: boolean | AddEventListenerOptions,
   ): void;
   addEventListener(name: string, listener: EventListenerOrEventListenerObject, options?: boolean | AddEventListenerOptions): void;
+  removeEventListener<Name extends keyof RnaViewerEvents>(
+    name: Name, listener: (event: RnaViewerEvents[Name]) => void, options?: boolean | EventListenerOptions,
+  ): void;
+  removeEventListener(name: string, listener: EventListenerOrEventListenerObject, options?: boolean | EventListenerOptions): void;
 }
 export declare const RnaViewer: { prototype: RnaViewer; new (): RnaViewer };
 

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 
-from tests.package.prints import make_print
+from tests.package.prints import make_print, make_variants
 from tests.render.chromium import Page
 from tests.web.pages import TIMEOUT
 from tests.web.test_base_color import VIEW, printed_anew, write_files
@@ -35,12 +35,23 @@ PRINTED_ANEW = """(async () => {{
     return asset;
 }})()"""
 
+VARIANT = """(async () => {{
+    const loader = new rna.RnaLoader().setVariant("blue");
+    const other = await loader.loadAsync("{0}").catch((error) => error.message);
+    const expected = 'setVariant: expected "as it is" or "deep red", found "blue"';
+    if (other !== expected) throw new Error(other);
+    const asset = await loader.setVariant("deep red").loadAsync("{0}");
+    if (asset.variants.join() !== "as it is,deep red") throw new Error(asset.variants);
+    return asset;
+}})()"""
+
 
 @pytest.fixture(scope="module")
 def page(tmp_path_factory) -> Iterator[Page]:
     folder = tmp_path_factory.mktemp("prints")
     installed(folder)
     make_print(folder / "print.rna", write_files(folder, CELLS))
+    make_variants(folder / "variants.rna", images=write_files(folder, CELLS))
     shutil.copy(PAGE, folder)
     with opened(folder, PAGE.name, *SIZE) as page:
         page.wait_for("!!globalThis.test", TIMEOUT)
@@ -59,6 +70,18 @@ def test_the_picture_of_the_path_tracer(load, page, tmp_path):
     expected = by_rna_run(scene)
     assert psnr(actual, without_edges(expected, actual)) >= LEAST_PSNR
     assert psnr(1.1 * actual, without_edges(expected, actual)) < LEAST_PSNR
+
+
+@pytest.mark.usefixtures("middles_of_pixels")
+def test_a_variant(page, tmp_path):
+    path = make_variants(tmp_path / "variants.rna", images=write_files(tmp_path, CELLS))
+    scene = write_scene(tmp_path, {"path": path, **VIEW}, SUN, SIZE, 1)
+    own, plain = by_rna_run(scene), scene.read_text()
+    scene.write_text(plain.replace(f"{{path: {path}}}", f"{{path: {path}, variant: deep red}}"))
+    expected = by_rna_run(scene)
+    actual = by_three(page, {"path": path, **VIEW}, "sun()", SIZE, load=VARIANT)
+    assert psnr(actual, without_edges(expected, actual)) >= LEAST_PSNR
+    assert psnr(actual, without_edges(own, actual)) < LEAST_PSNR - 10
 
 
 def without_edges(expected: np.ndarray, actual: np.ndarray) -> np.ndarray:

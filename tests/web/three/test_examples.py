@@ -7,12 +7,14 @@ import json
 import shutil
 import subprocess
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
 from PIL import Image
 
+from tests.render.gltf_text import box_glb
 from tests.web.pages import TIMEOUT
 from tests.web.three.pages import REPOSITORY, TOY, installed, opened
 
@@ -21,14 +23,25 @@ pytestmark = pytest.mark.chromium
 EXAMPLES = REPOSITORY / "examples" / "web"
 
 
-def shows_toy(folder: Path) -> bool:
-    """Whether the folder's page comes to show the toy's red and yellow."""
+def has_toy(red: np.ndarray, green: np.ndarray, blue: np.ndarray) -> bool:
+    """Whether there is the toy's red and yellow."""
+    return np.sum(red > 2 * green + 40) > 5 and np.sum((red > 80) & (green > 2 * blue)) > 5
+
+
+def has_toy_in_green_glass(red: np.ndarray, green: np.ndarray, blue: np.ndarray) -> bool:
+    """Whether all of the middle is green, in which the toy is seen as light and dark."""
+    middle = np.s_[15:25, 24:40]
+    is_green = np.all(green[middle] > 2 * np.maximum(red, blue)[middle])
+    return bool(is_green) and np.ptp(green[middle]) > 60
+
+
+def shows(folder: Path, has: Callable[..., bool] = has_toy) -> bool:
+    """Whether the folder's page comes to show that: of red, green and blue."""
     end = time.monotonic() + TIMEOUT
     with opened(folder, "index.html", 64, 40) as page:
         while time.monotonic() < end:
             pixels = np.asarray(Image.open(io.BytesIO(page.screenshot())).convert("RGB"), float)
-            red, green, blue = np.moveaxis(pixels, -1, 0)
-            if np.sum(red > 2 * green + 40) > 5 and np.sum((red > 80) & (green > 2 * blue)) > 5:
+            if has(*np.moveaxis(pixels, -1, 0)):
                 return True
             time.sleep(0.5)
     return False
@@ -38,7 +51,16 @@ def test_plain_page(tmp_path):
     installed(tmp_path)
     shutil.copy(TOY, tmp_path)
     shutil.copy(EXAMPLES / "plain" / "index.html", tmp_path)
-    assert shows_toy(tmp_path)
+    assert shows(tmp_path)
+
+
+def test_glass_beside_an_asset(tmp_path):
+    installed(tmp_path)
+    shutil.copy(TOY, tmp_path / "bottle.rna")
+    glass = box_glb((1.6, 0.9, 0.8), 1.5, colour=(0.01, 1.0, 0.01))
+    (tmp_path / "bottle.glass.glb").write_bytes(glass)
+    shutil.copy(EXAMPLES / "glass" / "index.html", tmp_path)
+    assert shows(tmp_path, has_toy_in_green_glass)
 
 
 def test_docs_have_the_page():
@@ -72,4 +94,4 @@ def test_bundled_example(example, tmp_path):
     subprocess.run(["npx", "vite", "build"], cwd=folder, check=True, timeout=600)
     assert (folder / "dist" / "index.html").is_file()
     if example == "react-three-fiber":  # the other one's shader, with shadows, takes minutes
-        assert shows_toy(folder / "dist")
+        assert shows(folder / "dist")
