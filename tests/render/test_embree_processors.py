@@ -20,7 +20,8 @@ from rna_trace.parts_scene import PartsScene
 from tests.render.assets import EMBREE_ROUNDING, sphere
 from tests.runtime.points import unit_vectors
 
-HAS_AVX512 = "avx512f" in Path("/proc/cpuinfo").read_text().split()
+CPUINFO = Path("/proc/cpuinfo")
+HAS_AVX512 = CPUINFO.is_file() and "avx512f" in CPUINFO.read_text().split()
 PROCESSORS = [
     pytest.param(
         "avx512",
