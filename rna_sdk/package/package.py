@@ -286,10 +286,10 @@ class Package:
             PackageError: an image cannot be decoded.
             QueryError: the package has no such part or variant, or is closed.
         """
-        own = self._part(part).base_color
+        stored = self._part(part).base_color
         records = [
             changed_record(record, change)
-            for record, change in zip(own, self._changes(part, variant), strict=True)
+            for record, change in zip(stored, self._changes(part, variant), strict=True)
         ]
         images: dict[str, Texture] = {}
         for record in records:
@@ -297,7 +297,7 @@ class Package:
                 images[record.image] = image_from_bytes(self._view(record.image), record.image)
         return [
             BaseColor.of(record, images.get(record.image or ""), label_of(usual) or None)
-            for usual, record in zip(own, records, strict=True)
+            for usual, record in zip(stored, records, strict=True)
         ]
 
     def _changes(self, part: int, variant: str | None) -> Sequence[BaseColorFields | None]:

@@ -162,8 +162,8 @@ class CompositeAsset(Asset):
         other, parts = self._twin(), []
         for part in self._parts:
             labels = {record.label for record in part.base_colors}
-            own = {label: image for label, image in images.items() if label in labels}
-            parts.append(part.with_base_color(own, tint))
+            of_part = {label: image for label, image in images.items() if label in labels}
+            parts.append(part.with_base_color(of_part, tint))
         other._parts = tuple(parts)
         return other
 
@@ -295,8 +295,8 @@ class AssetPart(Asset):
         else:
             result = _results(out, number, count)
         for k, evaluator in enumerate(evaluators):
-            own = result if len(evaluators) == 1 else result[k : k + 1]
-            evaluator.run(Batch.of(checked, own))
+            rows = result if len(evaluators) == 1 else result[k : k + 1]
+            evaluator.run(Batch.of(checked, rows))
         return result
 
     def _transport(self, arrays: Mapping[str, object], visibility: object) -> Rows:

@@ -46,8 +46,8 @@ class GpuPart:
         for one in tier_part.decoders:
             model = package.decoder(tier.name, part, one.form.name)
             decoder = _packed(model, one.inputs, tier_part.channels, f"{name}, tier {tier.name}")
-            own = COLUMNS * len(one.form.results)
-            factors = own if one.width > own else 0
+            columns = COLUMNS * len(one.form.results)
+            factors = columns if one.width > columns else 0
             uniform = part_uniform(decoder, tier_part, record.bounds, stored, factors)
             buffers = [
                 device.upload(uniform, "UNIFORM", what=f"{name}: record"),

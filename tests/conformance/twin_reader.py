@@ -59,9 +59,9 @@ def base_color(package: str, records: bytes) -> Rows:
     result = np.empty((len(hits), 3), np.float32)
     with Package.open(package) as opened:
         for part in np.unique(hits["part"]).tolist():
-            own = hits["part"] == part
-            at = (hits[name][own] for name in ("primitive", "u", "v", "level"))
-            result[own] = base_color_reference(opened.mesh(part), opened.base_color(part), *at)
+            rows = hits["part"] == part
+            at = (hits[name][rows] for name in ("primitive", "u", "v", "level"))
+            result[rows] = base_color_reference(opened.mesh(part), opened.base_color(part), *at)
     return result
 
 

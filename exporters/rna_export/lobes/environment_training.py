@@ -80,17 +80,17 @@ def _trained(
     for k in sorted(set(range(len(views))) - set(seen)):
         say(f"environment: no lobes of {views[k].part.name}, which no viewer sees")
     for done, k in enumerate(seen):
-        own, now = views[k], monotonic()
+        part_views, now = views[k], monotonic()
         with Package.open(package) as opened:
-            queries = QueryRows(opened, asset.tier.name, k, own.visibility_columns)
+            queries = QueryRows(opened, asset.tier.name, k, part_views.visibility_columns)
         torch.manual_seed(k)
         model = LobeModel(queries.columns)
         seconds = max((end - now) / (len(seen) - done), 0.1)
         paces = StepPace(usual), TimePace(seconds, now)
-        steps = fit_lobes(model, own, queries, paces, k, filling(bar, share))
+        steps = fit_lobes(model, part_views, queries, paces, k, filling(bar, share))
         spent = f"{steps:,} of {usual:,} steps, {model.multiply_adds:,} multiply-adds a query"
-        say(f"environment: lobes of {own.part.name}: {spent}")
-        lobes[k] = exported_lobes(model, own, queries, asset.tier.name)
+        say(f"environment: lobes of {part_views.part.name}: {spent}")
+        lobes[k] = exported_lobes(model, part_views, queries, asset.tier.name)
     return lobes
 
 
@@ -112,8 +112,8 @@ def parts_with_lobes(
     """What `lobe_pictures` measures of a loaded asset. visibility: as of `part_views`."""
     views = part_views(asset, visibility)
     return [
-        (own, _lobes_of(part))
-        for own, part in zip(views, asset.parts, strict=True)
+        (part_views, _lobes_of(part))
+        for part_views, part in zip(views, asset.parts, strict=True)
         if part.environment_form is not None
     ]
 

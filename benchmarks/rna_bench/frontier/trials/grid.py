@@ -123,8 +123,8 @@ def ablations(kind: str, widths: tuple[int, ...]) -> list[Trial]:
             without = tuple(b for b in preset.model.inputs if b not in ("h", "fiber_lobes"))
             variants["no-h"] = preset.with_model(inputs=without)
         else:
-            own = tuple(b for b in preset.model.inputs if b != "learned_normal")
-            variants["no-learned-normal"] = preset.with_model(inputs=own)
+            without = tuple(b for b in preset.model.inputs if b != "learned_normal")
+            variants["no-learned-normal"] = preset.with_model(inputs=without)
         trials += [
             _trial("ablation", changed, f"w{width}-{variant}", variant)
             for variant, changed in variants.items()

@@ -84,8 +84,8 @@ class Piece(DatasetPart):
         colors: dict[str, Any],
     ):
         bounds = _with_margin(seams, number, whole)
-        own = {"name": f"{whole.name}_{number}", "bounds": bounds, **colors}
-        super().__init__(dataset, whole.captured.model_copy(update=own))
+        changes = {"name": f"{whole.name}_{number}", "bounds": bounds, **colors}
+        super().__init__(dataset, whole.captured.model_copy(update=changes))
         self._whole, self._number, self._seams = whole, number, seams
 
     def geometry(self) -> Mesh:
@@ -108,8 +108,8 @@ class Piece(DatasetPart):
         near = np.all((position >= low) & (position <= high), axis=1)
         if not near.any():
             raise CaptureError(f"{self.folder}: no view ray met part {self.name}")
-        own = samples.keys() - ({BASE_COLOR} - self.fields.keys())
-        return {name: rows[near] for name, rows in samples.items() if name in own}
+        fields = samples.keys() - ({BASE_COLOR} - self.fields.keys())
+        return {name: rows[near] for name, rows in samples.items() if name in fields}
 
     def view(self, index: int) -> ValidationView:
         """The rows that lie on the piece itself."""
