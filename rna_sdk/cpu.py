@@ -22,11 +22,6 @@ def processor_key() -> str:
     return f"{processor()}, {sha256(flags.encode()).hexdigest()[:12]}"
 
 
-def has_avx512() -> bool:
-    """Whether it has AVX-512; False where Linux does not say."""
-    return "avx512f" in _cpuinfo("flags").split()
-
-
 def multiplies_bfloat16() -> bool:
     """Whether it has matrix instructions for bfloat16; False where Linux does not say."""
     return not {"avx512_bf16", "amx_bf16"}.isdisjoint(_cpuinfo("flags").split())

@@ -65,12 +65,7 @@ class SceneError(RnaError):
     """
 
     def __init__(
-        self,
-        message: str,
-        *,
-        file: object = None,
-        line: int | None = None,
-        key: str | None = None,
+        self, message: str, *, file: object = None, line: int | None = None, key: str | None = None
     ) -> None:
         self.file, self.line, self.key = file, line, key
         parts = [str(file)] if file is not None else []

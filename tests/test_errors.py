@@ -10,10 +10,7 @@ import pytest
 from rna_sdk.errors import PackageError, RnaError, SceneError
 from rna_sdk.package import Code, Issue
 
-ISSUES = [
-    Issue.of(Code.ZIP_CRC, 64, "0x1", "0x2"),
-    Issue.of(Code.FIELD_VALUE, "/tiers/0", 3, 4),
-]
+ISSUES = [Issue.of(Code.ZIP_CRC, 64, "0x1", "0x2"), Issue.of(Code.FIELD_VALUE, "/tiers/0", 3, 4)]
 ERRORS = [
     PackageError(ISSUES, Path("toy.rna")),
     PackageError(iter(ISSUES)),

@@ -20,13 +20,7 @@ pytestmark = pytest.mark.skipif(
 
 @pytest.mark.parametrize(
     "work",
-    [
-        "trainer",
-        "rna-run",
-        "evaluate",
-        "lobes",
-        pytest.param("capture", marks=pytest.mark.blender),
-    ],
+    ["trainer", "rna-run", "evaluate", "lobes", pytest.param("capture", marks=pytest.mark.blender)],
 )
 def test_one_thread_takes_one_core(work: str) -> None:
     (row,) = measure(work, [1], [], 4.0)["threads"]

@@ -46,10 +46,7 @@ def test_the_lowest_versions_are_what_the_lowest_test_installs() -> None:
 
 @pytest.mark.parametrize(
     ("name", "fixed", "fault"),
-    [
-        ("torch", (2, 10), "CVE-2026-24747"),
-        ("pillow", (10, 3), "CVE-2023-4863 and CVE-2024-28219"),
-    ],
+    [("torch", (2, 10), "CVE-2026-24747"), ("pillow", (10, 3), "CVE-2023-4863 and CVE-2024-28219")],
 )
 def test_no_version_with_a_known_fault_is_admitted(
     name: str, fixed: tuple[int, ...], fault: str

@@ -57,7 +57,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         args.script_arguments, args.stamp = script_arguments, stamp(given)
         return args.run(args)
 
-    note = "finished steps are kept: run the same command again to resume"
+    note = "finished steps are not repeated: run the same command again to resume"
     stopped = note if command.resumes else "nothing was written"
     return run_command(measure, "--debug" in command_line, stopped, "bench")
 

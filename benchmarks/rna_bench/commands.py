@@ -35,7 +35,6 @@ COMMANDS = {
     command.name: command
     for command in (
         Command("scenes", "scenes.scenes_command", resumes=True),
-        Command("original", "scenes.original_command"),
         Command("time-to-flip", "scenes.time_to_flip"),
         Command("gain", "accuracy.gain_command"),
         Command("film", "scenes.film", resumes=True),
@@ -45,7 +44,6 @@ COMMANDS = {
         Command("peers", "peers.peers_command", resumes=True),
         Command("peers-data", "peers.views_command", resumes=True),
         Command("assets", "accuracy.assets_command"),
-        Command("words", "accuracy.words_command"),
         Command("materials", "accuracy.materials_command", resumes=True),
         Command("lobes", "accuracy.lobes_command"),
         Command("evaluate", "speed.evaluate"),

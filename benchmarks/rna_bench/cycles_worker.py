@@ -15,18 +15,14 @@ from rna_sdk.errors import CaptureError
 
 
 @contextmanager
-def cycles(
-    source: Path, arguments: tuple[str, ...] = (), glass: str = "leave"
-) -> Iterator[BlenderWorker]:
+def cycles(source: Path, arguments: tuple[str, ...] = ()) -> Iterator[BlenderWorker]:
     """A worker with the source open, on all cores; arguments: of a source that is a script.
-
-    glass: what becomes of its smooth glass, see `Source`.
 
     Raises CaptureError where there is no such file, no Blender, or it cannot open the source.
     """
     if not source.is_file():
         raise CaptureError(f"{source}: no such file")
-    python, opened = blender_env.find_python(), Source(source, arguments, glass=glass)
+    python, opened = blender_env.find_python(), Source(source, arguments)
     with (
         tempfile.TemporaryDirectory(prefix="rna-bench-") as scratch,
         BlenderWorker(python, opened, Path(scratch), core_count()) as worker,

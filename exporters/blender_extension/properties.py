@@ -94,8 +94,7 @@ class RnaPasses(bpy.types.PropertyGroup):
     """Passes of a view layer for which Blender has no option."""
 
     asset_index: bpy.props.BoolProperty(
-        name="Asset Index",
-        description="Number of the object in the scene, from 1; assets first",
+        name="Asset Index", description="Number of the object in the scene, from 1; assets first"
     )
     visibility: bpy.props.BoolProperty(
         name="Visibility", description="Part of the light samples that nothing stands in the way of"

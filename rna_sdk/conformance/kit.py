@@ -201,10 +201,7 @@ def load_kit(folder: Path) -> Kit:
         tuple(_part_case(DeformedCase, folder, record) for record in index["deformed"]),
         tuple(
             ValidateCase(
-                folder / record["package"],
-                record["valid"],
-                record["code"],
-                record["extension"],
+                folder / record["package"], record["valid"], record["code"], record["extension"]
             )
             for record in index["validate"]
         ),

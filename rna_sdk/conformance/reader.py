@@ -44,21 +44,21 @@ def base_color(package: str, records: bytes) -> NDArray[np.float32]:
     result = np.empty((len(hits), 3), np.float32)
     with Package.open(package) as opened:
         for part in np.unique(hits["part"]).tolist():
-            own = hits["part"] == part
+            rows = hits["part"] == part
             maps = BaseColorMaps(opened.mesh(part), opened.base_color(part))
-            u, v, level = (hits[name][own] for name in ("u", "v", "level"))
-            result[own] = maps.at_levels(hits["primitive"][own].astype(np.int64), u, v, level)
+            u, v, level = (hits[name][rows] for name in ("u", "v", "level"))
+            result[rows] = maps.at_levels(hits["primitive"][rows].astype(np.int64), u, v, level)
     return result
 
 
 def geometry(package: str, part: int) -> NDArray[np.float32]:
     """(v, 8) position, normal, texture coordinate; or (p, 4) point, radius."""
     with Package.open(package) as opened:
-        own = opened.geometry(part)
-        if isinstance(own, Curves):
-            return np.column_stack([own.points, own.radii])
-        uvs = np.zeros((len(own.positions), 2), np.float32) if own.uvs is None else own.uvs
-        return np.hstack([own.positions, own.normals, uvs])
+        shape = opened.geometry(part)
+        if isinstance(shape, Curves):
+            return np.column_stack([shape.points, shape.radii])
+        uvs = np.zeros((len(shape.positions), 2), np.float32) if shape.uvs is None else shape.uvs
+        return np.hstack([shape.positions, shape.normals, uvs])
 
 
 def deformed(

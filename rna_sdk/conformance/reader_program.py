@@ -74,9 +74,9 @@ def run_reader(
             package, tier, part, queries, results = rest
             rows = np.fromfile(queries, "<f4").reshape(-1, COLUMNS).astype(np.float32)
             _write(results, environment(package, tier, int(part), LobeQueries.of(rows)))
-        elif (asked := of_hits.get(level)) and len(rest) == 3:
+        elif (of_level := of_hits.get(level)) and len(rest) == 3:
             package, hits, results = rest
-            _write(results, asked(package, Path(hits).read_bytes()))
+            _write(results, of_level(package, Path(hits).read_bytes()))
         elif level == "geometry" and geometry and len(rest) == 3:
             package, part, results = rest
             _write(results, geometry(package, int(part)))

@@ -33,7 +33,6 @@ from .manifest.manifest_tiers import TierEmission as TierEmission
 from .manifest.manifest_tiers import TierPart as TierPart
 from .manifest.manifest_tiers import TierShadowed as TierShadowed
 from .manifest.manifest_tiers import Validation as Validation
-from .manifest.tier_ranges import tier_ranges as tier_ranges
 from .package import EnvironmentLobes as EnvironmentLobes
 from .package import Package as Package
 from .packing import Lobes as Lobes

@@ -16,10 +16,7 @@ from rna_sdk.package.container.zip_container import Container
 from rna_sdk.package.geometry.curves import Curves
 from rna_sdk.package.geometry.geometry_files import Geometry, geometry_from_bytes
 from rna_sdk.package.geometry.mesh import Mesh
-from rna_sdk.package.geometry.source_vertices import (
-    SourceVertices,
-    source_vertices_from_bytes,
-)
+from rna_sdk.package.geometry.source_vertices import SourceVertices, source_vertices_from_bytes
 from rna_sdk.package.geometry.vertex_visibility import (
     Harmonics,
     vertex_count,
@@ -289,10 +286,10 @@ class Package:
             PackageError: an image cannot be decoded.
             QueryError: the package has no such part or variant, or is closed.
         """
-        own = self._part(part).base_color
+        stored = self._part(part).base_color
         records = [
             changed_record(record, change)
-            for record, change in zip(own, self._changes(part, variant), strict=True)
+            for record, change in zip(stored, self._changes(part, variant), strict=True)
         ]
         images: dict[str, Texture] = {}
         for record in records:
@@ -300,7 +297,7 @@ class Package:
                 images[record.image] = image_from_bytes(self._view(record.image), record.image)
         return [
             BaseColor.of(record, images.get(record.image or ""), label_of(usual) or None)
-            for usual, record in zip(own, records, strict=True)
+            for usual, record in zip(stored, records, strict=True)
         ]
 
     def _changes(self, part: int, variant: str | None) -> Sequence[BaseColorFields | None]:
@@ -353,14 +350,6 @@ class Package:
             harmonics = visibility_from_bytes(self._view(name), name, vertices)
         planes = planes_from_bytes(self._view(record.planes), record)
         return EnvironmentLobes(record, planes, self._view(record.decoder), harmonics)
-
-    def layout(self) -> dict[str, range]:
-        """Byte range of each entry in the file, its header included; for `tier_ranges`.
-
-        Raises:
-            QueryError: the package is closed.
-        """
-        return self._opened().layout()
 
     def _proxies(self, part: int) -> tuple[ProxyLevel, ...]:
         data = extension(self.manifest, Proxy)

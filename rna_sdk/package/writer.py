@@ -16,10 +16,10 @@ from rna_sdk.package.container.zip_container import MANIFEST_NAME
 from rna_sdk.package.container.zip_writer import write_container
 from rna_sdk.package.geometry.geometry_files import Geometry, geometry_to_bytes
 from rna_sdk.package.issues import Code, refuse
+from rna_sdk.package.manifest.entry_order import ordered
 from rna_sdk.package.manifest.manifest_model import EntryRecord, Manifest
 from rna_sdk.package.manifest.manifest_tiers import Tier, TierPart
 from rna_sdk.package.manifest.manifest_writer import manifest_to_json
-from rna_sdk.package.manifest.tier_ranges import ordered
 from rna_sdk.package.textures.normal_maps import NORMALS
 from rna_sdk.package.textures.planes import DTYPES, Planes, planes_to_bytes
 from rna_sdk.package.textures.texture_form import Texture

@@ -23,16 +23,16 @@ def base_color_reference(
     """(n, 3) linear RGB. triangle, u, v, level: (n,), of the hits."""
     result = np.ones((len(triangle), 3))
     for record in records:
-        own = np.flatnonzero((triangle >= record.first) & (triangle < record.first + record.count))
-        result[own] = record.factor
+        rows = np.flatnonzero((triangle >= record.first) & (triangle < record.first + record.count))
+        result[rows] = record.factor
         if record.image is None:
             continue
         assert mesh.uvs is not None
-        weights = np.stack([1.0 - u[own] - v[own], u[own], v[own]], axis=1, dtype=np.float64)
-        uv = np.einsum("nk,nkc->nc", weights, mesh.uvs[mesh.triangles[triangle[own]]])
+        weights = np.stack([1.0 - u[rows] - v[rows], u[rows], v[rows]], axis=1, dtype=np.float64)
+        uv = np.einsum("nk,nkc->nc", weights, mesh.uvs[mesh.triangles[triangle[rows]]])
         matrix = np.array(record.transform).reshape(2, 3)
         place, levels = uv @ matrix[:, :2].T + matrix[:, 2], _levels(record)
-        for row, where in zip(own, place, strict=True):
+        for row, where in zip(rows, place, strict=True):
             k = min(int(level[row]), len(levels) - 1)
             rest = level[row] - k if k < len(levels) - 1 else 0.0
             space = record.color_space

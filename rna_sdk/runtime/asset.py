@@ -23,13 +23,7 @@ from rna_sdk.package import (
     Transmittance,
     decoder_from_bytes,
 )
-from rna_sdk.package.decoder.decoder_form import (
-    COLUMNS,
-    SHADOWED,
-    TRANSPORT,
-    VISIBLE,
-    form_named,
-)
+from rna_sdk.package.decoder.decoder_form import COLUMNS, SHADOWED, TRANSPORT, VISIBLE, form_named
 from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS, Rows
 from rna_sdk.package.manifest.manifest_fields import Kind
 from rna_sdk.package.textures.exchanged_images import check_images, with_images
@@ -168,8 +162,8 @@ class CompositeAsset(Asset):
         other, parts = self._twin(), []
         for part in self._parts:
             labels = {record.label for record in part.base_colors}
-            own = {label: image for label, image in images.items() if label in labels}
-            parts.append(part.with_base_color(own, tint))
+            of_part = {label: image for label, image in images.items() if label in labels}
+            parts.append(part.with_base_color(of_part, tint))
         other._parts = tuple(parts)
         return other
 
@@ -282,7 +276,7 @@ class AssetPart(Asset):
         """The results of a decoder, each (n, 3) float32; 0 if the part has no such decoder.
 
         form: name of its form: "transport" gives (visible, shadowed), "emission" (radiance,).
-        arrays: by name, those that the form is asked with: position, axis (a normal or tangent), h
+        arrays: by name, those that the form takes: position, axis (a normal or tangent), h
         (of fibers alone), wo, wi, and base_color where the tier part uses it. out: arrays for the
         results, as for `evaluate`.
 
@@ -301,8 +295,8 @@ class AssetPart(Asset):
         else:
             result = _results(out, number, count)
         for k, evaluator in enumerate(evaluators):
-            own = result if len(evaluators) == 1 else result[k : k + 1]
-            evaluator.run(Batch.of(checked, own))
+            rows = result if len(evaluators) == 1 else result[k : k + 1]
+            evaluator.run(Batch.of(checked, rows))
         return result
 
     def _transport(self, arrays: Mapping[str, object], visibility: object) -> Rows:

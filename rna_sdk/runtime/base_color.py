@@ -26,10 +26,10 @@ class BaseColorMaps:
         number = np.full(len(mesh.triangles), -1, np.int32)
         density = np.zeros(len(mesh.triangles), np.float32)
         for k, record in enumerate(records):
-            own = slice(record.first, record.first + record.count)
-            number[own] = k
+            of_record = slice(record.first, record.first + record.count)
+            number[of_record] = k
             if record.image is not None:
-                density[own] = _texel_density(mesh, record, own)
+                density[of_record] = _texel_density(mesh, record, of_record)
         uvs = np.zeros((len(mesh.positions), 2), np.float32) if mesh.uvs is None else mesh.uvs
         pyramids = [base_color_levels(one) if one.image is not None else [] for one in records]
         levels = np.zeros((max(len(records), 1), LEVELS, 3), np.int64)
@@ -67,12 +67,7 @@ class BaseColorMaps:
         return self._looked_up(primitives, u, v, widths, np.ones_like(self._density))
 
     def _looked_up(
-        self,
-        primitives: NDArray[np.integer],
-        u: Rows,
-        v: Rows,
-        widths: Rows | float,
-        density: Rows,
+        self, primitives: NDArray[np.integer], u: Rows, v: Rows, widths: Rows | float, density: Rows
     ) -> Rows:
         number = indices("primitives", primitives, len(self._mesh.triangles))
         count = len(number)
@@ -97,10 +92,10 @@ def srgb_to_linear(value: Rows) -> Rows:
     return wide.astype(np.float32)
 
 
-def _texel_density(mesh: Mesh, record: BaseColor, own: slice) -> Rows:
+def _texel_density(mesh: Mesh, record: BaseColor, of_record: slice) -> Rows:
     """Texels of the record's image a unit of length, on each of its triangles; 0 without area."""
     assert mesh.uvs is not None and record.image is not None
-    corners = mesh.triangles[own]
+    corners = mesh.triangles[of_record]
     p = mesh.positions[corners].astype(np.float64)
     area = np.linalg.norm(np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]), axis=1)
     uv = mesh.uvs[corners].astype(np.float64)

@@ -1,7 +1,7 @@
 """Rest points: the decoder's queries of a deformed shape. spec/RNA.md, 8.3.
 
 A point of the deformed shape is the same place of the same triangle, or of the same segment, at
-rest. Its decoder is asked there, with directions turned by the rotation of the deformation.
+rest. Its decoder is evaluated there, with directions turned by the rotation of the deformation.
 """
 
 from __future__ import annotations

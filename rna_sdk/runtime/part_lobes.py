@@ -1,4 +1,4 @@
-"""The lobes of a loaded part (RNA_environment): made ready when they are asked for first."""
+"""The lobes of a loaded part (RNA_environment): loaded at their first use."""
 
 from __future__ import annotations
 

@@ -46,8 +46,8 @@ class GpuPart:
         for one in tier_part.decoders:
             model = package.decoder(tier.name, part, one.form.name)
             decoder = _packed(model, one.inputs, tier_part.channels, f"{name}, tier {tier.name}")
-            own = COLUMNS * len(one.form.results)
-            factors = own if one.width > own else 0
+            columns = COLUMNS * len(one.form.results)
+            factors = columns if one.width > columns else 0
             uniform = part_uniform(decoder, tier_part, record.bounds, stored, factors)
             buffers = [
                 device.upload(uniform, "UNIFORM", what=f"{name}: record"),
@@ -110,12 +110,7 @@ class GpuSurface(GpuPart):
     """A part whose geometry is a mesh."""
 
     def evaluate(
-        self,
-        positions: Rows,
-        normals: Rows,
-        wo: Rows,
-        wi: Rows,
-        base_color: Rows | None = None,
+        self, positions: Rows, normals: Rows, wo: Rows, wi: Rows, base_color: Rows | None = None
     ) -> tuple[Rows, Rows]:
         """Like `rna_sdk.runtime.SurfaceAsset.evaluate`, within the tolerance of the spec (8.2)."""
         arrays = {"position": positions, "axis": normals, "wo": wo, "wi": wi}

@@ -114,10 +114,7 @@ def _fiber_lobes(t: mi.Vector3f, h: mi.Float, wo: mi.Vector3f, wi: mi.Vector3f) 
     columns = []
     for _ in range(3):
         columns.append(cos_phi * turn[0] + sin_phi * turn[1])
-        turn = (
-            -turn[0] * inner[0] - turn[1] * inner[1],
-            turn[0] * inner[1] - turn[1] * inner[0],
-        )
+        turn = (-turn[0] * inner[0] - turn[1] * inner[1], turn[0] * inner[1] - turn[1] * inner[0])
     return columns
 
 

@@ -23,7 +23,7 @@ _SMOOTH_BELOW = 0.1  # cosine of 7.1, where rays begin to start on the smooth su
 class Points:
     """Points of hits.
 
-    x: positions. axis: mapped normals or tangents, what the decoder is asked with. h: offsets of
+    x: positions. axis: mapped normals or tangents, what the decoder takes. h: offsets of
     fibers. color: base colour. n, ng, lift: normals that are interpolated and of triangles, and the
     way onto the smooth surface; of fibers n is outward, ng and lift are 0. strand: of fibers, its
     number.

@@ -10,14 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rna_sdk.conformance.reader import (
-    base_color,
-    check,
-    deformed,
-    environment,
-    evaluate,
-    geometry,
-)
+from rna_sdk.conformance.reader import base_color, check, deformed, environment, evaluate, geometry
 from rna_sdk.conformance.reader_program import run_reader
 from rna_sdk.package import Curves, Mesh, Package
 

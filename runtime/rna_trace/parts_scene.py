@@ -71,12 +71,7 @@ class PartsScene(GeometryScene):
         self._scene.commit()
 
     def points(
-        self,
-        part: int,
-        primitive: np.ndarray,
-        u: np.ndarray,
-        v: np.ndarray,
-        normals: np.ndarray,
+        self, part: int, primitive: np.ndarray, u: np.ndarray, v: np.ndarray, normals: np.ndarray
     ) -> PartPoints:
         """The points of hits on one part; arrays are rows of ClosestHits.
 

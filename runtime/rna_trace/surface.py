@@ -41,11 +41,7 @@ class Mesh(Protocol):
 
 
 def interpolate_positions(
-    positions: np.ndarray,
-    triangles: np.ndarray,
-    triangle: np.ndarray,
-    u: np.ndarray,
-    v: np.ndarray,
+    positions: np.ndarray, triangles: np.ndarray, triangle: np.ndarray, u: np.ndarray, v: np.ndarray
 ) -> np.ndarray:
     """The points at barycentrics (u, v) of the given triangles: (n, 3) float32.
 
@@ -56,11 +52,7 @@ def interpolate_positions(
 
 
 def interpolate_normals(
-    normals: np.ndarray,
-    triangles: np.ndarray,
-    triangle: np.ndarray,
-    u: np.ndarray,
-    v: np.ndarray,
+    normals: np.ndarray, triangles: np.ndarray, triangle: np.ndarray, u: np.ndarray, v: np.ndarray
 ) -> np.ndarray:
     """Unit shading normals, interpolated from the corners' (v, 3) float32: (n, 3) float32.
 
@@ -132,10 +124,7 @@ class SurfacePoints:
 
 
 def leaving_origins(
-    points: SurfacePoints,
-    directions: np.ndarray,
-    extent: float,
-    row: np.ndarray | None = None,
+    points: SurfacePoints, directions: np.ndarray, extent: float, row: np.ndarray | None = None
 ) -> np.ndarray:
     """Origins of rays that leave surface points and must not hit the surface there: (k, 3) float32.
 

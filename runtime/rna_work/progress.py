@@ -18,12 +18,7 @@ class Progress:
     """
 
     def __init__(
-        self,
-        total: float,
-        unit: str,
-        what: str,
-        done: float = 0.0,
-        bars: Callable[..., Any] = tqdm,
+        self, total: float, unit: str, what: str, done: float = 0.0, bars: Callable[..., Any] = tqdm
     ) -> None:
         scaled = {"unit_scale": total >= 1000, "smoothing": 0.05}
         self._is_spread = False  # over nodes, or was

@@ -15,13 +15,7 @@ import pytest
 
 from rna_sdk.conformance.kit import Kit, load_kit
 from rna_sdk.conformance.program import Answer
-from rna_sdk.conformance.reader_program import (
-    Deformed,
-    Environment,
-    Evaluate,
-    Geometry,
-    run_reader,
-)
+from rna_sdk.conformance.reader_program import Deformed, Environment, Evaluate, Geometry, run_reader
 from tests.conftest import REPOSITORY
 
 KIT = REPOSITORY / "spec" / "conformance"

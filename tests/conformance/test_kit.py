@@ -128,7 +128,7 @@ def test_normals_are_bent_in_every_way(kit: Kit) -> None:
     (case,) = kit.normals
     rows = {c.name: c.rows for c in case.classes}
     assert set(rows) == {
-        *("ordinary", "mirrored", "no area in the texture", "no map", "edges and corners"),
+        *("ordinary", "mirrored", "no area in the texture", "no map", "edges and corners")
     }
     assert min(rows.values()) > 100 and sum(rows.values()) == len(case.expected)
     np.testing.assert_allclose(np.linalg.norm(case.expected, axis=1), 1)

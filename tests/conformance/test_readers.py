@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from rna_render import conformance_reader
-from rna_sdk.conformance import reader, twin_reader
+from rna_sdk.conformance import reader
 from rna_sdk.conformance.kit import LEVELS, Kit
 from rna_sdk.conformance.lobe_queries import LobeQueries
 from rna_sdk.conformance.program import Command, Program, claimed_levels
@@ -25,7 +25,7 @@ from rna_sdk.package import Curves, NormalMap, Package, Transmittance
 from rna_sdk.package.decoder.query_arrays import in_order
 from rna_trace import parts_scene
 from rna_trace.surface import OFFSET, SurfacePoints, leaving_origins
-from tests.conformance import float32_reader
+from tests.conformance import float32_reader, twin_reader
 from tests.conformance.conftest import KIT, InProcess, with_geometry
 from tests.conformance.float32_reader import Formulas
 from tests.conformance.kit.blocks import unit
@@ -63,9 +63,7 @@ def test_the_runtime_passes_every_level(kit: Kit) -> None:
 
 def test_the_numpy_twin_passes(kit: Kit) -> None:
     twin = InProcess(
-        twin_reader.evaluate,
-        environment=twin_reader.environment,
-        base_color=twin_reader.base_color,
+        twin_reader.evaluate, environment=twin_reader.environment, base_color=twin_reader.base_color
     )
     assert failures(twin, kit, *claimed_levels(twin)) == []
 
@@ -424,7 +422,7 @@ def unturned_roots(host: ModuleType) -> None:
 
 
 MESHES = {
-    *("surface-float32", "surface-clip", "surface-quantised", "surface-relief", "surface-tiny"),
+    *("surface-float32", "surface-clip", "surface-quantised", "surface-relief", "surface-tiny")
 }
 STRANDS = {"fiber-float16", "fiber-int8", "fiber-one-channel", "parts-head"}
 
@@ -432,11 +430,7 @@ STRANDS = {"fiber-float16", "fiber-int8", "fiber-one-channel", "parts-head"}
 @pytest.mark.filterwarnings("ignore:invalid value:RuntimeWarning")  # a half turn has many axes
 @pytest.mark.parametrize(
     ("change", "packages"),
-    [
-        (angles_of_the_shape, MESHES),
-        (facets_alone, MESHES | STRANDS),
-        (unturned_roots, STRANDS),
-    ],
+    [(angles_of_the_shape, MESHES), (facets_alone, MESHES | STRANDS), (unturned_roots, STRANDS)],
 )
 def test_readers_that_turn_deformed_shapes_wrong_fail(
     change: Callable[[ModuleType], None], packages: set[str], kit: Kit, deformed_host: ModuleType

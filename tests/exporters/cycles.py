@@ -9,7 +9,7 @@ import numpy as np
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.capture.capture_settings import SHARPEST
 from rna_export.capture.geometry.exported_parts import ExportedParts
-from rna_export.capture.geometry.mesh_cleanup import clean_mesh
+from rna_export.capture.geometry.mesh_cleanup import welded
 from rna_export.capture.rays.asset_scene import AssetScene
 from rna_export.capture.rays.view_rays import ViewRays, outside_rays, sample_view_rays
 from rna_trace.surface import SurfacePoints
@@ -39,7 +39,7 @@ def unit(*vector: float) -> np.ndarray:
 
 def trace(worker: BlenderWorker, wi: np.ndarray, rays: int = 2048, samples: int = 1) -> Traced:
     """View rays as a capture draws them, lit from `wi`."""
-    scene = AssetScene([clean_mesh(worker.export_corners())])
+    scene = AssetScene([welded(worker.export_corners())[0]])
     drawn = sample_view_rays(scene, wi, rays, "sphere", np.random.default_rng(5))
     points = scene.shade_points(drawn.origins, drawn.directions)
     rendered = worker.render_rays(drawn.origins, drawn.directions, wi, samples, seed=1)

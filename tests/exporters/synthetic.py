@@ -16,7 +16,8 @@ from rna_export.capture.dataset.dataset_manifest import CapturedPart, CaptureMan
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.sample_files import write_parts
 from rna_export.training.presets import PRESETS, Preset
-from tests.render.assets import sphere, unit_vectors
+from tests.render.assets import sphere
+from tests.runtime.points import unit_vectors
 
 ALBEDO = np.array([0.8, 0.5, 0.2])
 LIGHTS_A_SHARD = 8

@@ -10,7 +10,7 @@ from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.capture_tasks import TrainingShard
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_manifest import CapturedPart
-from rna_export.capture.geometry.mesh_cleanup import clean_mesh
+from rna_export.capture.geometry.mesh_cleanup import welded
 from tests.exporters.conftest import OpenWorker
 from tests.exporters.cycles import trace, unit
 from tests.exporters.synthetic import manifest_of
@@ -99,7 +99,7 @@ def test_a_hit_on_an_unread_cutout_is_a_sample(open_worker: OpenWorker, tmp_path
 
 
 def one_light_dataset(folder, worker) -> Dataset:
-    mesh = clean_mesh(worker.export_corners())
+    mesh = welded(worker.export_corners())[0]
     low, high = mesh.positions.min(axis=0), mesh.positions.max(axis=0)
     bounds = tuple(low.tolist()), tuple(high.tolist())
     part = CapturedPart(name="asset", kind="surface", bounds=bounds)

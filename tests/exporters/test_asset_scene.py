@@ -4,7 +4,7 @@ import pytest
 from rna_export.capture.rays.asset_scene import AssetScene
 from tests.exporters.meshes import merged, moved, ring, sphere, square
 from tests.exporters.two_parts import spikes
-from tests.render.assets import unit_vectors
+from tests.runtime.points import unit_vectors
 
 
 def test_points_on_a_ball_are_where_the_ball_is() -> None:

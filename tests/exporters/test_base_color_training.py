@@ -15,7 +15,7 @@ from rna_export.training.optimization.samples import SampleTable
 from rna_export.training.presets import PRESETS
 from rna_export.training.validation import answer
 from tests.exporters.synthetic import samples_of_light, tiny
-from tests.render.assets import unit_vectors
+from tests.runtime.points import unit_vectors
 
 BOUNDS = torch.tensor([[-1.1] * 3, [1.1] * 3])
 CHECKS = 40  # along a side of the box; the planes have 16 texels

@@ -23,7 +23,7 @@ from rna_sdk.package.geometry.mesh import Mesh
 from rna_sdk.runtime import CompositeAsset, load
 from tests.exporters.meshes import sphere
 from tests.exporters.synthetic import make_dataset, tiny, transport
-from tests.render.assets import unit_vectors
+from tests.runtime.points import unit_vectors
 
 RESOLUTION = 32
 STEPS = 300

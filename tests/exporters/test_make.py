@@ -33,7 +33,7 @@ from rna_export.training.presets import PRESETS
 from rna_export.training.report import Curves
 from rna_sdk.errors import TrainingError
 from tests.exporters.synthetic import RAYS, make_dataset, samples_of_light, tiny
-from tests.render.assets import unit_vectors
+from tests.runtime.points import unit_vectors
 
 SHARD = 4  # lights
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from rna_export.capture.blender_axes import from_blender
-from rna_export.capture.geometry.mesh_cleanup import clean_mesh
+from rna_export.capture.geometry.mesh_cleanup import welded
 from tests.exporters.conftest import OpenWorker
 
 pytestmark = pytest.mark.blender
@@ -30,7 +30,7 @@ def test_flat_faces_have_flat_normals(open_worker: OpenWorker) -> None:
 
 
 def test_smooth_faces_have_smooth_normals(open_worker: OpenWorker) -> None:
-    mesh = clean_mesh(open_worker("add(*BALL, smooth=True)").export_corners())
+    mesh = welded(open_worker("add(*BALL, smooth=True)").export_corners())[0]
     assert len(mesh.positions) == 162  # no vertex was split
     assert np.sum(mesh.normals * mesh.positions, axis=1).min() > 0.999
 
@@ -38,7 +38,7 @@ def test_smooth_faces_have_smooth_normals(open_worker: OpenWorker) -> None:
 def test_sharp_edges_split_the_normals(open_worker: OpenWorker) -> None:
     sharp = "item.data.edges.foreach_set('use_edge_sharp', [True] * len(item.data.edges))"
     script = f"item = add(CUBE, SIDES, smooth=True)\n{sharp}"
-    assert len(clean_mesh(open_worker(script).export_corners()).positions) == 24
+    assert len(welded(open_worker(script).export_corners())[0].positions) == 24
 
 
 @pytest.mark.parametrize("scale", [(1, 1, 1), (-1, 1, 1), (2, -1, -3), (-1, -1, -1)])
@@ -46,7 +46,7 @@ def test_triangles_wind_outwards_whatever_the_scale(
     open_worker: OpenWorker, scale: tuple[int, int, int]
 ) -> None:
     worker = open_worker(f"add(*BALL, smooth=True, matrix=Matrix.Diagonal(({(*scale, 1)})))")
-    mesh = clean_mesh(worker.export_corners())
+    mesh = welded(worker.export_corners())[0]
     a, b, c = np.moveaxis(mesh.positions[mesh.triangles], 1, 0)
     assert np.all(np.sum(np.cross(b - a, c - a) * (a + b + c), axis=1) > 0.0)
     x, y, z = np.abs(scale)

@@ -6,12 +6,7 @@ import onnxruntime
 import pytest
 import torch
 
-from rna_export.export.decoder import (
-    compare_decoder,
-    decoders_of,
-    export_decoder,
-    random_queries,
-)
+from rna_export.export.decoder import compare_decoder, decoders_of, export_decoder, random_queries
 from rna_export.training.model.neural_asset import NeuralAsset, new_model
 from rna_export.training.optimization.losses import sample_loss
 from tests.exporters.synthetic import tiny

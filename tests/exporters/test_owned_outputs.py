@@ -151,9 +151,7 @@ def test_one_command_writes_a_folder_at_a_time(
 
 
 def test_leftovers_are_deleted_by_name(
-    dataset: Dataset,
-    home: Callable[[], dict[str, bytes]],
-    monkeypatch: pytest.MonkeyPatch,
+    dataset: Dataset, home: Callable[[], dict[str, bytes]], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A dataset of an earlier version, without a marker, is resumed; files of the user stay."""
     Path("s.obj").write_bytes(b"the source")

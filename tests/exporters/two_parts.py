@@ -15,7 +15,7 @@ from rna_export.capture.dataset.dataset_manifest import CapturedPart
 from rna_sdk.package import Curves, Mesh
 from tests.exporters.meshes import sphere
 from tests.exporters.synthetic import manifest_of
-from tests.render.assets import unit_vectors
+from tests.runtime.points import unit_vectors
 
 
 def spikes(count: int, radius: float = 0.01, root: float = 1.0, tip: float = 1.5) -> Curves:

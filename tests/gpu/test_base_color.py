@@ -10,13 +10,10 @@ import pytest
 
 import rna_gpu
 from rna_gpu import Device, GpuSurface
-from rna_gpu.scene.probe import Probe
 from rna_render.scene.scene_file import SceneFile
 from rna_render.world.world import World
 from rna_sdk import runtime
 from rna_sdk.errors import QueryError
-from rna_sdk.package import Package
-from rna_sdk.reference.base_color import base_color_reference
 from tests.gpu.scenes import assert_same_numbers, on_cpu, on_gpu
 from tests.gpu.test_evaluate import rows
 from tests.package.prints import LABEL, STAMP, image_bytes, make_print
@@ -74,25 +71,6 @@ def test_queries_without_a_base_color(printed: Path, device: Device) -> None:
     queries = rows(4, runtime.load(printed).bounds)
     with pytest.raises(QueryError, match=r"base_color: expected a \(4, 3\) float32 array"):
         gpu.evaluate(*queries)
-
-
-def test_colors_as_the_reference_has_them(printed: Path, device: Device) -> None:
-    """Images of odd sizes, wrapped, turned, sRGB and linear; between levels and beyond the last."""
-    rng, count = np.random.default_rng(5), 4000
-    triangle = rng.integers(0, 4, count)
-    corners = rng.dirichlet([1, 1, 1], count).astype(np.float32)
-    u, v = corners[:, 1], corners[:, 2]
-    levels = rng.uniform(0, 5, count).astype(np.float32)
-    levels[::3] = np.round(levels[::3])
-    hits = np.zeros((count, 8), np.uint32)
-    hits[:, 0] = triangle
-    hits[:, 1], hits[:, 2] = u.view(np.uint32), v.view(np.uint32)
-    actual = Probe(printed, device).base_colors(hits, levels)
-    with Package.open(printed) as package:
-        mesh, records = package.mesh(), package.base_color()
-    expected = base_color_reference(mesh, records, triangle, u, v, levels)
-    assert np.abs(actual - expected).max() < 0.006  # of levels in 8 bits
-    assert np.abs(actual - expected)[levels == 0].max() < 2e-5
 
 
 SCENE = """

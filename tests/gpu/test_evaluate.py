@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import rna_gpu
-from rna_gpu import Device, GpuFiber, GpuSurface, conformance_reader
+from rna_gpu import Device, GpuSurface, conformance_reader
 from rna_gpu.decoder_packing import pack_decoder
 from rna_gpu.evaluator import Evaluator
 from rna_gpu.shaders import compose
@@ -40,24 +40,6 @@ def test_the_conformance_kit(device: Device) -> None:
     cases = kit.evaluate, kit.visibility, kit.normals, kit.base_color
     assert len(scores) == sum(map(len, cases))
     assert [score for score in scores if not score.passed] == []
-
-
-def test_a_surface_as_the_runtime_has_it(device: Device) -> None:
-    cpu, gpu = runtime.load(TOY), rna_gpu.load(TOY, device=device)
-    assert isinstance(cpu, runtime.SurfaceAsset) and isinstance(gpu, GpuSurface)
-    expected = np.hstack(cpu.evaluate(*rows(3000, cpu.bounds)))
-    actual = np.hstack(gpu.evaluate(*rows(3000, cpu.bounds)))
-    assert np.abs(actual - expected).max() <= 1e-3 * np.sqrt(np.mean(expected**2))
-
-
-def test_fibers_as_the_runtime_has_them(device: Device) -> None:
-    cpu, gpu = runtime.load(BALL), rna_gpu.load(BALL, device=device)
-    assert isinstance(cpu, runtime.FiberAsset) and isinstance(gpu, GpuFiber)
-    x, t, wo, wi = rows(3000, cpu.bounds)
-    h = np.linspace(-1.2, 1.2, 3000, dtype=np.float32)
-    expected = np.hstack(cpu.evaluate(x, t, h, wo, wi))
-    actual = np.hstack(gpu.evaluate(x, t, h, wo, wi))
-    assert np.abs(actual - expected).max() <= 1e-3 * np.sqrt(np.mean(expected**2))
 
 
 def test_results_do_not_depend_on_the_batch(

@@ -40,10 +40,7 @@ def test_members_are_aligned_as_in_wgsl() -> None:
 
 def test_accessors_read_the_members() -> None:
     record = Record(
-        "Row",
-        Field("flags", "<u4"),
-        Field("half", "<f4", (2,)),
-        Field("numbers", "<u4", (2, 4)),
+        "Row", Field("flags", "<u4"), Field("half", "<f4", (2,)), Field("numbers", "<u4", (2, 4))
     )
     assert record.accessors("rows") == (
         "fn row_flags(k: u32) -> u32 {\n"

@@ -6,7 +6,6 @@ import ctypes
 import shutil
 import subprocess
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -181,11 +180,6 @@ class CAsset:
         status = getattr(self._rna, function)(*place, *map(_address, arrays))
         if status:
             raise ValueError(f"{function}: status {status}")
-
-
-def values(pointer: Any, *shape: int) -> np.ndarray:
-    """A copy of the array at `pointer`, of a record of the host."""
-    return np.ctypeslib.as_array(pointer, shape).copy()
 
 
 def _address(array: np.ndarray | None) -> ctypes.c_void_p:

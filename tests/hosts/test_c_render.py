@@ -11,12 +11,7 @@ import pytest
 from rna_sdk.package import Mesh, Tier, TierData, TierEmission, TransmittanceRecord, write_package
 from tests.hosts.c_host import compiler
 from tests.hosts.test_c_host import CURLS, TOY, run
-from tests.package.builders import (
-    make_manifest,
-    make_part,
-    make_planes,
-    make_tier_part,
-)
+from tests.package.builders import make_manifest, make_part, make_planes, make_tier_part
 from tests.render.packages import constant_decoder
 
 pytestmark = pytest.mark.skipif(compiler() is None, reason="needs cc and make")

@@ -88,9 +88,3 @@ def test_the_code_of_the_docs_runs(monkeypatch: pytest.MonkeyPatch) -> None:
     image = np.array(names["image"])
     assert image.shape[:2] == (48, 64) and np.isfinite(image).all()
     assert image[..., :3].max() > 0.3
-
-
-def test_links_of_the_page_lead_somewhere() -> None:
-    page = REPOSITORY / "docs" / "mitsuba.md"
-    links = re.findall(r"\]\((?!https?:)([^)#]+)", page.read_text())
-    assert links and [link for link in links if not (page.parent / link).exists()] == []

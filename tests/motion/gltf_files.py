@@ -42,10 +42,7 @@ class GltfFile:
         return {"primitives": [primitive]}
 
     def animate(
-        self,
-        tracks: list[tuple[int, str, Any, Any]],
-        name: str = "clip",
-        kind: str = "LINEAR",
+        self, tracks: list[tuple[int, str, Any, Any]], name: str = "clip", kind: str = "LINEAR"
     ) -> None:
         """An animation of tracks: node, path, times, values."""
         samplers = [

@@ -183,13 +183,14 @@ def test_a_long_chain_of_joints(tmp_path: Path) -> None:
         lambda d: primitive(d).update(indices=primitive(d)["attributes"]["POSITION"]),
         lambda d: d["accessors"][primitive(d)["indices"]].update(count=-3),
         lambda d: d["nodes"][1].update(scale=[1e19, 1e19, 1e19]),
+        lambda d: d["accessors"][0].update(count=d["buffers"][0]),
     ],
 )
 def test_a_motion_that_cannot_be_posed(tmp_path: Path, change: Any) -> None:
     path = changed(tmp_path / "a.gltf", change)
     with pytest.raises(MotionError, match=r"a\.gltf: is no valid glTF file: \w+: ") as caught:
         GltfMotion(path).positions(1)
-    assert "\n" not in str(caught.value)
+    assert "\n" not in str(caught.value) and len(str(caught.value)) < 1000
 
 
 def test_data_that_lost_its_scheme_is_not_repeated(tmp_path: Path) -> None:

@@ -75,8 +75,7 @@ REST = 5
 def package(path: Path, mesh: Mesh, hair: Curves) -> Path:
     """A package of these two parts."""
     tier = Tier(
-        name="small",
-        parts=(make_tier_part("skin"), make_tier_part("hair", inputs=FIBER_INPUTS)),
+        name="small", parts=(make_tier_part("skin"), make_tier_part("hair", inputs=FIBER_INPUTS))
     )
     parts = make_part(name="skin"), make_part(name="hair", kind="fiber")
     origin = Provenance(source="arm.py", tool="tests", capture={REST_FRAME: REST})

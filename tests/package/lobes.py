@@ -22,11 +22,7 @@ from tests.package.builders import FIBER_INPUTS, INPUTS, decoder_of, make_decode
 
 LOBES = 4
 FOREST = EnvironmentValidation(
-    environment="forest",
-    psnr=28.5,
-    psnr_with_lights=30.5,
-    flip=0.05,
-    brightness=(0.99, 1.0, 1.01),
+    environment="forest", psnr=28.5, psnr_with_lights=30.5, flip=0.05, brightness=(0.99, 1.0, 1.01)
 )
 
 
@@ -58,11 +54,7 @@ def even_decoder(columns: int, amplitude: float, lobes: int = LOBES) -> bytes:
 
 
 def with_lobes(
-    source: Path,
-    target: Path,
-    *parts: int,
-    visibility: bool = True,
-    decoder: bytes | None = None,
+    source: Path, target: Path, *parts: int, visibility: bool = True, decoder: bytes | None = None
 ) -> Path:
     """A copy of a package with random lobes of these parts, or of the first; its path.
 

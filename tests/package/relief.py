@@ -9,13 +9,7 @@ import numpy as np
 
 from rna_sdk.package import Manifest, NormalMapRecord, write_package
 from rna_sdk.package.textures.texture_form import Texture
-from tests.package.builders import (
-    make_manifest,
-    make_mesh,
-    make_part,
-    make_tier,
-    make_tier_data,
-)
+from tests.package.builders import make_manifest, make_mesh, make_part, make_tier, make_tier_data
 
 BARK, DENT = "normals/bark.safetensors", "normals/dent.safetensors"
 

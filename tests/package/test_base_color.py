@@ -170,7 +170,7 @@ def test_shadowed_light_needs_no_base_color(tmp_path: Path) -> None:
         small, hq = package.manifest.tiers
         assert [d.form.name for d in small.parts[0].decoders] == ["transport"]
         assert [(d.form.name, d.width) for d in hq.parts[0].decoders] == [
-            *(("visible", 3), ("shadowed", 3)),
+            *(("visible", 3), ("shadowed", 3))
         ]
         assert package.decoder("hq") == package.decoder("hq", 0, "visible")
         assert package.decoder("hq", 0, "shadowed") != package.decoder("hq")

@@ -90,10 +90,7 @@ def test_each_kind_has_its_own_geometry(tiny: Path, tuft: Path) -> None:
 
 @pytest.mark.parametrize(
     ("kind", "inputs", "geometry"),
-    [
-        ("fiber", FIBER_INPUTS, make_mesh()),
-        ("surface", ("features", "wo"), make_curves()),
-    ],
+    [("fiber", FIBER_INPUTS, make_mesh()), ("surface", ("features", "wo"), make_curves())],
     ids=["mesh as fiber", "curves as surface"],
 )
 def test_writer_refuses_the_other_geometry(

@@ -288,12 +288,7 @@ def test_bounds_are_rounded_for_every_reader(entries: dict[str, bytes]) -> None:
 
 
 SPANNING = {
-    *(
-        "BOUNDS_EMPTY",
-        "INPUT_KIND",
-        "EXTENSION_REQUIRED",
-        "EXTENSION_UNDECLARED",
-    ),
+    *("BOUNDS_EMPTY", "INPUT_KIND", "EXTENSION_REQUIRED", "EXTENSION_UNDECLARED"),
     *("REFERENCE_MISSING", "ENTRY_UNREFERENCED"),
     *("PARTS_DIFFER", "PART_DUPLICATE", "TRANSMITTANCE_RANGE"),
 }

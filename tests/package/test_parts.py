@@ -1,10 +1,8 @@
-"""Packages of several parts: what is written is what is read, in two ranges of bytes a tier."""
+"""Packages of several parts: what is written is what is read, a tier after the other."""
 
 from __future__ import annotations
 
-import io
 import json
-import zipfile
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -13,7 +11,7 @@ import numpy as np
 import pytest
 
 from rna_sdk.errors import PackageError, QueryError
-from rna_sdk.package import Mesh, Package, tier_ranges, validate, write_package
+from rna_sdk.package import Mesh, Package, validate, write_package
 from rna_sdk.package.manifest.manifest_reader import parse_manifest
 from tests.package.builders import (
     make_curves,
@@ -82,58 +80,6 @@ def test_entries_are_in_the_order_of_use(lantern: Path) -> None:
         *(*body[0], *tuft[0]),
         *(*body[1], *tuft[1]),
     ]
-
-
-class Ranges(io.RawIOBase):
-    """A file elsewhere: counts what is read of it."""
-
-    def __init__(self, data: bytes) -> None:
-        self._data, self._at = data, 0
-        self.read_ranges: list[range] = []
-
-    def seek(self, offset: int, whence: int = 0) -> int:
-        self._at = offset + (0, self._at, len(self._data))[whence]
-        return self._at
-
-    def tell(self) -> int:
-        return self._at
-
-    def seekable(self) -> bool:
-        return True
-
-    def read(self, size: int = -1) -> bytes:
-        end = len(self._data) if size < 0 else self._at + size
-        self.read_ranges.append(range(self._at, end))
-        data, self._at = self._data[self._at : end], end
-        return data
-
-
-@pytest.mark.parametrize("tier", ["small", "hq"])
-def test_one_tier_takes_two_ranges(lantern: Path, tier: str) -> None:
-    """By the central directory, as other software reads it."""
-    data = lantern.read_bytes()
-    file = Ranges(data)
-    with zipfile.ZipFile(file) as archive:  # type: ignore[arg-type]
-        starts = [info.header_offset for info in archive.infolist()]
-        ends = [*starts[1:], archive.start_dir]
-        names = archive.namelist()
-        manifest = parse_manifest(archive.read("manifest.json"))
-    layout = {name: range(*ends) for name, *ends in zip(names, starts, ends, strict=True)}
-    with Package.open(lantern) as package:
-        assert package.layout() == layout
-        record = package.tier(tier)
-    file.read_ranges.clear()
-    ranges = tier_ranges(layout, manifest, record)
-    assert len(ranges) <= 2 and ranges[0].start == 0
-    fetched = bytearray(len(data))
-    for wanted in ranges:
-        file.seek(wanted.start)
-        fetched[wanted.start : wanted.stop] = file.read(len(wanted))
-    assert file.read_ranges == ranges
-    other = "hq" if tier == "small" else "small"
-    for name, entry in layout.items():
-        is_whole = fetched[entry.start : entry.stop] == data[entry.start : entry.stop]
-        assert is_whole == (f"/{other}-" not in name)
 
 
 def test_equal_geometry_is_stored_once(tmp_path: Path) -> None:
@@ -207,10 +153,7 @@ def test_what_does_not_fit_the_manifest_is_not_written(tmp_path: Path) -> None:
     for code, arguments in (
         ("PARTS_DIFFER at /parts", (geometries[:1], good, textures)),
         ("PARTS_DIFFER at /tiers/1", (geometries, {**good, "hq": good["hq"][:1]}, textures)),
-        (
-            "PARTS_DIFFER at /tiers/1/parts/0/emission",
-            (geometries, {**good, "hq": dark}, textures),
-        ),
+        ("PARTS_DIFFER at /tiers/1/parts/0/emission", (geometries, {**good, "hq": dark}, textures)),
         ("GEOMETRY_CONTAINER at /parts/0/geometry", (geometries[::-1], good, textures)),
         (
             "REFERENCE_MISSING at /parts/0/transmittance/1",

@@ -15,13 +15,7 @@ from rna_sdk.package.geometry.geometry_files import Geometry, geometry_from_byte
 from rna_sdk.package.geometry.glb_reader import mesh_from_glb
 from rna_sdk.package.geometry.glb_writer import mesh_to_glb
 from rna_sdk.package.geometry.quantised_curves import QuantisedCurves
-from tests.package.builders import (
-    make_curves,
-    make_manifest,
-    make_mesh,
-    make_tier,
-    make_tier_data,
-)
+from tests.package.builders import make_curves, make_manifest, make_mesh, make_tier, make_tier_data
 
 
 def make_ball(subdivisions: int = 4) -> Mesh:

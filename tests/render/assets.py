@@ -144,9 +144,3 @@ def merged(*meshes: Mesh) -> Mesh:
             [mesh.triangles + np.uint32(s) for mesh, s in zip(meshes, starts[:-1], strict=True)]
         ),
     )
-
-
-def unit_vectors(rng: np.random.Generator, n: int) -> np.ndarray:
-    """Uniform directions, (n, 3) float32."""
-    vectors = rng.normal(size=(n, 3))
-    return (vectors / np.linalg.norm(vectors, axis=1, keepdims=True)).astype(np.float32)

@@ -11,9 +11,9 @@ from rna_sdk.errors import PackageError, QueryError, SceneError
 from rna_sdk.package import Curves
 from rna_trace.embree.instances import Instance, InstanceScene
 from rna_trace.parts_scene import PartsScene
-from tests.render.assets import unit_vectors
 from tests.render.round_cones import entries
 from tests.render.strands import curls, straight
+from tests.runtime.points import unit_vectors
 
 
 def scene_of(curves: Curves) -> PartsScene:

@@ -12,7 +12,8 @@ import pytest
 from rna_sdk.errors import QueryError, SceneError
 from rna_trace.embree import TriangleScene
 from rna_trace.embree.library import Device, SceneHandle
-from tests.render.assets import EMBREE_ROUNDING, sphere, square, unit_vectors
+from tests.render.assets import EMBREE_ROUNDING, sphere, square
+from tests.runtime.points import unit_vectors
 
 
 def moeller_trumbore(positions, triangles, origins, directions):

@@ -8,7 +8,7 @@ import pytest
 from rna_sdk.errors import SceneError
 from rna_trace.embree import DiscScene, SphereScene
 from rna_trace.embree.tracing import closest_hits
-from tests.render.assets import unit_vectors
+from tests.runtime.points import unit_vectors
 
 
 def hits(scene, origins, directions):

@@ -7,22 +7,25 @@ curve by 170; half of the distances are the same to the bit.
 from __future__ import annotations
 
 import gc
+from pathlib import Path
 
 import numpy as np
 import pytest
 
-from rna_sdk.cpu import has_avx512
 from rna_sdk.errors import SceneError
 from rna_sdk.package import Curves
 from rna_trace.embree import TriangleScene
 from rna_trace.embree import library as embree_library
 from rna_trace.parts_scene import PartsScene
-from tests.render.assets import EMBREE_ROUNDING, sphere, unit_vectors
+from tests.render.assets import EMBREE_ROUNDING, sphere
+from tests.runtime.points import unit_vectors
 
+CPUINFO = Path("/proc/cpuinfo")
+HAS_AVX512 = CPUINFO.is_file() and "avx512f" in CPUINFO.read_text().split()
 PROCESSORS = [
     pytest.param(
         "avx512",
-        marks=pytest.mark.skipif(not has_avx512(), reason="needs a processor with AVX-512"),
+        marks=pytest.mark.skipif(not HAS_AVX512, reason="needs a processor with AVX-512"),
     ),
     *("avx2", "avx", "sse4.2"),
 ]

@@ -17,7 +17,8 @@ from rna_trace.embree.instances import (
     Instance,
     InstanceScene,
 )
-from tests.render.assets import EMBREE_ROUNDING, sphere, square, unit_vectors
+from tests.render.assets import EMBREE_ROUNDING, sphere, square
+from tests.runtime.points import unit_vectors
 
 
 def placed(**transform) -> np.ndarray:

@@ -21,9 +21,9 @@ from rna_sdk.runtime import load, transmittance
 from rna_trace.asset_parts import mesh_transmittance
 from rna_trace.parts_scene import PartsScene
 from tests.package.lantern import make_lantern
-from tests.render.assets import unit_vectors
 from tests.render.packages import write_lamp_package
 from tests.render.stage import rgb
+from tests.runtime.points import unit_vectors
 
 SCENE = """
 assets:

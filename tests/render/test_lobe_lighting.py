@@ -51,7 +51,7 @@ SURROUNDINGS = {
                 coat_f0=0.04,
             ),
             {"translation": (2.0, 0.0, 1.0), "rotation_deg": (0, 0, 80)},
-        ),
+        )
     ],
     "another asset": [(LobedAsset(sphere(2)), {"translation": (1.5, 0.0, 1.5), "scale": 0.6})],
 }

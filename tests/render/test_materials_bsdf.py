@@ -12,8 +12,8 @@ from rna_render.materials.ggx import MIN_ALPHA, TABLE_SIZE
 from rna_render.materials.ggx_albedo import ALBEDO_TABLE, albedo_terms
 from rna_render.materials.ggx_quadrature import fill_albedo
 from rna_render.materials.scattering import ClearCoat
-from tests.render.assets import unit_vectors
 from tests.render.chi_squared import assert_directions_follow
+from tests.runtime.points import unit_vectors
 
 LAMBERT = {"base": (0.8, 0.5, 0.2)}
 GOLD = {"base": (1.0, 0.78, 0.34), "metallic": 1.0}

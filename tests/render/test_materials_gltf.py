@@ -11,8 +11,8 @@ from PIL import Image
 
 from rna_render.materials.bumps import bumped_normals
 from rna_sdk.errors import SceneError
-from tests.render.assets import unit_vectors
 from tests.render.test_mesh_files import GLTF_UVS, Gltf, read
+from tests.runtime.points import unit_vectors
 
 CENTRE = np.int32([0]), np.float32([1 / 3]), np.float32([1 / 3])
 TOWARDS = np.float32([[0, 0, 1]])

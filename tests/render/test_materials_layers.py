@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tests.render.assets import unit_vectors
 from tests.render.test_materials_bsdf import (
     COATED,
     MATT,
@@ -17,6 +16,7 @@ from tests.render.test_materials_bsdf import (
     made_of,
     rows,
 )
+from tests.runtime.points import unit_vectors
 
 
 def albedo(material, cosine, count=400_000) -> tuple[np.ndarray, np.ndarray]:

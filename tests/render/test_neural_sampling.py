@@ -10,8 +10,8 @@ import pytest
 from rna_render.paths.sampling import Sampler
 from rna_render.world.bodies import FIBER_LOBES, SURFACE_LOBES
 from rna_render.world.neural_sampling import LobeMixture
-from tests.render.assets import unit_vectors
 from tests.render.chi_squared import assert_directions_follow
+from tests.runtime.points import unit_vectors
 
 WIDE = 20.0, 40.0, 80.0  # that cells of the whole sphere resolve
 MIXTURES = {

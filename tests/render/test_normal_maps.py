@@ -11,7 +11,8 @@ from rna_sdk.runtime.normal_maps import mapped_normals
 from rna_trace.normal_maps import NormalMaps
 from rna_trace.parts_scene import PartsScene
 from rna_trace.surface import interpolate_normals
-from tests.render.assets import sphere, unit_vectors
+from tests.render.assets import sphere
+from tests.runtime.points import unit_vectors
 
 
 def textured(rng: np.random.Generator, count: int = 60) -> Mesh:

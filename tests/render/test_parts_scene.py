@@ -9,9 +9,10 @@ from rna_sdk.package import Curves, Mesh
 from rna_trace.fiber import FiberPoints
 from rna_trace.parts_scene import PartsScene
 from rna_trace.surface import OFFSET, SurfacePoints
-from tests.render.assets import merged, sphere, square, unit_vectors
+from tests.render.assets import merged, sphere, square
 from tests.render.round_cones import entries
 from tests.render.strands import curls, straight
+from tests.runtime.points import unit_vectors
 
 UPRIGHT = straight(((0, 0.5, 0), (0, 1.5, 0)))
 BESIDE = straight(((0.5, 0.5, 0), (0.5, 1.5, 0)), ((5, 0, 0), (5, 1, 0)))

@@ -57,10 +57,7 @@ def test_a_model_given_as_an_asset_is_named(tmp_path: Path) -> None:
         ("", True),
         ("lights: [{type: point, position: [0, 9, 0], intensity: [0, 0, 0]}]\n", True),
         ("lights: [{type: environment, radiance: [0, 0, 0]}]\n", True),
-        (
-            "lights: [{type: sphere, position: [0, 9, 0], radius: 1, radiance: [0, 0, 0]}]\n",
-            True,
-        ),
+        ("lights: [{type: sphere, position: [0, 9, 0], radius: 1, radiance: [0, 0, 0]}]\n", True),
         ("lights: [{type: point, position: [0, 9, 0], intensity: [0, 0, 1]}]\n", False),
         ("ground: {material: {type: diffuse, emission: [1, 0, 0]}}\n", False),
         ("assets: [{path: lamp.rna}]\n", False),

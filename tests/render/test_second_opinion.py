@@ -249,11 +249,7 @@ def test_a_spot_and_a_point_on_balls_over_a_ground(tmp_path):
         "cutoff_angle": 15.0,
         "beam_width": 14.999,
     }
-    shapes["point"] = {
-        "type": "point",
-        "position": [2, 2.5, 1],
-        "intensity": twin.rgb((4, 6, 8)),
-    }
+    shapes["point"] = {"type": "point", "position": [2, 2.5, 1], "intensity": twin.rgb((4, 6, 8))}
     ground = {"size": 20, "material": {"type": "diffuse", "color": (0.5, 0.5, 0.5)}}
     ours = {"objects": objects, "ground": ground, "camera": CAMERA, "lights": lights}
     compare(tmp_path, ours, shapes)
@@ -382,10 +378,7 @@ def test_coats_under_a_sphere_of_light(tmp_path):
     shapes["ground"] = twin.ground(20, 0, twin.diffuse((0.5, 0.5, 0.6)))
     ours = {
         "objects": objects,
-        "ground": {
-            "size": 20,
-            "material": {"type": "diffuse", "color": (0.5, 0.5, 0.6)},
-        },
+        "ground": {"size": 20, "material": {"type": "diffuse", "color": (0.5, 0.5, 0.6)}},
         "camera": CAMERA,
         "lights": [
             {"type": "sphere", **lamp, "radiance": (15, 14, 12)},
@@ -445,9 +438,7 @@ def test_a_shining_mesh_and_a_wide_sun(tmp_path):
     """Mitsuba has the sun as a sphere so far away that it is nowhere nearer than elsewhere."""
     gem = obj(tmp_path, "gem.obj", trimesh.creation.icosphere(subdivisions=1, radius=0.4))
     objects, shapes = balls(
-        tmp_path,
-        [{"type": "diffuse", "color": (0.7, 0.7, 0.7)}] * 2,
-        [twin.diffuse(0.7)] * 2,
+        tmp_path, [{"type": "diffuse", "color": (0.7, 0.7, 0.7)}] * 2, [twin.diffuse(0.7)] * 2
     )
     objects.append(
         {

@@ -199,11 +199,7 @@ def test_only_what_is_missing_or_was_made_otherwise_is_rendered(folder, capsys, 
 
 
 GLTF = json.dumps(
-    {
-        "asset": {"version": "2.0"},
-        "buffers": [{"uri": "a.bin"}],
-        "images": [{"uri": "b%20c.png"}],
-    }
+    {"asset": {"version": "2.0"}, "buffers": [{"uri": "a.bin"}], "images": [{"uri": "b%20c.png"}]}
 ).encode()
 READ = {
     "a.gltf": GLTF,

@@ -17,7 +17,8 @@ from rna_trace.surface import (
     interpolate_positions,
     leaving_origins,
 )
-from tests.render.assets import merged, sphere, square, unit_vectors
+from tests.render.assets import merged, sphere, square
+from tests.runtime.points import unit_vectors
 
 
 def points_on(mesh: Mesh, n: int, seed: int = 0) -> SurfacePoints:

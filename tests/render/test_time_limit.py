@@ -101,9 +101,7 @@ def test_cheaper_tiers_where_too_few_samples_would_fit(
     seconds = {"hq": 0.1, "small": 0.05, "tiny": 0.02}
     monkeypatch.setattr(world_in_time, "make_integrator", lambda _, world, **__: world)
     monkeypatch.setattr(
-        world_in_time,
-        "seconds_a_sample",
-        lambda world, _: seconds[world.objects[0].tier.name],
+        world_in_time, "seconds_a_sample", lambda world, _: seconds[world.objects[0].tier.name]
     )
     world = load_world(read_scene(scene(folder, limit)))
     assert [asset.tier.name for asset in world.objects] == [name]

@@ -16,8 +16,7 @@ def turned(vector, **transform) -> np.ndarray:
 
 
 @pytest.mark.parametrize(
-    ("degrees", "before", "after"),
-    [((90, 0, 0), Y, Z), ((0, 90, 0), Z, X), ((0, 0, 90), X, Y)],
+    ("degrees", "before", "after"), [((90, 0, 0), Y, Z), ((0, 90, 0), Z, X), ((0, 0, 90), X, Y)]
 )
 def test_turns_are_counter_clockwise(degrees, before, after):
     np.testing.assert_allclose(turned(before, rotation_deg=degrees), after, atol=1e-12)

@@ -20,7 +20,7 @@ from rna_render.paths.weighing import (
     weigh_samples,
     worth_tracing,
 )
-from tests.render.assets import unit_vectors
+from tests.runtime.points import unit_vectors
 
 RNG = np.random.default_rng(5)
 

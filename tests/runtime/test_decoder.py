@@ -11,12 +11,7 @@ from rna_sdk.runtime.engine import decoder_sessions as decoder_module
 from rna_sdk.runtime.engine.decoder_graph import float_graph
 from rna_sdk.runtime.engine.decoder_sessions import Decoder, DecoderWarning, Graph, _fast_form
 from rna_sdk.runtime.engine.tiles import QueryFiller
-from tests.package.builders import (
-    make_part,
-    make_tier_part,
-    random_decoder,
-    random_int8_decoder,
-)
+from tests.package.builders import make_part, make_tier_part, random_decoder, random_int8_decoder
 from tests.package.onnx_reference import onnx_result
 
 

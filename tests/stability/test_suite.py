@@ -28,7 +28,6 @@ def counting(measured: list[int]) -> Case:
         title="Counting",
         varies="nothing",
         mark="one",
-        advice="none",
         measure=measure,
         judge=lambda rows: Verdict(rows[0]["value"] == 1, str(rows[0]["value"])),
         draw=lambda figure, rows: None,

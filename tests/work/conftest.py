@@ -29,8 +29,7 @@ def start_cluster(nodes: int = 3, cpus: int = 1) -> Any:
         from ray.cluster_utils import Cluster
 
         cluster = Cluster(
-            initialize_head=True,
-            head_node_args={"num_cpus": cpus, "include_dashboard": False},
+            initialize_head=True, head_node_args={"num_cpus": cpus, "include_dashboard": False}
         )
         for _ in range(nodes - 1):
             cluster.add_node(num_cpus=cpus)

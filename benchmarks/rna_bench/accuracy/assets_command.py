@@ -3,7 +3,7 @@
     rna-bench assets toy.rna curls.rna --out benchmarks/results/assets.json
 
 Takes what each package records of its tiers and prints a Markdown table. With --datasets, one for
-each package, the error is measured anew on their validation images, and told apart for images lit
+each package, the error is measured anew on their validation images, and by itself for images lit
 from the front and from behind: at least 120 degrees from the camera.
 """
 

@@ -65,7 +65,9 @@ def run(args: argparse.Namespace) -> None:
     print(gain_text(pilot, assets))
     for name, ratio in left_out(assets).items():
         asset = assets[name]
-        text = f"{asset.times:.2f} times as fast as Cycles; left out, {ratio:.2f} of that is told"
+        text = (
+            f"{asset.times:.2f} times as fast as Cycles; predicted without it, {ratio:.2f} of that"
+        )
         print(f"{name}: noise ratio {asset.pilot.noise_ratio:.2f}, {text}")
 
 

@@ -69,8 +69,8 @@ def _parts(path: Path) -> list[dict[str, Any]]:
             if lobes is None:
                 continue
             layers = decoder_from_bytes(lobes.decoder, lobes.record.decoder).layers
-            own = lobes.record.decoder, lobes.record.visibility
-            sizes = [package.manifest.entries[name].size for name in own if name is not None]
+            entries = lobes.record.decoder, lobes.record.visibility
+            sizes = [package.manifest.entries[name].size for name in entries if name is not None]
             result.append(
                 {
                     "part": part.name,

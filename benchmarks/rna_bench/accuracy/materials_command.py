@@ -61,11 +61,11 @@ def _make(package: Path, name: str, args: argparse.Namespace) -> None:
 
 def _row(name: str, package: Path, dataset: Dataset) -> dict[str, Any]:
     """What was said of the material, and the error that is recorded."""
-    told = [each for each in dataset.manifest.materials if not each.name.startswith("foot")]
+    records = [each for each in dataset.manifest.materials if not each.name.startswith("foot")]
     validation = load(package).tier.validation
     return {
         "material": name,
-        "told": [line.strip() for each in told for line in each.lines],
+        "verdicts": [line.strip() for each in records for line in each.lines],
         "flip": None if validation is None else round(validation.flip, 4),
         "psnr": None if validation is None else round(validation.psnr, 2),
     }

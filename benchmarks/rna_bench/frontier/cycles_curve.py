@@ -9,7 +9,7 @@ from itertools import count
 from pathlib import Path
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, Field
 
 from rna_bench.frontier.trials.scores import ModelScores, judge, write_strips
 from rna_export.capture.blender_process import blender_env
@@ -26,20 +26,16 @@ from rna_sdk.cores import core_count
 _NOISE = 7  # names noise that neither half of the references has
 
 
-class CyclesPoint(BaseModel):
+class CyclesPoint(BaseModel, extra="forbid", frozen=True):
     """Cycles at one sample count."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
 
     samples: int = Field(description="paths a pixel")
     ns: float = Field(description="a shaded point, on all cores: of one more path, times paths")
     scores: ModelScores
 
 
-class CyclesCurve(BaseModel):
+class CyclesCurve(BaseModel, extra="forbid", frozen=True):
     """Cycles at doubling sample counts."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
 
     threads: int
     ns_a_path: float

@@ -12,7 +12,6 @@ from pathlib import Path
 
 from rna_export.training.training_options import add_device
 from rna_work.cluster.cluster_option import add_cluster_option
-from rna_work.cluster.store import add_store_option
 from rna_work.executors import Executor, open_executor
 
 _PARTS = ("train", "cost", "cycles", "chart")
@@ -59,7 +58,6 @@ def add_options(p: argparse.ArgumentParser) -> None:
         help="concurrent trainings (int, default: one per core, or one per GPU)",
     )
     add_cluster_option(p)
-    add_store_option(p, "checkpoints")
 
 
 def run(args: argparse.Namespace) -> None:

@@ -56,9 +56,7 @@ class Study:
         dataset = Dataset(args.dataset).only
         grid, usual = (short_grid, SHORT_STEPS) if args.short else (full_grid, FULL_STEPS)
         trials = grid(dataset.kind, args.steps or usual)
-        workers = TrialWorkers.usual(
-            args.device, args.workers, executor, args.store, dataset.folder
-        )
+        workers = TrialWorkers.usual(args.device, args.workers, executor, dataset.folder)
         return cls(dataset, trials, _chosen(trials, args.trials), args.out, workers, args.stamp)
 
     def folder(self, trial: Trial) -> Path:
@@ -137,11 +135,7 @@ class Study:
             "dataset": self.dataset.manifest.model_dump(
                 mode="json", by_alias=True, exclude=exclude
             ),
-            "definitions": {
-                "psnr": PSNR_DEFINITION,
-                "flip": DEFINITION,
-                "p99": P99_DEFINITION,
-            },
+            "definitions": {"psnr": PSNR_DEFINITION, "flip": DEFINITION, "p99": P99_DEFINITION},
             "models_planned": len(self.trials),
             "training_device": records[0].device,
             "costs": costs.model_dump() if costs else None,

@@ -9,13 +9,7 @@ import numpy as np
 
 from rna_bench.peers.views import Views
 from rna_sdk.runtime import load
-from rna_trace import (
-    FiberPoints,
-    PartsScene,
-    part_geometry,
-    part_normal_maps,
-    part_transmittance,
-)
+from rna_trace import FiberPoints, PartsScene, part_geometry, part_normal_maps, part_transmittance
 
 
 @dataclass(frozen=True)

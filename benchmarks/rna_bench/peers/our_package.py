@@ -19,7 +19,7 @@ from rna_sdk.package import Package, decoder_from_bytes
 def measured(packages: Sequence[Path], plan: Plan, samples: int) -> list[dict[str, Any]]:
     """A row for each tier of each package, with its `images` by split.
 
-    Several packages are told apart by the names of their files.
+    Several packages are distinguished by the names of their files.
     """
     rows = []
     for package, tier in ((path, name) for path in packages for name in tiers_of(path)):

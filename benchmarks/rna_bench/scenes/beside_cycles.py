@@ -102,13 +102,10 @@ class OurScene:
 
 
 class CyclesScene:
-    """A scene in a worker that has the original open, with the bounces of the original's file.
+    """A scene in a worker that has the original open, with the bounces of the original's file."""
 
-    emits: whether the original's materials emit light.
-    """
-
-    def __init__(self, worker: BlenderWorker, scene: Scene, emits: bool = False):
-        self._worker, self._size, self._emits = worker, scene.resolution, emits
+    def __init__(self, worker: BlenderWorker, scene: Scene):
+        self._worker, self._size = worker, scene.resolution
         self._described = cycles_scene(scene)
         fov = np.radians(scene.camera.vertical_fov_deg)
         self._view = Camera(scene.camera, scene.resolution).to_world, fov
@@ -118,5 +115,5 @@ class CyclesScene:
         """RGB, and the time of the request without any building of the scene."""
         begun = time.perf_counter()
         view = self._described, *self._view, samples, seed, *self._size
-        image, _ = self._worker.render_scene(*view, denoise, self._emits)
+        image, _ = self._worker.render_scene(*view, denoise)
         return Timed(image[..., :3], time.perf_counter() - begun)

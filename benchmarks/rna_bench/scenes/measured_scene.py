@@ -1,4 +1,4 @@
-"""Renders one scene all the ways that are compared; finished steps are kept."""
+"""Renders one scene all the ways that are compared; finished steps are not repeated."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class Plan:
 
 
 class MeasuredScene:
-    """One scene's images and times, made when they are first asked for, or in an earlier run."""
+    """One scene's images and times, made at their first use, or in an earlier run."""
 
     def __init__(
         self,
@@ -87,13 +87,13 @@ class MeasuredScene:
         return self._measured.arrays(f"{self.name}-images", self._announced("times", self._images))
 
     def _announced(self, step: str, make: Callable[[], Any]) -> Callable[[], Any]:
-        def told() -> Any:
+        def announced() -> Any:
             begun = time.perf_counter()
             result = make()
             self._say(f"{self.name}: {step}, {time.perf_counter() - begun:.0f} s")
             return result
 
-        return told
+        return announced
 
     def _reference(self) -> Arrays:
         half = self.plan.reference_samples // 2

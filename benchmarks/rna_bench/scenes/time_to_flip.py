@@ -111,14 +111,14 @@ def table(rows: Sequence[Row]) -> str:
 
 def _first(rows: Sequence[Row]) -> str:
     """In how many scenes each side is there first."""
-    told = []
+    lines = []
     for target in _targets(rows):
         pairs = [[row.waits[side][target].seconds or np.inf for side in _SIDES] for row in rows]
         ours, theirs = sum(a < b for a, b in pairs), sum(b < a for a, b in pairs)
-        told.append(
+        lines.append(
             f"FLIP {target:g}: ours first in {ours} of {len(rows)} scenes, Cycles in {theirs}"
         )
-    return "\n".join(told)
+    return "\n".join(lines)
 
 
 def _targets(rows: Sequence[Row]) -> list[float]:

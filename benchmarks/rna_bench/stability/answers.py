@@ -1,4 +1,4 @@
-"""Anything that answers queries, asked in one way: a trained model or a package."""
+"""One interface for all that answers queries: a trained model or a package."""
 
 from __future__ import annotations
 

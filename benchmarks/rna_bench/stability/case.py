@@ -32,7 +32,6 @@ class Case:
         title: of its chart.
         varies: what is varied, in a few words.
         mark: what it must reach.
-        advice: why it is hard, and what a user can do.
         needs: what must have been given: "dataset", "package" (or a dataset to make one from),
             "source".
         kinds: of the given asset that the case is for.
@@ -45,7 +44,6 @@ class Case:
     title: str
     varies: str
     mark: str
-    advice: str
     measure: Callable[[Fixtures], list[Row]]
     judge: Callable[[list[Row]], Verdict]
     draw: Callable[[FigureBase, list[Row]], None]

@@ -88,8 +88,8 @@ def measured_pilot(
 ) -> Pilot | None:
     """Open the source and measure as `begin` does, but write nothing.
 
-    say: told what the source is made of, how well that is learnt, and what `begin` would note.
-    lights: of the pilot. None where something is not learnt.
+    say: gets lines on what the source is made of, how well that is learnt, and what `begin` would
+    note. lights: of the pilot. None where something is not learnt.
     """
     with workers.probe(source) as worker:
         opened = OpenedSource.of(worker, given, source.path.stem, for_scene)
@@ -133,8 +133,8 @@ def begin(
 
     `given`: settings, by name, that are not to be the usual ones of the asset's kind. `limit`
     replaces the number of lights by as many as fit, and may make the validation images smaller.
-    `for_scene` limits views and lights to its own. `say_first`: told how well materials are learnt,
-    and what the asset is expected to gain in scenes; None for `say`.
+    `for_scene` limits views and lights to its own. `say_first`: gets lines on how well materials
+    are learnt, and what the asset is expected to gain in scenes; None for `say`.
     """
     start, say_first = monotonic(), say_first or say
     with workers.probe(source) as worker:
@@ -153,7 +153,7 @@ def begin(
         with _trial(CHECK_RENDERS * (1 + len(poses)) + lights) as bar:
             check, speed = asset.checked(asset.scene, bar.update)
             rate = speed.rate * workers.backend().width()
-            if limit is not None:  # too few minutes are told before the estimate takes some of them
+            if limit is not None:  # too few minutes are an error before the estimate takes some
                 planned(settings, limit, opening + trial / speed.rate, rate, given)
             if why is None:
                 why = gain_text(asset.pilot(speed, bar.update), table_of())

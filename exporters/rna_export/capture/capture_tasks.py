@@ -243,7 +243,7 @@ def _of_light(
 def _selected(
     on: PartRows, keep: np.ndarray, of_ray: dict[str, Any], fields: Iterable[str]
 ) -> dict[str, np.ndarray]:
-    """The fields of the rows of one part that are to be kept."""
+    """The fields of the rows of one part to store."""
     selected, result = keep[on.rows], {}
     for name in fields:
         rows = on.fields[name] if name in on.fields else of_ray[name][on.rows]

@@ -147,7 +147,7 @@ def add_workers(p: argparse.ArgumentParser) -> None:
         help=f"single-threaded Blender processes (int, default: one per core, here {core_count()})",
     )
     add_cluster_option(p)
-    add_store_option(p, "rays")
+    add_store_option(p)
 
 
 def _usual(name: str) -> str:

@@ -30,11 +30,7 @@ class TimeLimit:
 
 
 def planned(
-    settings: CaptureSettings,
-    limit: TimeLimit,
-    opening: float,
-    rate: float,
-    given: Collection[str],
+    settings: CaptureSettings, limit: TimeLimit, opening: float, rate: float, given: Collection[str]
 ) -> CaptureSettings:
     """The settings with as many lights as there is time for at `rate` paths a second.
 

@@ -28,7 +28,7 @@ from rna_sdk.runtime import Asset, FiberAsset, SurfaceAsset, load
 STEPS = 10_000
 """Of training, all parts together."""
 ROUGH_DB = 25.0
-"""dB with bright directions, below which a user is told that the look is rough."""
+"""dB with bright directions, below which a user is warned that the look is rough."""
 
 BAR = "{desc}: {percentage:3.0f}%|{bar}| {elapsed}<{remaining}"
 """Of a progress bar whose total is 1."""
@@ -80,25 +80,22 @@ def _trained(
     for k in sorted(set(range(len(views))) - set(seen)):
         say(f"environment: no lobes of {views[k].part.name}, which no viewer sees")
     for done, k in enumerate(seen):
-        own, now = views[k], monotonic()
+        part_views, now = views[k], monotonic()
         with Package.open(package) as opened:
-            queries = QueryRows(opened, asset.tier.name, k, own.visibility_columns)
+            queries = QueryRows(opened, asset.tier.name, k, part_views.visibility_columns)
         torch.manual_seed(k)
         model = LobeModel(queries.columns)
         seconds = max((end - now) / (len(seen) - done), 0.1)
         paces = StepPace(usual), TimePace(seconds, now)
-        steps = fit_lobes(model, own, queries, paces, k, filling(bar, share))
-        told = f"{steps:,} of {usual:,} steps, {model.multiply_adds:,} multiply-adds a query"
-        say(f"environment: lobes of {own.part.name}: {told}")
-        lobes[k] = exported_lobes(model, own, queries, asset.tier.name)
+        steps = fit_lobes(model, part_views, queries, paces, k, filling(bar, share))
+        spent = f"{steps:,} of {usual:,} steps, {model.multiply_adds:,} multiply-adds a query"
+        say(f"environment: lobes of {part_views.part.name}: {spent}")
+        lobes[k] = exported_lobes(model, part_views, queries, asset.tier.name)
     return lobes
 
 
 def _measured(
-    package: Unpacked,
-    views: Sequence[PartViews],
-    environments: dict[str, np.ndarray],
-    bar: tqdm,
+    package: Unpacked, views: Sequence[PartViews], environments: dict[str, np.ndarray], bar: tqdm
 ) -> list[EnvironmentValidation]:
     """Errors of a package's lobes, as the runtime answers."""
     with tempfile.TemporaryDirectory() as folder:
@@ -115,14 +112,14 @@ def parts_with_lobes(
     """What `lobe_pictures` measures of a loaded asset. visibility: as of `part_views`."""
     views = part_views(asset, visibility)
     return [
-        (own, _lobes_of(part))
-        for own, part in zip(views, asset.parts, strict=True)
+        (part_views, _lobes_of(part))
+        for part_views, part in zip(views, asset.parts, strict=True)
         if part.environment_form is not None
     ]
 
 
 def filling(bar: tqdm, share: float = 1.0) -> Callable[[float], None]:
-    """Fills a share of a bar, told parts of what the share stands for; sums may be rounded up."""
+    """Fills a share of a bar by parts of what the share stands for; sums may be rounded up."""
     return lambda part: bar.update(min(share * part, bar.total - bar.n))
 
 

@@ -52,7 +52,7 @@ class LobePictures:
 
     names: of the environments. size: pixels of a side. pixel: (n,) int64, where points are, all
     pictures one after the other. truth, lobes, both: (e, n, 3) float32, the whole integral; lobes
-    alone; and lobes with what is bright asked of the transport.
+    alone; and lobes with what is bright evaluated by the transport.
     """
 
     names: list[str]
@@ -117,7 +117,7 @@ def lobe_pictures(
     """Points of four small pictures of parts of an asset, under each environment.
 
     environments: texels (h, w, 3) by name. The whole integral is the sum over 8,192 cells of equal
-    solid angle. advance: told shares of all that is done.
+    solid angle. advance: takes shares of all that is done.
     """
     splits = [split_environment(texels) for texels in environments.values()]
     cells = cell_directions().astype(np.float32)
@@ -142,8 +142,8 @@ def _light(views: PartViews, points: ViewPoints, d: np.ndarray, flux: np.ndarray
     result = [np.zeros((len(flux), 0, 3), np.float32)]
     for start in range(0, len(points), _AT_ONCE):
         row = np.arange(start, min(start + _AT_ONCE, len(points)))
-        asked = np.repeat(row, len(d)), np.tile(d.astype(np.float32), (len(row), 1))
-        transport = views.transport(points, *asked).reshape(len(row), -1, 3)
+        queries = np.repeat(row, len(d)), np.tile(d.astype(np.float32), (len(row), 1))
+        transport = views.transport(points, *queries).reshape(len(row), -1, 3)
         result.append(np.einsum("nkc,ekc->enc", transport, flux))
     return np.concatenate(result, axis=1)
 

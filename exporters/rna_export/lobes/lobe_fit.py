@@ -24,7 +24,7 @@ from rna_sdk.package import Lobes
 from rna_trace import FiberPoints
 
 _ROWS, _NEW = 2048, 32  # points of a step, and those of them that no step has had
-_KEPT = 100_000  # points
+_BUFFERED = 100_000  # points
 _DIRECTIONS = 64  # of a point
 _SURFACE = LobeMixture(uniform=0.6, mirror=0.4, mirror_kappas=(40.0,) * 3)
 _FIBER = LobeMixture(uniform=0.6, cone=0.4, cone_scale=0.08)
@@ -32,20 +32,20 @@ _GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
 _RATE, _WARMUP = 5e-3, 100  # steps
 
 
-class _Kept:
+class _RowBuffer:
     """The last points that were made: rows of `make_rows`."""
 
     def __init__(self, rows: tuple[Rows, ...]) -> None:
-        self._rows = [np.empty((_KEPT, *array.shape[1:]), np.float32) for array in rows]
+        self._rows = [np.empty((_BUFFERED, *array.shape[1:]), np.float32) for array in rows]
         self._count = self._next = 0
         self.add(rows)
 
     def add(self, rows: tuple[Rows, ...]) -> None:
         """Keep these, in the place of the oldest."""
         more = len(rows[0])
-        start = self._next if self._next + more <= _KEPT else 0
-        for kept, array in zip(self._rows, rows, strict=True):
-            kept[start : start + more] = array
+        start = self._next if self._next + more <= _BUFFERED else 0
+        for stored, array in zip(self._rows, rows, strict=True):
+            stored[start : start + more] = array
         self._next, self._count = start + more, max(self._count, start + more)
 
     def some(
@@ -93,7 +93,7 @@ def fit_lobes(
 ) -> int:
     """Train until the first of the paces is at its end; the number of steps that this took.
 
-    advance: told shares of all that is done.
+    advance: takes shares of all that is done.
 
     Steps take one thread; a second one, where the caller has it, makes points meanwhile. Points
     and their order are the same either way.
@@ -101,21 +101,21 @@ def fit_lobes(
     rng, draw = np.random.default_rng(seed), np.random.default_rng(seed + 1)
     optimizer = torch.optim.Adam(model.parameters(), lr=_RATE)
     lights, threads = even_lights(), threads_in_use()
-    kept, steps, done = _Kept(make_rows(views, queries, 4 * _ROWS, rng)), 0, 0.0
+    buffer, steps, done = _RowBuffer(make_rows(views, queries, 4 * _ROWS, rng)), 0, 0.0
     use_threads(1)
     try:
         with ThreadPoolExecutor(1) as maker:
             made = partial(make_rows, views, queries, _NEW, rng)
             coming = maker.submit(made).result if threads > 1 else made
             while done < 1.0:
-                kept.add(coming())
+                buffer.add(coming())
                 coming = maker.submit(made).result if threads > 1 else made
                 steps += 1
                 rate = 0.5 * (1.0 + math.cos(math.pi * done)) + 1e-3
                 for group in optimizer.param_groups:
                     group["lr"] = _RATE * rate * min(1.0, steps / _WARMUP)
                 optimizer.zero_grad()
-                inputs, *targets = kept.some(_ROWS, draw)
+                inputs, *targets = buffer.some(_ROWS, draw)
                 loss = LobeLoss.apply(*model(inputs), *targets, lights)  # type: ignore[no-untyped-call]
                 loss.backward()
                 optimizer.step()

@@ -76,7 +76,7 @@ class LobeLoss(torch.autograd.Function):
 
     @staticmethod
     def backward(ctx: Any, gradient: Tensor) -> tuple[Tensor | None, ...]:
-        return *(gradient * own for own in ctx.gradients), None, None, None
+        return *(gradient * factor for factor in ctx.gradients), None, None, None
 
 
 @compiled(fastmath=_SUMS)

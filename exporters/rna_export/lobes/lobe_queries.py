@@ -31,11 +31,12 @@ class QueryRows:
 
     def __init__(self, package: Package, tier: str, part: int, visibility_columns: int) -> None:
         """package: open. visibility_columns: of ViewPoints.visibility, or 0 to leave it out."""
-        own, record = package.tier(tier).parts[part], package.manifest.parts[part]
+        tier_part, record = package.tier(tier).parts[part], package.manifest.parts[part]
         planes = package.planes(tier, part)
-        self._filler = QueryFiller(planes, record.bounds, own, record.kind, of_lobes=True)
-        self._blocks, self._visibility = query_width(own.inputs, own.channels), visibility_columns
-        self.inputs, self.columns = own.inputs, self._blocks + visibility_columns
+        self._filler = QueryFiller(planes, record.bounds, tier_part, record.kind, of_lobes=True)
+        self._blocks = query_width(tier_part.inputs, tier_part.channels)
+        self._visibility = visibility_columns
+        self.inputs, self.columns = tier_part.inputs, self._blocks + visibility_columns
 
     def of(self, points: ViewPoints) -> LobeInputs:
         """The inputs of points."""

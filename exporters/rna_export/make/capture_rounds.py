@@ -19,8 +19,8 @@ _SHARD = 16  # lights, where rounds grow
 def open_rays(options: MakeOptions, begun: float, say_first: Callable[[str], None]) -> Dataset:
     """A dataset without rays, planned with as many lights as are usual, or fit into the minutes.
 
-    begun: when those began, of `time.monotonic`. say_first: told how well materials are learnt, and
-    what the asset is expected to gain.
+    begun: when those began, of `time.monotonic`. say_first: gets lines on how well
+    materials are learnt, and what the asset is expected to gain.
     """
     share, minutes = options.capture_share, options.minutes
     limit = None if minutes is None else TimeLimit(minutes, begun, share)

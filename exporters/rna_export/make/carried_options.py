@@ -37,15 +37,15 @@ def carried_options(
     where no time is left.
     """
     state, given = read_state(work), tuple(args.presets or ())
-    asked, more = (None if m is None else m - elsewhere for m in (args.minutes, args.more))
+    total, more = (None if m is None else m - elsewhere for m in (args.minutes, args.more))
     if state is not None and more is None and not args.update:
-        more = _more(asked, state)
+        more = _more(total, state)
     if state is None or not (more or args.update):
-        return CarriedOptions(given or _PRESETS, arguments, {}, args.seed, asked, more)
+        return CarriedOptions(given or _PRESETS, arguments, {}, args.seed, total, more)
     before = state.settings
     minutes = before.minutes
-    if args.update and (state.is_finished or asked is not None):
-        minutes = asked or round(max(1.0, _UPDATE * state.seconds / 60.0), 2)
+    if args.update and (state.is_finished or total is not None):
+        minutes = total or round(max(1.0, _UPDATE * state.seconds / 60.0), 2)
     return CarriedOptions(
         given or before.presets,
         arguments or before.arguments,
@@ -56,17 +56,17 @@ def carried_options(
     )
 
 
-def _more(asked: float | None, state: State) -> float | None:
-    """Minutes to go on for; None if this is not asked. asked: minutes in all."""
+def _more(total: float | None, state: State) -> float | None:
+    """Minutes to go on for; None where none are due. total: minutes in all."""
     before = state.settings.minutes
-    if asked is None or before is None or asked == before:
+    if total is None or before is None or total == before:
         return None
     spent = state.seconds / 60.0
     if state.more is not None and not state.is_finished:
         spent = state.more.begun / 60.0
-    if asked < spent + _LEAST:
+    if total < spent + _LEAST:
         raise TrainingError(
-            f"--minutes {asked:g}: {spent:.1f} are spent already, expected more; --more 10 goes on "
+            f"--minutes {total:g}: {spent:.1f} are spent already, expected more; --more 10 goes on "
             "for another 10"
         )
-    return asked - spent
+    return total - spent

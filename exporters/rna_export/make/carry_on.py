@@ -44,9 +44,9 @@ def begin_update(work: Path) -> None:
         raise TrainingError(
             f"{work}: --update starts from the rays and models of a finished rna-make, found none"
         )
-    kept = work / _BEFORE / _GEOMETRY
-    shutil.rmtree(kept, ignore_errors=True)
-    shutil.copytree(work / "rays" / "geometry", kept)
+    before = work / _BEFORE / _GEOMETRY
+    shutil.rmtree(before, ignore_errors=True)
+    shutil.copytree(work / "rays" / "geometry", before)
     (work / "make.json").unlink()
     for name in ("rays", "runs"):
         shutil.rmtree(work / name, ignore_errors=True)
@@ -54,11 +54,11 @@ def begin_update(work: Path) -> None:
 
 def same_parts(work: Path, dataset: Dataset) -> tuple[str, ...]:
     """Names of the parts whose geometry is that of the models before."""
-    kept = work / _BEFORE / _GEOMETRY
+    before = work / _BEFORE / _GEOMETRY
     return tuple(
         part.name
         for part in dataset.parts
-        if (old := kept / dataset.geometry_path(part.name).name).is_file()
+        if (old := before / dataset.geometry_path(part.name).name).is_file()
         and old.read_bytes() == dataset.geometry_path(part.name).read_bytes()
     )
 
@@ -83,10 +83,10 @@ def finish(state: State, work: Path, best: dict[str, tuple[Path, Score]]) -> Non
     best: folder and score by preset.
     """
     for preset, (folder, score) in best.items():
-        kept = before_folder(work, preset)
-        if folder != kept:
-            shutil.rmtree(kept, ignore_errors=True)
-            shutil.copytree(folder, kept, ignore=shutil.ignore_patterns("last.ckpt", "*.png"))
+        before = before_folder(work, preset)
+        if folder != before:
+            shutil.rmtree(before, ignore_errors=True)
+            shutil.copytree(folder, before, ignore=shutil.ignore_patterns("last.ckpt", "*.png"))
         state.before[preset] = score
     for path in (work / "runs").rglob("last.ckpt"):
         path.unlink()

@@ -36,7 +36,7 @@ class MakeOptions:
     update: bool = False  # of a source whose materials changed
 
     @property
-    def asked(self) -> RunSettings:
+    def requested(self) -> RunSettings:
         """What has to be the same for a run to go on."""
         source, scene = self.source, self.for_scene
         return RunSettings(

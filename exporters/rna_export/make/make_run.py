@@ -49,7 +49,7 @@ class Made:
     dataset: Dataset
     why: Verdict
     rounds: int
-    checkpoints: tuple[Path, ...]  # folders of the presets, as they were asked for
+    checkpoints: tuple[Path, ...]  # folders of the presets, as requested
     lead: str  # the preset that the goal is for
 
     def trained(self) -> list[Trained]:
@@ -115,7 +115,7 @@ class Make:
         return Made(self._rays.dataset, why, len(self._state.rounds), folders, self._lead)
 
     def _opened_state(self, say: Callable[[str], None]) -> State:
-        """That of the work folder, with what is asked for now; a new one if there is none."""
+        """That of the work folder, with what is requested now; a new one if there is none."""
         options = self._options
         state = read_state(options.work)
         if options.update and (state is None or state.is_finished or state.starts is None):
@@ -128,7 +128,7 @@ class Make:
                     "without --discard"
                 )
             return self._first_state(say)
-        new = check_same(state, options.asked, options.work, for_more=options.more is not None)
+        new = check_same(state, options.requested, options.work, for_more=options.more is not None)
         if options.more is not None:
             go_on(state, options.work, options.more)
         elif new and state.is_finished:
@@ -152,7 +152,7 @@ class Make:
         shutil.rmtree(rays_folder(options), ignore_errors=True)  # of a start that was not finished
         options.work.mkdir(parents=True, exist_ok=True)
         dataset = open_rays(options, self._begun, say)
-        state = State(settings=options.asked, lights=dataset.manifest.settings.lights)
+        state = State(settings=options.requested, lights=dataset.manifest.settings.lights)
         state.seconds = monotonic() - self._begun
         if options.update:
             state.starts = same_parts(options.work, dataset)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar, Literal
 
-from pydantic import BaseModel, ConfigDict
+from pydantic import BaseModel
 
 Verdict = Literal["goal met", "stopped falling", "time is up", "lights used up"]
 
@@ -59,10 +59,8 @@ def capture_share(seconds: float, widths: Sequence[int], device: str = "cpu") ->
     return min(max(1.0 - training / seconds, CAPTURE), _MOST_CAPTURE[device])
 
 
-class Length(BaseModel):
+class Length(BaseModel, extra="forbid", frozen=True):
     """Length of a training: at most one of the two; with neither, the preset's steps."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
 
     steps: int | None = None
     minutes: float | None = None

@@ -12,14 +12,8 @@ from typing import TYPE_CHECKING
 from rna_export.capture.blender_process import source_help
 from rna_export.capture.blender_process.source_file import check_source
 from rna_export.capture.orientation import joined_axes
-from rna_export.capture.rna_capture import (
-    check_settings,
-    given_settings,
-)
-from rna_export.export.package_options import (
-    check_environment,
-    lobe_minutes,
-)
+from rna_export.capture.rna_capture import check_settings, given_settings
+from rna_export.export.package_options import check_environment, lobe_minutes
 from rna_export.export.precision import precisions_of
 from rna_export.make.batch import check_outs, jobs_of, make_all
 from rna_export.make.make_parser import parser
@@ -151,8 +145,8 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     size = args.out.stat().st_size / 1e6
     print(f"wrote {args.out}, {size:.2f} MB, {sheet_of(args.out)}")
     if not args.discard:
-        kept = f"kept {work}, {size_of([work]) / 1e6:,.0f} MB of rays and models"
-        print(f"{kept}: --more 10 goes on from them, --discard deletes them")
+        line = f"kept {work}, {size_of([work]) / 1e6:,.0f} MB of rays and models"
+        print(f"{line}: --more 10 goes on from them, --discard deletes them")
     if marked is not None:
         print(f"note: the exported geometry is not what Cycles renders; {marked} marks it")
     _tell_next(args)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from pydantic import BaseModel, ConfigDict, ValidationError
+from pydantic import BaseModel, ValidationError
 
 from rna_export.capture.dataset.dataset_manifest import what_is_wrong
 from rna_export.make.plan import Length
@@ -16,10 +16,8 @@ WRITTEN = (_NAME, "rays", "runs", "before", "scratch")
 """Names of all that a run, of this version or an earlier one, writes into its work folder."""
 
 
-class RunSettings(BaseModel):
+class RunSettings(BaseModel, extra="forbid", frozen=True):
     """Settings that must match to resume a run; `settings` in the file."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
 
     source: str
     source_sha256: str
@@ -33,19 +31,15 @@ class RunSettings(BaseModel):
     seed: int
 
 
-class Score(BaseModel):
+class Score(BaseModel, extra="forbid", frozen=True):
     """Score over the validation images, all parts together; flip: of the asset's pixels."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
 
     psnr: float
     flip: float
 
 
-class Round(BaseModel):
+class Round(BaseModel, extra="forbid"):
     """A capture, and the training of the leading preset on all rays so far."""
-
-    model_config = ConfigDict(extra="forbid")
 
     lights: int  # after it
     is_captured: bool = False
@@ -53,36 +47,30 @@ class Round(BaseModel):
     score: Score | None = None
 
 
-class Last(BaseModel):
+class Last(BaseModel, extra="forbid"):
     """The last phase of a preset."""
-
-    model_config = ConfigDict(extra="forbid")
 
     phase: Length
     score: Score | None = None
 
 
-class More(BaseModel):
-    """Minutes that were asked for later, by `rna-make --more`.
+class More(BaseModel, extra="forbid", frozen=True):
+    """Minutes requested later, by `rna-make --more`.
 
     begun: seconds spent before them. rounds: that were captured before.
     """
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
 
     minutes: float
     begun: float
     rounds: int
 
 
-class State(BaseModel):
+class State(BaseModel, extra="forbid"):
     """Progress of a run. `save` writes it into the work folder.
 
     before: scores of models that earlier minutes ended with, by preset; `before/PRESET` has them.
     starts: parts whose training starts from these models: only their material has changed.
     """
-
-    model_config = ConfigDict(extra="forbid")
 
     settings: RunSettings
     lights: int  # that the capture was planned with
@@ -130,7 +118,7 @@ _OF_RAYS = ("source", "source_sha256", "arguments", "settings", "scene")
 
 
 def check_same(
-    state: State, asked: RunSettings, work: Path, for_more: bool
+    state: State, requested: RunSettings, work: Path, for_more: bool
 ) -> dict[str, int | float]:
     """Settings of the capture that are new, for rays to come.
 
@@ -138,23 +126,23 @@ def check_same(
     `TrainingError` where the state belongs to a run with other settings.
     """
     begun = state.settings
-    if begun.source == asked.source and begun.source_sha256 != asked.source_sha256:
+    if begun.source == requested.source and begun.source_sha256 != requested.source_sha256:
         raise TrainingError(
             f"{begun.source} has changed since its rays were captured: --update captures it anew "
             f"and starts from the old model; or delete {work} to start over"
         )
     new = {}
     for name in _FOR_NEW_RAYS:
-        value = asked.settings.get(name)
+        value = requested.settings.get(name)
         if value is not None and value != begun.settings.get(name):
             assert isinstance(value, int | float)
             new[name] = value
-    settings = {**asked.settings, **{k: begun.settings[k] for k in new if k in begun.settings}}
+    settings = {**requested.settings, **{k: begun.settings[k] for k in new if k in begun.settings}}
     for name in new.keys() - begun.settings.keys():
         settings.pop(name)
     for name in _OF_RAYS if for_more else RunSettings.model_fields:
         before = getattr(begun, name)
-        now = settings if name == "settings" else getattr(asked, name)
+        now = settings if name == "settings" else getattr(requested, name)
         if before != now:
             raise TrainingError(
                 f"{work} was started with {name} {before}, found {now}: delete it to start over, "

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, Literal, get_args
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, Field
 
 # Kind of asset -> decoder inputs; the paper's are those of its section 3.2.
 _PAPER_INPUTS = {
@@ -35,10 +35,8 @@ MAX_MODEL_CHANNELS = 4096
 """Limits of a model, far beyond those that train: a checkpoint may come from anywhere."""
 
 
-class ModelConfig(BaseModel):
+class ModelConfig(BaseModel, extra="forbid", frozen=True):
     """The shape of a model; stored in its checkpoints and, from them, in packages."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
 
     inputs: tuple[str, ...] = Field(description="decoder input blocks, in column order")
     width: int = Field(gt=0, le=MAX_MODEL_WIDTH, description="neurons of a hidden layer")
@@ -93,10 +91,8 @@ class ModelConfig(BaseModel):
         return ((1, 0), (0, 1)) if self.visibility_hint else ((1,), (1,))
 
 
-class TrainingConfig(BaseModel):
+class TrainingConfig(BaseModel, extra="forbid", frozen=True):
     """Settings of a training."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
 
     steps: int = Field(gt=0, description="length of the run; --steps and --minutes replace it")
     batch: int = Field(gt=0, description="samples a step")
@@ -149,10 +145,8 @@ class TrainingConfig(BaseModel):
     )
 
 
-class Preset(BaseModel):
+class Preset(BaseModel, extra="forbid", frozen=True):
     """A named pair of both."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
 
     model: ModelConfig
     training: TrainingConfig

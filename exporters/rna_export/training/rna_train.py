@@ -46,9 +46,7 @@ def parser() -> argparse.ArgumentParser:
         "per part if there are several (path, required)",
     )
     p.add_argument(
-        "--part",
-        metavar="NAME",
-        help="train only this part (str, default: all parts in turn)",
+        "--part", metavar="NAME", help="train only this part (str, default: all parts in turn)"
     )
     p.add_argument(
         "--cut",
@@ -89,12 +87,6 @@ def parser() -> argparse.ArgumentParser:
         "decoder of its own)",
     )
     p.add_argument(
-        "--without-base-color",
-        action="store_true",
-        help="learn print like all else, to compare; by default the base colour of a dataset that "
-        "has one is a factor of what is learnt",
-    )
-    p.add_argument(
         "--optimizer",
         choices=OPTIMIZERS,
         help="optimizer of the decoder's matrices; all else uses Adam (default: the preset's, muon "
@@ -116,9 +108,7 @@ def parser() -> argparse.ArgumentParser:
         "their visible area (float, default: the preset's steps)",
     )
     length.add_argument(
-        "--steps",
-        type=int,
-        help=f"training steps per part (int, default: the preset's, {usual})",
+        "--steps", type=int, help=f"training steps per part (int, default: the preset's, {usual})"
     )
     p.add_argument(
         "--seed",
@@ -169,9 +159,7 @@ def _run(args: argparse.Namespace) -> None:
             preset = _chosen(args, part.kind, device)
             part.geometry()  # which export needs, and may refuse
             made = args.seed, minutes[part.name], begun, device
-            takes = not args.without_base_color
-            run = Run(part, preset, args.preset, out, *made, base_color=takes)
-            best = train(run)
+            best = train(Run(part, preset, args.preset, out, *made))
             print("\n".join(closing_lines(best, part)))
             written.append(f"wrote {best}, {out / 'curves.png'}, {out / 'sheet.png'}")
             begun = monotonic()

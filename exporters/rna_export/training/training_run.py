@@ -48,7 +48,6 @@ class Run:
     begun: float | None = None  # when the minutes began, of `time.monotonic`; None: with `train`
     device: str = "cpu"
     validations: int = 10  # over the run; the best checkpoint is one of as many
-    base_color: bool = True  # whether the part's, if it has one, is a factor
     after_checkpoint: Callable[[], None] = lambda: None
     start: Path | None = None  # checkpoint with the first weights; None: random ones
 
@@ -76,8 +75,8 @@ def train(
     if run.dataset.manifest.emitters:
         inputs = INPUTS[run.dataset.kind]
         run = replace(run, preset=run.preset.with_model(emission_inputs=inputs))
-    knows_base_color = run.base_color and run.preset_name not in PAPER_PRESETS
-    if knows_base_color and run.dataset.captured.base_color and run.preset.model.packageable:
+    can_know = run.preset.model.packageable and run.preset_name not in PAPER_PRESETS
+    if can_know and run.dataset.captured.base_color:
         run = replace(run, preset=run.preset.with_base_color())
     run.out.mkdir(parents=True, exist_ok=True)
     saved = _continued(run.out / "last.ckpt", run)

@@ -55,11 +55,11 @@ class Effort:
     @property
     def warnings(self) -> list[str]:
         """A line where less than a tenth of the usual was done."""
-        told = [
+        shares = [
             (self.steps < _LITTLE * self.usual_steps, self.steps_text),
             (self.lights < _LITTLE * self.usual_lights, self.lights_text),
         ]
-        few = " and ".join(line for is_little, line in told if is_little)
+        few = " and ".join(line for is_little, line in shares if is_little)
         if not few:
             return []
         return [f"warning: {few}, less than a tenth of the usual: a sketch; give it more time"]

@@ -84,10 +84,6 @@ class Container:
         """Size of the file."""
         return len(self._data)
 
-    def layout(self) -> dict[str, range]:
-        """name -> the bytes of the file that the entry takes, its header included."""
-        return {e.name: range(e.header_offset, e.offset + e.size) for e in self.entries.values()}
-
     def check_crc(self, name: str) -> None:
         """Raises PackageError (ZIP_CRC) where the data is not what its header says."""
         entry = self.entries[name]

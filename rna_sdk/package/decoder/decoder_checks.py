@@ -33,10 +33,7 @@ def check_decoder(data: memoryview, part_decoder: PartDecoder) -> list[Issue]:
     ):
         if count > limit:
             refuse(
-                Code.DECODER_COST,
-                part_decoder.entry,
-                f"{count} {what} a query",
-                f"at most {limit}",
+                Code.DECODER_COST, part_decoder.entry, f"{count} {what} a query", f"at most {limit}"
             )
     _check_finite(decoder, part_decoder.entry)
     _check_results(decoder, part_decoder)

@@ -31,7 +31,7 @@ class DecoderForm:
     Attributes:
         name: of the form and of the decoder's one output.
         results: what the output's columns are, COLUMNS each, side by side.
-        arrays: names of the QUERY_ARRAYS that it is asked with.
+        arrays: names of the QUERY_ARRAYS that it takes.
         member: of a tier part, with the decoder's record; "" for the tier part itself.
         count: name of a member of the record: so many times there are all results; "" for once.
         has_factors: whether a tier part that uses base colour has a factor of each result, in the
@@ -83,12 +83,7 @@ EMISSION = DecoderForm("emission", ("radiance",), ("position", "axis", "h", "wo"
 FORMS = (TRANSPORT, EMISSION)
 """What a tier part answers: always the first, and the other where it has a decoder of it."""
 
-ENVIRONMENT = DecoderForm(
-    "environment",
-    ("visible", "shadowed", "axis"),
-    _LIT,
-    count="lobes",
-)
+ENVIRONMENT = DecoderForm("environment", ("visible", "shadowed", "axis"), _LIT, count="lobes")
 """Of the extension RNA_environment; wi is the mirror direction of wo."""
 
 

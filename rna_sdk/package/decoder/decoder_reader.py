@@ -16,13 +16,7 @@ from numpy.typing import NDArray
 
 from rna_sdk.package.decoder.decoder_form import INPUT_NAME
 from rna_sdk.package.decoder.onnx_fields import DataType
-from rna_sdk.package.decoder.onnx_model import (
-    Model,
-    Node,
-    OutsideFormat,
-    Tensor,
-    read_model,
-)
+from rna_sdk.package.decoder.onnx_model import Model, Node, OutsideFormat, Tensor, read_model
 from rna_sdk.package.decoder.profile_decoder import ProfileDecoder, ProfileLayer
 from rna_sdk.package.decoder.protobuf import WireError
 from rna_sdk.package.issues import Code, refuse

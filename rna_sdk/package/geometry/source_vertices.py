@@ -7,11 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.package.container.tensor_file import (
-    TensorForm,
-    tensors_from_bytes,
-    tensors_to_bytes,
-)
+from rna_sdk.package.container.tensor_file import TensorForm, tensors_from_bytes, tensors_to_bytes
 from rna_sdk.package.geometry.curves_file import GEOMETRY_CODES
 from rna_sdk.package.issues import Code, refuse
 

@@ -132,9 +132,7 @@ def _descends(value: tuple[ProxyLevel, ...]) -> tuple[ProxyLevel, ...]:
 
 
 ProxyLevels = Annotated[
-    tuple[ProxyLevel, ...],
-    Field(min_length=1, max_length=MAX_PROXIES),
-    AfterValidator(_descends),
+    tuple[ProxyLevel, ...], Field(min_length=1, max_length=MAX_PROXIES), AfterValidator(_descends)
 ]
 
 
@@ -224,9 +222,7 @@ class Variants(Extension):
 
     NAME: ClassVar[str] = "RNA_variants"
     variants: Annotated[
-        tuple[Variant, ...],
-        Field(min_length=1, max_length=MAX_VARIANTS),
-        AfterValidator(_differ),
+        tuple[Variant, ...], Field(min_length=1, max_length=MAX_VARIANTS), AfterValidator(_differ)
     ]
 
 

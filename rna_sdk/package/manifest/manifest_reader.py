@@ -60,9 +60,9 @@ def _check_readable(raw: dict[str, Any]) -> None:
 def _check_version(version: object) -> None:
     """One that is no version is a wrong value like any other, which the schema finds."""
     if isinstance(version, str) and _VERSION.fullmatch(version):
-        result, own = (tuple(map(int, one.split("."))) for one in (version, VERSION))
-        if result != own:
-            code = Code.VERSION_TOO_NEW if result > own else Code.VERSION_TOO_OLD
+        result, ours = (tuple(map(int, one.split("."))) for one in (version, VERSION))
+        if result != ours:
+            code = Code.VERSION_TOO_NEW if result > ours else Code.VERSION_TOO_OLD
             refuse(code, "/version", version, VERSION)
 
 

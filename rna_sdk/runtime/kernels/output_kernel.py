@@ -22,17 +22,9 @@ def sanitised(value: Any) -> Any:
     return min(value, _LARGEST) if value > 0.0 else np.float32(0.0)  # NaN fails the comparison
 
 
-@compiled(
-    OUTPUT,
-    numba.types.intp,
-    numba.types.boolean[::1],
-    numba.types.float32[:, ::1],
-)
+@compiled(OUTPUT, numba.types.intp, numba.types.boolean[::1], numba.types.float32[:, ::1])
 def write_results(
-    output: NDArray[np.float32],
-    column: int,
-    valid: NDArray[np.bool_],
-    results: NDArray[np.float32],
+    output: NDArray[np.float32], column: int, valid: NDArray[np.bool_], results: NDArray[np.float32]
 ) -> None:
     """One result of a decoder.
 

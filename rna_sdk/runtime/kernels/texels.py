@@ -51,11 +51,7 @@ def _texel(p: Any, resolution: float) -> Any:
 
 @compiled()
 def store_footprints(
-    p: Any,
-    resolution: float,
-    texels: NDArray[np.uint32],
-    weights: NDArray[np.float32],
-    slot: int,
+    p: Any, resolution: float, texels: NDArray[np.uint32], weights: NDArray[np.float32], slot: int
 ) -> None:
     """Stores the indices of the four texels around p on each plane, and their bilinear weights.
 

@@ -75,7 +75,7 @@ class Images:
 
     def add_base_color(self, record: BaseColor) -> int:
         """Number of the texture of a record's image, its levels one behind the other."""
-        assert record.image is not None  # the caller has asked
+        assert record.image is not None  # the caller has checked
         key = id(record.image), record.color_space
         if key not in self._levels:
             levels = [_words(level) for level in base_color_levels(record)]

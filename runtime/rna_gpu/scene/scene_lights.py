@@ -9,13 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_gpu.geometry import Geometry
-from rna_gpu.records.tables import (
-    LIGHT,
-    LIGHT_DELTA,
-    LIGHT_INFINITE,
-    LIGHT_KINDS,
-    LIGHT_SEEN,
-)
+from rna_gpu.records.tables import LIGHT, LIGHT_DELTA, LIGHT_INFINITE, LIGHT_KINDS, LIGHT_SEEN
 from rna_gpu.scene.scene_images import NONE, Images
 from rna_render import MeshObject, World
 from rna_render.lights import (

@@ -67,8 +67,8 @@ class Wavefront:
         most = min(
             _MOST_PATHS, width * height, device.limits["max-storage-buffer-binding-size"] // largest
         )
-        own = (evaluator for part in parts for evaluator in part.transport)
-        self.band = min((evaluator.short(most) for evaluator in own), default=most)
+        evaluators = (evaluator for part in parts for evaluator in part.transport)
+        self.band = min((evaluator.short(most) for evaluator in evaluators), default=most)
         self._words = _HEADER // 4 + self.band
         self._steps = Steps(scene, tables, lights, parts, scatters)
         self._steps.fill(scene, tables, clamp, self._sums, self._words)

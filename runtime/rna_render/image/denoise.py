@@ -130,10 +130,10 @@ def blended(rgb: np.ndarray, filtered: np.ndarray, variance: np.ndarray) -> np.n
     brightness = _averaged(filtered.mean(axis=-1, dtype=np.float64))
     scale = 1.0 / (brightness + _DARK * brightness.mean() + np.finfo(np.float32).tiny)[..., None]
     difference = _averaged(np.square((rgb - filtered) * scale).sum(axis=-1))
-    own = (variance * scale * scale).sum(axis=-1)
-    noise = _averaged(own)
+    of_pixel = (variance * scale * scale).sum(axis=-1)
+    noise = _averaged(of_pixel)
     bias = _PREFERENCE * np.maximum(difference - noise, 0.0) + 3.0 * _UNSEEN**2
-    noise = np.where(own > _SPECK * noise, own, noise)
+    noise = np.where(of_pixel > _SPECK * noise, of_pixel, noise)
     share = (noise / (noise + bias))[..., None]  # of the filtered form
     return np.asarray(rgb + share * (filtered - rgb), np.float32)
 

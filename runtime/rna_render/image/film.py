@@ -228,8 +228,8 @@ def _add_to(total: np.ndarray, values: np.ndarray) -> None:
 
 
 @compiled(fastmath=())
-def _keep_first(kept: np.ndarray, numbers: np.ndarray) -> None:
-    """Take over (n,) numbers where (n,) those kept are still 0."""
+def _keep_first(stored: np.ndarray, numbers: np.ndarray) -> None:
+    """Take over (n,) numbers where (n,) those stored are still 0."""
     for k in range(len(numbers)):
-        if kept[k] == 0:
-            kept[k] = numbers[k]
+        if stored[k] == 0:
+            stored[k] = numbers[k]

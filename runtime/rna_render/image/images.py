@@ -25,11 +25,7 @@ def write_exr(path: Path, channels: Mapping[str, np.ndarray], attributes: dict[s
     """
     import OpenEXR
 
-    header = {
-        "compression": OpenEXR.ZIP_COMPRESSION,
-        "type": OpenEXR.scanlineimage,
-        **attributes,
-    }
+    header = {"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage, **attributes}
     file = OpenEXR.File(header, dict(channels))
     _write(path, lambda temporary: file.write(str(temporary)))
 

@@ -1,6 +1,6 @@
 """Lights: what the integrator knows of them.
 
-The names below are loaded when they are asked for, so that a scene file's models need no Embree.
+The names below are loaded at their first use, so that a scene file's models need no Embree.
 """
 
 import lazy_loader

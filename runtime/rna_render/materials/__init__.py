@@ -1,6 +1,6 @@
 """Meshes that are not neural, and what they are made of; `models` has what a scene file says.
 
-The names below are loaded when they are asked for, so that a scene file's models need no Embree.
+The names below are loaded at their first use, so that a scene file's models need no Embree.
 """
 
 import lazy_loader

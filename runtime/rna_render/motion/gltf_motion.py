@@ -24,6 +24,8 @@ from rna_render.motion.gltf_clip import Track, clip_names, duration, read_clip
 from rna_render.scene.limits import MAX_NUMBER
 from rna_sdk.errors import MotionError, SceneError
 
+_LONGEST = 400  # characters of what Python says of a file
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Piece:
@@ -117,7 +119,7 @@ class GltfMotion:
         except OSError as error:
             raise MotionError(f"{self.path}: {error.strerror or error}") from error
         except Exception as error:
-            what = f"{type(error).__name__}: {error}"
+            what = f"{type(error).__name__}: {error}"[:_LONGEST]  # it may quote a whole buffer
             raise MotionError(f"{self.path}: is no valid glTF file: {what}") from error
 
     def _posed(self, moved: dict[tuple[int, str], np.ndarray], bare: bool = False) -> np.ndarray:

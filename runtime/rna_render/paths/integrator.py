@@ -310,11 +310,7 @@ class Integrator:
         return chosen, of_kind
 
     def _sample_lights(
-        self,
-        vertices: Vertices,
-        choice: LightChoice,
-        probability: np.ndarray,
-        beta: np.ndarray,
+        self, vertices: Vertices, choice: LightChoice, probability: np.ndarray, beta: np.ndarray
     ) -> WeightedSamples:
         """Light from samples of lights, and which of them arrive. beta: of the vertices' paths."""
         world = self._world
@@ -339,12 +335,7 @@ class Integrator:
         weigh_samples(radiance, seen, samples, free, visibility, light_pdf, *lights, beta)
         return WeightedSamples(tried.row, row, free.light, radiance, seen)
 
-    def _scatter(
-        self,
-        vertices: Vertices,
-        paths: Paths,
-        probability: np.ndarray,
-    ) -> Rays:
+    def _scatter(self, vertices: Vertices, paths: Paths, probability: np.ndarray) -> Rays:
         """Continue the paths, with rays in directions of their bodies' choice."""
         world, numbers, beta, share = self._world, paths.numbers, paths.beta, paths.share
         row, branches = np.arange(len(vertices)), np.ones(len(vertices), np.int64)

@@ -21,9 +21,9 @@ def render(
 ) -> Film:
     """Render `scene.samples` samples of every pixel, or fewer if `stop` or `quality` says so.
 
-    stop: asked after every band; the sample under way is then dropped. progress: told after every
-    band how many pixels it had, times its samples. on_sample: given the film after every sample
-    but the last; where the renderer takes several at once, after these.
+    stop: called after every band; the sample under way is then dropped. progress: called after
+    every band with its number of pixels times its samples. on_sample: given the film after every
+    sample but the last; where the renderer takes several at once, after these.
     """
     film = Film(scene.resolution, renderer.groups)
     samplers: Iterator[Sampler] = (Sampler(scene.seed, number) for number in range(scene.samples))

@@ -44,11 +44,7 @@ class Sampler:
     count: int = 1
 
     def square(
-        self,
-        pixels: np.ndarray,
-        dimension: int,
-        parts: int = 1,
-        number: np.ndarray | None = None,
+        self, pixels: np.ndarray, dimension: int, parts: int = 1, number: np.ndarray | None = None
     ) -> np.ndarray:
         """Points in the unit square, `parts` for each row: (n * parts, 2) float64 in [0, 1).
 

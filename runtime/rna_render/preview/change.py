@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, Field
 
 Turn = Annotated[float, Field(ge=-3600, le=3600)]
 Shift = Annotated[float, Field(ge=-10, le=10)]
 
 
-class Change(BaseModel):
+class Change(BaseModel, extra="forbid", frozen=True, allow_inf_nan=False, strict=True):
     """A change of the view; absent fields stay unchanged. Reset is applied first."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, strict=True)
 
     reset: bool = Field(default=False, description="Back to the scene's own camera.")
     orbit_deg: tuple[Turn, Turn] = Field(

@@ -11,7 +11,6 @@ from pydantic import (
     AfterValidator,
     BaseModel,
     BeforeValidator,
-    ConfigDict,
     Field,
     field_validator,
     model_validator,
@@ -70,10 +69,8 @@ def is_short(vector: tuple[float, ...]) -> bool:
     return math.hypot(*vector) < MIN_LENGTH
 
 
-class Model(BaseModel):
+class Model(BaseModel, extra="forbid", frozen=True, allow_inf_nan=False):
     """A mapping of the scene file: finite numbers, no unknown keys."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
 
 class TransformModel(Model):

@@ -152,8 +152,7 @@ class TurnModel(Model):
     """A rotation about +y, spread over the frames."""
 
     degrees: Number = Field(
-        default=360.0,
-        description="Total angle; positive is counter-clockwise seen from above.",
+        default=360.0, description="Total angle; positive is counter-clockwise seen from above."
     )
 
 
@@ -253,10 +252,7 @@ class Scene(Model):
         "disables the clamp and its bias.",
     )
     seed: int = Field(
-        default=0,
-        ge=0,
-        le=MAX_SEED,
-        description="Random seed; the same seed gives the same image.",
+        default=0, ge=0, le=MAX_SEED, description="Random seed; the same seed gives the same image."
     )
     view: Literal["srgb", "filmic"] = Field(
         default="srgb",

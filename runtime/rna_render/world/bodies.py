@@ -56,8 +56,8 @@ class AssetBody:
     strands are those of the round cones, outward.
 
     indirect: the same asset with the tier for what the camera does not see directly. shapes: of its
-    parts in motion; None where it is at rest. Decoders are then asked at rest points. rest_maps:
-    normal maps of the parts at rest, by `rest_maps_of`, for callers that have them.
+    parts in motion, whose decoders are evaluated at rest points; None where it is at rest.
+    rest_maps: normal maps of the parts at rest, by `rest_maps_of`, for callers that have them.
     """
 
     role = Role.SCATTER
@@ -127,7 +127,7 @@ def rest_maps_of(asset: Asset) -> RestMaps:
 class _NeuralPoints(Points):
     """Points of a part of an asset: its decoder evaluates scattering, given visibility along wi.
 
-    rest: what the decoder is asked with instead of the points, where the part is in motion.
+    rest: what the decoder takes instead of the points, where the part is in motion.
     where: primitives and barycentric coordinates of the hits. widths: of a pixel there.
     """
 
@@ -137,12 +137,7 @@ class _NeuralPoints(Points):
     widths: np.ndarray
 
     def __init__(
-        self,
-        scene: PartsScene,
-        part: int,
-        at: PartPoints,
-        wo: np.ndarray,
-        rest: RestPoints | None,
+        self, scene: PartsScene, part: int, at: PartPoints, wo: np.ndarray, rest: RestPoints | None
     ) -> None:
         self._scene, self._part, self._at, self._wo, self._rest = scene, part, at, wo, rest
         self.x, self.n = at.x, at.n

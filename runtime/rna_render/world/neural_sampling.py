@@ -179,11 +179,7 @@ def lobe_frame(n: Vector, tangent: Vector, o: Vector) -> Frame:
         cosine, normal = -cosine, (-normal[0], -normal[1], -normal[2])
     tangent = _unit_or(tangent[0], tangent[1], tangent[2], up)
     twice = 2.0 * cosine
-    mirror = (
-        twice * normal[0] - o[0],
-        twice * normal[1] - o[1],
-        twice * normal[2] - o[2],
-    )
+    mirror = (twice * normal[0] - o[0], twice * normal[1] - o[1], twice * normal[2] - o[2])
     return o, normal, tangent, mirror
 
 

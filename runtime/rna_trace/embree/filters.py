@@ -23,14 +23,7 @@ from rna_trace.embree.kernels import (
     RAY_ORIGIN,
 )
 from rna_trace.hashing import hash_bits
-from rna_trace.memory import (
-    load_f32,
-    load_f64,
-    load_u32,
-    load_u64,
-    store_f64,
-    store_u32,
-)
+from rna_trace.memory import load_f32, load_f64, load_u32, load_u64, store_f64, store_u32
 from rna_trace.transmittance import STRANDS, transmittance
 from rna_trace.vectors import Vector
 

@@ -11,25 +11,17 @@ from uuid import uuid4
 
 from rna_sdk.atomic_file import atomic_file, is_temporary
 from rna_sdk.errors import WorkError
-from rna_work.cached import content_hash
 
 _INSTALL = {"s3": "s3fs", "gs": "gcsfs", "gcs": "gcsfs", "abfs": "adlfs", "az": "adlfs"}
 
-_ATTEMPTS = 2
-"""Of fetching an object whose hash is known: a connection may break in the middle."""
 
-
-class _DifferentBytes(Exception):
-    """The fetched object is not the requested one."""
-
-
-def add_store_option(parser: argparse.ArgumentParser, what: str) -> None:
-    """The option `--store`; what: the files that workers put there."""
+def add_store_option(parser: argparse.ArgumentParser) -> None:
+    """The option `--store`."""
     parser.add_argument(
         "--store",
         type=Store,
         metavar="URL",
-        help=f"object storage for {what} if cluster nodes share no file system with this machine, "
+        help="object storage for rays if cluster nodes share no file system with this machine, "
         "such as s3://bucket/folder (URL, default: shared file system)",
     )
 
@@ -39,7 +31,7 @@ class Store:
     """Files below an address that fsspec knows: s3://, gs://, abfs://, file://, ...
 
     Objects are written atomically. Whoever may write to the storage may put any object there: names
-    that lead out of a folder raise WorkError, and `get` compares contents with a known hash.
+    that lead out of a folder raise WorkError.
     """
 
     url: str
@@ -58,29 +50,16 @@ class Store:
         except Exception as error:  # of whichever library speaks to the storage
             raise self._failed(name, error) from error
 
-    def get(self, name: str, local: Path, sha256: str | None = None) -> None:
-        """Fetch a file, which is written atomically; once more where its hash is not `sha256`.
-
-        Raises WorkError if that fails; `local` is then as it was.
-        """
+    def get(self, name: str, local: Path) -> None:
+        """Fetch a file, atomically. Raises WorkError if that fails; `local` is then as it was."""
         system, root = self._opened()
         path = f"{root}/{self._checked(name)}"
         local.parent.mkdir(parents=True, exist_ok=True)
-        for attempt in range(_ATTEMPTS):
-            try:
-                with atomic_file(local) as temporary:
-                    system.get_file(path, str(temporary))
-                    if sha256 is not None and content_hash(temporary) != sha256:
-                        raise _DifferentBytes
-                return
-            except _DifferentBytes:
-                if attempt + 1 == _ATTEMPTS:
-                    raise WorkError(
-                        f"{self.url}/{name}: found bytes of another SHA-256, expected {sha256}: it "
-                        "was cut or replaced; remove it, and the same command sends it again"
-                    ) from None
-            except Exception as error:
-                raise self._failed(name, error) from error
+        try:
+            with atomic_file(local) as temporary:
+                system.get_file(path, str(temporary))
+        except Exception as error:
+            raise self._failed(name, error) from error
 
     def remove(self, name: str) -> None:
         """Remove a file, if it is there. Raises WorkError if that fails."""
@@ -95,24 +74,16 @@ class Store:
 
     def names(self) -> set[str]:
         """Names of all files. Raises WorkError, also if one leads out of the folder."""
-        return set(self.sizes())
-
-    def sizes(self) -> dict[str, int]:
-        """Bytes of all files by name; errors as for `names`."""
         system, root = self._opened()
         try:
             system.invalidate_cache()
-            result = system.find(root, detail=True)
+            paths = system.find(root)
         except FileNotFoundError:
-            return {}
+            return set()
         except Exception as error:
             raise self._failed("", error) from error
-        named = {str(path)[len(root) :].lstrip("/"): info for path, info in result.items()}
-        return {
-            self._checked(name): int(info["size"] or 0)
-            for name, info in named.items()
-            if not is_temporary(Path(name))
-        }
+        names = (str(path)[len(root) :].lstrip("/") for path in paths)
+        return {self._checked(name) for name in names if not is_temporary(Path(name))}
 
     def below(self, folder: str) -> Store:
         """The part of the store from a folder on."""

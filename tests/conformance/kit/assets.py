@@ -34,14 +34,7 @@ from tests.conformance.kit.lobes import make_lobes
 from tests.conformance.kit.oddities import make_odd
 from tests.conformance.kit.plans import DecoderPlan, PartPlan, Plan, TierPlan
 from tests.conformance.kit.png import png_bytes
-from tests.conformance.kit.queries import (
-    ALL,
-    ORDINARY,
-    Maker,
-    columns_of,
-    make_queries,
-    valid_rows,
-)
+from tests.conformance.kit.queries import ALL, ORDINARY, Maker, columns_of, make_queries, valid_rows
 from tests.package.builders import make_manifest, make_part, make_tier_part
 
 _CALIBRATION_ROWS = 600
@@ -234,11 +227,7 @@ def _planes(rng: np.random.Generator, tier: TierPlan) -> tuple[np.ndarray | Int8
 
 
 def _decoder(
-    rng: np.random.Generator,
-    part: PartPlan,
-    tier: TierPlan,
-    planes: np.ndarray,
-    output: str,
+    rng: np.random.Generator, part: PartPlan, tier: TierPlan, planes: np.ndarray, output: str
 ) -> Decoder | Int8Decoder:
     rows = Maker(rng, part.is_fiber, part.bounds).ordinary(_CALIBRATION_ROWS)
     blocks = decoder_inputs(Points.of(arrays_of(rows, ALL), part.bounds), tier.inputs, planes)
@@ -255,12 +244,7 @@ def _decoder(
 
 
 def _answers(
-    seed: int,
-    part: PartPlan,
-    tier: TierPlan,
-    form: str,
-    asked: list[Asked],
-    planes: np.ndarray,
+    seed: int, part: PartPlan, tier: TierPlan, form: str, asked: list[Asked], planes: np.ndarray
 ) -> Answers:
     """form: what is asked for; asked: the decoders whose results, side by side, are the answer."""
     queries, classes = make_queries(seed, part.is_fiber, part.bounds)

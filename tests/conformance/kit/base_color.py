@@ -40,10 +40,7 @@ class Hit:
 
 
 def base_color(
-    mesh: Mesh,
-    records: Sequence[BaseColor],
-    hit: Hit,
-    rounding: np.random.Generator | None = None,
+    mesh: Mesh, records: Sequence[BaseColor], hit: Hit, rounding: np.random.Generator | None = None
 ) -> np.ndarray:
     """(3,) linear RGB; rounding: moves what readers round to float32."""
     for record in records:
@@ -52,10 +49,10 @@ def base_color(
             if record.image is None:
                 return factor
             uv = mesh.uvs[mesh.triangles[hit.triangle]].astype(np.float64)
-            u, v = _moved(np.array([1 - hit.b1 - hit.b2, hit.b1, hit.b2]) @ uv, rounding)
+            u, v = moved(np.array([1 - hit.b1 - hit.b2, hit.b1, hit.b2]) @ uv, rounding)
             a, b, c, d, e, f = record.transform
-            p = _moved(np.array([a * u, b * v, c]), rounding).sum()
-            q = _moved(np.array([d * u, e * v, f]), rounding).sum()
+            p = moved(np.array([a * u, b * v, c]), rounding).sum()
+            q = moved(np.array([d * u, e * v, f]), rounding).sum()
             return factor * _filtered(record, p, q, hit.level)
     return np.ones(3)
 
@@ -119,7 +116,7 @@ def _inside(i: int, n: int, wrap: str) -> int:
     return m if m < n else 2 * n - 1 - m
 
 
-def _moved(values: np.ndarray, rounding: np.random.Generator | None) -> np.ndarray:
+def moved(values: np.ndarray, rounding: np.random.Generator | None) -> np.ndarray:
     """By two units in the last place of the largest in float32, each up or down."""
     if rounding is None:
         return values

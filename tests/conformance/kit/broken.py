@@ -32,9 +32,9 @@ class Broken:
 
 
 def broken_packages(folder: Path) -> dict[str, Broken]:
-    """By name; folder: for files on the way."""
+    """By name, in its order; folder: for files on the way."""
     good, result = good_entries(folder), {}
-    for case in CASES:
+    for case in sorted(CASES, key=lambda case: case.name):
         data = case.breaker(good[case.base])
         if len(data) <= LARGEST:
             result[case.name] = Broken(data, case.code, _extension(data))

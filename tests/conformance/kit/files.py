@@ -192,12 +192,7 @@ def _part_case(
 def _validate_case(
     package: str, valid: bool, code: str | None, extension: str | None = None
 ) -> dict[str, Any]:
-    return {
-        "package": package,
-        "valid": valid,
-        "code": code,
-        "extension": extension,
-    }
+    return {"package": package, "valid": valid, "code": code, "extension": extension}
 
 
 def _classes(ranges: list[tuple[str, int, int]]) -> list[dict[str, Any]]:

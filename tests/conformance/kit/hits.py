@@ -9,14 +9,7 @@ import numpy as np
 
 from rna_sdk.package import Curves, Mesh
 from tests.conformance.kit.blocks import dot, unit
-from tests.conformance.kit.visibility import (
-    Body,
-    FiberHits,
-    MeshHits,
-    stable,
-    strands,
-    visibility,
-)
+from tests.conformance.kit.visibility import Body, FiberHits, MeshHits, stable, strands, visibility
 from tests.render.round_cones import depths
 
 Hits = MeshHits | FiberHits

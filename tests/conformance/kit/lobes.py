@@ -13,14 +13,7 @@ from tests.conformance.kit.answers import PART_OF_SCALE, SIGN_PATTERNS, Answers
 from tests.conformance.kit.blocks import Points, decoder_inputs, dot, moved_blocks
 from tests.conformance.kit.decoders import Decoder
 from tests.conformance.kit.plans import LobesPlan, PartPlan
-from tests.conformance.kit.queries import (
-    ALL,
-    ORDINARY,
-    WI,
-    Maker,
-    make_queries,
-    valid_rows,
-)
+from tests.conformance.kit.queries import ALL, ORDINARY, WI, Maker, make_queries, valid_rows
 
 _CALIBRATION_ROWS = 600
 _OF_A_CLASS = {ORDINARY: 24, "NaN": 10}

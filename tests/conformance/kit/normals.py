@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from rna_sdk.package import Mesh, NormalMap
+from tests.conformance.kit.base_color import moved
 
 TOLERANCE = 1e-4
 """Of a component of a well-conditioned normal."""
@@ -40,7 +41,7 @@ def mapped_normal(
 ) -> np.ndarray:
     """(3,) at barycentric coordinates b (3,); rounding: moves what readers round to float32."""
     corners = mesh.triangles[triangle]
-    n = _moved(_unit(b @ mesh.normals[corners].astype(np.float64)), rounding)
+    n = moved(_unit(b @ mesh.normals[corners].astype(np.float64)), rounding)
     for record in records:
         if record.first <= triangle < record.first + record.count:
             n = _bent(record.texture, mesh, corners, b, n, rounding)
@@ -59,7 +60,7 @@ def _bent(
     e1, e2 = p[1] - p[0], p[2] - p[0]
     (a1, c1), (a2, c2) = uv[1] - uv[0], uv[2] - uv[0]
     d = a1 * c2 - a2 * c1
-    along_u = _moved((c2 * e1 - c1 * e2) * math.copysign(1, d), rounding)
+    along_u = moved((c2 * e1 - c1 * e2) * math.copysign(1, d), rounding)
     along_v = (a1 * e2 - a2 * e1) * math.copysign(1, d)
     across = along_u - (along_u @ n) * n
     if d == 0 or np.linalg.norm(across) <= _SHORT * np.linalg.norm(along_u):
@@ -67,7 +68,7 @@ def _bent(
     t = _unit(across)
     up = np.cross(n, t)
     up = -up if up @ along_v > 0 else up
-    x, y = (_looked_up(texture, _moved(b @ uv, rounding)) - 127) / 127
+    x, y = (_looked_up(texture, moved(b @ uv, rounding)) - 127) / 127
     m = x * t + y * up + math.sqrt(max(0.0, 1 - x * x - y * y)) * n
     return n if np.linalg.norm(m) <= _SHORT else _unit(m)
 
@@ -86,14 +87,6 @@ def _looked_up(texture: np.ndarray, uv: np.ndarray) -> np.ndarray:
 
 def _unit(vector: np.ndarray) -> np.ndarray:
     return vector / np.linalg.norm(vector)
-
-
-def _moved(values: np.ndarray, rounding: np.random.Generator | None) -> np.ndarray:
-    """By two units in the last place of the largest in float32, each up or down."""
-    if rounding is None:
-        return values
-    size = 2 * _ULP * max(float(np.abs(values).max()), 2.0**-100)
-    return values + size * rounding.choice([-1.0, 1.0], values.shape)
 
 
 def make_normal_hits(seed: int, part: int, mesh: Mesh, records: Sequence[NormalMap]) -> NormalHits:

@@ -45,11 +45,7 @@ def _looked_up(
 
 
 def _fresnel(
-    ior: tuple[float, float],
-    mesh: Mesh,
-    corners: np.ndarray,
-    weights: np.ndarray,
-    d: np.ndarray,
+    ior: tuple[float, float], mesh: Mesh, corners: np.ndarray, weights: np.ndarray, d: np.ndarray
 ) -> float:
     p = mesh.positions[corners].astype(np.float64)
     n_g = np.cross(p[1] - p[0], p[2] - p[0])

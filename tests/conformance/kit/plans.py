@@ -245,10 +245,7 @@ PLANS = (
                 ),
                 shapes.pane_records(),
             ),
-            PartPlan(
-                *("floor", shapes.floor(), *ONE),
-                (TierPlan("small", SURFACE, 5, 3),),
-            ),
+            PartPlan(*("floor", shapes.floor(), *ONE), (TierPlan("small", SURFACE, 5, 3),)),
         ),
     ),
     Plan(

@@ -12,12 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rna_sdk.package.decoder.query_arrays import (
-    INPUT_ARRAYS,
-    QUERY_ARRAYS,
-    arrays_of,
-    column_count,
-)
+from rna_sdk.package.decoder.query_arrays import INPUT_ARRAYS, QUERY_ARRAYS, arrays_of, column_count
 from tests.conformance.kit.blocks import unit
 
 ALL = [array.name for array in QUERY_ARRAYS]

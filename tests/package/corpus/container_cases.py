@@ -7,7 +7,10 @@ from unittest import mock
 
 from rna_sdk.package.container import zip_layout as z
 from tests.package.builders import pack
-from tests.package.corpus.registry import DECODER, MESH, PLANES, Entries, case
+from tests.package.corpus.registry import DECODER, MESH, PLANES, Corpus, Entries
+
+CASES = Corpus("surface")
+
 
 HIDDEN = bytes(range(64))
 
@@ -42,179 +45,120 @@ def with_extra_entry(entries: Entries, name: str) -> bytes:
     return pack([*entries.items(), (name, b"data")])
 
 
-@case("FILE_EMPTY")
-def empty_file(entries: Entries) -> bytes:
-    return b""
+CASES.add("FILE_EMPTY", empty_file=lambda _: b"")
+CASES.add(
+    "ZIP_NOT_ZIP",
+    not_a_zip=lambda _: b"\x93NUMPY" + bytes(500),
+    shorter_than_an_end_record=lambda _: b"PK",
+)
+CASES.add(
+    "ZIP_TRUNCATED",
+    truncated=lambda e: pack(e.items())[:-100],
+    bytes_behind_the_end=lambda e: pack(e.items()) + bytes(10),
+    declared_size_of_gigabytes=lambda e: patch_entry(
+        pack(e.items()), MESH, "both", size=3 * 2**30, stored_size=3 * 2**30
+    ),
+    header_offset_past_the_end=lambda e: patch_entry(
+        pack(e.items()), MESH, "central", offset=2**31
+    ),
+)
 
 
-@case("ZIP_NOT_ZIP")
-def not_a_zip(entries: Entries) -> bytes:
-    return b"\x93NUMPY" + bytes(500)
-
-
-@case("ZIP_NOT_ZIP")
-def shorter_than_an_end_record(entries: Entries) -> bytes:
-    return b"PK"
-
-
-@case("ZIP_TRUNCATED")
-def truncated(entries: Entries) -> bytes:
-    return pack(entries.items())[:-100]
-
-
-@case("ZIP_TRUNCATED")
-def bytes_behind_the_end(entries: Entries) -> bytes:
-    return pack(entries.items()) + bytes(10)
-
-
-@case("ZIP_TRUNCATED")
-def declared_size_of_gigabytes(entries: Entries) -> bytes:
-    size = 3 * 2**30
-    return patch_entry(pack(entries.items()), MESH, "both", size=size, stored_size=size)
-
-
-@case("ZIP_TRUNCATED")
-def header_offset_past_the_end(entries: Entries) -> bytes:
-    return patch_entry(pack(entries.items()), MESH, "central", offset=2**31)
-
-
-@case("ZIP_DIRECTORY")
+@CASES.case("ZIP_DIRECTORY")
 def bytes_cut_from_the_middle(entries: Entries) -> bytes:
     data = pack(entries.items())
     return data[:3000] + data[3064:]
 
 
-@case("ZIP_DIRECTORY")
+@CASES.case("ZIP_DIRECTORY")
 def directory_longer_than_its_count(entries: Entries) -> bytes:
     data = pack(entries.items())
     count = read_end(data).entries - 1
     return patch_end(data, entries=count, entries_here=count)
 
 
-@case("ZIP_DIRECTORY")
+@CASES.case("ZIP_DIRECTORY")
 def directory_shorter_than_its_count(entries: Entries) -> bytes:
     data = pack(entries.items())
     count = read_end(data).entries + 1
     return patch_end(data, entries=count, entries_here=count)
 
 
-@case("ZIP_DIRECTORY")
-def archive_comment(entries: Entries) -> bytes:
-    return patch_end(pack(entries.items()), comment_size=22)
+CASES.add(
+    "ZIP_DIRECTORY",
+    archive_comment=lambda e: patch_end(pack(e.items()), comment_size=22),
+    name_past_the_directory=lambda e: patch_entry(
+        pack(e.items()), DECODER, "central", name_size=60000
+    ),
+)
+CASES.add(
+    "ZIP_ZIP64",
+    zip64_count=lambda e: patch_end(pack(e.items()), entries=0xFFFF, entries_here=0xFFFF),
+    zip64_size=lambda e: patch_entry(
+        pack(e.items()), MESH, "both", size=0xFFFFFFFF, stored_size=0xFFFFFFFF
+    ),
+)
+CASES.add(
+    "ZIP_TOO_MANY",
+    too_many_entries=lambda e: pack([*e.items(), *((f"more/{i}", b"") for i in range(300))]),
+)
+CASES.add(
+    "ZIP_ENCRYPTED", encrypted_entry=lambda e: patch_entry(pack(e.items()), MESH, "both", flags=1)
+)
+CASES.add(
+    "ZIP_HEADER", data_descriptor=lambda e: patch_entry(pack(e.items()), MESH, "both", flags=8)
+)
 
 
-@case("ZIP_DIRECTORY")
-def name_past_the_directory(entries: Entries) -> bytes:
-    return patch_entry(pack(entries.items()), DECODER, "central", name_size=60000)
-
-
-@case("ZIP_ZIP64")
-def zip64_count(entries: Entries) -> bytes:
-    return patch_end(pack(entries.items()), entries=0xFFFF, entries_here=0xFFFF)
-
-
-@case("ZIP_ZIP64")
-def zip64_size(entries: Entries) -> bytes:
-    size = 0xFFFFFFFF
-    return patch_entry(pack(entries.items()), MESH, "both", size=size, stored_size=size)
-
-
-@case("ZIP_TOO_MANY")
-def too_many_entries(entries: Entries) -> bytes:
-    return pack([*entries.items(), *((f"more/{i}", b"") for i in range(300))])
-
-
-@case("ZIP_ENCRYPTED")
-def encrypted_entry(entries: Entries) -> bytes:
-    return patch_entry(pack(entries.items()), MESH, "both", flags=1)
-
-
-@case("ZIP_HEADER")
-def data_descriptor(entries: Entries) -> bytes:
-    return patch_entry(pack(entries.items()), MESH, "both", flags=8)
-
-
-@case("ZIP_HEADER")
+@CASES.case("ZIP_HEADER")
 def symbolic_link(entries: Entries) -> bytes:
     attributes = 0o120777 << 16
     return patch_entry(pack(entries.items()), MESH, "central", external_attributes=attributes)
 
 
-@case("ZIP_COMPRESSED")
-def compressed_entry(entries: Entries) -> bytes:
-    return patch_entry(pack(entries.items()), MESH, "both", method=8)
+CASES.add(
+    "ZIP_COMPRESSED",
+    compressed_entry=lambda e: patch_entry(pack(e.items()), MESH, "both", method=8),
+)
+CASES.add(
+    "ZIP_SIZE", bomb_like_size=lambda e: patch_entry(pack(e.items()), MESH, "both", size=2**31)
+)
+CASES.add(
+    "ZIP_NAME",
+    parent_folder=lambda e: with_extra_entry(e, "features/../../evil"),
+    absolute_path=lambda e: with_extra_entry(e, "/etc/evil"),
+    backslash_path=lambda e: with_extra_entry(e, "features\\evil"),
+    drive_path=lambda e: with_extra_entry(e, "C:/evil"),
+    folder_entry=lambda e: with_extra_entry(e, "features/"),
+    name_with_newline=lambda e: with_extra_entry(e, "evil\n"),
+    name_too_long=lambda e: with_extra_entry(e, "x" * 201),
+)
+CASES.add(
+    "ZIP_DUPLICATE",
+    duplicate_name=lambda e: with_extra_entry(e, MESH),
+    duplicate_but_for_case=lambda e: with_extra_entry(e, MESH.upper()),
+)
+CASES.add(
+    "ZIP_LOCAL_HEADER",
+    local_size_differs=lambda e: patch_entry(pack(e.items()), MESH, "local", size=10),
+)
 
 
-@case("ZIP_SIZE")
-def bomb_like_size(entries: Entries) -> bytes:
-    return patch_entry(pack(entries.items()), MESH, "both", size=2**31)
-
-
-@case("ZIP_NAME")
-def parent_folder(entries: Entries) -> bytes:
-    return with_extra_entry(entries, "features/../../evil")
-
-
-@case("ZIP_NAME")
-def absolute_path(entries: Entries) -> bytes:
-    return with_extra_entry(entries, "/etc/evil")
-
-
-@case("ZIP_NAME")
-def backslash_path(entries: Entries) -> bytes:
-    return with_extra_entry(entries, "features\\evil")
-
-
-@case("ZIP_NAME")
-def drive_path(entries: Entries) -> bytes:
-    return with_extra_entry(entries, "C:/evil")
-
-
-@case("ZIP_NAME")
-def folder_entry(entries: Entries) -> bytes:
-    return with_extra_entry(entries, "features/")
-
-
-@case("ZIP_NAME")
-def name_with_newline(entries: Entries) -> bytes:
-    return with_extra_entry(entries, "evil\n")
-
-
-@case("ZIP_NAME")
-def name_too_long(entries: Entries) -> bytes:
-    return with_extra_entry(entries, "x" * 201)
-
-
-@case("ZIP_DUPLICATE")
-def duplicate_name(entries: Entries) -> bytes:
-    return with_extra_entry(entries, MESH)
-
-
-@case("ZIP_DUPLICATE")
-def duplicate_but_for_case(entries: Entries) -> bytes:
-    return with_extra_entry(entries, MESH.upper())
-
-
-@case("ZIP_LOCAL_HEADER")
-def local_size_differs(entries: Entries) -> bytes:
-    return patch_entry(pack(entries.items()), MESH, "local", size=10)
-
-
-@case("ZIP_LOCAL_HEADER")
+@CASES.case("ZIP_LOCAL_HEADER")
 def local_name_differs(entries: Entries) -> bytes:
     data = pack(entries.items())
     start = data.rindex(MESH.encode(), 0, read_end(data).directory_offset)
     return data[:start] + b"X" + data[start + 1 :]
 
 
-@case("ZIP_EXTRA")
+@CASES.case("ZIP_EXTRA")
 def bytes_hidden_in_the_padding(entries: Entries) -> bytes:
     data = bytearray(pack(entries.items()))
     data[data.index(b"manifest.json") + len("manifest.json") + z.EXTRA.size] = 1
     return bytes(data)
 
 
-@case("ZIP_OVERLAP")
+@CASES.case("ZIP_OVERLAP")
 def entry_inside_another(entries: Entries) -> bytes:
     """The decoder's header and data lie within the data of the planes' neighbour."""
     inner = pack([("x", entries[DECODER])])
@@ -232,40 +176,33 @@ def entry_inside_another(entries: Entries) -> bytes:
     )
 
 
-@case("ZIP_GAP")
+@CASES.case("ZIP_GAP")
 def bytes_between_the_entries_and_the_directory(entries: Entries) -> bytes:
     data = pack(entries.items())
     offset = read_end(data).directory_offset
     return patch_end(data[:offset] + HIDDEN + data[offset:], directory_offset=offset + len(HIDDEN))
 
 
-@case("ZIP_ALIGNMENT")
+@CASES.case("ZIP_ALIGNMENT")
 def unaligned_entry(entries: Entries) -> bytes:
     with mock.patch("rna_sdk.package.container.zip_writer.ALIGNMENT", 4):
         return pack(entries.items())
 
 
-@case("ZIP_ORDER")
-def manifest_not_first(entries: Entries) -> bytes:
-    return pack(reversed(entries.items()))
+CASES.add(
+    "ZIP_ORDER",
+    manifest_not_first=lambda e: pack(reversed(e.items())),
+    no_manifest=lambda e: pack([(MESH, e[MESH])]),
+    no_entries=lambda _: pack([]),
+)
 
 
-@case("ZIP_ORDER")
-def no_manifest(entries: Entries) -> bytes:
-    return pack([(MESH, entries[MESH])])
-
-
-@case("ZIP_ORDER")
-def no_entries(entries: Entries) -> bytes:
-    return pack([])
-
-
-@case("ZIP_CRC")
+@CASES.case("ZIP_CRC")
 def wrong_crc(entries: Entries) -> bytes:
     return patch_entry(pack(entries.items()), MESH, "both", crc=0x12345678)
 
 
-@case("ZIP_CRC")
+@CASES.case("ZIP_CRC")
 def one_damaged_byte(entries: Entries) -> bytes:
     """Neither CRC-32 nor SHA-256 is that of the data."""
     data, planes = pack(entries.items()), entries[PLANES]
@@ -273,12 +210,15 @@ def one_damaged_byte(entries: Entries) -> bytes:
     return data[:at] + bytes([data[at] ^ 1]) + data[at + 1 :]
 
 
-@case("ZIP_CRC")
+@CASES.case("ZIP_CRC")
 def one_damaged_byte_of_the_manifest(entries: Entries) -> bytes:
     """It is no JSON either."""
     return pack(entries.items()).replace(b'"format"', b'"for\x00at"', 1)
 
 
-@case("ZIP_CRC")
-def wrong_crc_of_the_manifest(entries: Entries) -> bytes:
-    return patch_entry(pack(entries.items()), "manifest.json", "both", crc=0x12345678)
+CASES.add(
+    "ZIP_CRC",
+    wrong_crc_of_the_manifest=lambda e: patch_entry(
+        pack(e.items()), "manifest.json", "both", crc=0x12345678
+    ),
+)

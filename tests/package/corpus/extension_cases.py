@@ -16,11 +16,15 @@ from tests.package.corpus.registry import (
     DECODER,
     MESH,
     PLANES,
+    Corpus,
     Entries,
-    case,
+    in_manifest,
     with_entry,
     with_manifest,
 )
+
+CASES = Corpus("surface")
+
 
 POSTER = "extensions/RNA_poster/poster.png"
 LOBES = "extensions/RNA_environment/asset.onnx"
@@ -95,107 +99,106 @@ def png_of(width: int, height: int) -> bytes:
     return b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR" + struct.pack(">IIBBBBB", width, height, 8, 6, 0, 0, 0)
 
 
-@case("DEFLATE_STREAM")
+@CASES.case("DEFLATE_STREAM")
 def coded_entry_of_no_stream(entries: Entries) -> bytes:
     return with_coded_mesh(entries, b"no zlib stream")
 
 
-@case("DEFLATE_STREAM")
-def coded_entry_cut_short(entries: Entries) -> bytes:
-    return with_coded_mesh(entries, encode(entries[MESH], 2, 3)[:-9])
+CASES.add(
+    "DEFLATE_STREAM",
+    coded_entry_cut_short=lambda e: with_coded_mesh(e, encode(e[MESH], 2, 3)[:-9]),
+    coded_entry_that_goes_on_and_on=lambda e: with_coded_mesh(e, zlib.compress(bytes(2**26))),
+    coded_entry_of_fewer_bytes=lambda e: with_coded_mesh(e, size=len(e[MESH]) + 1),
+)
 
 
-@case("DEFLATE_STREAM")
+@CASES.case("DEFLATE_STREAM")
 def coded_entry_with_bytes_behind(entries: Entries) -> bytes:
     return with_coded_mesh(entries, encode(entries[MESH], 2, 3) + b"more")
 
 
-@case("DEFLATE_STREAM")
-def coded_entry_that_goes_on_and_on(entries: Entries) -> bytes:
-    return with_coded_mesh(entries, zlib.compress(bytes(2**26)))
+CASES.add("ENTRY_HASH", coded_entry_of_other_bytes=lambda e: with_coded_mesh(e, distance=4))
+CASES.add(
+    "FIELD_VALUE",
+    coded_entry_of_three_bytes_an_element=lambda e: with_coded_mesh(e, elementSize=3),
+    coded_entry_beyond_a_file=lambda e: with_coded_mesh(e, size=2**32),
+    proxies_that_ascend=lambda e: with_proxy(
+        e, e[MESH], *[{"geometry": PROXY, "height": height} for height in (32, 64)]
+    ),
+    proxy_of_no_part=in_manifest(lambda m: used(m, "RNA_proxy", {"parts": [None]})),
+    lobes_of_no_part=in_manifest(lambda m: used(m, "RNA_environment", {"parts": [None]})),
+    lobes_that_cannot_be_halved=lambda e: with_record(e, lobes=3),
+    lobes_beyond_the_most=lambda e: with_record(e, lobes=34),
+    variant_without_a_name=lambda e: with_variants(e, {"name": "", "parts": [None]}),
+    variant_of_one_record_where_there_are_two=lambda e: with_variants(
+        e, {"name": "red", "parts": [[{"factor": [1, 0, 0]}]]}, records=2
+    ),
+)
 
 
-@case("DEFLATE_STREAM")
-def coded_entry_of_fewer_bytes(entries: Entries) -> bytes:
-    return with_coded_mesh(entries, size=len(entries[MESH]) + 1)
-
-
-@case("ENTRY_HASH")
-def coded_entry_of_other_bytes(entries: Entries) -> bytes:
-    return with_coded_mesh(entries, distance=4)
-
-
-@case("FIELD_VALUE")
-def coded_entry_of_three_bytes_an_element(entries: Entries) -> bytes:
-    return with_coded_mesh(entries, elementSize=3)
-
-
-@case("FIELD_VALUE")
-def coded_entry_beyond_a_file(entries: Entries) -> bytes:
-    return with_coded_mesh(entries, size=2**32)
-
-
-@case("FIELD_VALUE")
+@CASES.case("FIELD_VALUE")
 def coded_entries_beyond_a_file_together(entries: Entries) -> bytes:
     codings = {name: coding_of(b"", size=2**31) for name in entries if name != "manifest.json"}
     data = {"entries": codings}
     return with_manifest(entries, lambda m: used(m, "RNA_deflate", data, True))
 
 
-@case("DEFLATE_SIZE")
+@CASES.case("DEFLATE_SIZE")
 def coded_entry_of_zeros(entries: Entries) -> bytes:
     """Of 2 MiB in 2 KB: a small file would take much memory."""
     zeros = bytes(2**21)
     return with_coded_mesh(entries, zlib.compress(zeros), size=len(zeros), distance=0)
 
 
-@case("EXTENSION_UNDECLARED")
+@CASES.case("EXTENSION_UNDECLARED")
 def coded_entry_that_is_not_required(entries: Entries) -> bytes:
     data = {"entries": {MESH: coding_of(entries[MESH])}}
     coded = encode(entries[MESH], 2, 3)
     return with_entry(entries, MESH, coded, lambda m: used(m, "RNA_deflate", data))
 
 
-@case("REFERENCE_MISSING")
-def coded_entry_that_is_not_there(entries: Entries) -> bytes:
-    data = {"entries": {"manifest.json": coding_of(b"")}}
-    return with_manifest(entries, lambda m: used(m, "RNA_deflate", data, True))
+CASES.add(
+    "REFERENCE_MISSING",
+    coded_entry_that_is_not_there=in_manifest(
+        lambda m: used(m, "RNA_deflate", {"entries": {"manifest.json": coding_of(b"")}}, True)
+    ),
+    lobes_on_planes_that_are_not_there=lambda e: with_record(e, planes="features/none.safetensors"),
+    variant_whose_image_is_not_there=lambda e: with_variants(
+        e, {"name": "red", "parts": [[{"image": RED}]]}
+    ),
+)
+CASES.add(
+    "FIELD_MISSING",
+    known_extension_without_data=in_manifest(lambda m: m.update(extensionsUsed=["RNA_standin"])),
+)
+CASES.add(
+    "POSTER_IMAGE",
+    poster_that_is_no_png=lambda e: with_poster(e, b"JFIF"),
+    poster_of_another_size=lambda e: with_poster(e, png_of(2, 2)),
+)
+CASES.add(
+    "FIELD_UNKNOWN",
+    poster_with_a_title=lambda e: with_poster(e, png_of(2, 1), title="toy"),
+    variant_with_triangles_of_its_own=lambda e: with_variants(
+        e, {"name": "red", "parts": [[{"triangles": [0, 2]}]]}
+    ),
+)
 
 
-@case("FIELD_MISSING")
-def known_extension_without_data(entries: Entries) -> bytes:
-    return with_manifest(entries, lambda m: m.update(extensionsUsed=["RNA_standin"]))
-
-
-@case("POSTER_IMAGE")
-def poster_that_is_no_png(entries: Entries) -> bytes:
-    return with_poster(entries, b"JFIF")
-
-
-@case("POSTER_IMAGE")
-def poster_of_another_size(entries: Entries) -> bytes:
-    return with_poster(entries, png_of(2, 2))
-
-
-@case("FIELD_UNKNOWN")
-def poster_with_a_title(entries: Entries) -> bytes:
-    return with_poster(entries, png_of(2, 1), title="toy")
-
-
-@case("PARTS_DIFFER")
+@CASES.case("PARTS_DIFFER")
 def standin_of_two_parts(entries: Entries) -> bytes:
     material = {"baseColor": [1, 1, 1], "roughness": 1, "metallic": 0}
     data = {"parts": [material, material]}
     return with_manifest(entries, lambda m: used(m, "RNA_standin", data))
 
 
-@case("FIELD_VALUE")
+@CASES.case("FIELD_VALUE")
 def standin_brighter_than_white(entries: Entries) -> bytes:
     material = {"baseColor": [1, 1, 1.5], "roughness": 1, "metallic": 0}
     return with_manifest(entries, lambda m: used(m, "RNA_standin", {"parts": [material]}))
 
 
-@case("STANDIN_TEXTURE")
+@CASES.case("STANDIN_TEXTURE")
 def standin_texture_that_is_no_png(entries: Entries) -> bytes:
     """Of 64 KB, which keeps it out of the conformance kit: other readers have no such textures."""
     members = dict.fromkeys(("baseColor", "metallicRoughness", "normal"), TEXTURE)
@@ -204,83 +207,49 @@ def standin_texture_that_is_no_png(entries: Entries) -> bytes:
     return with_entry(entries, TEXTURE, png, lambda m: used(m, "RNA_standin_textures", data))
 
 
-@case("GEOMETRY_CONTAINER")
+@CASES.case("GEOMETRY_CONTAINER")
 def proxy_that_is_no_mesh(entries: Entries) -> bytes:
     return with_proxy(entries, b"no mesh")
 
 
-@case("FIELD_VALUE")
-def proxies_that_ascend(entries: Entries) -> bytes:
-    levels = [{"geometry": PROXY, "height": height} for height in (32, 64)]
-    return with_proxy(entries, entries[MESH], *levels)
+CASES.add(
+    "PARTS_DIFFER",
+    lobes_of_two_parts=in_manifest(
+        lambda m: used(m, "RNA_environment", {"parts": [lobes_record(decoder=DECODER), None]})
+    ),
+    variant_of_two_parts=lambda e: with_variants(e, {"name": "red", "parts": [None, None]}),
+)
 
 
-@case("FIELD_VALUE")
-def proxy_of_no_part(entries: Entries) -> bytes:
-    return with_manifest(entries, lambda m: used(m, "RNA_proxy", {"parts": [None]}))
-
-
-@case("FIELD_VALUE")
-def lobes_of_no_part(entries: Entries) -> bytes:
-    return with_manifest(entries, lambda m: used(m, "RNA_environment", {"parts": [None]}))
-
-
-@case("FIELD_VALUE")
-def lobes_that_cannot_be_halved(entries: Entries) -> bytes:
-    return with_record(entries, lobes=3)
-
-
-@case("FIELD_VALUE")
-def lobes_beyond_the_most(entries: Entries) -> bytes:
-    return with_record(entries, lobes=34)
-
-
-@case("PARTS_DIFFER")
-def lobes_of_two_parts(entries: Entries) -> bytes:
-    data = {"parts": [lobes_record(decoder=DECODER), None]}
-    return with_manifest(entries, lambda m: used(m, "RNA_environment", data))
-
-
-@case("REFERENCE_MISSING")
-def lobes_on_planes_that_are_not_there(entries: Entries) -> bytes:
-    return with_record(entries, planes="features/none.safetensors")
-
-
-@case("PLANES_SHAPE")
+@CASES.case("PLANES_SHAPE")
 def lobes_on_planes_of_another_size(entries: Entries) -> bytes:
     data = {"parts": [lobes_record(resolution=7)]}
     decoder = make_decoder("float32", 18, outputs=18, output="environment")
     return with_entry(entries, LOBES, decoder, lambda m: used(m, "RNA_environment", data))
 
 
-@case("INPUT_KIND")
-def lobes_of_a_surface_with_a_block_of_fibers(entries: Entries) -> bytes:
-    return with_record(entries, inputs=["wo", "h"])
+CASES.add(
+    "INPUT_KIND",
+    lobes_of_a_surface_with_a_block_of_fibers=lambda e: with_record(e, inputs=["wo", "h"]),
+)
+CASES.add("DECODER_PROFILE", lobes_with_the_output_of_transport=lambda e: with_record(e))
 
 
-@case("DECODER_PROFILE")
-def lobes_with_the_output_of_transport(entries: Entries) -> bytes:
-    return with_record(entries)
-
-
-@case("DECODER_PROFILE")
+@CASES.case("DECODER_PROFILE")
 def lobes_without_the_columns_of_their_visibility(entries: Entries) -> bytes:
     file = tensors_to_bytes({"harmonics": np.zeros((12, 16), np.int8)})
     data = {"parts": [lobes_record(decoder=DECODER, visibility=VISIBILITY)]}
     return with_entry(entries, VISIBILITY, file, lambda m: used(m, "RNA_environment", data))
 
 
-@case("ENVIRONMENT_VISIBILITY")
-def visibility_with_a_vertex_missing(entries: Entries) -> bytes:
-    return with_visibility(entries, np.zeros((11, 16), np.int8))
+CASES.add(
+    "ENVIRONMENT_VISIBILITY",
+    visibility_with_a_vertex_missing=lambda e: with_visibility(e, np.zeros((11, 16), np.int8)),
+    visibility_up_to_degree_two=lambda e: with_visibility(e, np.zeros((12, 9), np.int8)),
+)
 
 
-@case("ENVIRONMENT_VISIBILITY")
-def visibility_up_to_degree_two(entries: Entries) -> bytes:
-    return with_visibility(entries, np.zeros((12, 9), np.int8))
-
-
-@case("FIELD_VALUE")
+@CASES.case("FIELD_VALUE")
 def proxy_of_a_part_with_base_colour(entries: Entries) -> bytes:
     def edit(manifest: dict[str, Any]) -> None:
         manifest["parts"][0]["baseColor"] = [{"triangles": [0, 1], "factor": [1, 0, 0]}]
@@ -301,39 +270,13 @@ def with_variants(entries: Entries, *variants: dict[str, Any], records: int = 1)
     return with_manifest(entries, edit)
 
 
-@case("FIELD_VALUE")
+@CASES.case("FIELD_VALUE")
 def two_variants_of_one_name(entries: Entries) -> bytes:
     red = {"name": "red", "parts": [[{"factor": [1, 0, 0]}]]}
     return with_variants(entries, red, red)
 
 
-@case("FIELD_VALUE")
-def variant_without_a_name(entries: Entries) -> bytes:
-    return with_variants(entries, {"name": "", "parts": [None]})
-
-
-@case("FIELD_VALUE")
-def variant_of_one_record_where_there_are_two(entries: Entries) -> bytes:
-    variant = {"name": "red", "parts": [[{"factor": [1, 0, 0]}]]}
-    return with_variants(entries, variant, records=2)
-
-
-@case("FIELD_UNKNOWN")
-def variant_with_triangles_of_its_own(entries: Entries) -> bytes:
-    return with_variants(entries, {"name": "red", "parts": [[{"triangles": [0, 2]}]]})
-
-
-@case("PARTS_DIFFER")
-def variant_of_two_parts(entries: Entries) -> bytes:
-    return with_variants(entries, {"name": "red", "parts": [None, None]})
-
-
-@case("REFERENCE_MISSING")
-def variant_whose_image_is_not_there(entries: Entries) -> bytes:
-    return with_variants(entries, {"name": "red", "parts": [[{"image": RED}]]})
-
-
-@case("BASE_COLOR_IMAGE")
+@CASES.case("BASE_COLOR_IMAGE")
 def variant_whose_image_is_none(entries: Entries) -> bytes:
     def edit(manifest: dict[str, Any]) -> None:
         manifest["parts"][0]["baseColor"] = [{"triangles": [0, 1]}]

@@ -11,13 +11,18 @@ from rna_sdk.package.container.tensor_file import tensors_to_bytes
 from rna_sdk.package.geometry.geometry_files import quantise
 from rna_sdk.package.geometry.glb_writer import mesh_to_glb
 from tests.package.builders import make_curves, make_mesh
-from tests.package.corpus.content_cases import with_gltf
-from tests.package.corpus.registry import CURVES, MESH, Entries, case, with_entry
+from tests.package.corpus.content_cases import in_gltf, with_gltf
+from tests.package.corpus.registry import CURVES, MESH, Corpus, Entries, breaks_by, with_entry
+
+CASES = Corpus("surface")
 
 
 def with_quantised_gltf(entries: Entries, edit: Callable[[dict[str, Any]], object]) -> bytes:
     """The package with a quantised mesh, whose JSON chunk is edited."""
     return with_gltf({**entries, MESH: mesh_to_glb(quantise(make_mesh()))}, edit)
+
+
+in_quantised = breaks_by(with_quantised_gltf)
 
 
 def with_quantised_arrays(entries: Entries, **changes: Any) -> bytes:
@@ -38,12 +43,29 @@ def with_steps(entries: Entries, **changes: Any) -> bytes:
 # Meshes
 
 
-@case("GEOMETRY_PROFILE")
-def quantised_glb_that_requires_nothing(entries: Entries) -> bytes:
-    return with_quantised_gltf(entries, lambda g: g.pop("extensionsRequired"))
+CASES.add(
+    "GEOMETRY_PROFILE",
+    quantised_glb_that_requires_nothing=in_quantised(lambda g: g.pop("extensionsRequired")),
+    quantised_glb_without_translation=in_quantised(lambda g: g["nodes"][0].pop("translation")),
+    quantised_glb_of_three_scales=in_quantised(lambda g: g["nodes"][0].update(scale=[1, 1, 2])),
+    quantised_glb_without_extent=in_quantised(lambda g: g["nodes"][0].update(scale=[0, 0, 0])),
+    quantised_glb_of_whole_normals=in_quantised(lambda g: g["accessors"][1].pop("normalized")),
+    quantised_glb_of_normalized_positions=in_quantised(
+        lambda g: g["accessors"][0].update(normalized=True)
+    ),
+    quantised_glb_of_float_positions=in_quantised(
+        lambda g: g["accessors"][0].update(componentType=5126)
+    ),
+    quantised_glb_without_stride=in_quantised(lambda g: g["bufferViews"][0].pop("byteStride")),
+    glb_with_a_stride=in_gltf(lambda g: g["bufferViews"][0].update(byteStride=8)),
+    glb_with_a_normalized_accessor=in_gltf(lambda g: g["accessors"][0].update(normalized=True)),
+    quantised_glb_of_short_indices_for_many=in_quantised(
+        lambda g: g["accessors"][0].update(count=65535)
+    ),
+)
 
 
-@case("GEOMETRY_PROFILE")
+@CASES.case("GEOMETRY_PROFILE")
 def quantised_glb_of_another_extension(entries: Entries) -> bytes:
     def edit(document: dict[str, Any]) -> None:
         document["extensionsUsed"] = document["extensionsRequired"] = ["KHR_draco_mesh_compression"]
@@ -51,7 +73,7 @@ def quantised_glb_of_another_extension(entries: Entries) -> bytes:
     return with_quantised_gltf(entries, edit)
 
 
-@case("GEOMETRY_PROFILE")
+@CASES.case("GEOMETRY_PROFILE")
 def quantised_glb_that_does_not_say_so(entries: Entries) -> bytes:
     def edit(document: dict[str, Any]) -> None:
         for name in ("extensionsUsed", "extensionsRequired"):
@@ -62,156 +84,80 @@ def quantised_glb_that_does_not_say_so(entries: Entries) -> bytes:
     return with_quantised_gltf(entries, edit)
 
 
-@case("GEOMETRY_PROFILE")
-def quantised_glb_without_translation(entries: Entries) -> bytes:
-    return with_quantised_gltf(entries, lambda g: g["nodes"][0].pop("translation"))
-
-
-@case("GEOMETRY_PROFILE")
-def quantised_glb_of_three_scales(entries: Entries) -> bytes:
-    return with_quantised_gltf(entries, lambda g: g["nodes"][0].update(scale=[1, 1, 2]))
-
-
-@case("GEOMETRY_PROFILE")
-def quantised_glb_without_extent(entries: Entries) -> bytes:
-    return with_quantised_gltf(entries, lambda g: g["nodes"][0].update(scale=[0, 0, 0]))
-
-
-@case("GEOMETRY_PROFILE")
-def quantised_glb_of_whole_normals(entries: Entries) -> bytes:
-    return with_quantised_gltf(entries, lambda g: g["accessors"][1].pop("normalized"))
-
-
-@case("GEOMETRY_PROFILE")
-def quantised_glb_of_normalized_positions(entries: Entries) -> bytes:
-    return with_quantised_gltf(entries, lambda g: g["accessors"][0].update(normalized=True))
-
-
-@case("GEOMETRY_PROFILE")
-def quantised_glb_of_float_positions(entries: Entries) -> bytes:
-    return with_quantised_gltf(entries, lambda g: g["accessors"][0].update(componentType=5126))
-
-
-@case("GEOMETRY_PROFILE")
-def quantised_glb_without_stride(entries: Entries) -> bytes:
-    return with_quantised_gltf(entries, lambda g: g["bufferViews"][0].pop("byteStride"))
-
-
-@case("GEOMETRY_PROFILE")
-def glb_with_a_stride(entries: Entries) -> bytes:
-    return with_gltf(entries, lambda g: g["bufferViews"][0].update(byteStride=8))
-
-
-@case("GEOMETRY_PROFILE")
-def glb_with_a_normalized_accessor(entries: Entries) -> bytes:
-    return with_gltf(entries, lambda g: g["accessors"][0].update(normalized=True))
-
-
-@case("GEOMETRY_PROFILE")
-def quantised_glb_of_short_indices_for_many(entries: Entries) -> bytes:
-    return with_quantised_gltf(entries, lambda g: g["accessors"][0].update(count=65535))
-
-
-@case("GEOMETRY_RANGE")
-def quantised_glb_past_its_view(entries: Entries) -> bytes:
-    return with_quantised_gltf(entries, lambda g: g["bufferViews"][1].update(byteLength=93))
-
-
-@case("GEOMETRY_BOUNDS")
-def quantised_glb_of_metric_bounds(entries: Entries) -> bytes:
-    return with_quantised_gltf(entries, lambda g: g["accessors"][0].update(max=[0.8, 0.9, 0.6]))
-
-
-@case("GEOMETRY_NOT_FINITE")
-def quantised_glb_that_overflows(entries: Entries) -> bytes:
-    return with_quantised_gltf(entries, lambda g: g["nodes"][0].update(scale=[1e38] * 3))
-
-
-@case("GEOMETRY_NORMAL")
-def quantised_glb_with_a_normal_of_zero(entries: Entries) -> bytes:
-    return with_quantised_arrays(entries, normals=np.zeros((12, 3), np.int16))
-
-
-@case("GEOMETRY_NORMAL")
-def quantised_glb_with_half_a_normal(entries: Entries) -> bytes:
-    normals = quantise(make_mesh()).quantised.normals
-    return with_quantised_arrays(entries, normals=normals // 2)
-
-
-@case("GEOMETRY_INDEX")
-def quantised_glb_of_a_missing_vertex(entries: Entries) -> bytes:
-    return with_quantised_arrays(entries, triangles=np.uint32([[0, 1, 12]]))
+CASES.add(
+    "GEOMETRY_RANGE",
+    quantised_glb_past_its_view=in_quantised(lambda g: g["bufferViews"][1].update(byteLength=93)),
+)
+CASES.add(
+    "GEOMETRY_BOUNDS",
+    quantised_glb_of_metric_bounds=in_quantised(
+        lambda g: g["accessors"][0].update(max=[0.8, 0.9, 0.6])
+    ),
+)
+CASES.add(
+    "GEOMETRY_NOT_FINITE",
+    quantised_glb_that_overflows=in_quantised(lambda g: g["nodes"][0].update(scale=[1e38] * 3)),
+)
+CASES.add(
+    "GEOMETRY_NORMAL",
+    quantised_glb_with_a_normal_of_zero=lambda e: with_quantised_arrays(
+        e, normals=np.zeros((12, 3), np.int16)
+    ),
+    quantised_glb_with_half_a_normal=lambda e: with_quantised_arrays(
+        e, normals=quantise(make_mesh()).quantised.normals // 2
+    ),
+)
+CASES.add(
+    "GEOMETRY_INDEX",
+    quantised_glb_of_a_missing_vertex=lambda e: with_quantised_arrays(
+        e, triangles=np.uint32([[0, 1, 12]])
+    ),
+)
 
 
 # Curves
 
 
-@case("GEOMETRY_PROFILE", base="fiber")
-def quantised_curves_with_points(entries: Entries) -> bytes:
-    return with_steps(entries, points=make_curves().points)
+CASES.add(
+    "GEOMETRY_PROFILE",
+    base="fiber",
+    quantised_curves_with_points=lambda e: with_steps(e, points=make_curves().points),
+    quantised_curves_without_origins=lambda e: with_steps(e, origins=None),
+    quantised_curves_of_float_steps=lambda e: with_steps(e, steps=np.ones((6, 3), np.float32)),
+    quantised_curves_of_int8_steps=lambda e: with_steps(e, steps=np.ones((6, 3), np.int8)),
+)
+CASES.add(
+    "GEOMETRY_ARRAY",
+    base="fiber",
+    quantised_curves_of_too_few_steps=lambda e: with_steps(e, steps=np.ones((5, 3), np.int16)),
+    quantised_curves_of_too_few_origins=lambda e: with_steps(
+        e, origins=np.zeros((2, 3), np.float32)
+    ),
+)
+CASES.add(
+    "GEOMETRY_STRANDS",
+    base="fiber",
+    quantised_curves_of_one_point=lambda e: with_steps(e, offsets=np.uint32([0, 4, 5, 9])),
+    quantised_curves_that_go_back=lambda e: with_steps(e, offsets=np.uint32([0, 2**31, 4, 9])),
+)
+CASES.add(
+    "GEOMETRY_STEPS",
+    base="fiber",
+    quantised_curves_of_no_step=lambda e: with_steps(e, scales=np.float32([0, 1e-4])),
+    quantised_curves_of_steps_backwards=lambda e: with_steps(e, scales=np.float32([-1e-4, 1e-4])),
+    quantised_curves_of_unknown_steps=lambda e: with_steps(e, scales=np.float32([np.nan, 1e-4])),
+    quantised_curves_of_too_many_steps=lambda e: with_steps(
+        e, steps=np.full((6, 3), 2**30, np.int32)
+    ),
+)
+CASES.add(
+    "GEOMETRY_SEGMENT",
+    base="fiber",
+    quantised_curves_that_stand_still=lambda e: with_steps(e, steps=np.zeros((6, 3), np.int16)),
+)
 
 
-@case("GEOMETRY_PROFILE", base="fiber")
-def quantised_curves_without_origins(entries: Entries) -> bytes:
-    return with_steps(entries, origins=None)
-
-
-@case("GEOMETRY_PROFILE", base="fiber")
-def quantised_curves_of_float_steps(entries: Entries) -> bytes:
-    return with_steps(entries, steps=np.ones((6, 3), np.float32))
-
-
-@case("GEOMETRY_PROFILE", base="fiber")
-def quantised_curves_of_int8_steps(entries: Entries) -> bytes:
-    return with_steps(entries, steps=np.ones((6, 3), np.int8))
-
-
-@case("GEOMETRY_ARRAY", base="fiber")
-def quantised_curves_of_too_few_steps(entries: Entries) -> bytes:
-    return with_steps(entries, steps=np.ones((5, 3), np.int16))
-
-
-@case("GEOMETRY_ARRAY", base="fiber")
-def quantised_curves_of_too_few_origins(entries: Entries) -> bytes:
-    return with_steps(entries, origins=np.zeros((2, 3), np.float32))
-
-
-@case("GEOMETRY_STRANDS", base="fiber")
-def quantised_curves_of_one_point(entries: Entries) -> bytes:
-    return with_steps(entries, offsets=np.uint32([0, 4, 5, 9]))
-
-
-@case("GEOMETRY_STRANDS", base="fiber")
-def quantised_curves_that_go_back(entries: Entries) -> bytes:
-    return with_steps(entries, offsets=np.uint32([0, 2**31, 4, 9]))
-
-
-@case("GEOMETRY_STEPS", base="fiber")
-def quantised_curves_of_no_step(entries: Entries) -> bytes:
-    return with_steps(entries, scales=np.float32([0, 1e-4]))
-
-
-@case("GEOMETRY_STEPS", base="fiber")
-def quantised_curves_of_steps_backwards(entries: Entries) -> bytes:
-    return with_steps(entries, scales=np.float32([-1e-4, 1e-4]))
-
-
-@case("GEOMETRY_STEPS", base="fiber")
-def quantised_curves_of_unknown_steps(entries: Entries) -> bytes:
-    return with_steps(entries, scales=np.float32([np.nan, 1e-4]))
-
-
-@case("GEOMETRY_STEPS", base="fiber")
-def quantised_curves_of_too_many_steps(entries: Entries) -> bytes:
-    return with_steps(entries, steps=np.full((6, 3), 2**30, np.int32))
-
-
-@case("GEOMETRY_SEGMENT", base="fiber")
-def quantised_curves_that_stand_still(entries: Entries) -> bytes:
-    return with_steps(entries, steps=np.zeros((6, 3), np.int16))
-
-
-@case("GEOMETRY_SEGMENT", base="fiber")
+@CASES.case("GEOMETRY_SEGMENT", "fiber")
 def quantised_curves_of_steps_below_float32(entries: Entries) -> bytes:
     steps = np.ones((6, 3), np.int16)
     return with_steps(
@@ -219,16 +165,18 @@ def quantised_curves_of_steps_below_float32(entries: Entries) -> bytes:
     )
 
 
-@case("GEOMETRY_RADIUS", base="fiber")
-def quantised_curves_with_a_radius_of_zero(entries: Entries) -> bytes:
-    return with_steps(entries, radii=np.uint8([9, 9, 9, 0, 9, 9, 9, 9, 9]))
-
-
-@case("GEOMETRY_RADIUS", base="fiber")
-def quantised_curves_of_negative_radii(entries: Entries) -> bytes:
-    return with_steps(entries, scales=np.float32([1e-4, -1e-4]))
-
-
-@case("GEOMETRY_NOT_FINITE", base="fiber")
-def quantised_curves_from_infinity(entries: Entries) -> bytes:
-    return with_steps(entries, origins=np.float32([[np.inf, 0, 0]] * 3))
+CASES.add(
+    "GEOMETRY_RADIUS",
+    base="fiber",
+    quantised_curves_with_a_radius_of_zero=lambda e: with_steps(
+        e, radii=np.uint8([9, 9, 9, 0, 9, 9, 9, 9, 9])
+    ),
+    quantised_curves_of_negative_radii=lambda e: with_steps(e, scales=np.float32([1e-4, -1e-4])),
+)
+CASES.add(
+    "GEOMETRY_NOT_FINITE",
+    base="fiber",
+    quantised_curves_from_infinity=lambda e: with_steps(
+        e, origins=np.float32([[np.inf, 0, 0]] * 3)
+    ),
+)

@@ -36,17 +36,26 @@ class Case:
     base: Base
 
 
-CASES: list[Case] = []
+class Corpus(list[Case]):
+    """The cases of a module, most of which break the same good package."""
 
+    def __init__(self, base: Base):
+        self.base: Base = base
 
-def case(code: str, base: Base = "surface") -> Callable[[Breaker], Breaker]:
-    """Register the function as a case in which `code` is the only issue."""
+    def case(self, code: str, base: Base | None = None) -> Callable[[Breaker], Breaker]:
+        """Register the function as a case in which `code` is the only issue."""
 
-    def register(breaker: Breaker) -> Breaker:
-        CASES.append(Case(breaker.__name__, code, breaker, base))
-        return breaker
+        def register(breaker: Breaker) -> Breaker:
+            self.add(code, base, **{breaker.__name__: breaker})
+            return breaker
 
-    return register
+        return register
+
+    def add(self, code: str, base: Base | None = None, **breakers: Breaker) -> None:
+        """Register cases by name, in each of which `code` is the only issue."""
+        self.extend(
+            Case(name, code, breaker, base or self.base) for name, breaker in breakers.items()
+        )
 
 
 def good_entries(folder: Path) -> dict[Base, Entries]:
@@ -65,6 +74,14 @@ def with_manifest(entries: Entries, edit: Callable[[dict[str, Any]], object]) ->
     manifest = json.loads(entries[MANIFEST_NAME])
     edit(manifest)
     return pack({**entries, MANIFEST_NAME: json.dumps(manifest).encode()}.items())
+
+
+def breaks_by(change: Callable[[Entries, Any], bytes]) -> Callable[[Callable[..., Any]], Breaker]:
+    """From a change by an edit to a function that makes a breaker of an edit."""
+    return lambda edit: lambda entries: change(entries, edit)
+
+
+in_manifest = breaks_by(with_manifest)
 
 
 def with_entry(

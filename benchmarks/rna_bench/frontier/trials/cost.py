@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, Field
 
 from rna_bench.matrix_product import GEMM_FLOP, matrix_product
 from rna_export.capture.dataset.asset_arguments import Arguments, rows_of
@@ -18,19 +18,15 @@ _SECONDS = 0.05  # of one evaluation
 _FEWEST, _MOST = 16_384, 1_000_000
 
 
-class QueryCost(BaseModel):
+class QueryCost(BaseModel, extra="forbid", frozen=True):
     """Nanoseconds per query, everything included; medians."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
 
     ns: float = Field(description="on all threads")
     ns_one_thread: float
 
 
-class Costs(BaseModel):
+class Costs(BaseModel, extra="forbid", frozen=True):
     """Measured in one run, one after the other, over and over."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
 
     machine: str
     threads: int

@@ -62,11 +62,7 @@ def short_grid(kind: str, steps: int = SHORT_STEPS) -> list[Trial]:
 
 
 def ours(
-    kind: str,
-    width: int,
-    layers: int = 4,
-    planes: int | None = None,
-    channels: int | None = None,
+    kind: str, width: int, layers: int = 4, planes: int | None = None, channels: int | None = None
 ) -> Trial:
     """A model of our inputs and training; planes and channels as in our presets if not given."""
     preset = PRESETS[kind]["small"].with_model(
@@ -127,8 +123,8 @@ def ablations(kind: str, widths: tuple[int, ...]) -> list[Trial]:
             without = tuple(b for b in preset.model.inputs if b not in ("h", "fiber_lobes"))
             variants["no-h"] = preset.with_model(inputs=without)
         else:
-            own = tuple(b for b in preset.model.inputs if b != "learned_normal")
-            variants["no-learned-normal"] = preset.with_model(inputs=own)
+            without = tuple(b for b in preset.model.inputs if b != "learned_normal")
+            variants["no-learned-normal"] = preset.with_model(inputs=without)
         trials += [
             _trial("ablation", changed, f"w{width}-{variant}", variant)
             for variant, changed in variants.items()

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict
+from pydantic import BaseModel
 
 from rna_export.asset_flip import asset_flip
 from rna_export.capture.dataset.validation_view import CapturedImage
@@ -24,20 +24,16 @@ from rna_export.training.asset_error import image_flip, picture_exposures, small
 from rna_export.training.validation import exposure
 
 
-class ViewScores(BaseModel):
+class ViewScores(BaseModel, frozen=True):
     """Scores of one validation image."""
-
-    model_config = ConfigDict(frozen=True)
 
     psnr: float
     flip: float
     p99: float
 
 
-class ModelScores(BaseModel):
+class ModelScores(BaseModel, frozen=True):
     """Means over the images, as `rna_export.metrics` and `asset_flip` define them."""
-
-    model_config = ConfigDict(frozen=True)
 
     psnr: float
     psnr_without_noise: NoiselessPsnr

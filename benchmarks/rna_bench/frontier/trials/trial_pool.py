@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
@@ -15,11 +14,8 @@ from rna_bench.frontier.trials.trial_worker import Job, TrialWorker
 from rna_sdk.cores import core_count
 from rna_sdk.errors import TrainingError
 from rna_work.backend import Backend, Needs
-from rna_work.cluster.store import Store
-from rna_work.cluster.stored import StoredFolder
 from rna_work.executors import Executor, check_shared, this_machine
 from rna_work.pool import Pool
-from rna_work.sources import Carried, InPlace
 
 _PROCESS_BYTES = 1_000_000_000  # of a worker without samples
 
@@ -29,7 +25,6 @@ class TrialWorkers:
     """The workers of trials.
 
     count: how many side by side; None for all that there is room for. threads: of each.
-    store: through which dataset and trainings go to workers and back; None if they see the folders.
     memory: of each, bytes, that a node of a cluster has to have.
     """
 
@@ -37,7 +32,6 @@ class TrialWorkers:
     threads: int
     device: str
     executor: Executor = field(default_factory=this_machine)
-    store: Store | None = None
     memory: int = 0
 
     @classmethod
@@ -46,7 +40,6 @@ class TrialWorkers:
         device: str,
         workers: int | None = None,
         executor: Executor | None = None,
-        store: Store | None = None,
         dataset: Path | None = None,
     ) -> TrialWorkers:
         """A worker for each core of a CPU, or one for a GPU; a machine's cores are shared evenly.
@@ -61,10 +54,10 @@ class TrialWorkers:
         device = "cuda" if gpus and device != "cpu" else "cpu"
         if executor.far:
             memory = 0 if dataset is None else memory_for(dataset)
-            return cls(workers, 1, device, executor, store, memory)
+            return cls(workers, 1, device, executor, memory)
         cores = core_count()
         count = workers or (1 if device == "cuda" else cores)
-        return cls(count, max(1, cores // count), device, executor, store)
+        return cls(count, max(1, cores // count), device, executor)
 
     def backend(self) -> Backend:
         """Its room for workers, which share its GPUs evenly if there are more of them."""
@@ -89,18 +82,10 @@ class TrialPool:
     """
 
     def __init__(self, dataset: Path, workers: TrialWorkers, tell: Callable[[str], None] = print):
-        self._executor, self._store = workers.executor, workers.store
-        carried = self._carried(dataset.resolve() / "manifest.json")
-        make = partial(TrialWorker, carried, workers.threads, workers.device)
+        self._executor = workers.executor
+        check_shared(self._executor, dataset)
+        make = partial(TrialWorker, dataset.resolve(), workers.threads, workers.device)
         self._pool: Pool[Job, Record] = Pool(workers.backend(), make, tell=tell)
-
-    def _carried(self, manifest: Path) -> Carried:
-        if self._store is None:
-            check_shared(self._executor, manifest.parent)
-            return InPlace(manifest)
-        self._executor.on_every_node(self._store.check)
-        self._dataset = StoredFolder.of(manifest, self._store.below("datasets"))
-        return self._dataset
 
     def __enter__(self) -> TrialPool:
         return self
@@ -118,26 +103,17 @@ class TrialPool:
         One that fails does not keep the others from running: `TrainingError` names all of them
         at the end, with the last lines of their logs.
         """
-        if trials and self._store is None:
+        if trials:
             check_shared(self._executor, trials[0][1].parent)
         failures = []
-        for outcome in self._pool.run([self._job(*given) for given in trials]):
+        for outcome in self._pool.run([Job(trial, folder.resolve()) for trial, folder in trials]):
             job = outcome.item
-            job.fetch()
             if outcome.failure is None:
                 yield outcome.value()
             else:
                 failures.append(f"{job}: {outcome.failure}; {job.last_words()}")
         if failures:
             raise TrainingError("\n".join(failures))
-
-    def _job(self, trial: Trial, folder: Path) -> Job:
-        folder = folder.resolve()
-        if self._store is None:
-            return Job(trial, folder)
-        named = f"{self._dataset.sha256} {trial.model_dump_json()}"
-        name = f"{trial.name}-{hashlib.sha256(named.encode()).hexdigest()[:12]}"
-        return Job(trial, folder, self._store.below(f"trials/{name}"))
 
 
 def largest_first(trials: list[Trial]) -> list[Trial]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, Field
 
 from rna_bench.frontier.trials.scores import ModelScores
 from rna_bench.frontier.trials.trial import Trial
@@ -12,20 +12,16 @@ from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import TrainingError
 
 
-class Point(BaseModel):
+class Point(BaseModel, extra="forbid", frozen=True):
     """A trained model at one precision."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
 
     bytes: int | None = Field(description="of a package with nothing else, geometry included")
     multiply_adds: int = Field(description="of the decoder per query")
     scores: ModelScores
 
 
-class Record(BaseModel):
+class Record(BaseModel, extra="forbid", frozen=True):
     """A finished trial."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
 
     trial: Trial
     dataset_sha256: str = Field(description="of the dataset's source")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -31,25 +30,19 @@ def run_trial(
     folder: Path,
     device: str,
     table: SampleTable | None = None,
-    after_checkpoint: Callable[[], None] = lambda: None,
 ) -> Record:
     """Train, export and measure, skipping finished steps in `folder`; returns the record.
 
     A finished training without some of `TRIAL_PRECISIONS` gets those alone. table: the dataset's
-    samples on the device, to share between trials. after_checkpoint: called with each. Raises
-    `TrainingError` when the folder belongs to another trial, `ExportError` when the model cannot be
-    exported.
+    samples on the device, to share between trials. Raises `TrainingError` when the folder belongs
+    to another trial, `ExportError` when the model cannot be exported.
     """
     source = dataset.manifest.source_sha256
     record = read_record(folder, trial, source)
     if record is not None and not missing_precisions(record):
         return record
     folder.mkdir(parents=True, exist_ok=True)
-    seconds = (
-        record.seconds
-        if record
-        else _finish(_run(trial, dataset, folder, device, after_checkpoint), table)
-    )
+    seconds = record.seconds if record else _finish(_run(trial, dataset, folder, device), table)
     trained = load_checkpoint(folder / "best.ckpt")
     if trial.packageable:
         points = dict(record.points) if record else {}
@@ -77,13 +70,7 @@ def missing_precisions(record: Record) -> tuple[str, ...]:
     return tuple(p for p in TRIAL_PRECISIONS if p not in record.points)
 
 
-def _run(
-    trial: Trial,
-    dataset: DatasetPart,
-    folder: Path,
-    device: str,
-    after_checkpoint: Callable[[], None],
-) -> Run:
+def _run(trial: Trial, dataset: DatasetPart, folder: Path, device: str) -> Run:
     return Run(
         dataset,
         trial.preset,
@@ -92,7 +79,6 @@ def _run(
         trial.seed,
         device=device,
         validations=max(1, trial.preset.training.steps // _VALIDATED_EVERY),
-        after_checkpoint=after_checkpoint,
     )
 
 

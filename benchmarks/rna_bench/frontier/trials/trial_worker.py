@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tempfile
 import traceback
 from collections.abc import Iterator
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
@@ -13,32 +12,19 @@ from rna_bench.frontier.trials.trial import Trial
 from rna_bench.frontier.trials.trial_record import Record
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.training.optimization.samples import SampleTable
-from rna_work.cluster.store import Store
-from rna_work.cluster.stored import Mirror
-from rna_work.sources import Carried
 
 _LINES = 3  # of a log, in an error
 
 
 @dataclass(frozen=True)
 class Job:
-    """A trial and its folder.
-
-    store: where its checkpoints and results go instead, and then come from; None if workers see
-    the folder.
-    """
+    """A trial and its folder."""
 
     trial: Trial
     folder: Path
-    store: Store | None = None
 
     def __str__(self) -> str:
         return self.trial.name
-
-    def fetch(self) -> None:
-        """Fetch a worker's files from the store."""
-        if self.store is not None:
-            Mirror(self.folder, self.store).fetch()
 
     def last_words(self) -> str:
         """The last lines of the trial's log, for an error message."""
@@ -51,11 +37,11 @@ class Job:
 class TrialWorker:
     """Trains trials, one after the other: see `rna_work.workers.Worker`.
 
-    dataset: its manifest, with all that belongs to it.
+    dataset: its folder.
     """
 
-    def __init__(self, dataset: Carried, threads: int, device: str, name: str) -> None:
-        self._carried, self._threads, self._device = dataset, threads, device
+    def __init__(self, dataset: Path, threads: int, device: str, name: str) -> None:
+        self._folder, self._threads, self._device = dataset, threads, device
         self._table: SampleTable | None = None
 
     def __enter__(self) -> TrialWorker:
@@ -64,7 +50,7 @@ class TrialWorker:
 
         keep_freed_memory()
         use_threads(self._threads)
-        self._dataset = Dataset(self._carried.here().parent).only
+        self._dataset = Dataset(self._folder).only
         return self
 
     def __exit__(self, *_: object) -> None:
@@ -72,32 +58,16 @@ class TrialWorker:
 
     def run(self, job: Job) -> Record:
         """Run or resume the trial and return its record; complete steps are skipped."""
-        if job.store is None:
-            return self._trained(job.trial, job.folder, None)
-        with tempfile.TemporaryDirectory(prefix="rna-trial-") as folder:
-            mirror = Mirror(Path(folder), job.store)
-            mirror.fetch()
-            try:
-                return self._trained(job.trial, Path(folder), mirror)
-            finally:
-                mirror.send()
-
-    def _trained(self, trial: Trial, folder: Path, mirror: Mirror | None) -> Record:
         from rna_bench.frontier.trials.trial_run import run_trial
 
-        folder.mkdir(parents=True, exist_ok=True)
-        with _log(folder / "log.txt"):
+        job.folder.mkdir(parents=True, exist_ok=True)
+        with _log(job.folder / "log.txt"):
             if self._table is None:
                 self._table = SampleTable(self._dataset.training_samples(), device=self._device)
-            send = _nothing if mirror is None else mirror.send
-            return run_trial(trial, self._dataset, folder, self._device, self._table, send)
+            return run_trial(job.trial, self._dataset, job.folder, self._device, self._table)
 
     def kill(self) -> None:
         """The worker is a process, and is ended with it."""
-
-
-def _nothing() -> None:
-    pass
 
 
 @contextmanager

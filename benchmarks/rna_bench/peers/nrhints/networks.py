@@ -24,7 +24,6 @@ WIDTH, FEATURES = 256, 256
 RADIUS = 0.5
 """Of the sphere that the distance is of before any training."""
 
-HIGHLIGHTS = 4
 COLOUR_INPUTS = 361
 
 _SCALE = 3.0  # of positions before their encoding, and of the distance after it

@@ -1,4 +1,4 @@
-"""NRHints: a signed distance, volume rendered, whose colour network is told shadow and highlight.
+"""NRHints: a volume-rendered signed distance; inputs of its colours are shadow and highlight.
 
 Zeng et al. 2023. Facts are from the paper and the authors' published code; differences are in
 docs/peers.md.

@@ -105,7 +105,6 @@ CASE = Case(
     title="Energy",
     varies="points and views in a white furnace; the suite's white asset, and the one given",
     mark="the integral of T over wi at most 1.01, at 99% of the points; of white it is 1",
-    advice="What a model makes too bright shows between white assets: look where it is above 1.",
     measure=measure,
     judge=judge,
     draw=draw,

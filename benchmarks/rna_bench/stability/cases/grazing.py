@@ -103,7 +103,6 @@ CASE = Case(
     title="Grazing directions",
     varies="angle of wo and of wi to the surface (fibers: along the strand), 0 to 90 degrees",
     mark="error at 85 to 90 degrees at most 3 times the median bin's",
-    advice="Light along a surface is dim and the Fresnel term steep: little of both is captured.",
     measure=measure,
     judge=judge,
     draw=draw,

@@ -107,7 +107,6 @@ CASE = Case(
     title="Too little data",
     varies="30 to 3,000 lights at 0.1 M samples; 0.1 to 10 M samples",
     mark="the second most lights within 1 dB of the most; gap at most 1 dB with all samples",
-    advice="Samples of few lights or places are learnt by heart: capture more, of fewer paths.",
     measure=measure,
     judge=judge,
     draw=draw,

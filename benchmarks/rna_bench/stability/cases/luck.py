@@ -53,7 +53,6 @@ CASE = Case(
     title="Luck",
     varies="five seeds of the training",
     mark="at most 0.3 dB between the best and the worst",
-    advice="A difference below this spread says nothing about two models.",
     measure=measure,
     judge=judge,
     draw=draw,

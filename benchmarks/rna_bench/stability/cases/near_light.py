@@ -93,7 +93,6 @@ CASE = Case(
     title="Near light",
     varies="a point light at 10 sizes from the middle down to half a size",
     mark="at half a size at most 3 dB less than at 10",
-    advice="Transport was captured under distant light: what scatters far inside is lit wrongly.",
     measure=measure,
     judge=judge,
     draw=draw,

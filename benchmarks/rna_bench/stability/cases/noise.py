@@ -86,7 +86,6 @@ CASE = Case(
     title="Noise in training data",
     varies="1 to 64 paths a sample at equal total paths, two losses; the suite's white asset",
     mark="brightness off by at most 2% from 4 paths on, with the loss that the presets choose",
-    advice="Noise darkens what the log loss learns: more paths a sample, or the unbiased loss.",
     measure=measure,
     judge=judge,
     draw=draw,

@@ -175,7 +175,6 @@ CASE = Case(
     title="Shadow edges",
     varies="distance to the terminator and to edges of cast shadows; with and without the hint",
     mark="FLIP at most 0.2 within 2 pixels of an edge",
-    advice="The hint makes edges sharp; a host that leaves it out gets smeared shadows.",
     measure=measure,
     judge=judge,
     draw=draw,

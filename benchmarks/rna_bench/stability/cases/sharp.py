@@ -255,7 +255,6 @@ CASE = Case(
     title="Sharp reflection",
     varies="roughness 1 to 0.02, clear coat, anisotropic; balls of the suite's own",
     mark="peak and width within a factor of 1.25 of Cycles', 25 dB in the highlight",
-    advice="A lobe narrower than the inputs tell apart comes out wide and dim.",
     measure=measure,
     judge=judge,
     draw=draw,

@@ -140,7 +140,6 @@ CASE = Case(
     title="Thin and dense geometry",
     varies="several surfaces in one texel against one: a leaf, wires, strands of the suite's own",
     mark="error over mean radiance at most 1.4 times that where none are shared, or of one side",
-    advice="Only the normal, or tangent and h, tell such surfaces apart.",
     measure=measure,
     judge=judge,
     draw=draw,

@@ -95,9 +95,8 @@ def draw(figure: FigureBase, rows: list[Row]) -> None:
 CASE = Case(
     name="unseen",
     title="Unseen directions",
-    varies="trained on the upper hemisphere, asked on the sphere",
+    varies="trained on the upper hemisphere, queried on the sphere",
     mark="finite, and at most 1.5 times the largest trained value",
-    advice="Values stay bounded but mean nothing there: capture the directions that scenes use.",
     measure=measure,
     judge=judge,
     draw=draw,

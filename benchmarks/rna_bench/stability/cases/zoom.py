@@ -1,6 +1,6 @@
 """Pixels far smaller than a texel.
 
-What a picture may lose there is told by a texture: Cycles' own image with one value a texel, and
+What a picture may lose there is what a texture loses: Cycles' own image with one value a texel, and
 straight lines between them, as any renderer shows a texture from too near.
 """
 
@@ -156,7 +156,6 @@ CASE = Case(
     title="Strong zoom",
     varies="a pixel's footprint, 10 texels down to a tenth",
     mark="at a tenth of a texel FLIP at most 0.1, or 1.5 times that of a texture as coarse",
-    advice="Detail finer than a texel is blurred: raise the resolution for close-ups.",
     measure=measure,
     judge=judge,
     draw=draw,

@@ -36,7 +36,7 @@ def as_rendered(work: Callable[[], Result]) -> Result:
     answers: list[Result] = []
     errors: list[Exception] = []
 
-    def kept() -> None:
+    def stored() -> None:
         try:
             answers.append(work())
         except Exception as error:  # Blender would print it and go on
@@ -47,7 +47,7 @@ def as_rendered(work: Callable[[], Result]) -> Result:
     camera = bpy.data.cameras.new("rna geometry")
     scene.camera = bpy.data.objects.new("rna geometry", camera)
     scene.collection.objects.link(scene.camera)
-    _Geometry.work = kept
+    _Geometry.work = stored
     bpy.utils.register_class(_Geometry)
     try:
         scene.render.engine = _Geometry.bl_idname

@@ -157,7 +157,7 @@ def _image(
 ) -> dict[str, Any]:
     """The members of a record that an image has. Raises NotOfUv."""
     name, node, shown = found.material.name_full, found.image, found.shown
-    assert node is not None and shown is not None  # the caller has asked
+    assert node is not None and shown is not None  # the caller has checked
     points = UvPoints.of(found.uses, shown)
     chart = _chart(found, points, charts.get(name))
     mapping = shown.depends.images[0].mapping if shown.depends.images else IDENTITY
@@ -188,7 +188,7 @@ def _baked(
     notes: gets one where the images have more texels than that.
     """
     name, shown = found.material.name_full, found.shown
-    assert shown is not None  # the caller has asked
+    assert shown is not None  # the caller has checked
     points = UvPoints.of(found.uses, shown)
     taken = _chart(found, points, charts[name]) if name in charts else None
     image, chart = baked(shown, points, taken, largest)

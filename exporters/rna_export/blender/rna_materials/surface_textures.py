@@ -27,7 +27,7 @@ from rna_materials.uv_charts import Chart, charts
 from rna_materials.uv_points import NotOfUv, UvPoints, joined
 from rna_materials.uv_render import ColourOfUv
 
-_NOTED, _WRONG = 0.01, 0.1  # mean errors of holes: told, and of no use
+_NOTED, _WRONG = 0.01, 0.1  # mean errors of holes: noted, and of no use
 _WRONG_NORMAL = 0.03  # mean error of a normal's x and y
 _SHARP = 0.025  # error of a sharp outline where Cycles has one as wide as a texel
 
@@ -127,7 +127,7 @@ def _holes_of(surface: Surface, textures: _Textures) -> Fit | None:
     Raises NotOfUv.
     """
     holes, shown = surface.holes, surface.shown
-    assert holes is not None and shown is not None  # the caller has asked
+    assert holes is not None and shown is not None  # the caller has checked
     if not surface.uses:
         _check_hair(shown)
         return None
@@ -171,16 +171,12 @@ def _check_hair(shown: ColourOfUv) -> None:
 
 
 def _fit_holes(
-    surface: Surface,
-    cutoff: float | None,
-    tried: list[Chart],
-    points: UvPoints,
-    truth: np.ndarray,
+    surface: Surface, cutoff: float | None, tried: list[Chart], points: UvPoints, truth: np.ndarray
 ) -> Fit:
     """The best texture of a material's holes; with a cutoff, of what is compared with it."""
     shown = surface.shown
     holes = shown if cutoff is None else surface.holes
-    assert holes is not None and shown is not None  # the caller has asked
+    assert holes is not None and shown is not None  # the caller has checked
 
     def make(chart: Chart, size: tuple[int, int]) -> Texture:
         value = holes.texture(chart, size)
@@ -206,7 +202,7 @@ def _add_normals(surface: Surface, textures: _Textures, side: int) -> None:
     Raises NotOfUv.
     """
     normal, taken = surface.normal, textures.chart()
-    assert normal is not None  # the caller has asked
+    assert normal is not None  # the caller has checked
     points = UvPoints.of(surface.uses, normal)
     truth = 2.0 * normal.values(points.uvs)[:, :2] - 1.0
     if np.abs(truth).max() < normal_maps.FLAT:

@@ -45,12 +45,9 @@ def is_left(name: str | None) -> bool:
 def leave_to_hosts(how: str) -> list[Glass]:
     """Take smooth glass out of what cameras see; returns what it is.
 
-    how: "keep": it refracts and shadows the light of the rest. "leave": it does nothing. "show": it
-    stays as it is, and part of the asset.
+    how: "keep": it refracts and shadows the light of the rest. "leave": it does nothing.
     """
     _left.clear()
-    if how == "show":
-        return []
     found = []
     for material in _shown():
         if (glass := glass_of(material)) is not None:

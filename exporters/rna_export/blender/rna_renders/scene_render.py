@@ -56,7 +56,7 @@ def render_scene(request: dict[str, Any]) -> None:
         _build(_state, request["scene"])
     cycles = bpy.context.scene.cycles
     cycles.denoiser, cycles.use_denoising = "OPENIMAGEDENOISE", request["denoise"]
-    ray_render.emit(request["emits"])
+    ray_render.emit(False)
     ray_render.render_pinhole(request)
 
 

@@ -68,7 +68,7 @@ def read(data: Any, materials: list[dict[str, Any]]) -> list[str]:
         if why is not None:
             notes.append(f"variant {name!r} is left out: {why}")
             continue
-        named = {_name(data, own): _name(data, other) for own, (other,) in changes.items()}
+        named = {_name(data, base): _name(data, other) for base, (other,) in changes.items()}
         _variants.append(Variant(name, {a: b for a, b in named.items() if a != b}))
     return notes
 
@@ -97,33 +97,31 @@ def _changes(data: Any, variant: int) -> dict[Material | None, set[Material | No
             colours = "COLOR_0" if "COLOR_0" in primitive.attributes else None
             mappings = ((primitive.extensions or {}).get(EXTENSION) or {}).get("mappings") or []
             chosen = [m.get("material") for m in mappings if variant in m.get("variants", ())]
-            own, other = (
+            base, other = (
                 None if number is None else (number, colours)
                 for number in (primitive.material, *(chosen or [primitive.material])[:1])
             )
-            result.setdefault(own, set()).add(other)
+            result.setdefault(base, set()).add(other)
     return result
 
 
 def _why_not(
-    changes: dict[Material | None, set[Material | None]],
-    materials: list[dict[str, Any]],
-    data: Any,
+    changes: dict[Material | None, set[Material | None]], materials: list[dict[str, Any]], data: Any
 ) -> str | None:
     """Why a variant is no other base colour alone; None where it is."""
-    for own, others in changes.items():
-        if others == {own}:
+    for base, others in changes.items():
+        if others == {base}:
             continue
-        if own is None or None in others:
+        if base is None or None in others:
             return "it changes what has no material"
         if len(others) > 1:
-            return f"it changes material {_name(data, own)!r} here and there only, or to several"
+            return f"it changes material {_name(data, base)!r} here and there only, or to several"
         (other,) = others
         assert other is not None
-        differ = _differing(materials[own[0]], materials[other[0]])
+        differ = _differing(materials[base[0]], materials[other[0]])
         if differ:
             return (
-                f"material {_name(data, other)!r} differs from {_name(data, own)!r} by "
+                f"material {_name(data, other)!r} differs from {_name(data, base)!r} by "
                 f"{', '.join(differ)}, where base colour alone may"
             )
     return None
@@ -159,14 +157,14 @@ def _with_images(members: Any, textures: list[dict[str, Any]]) -> Any:
     return result
 
 
-def _differing(own: dict[str, Any], other: dict[str, Any]) -> list[str]:
+def _differing(base: dict[str, Any], other: dict[str, Any]) -> list[str]:
     """Members by which two materials differ, base colour aside, and why its alpha counts."""
-    names = sorted((own.keys() | other.keys()) - set(_NOT_COMPARED))
-    differ = [name for name in names if own.get(name) != other.get(name)]
-    if own["alphaMode"] != "OPAQUE":
-        alphas = [(each.get("baseColorFactor") or [1.0] * 4)[3] for each in (own, other)]
-        if alphas[0] != alphas[1] or own.get("baseColorTexture") != other.get("baseColorTexture"):
+    names = sorted((base.keys() | other.keys()) - set(_NOT_COMPARED))
+    differ = [name for name in names if base.get(name) != other.get(name)]
+    if base["alphaMode"] != "OPAQUE":
+        alphas = [(each.get("baseColorFactor") or [1.0] * 4)[3] for each in (base, other)]
+        if alphas[0] != alphas[1] or base.get("baseColorTexture") != other.get("baseColorTexture"):
             differ.append("alpha")
-    if "KHR_materials_transmission" in (own.get("extensions") or {}):
+    if "KHR_materials_transmission" in (base.get("extensions") or {}):
         differ.append("the colour of what it lets through")
     return differ

@@ -43,9 +43,7 @@ def _import_usd(path: Path, args: argparse.Namespace, frame: int | None) -> None
         if prepared != path:
             shown_frame.keep()
         bpy.ops.wm.usd_import(
-            filepath=str(prepared),
-            scale=args.unit,
-            import_subdivision=args.subdivide,
+            filepath=str(prepared), scale=args.unit, import_subdivision=args.subdivide
         )
     rate, render = usd_curves.frame_rate(path), bpy.context.scene.render
     if rate > 0:  # Blender's importer leaves its own

@@ -28,7 +28,7 @@ class Source:
     up: str | None = None
     parts: str = "kinds"  # see CaptureSettings
     rest_frame: int | None = None  # that is shown; None for the one that the file opens with
-    glass: str = "leave"  # smooth glass: see CaptureSettings; "show": it is part of the source
+    glass: str = "leave"  # smooth glass: see CaptureSettings
 
     @classmethod
     def captured(cls, path: Path, arguments: tuple[str, ...], settings: CaptureSettings) -> Source:

@@ -82,10 +82,7 @@ class BlenderWorker(BlenderProcess):
         return Curves(points, arrays["radii"], arrays["offsets"].astype(np.uint32))
 
     def export_corners(
-        self,
-        owner: str | None = None,
-        charts: dict[str, Any] | None = None,
-        of_hosts: bool = False,
+        self, owner: str | None = None, charts: dict[str, Any] | None = None, of_hosts: bool = False
     ) -> dict[str, np.ndarray]:
         """Corners of a top object's triangles, or of the scene's, +Y up: see `mesh_export.py`.
 
@@ -234,7 +231,6 @@ class BlenderWorker(BlenderProcess):
         width: int,
         height: int,
         denoise: bool = False,
-        emits: bool = False,
     ) -> tuple[np.ndarray, np.ndarray]:
         """A pinhole image of the source in a scene, and the points that it shows.
 
@@ -245,8 +241,8 @@ class BlenderWorker(BlenderProcess):
         scene: see `rna_export.compare.cycles_scene`. No clamping. `denoise`: by Cycles' own
         denoiser, Open Image Denoise with albedo and normals. What the scene describes is
         built anew when it is another one than in the render before; the numbers of samples may
-        differ without a fresh process, so the same render need not repeat to the bit. `to_world`,
-        `fov_y` and `emits` as in `render_view`.
+        differ without a fresh process, so the same render need not repeat to the bit. `to_world`
+        and `fov_y` as in `render_view`; the source emits nothing.
         """
         self._holds_scene = True
         out = self._folder / f"scene-{self._name}-{self._renders}.exr"
@@ -259,7 +255,6 @@ class BlenderWorker(BlenderProcess):
             samples=samples,
             seed=seed,
             denoise=denoise,
-            emits=emits,
         )
         passes = read_render(out, "Position")
         out.unlink()

@@ -88,11 +88,7 @@ class Disagreement:
 
 
 def other_hits(
-    scene: AssetScene,
-    rays: ViewRays,
-    points: ShadePoints,
-    rendered: RenderedRays,
-    normals: bool,
+    scene: AssetScene, rays: ViewRays, points: ShadePoints, rendered: RenderedRays, normals: bool
 ) -> tuple[np.ndarray, np.ndarray]:
     """Rays that both hit, (n,) bool each: at different points; at one point with other normals."""
     both = points.hit & ~points.transmittance.any(axis=1) & (rendered.alpha > HIT)

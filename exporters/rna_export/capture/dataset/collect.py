@@ -72,7 +72,7 @@ class Collector:
     def finished(self, task: Task) -> None:
         """A worker has finished a task.
 
-        Raises CaptureError if its file is damaged, which is then not kept.
+        Raises CaptureError if its file is damaged, which is then deleted.
         """
         path = task.path(self.dataset)
         if self.store is not None and not path.is_file():

@@ -139,8 +139,8 @@ class DatasetPart:
         """The files of images that variants alone have, by the names in their records."""
         changes = [one for variant in self.captured.variants for one in variant]
         names = _image_names([one for one in changes if one is not None])
-        own = _image_names(self.captured.base_color)
-        return {name: self._read_texture(name, bytes) for name in names if name not in own}
+        shared = _image_names(self.captured.base_color)
+        return {name: self._read_texture(name, bytes) for name in names if name not in shared}
 
     def textures(self) -> dict[str, np.ndarray]:
         """Textures of transmittance and normal maps, by the names in their records."""

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict
+from pydantic import BaseModel
 
 from rna_export.capture.estimate.pilot import PRESET, Pilot
 
@@ -25,13 +25,11 @@ TABLE = Path(__file__).with_name("measured_assets.json")
 _WORTH = 1.25  # times as fast, from which a gain is promised
 
 
-class MeasuredAsset(BaseModel):
+class MeasuredAsset(BaseModel, extra="forbid", frozen=True):
     """An asset in scenes against Cycles.
 
     scenes: name -> times as fast at equal error with SAMPLES samples, of `rna-bench scenes`.
     """
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
 
     pilot: Pilot
     scenes: dict[str, float]

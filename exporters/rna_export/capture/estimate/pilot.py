@@ -7,7 +7,7 @@ from collections.abc import Callable
 from itertools import pairwise
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, Field
 
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.capture.capture_settings import CaptureSettings
@@ -64,10 +64,8 @@ _SHOWN, _QUANTILE = 0.8, 0.95
 """Exposure: the luminance that the quantile gets, as in `rna-bench scenes`."""
 
 
-class Pilot(BaseModel):
+class Pilot(BaseModel, extra="forbid", frozen=True):
     """What was measured of a source, on one thread."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
 
     path_us: float = Field(gt=0, description="processor time of a path in Cycles, us")
     path_variance: float = Field(ge=0, description="of the luminance of a path along a fixed ray")

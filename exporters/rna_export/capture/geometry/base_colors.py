@@ -90,22 +90,22 @@ class BaseColors:
     ) -> None:
         """Base colours of a variant's materials, over the charts of those that they replace."""
         pairs = materials.items()
-        charts = {other: self.charts[own] for own, other in pairs if own in self.charts}
+        charts = {other: self.charts[base] for base, other in pairs if base in self.charts}
         colors = BaseColors({}, charts, {}, [], VARIANTS, files=self.files, images=self.images)
         if materials:
             worker.show_variant(name)
             colors._add(worker, largest, set(materials.values()))
-        for own, other in pairs:
-            fits = colors.charts.get(other) == self.charts.get(own, colors.charts.get(other))
-            if own not in self.of_material or other not in colors.of_material or not fits:
+        for base, other in pairs:
+            fits = colors.charts.get(other) == self.charts.get(base, colors.charts.get(other))
+            if base not in self.of_material or other not in colors.of_material or not fits:
                 self.notes.append(
                     f"variant {name!r} is left out: material {other!r} has a base colour that is "
-                    f"no colour or image over the UV coordinates of {own!r}"
+                    f"no colour or image over the UV coordinates of {base!r}"
                 )
                 return
-        for own, other in pairs:
+        for base, other in pairs:
             if other in colors.charts:
-                self.charts[own] = colors.charts[other]
+                self.charts[base] = colors.charts[other]
         self.variants[name] = Variant(colors, materials)
 
     def _add_image(self, name: str) -> bool:
@@ -142,7 +142,7 @@ class BaseColors:
         ranges: triangles of each material.
         """
         with_image = [name for name in ranges if name in self.entries]
-        changed = {own for variant in self.variants.values() for own in variant.materials}
+        changed = {base for variant in self.variants.values() for base in variant.materials}
         is_changed = not changed.isdisjoint(ranges)
         if not is_changed and not any(self._is_fine(mesh, k, ranges[k]) for k in with_image):
             return {}
@@ -151,14 +151,14 @@ class BaseColors:
             with_image + plain,
             key=lambda name: (name not in changed, name in plain, -ranges[name][1]),
         )
-        kept = largest[:MAX_TEXTURE_RECORDS]
-        return {name: self._record(name, ranges[name]) for name in ranges if name in kept}
+        stored = largest[:MAX_TEXTURE_RECORDS]
+        return {name: self._record(name, ranges[name]) for name in ranges if name in stored}
 
     def changes(self, name: str, variant: str) -> BaseColorFields | None:
         """What a variant has in the place of a material's record; None: the same."""
-        own = self.variants[variant]
-        other = own.materials.get(name)
-        return None if other is None else BaseColorFields(**own.colors._members(other))
+        changed = self.variants[variant]
+        other = changed.materials.get(name)
+        return None if other is None else BaseColorFields(**changed.colors._members(other))
 
     def _is_fine(self, mesh: Mesh, name: str, triangles: tuple[int, int]) -> bool:
         record = self._record(name, triangles)

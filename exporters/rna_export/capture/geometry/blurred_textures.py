@@ -11,7 +11,7 @@ from rna_sdk.size_note import metres
 
 PLANE_TEXELS = 256
 """Along a part's longest side, as the usual preset has them."""
-_FINER = 1.5  # times, from which it is told
+_FINER = 1.5  # times, from which it is noted
 
 
 def blurred_note(

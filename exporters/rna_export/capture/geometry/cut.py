@@ -84,8 +84,8 @@ class Piece(DatasetPart):
         colors: dict[str, Any],
     ):
         bounds = _with_margin(seams, number, whole)
-        own = {"name": f"{whole.name}_{number}", "bounds": bounds, **colors}
-        super().__init__(dataset, whole.captured.model_copy(update=own))
+        changes = {"name": f"{whole.name}_{number}", "bounds": bounds, **colors}
+        super().__init__(dataset, whole.captured.model_copy(update=changes))
         self._whole, self._number, self._seams = whole, number, seams
 
     def geometry(self) -> Mesh:
@@ -108,8 +108,8 @@ class Piece(DatasetPart):
         near = np.all((position >= low) & (position <= high), axis=1)
         if not near.any():
             raise CaptureError(f"{self.folder}: no view ray met part {self.name}")
-        own = samples.keys() - ({BASE_COLOR} - self.fields.keys())
-        return {name: rows[near] for name, rows in samples.items() if name in own}
+        fields = samples.keys() - ({BASE_COLOR} - self.fields.keys())
+        return {name: rows[near] for name, rows in samples.items() if name in fields}
 
     def view(self, index: int) -> ValidationView:
         """The rows that lie on the piece itself."""
@@ -153,15 +153,15 @@ def _with_margin(
 
 def _within(captured: CapturedPart, triangles: np.ndarray) -> dict[str, Any]:
     """Base colour and variants of some triangles of a part, whose numbers grow, by member."""
-    records, kept = [], []
+    records, numbers = [], []
     for k, record in enumerate(captured.base_color):
         first, count = record.triangles
         low, high = np.searchsorted(triangles, [first, first + count]).tolist()
         if high > low:
             records.append(record.model_copy(update={"triangles": (low, high - low)}))
-            kept.append(k)
+            numbers.append(k)
     changes = (captured.changes(k) for k in range(len(captured.variants)))
-    variants = tuple(tuple(of_variant[k] for k in kept) for of_variant in changes)
+    variants = tuple(tuple(of_variant[k] for k in numbers) for of_variant in changes)
     return {"base_color": tuple(records), "variants": variants}
 
 

@@ -23,16 +23,11 @@ def with_last(corners: dict[str, np.ndarray], last: Sequence[str]) -> dict[str, 
     return {**corners, **of_corners, "material": corners["material"][order]}
 
 
-def clean_mesh(corners: dict[str, np.ndarray]) -> Mesh:
+def welded(corners: dict[str, np.ndarray]) -> tuple[Mesh, np.ndarray]:
     """One vertex for each different corner (position, normal, uv); degenerate triangles go.
 
-    A corner without a normal gets its triangle's.
+    A corner without a normal gets its triangle's. Second: (v,), the corner that each vertex is of.
     """
-    return welded(corners)[0]
-
-
-def welded(corners: dict[str, np.ndarray]) -> tuple[Mesh, np.ndarray]:
-    """`clean_mesh`, and the corner that each of its vertices came from: (v,)."""
     with_uv = bool(corners["has_uv"])
     normals = _whole_normals(corners["positions"], corners["normals"])
     rows = np.concatenate(

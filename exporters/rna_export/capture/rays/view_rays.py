@@ -184,11 +184,7 @@ def _aimed(
 
 
 def _close(
-    scene: AssetScene,
-    n: int,
-    among: np.ndarray | None,
-    region: Region,
-    rng: np.random.Generator,
+    scene: AssetScene, n: int, among: np.ndarray | None, region: Region, rng: np.random.Generator
 ) -> ViewRays:
     points, normals = scene.sample_points(n, rng, among)
     wo = directions_in(region, rng.random((n, 2)))

@@ -35,7 +35,7 @@ from rna_trace.fiber import FiberPoints
 from rna_trace.surface import SurfacePoints, geometric_normals, interpolate_normals
 from rna_trace.transmittance import Transmittance
 
-# Emission is asked at so many points at least of a part's mesh, in as many equal parts of each
+# Emission is evaluated at so many points at least of a part's mesh, in as many equal parts of each
 # triangle as that takes, but no more than the square of the second number.
 _POINTS, _DIVISIONS = 20_000, 8
 

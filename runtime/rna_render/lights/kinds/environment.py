@@ -8,11 +8,7 @@ from rna_render.lights.base import InfiniteLight, Light, LightSamples, light_num
 from rna_render.lights.directions import cone_direction, luminance
 from rna_render.lights.equirectangular import EquirectangularImage
 from rna_render.lights.files.environment_file import environment_image
-from rna_render.lights.image_kernels import (
-    IMAGE_NUMBERS,
-    look_up_image_batch,
-    sample_image_batch,
-)
+from rna_render.lights.image_kernels import IMAGE_NUMBERS, look_up_image_batch, sample_image_batch
 from rna_render.scene.light_models import EnvironmentModel
 from rna_sdk.compiled import compiled
 

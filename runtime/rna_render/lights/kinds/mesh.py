@@ -38,11 +38,7 @@ class TriangleLight(ShapeLight):
     NUMBERS = light_numbers(("rotation", (3, 3)), ("place", 3), ("scale", ()))
 
     def __init__(
-        self,
-        positions: np.ndarray,
-        triangles: np.ndarray,
-        luminance: np.ndarray,
-        group: str = "",
+        self, positions: np.ndarray, triangles: np.ndarray, luminance: np.ndarray, group: str = ""
     ) -> None:
         super().__init__(group, colour=1.0, rotation=np.eye(3), scale=1.0)
         luminance = np.asarray(luminance, np.float64)

@@ -1,17 +1,12 @@
-"""The runtime's numpy twin as a reader program, with the decoder's graph as the package has it.
-
-rna-conform -- python -m rna_sdk.conformance.twin_reader
-"""
+"""The runtime's numpy twin as a reader, with the decoder's graph as the package has it."""
 
 from __future__ import annotations
-
-import sys
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.conformance.lobe_queries import LobeQueries, answer_of
-from rna_sdk.conformance.reader_program import BASE_COLOR_HIT, run_reader
+from rna_sdk.conformance.reader_program import BASE_COLOR_HIT
 from rna_sdk.package import Mesh, Package, Planes, float_planes
 from rna_sdk.package.decoder.decoder_form import form_named
 from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS, in_order
@@ -25,12 +20,12 @@ Rows = NDArray[np.float32]
 
 def evaluate(form: str, package: str, tier: str, part: int, arrays: dict[str, Rows]) -> Rows:
     """(n, width): the results of the form's decoders, 0 for rows that are no queries."""
-    asked = form_named(form)
-    result = np.zeros((len(arrays["wo"]), asked.width(None)), np.float32)
+    wanted = form_named(form)
+    result = np.zeros((len(arrays["wo"]), wanted.width(None)), np.float32)
     with Package.open(package) as opened:
         tier_part = opened.tier(tier).parts[part]
         decoders = [
-            one for one in tier_part.decoders if set(one.form.results) <= set(asked.results)
+            one for one in tier_part.decoders if set(one.form.results) <= set(wanted.results)
         ]
         if not decoders:
             return result
@@ -64,9 +59,9 @@ def base_color(package: str, records: bytes) -> Rows:
     result = np.empty((len(hits), 3), np.float32)
     with Package.open(package) as opened:
         for part in np.unique(hits["part"]).tolist():
-            own = hits["part"] == part
-            at = (hits[name][own] for name in ("primitive", "u", "v", "level"))
-            result[own] = base_color_reference(opened.mesh(part), opened.base_color(part), *at)
+            rows = hits["part"] == part
+            at = (hits[name][rows] for name in ("primitive", "u", "v", "level"))
+            result[rows] = base_color_reference(opened.mesh(part), opened.base_color(part), *at)
     return result
 
 
@@ -128,7 +123,3 @@ def _queries(
     if opened.manifest.parts[part].kind == "surface":
         return queries_reference(*place, at, axis, wo, wi, of_lobes)
     return fiber_queries_reference(*place, at, axis, h, wo, wi)
-
-
-if __name__ == "__main__":
-    sys.exit(run_reader(evaluate=evaluate, environment=environment, base_color=base_color))

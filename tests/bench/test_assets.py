@@ -1,4 +1,4 @@
-"""`rna-bench assets` and `rna-bench words`: errors as the commands of the SDK say them."""
+"""`rna-bench assets`: errors as the commands of the SDK say them."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ import json
 from pathlib import Path
 
 import pytest
-from PIL import Image
 
 from rna_bench.cli import main
 from rna_export.capture.dataset.dataset_part import DatasetPart
@@ -49,16 +48,3 @@ def test_a_dataset_for_each_package(part: DatasetPart, capsys: pytest.CaptureFix
     package = str(part.folder.parent / "ball.rna")
     assert main(["assets", package, package, "--datasets", str(part.folder)]) == 1
     assert "found 1 datasets, 2 packages; expected one for each" in capsys.readouterr().err
-
-
-def test_trainings_and_packages_are_drawn_with_their_words(
-    part: DatasetPart, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    folder, out = part.folder.parent, tmp_path / "words.jpg"
-    models = [str(folder / "run"), str(folder / "ball.rna")]
-    assert main(["words", str(part.folder), *models, "--out", str(out)]) == 0
-    said = capsys.readouterr().out.splitlines()
-    assert [line.partition(":")[0] for line in said[:2]] == models
-    assert all("95th percentile" in line for line in said[:2])
-    with Image.open(out) as sheet:
-        assert sheet.width == 3 * 224 and sheet.height > 2 * 224
