@@ -185,7 +185,7 @@ class TimedPlan:
 
 @dataclass(frozen=True)
 class MorePlan:
-    """One more capture, then the last phase from scratch on all rays, within more minutes.
+    """One more capture, then the last phase on all rays, within more minutes.
 
     seconds: more of them. captured: what earlier captures took. lights: that those had. before:
     rounds of them. share: of the whole time, for captures of a single run of that length.
