@@ -279,11 +279,29 @@ def test_another_order_in_the_same_folder_is_refused(make: Any) -> None:
         make(goal=Goal("min_psnr", 6.0))
 
 
-def test_more_minutes_go_on_from_the_rays(make: Any, tmp_path: Path, capsys: Any) -> None:
-    first, cycles = make(minutes=0.1)
+@pytest.fixture
+def starts(monkeypatch: pytest.MonkeyPatch) -> list[Path | None]:
+    """Where each training starts from, in order."""
+    noted: list[Path | None] = []
+    train = phases_module.train
+
+    def noting(run: Any, *more: Any) -> Path:
+        noted.append(run.start)
+        return train(run, *more)
+
+    monkeypatch.setattr(phases_module, "train", noting)
+    return noted
+
+
+def test_more_minutes_go_on_from_the_rays_and_the_model(
+    make: Any, starts: list[Path | None], tmp_path: Path, capsys: Any
+) -> None:
+    first, cycles = make(minutes=0.1, goal=Goal("min_psnr", 90.0))
     before = sorted((tmp_path / "work" / "rays" / "train").iterdir())
     assert len(before) == cycles.shards and read_state(tmp_path / "work").is_finished
+    assert starts == [None, None]  # of the first round and of the end
     made, more = make(minutes=0.1, more=0.1)
+    assert starts[2:] == [tmp_path / "work" / "before" / "small" / "best.ckpt"]
     assert "0.1 more minutes" in capsys.readouterr().out
     assert made.why == "time is up" and made.rounds == first.rounds + 1
     after = sorted((tmp_path / "work" / "rays" / "train").iterdir())
@@ -331,26 +349,18 @@ def test_an_option_of_new_rays_may_change_with_more(make: Any) -> None:
 
 
 def test_an_update_starts_from_the_old_model_where_the_geometry_is_the_same(
-    make: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: Any
+    make: Any, starts: list[Path | None], tmp_path: Path, capsys: Any
 ) -> None:
     make(minutes=0.1)
-    starts = []
-
-    def noted(run: Any, *more: Any) -> Path:
-        starts.append(run.start)
-        return train(run, *more)
-
-    train = phases_module.train
-    monkeypatch.setattr(phases_module, "train", noted)
     make(minutes=0.05, update=True, text="red")
     assert "asset has the same geometry" in capsys.readouterr().out
-    assert starts == [tmp_path / "work" / "before" / "small" / "best.ckpt"]
+    assert starts == [None, tmp_path / "work" / "before" / "small" / "best.ckpt"]
     state = read_state(tmp_path / "work")
     assert state.is_finished and state.starts == ("asset",)
     (tmp_path / "work" / "rays" / "geometry" / "asset.safetensors").write_bytes(b"another")
     make(minutes=0.05, update=True, text="green")
     assert "asset has another geometry: its training starts anew" in capsys.readouterr().out
-    assert starts[1:] == [None] and read_state(tmp_path / "work").starts == ()
+    assert starts[2:] == [None] and read_state(tmp_path / "work").starts == ()
 
 
 def test_an_update_needs_something_to_start_from(make: Any) -> None:

@@ -25,7 +25,7 @@ def go_on(state: State, work: Path, minutes: float) -> None:
             f"{work}: no capture of it is finished: run the first command again, then --more"
         )
     for round_ in captured:
-        round_.score = None
+        round_.phase = round_.score = None
     state.more = More(minutes=minutes, begun=state.seconds, rounds=len(captured))
     state.rounds, state.last, state.is_finished = captured, {}, False
     shutil.rmtree(work / "runs", ignore_errors=True)
@@ -69,9 +69,11 @@ def before_folder(work: Path, preset: str) -> Path:
 
 
 def starts_of(state: State, work: Path, preset: str, dataset: Dataset) -> dict[str, Path]:
-    """Checkpoints of parts to start from, in an update."""
-    folder = before_folder(work, preset)
-    paths = {p: part_folder(folder, dataset, p) / "best.ckpt" for p in state.starts or ()}
+    """Checkpoints of parts to start from: in an update, and with more minutes."""
+    folder, names = before_folder(work, preset), state.starts or ()
+    if state.more is not None:
+        names = tuple(part.name for part in dataset.parts)
+    paths = {name: part_folder(folder, dataset, name) / "best.ckpt" for name in names}
     return {part: path for part, path in paths.items() if path.is_file()}
 
 

@@ -31,7 +31,7 @@ from rna_export.make.goal import Goal
 from rna_export.make.make_options import MakeOptions
 from rna_export.make.make_progress import Clock, Progress, Stage, quiet
 from rna_export.make.phases import Phase, Trainer, phase_folder, score, trained_in
-from rna_export.make.plan import Verdict, verdict
+from rna_export.make.plan import Length, Verdict, verdict
 from rna_export.make.state import Last, Round, Score, State, check_same, read_state
 from rna_export.training.checkpoint import Trained
 from rna_export.training.training_options import device_name
@@ -202,16 +202,11 @@ class Make:
     ) -> None:
         """The training of the leading preset in a round."""
         assert round_.phase is not None
-        work, lead = self._options.work, self._lead
-        folder = phase_folder(work, lead, number)
-        dataset, seed, device = self._rays.dataset, self._options.seed, self._options.device
-        starts = starts_of(self._state, work, lead, dataset)
-        picture = self._options.picture
-        phase = Phase(dataset, lead, round_.phase, folder, seed, device, picture, starts)
+        lead, phase = self._lead, self._phase(self._lead, round_.phase, number)
         with self._timed("training"):
             phase.run(shards, stage)
         stage.done()
-        round_.score = score(trained_in(folder, dataset), dataset)
+        round_.score = score(trained_in(phase.folder, phase.dataset), phase.dataset)
         self._save()
         text = f"{round_.lights:,} lights, {lead} has {_score_text(round_.score)}"
         self._progress.say(f"round {number + 1}: {text}")
@@ -226,17 +221,27 @@ class Make:
             self._state.last[preset] = last
             self._save()
         if last.score is None:
-            folder = phase_folder(self._options.work, preset, None)
-            dataset, seed, device = self._rays.dataset, self._options.seed, self._options.device
-            starts = starts_of(self._state, self._options.work, preset, dataset)
-            picture = self._options.picture
-            phase = Phase(dataset, preset, last.phase, folder, seed, device, picture, starts)
+            phase = self._phase(preset, last.phase, None)
             with self._timed("training"):
-                phase.run(dataset.finished_shards(), stage)
-            last.score = score(trained_in(folder, dataset), dataset)
+                phase.run(phase.dataset.finished_shards(), stage)
+            last.score = score(trained_in(phase.folder, phase.dataset), phase.dataset)
             self._save()
             self._progress.say(f"last training: {preset} has {_score_text(last.score)}")
         stage.done()
+
+    def _phase(self, preset: str, length: Length, number: int | None) -> Phase:
+        """A training in a round, counted from 0, or the last one."""
+        options, dataset, state = self._options, self._rays.dataset, self._state
+        return Phase(
+            dataset,
+            preset,
+            length,
+            phase_folder(options.work, preset, number),
+            options.seed,
+            options.device,
+            options.picture,
+            starts_of(state, options.work, preset, dataset),
+        )
 
     def _verdict(self) -> Verdict | None:
         rounds = self._state.rounds

@@ -1,4 +1,4 @@
-"""Trainings of `rna-make`, each from scratch: texels keep the noise of early samples."""
+"""Trainings of `rna-make`: from scratch in rounds, since texels keep the noise of early samples."""
 
 from __future__ import annotations
 

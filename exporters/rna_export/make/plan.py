@@ -46,6 +46,7 @@ _TRAINING_SECONDS = {"cpu": 120.0, "cuda": 60.0}
 _BETWEEN = 0.15  # share for trainings between captures, if there are several
 _SLACK = 1.3  # lights planned over those expected: the clock ends a capture, not the plan
 _LEAST_CAPTURE = 0.3  # share of more minutes, after those of an earlier run
+_SPARED = 0.5  # of a training, by one before it that it starts from
 _EXPORT_SECONDS, _EXPORT_SHARE = 30.0, 0.05  # kept for the package, a tier: the lesser of both
 
 
@@ -185,7 +186,7 @@ class TimedPlan:
 
 @dataclass(frozen=True)
 class MorePlan:
-    """One more capture, then the last phase from scratch on all rays, within more minutes.
+    """One more capture, then the last phase on all rays, within more minutes.
 
     seconds: more of them. captured: what earlier captures took. lights: that those had. before:
     rounds of them. share: of the whole time, for captures of a single run of that length.
@@ -213,9 +214,13 @@ class MorePlan:
         return in_shards(before + _SLACK * rate * self.seconds, before, self.shard)
 
     def capture_seconds(self, round_: int, left: float) -> float:
-        """Time limit of the capture: what leaves the last phase as much as in a single run."""
-        usable = self._usable(left)
-        wanted = usable - (1.0 - self.share) * self.whole
+        """Time limit of the capture.
+
+        It leaves the last phase as much as in a single run, less what the old model spares it.
+        """
+        usable, spent = self._usable(left), self.whole - self.seconds
+        spared = _SPARED * (spent - self.captured)
+        wanted = usable - ((1.0 - self.share) * self.whole - spared)
         return min(max(wanted, _LEAST_CAPTURE * usable), self.share * usable)
 
     def phase(self, round_: int, left: float) -> Length | None:
