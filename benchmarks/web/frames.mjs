@@ -79,7 +79,7 @@ async function moving(stage, change, { repeats, seconds }) {
     times.push(performance.now() - begun);
     scales.add(viewer.stats.scale);
   }
-  return { ...told(times), scales: [...scales] };
+  return { ...summary(times), scales: [...scales] };
 }
 
 /** Stills one after the other: ms to the first picture in full size, of a sample, and to so many samples. */
@@ -101,7 +101,7 @@ async function stills(stage, { repeats, seconds }) {
     await engine.done();
     if (k >= 0) sharp.push(performance.now() - begun);
   }
-  return { first_full_size: told(first), sample: told(sample), [`still_of_${SAMPLES}_samples`]: told(sharp) };
+  return { first_full_size: summary(first), sample: summary(sample), [`still_of_${SAMPLES}_samples`]: summary(sharp) };
 }
 
 /** ms of a sample where nothing waits for the GPU between the bands of the picture: what its arithmetic takes. */
@@ -117,12 +117,12 @@ async function queued(stage, { seconds }) {
     await engine.done();
     if (k > 0) times.push(performance.now() - begun);
   }
-  return told(times);
+  return summary(times);
 }
 
 const rounded = (value) => Number(value.toPrecision(4));
 
-function told(times) {
+function summary(times) {
   const sorted = [...times].sort((a, b) => a - b), at = (share) => rounded(sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))]);
   return sorted.length ? { count: sorted.length, median_ms: at(0.5), fastest_ms: at(0), slowest_ms: at(1) } : { count: 0 };
 }

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -20,6 +19,7 @@ from tests.package.corpus.registry import (
     tier_part,
     with_entry,
     with_manifest,
+    without,
 )
 from tests.package.prints import LABEL, SHADOWED, STAMP, image_bytes
 
@@ -32,18 +32,6 @@ COLUMNS, COLUMNS_OF_SHADOWED = 16, 11
 def with_record(entries: Entries, number: int = 0, **changes: Any) -> bytes:
     """The package with other members in a record of base colour."""
     return with_manifest(entries, lambda m: part(m)["baseColor"][number].update(changes))
-
-
-def without(entries: Entries, names: Sequence[str], edit: Any) -> bytes:
-    """The package without these entries, neither in the file nor in the manifest."""
-    remaining = {name: data for name, data in entries.items() if name not in names}
-
-    def drop(manifest: dict[str, Any]) -> None:
-        edit(manifest)
-        for name in names:
-            manifest["entries"].pop(name)
-
-    return with_manifest(remaining, drop)
 
 
 CASES.add(
@@ -60,10 +48,10 @@ CASES.add(
 CASES.add(
     "FIELD_VALUE",
     base_color_that_is_null=lambda e: without(
-        e, (LABEL, STAMP), lambda m: part(m).update(baseColor=None)
+        e, LABEL, STAMP, edit=lambda m: part(m).update(baseColor=None)
     ),
     no_records_of_base_color=lambda e: without(
-        e, (LABEL, STAMP), lambda m: part(m).update(baseColor=[])
+        e, LABEL, STAMP, edit=lambda m: part(m).update(baseColor=[])
     ),
     base_color_of_no_triangles=lambda e: with_record(e, triangles=[0, 0]),
     base_color_of_an_image_that_is_null=lambda e: with_record(e, 2, image=None),
@@ -105,13 +93,8 @@ CASES.add(
 )
 CASES.add(
     "REFERENCE_MISSING",
-    base_color_from_nowhere=lambda e: with_manifest(
-        {name: data for name, data in e.items() if name != STAMP}, lambda m: m["entries"].pop(STAMP)
-    ),
-    shadowed_light_from_nowhere=lambda e: with_manifest(
-        {name: data for name, data in e.items() if name != SHADOWED},
-        lambda m: m["entries"].pop(SHADOWED),
-    ),
+    base_color_from_nowhere=lambda e: without(e, STAMP),
+    shadowed_light_from_nowhere=lambda e: without(e, SHADOWED),
 )
 CASES.add(
     "BASE_COLOR_RANGE",
@@ -184,7 +167,7 @@ def one_decoder_for_visible_and_for_shadowed_light(entries: Entries) -> bytes:
         record = manifest["tiers"][1]["parts"][0]
         record["shadowed"].update(decoder=record["decoder"], inputs=record["inputs"])
 
-    return without(entries, (SHADOWED,), edit)
+    return without(entries, SHADOWED, edit=edit)
 
 
 CASES.add(
@@ -200,7 +183,7 @@ def shadowed_light_that_is_null(entries: Entries) -> bytes:
     def edit(manifest: dict[str, Any]) -> None:
         manifest["tiers"][1]["parts"][0]["shadowed"] = None
 
-    return without(entries, (SHADOWED,), edit)
+    return without(entries, SHADOWED, edit=edit)
 
 
 def _shadowed(manifest: dict[str, Any]) -> dict[str, Any]:

@@ -16,6 +16,7 @@ from tests.package.corpus.registry import (
     part,
     tier_part,
     with_manifest,
+    without,
 )
 
 CASES = Corpus("surface")
@@ -191,10 +192,7 @@ def fiber_with_a_normal(entries: Entries) -> bytes:
 
 CASES.add(
     "REFERENCE_MISSING",
-    path_to_nowhere=lambda e: with_manifest(
-        {name: data for name, data in e.items() if name != DECODER},
-        lambda m: m["entries"].pop(DECODER),
-    ),
+    path_to_nowhere=lambda e: without(e, DECODER),
 )
 CASES.add(
     "ENTRY_UNDECLARED", undeclared_entry=lambda e: pack([*e.items(), ("notes.txt", b"hello")])

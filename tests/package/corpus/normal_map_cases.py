@@ -17,6 +17,7 @@ from tests.package.corpus.registry import (
     in_manifest,
     with_entry,
     with_manifest,
+    without,
 )
 from tests.package.lantern import LEAF
 from tests.package.relief import BARK, DENT
@@ -40,11 +41,11 @@ CASES.add(
 )
 CASES.add(
     "FIELD_VALUE",
-    normal_maps_that_are_null=lambda e: _without_maps(
-        e, lambda m: m["parts"][0].update(normalMaps=None)
+    normal_maps_that_are_null=lambda e: without(
+        e, BARK, DENT, edit=lambda m: m["parts"][0].update(normalMaps=None)
     ),
-    no_records_of_normal_maps=lambda e: _without_maps(
-        e, lambda m: m["parts"][0].update(normalMaps=[])
+    no_records_of_normal_maps=lambda e: without(
+        e, BARK, DENT, edit=lambda m: m["parts"][0].update(normalMaps=[])
     ),
     normal_map_of_no_triangles=lambda e: with_map(e, triangles=[0, 0]),
 )
@@ -65,22 +66,9 @@ CASES.add(
 )
 
 
-def _without_maps(entries: Entries, edit: Any) -> bytes:
-    remaining = {name: data for name, data in entries.items() if name not in (BARK, DENT)}
-
-    def drop(manifest: dict[str, Any]) -> None:
-        edit(manifest)
-        for name in (BARK, DENT):
-            manifest["entries"].pop(name)
-
-    return with_manifest(remaining, drop)
-
-
 CASES.add(
     "REFERENCE_MISSING",
-    normal_map_from_nowhere=lambda e: with_manifest(
-        {name: data for name, data in e.items() if name != DENT}, lambda m: m["entries"].pop(DENT)
-    ),
+    normal_map_from_nowhere=lambda e: without(e, DENT),
 )
 CASES.add(
     "NORMAL_MAP_RANGE",

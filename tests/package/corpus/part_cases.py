@@ -10,7 +10,14 @@ import numpy as np
 from rna_sdk.package.container.tensor_file import tensors_to_bytes
 from rna_sdk.package.geometry.glb_writer import mesh_to_glb
 from tests.package.builders import make_decoder, make_mesh
-from tests.package.corpus.registry import Corpus, Entries, in_manifest, with_entry, with_manifest
+from tests.package.corpus.registry import (
+    Corpus,
+    Entries,
+    in_manifest,
+    with_entry,
+    with_manifest,
+    without,
+)
 from tests.package.lantern import GLOW, GLOW_COLUMNS, LEAF, MESH
 
 CASES = Corpus("parts")
@@ -50,25 +57,13 @@ CASES.add(
 @CASES.case("PARTS_DIFFER")
 def tier_without_the_second_part(entries: Entries) -> bytes:
     names = ("features/hq-tuft.safetensors", "decoders/hq-tuft.onnx")
-
-    def edit(manifest: dict[str, Any]) -> None:
-        manifest["tiers"][1]["parts"].pop()
-        for name in names:
-            manifest["entries"].pop(name)
-
-    remaining = {name: data for name, data in entries.items() if name not in names}
-    return with_manifest(remaining, edit)
+    return without(entries, *names, edit=lambda m: m["tiers"][1]["parts"].pop())
 
 
 @CASES.case("PARTS_DIFFER")
 def tier_that_does_not_emit(entries: Entries) -> bytes:
     name = "decoders/hq-body-glow.onnx"
-
-    def edit(manifest: dict[str, Any]) -> None:
-        manifest["tiers"][1]["parts"][0].pop("emission")
-        manifest["entries"].pop(name)
-
-    return with_manifest({key: data for key, data in entries.items() if key != name}, edit)
+    return without(entries, name, edit=lambda m: m["tiers"][1]["parts"][0].pop("emission"))
 
 
 def with_emission(entries: Entries, **changes: Any) -> bytes:
@@ -91,9 +86,7 @@ CASES.add(
 )
 CASES.add(
     "REFERENCE_MISSING",
-    emission_from_nowhere=lambda e: with_manifest(
-        {name: data for name, data in e.items() if name != GLOW}, lambda m: m["entries"].pop(GLOW)
-    ),
+    emission_from_nowhere=lambda e: without(e, GLOW),
 )
 CASES.add(
     "DECODER_PROFILE",
@@ -119,13 +112,7 @@ def with_record(entries: Entries, number: int = 0, **changes: Any) -> bytes:
 @CASES.case("FIELD_VALUE")
 def no_records_of_transmittance(entries: Entries) -> bytes:
     names = ("transmittance/leaf.safetensors", "transmittance/pane.safetensors")
-
-    def edit(manifest: dict[str, Any]) -> None:
-        manifest["parts"][0]["transmittance"] = []
-        for name in names:
-            manifest["entries"].pop(name)
-
-    return with_manifest({key: data for key, data in entries.items() if key not in names}, edit)
+    return without(entries, *names, edit=lambda m: m["parts"][0].update(transmittance=[]))
 
 
 CASES.add(

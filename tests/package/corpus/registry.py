@@ -76,6 +76,20 @@ def with_manifest(entries: Entries, edit: Callable[[dict[str, Any]], object]) ->
     return pack({**entries, MANIFEST_NAME: json.dumps(manifest).encode()}.items())
 
 
+def without(
+    entries: Entries, *names: str, edit: Callable[[dict[str, Any]], object] = lambda m: None
+) -> bytes:
+    """The package without these entries, neither in the file nor in the manifest."""
+    remaining = {name: data for name, data in entries.items() if name not in names}
+
+    def drop(manifest: dict[str, Any]) -> None:
+        edit(manifest)
+        for name in names:
+            manifest["entries"].pop(name)
+
+    return with_manifest(remaining, drop)
+
+
 def breaks_by(change: Callable[[Entries, Any], bytes]) -> Callable[[Callable[..., Any]], Breaker]:
     """From a change by an edit to a function that makes a breaker of an edit."""
     return lambda edit: lambda entries: change(entries, edit)
