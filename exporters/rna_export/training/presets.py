@@ -25,7 +25,7 @@ Optimizer = Literal["adam", "muon"]
 OPTIMIZERS: tuple[Optimizer, ...] = get_args(Optimizer)
 
 
-Material = Literal["learned", "gltf", "kajiya_kay"]
+Material = Literal["learned", "gltf"]
 
 
 MAX_MODEL_WIDTH = 8192
@@ -56,8 +56,8 @@ class ModelConfig(BaseModel, extra="forbid", frozen=True):
     )
     material: Material = Field(
         "learned",
-        description="what the decoder's outputs are: colours, or parameters of a known material, "
-        "whose shadows are black: to compare, or to bake, packages have no such decoder",
+        description="what the decoder's outputs are: colours, or parameters of glTF's material, "
+        "whose shadows are black: to bake it; packages have no such decoder",
     )
     uses_base_color: bool = Field(
         False, description="each colour is a sum of two, of which the base colour multiplies one"
@@ -259,24 +259,21 @@ PAPER_PRESETS = ("paper-small", "paper-hq")
 """Those of the paper, which knows no base colour."""
 
 
-def _analytic(kind: str) -> Preset:
-    """A material's parameters by place, with the training of `small`."""
-    small = PRESETS[kind]["small"]
-    return small.with_model(
-        material="gltf" if kind == "surface" else "kajiya_kay",
-        inputs=_PAPER_INPUTS[kind][:2],  # features, and normal or tangent
+ANALYTIC_NAME = "analytic"
+ANALYTIC = (
+    PRESETS["surface"]["small"]
+    .with_model(
+        material="gltf",
+        inputs=("features", "normal"),
         hidden_layers=2,
-        separates_direct=False,
         shadow_width=0,
         shadow_inputs=(),
-    ).with_training(loss="auto", shadow_weight=1.0)
-
-
-ANALYTIC_NAME = "analytic"
-ANALYTIC = {kind: _analytic(kind) for kind in PRESETS}
-"""Kind of asset -> the material that can be baked, fitted as well as it can be: to compare."""
+    )
+    .with_training(shadow_weight=1.0)
+)
+"""The material of surfaces that can be baked, fitted as well as it can be."""
 
 
 def named_preset(kind: str, name: str) -> Preset:
-    """The preset of that name, `ANALYTIC_NAME` among them; KeyError for none."""
-    return ANALYTIC[kind] if name == ANALYTIC_NAME else PRESETS[kind][name]
+    """The preset of that name, `ANALYTIC_NAME` of surfaces among them; KeyError for none."""
+    return ANALYTIC if (kind, name) == ("surface", ANALYTIC_NAME) else PRESETS[kind][name]
