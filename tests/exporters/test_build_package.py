@@ -140,21 +140,6 @@ def test_where_it_came_from_is_recorded(exported: Exported) -> None:
     assert np.all(low < -1.0) and np.all(high > 1.0)
 
 
-def test_the_geometry_is_the_captured_one(exported: Exported) -> None:
-    with Package.open(exported.package) as package:
-        mesh = package.mesh()
-    captured = exported.dataset.geometry()
-    assert np.array_equal(mesh.positions, captured.positions)
-    assert np.array_equal(mesh.triangles, captured.triangles)
-
-
-def test_the_command_prints_error_path_and_next_command(exported: Exported) -> None:
-    assert f"wrote {exported.package}" in exported.said
-    assert f"next: rna-validate {exported.package}" in exported.said
-    for word in ("PSNR", "FLIP", "irradiance pi", "relative", "ns/query"):
-        assert word in exported.said
-
-
 def refusal(capsys, *arguments: object) -> str:
     assert main([str(a) for a in arguments]) == 1
     error = capsys.readouterr().err
@@ -194,9 +179,3 @@ def test_planes_that_float16_cannot_hold_are_refused(
     precision = "--precision", "float32-float16"
     refusal(capsys, tmp_path / "bright.ckpt", "--out", tmp_path / "x.rna", *precision)
     assert not (tmp_path / "x.rna").exists()
-
-
-def test_wrong_usage_exits_with_2(capsys) -> None:
-    with pytest.raises(SystemExit) as exit_:
-        main(["--out", "x.rna"])
-    assert exit_.value.code == 2
