@@ -128,12 +128,6 @@ def test_an_image_that_cannot_be_written_is_one_line_before_the_render(folder, t
     assert error == f"error: {tmp_path / 'out.exr'}: cannot be written: it is a folder\n"
 
 
-def test_repetition_changes_no_byte(folder, tmp_path):
-    for name in "ab":
-        run(folder / "lit.yaml", "--out", tmp_path / f"{name}.exr")
-    assert (tmp_path / "a.exr").read_bytes() == (tmp_path / "b.exr").read_bytes()
-
-
 def test_a_fault_of_the_renderer_is_one_line_and_no_file(folder, tmp_path, capsys, monkeypatch):
     whole = Integrator.render
 
