@@ -48,9 +48,6 @@ class ModelConfig(BaseModel, extra="forbid", frozen=True):
     separates_direct: bool = Field(
         False, description="direct and scattered light are outputs of their own, summed at the end"
     )
-    visibility_hint: bool = Field(
-        True, description="outputs of their own where light is shadowed; False only to compare"
-    )
     texture: str = Field(
         "triplane", description="where features come from: see `neural_asset.MODELS`"
     )
@@ -79,16 +76,9 @@ class ModelConfig(BaseModel, extra="forbid", frozen=True):
         return self.texture == "triplane" and self.material == "learned"
 
     @property
-    def has_shadow_decoder(self) -> bool:
-        """Whether shadowed light has a decoder of its own: a model without the hint has none."""
-        return self.shadow_width > 0 and self.visibility_hint
-
-    @property
     def colour_sums(self) -> tuple[tuple[int, ...], tuple[int, ...]]:
         """Weights of the decoder's colours in the visible and in the shadowed transport."""
-        if self.separates_direct:
-            return ((1, 1, 0), (0, 0, 1)) if self.visibility_hint else ((1, 1), (1, 1))
-        return ((1, 0), (0, 1)) if self.visibility_hint else ((1,), (1,))
+        return ((1, 1, 0), (0, 0, 1)) if self.separates_direct else ((1, 0), (0, 1))
 
 
 class TrainingConfig(BaseModel, extra="forbid", frozen=True):

@@ -26,7 +26,7 @@ class NeuralAsset(nn.Module):
     The decoder gives colours as y = log(x / unit + 1); `colours` inverts that. In the paper there
     are two, `visible` and `shadowed`. A model that `separates_direct` has three: direct light, and
     scattered light where the light is visible and where it is shadowed. `transport` sums them up
-    to the paper's two. Without `visibility_hint` there is one instead of each two. With glTF's
+    to the paper's two. With glTF's
     `material` the decoder gives its parameters, and shadowed light is black. A model that
     `uses_base_color` has a second colour for each, which the base colour of a point multiplies
     before it is added: print needs no planes. The last colour may come from a decoder of its own,
@@ -49,12 +49,12 @@ class NeuralAsset(nn.Module):
         self.triplane = self._new_features(config, bounds)
         width, columns = config.width, query_width(config.inputs, config.channels)
         terms = 6 if config.uses_base_color else 3
-        colours = len(config.colour_sums[0]) - config.has_shadow_decoder
+        colours = len(config.colour_sums[0]) - (config.shadow_width > 0)
         outputs = GLTF_OUTPUTS if config.material == "gltf" else terms * colours
         self.decoder = new_layers(columns, width, config.hidden_layers, outputs)
         self.shadow = (
             ShadowDecoder(config.shadow_inputs, config.channels, config.shadow_width, terms)
-            if config.has_shadow_decoder
+            if config.shadow_width > 0
             else None
         )
         self.emission = (
