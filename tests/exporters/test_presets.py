@@ -42,7 +42,7 @@ def test_parameters_of_the_paper(kind: str, preset: str, width: int) -> None:
 def test_ours_ask_no_dearer_decoder() -> None:
     """`small` adds few inputs to the paper's decoder; `hq` is about a quarter of the paper's."""
     # Visible light alone; that of shadowed light is small, and asked in its place.
-    assert count("surface", "small")[1] == count("surface", "paper-small")[1] + 8 * 64 - 3 * 65
+    assert count("surface", "small")[1] == count("surface", "paper-small")[1] + 11 * 64 - 3 * 65
     assert count("fiber", "small")[1] == count("fiber", "paper-small")[1] + (8 + 9) * 64 + 3 * 65
     for kind in PRESETS:
         assert count(kind, "hq")[1] < 0.28 * count(kind, "paper-hq")[1]

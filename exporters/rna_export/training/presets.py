@@ -11,8 +11,10 @@ _PAPER_INPUTS = {
     "surface": ("features", "normal", "wo", "wi"),
     "fiber": ("features", "tangent", "h", "wo", "wi"),
 }
+# Position tells places apart that share texels of a plane (docs/decisions/model.md).
+_SURFACE_INPUTS = ("features", "position", "normal", "wo", "wi")
 _OUR_INPUTS = {
-    "surface": (*_PAPER_INPUTS["surface"], "half_vector", "highlight", "learned_normal"),
+    "surface": (*_SURFACE_INPUTS, "half_vector", "highlight", "learned_normal"),
     "fiber": (*_PAPER_INPUTS["fiber"], "fiber_angles", "fiber_lobes"),
 }
 
@@ -214,7 +216,7 @@ def _ours(
             channels=channels,
             separates_direct=kind == "fiber",
             shadow_width=shadow_width if kind == "surface" else 0,
-            shadow_inputs=_PAPER_INPUTS[kind] if kind == "surface" else (),
+            shadow_inputs=_SURFACE_INPUTS if kind == "surface" else (),
         ),
         training=TrainingConfig(
             steps=steps,
