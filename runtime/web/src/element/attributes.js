@@ -75,7 +75,7 @@ function tintColour(value) {
 
 /** By attribute: how its text is read. */
 export const READERS = {
-  src: text, alt: text, poster: text, scene: text, environment: text, tier: text, "variant-name": text,
+  src: text, glass: text, alt: text, poster: text, scene: text, environment: text, tier: text, "variant-name": text,
   loading: choice("auto", "lazy", "eager"), reveal: choice("auto", "manual"),
   "camera-orbit": cameraOrbit, "camera-target": cameraTarget, "field-of-view": fieldOfView,
   "min-camera-orbit": cameraOrbit, "max-camera-orbit": cameraOrbit, "min-field-of-view": fieldOfView, "max-field-of-view": fieldOfView,

@@ -74,7 +74,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
   attributeChangedCallback(name, before, text) {
     const isTriedAgain = this.failures.delete(ADDRESSES[name]);
     if (before === text && !isTriedAgain) return;
-    if (name === "src") this.asked = null;
+    if (["src", "glass"].includes(name)) this.asked = null;
     const property = propertyOf(name);
     try {
       this.settings[property] = text === null ? null : READERS[name](text);
@@ -170,7 +170,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
   /** What an attribute changes of what is there. */
   _apply(name) {
     const { stage, settings } = this;
-    if (name === "src") this._begin();
+    if (["src", "glass"].includes(name)) this._begin();
     if (name === "poster") this._showImage(settings.poster);
     if (name === "scene" && this.isBegun) this._openScene();
     if (name === "environment" && this.isBegun) this._light();

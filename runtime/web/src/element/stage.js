@@ -7,6 +7,7 @@ import { readImage } from "../light/image_files.js";
 import { NotSupported } from "../package/errors.js";
 import { fileAddress } from "../package/file_address.js";
 import { otherFile } from "../package/other_files.js";
+import { readGlass } from "../package/glass.js";
 import { pictureOf } from "../package/images.js";
 import { Package } from "../package/package.js";
 import { BlobSource, nameOf, UrlSource } from "../package/source.js";
@@ -47,16 +48,18 @@ export class Stage extends LastingEngine {
     try {
       this.notices.say(null, false, "asset");
       this.tell("loading");
+      this.notices.say(null, true, "glass");
+      const address = from instanceof Blob ? null : this.settings.glass, glass = address && this._readGlass(address);
       const progress = (got, all) => signal.aborted || this.tell("progress", { got, all });
       const source = from instanceof Blob
         ? new BlobSource(from, from.name)
         : await UrlSource.open(from, progress, signal, this.labels[nameOf(from)]);
-      const opened = await Package.open(source);
+      const opened = Object.assign(await Package.open(source), { glass });
       signal.throwIfAborted();
-      if (opened.environment && this.settings.firstLook !== "off") this.lit.then(() => this.lighting.prepare());
+      if (opened.environment && this._wantsLobes(opened)) this.lit.then(() => this.lighting.prepare());
       const wanted = this.settings.tier, tier = this._known(opened, wanted), print = this.settings.variantName;
       opened.variant = this._knownVariant(opened, print);
-      if (await this.begun) opened.prefetch(tier, this.settings.firstLook !== "off");
+      if (await this.begun) opened.prefetch(tier, this._wantsLobes(opened));
       await this._offerPoster(opened);
       await this._show(opened, tier, true, signal);
       if (this.settings.tier !== wanted) await this._show(opened, this._known(opened, this.settings.tier), false, signal);
@@ -69,6 +72,21 @@ export class Stage extends LastingEngine {
         this.tell("ended");
       }
     }
+  }
+
+  /** The glass at an address, of readGlass; null, with a line, where it cannot be read. */
+  async _readGlass(address) {
+    try {
+      return readGlass(new Uint8Array(await fetched(address)), this.labels[nameOf(address)] ?? nameOf(address));
+    } catch (error) {
+      this.notices.say(`glass: ${error.message}`, true, "glass");
+      return null;
+    }
+  }
+
+  /** Lobes know nothing of glass. */
+  _wantsLobes({ glass }) {
+    return this.settings.firstLook !== "off" && !glass;
   }
 
   /** Another tier of the package that is open, or the same with what the settings want of it; null: the first. */
@@ -336,7 +354,8 @@ export class Stage extends LastingEngine {
 
   async _show(opened, tier, isNew, signal) {
     if (!(await this.begun)) return;
-    const shown = await opened.load(tier, { wantsLobes: this.settings.firstLook !== "off" });
+    const shown = await opened.load(tier, { wantsLobes: this._wantsLobes(opened) });
+    shown.glass = await opened.glass;
     opened.forget();
     performance.mark("package");
     await this.lit;
@@ -351,7 +370,7 @@ export class Stage extends LastingEngine {
     if (!this.viewer || (!isNew && this.opened !== opened)) return;
     if (isNew) this.viewer.hasShown = false;
     this.viewer.pause();
-    const building = isNew ? sceneArrays(shown.parts) : this.arrays;
+    const building = isNew ? sceneArrays(shown.parts, shown.glass) : this.arrays;
     if (!(await this._upload(building, shown))) return;
     const arrays = await building;
     if (this.engine.hasLobes) await this.lighting.prepare();
@@ -370,11 +389,11 @@ export class Stage extends LastingEngine {
   }
 
   /** Hands the asset to the engine, and to the next one where that is lost meanwhile; false if there is none any more. */
-  async _upload(building, { parts }) {
+  async _upload(building, shown) {
     while ((await this.begun) && this.engine) {
       const { engine } = this;
       try {
-        await engine.setAsset(building, parts);
+        await engine.setAsset(building, shown);
         if (engine === this.engine) return true;
       } catch (error) {
         if (engine === this.engine) throw error;
@@ -388,7 +407,7 @@ export class Stage extends LastingEngine {
     this.uploaded = null;
     if (!this.shown) return;
     this.viewer.hasShown = true;
-    await engine.setAsset(this.arrays, this.shown.parts);
+    await engine.setAsset(this.arrays, this.shown);
     this.changed();
     this.viewer?.start();
   }

@@ -10,9 +10,10 @@ const HALVED_FROM = 24;  // levels; from here on sets are halved, which ends bel
 
 /**
  * { nodes, order }: nodes: words of RnaNode. order: numbers of the primitives in the order of the leaves.
- * boxes: six numbers a primitive, min and max. at: place of the root among all nodes. It yields between steps.
+ * boxes: six numbers a primitive, min and max. at: place of the root among all nodes. before: primitives of other
+ * hierarchies. It yields between steps.
  */
-export function* buildHierarchy(boxes, at = 0) {
+export function* buildHierarchy(boxes, at = 0, before = 0) {
   const count = boxes.length / 6, order = Uint32Array.from({ length: count }, (_, k) => k);
   const centres = new Float32Array(3 * count);
   for (let k = 0; k < count; k++) {
@@ -32,7 +33,7 @@ export function* buildHierarchy(boxes, at = 0) {
       floats[node + NODE.high.at + k] = box[3 + k];
     }
     if (end - first <= LEAF) {
-      words[node + NODE.child.at] = first;
+      words[node + NODE.child.at] = before + first;
       words[node + NODE.count.at] = end - first;
       continue;
     }
@@ -46,7 +47,7 @@ export function* buildHierarchy(boxes, at = 0) {
     if (!(first < middle && middle < end)) middle = halve(own, first, end);
     stack.push([middle, end, level + 1, node], [first, middle, level + 1, -1]);
   }
-  return { nodes: words.slice(0, NODE_WORDS * used), order };
+  return { nodes: words.slice(0, NODE_WORDS * used), order: order.map((k) => before + k) };
 }
 
 /** Makes the box at `to` of `target` hold the one at `from` of `boxes` too. */

@@ -3,7 +3,7 @@ import { constants, packed, records } from "../decoder/records.js";
 import { levelsOf } from "../package/images.js";
 import { finished } from "../steps.js";
 
-const { NONE, OF_NEURAL, OF_FIBERS, LETS_THROUGH, HAS_CUTOFF, BASE } = constants;
+const { NONE, OF_MATERIAL, OF_NEURAL, OF_FIBERS, IS_SOLID, LETS_THROUGH, HAS_CUTOFF, BASE } = constants;
 const WRAPS = ["repeat", "clamp", "mirror"], MIXES_SRGB = 256;  // of the form of textures
 const TEXTURES = records.Surface.members.textures.count;
 const NOTHING = new Uint32Array(0), WHITE = [1, 1, 1], AS_IS = [1, 0, 0, 0, 1, 0];
@@ -18,6 +18,11 @@ export class SurfaceTable {
 
   ofFibers(part) {
     return this._add({ kind: OF_FIBERS, part });
+  }
+
+  /** materials: of readGlass. */
+  ofGlass(materials) {
+    return materials.map(({ ior, tint, absorption }) => this._add({ kind: OF_MATERIAL, flags: IS_SOLID, base_color: tint, ior: [ior, 0], absorption }));
   }
 
   /** In steps, the surface of each triangle of a mesh: those of the same records share it. */
