@@ -47,10 +47,10 @@ export class Stage extends LastingEngine {
     const loading = (this.loading = new AbortController()), { signal } = loading;
     try {
       this.notices.say(null, false, "asset");
-      this.tell("loading");
+      this.emit("loading");
       this.notices.say(null, true, "glass");
       const address = from instanceof Blob ? null : this.settings.glass, glass = address && this._readGlass(address);
-      const progress = (got, all) => signal.aborted || this.tell("progress", { got, all });
+      const progress = (got, all) => signal.aborted || this.emit("progress", { got, all });
       const source = from instanceof Blob
         ? new BlobSource(from, from.name)
         : await UrlSource.open(from, progress, signal, this.labels[nameOf(from)]);
@@ -69,7 +69,7 @@ export class Stage extends LastingEngine {
     } finally {
       if (this.loading === loading) {
         this.loading = null;
-        this.tell("ended");
+        this.emit("ended");
       }
     }
   }
@@ -97,7 +97,7 @@ export class Stage extends LastingEngine {
     } catch (error) {
       this.failed(error, "asset");
     } finally {
-      this.tell("ended");
+      this.emit("ended");
     }
   }
 
@@ -200,14 +200,14 @@ export class Stage extends LastingEngine {
   }
 
   async _openImage(from, name) {
-    const asked = (this.requestedImage = {});
+    const request = (this.requestedImage = {});
     try {
       this.notices.say(null, false, "light");
       const buffer = from instanceof Blob ? await from.arrayBuffer() : await fetched(from);
-      if (asked !== this.requestedImage) return;
+      if (request !== this.requestedImage) return;
       this.setLight({ choice: this.lighting.add(this.labels[name] ?? name, readImage(buffer, name)) });
     } catch (error) {
-      if (asked === this.requestedImage) this.failed(error, "light");
+      if (request === this.requestedImage) this.failed(error, "light");
     }
   }
 
@@ -220,8 +220,8 @@ export class Stage extends LastingEngine {
   /** values: of Lighting's fields. moving: more will follow at once. */
   setLight(values, { moving = false, byUser = false } = {}) {
     Object.assign(this.lighting, values);
-    this.tell("set");
-    this.tell("light", { byUser });
+    this.emit("set");
+    this.emit("light", { byUser });
     this.changed(moving);
   }
 
@@ -263,7 +263,7 @@ export class Stage extends LastingEngine {
     this.orbit.limits = limitsOf(settings);
     const { width, height } = this.canvas ?? { width: 1, height: 1 };
     this.orbit.place(views, this.box, width / height);
-    this.tell("camera", { byUser: false });
+    this.emit("camera", { byUser: false });
     this.viewer?.restart();
   }
 
@@ -283,7 +283,7 @@ export class Stage extends LastingEngine {
     this.glide.stop();
     this.orbit.limits = limitsOf(this.settings);
     this.orbit.limit();
-    this.tell("camera", { byUser: false });
+    this.emit("camera", { byUser: false });
     this.viewer?.restart();
   }
 
@@ -347,7 +347,7 @@ export class Stage extends LastingEngine {
   _setLook(values, relights = false) {
     Object.assign(this.look, values);
     Object.assign(this.viewer ?? {}, values);
-    this.tell("set");
+    this.emit("set");
     if (relights) this.changed();
     this.viewer?.show();
   }
@@ -382,7 +382,7 @@ export class Stage extends LastingEngine {
     else if (isNew) this.placeCamera();
     const { warnings } = opened.manifest;
     if (warnings.length) this.notices.say(warnings.join("; "), true, "asset");
-    this.tell("package", { opened, shown });
+    this.emit("package", { opened, shown });
     this.viewer.stats.ms = 0;
     this.changed();
     this.viewer.start();
@@ -417,15 +417,15 @@ export class Stage extends LastingEngine {
   }
 
   pictured() {
-    this.tell("shown");
+    this.emit("shown");
     if (!this.isNew || !this.viewer.stats.isSharp) return;
     this.isNew = false;
-    this.tell("load");
+    this.emit("load");
   }
 
   async _offerPoster(opened) {
     try {
-      this.tell("poster", { blob: await opened.posterImage() });
+      this.emit("poster", { blob: await opened.posterImage() });
     } catch {
       // A poster that is broken is a warning (spec, 10): the asset is shown without it.
     }

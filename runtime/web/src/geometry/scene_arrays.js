@@ -19,7 +19,7 @@ export const sceneArrays = (parts, glass = null) => finished(arraysOf(parts, gla
 
 function* arraysOf(parts, glass) {
   const counts = [...parts, ...(glass ? [glass] : [])].map(countsOf);
-  const total = (name) => counts.reduce((sum, own) => sum + own[name], 0);
+  const total = (name) => counts.reduce((sum, count) => sum + count[name], 0);
   const arrays = {
     primitives: new Uint32Array(PRIMITIVE.words * total("primitives")),
     points: new Float32Array(4 * total("points")),
@@ -48,8 +48,8 @@ function* arraysOf(parts, glass) {
   const primitives = new Uint32Array(arrays.primitives.length), where = new Uint32Array(leaves.length);
   yield* inSteps(0, leaves.length, (first, end) => {
     for (let to = first; to < end; to++) {
-      const from = leaves[to], own = arrays.primitives.subarray(PRIMITIVE.words * from, PRIMITIVE.words * (from + 1));
-      primitives.set(own, PRIMITIVE.words * to);
+      const from = leaves[to], record = arrays.primitives.subarray(PRIMITIVE.words * from, PRIMITIVE.words * (from + 1));
+      primitives.set(record, PRIMITIVE.words * to);
       where[from] = to;
     }
   });

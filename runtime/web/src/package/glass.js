@@ -35,7 +35,7 @@ export function readGlass(bytes, name) {
 function materialOf({ pbrMetallicRoughness: { baseColorFactor = [1, 1, 1], metallicFactor = 1, roughnessFactor = 1, ...textures } = {}, extensions = {} } = {}) {
   const { KHR_materials_transmission: passes, KHR_materials_volume: volume, KHR_materials_ior: { ior = 1.5 } = {} } = extensions;
   const isSolid = passes?.transmissionFactor === 1 && volume?.thicknessFactor > 0 && metallicFactor === 0 && roughnessFactor <= MOST_ROUGHNESS;
-  if (!isSolid || !(ior >= 1) || [textures, passes, volume].some((own) => Object.keys(own).some((key) => key.endsWith("Texture")))) return null;
+  if (!isSolid || !(ior >= 1) || [textures, passes, volume].some((record) => Object.keys(record).some((key) => key.endsWith("Texture")))) return null;
   const { attenuationColor = [1, 1, 1], attenuationDistance = Infinity } = volume;
   const absorption = attenuationColor.map((left) => -Math.log(Math.max(left, 1e-6)) / attenuationDistance);
   return { ior, tint: baseColorFactor.slice(0, 3), absorption };

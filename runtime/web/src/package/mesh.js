@@ -17,15 +17,15 @@ export function readMesh(bytes, where) {
   }
   const primitive = json.meshes[0].primitives[0];
   const read = (index) => readAccessor(json, bin.subarray(0, buffer), index, where);
-  const found = {
+  const stored = {
     positions: read(primitive.attributes.POSITION), normals: read(primitive.attributes.NORMAL),
     uvs: "TEXCOORD_0" in primitive.attributes ? read(primitive.attributes.TEXCOORD_0) : null,
     indices: read(primitive.indices),
   };
-  checkCounts(found, where);
-  checkBounds(json.accessors[primitive.attributes.POSITION], found.positions, quantised, where);
-  const mesh = quantised ? restored(found, json.nodes[0]) : found;
-  mesh.indices = Uint32Array.from(found.indices);
+  checkCounts(stored, where);
+  checkBounds(json.accessors[primitive.attributes.POSITION], stored.positions, quantised, where);
+  const mesh = quantised ? restored(stored, json.nodes[0]) : stored;
+  mesh.indices = Uint32Array.from(stored.indices);
   checkValues(mesh, where);
   return mesh;
 }

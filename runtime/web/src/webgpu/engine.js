@@ -106,8 +106,8 @@ export class WebGPUEngine {
   async _makePart(part) {
     const { device, pipelines } = this;
     const upload = (stored) => [0, 1, 2].map((k) => buffer(device, planeWords(stored, k), undefined, "a plane of features"));
-    const planes = upload(part.planes), { environment: own } = part;
-    const ofLobes = this.lobeLight && own.planes !== part.planes ? upload(own.planes) : null;
+    const planes = upload(part.planes), lobes = part.environment;
+    const ofLobes = this.lobeLight && lobes.planes !== part.planes ? upload(lobes.planes) : null;
     const forms = Object.keys(part.decoders);
     const [environment, ...made] = await Promise.all([
       this.lobeLight && PartLobes.make(device, pipelines, part, ofLobes ?? planes, this.lobeLight),
@@ -167,7 +167,7 @@ export class WebGPUEngine {
   /** The sum of the samples; and the first look and what its rays met, where the asset has lobes. */
   _makeSums() {
     if (!this.capacity) return;
-    for (const own of [this.sums, this.firstLook, this.seen]) own?.destroy();
+    for (const one of [this.sums, this.firstLook, this.seen]) one?.destroy();
     const make = (pixels) => buffer(this.device, 16 * pixels, undefined, "the picture");
     const more = this.hasLobes ? this.capacity : 1;
     Object.assign(this, { sums: make(this.capacity), firstLook: make(more), seen: make(more) });
@@ -266,13 +266,13 @@ export class WebGPUEngine {
 
   _decode(form) {
     for (const [k, part] of this.parts.entries()) {
-      const own = part[form];
-      if (!own) continue;
+      const decoder = part[form];
+      if (!decoder) continue;
       this._writeView({ ...this.view, part: k + 1, form: FORMS.indexOf(form) });
       this.device.queue.writeBuffer(this.queue.count, 0, Uint32Array.of(0));
       this._run((pass) => {
         dispatch(pass, this.kernels.gather, this.groups.queue, this.span.pixels);
-        own.run(pass, this.queue, this.span.pixels);
+        decoder.run(pass, this.queue, this.span.pixels);
         dispatch(pass, this.kernels.scatter, this.groups.queue, this.span.pixels);
       });
     }
@@ -314,7 +314,7 @@ export class WebGPUEngine {
   }
 
   _deleteAsset() {
-    for (const own of [...(this.geometry ?? []), this.table, this.images]) own?.destroy();
+    for (const one of [...(this.geometry ?? []), this.table, this.images]) one?.destroy();
     this.lobeLight?.delete();
     this.parts.forEach(deletePart);
     this.parts = [];
@@ -329,8 +329,8 @@ export class WebGPUEngine {
 }
 
 function deletePart({ planes, ...decoders }) {
-  planes.forEach((own) => own.destroy());
-  for (const own of Object.values(decoders)) own?.delete();
+  planes.forEach((plane) => plane.destroy());
+  for (const one of Object.values(decoders)) one?.delete();
 }
 
 const hasTextures = ({ transmittance, normalMaps }) => transmittance.length + normalMaps.length > 0;

@@ -54,7 +54,7 @@ fn surroundings_of(pixel: Pixel) -> Surroundings {
     return Surroundings(select(n, -n, dot(n, wo) < 0.0), reflect(-wo, n));
 }
 
-// The direction that lobes are asked with. To the ground one by the cosine, with the irradiance in the view's colour.
+// The direction of queries for lobes. To the ground one by the cosine, with the irradiance in the view's colour.
 fn mirrored(number: u32, pixel: Pixel) -> Arrival {
     if pixel.axis.w == 0u {
         let u = at_point(number, DIRECTION);
