@@ -18,7 +18,6 @@ from tests.gpu.scenes import assert_same_law, assert_same_numbers, on_cpu, on_gp
 from tests.render.whole_scenes import EVERYTHING, GLOW, RELIEF, TOY, UNDER_A_SKY, write_files
 from tests.web.glass_files import write_ball
 
-
 GLASS = f"""
 assets: [{{path: {TOY}}}]
 objects:

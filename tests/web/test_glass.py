@@ -67,7 +67,9 @@ def test_the_picture_is_that_of_rna_run(scene: Path) -> None:
 def test_a_ground_is_seen_through_the_glass(scene: Path) -> None:
     """As bright as the page where light and glass leave it, dark where the glass takes its sun."""
     site = site_for(scene.parent / "tiny.rna")
-    light = "sun=0deg 90deg 3&environment=white&environment-intensity=0.1&camera-orbit=0deg 60deg 9m"
+    light = (
+        "sun=0deg 90deg 3&environment=white&environment-intensity=0.1&camera-orbit=0deg 60deg 9m"
+    )
     with viewer(site, f"samples=32&pixel-ratio=1&ui=0&{light}", 48, 32) as page:
         wait_for_picture(page, 32)
         actual = picture(page)

@@ -50,19 +50,6 @@ def test_an_element_that_was_made_before_its_script(page, folder, url):
     assert page.evaluate("viewer.stage.engine === engine && viewer.notices.place.hidden")
 
 
-def test_an_element_that_is_taken_out_while_it_loads(page, folder, url):
-    show(page, folder, url, f'<rna-viewer id="one" src="tiny.rna" {SMALL}></rna-viewer>')
-    page.evaluate("globalThis.one_ = one, globalThis.parent_ = one.parentNode, 0")
-    for state in ("one_.stage.loading", "one_.stage.shown"):
-        page.wait_for(state, TIMEOUT)
-        page.evaluate("one_.remove(), new Promise((resolve) => setTimeout(resolve, 300))")
-        assert page.evaluate("[one_.stage.engine, one_.stage.loading]") == [None, None]
-        assert page.evaluate("[heard.length, one_.notices.place.hidden]") == [0, True]
-        page.evaluate("parent_.append(one_), 0")
-    loads(page, "one")
-    assert page.evaluate("heard.filter(({ name }) => name === 'error').length") == 0
-
-
 def test_two_elements_of_one_asset_in_a_folder(page, folder, url):
     (folder / "assets").mkdir()
     make_tiny_package(folder / "assets" / "tiny.rna")
@@ -73,17 +60,3 @@ def test_two_elements_of_one_asset_in_a_folder(page, folder, url):
     page.evaluate("one.remove(), two.cameraOrbit = '90deg 60deg 4m', 0")
     page.wait_for("two.stage.viewer.stats.rounds === 1", TIMEOUT)
     assert page.evaluate("two.notices.place.hidden && two.stage.engine !== null")
-
-
-def test_pixels_of_another_screen(page, folder, url):
-    """Of a phone at first, then of a desktop; nothing else of the element changes."""
-    size = {"width": 200, "height": 200, "mobile": False}
-    page.call("Emulation.setDeviceMetricsOverride", deviceScaleFactor=2, **size)
-    show(page, folder, url, '<rna-viewer id="one" src="tiny.rna" samples="1"></rna-viewer>')
-    loads(page, "one")
-    assert page.evaluate("[one.stage.canvas.width, one.stage.canvas.height]") == [128, 80]
-    for factor, width in ((1, 64), (1.5, 96)):
-        page.call("Emulation.setDeviceMetricsOverride", deviceScaleFactor=factor, **size)
-        page.wait_for(f"one.stage.canvas.width === {width}", TIMEOUT)
-        page.wait_for("one.stage.viewer.stats.rounds === 1", TIMEOUT)
-    page.call("Emulation.clearDeviceMetricsOverride")

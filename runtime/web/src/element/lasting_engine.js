@@ -30,7 +30,6 @@ export class LastingEngine extends EventTarget {
   end() {
     this.lives += 1;
     this.begun = Promise.resolve(false);
-    this.screen?.abort();
     this.viewer?.stop();
     this.engine?.close();
     Object.assign(this, { viewer: null, engine: null });
@@ -62,15 +61,8 @@ export class LastingEngine extends EventTarget {
     performance.mark("engine");
     listen(canvas, actions(this), (event) => isForPicture(this, event));
     this.emit("engine");
-    this._watchScreen();
-    await this.restore(engine);
-  }
-
-  /** Follows the pixels of CSS where they become others: by zoom, or on another screen. */
-  _watchScreen() {
-    const { signal } = (this.screen = new AbortController());
-    matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener("change", () => this._watchScreen(), { once: true, signal });
     this.resize();
+    await this.restore(engine);
   }
 
   /** Holds samples back while nobody can see them. */
