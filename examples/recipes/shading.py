@@ -43,15 +43,6 @@ def add_image(material, pixels):
     return node
 
 
-def add_normal_map(material, pixels):
-    """Bend the normals of a Principled BSDF by a tangent-space image."""
-    tree = material.node_tree
-    node = tree.nodes.new("ShaderNodeNormalMap")
-    tree.links.new(add_image(material, pixels).outputs["Color"], node.inputs["Color"])
-    shader = tree.nodes["Principled BSDF"]
-    tree.links.new(node.outputs["Normal"], shader.inputs["Normal"])
-
-
 def mix(material, factor, first, second):
     """A Mix Shader: `second` where the factor, a socket or a number, is 1. Returns its output."""
     tree = material.node_tree
@@ -104,12 +95,3 @@ def smooth_noise(shape, cells, rng):
     top = values[np.ix_(i, j)] * (1 - b) + values[np.ix_(i, over)] * b
     bottom = values[np.ix_(up, j)] * (1 - b) + values[np.ix_(up, over)] * b
     return top * (1 - a) + bottom * a
-
-
-def blurred(values, passes):
-    """A (h, w) array after a 1-2-1 filter both ways, `passes` times; repeats at the borders."""
-    for _ in range(passes):
-        for axis in (0, 1):
-            around = np.roll(values, 1, axis) + np.roll(values, -1, axis)
-            values = 0.5 * values + 0.25 * around
-    return values

@@ -40,7 +40,7 @@ def _run(options: argparse.Namespace, words: tuple[str, ...]) -> int:
     missing = [level for level in options.level or () if level not in levels]
     if missing:
         raise ConformanceError(f"--level {missing[0]}: the reader only claims {', '.join(levels)}")
-    running = run_levels(program, kit, options.level or levels, options.jobs)
+    running = run_levels(program, kit, options.level or levels, core_count())
     if options.json:
         scores = list(running)
         print(json.dumps([_as_json(one) for one in scores], indent=2))
@@ -70,13 +70,6 @@ def _parser() -> argparse.ArgumentParser:
         help="run only this level; may be repeated (default: every level the reader claims)",
     )
     parser.add_argument(
-        "--jobs",
-        type=int,
-        default=core_count(),
-        metavar="N",
-        help="concurrent runs of COMMAND (int, default: one per core)",
-    )
-    parser.add_argument(
         "--timeout",
         type=float,
         default=300.0,
@@ -90,7 +83,7 @@ def _parser() -> argparse.ArgumentParser:
 def run_levels(program: Program, kit: Kit, levels: Sequence[str], jobs: int = 1) -> Iterator[Score]:
     """The scores of all cases of these levels, in the order of the kit, as they come."""
     every = [case for level in LEVELS if level in levels for case in cases(kit, level)]
-    pool = ThreadPoolExecutor(max(1, jobs))
+    pool = ThreadPoolExecutor(jobs)
     try:
         yield from pool.map(lambda case: score(program, kit, case), every)
     finally:

@@ -22,12 +22,10 @@ from rna_sdk.conformance.rna_conform import run_levels
 from rna_sdk.conformance.scoring import Score
 from rna_sdk.errors import ConformanceError
 from rna_sdk.package import Curves, NormalMap, Package, Transmittance
-from rna_sdk.package.decoder.query_arrays import in_order
 from rna_trace import parts_scene
 from rna_trace.surface import OFFSET, SurfacePoints, leaving_origins
-from tests.conformance import float32_reader, twin_reader
-from tests.conformance.conftest import KIT, InProcess, with_geometry
-from tests.conformance.float32_reader import Formulas
+from tests.conformance import twin_reader
+from tests.conformance.conftest import InProcess, with_geometry
 from tests.conformance.kit.blocks import unit
 from tests.conformance.kit.visibility import strands
 from tests.conftest import REPOSITORY
@@ -38,12 +36,6 @@ C_HOST = REPOSITORY / "examples" / "hosts" / "c"
 
 def failures(program: Program, kit: Kit, *levels: str) -> list[Score]:
     return [score for score in run_levels(program, kit, levels) if not score.passed]
-
-
-def kind_of(score: Score) -> str:
-    """Of the part that was asked."""
-    with Package.open(KIT / "packages" / f"{score.package}.rna") as package:
-        return package.manifest.parts[int(score.tier.split()[1])].kind
 
 
 def test_the_runtime_passes_every_level(kit: Kit) -> None:
@@ -101,56 +93,6 @@ def test_the_c_host_passes_every_level(kit: Kit, tmp_path: Path) -> None:
     assert failures(program, kit, *known) == []
 
 
-def of_float32(minimal: ModuleType, formulas: Formulas) -> InProcess:
-    def evaluate(
-        form: str, package: str, tier: str, part: int, arrays: dict[str, np.ndarray]
-    ) -> np.ndarray:
-        base_color = [arrays["base_color"]] if "base_color" in arrays else []
-        rows = np.column_stack([*in_order(arrays), *base_color])
-        with np.errstate(all="ignore"):
-            return float32_reader.evaluate(minimal, formulas, Path(package), tier, part, rows, form)
-
-    return InProcess(evaluate)
-
-
-def test_float32_throughout_passes_with_the_safe_formulas(kit: Kit, minimal: ModuleType) -> None:
-    assert failures(of_float32(minimal, Formulas()), kit, "evaluate") == []
-
-
-@pytest.mark.parametrize("formula", ["half_vector", "gap", "cosines", "cos_phi", "sin_phi"])
-def test_each_formula_that_loses_digits_fails(formula: str, kit: Kit, minimal: ModuleType) -> None:
-    program = of_float32(minimal, replace(Formulas(), **{formula: False}))
-    failed = failures(program, kit, "evaluate")
-    kind = "surface" if formula in ("half_vector", "gap") else "fiber"
-    assert len(failed) >= 2 and {kind_of(score) for score in failed} == {kind}
-    assert all(score.right > 0.9 * score.rows for score in failed)
-
-
-WITH_FIBERS = {
-    *("fiber-float16", "fiber-int8", "fiber-one-channel", "fiber-quantised"),
-    *("fiber-shadowed", "parts-head", "parts-lantern"),
-}
-
-
-@pytest.mark.parametrize(
-    ("mistake", "packages"),
-    [
-        ({"sign_of_sin_phi": -1.0}, WITH_FIBERS),
-        ({"h_clamped": False}, WITH_FIBERS),
-        ({"pair_sums_in_16_bits": True}, {"surface-int8-saturating"}),
-        ({"subnormal_texels": False}, {"surface-odd"}),
-        ({"rounded_bounds": False}, {"surface-tiny"}),
-    ],
-)
-def test_a_reader_that_is_wrong_in_one_place_fails(
-    mistake: dict[str, float], packages: set[str], kit: Kit, minimal: ModuleType
-) -> None:
-    program = of_float32(minimal, replace(Formulas(), **mistake))
-    failed = failures(program, kit, "evaluate")
-    assert {score.package for score in failed} == packages
-    assert all("row" in score.note and "expected" in score.note for score in failed)
-
-
 @pytest.mark.parametrize(
     ("rows", "steps", "passes"), [(8, 0.9, True), (9, 0.9, False), (1, 2, False)]
 )
@@ -172,12 +114,6 @@ def test_few_rows_of_int8_may_differ_by_a_step(
     assert int8.passed == passes and not float32.passed
     assert int8.rows - int8.right == rows and (int8.in_tolerances < 1) == passes
     assert not passes or int8.note == "8 rows by one step of int8"
-
-
-def test_planes_upside_down_fail_wherever_there_are_texels(kit: Kit, minimal: ModuleType) -> None:
-    program = of_float32(minimal, Formulas(rows_upside_down=True))
-    passed = {s.package for s in run_levels(program, kit, ["evaluate"]) if s.passed}
-    assert passed == {"surface-one-texel", "fiber-one-channel"}
 
 
 def leaving_by(origins: Callable[..., np.ndarray], package: str, records: bytes) -> np.ndarray:

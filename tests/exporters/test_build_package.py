@@ -121,8 +121,8 @@ def test_the_error_of_small_images_is_recorded(exported: Exported, tier: str) ->
 def test_cost_and_agreement_are_recorded(exported: Exported) -> None:
     with Package.open(exported.package) as package:
         small, paper = package.manifest.tiers
-    of_shadows = 17 * 8 + 2 * 8 * 8 + 8 * 3  # a decoder of its own
-    for tier, columns, last in ((small, 25, 16 * 3 + of_shadows), (paper, 17, 16 * 6)):
+    of_shadows = 20 * 8 + 2 * 8 * 8 + 8 * 3  # a decoder of its own
+    for tier, columns, last in ((small, 28, 16 * 3 + of_shadows), (paper, 17, 16 * 6)):
         assert tier.cost.multiply_adds == columns * 16 + 16 * 16 + last
         assert tier.cost.ns_per_query > 0.0 and tier.cost.machine
         assert 0.0 <= tier.parts[0].agreement.max_relative < 1e-4
@@ -138,21 +138,6 @@ def test_where_it_came_from_is_recorded(exported: Exported) -> None:
     assert manifest.provenance.capture["rays"] == exported.dataset.manifest.settings.rays
     low, high = manifest.parts[0].bounds.corners()
     assert np.all(low < -1.0) and np.all(high > 1.0)
-
-
-def test_the_geometry_is_the_captured_one(exported: Exported) -> None:
-    with Package.open(exported.package) as package:
-        mesh = package.mesh()
-    captured = exported.dataset.geometry()
-    assert np.array_equal(mesh.positions, captured.positions)
-    assert np.array_equal(mesh.triangles, captured.triangles)
-
-
-def test_the_command_prints_error_path_and_next_command(exported: Exported) -> None:
-    assert f"wrote {exported.package}" in exported.said
-    assert f"next: rna-validate {exported.package}" in exported.said
-    for word in ("PSNR", "FLIP", "irradiance pi", "relative", "ns/query"):
-        assert word in exported.said
 
 
 def refusal(capsys, *arguments: object) -> str:
@@ -194,9 +179,3 @@ def test_planes_that_float16_cannot_hold_are_refused(
     precision = "--precision", "float32-float16"
     refusal(capsys, tmp_path / "bright.ckpt", "--out", tmp_path / "x.rna", *precision)
     assert not (tmp_path / "x.rna").exists()
-
-
-def test_wrong_usage_exits_with_2(capsys) -> None:
-    with pytest.raises(SystemExit) as exit_:
-        main(["--out", "x.rna"])
-    assert exit_.value.code == 2

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import subprocess
 import sys
 from pathlib import Path
 
@@ -117,22 +116,6 @@ def test_wrong_usage_exits_with_2(arguments: list[str], capsys) -> None:
     with pytest.raises(SystemExit) as exit_:
         main(arguments)
     assert exit_.value.code == 2
-
-
-def test_help_starts_with_a_sentence_and_a_command() -> None:
-    command = [sys.executable, "-m", "rna_export.capture.rna_capture", "--help"]
-    text = subprocess.run(command, capture_output=True, text=True, check=True).stdout
-    text = " ".join(text.split())
-    assert "rna-capture helmet.gltf --out helmet.rays/" in text
-    surfaces, fibers = (CaptureSettings.usual(kind).model_dump() for kind in ("surface", "fiber"))
-    optional = {"front", "up", "exact_geometry", "rest_frame", "poses"}
-    fixed = {"lights_per_shard", "clamp_direct", "clamp_indirect"}
-    assert f"at most {surfaces['sharpest']}" in text  # chosen by the source's materials
-    for name in surfaces.keys() - fixed - optional - {"sharpest"}:
-        same = surfaces[name] == fibers[name]
-        default = f"default {surfaces[name]}" + ("" if same else f", for hair {fibers[name]}")
-        assert default in text, name
-    assert "for hair" in text
 
 
 @pytest.mark.parametrize(

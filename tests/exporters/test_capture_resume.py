@@ -11,7 +11,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from safetensors.numpy import load_file
 
 from rna_export.capture.blender_process.blender_env import VARIABLE
 from rna_export.capture.dataset.dataset_folder import Dataset
@@ -195,10 +194,3 @@ def test_validation_views_are_two_independent_halves(uninterrupted: Path) -> Non
     lights = {tuple(view.samples["wi"][0]) for view in views}
     trained = {tuple(wi) for wi in dataset.training_samples()["wi"]}
     assert len(lights) == 2 and not lights & trained
-
-
-def test_a_shard_has_what_the_docs_name(uninterrupted: Path) -> None:
-    arrays = load_file(uninterrupted / "train" / "00000.safetensors")
-    fields = ("position", "normal", "wo", "wi", "radiance", "visible")
-    assert set(arrays) == {f"asset/{field}" for field in fields}
-    assert {str(a.dtype) for k, a in arrays.items() if k != "asset/visible"} == {"float32"}

@@ -60,15 +60,6 @@ def test_parts_are_seen_together() -> None:
     assert np.allclose(both[0].target, centre)
 
 
-def test_the_camera_matrix_is_a_rotation_that_looks_at_the_target() -> None:
-    shot = shots([MESH], 32)[0]
-    turn = shot.to_world[:3, :3]
-    np.testing.assert_allclose(turn @ turn.T, np.eye(3), atol=1e-12)
-    assert np.linalg.det(turn) == pytest.approx(1.0)
-    forward = (shot.target - shot.eye) / np.linalg.norm(shot.target - shot.eye)
-    np.testing.assert_allclose(-turn[:, 2], forward, atol=1e-12)
-
-
 @pytest.mark.parametrize("frame", [("-Z", "Y"), ("-Y", "Z"), ("X", "-Z")])
 def test_front_and_up_turn_the_camera_and_keep_it_upright(frame: tuple[str, str]) -> None:
     turn = rotation(*frame)

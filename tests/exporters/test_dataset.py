@@ -10,7 +10,6 @@ from safetensors.numpy import load_file
 
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.sample_files import write_arrays
-from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import CaptureError
 from tests.exporters.meshes import sphere
 from tests.exporters.synthetic import LIGHTS_A_SHARD, RAYS, make_dataset
@@ -72,18 +71,6 @@ def test_a_manifest_that_says_something_else_is_refused(dataset: Dataset, change
     path.write_text(json.dumps(json.loads(path.read_text()) | change))
     with pytest.raises(CaptureError, match=next(iter(change))):
         Dataset(dataset.folder)
-
-
-def test_a_dataset_of_before_parts_is_refused_in_one_line(dataset: Dataset) -> None:
-    path = dataset.folder / "manifest.json"
-    old = json.loads(path.read_text())
-    del old["parts"]
-    path.write_text(json.dumps({**old, "kind": "surface"}))
-    with pytest.raises(
-        CaptureError, match=r"manifest\.json: .*`parts`: capture it again$"
-    ) as refused:
-        Dataset(dataset.folder)
-    assert "\n" not in str(refused.value)
 
 
 def _cut(path: Path) -> None:
@@ -181,20 +168,3 @@ def test_damaged_geometry_is_named(dataset: Dataset) -> None:
     _cut(dataset.folder / "geometry" / "asset.safetensors")
     with pytest.raises(CaptureError, match=r"asset\.safetensors: damaged"):
         dataset.only.geometry()
-
-
-def test_the_last_shard_may_be_shorter(dataset: Dataset) -> None:
-    settings = dataset.manifest.settings.model_copy(update={"lights": 17})
-    assert dataset.manifest.model_copy(update={"settings": settings}).shards == 3
-
-
-def test_a_write_that_fails_leaves_the_old_file(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    path = tmp_path / "x.safetensors"
-    write_arrays(path, {"a": np.zeros(3, np.float32)})
-    before = path.read_bytes()
-    monkeypatch.setattr(Path, "replace", lambda *_: (_ for _ in ()).throw(OSError("full")))
-    with pytest.raises(OSError, match="full"):
-        write_atomically(path, b"half")
-    assert path.read_bytes() == before

@@ -60,14 +60,6 @@ def test_h_is_the_offset_of_the_ray_from_the_axis(scene: AssetScene) -> None:
     assert np.allclose(at["h"], x / 0.1, atol=1e-4)  # t x wo is +x
 
 
-def test_a_miss_leaves_zeros(scene: AssetScene) -> None:
-    points = scene.shade_points(np.float32([[0, 9, 0]]), np.float32([[0, 1, 0]]))
-    assert not points.hit.any()
-    assert not len(points.on[0].rows)
-    for rows in (points.position, points.geometric_normal):
-        assert not rows.any()
-
-
 def test_sampled_points_lie_on_strands_by_area(scene: AssetScene) -> None:
     points, normals = scene.sample_points(4000, np.random.default_rng(0))
     assert np.allclose(np.linalg.norm(normals, axis=1), 1.0, atol=1e-5)

@@ -34,12 +34,6 @@ def shaped(strands: Strands) -> np.ndarray:
     return strands.points.reshape(len(strands), -1, 3)
 
 
-def test_count_and_points() -> None:
-    grown = interpolate(lawn(), 500, points=7, noise=0.02, clump=0.2, shorten=0.1)
-    assert len(grown) == 500 and np.all(grown.counts == 7)
-    assert grown.points.dtype == np.float32 and np.isfinite(grown.points).all()
-
-
 def test_a_seed_repeats() -> None:
     one, two, other = (
         interpolate(lawn(), 300, seed=seed, noise=0.02, shorten=0.1).points for seed in (4, 4, 5)
@@ -94,12 +88,6 @@ def test_shortened_strands_keep_their_roots() -> None:
     assert np.allclose(whole[:, 0], cut[:, 0], atol=1e-5)
     ratio = np.diff(cut[:, [0, -1], 1]) / np.diff(whole[:, [0, -1], 1])
     assert 0.49 < ratio.min() < 0.6 and 0.9 < ratio.max() <= 1.0
-
-
-def test_one_guide_is_copied() -> None:
-    guide = of_equal_length(shaped(lawn())[:1], 0.1)
-    grown = shaped(interpolate(guide, 3, points=5))
-    assert np.allclose(grown, shaped(resample(guide, 5)), atol=1e-6)
 
 
 def test_resampling_follows_the_spline() -> None:

@@ -126,12 +126,6 @@ def test_bad_arguments_are_named(
         open_worker(tmp_path / "a.tfx", *options.split())
 
 
-def test_a_bad_groom_is_named(open_worker: OpenWorker, tmp_path: Path) -> None:
-    (tmp_path / "a.tfx").write_bytes(tfx_bytes()[:-4])
-    with pytest.raises(CaptureError, match=r"a\.tfx: size: found 364 bytes"):
-        open_worker(tmp_path / "a.tfx")
-
-
 def test_a_script_that_refuses_its_arguments_is_quoted(open_worker: OpenWorker) -> None:
     script = "import argparse\nargparse.ArgumentParser().parse_args()"
     with pytest.raises(CaptureError, match="unrecognized arguments: --what"):
@@ -248,10 +242,6 @@ MIXED = HAIR + 'add(CUBE, SIDES).name = "head"\n'
 def test_one_of_the_two_can_be_hidden(hidden: str, kind: str, open_worker: OpenWorker) -> None:
     worker = open_worker(f"{MIXED}bpy.data.objects[{hidden!r}].hide_render = True\n")
     assert worker.kind == kind
-
-
-def test_a_mesh_without_faces_does_not_count(open_worker: OpenWorker) -> None:
-    assert open_worker(HAIR + "add([(0, 0, 0)], [])").kind == "fiber"
 
 
 def test_a_script_may_use_rna_hair(open_worker: OpenWorker) -> None:

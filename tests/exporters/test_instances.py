@@ -109,8 +109,10 @@ def check_hits(worker: BlenderWorker) -> None:
     assert np.quantile(np.linalg.norm(apart, axis=1), 0.99) < 1e-4
 
 
-@pytest.mark.parametrize("kind", list(PIECE))
-@pytest.mark.parametrize("way", list(INSTANCES))
+@pytest.mark.parametrize(
+    ("way", "kind"),
+    [*((way, "surface") for way in INSTANCES), ("nested", "fiber"), ("nodes", "fiber")],
+)
 def test_two_instances(way: str, kind: str, open_worker: OpenWorker) -> None:
     worker = open_worker(PIECE[kind] + TOOLS + INSTANCES[way])
     assert worker.kind == kind

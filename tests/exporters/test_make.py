@@ -209,7 +209,7 @@ def test_lights_have_one_round_and_no_training_but_the_last(make: Any) -> None:
     assert [load_checkpoint(f / "best.ckpt").steps for f in made.checkpoints] == [80, 80]
 
 
-@pytest.mark.parametrize("stage", ["rays 0", "rays 1", "rays 3", "train 1", "train 2", "last"])
+@pytest.mark.parametrize("stage", ["rays 0", "rays 3", "train 2", "last"])
 def test_a_make_stopped_at_any_stage_comes_to_the_same_end(
     stage: str, make: Any, monkeypatch: pytest.MonkeyPatch, whole: tuple[Made, Cycles]
 ) -> None:
@@ -373,14 +373,6 @@ def test_a_damaged_state_is_one_line(make: Any, tmp_path: Path) -> None:
     (tmp_path / "work" / "make.json").write_text("{")
     with pytest.raises(TrainingError, match=r"make\.json"):
         make(goal=Goal("min_psnr", 5.0))
-
-
-def test_by_turns_a_training_is_over_when_it_returns() -> None:
-    done: list[int] = []
-    with Trainer(beside=False) as trainer:
-        trainer.run(lambda: done.append(1))
-        assert done == [1]
-        trainer.wait()
 
 
 def test_beside_it_goes_on_until_the_next_one() -> None:

@@ -131,12 +131,6 @@ def test_lights_that_are_asked_for_are_all_captured_at_once(steps: int | None) -
     assert plan.last_phase(math.inf, 2) == Length(steps=steps)
 
 
-def test_late_stages_share_what_is_left() -> None:
-    plan = TimedPlan(1000, 16, 600.0)
-    assert plan.capture_seconds(3, 100.0) < plan.capture_seconds(3, 400.0) < 400.0
-    assert plan.last_phase(-5.0, 1).minutes > 0.0
-
-
 @pytest.mark.parametrize(
     ("before", "more", "capture"),
     [

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import math
-from itertools import pairwise
-
 import pytest
 import torch
 
@@ -45,24 +42,10 @@ def test_parameters_of_the_paper(kind: str, preset: str, width: int) -> None:
 def test_ours_ask_no_dearer_decoder() -> None:
     """`small` adds few inputs to the paper's decoder; `hq` is about a quarter of the paper's."""
     # Visible light alone; that of shadowed light is small, and asked in its place.
-    assert count("surface", "small")[1] == count("surface", "paper-small")[1] + 8 * 64 - 3 * 65
+    assert count("surface", "small")[1] == count("surface", "paper-small")[1] + 11 * 64 - 3 * 65
     assert count("fiber", "small")[1] == count("fiber", "paper-small")[1] + (8 + 9) * 64 + 3 * 65
     for kind in PRESETS:
         assert count(kind, "hq")[1] < 0.28 * count(kind, "paper-hq")[1]
-
-
-def test_planes_beside_print_are_smoother() -> None:
-    """Where base colour is a factor; strands' planes, coarse, are never smoothed."""
-    assert PRESETS["surface"]["small"].with_base_color().training.smoothing == 2.0
-    assert PRESETS["fiber"]["small"].with_base_color().training.smoothing == 0.0
-
-
-@pytest.mark.parametrize(("kind", "preset"), PAPER)
-def test_training_of_the_paper(kind: str, preset: str) -> None:
-    config = PRESETS[kind][preset].training
-    assert config.steps == 100_000
-    assert config.learning_rate == config.plane_learning_rate == 1e-3
-    assert config.blur == 4.0
 
 
 @pytest.mark.parametrize(("kind", "preset"), PAPER)
@@ -70,13 +53,6 @@ def test_the_learning_rate_is_halved_each_fifth(kind: str, preset: str) -> None:
     rates = learning_rates(kind, preset, steps=100)
     for fifth in range(5):
         assert rates[20 * fifth : 20 * fifth + 20] == [1e-3 * 0.5**fifth] * 20
-
-
-@pytest.mark.parametrize("kind", PRESETS)
-def test_our_learning_rate_falls_to_nothing(kind: str) -> None:
-    rates = learning_rates(kind, "small", steps=100)
-    assert all(a >= b for a, b in pairwise(rates))
-    assert rates[-1] < 0.01 * rates[0]
 
 
 def learning_rates(kind: str, preset: str, steps: int) -> list[float]:
@@ -139,14 +115,3 @@ def test_ours_end_with_the_unbiased_loss(
     for progress in (0.0, 0.89, 0.91):
         fitting.step(rows, progress)
     assert used == ["log", "log", ending]
-
-
-@pytest.mark.parametrize(("kind", "preset"), ALL)
-def test_the_planes_start_small_and_the_answer_finite(kind: str, preset: str) -> None:
-    small = PRESETS[kind][preset].model.model_copy(update={"resolution": 8})
-    model = NeuralAsset(small, BOUNDS)
-    n, zero = torch.tensor([[0.0, 1.0, 0.0]]), torch.zeros(1, 3)
-    at = {"position": zero, "normal": n, "tangent": n, "h": zero[:, 0], "wo": n, "wi": n}
-    y = model(at)
-    assert y.shape == (1, 3 if small.separates_direct else 2, 3)
-    assert y.abs().max() < math.log1p(10.0)

@@ -6,7 +6,11 @@ import numpy as np
 import pytest
 import torch
 
-from rna_export.training.optimization.samples import SampleTable, columns
+from rna_export.training.optimization.samples import (
+    SampleTable,
+    columns,
+    without_stray_highlights,
+)
 
 N = 1000
 
@@ -54,3 +58,31 @@ def test_a_stopped_run_goes_on_where_it_was(done: int) -> None:
 def test_fewer_samples_than_a_batch() -> None:
     rows = next(iter(make_table(batch=10 * N)))
     assert len(rows) == N
+
+
+def shadowed_and_lit(**fields: np.ndarray) -> dict[str, np.ndarray]:
+    """1,000 samples, the second half lit; two shadowed ones are highlights."""
+    radiance = np.random.default_rng(0).uniform(0.0, 0.1, (N, 3)).astype(np.float32)
+    radiance[N // 2 :] += 5.0
+    radiance[:2] = 20.0
+    visible = (np.arange(N) >= N // 2).astype(np.uint8)
+    return {"radiance": radiance, "visible": visible, **fields}
+
+
+def test_stray_highlights_in_shadow_are_clipped() -> None:
+    samples = shadowed_and_lit()
+    clipped = without_stray_highlights(samples)["radiance"]
+    assert np.all(clipped[:2] < 1.0)
+    assert np.all(clipped[:2] > 0.5)  # 8 times the 99th percentile of the others
+    assert np.array_equal(clipped[2:], samples["radiance"][2:])
+
+
+def test_light_of_strands_is_not_clipped() -> None:
+    samples = shadowed_and_lit(direct=np.zeros((N, 3), np.float32))
+    assert without_stray_highlights(samples) is samples
+
+
+def test_an_asset_that_is_black_in_shadow_is_not_clipped() -> None:
+    samples = shadowed_and_lit()
+    samples["radiance"][2 : N // 2] = 0.0
+    assert without_stray_highlights(samples) is samples

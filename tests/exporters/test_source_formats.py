@@ -10,7 +10,7 @@ import pytest
 import trimesh
 
 from rna_export.blender.rna_sources.source_formats import SOURCE_FORMATS
-from rna_export.capture.blender_axes import from_blender, to_blender
+from rna_export.capture.blender_axes import to_blender
 from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.capture.orientation import rotation
@@ -121,9 +121,3 @@ def test_an_interpreter_without_bpy_is_refused(tmp_path: Path) -> None:
     worker = BlenderWorker(Path(sys.executable), Source(scene), tmp_path, 1)
     with pytest.raises(CaptureError, match="ended without an answer"), worker:
         pass
-
-
-def test_axes_of_the_worker_are_those_of_the_sdk(open_worker: OpenWorker) -> None:
-    positions = open_worker("add([(1, 2, 3), (4, 5, 6), (7, 8, 10)], [(0, 1, 2)])").export_corners()
-    expected = from_blender(np.float32([[1, 2, 3], [4, 5, 6], [7, 8, 10]]))
-    assert np.array_equal(positions["positions"], expected)

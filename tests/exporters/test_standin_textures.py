@@ -32,7 +32,7 @@ def floor() -> Mesh:
 def model_of_place() -> NeuralAsset:
     """Outputs: the position's x and z as albedo, and a normal that leans along +x and -z."""
     bounds = torch.tensor([[-0.1, -0.1, -0.1], [1.1, 1.1, 1.1]])
-    preset = ANALYTIC["surface"].with_model(
+    preset = ANALYTIC.with_model(
         inputs=("position", "normal"), resolution=2, channels=1, hidden_layers=1, width=6
     )
     model = NeuralAsset(preset.model, bounds)

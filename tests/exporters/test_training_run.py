@@ -69,23 +69,12 @@ def test_what_a_run_leaves(trained: Path, dataset: DatasetPart) -> None:
             assert image.size == (3 * times * size, times * size)
 
 
-def test_the_best_checkpoint_holds_the_model_alone(trained: Path) -> None:
-    assert torch.load(trained / "best.ckpt", weights_only=True).keys() == {"model", "record"}
-
-
-def test_the_best_checkpoint_scores_what_the_curve_says(
-    trained: Path, dataset: DatasetPart
-) -> None:
-    model, views = load_checkpoint(trained / "best.ckpt").model, dataset.validation_views()
-    scores = score([shade(model, view) for view in views], views)
-    assert scores.psnr == pytest.approx(max(curve(trained, "psnr").values()), abs=1e-3)
+def test_the_best_checkpoint_is_that_of_least_flip(trained: Path, dataset: DatasetPart) -> None:
+    best, views = load_checkpoint(trained / "best.ckpt"), dataset.validation_views()
+    flips, psnrs = curve(trained, "flip"), curve(trained, "psnr")
+    scores = score([shade(best.model, view) for view in views], views)
+    assert scores.psnr == pytest.approx(psnrs[min(flips, key=flips.__getitem__)], abs=1e-3)
     assert scores.images == 2
-
-
-def test_training_learns(dataset: DatasetPart, tmp_path: Path) -> None:
-    train(plan(dataset, tmp_path, steps=250))
-    scores = curve(tmp_path, "psnr")
-    assert max(scores.values()) > max(20.0, min(scores.values()) + 3.0)
 
 
 def test_a_seed_repeats_to_the_bit(dataset: DatasetPart, trained: Path, tmp_path: Path) -> None:
@@ -166,12 +155,6 @@ def test_another_dataset_in_the_same_folder_is_refused(trained: Path, tmp_path: 
         train(plan(other, trained))
 
 
-def test_a_run_has_exactly_the_steps_asked_for(dataset: DatasetPart, tmp_path: Path) -> None:
-    train(plan(dataset, tmp_path, steps=21))
-    saved = torch.load(tmp_path / "last.ckpt", weights_only=True)
-    assert saved["progress"]["step"] == saved["record"]["steps"] == 21
-
-
 def test_a_finished_run_frees_its_samples(
     dataset: DatasetPart, tmp_path: Path, monkeypatch
 ) -> None:
@@ -240,11 +223,6 @@ def test_wrong_usage(dataset: DatasetPart, tmp_path: Path, option: str, monkeypa
     with pytest.raises(SystemExit) as exit_:
         main([str(dataset.folder), "--out", str(tmp_path), *option.split()])
     assert exit_.value.code == 2
-
-
-def test_a_folder_that_is_no_dataset(tmp_path: Path, capsys) -> None:
-    assert main([str(tmp_path), "--out", str(tmp_path / "run")]) == 1
-    assert "not a dataset" in capsys.readouterr().err
 
 
 def test_shading_in_pieces_is_the_same(trained: Path, dataset: DatasetPart, monkeypatch) -> None:

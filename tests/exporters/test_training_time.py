@@ -147,14 +147,6 @@ def test_a_stopped_run_takes_the_rest_of_its_time(
     assert len(clock.validated_at) >= 10
 
 
-def test_a_finished_run_stays_as_it_is(
-    finished: Finished, dataset: DatasetPart, clock: Clock
-) -> None:
-    best = (finished.folder / "best.ckpt").read_bytes()
-    assert train(run(dataset, finished.folder)).read_bytes() == best
-    assert clock.progress == []
-
-
 def test_another_length_is_refused(finished: Finished, dataset: DatasetPart) -> None:
     with pytest.raises(TrainingError, match=r"another length 1 minutes, found 2 minutes"):
         train(run(dataset, finished.folder, minutes=2.0))

@@ -7,10 +7,33 @@ import torch
 
 from rna_bench.frontier.trials.feature_network import ENCODED_DIRECTIONS
 from rna_bench.frontier.trials.grid import nrhints, with_our_optimizer
-from rna_export.training.model.neural_asset import new_model
+from rna_export.training.model.neural_asset import NeuralAsset, new_model
 from rna_export.training.optimization.losses import sample_loss
 from rna_export.training.optimization.optimizers import muon_matrices, optimizers_of
-from tests.exporters.test_model_variants import BOUNDS, model_of, samples
+from tests.exporters.synthetic import tiny
+
+BOUNDS = torch.tensor([[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]])
+
+
+def model_of(kind: str, **changes: object) -> NeuralAsset:
+    torch.manual_seed(0)
+    config = tiny(kind=kind).model.model_copy(update={"shadow_width": 0, **changes})
+    return new_model(config, BOUNDS).eval()
+
+
+def samples(n: int) -> dict[str, torch.Tensor]:
+    torch.manual_seed(1)
+    unit = torch.nn.functional.normalize(torch.randn(4, n, 3), dim=2)
+    names = ("position", "normal", "wo", "wi")
+    at = dict(zip(names, unit, strict=True))
+    return {
+        **at,
+        "tangent": at["normal"],
+        "h": torch.zeros(n),
+        "radiance": torch.rand(n, 3),
+        "direct": torch.zeros(n, 3),
+        "visible": (torch.rand(n) > 0.5).float(),
+    }
 
 
 @pytest.mark.parametrize("kind", ["surface", "fiber"])

@@ -27,10 +27,10 @@ def grid(kind: str, steps: int) -> list[Trial]:
         Trial(name="ours", family="ours", preset=models["ours"]),
         Trial(name="paper-small", family="paper", preset=models["paper-small"]),
         Trial(
-            name="no-hint",
+            name="paper-inputs",
             family="ablation",
-            preset=models["ours"].with_model(visibility_hint=False),
-            tables=("no-hint",),
+            preset=models["ours"].with_model(inputs=models["paper-small"].model.inputs),
+            tables=("paper-inputs",),
         ),
     ]
 
@@ -59,7 +59,7 @@ def out(dataset: Dataset, tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_json_has_cost_and_error_of_every_model(out: Path) -> None:
     report = json.loads((out / "frontier.json").read_text())
-    assert {p["name"] for p in report["points"]} == {"ours", "paper-small", "no-hint"}
+    assert {p["name"] for p in report["points"]} == {"ours", "paper-small", "paper-inputs"}
     for point in report["points"]:
         assert point["ns"] > 0.0 and point["ns_one_thread"] > 0.0 and point["bytes"] > 1000
         assert 0.0 < point["share_of_gemm"] < 2.0
@@ -94,8 +94,8 @@ def test_trials_are_chosen_by_name_family_and_table() -> None:
     trials = full_grid("surface")
     tables = study_module._chosen(trials, ["architecture", "channels"])
     assert tables == study_module._chosen(trials, ["paper"]) and len(tables) == 13
-    names = {trial.name for trial in study_module._chosen(trials, ["nrhints", "no-hint"])}
-    assert names == {"nrhints", "w64-no-hint", "w256-no-hint"}
+    names = {trial.name for trial in study_module._chosen(trials, ["nrhints", "paper-inputs"])}
+    assert names == {"nrhints", "w64-paper-inputs", "w256-paper-inputs"}
 
 
 def point(name: str, family: str, ns: float, psnr: float) -> dict[str, object]:

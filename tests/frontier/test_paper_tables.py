@@ -41,5 +41,5 @@ def test_ablations_stand_below_the_model_that_they_change() -> None:
         rows = [row[0] for row in paper_tables(points_of(full_grid(kind)))[2]["rows"]]
         planes = 256 if kind == "surface" else 32
         whole = rows.index(f"w64-l4-p{planes}-c{8 if kind == 'surface' else 16}")
-        assert rows[whole + 1].startswith("w64-no-hint: without the visibility hint")
+        assert rows[whole + 1].startswith("w64-paper-inputs: with the paper's inputs")
         assert all(any(row.startswith(f"w64-{name}: ") for row in rows) for name in names)

@@ -18,8 +18,6 @@ from tests.gpu.scenes import assert_same_numbers, on_cpu, on_gpu
 from tests.gpu.test_evaluate import rows
 from tests.package.prints import LABEL, STAMP, image_bytes, make_print
 
-ROWS = 2000
-
 
 @pytest.fixture(scope="module")
 def printed(tmp_path_factory: pytest.TempPathFactory) -> Path:
@@ -29,22 +27,6 @@ def printed(tmp_path_factory: pytest.TempPathFactory) -> Path:
     stamp = rng.integers(0, 256, (8, 8, 3)).astype(np.uint8)
     files = {LABEL: image_bytes(label), STAMP: image_bytes(stamp, "WEBP", lossless=True)}
     return make_print(tmp_path_factory.mktemp("printed") / "printed.rna", files)
-
-
-@pytest.mark.parametrize("tier", ["small", "hq"], ids=["one decoder", "two decoders"])
-def test_transport_as_the_runtime_has_it(printed: Path, device: Device, tier: str) -> None:
-    cpu, gpu = runtime.load(printed, tier), rna_gpu.load(printed, tier, device)
-    assert isinstance(cpu, runtime.SurfaceAsset) and isinstance(gpu, GpuSurface)
-    assert gpu.uses_base_color and len(gpu.transport) == (2 if tier == "hq" else 1)
-    queries = rows(ROWS, cpu.bounds)
-    colors = np.random.default_rng(1).uniform(size=(ROWS, 3)).astype(np.float32)
-    colors[7, 1] = np.nan
-    expected = np.hstack(cpu.evaluate(*queries, base_color=colors))
-    actual = np.hstack(gpu.evaluate(*queries, base_color=colors))
-    assert np.abs(actual - expected).max() <= 1e-3 * np.sqrt(np.mean(expected**2))
-    assert not actual[7].any()
-    black = np.hstack(gpu.evaluate(*queries, base_color=np.zeros((ROWS, 3), np.float32)))
-    assert np.mean(black < actual) > 0.2
 
 
 def test_results_of_two_decoders_that_stay_on_the_gpu(printed: Path, device: Device) -> None:

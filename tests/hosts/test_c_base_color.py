@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import subprocess
 from contextlib import closing
-from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -13,12 +12,11 @@ from PIL import Image
 
 from rna_sdk.package import BaseColor, Package
 from rna_sdk.reference.base_color import base_color_reference
-from rna_sdk.runtime import SurfaceAsset, load
+from rna_sdk.runtime import load
 from tests.hosts.c_host import SOURCES, CAsset, compiler
 from tests.hosts.test_c_host import run
 from tests.package.prints import LABEL, image_bytes, make_images, make_print, tiers
 from tests.package.test_base_color import png, saved
-from tests.runtime.points import random_points
 
 pytestmark = pytest.mark.skipif(compiler() is None, reason="needs cc and make")
 
@@ -33,32 +31,6 @@ def printed(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def records_of(package: Path) -> list[BaseColor]:
     with Package.open(package) as opened:
         return opened.base_color()
-
-
-@pytest.mark.parametrize(("precision", "tier"), list(product(("float32", "int8"), ("small", "hq"))))
-def test_light_is_that_of_the_runtime(
-    precision: str, tier: str, library: Path, tmp_path: Path
-) -> None:
-    for uses in (True, None):
-        path = make_print(tmp_path / f"{uses}.rna", tiers=tiers(uses, precision))
-        points, rng = random_points(500), np.random.default_rng(1)
-        base_color = rng.uniform(size=(500, 3)).astype(np.float32)
-        base_color[5, 1] = np.nan
-        runtime = load(path, tier)
-        assert isinstance(runtime, SurfaceAsset)
-        expected = runtime.evaluate(*points, base_color=base_color)
-        with closing(CAsset(library, path, tier)) as asset:
-            assert asset.uses_base_color is bool(uses)
-            actual = asset.evaluate(*points, base_color=base_color)
-            if uses:
-                with pytest.raises(ValueError, match=f"status {BAD_ARGUMENT}"):
-                    asset.evaluate(*points)
-            else:
-                np.testing.assert_array_equal(asset.evaluate(*points), actual)
-        for found, want in zip(actual, expected, strict=True):
-            off = ~np.isclose(found, want, rtol=1e-4, atol=1e-5)
-            assert off.any(axis=1).mean() <= (0.02 if precision == "int8" else 0)
-            assert want[5].any() != bool(uses)
 
 
 def test_the_host_sets_images_and_they_are_looked_up(printed: Path, library: Path) -> None:

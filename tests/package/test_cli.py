@@ -78,28 +78,6 @@ def test_usage_error(capsys: pytest.CaptureFixture[str]) -> None:
     assert "FILE" in capsys.readouterr().err
 
 
-def test_help_starts_with_a_sentence_and_a_command(capsys: pytest.CaptureFixture[str]) -> None:
-    with pytest.raises(SystemExit) as caught:
-        cli.main(["--help"])
-    assert caught.value.code == 0
-    lines = capsys.readouterr().out.splitlines()
-    assert lines[0].endswith(".")
-    assert lines[2].strip() == "rna-validate asset.rna"
-
-
-def test_defect_is_one_line_unless_debug(
-    tiny: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    def defect(path: str) -> None:
-        raise RuntimeError("defect")
-
-    monkeypatch.setattr(cli, "inspect", defect)
-    assert cli.main([str(tiny)]) == 1
-    assert capsys.readouterr().err.count("\n") == 1
-    with pytest.raises(RuntimeError, match="defect"):
-        cli.main([str(tiny), "--debug"])
-
-
 @pytest.mark.parametrize("options", [[], ["--json"]])
 def test_a_defect_takes_no_other_report_along(
     tiny: Path,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import json
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -14,19 +13,13 @@ import pytest
 import safetensors.numpy
 
 from rna_sdk.errors import PackageError, QueryError
-from rna_sdk.package import Curves, Package, validate, write_package
-from rna_sdk.package.manifest.manifest_reader import parse_manifest
+from rna_sdk.package import Curves, Package, validate
 from tests.package.builders import (
-    FIBER_INPUTS,
     make_curves,
-    make_manifest,
     make_mesh,
-    make_tier,
-    make_tier_data,
     make_tiny_fiber_package,
 )
 from tests.package.corpus.curve_cases import with_header
-from tests.package.corpus.manifest_cases import fiber_with_a_normal
 from tests.package.corpus.registry import CURVES
 
 NAMES = ("points", "radii", "offsets")
@@ -86,56 +79,6 @@ def test_each_kind_has_its_own_geometry(tiny: Path, tuft: Path) -> None:
         )
     with pytest.raises(QueryError, match="closed"):
         fiber.curves()
-
-
-@pytest.mark.parametrize(
-    ("kind", "inputs", "geometry"),
-    [("fiber", FIBER_INPUTS, make_mesh()), ("surface", ("features", "wo"), make_curves())],
-    ids=["mesh as fiber", "curves as surface"],
-)
-def test_writer_refuses_the_other_geometry(
-    tmp_path: Path, kind: Any, inputs: tuple[str, ...], geometry: Any
-) -> None:
-    tier = make_tier(inputs=inputs)
-    manifest = make_manifest(tier, kind=kind)
-    with pytest.raises(
-        PackageError, match=f"GEOMETRY_CONTAINER at /parts/0/geometry.*a {kind} part"
-    ):
-        write_package(tmp_path / "x.rna", manifest, [geometry], {"small": make_tier_data(tier)})
-    assert list(tmp_path.iterdir()) == []
-
-
-def test_block_of_another_kind_is_named_with_its_place(
-    fiber_entries: dict[str, bytes], tmp_path: Path
-) -> None:
-    path = tmp_path / "x.rna"
-    path.write_bytes(fiber_with_a_normal(fiber_entries))
-    (issue,) = validate(path)
-    assert (issue.code, issue.pointer_or_offset) == ("INPUT_KIND", "/tiers/0/parts/0/inputs/1")
-    assert issue.found == "normal"
-    assert "tangent" in issue.expected and "half_vector" not in issue.expected
-
-
-def test_writer_refuses_blocks_of_another_kind(tmp_path: Path) -> None:
-    tier = make_tier(inputs=("features", "half_vector"))
-    manifest = make_manifest(tier, kind="fiber")
-    with pytest.raises(PackageError, match="INPUT_KIND at /tiers/0/parts/0/inputs/1"):
-        data = {"small": make_tier_data(tier)}
-        write_package(tmp_path / "x.rna", manifest, [make_curves()], data)
-
-
-def test_geometry_may_have_any_name(tmp_path: Path) -> None:
-    path = make_tiny_fiber_package(tmp_path / "x.rna", geometry="geometry/fur.safetensors")
-    with Package.open(path) as package:
-        assert len(package.curves().points) == 9
-
-
-def test_kind_and_geometry_stand_in_the_file(fiber_entries: dict[str, bytes]) -> None:
-    manifest = json.loads(fiber_entries["manifest.json"])
-    for name in ("kind", "geometry"):
-        rest = {key: value for key, value in manifest["parts"][0].items() if key != name}
-        with pytest.raises(PackageError, match=f"^error FIELD_MISSING at /parts/0/{name}: [^\n]*$"):
-            parse_manifest(json.dumps(manifest | {"parts": [rest]}).encode())
 
 
 @pytest.mark.parametrize(

@@ -10,8 +10,6 @@ import pytest
 
 from rna_sdk.errors import PackageError, QueryError
 from rna_sdk.package import NormalMapRecord, Package, quantise, validate, write_package
-from rna_sdk.package.command import rna_validate as cli
-from rna_sdk.package.command.rna_pack import main as pack_main
 from rna_sdk.package.manifest.manifest_reader import parse_manifest
 from rna_sdk.runtime import load
 from tests.package.builders import (
@@ -55,13 +53,6 @@ def test_a_package_without_is_none_the_wiser(lantern: Path) -> None:
     assert "normalMaps" not in json.loads(read_entries(lantern)["manifest.json"])["parts"][0]
 
 
-def test_maps_stand_with_the_geometry(relief: Path) -> None:
-    assert list(read_entries(relief)) == [
-        *("manifest.json", "geometry/mesh.glb", BARK, DENT, "features/p.safetensors"),
-        *("decoders/small.onnx", "decoders/hq.onnx"),
-    ]
-
-
 def test_maps_stay_with_holes_and_quantised_geometry(tmp_path: Path) -> None:
     """A part with both kinds of records, whose ranges cross."""
     lantern = make_lantern_manifest()
@@ -77,23 +68,6 @@ def test_maps_stay_with_holes_and_quantised_geometry(tmp_path: Path) -> None:
         (actual,) = package.normal_maps()
         assert len(package.transmittance()) == 2
         np.testing.assert_array_equal(actual.texture, maps[BARK])
-
-
-def test_packing_keeps_them(relief: Path, tmp_path: Path) -> None:
-    coded, plain = tmp_path / "coded.rna", tmp_path / "plain.rna"
-    assert pack_main([str(relief), "--out", str(coded), "--deflate"]) == 0
-    assert validate(coded) == []
-    with Package.open(relief) as one, Package.open(coded) as other:
-        for a, b in zip(one.normal_maps(), other.normal_maps(), strict=True):
-            assert (a.first, a.count) == (b.first, b.count)
-            np.testing.assert_array_equal(a.texture, b.texture)
-    assert pack_main([str(coded), "--out", str(plain)]) == 0
-    assert plain.read_bytes() == relief.read_bytes()
-
-
-def test_validate_tells_of_them(relief: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert cli.main([str(relief)]) == 0
-    assert "part asset: surface, normal maps" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(

@@ -96,18 +96,6 @@ def test_equal_geometry_is_stored_once(tmp_path: Path) -> None:
         write_package(tmp_path / "x.rna", manifest, [mesh, other], {"small": data}, make_textures())
 
 
-def test_absent_members_are_not_written(lantern: Path) -> None:
-    manifest = json.loads(read_entries(lantern)["manifest.json"])
-    body, tuft = manifest["parts"]
-    assert "transmittance" not in tuft
-    assert [set(r) - {"triangles", "texture"} for r in body["transmittance"]] == [
-        {"cutoff"},
-        {"ior"},
-    ]
-    glowing, dark = manifest["tiers"][0]["parts"]
-    assert "emission" in glowing and "emission" not in dark
-
-
 @pytest.mark.parametrize(
     ("edit", "where"),
     [

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import json
 import struct
 import zipfile
 from dataclasses import replace
@@ -23,7 +22,6 @@ from rna_sdk.package import (
     TierData,
     Validation,
     float_planes,
-    validate,
     write_package,
 )
 from rna_sdk.package.container.zip_container import Container
@@ -219,15 +217,3 @@ def test_mesh_refuses_wrong_arrays() -> None:
         with pytest.raises(RnaError, match="GEOMETRY_ARRAY"):
             replace(good, **change)
     assert isinstance(good, Mesh)
-
-
-def test_unchanged_after_validation(tiny: Path) -> None:
-    before = tiny.read_bytes()
-    assert validate(tiny) == []
-    assert tiny.read_bytes() == before
-
-
-def test_manifest_in_the_file_is_camel_case(entries: dict[str, bytes]) -> None:
-    manifest = json.loads(entries["manifest.json"])
-    assert list(manifest)[:3] == ["format", "version", "generator"]
-    assert manifest["tiers"][0]["parts"][0]["planePrecision"] == "float16"

@@ -134,14 +134,6 @@ def test_halves_of_a_cut_out_are_where_its_texels_are():
     np.testing.assert_array_equal(alpha[1:-1, 9:15], 1)
 
 
-def test_a_shadow_catcher_shows_the_shadow_of_a_pane():
-    floor = made_of(square(3.0), catches_shadows=True)
-    objects = [(floor, {}), (window(0.5, 0.5), {})]
-    camera = at_point((0, 0, 0), (0.0, 0.4, 3.0))
-    channels = shoot(objects, [SUN], camera=camera, samples=1)
-    np.testing.assert_allclose(channels["A"], 1 - TAU.mean(), rtol=1e-5)
-
-
 def test_visibility_is_the_product_of_all_parts():
     """Of points of three parts; opaque triangles and strands make it 0, directions below do not."""
     first, second = window(1.0, 1.0), window(1.0, 2.0, colour=(0.5,))

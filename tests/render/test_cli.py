@@ -15,8 +15,8 @@ from PIL import Image
 from rna_render.command.rna_run import INTERRUPTED, main
 from rna_render.image.images import read_exr
 from rna_render.paths.integrator import Integrator
-from tests.render.assets import sphere, square
-from tests.render.packages import ALBEDO, SHADOWED, write_lambert_package
+from tests.render.assets import sphere
+from tests.render.packages import ALBEDO, write_lambert_package
 
 SCENE = """\
 assets:
@@ -102,15 +102,6 @@ def test_a_lens_is_for_the_cpu(folder, tmp_path, capsys):
     assert "camera.aperture: depth of field is rendered on the CPU" in capsys.readouterr().err
 
 
-def test_light_from_behind_shows_the_shadowed_output(folder, tmp_path):
-    assert run(folder / "backlit.yaml", "--out", tmp_path / "out.exr") == 0
-    channels, _ = read_exr(tmp_path / "out.exr")
-    rgb = np.stack([channels[c] for c in "RGB"], axis=-1)
-    expected = np.multiply(SHADOWED, [1, 2, 3]).astype(np.float32)
-    np.testing.assert_allclose(rgb, np.broadcast_to(expected, (8, 12, 3)), rtol=1e-6)
-    assert (channels["visibility"] == 0).all()
-
-
 def test_options_replace_what_the_scene_says(folder, tmp_path):
     options = ["--samples", 2, "--resolution", "6x5", "--seed", 9, "--tier", "hq", "--threads", 1]
     assert run(folder / "lit.yaml", "--out", tmp_path / "out.exr", *options) == 0
@@ -135,12 +126,6 @@ def test_an_image_that_cannot_be_written_is_one_line_before_the_render(folder, t
     assert run(folder / "lit.yaml", "--out", tmp_path / "out.exr") == 1
     error = capsys.readouterr().err
     assert error == f"error: {tmp_path / 'out.exr'}: cannot be written: it is a folder\n"
-
-
-def test_repetition_changes_no_byte(folder, tmp_path):
-    for name in "ab":
-        run(folder / "lit.yaml", "--out", tmp_path / f"{name}.exr")
-    assert (tmp_path / "a.exr").read_bytes() == (tmp_path / "b.exr").read_bytes()
 
 
 def test_a_fault_of_the_renderer_is_one_line_and_no_file(folder, tmp_path, capsys, monkeypatch):
@@ -211,20 +196,6 @@ def test_debug_shows_the_traceback(tmp_path, capsys):
     assert "Traceback" in capsys.readouterr().err
 
 
-def test_an_unknown_tier_is_an_error(folder, tmp_path, capsys):
-    assert run(folder / "lit.yaml", "--out", tmp_path / "out.exr", "--tier", "huge") == 1
-    assert "assets[0].tier: " in capsys.readouterr().err
-
-
-def test_help_starts_with_a_sentence_and_a_command(capsys):
-    with pytest.raises(SystemExit) as caught:
-        main(["--help"])
-    assert caught.value.code == 0
-    text = capsys.readouterr().out
-    assert "Render a scene of relightable neural assets, or one asset, to an image.\n" in text
-    assert "\n  rna-run scene.yaml --out out.exr --png out.png\n" in text
-
-
 @pytest.fixture
 def long_render(folder, tmp_path):
     """rna-run with more samples than anyone waits for, stopped by the test."""
@@ -258,30 +229,6 @@ def test_ctrl_c_writes_the_mean_of_the_finished_samples(long_render, tmp_path):
     assert f"the image is the mean of {header['rnaSamples']} of 1000000 samples" in error.decode()
     assert f"wrote {tmp_path / 'out.exr'}" in out.decode()
     np.testing.assert_allclose(channels["R"], ALBEDO[0] / np.pi, rtol=0.05)
-
-
-def test_shadows_of_other_assets_and_shared_packages(folder, tmp_path):
-    """A ball over a floor, both packages, the ball there twice."""
-    write_lambert_package(tmp_path / "floor.rna", square(size=5.0))
-    (tmp_path / "ball.rna").symlink_to(folder / "ball.rna")
-    (tmp_path / "scene.yaml").write_text(
-        "assets:\n"
-        "  - {path: floor.rna}\n"
-        "  - {path: ball.rna, transform: {translation: [0, 3, 0], scale: 0.5}}\n"
-        "  - {path: ball.rna, transform: {translation: [3, 1, 0], scale: 0.5}}\n"
-        "camera: {position: [0, 0.4, 4], look_at: [0, 0, 0], vertical_fov_deg: 2}\n"
-        "lights: [{type: directional, direction: [0, 1, 0], irradiance: [1, 1, 1]}]\n"
-        "resolution: [32, 24]\n"
-        "max_depth: 1\n"
-    )
-    assert run(tmp_path / "scene.yaml", "--out", tmp_path / "out.exr", "--samples", 16) == 0
-    channels, _ = read_exr(tmp_path / "out.exr")
-    x, z = channels["position.X"], channels["position.Z"]
-    assert (channels["assetId"] == 1).all()
-    inside, outside = np.hypot(x, z) < 0.45, np.hypot(x, z) > 0.55
-    assert inside.any() and outside.any()
-    assert (channels["visibility"][inside] == 0).all() and (channels["R"][inside] == 0).all()
-    assert (channels["visibility"][outside] == 1).all()
 
 
 def test_the_image_so_far_is_written_after_the_first_sample_and_then_so_often(folder, tmp_path):

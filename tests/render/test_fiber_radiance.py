@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import numba
 import numpy as np
 import pytest
 
@@ -14,7 +13,7 @@ from rna_render.scene.scene_model import TransformModel
 from rna_render.scene.transforms import world_from_object
 from tests.render.assets import FiberProbe, LambertAsset, sphere, square
 from tests.render.packages import SHADOWED, write_offset_package
-from tests.render.stage import ABOVE, SKY, SUN, WHITE, image, rgb
+from tests.render.stage import SKY, SUN, WHITE, image, rgb
 from tests.render.strands import curls, straight
 
 SHADOW_COLOUR = (0.0, 0.0, 7.0)
@@ -140,21 +139,6 @@ def test_kinds_may_be_mixed_in_any_order():
     for number in (1, 3):
         strand = channels["assetId"] == number
         np.testing.assert_allclose(channels["R"][strand] / channels["A"][strand], 1, atol=1e-5)
-
-
-def test_the_same_seed_gives_the_same_image_on_any_number_of_threads_and_bands(monkeypatch):
-    asset = FiberProbe(curls(40, radius=0.05), SHADOW_COLOUR)
-    first = image([(asset, {}), (asset, TURN)], [SUN, SKY], camera=ABOVE)
-    threads = numba.get_num_threads()
-    monkeypatch.setattr("rna_render.paths.bands.BAND", 37)
-    try:
-        numba.set_num_threads(1)
-        second = image([(asset, {}), (asset, TURN)], [SUN, SKY], camera=ABOVE)
-    finally:
-        numba.set_num_threads(threads)
-    assert 0.2 < np.mean(first["assetId"] > 0)
-    for name, plane in first.items():
-        np.testing.assert_array_equal(plane, second[name], err_msg=name)
 
 
 def test_a_fiber_package_is_rendered_as_its_asset(tmp_path):

@@ -85,12 +85,6 @@ def test_two_copies_of_one_scene_block_one_another_many_times_over():
     assert not scene.occluded(origins, -up, start_instance=start_instance).any()
 
 
-def test_one_instance_has_no_others():
-    scene = InstanceScene([Instance(scene_of(square()), np.eye(4))])
-    ray = np.float32([[0, -1, 0]]), np.float32([[0, 1, 0]])
-    assert scene.occluded(*ray, start_instance=np.int32([0])).tolist() == [False]
-
-
 @pytest.mark.parametrize("mask_bits", [0, 3])
 def test_what_rays_pass_through_does_not_depend_on_how_they_are_told(monkeypatch, mask_bits):
     """By a bit of the mask for each instance, or by a filter."""

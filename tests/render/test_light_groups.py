@@ -106,14 +106,6 @@ def test_a_lamp_stands_in_the_way_of_other_light(visible):
     np.testing.assert_allclose(actual.mean, np.array(WHITE) / np.pi, rtol=1e-5)
 
 
-def test_the_back_of_a_disk_is_dark():
-    camera = {"position": (0, 3, 6), "look_at": (0, 3, 0), "vertical_fov_deg": 1}
-    away = [(LambertAsset(square(1.0)), {"translation": (0, -50, 0)})]
-    turned = DISK | {"look_at": (0, 3, -9)}
-    channels = shoot(away, [turned, SKY], camera=camera, samples=1)
-    assert (rgb(channels) == 0).all() and (channels["A"] == 1).all()
-
-
 def test_an_object_that_shines_is_in_no_group_but_in_the_image():
     lamp = made_of(flat(square(0.5)), base_color=(0.2, 0.2, 0.2), emission=(1, 2, 3))
     placed = [*objects(), (lamp, {"translation": (0, 2.5, 0)})]

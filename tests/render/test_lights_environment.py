@@ -135,13 +135,6 @@ def test_mis_compensated_directions_follow_the_density(name):
     assert not dim.any() or (image.compensated().lookup(d[dim])[1] == 0).mean() > 0.5
 
 
-def test_an_image_of_one_colour_needs_no_compensation():
-    image = EquirectangularImage(IMAGES["one colour"])
-    up = np.float32([[0, 1, 0]])
-    for values, expected in zip(image.compensated().lookup(up), image.lookup(up), strict=True):
-        np.testing.assert_allclose(values, expected, rtol=1e-6)
-
-
 def test_intervals_are_found_from_wherever_the_search_starts():
     cumulative = np.array([0.0, 0.0, 1.0, 1.0, 1.0, 4.0, 4.5, 4.5])
     for value, interval in ((0.0, 1), (0.99, 1), (1.0, 4), (3.9, 4), (4.0, 5), (4.4, 5)):
@@ -174,41 +167,6 @@ def test_a_dim_sky_beside_a_bright_sun_is_sampled_too():
     cell = np.floor((0.5 + np.arctan2(d[:, 0], -d[:, 2]) / (2 * np.pi)) * 128 - 0.5).astype(int)
     counts = np.bincount(cell % 128, minlength=128)
     assert (counts[42:127] > 20).all() and counts[1:41].sum() == 0
-
-
-@pytest.mark.parametrize("normal", [(0, 1, 0), (0, 0, -1), (0.6, 0, 0.8)])
-@pytest.mark.parametrize("name", ["one colour", "smooth", "random"])
-def test_irradiance_is_that_of_a_quadrature(name, normal):
-    image = EquirectangularImage(IMAGES[name], 0.4)
-    n = 512
-    i, j = np.meshgrid(np.arange(n), np.arange(n), indexing="ij")
-    u = (np.stack([i.ravel(), j.ravel()], 1) + np.random.default_rng(3).random((n * n, 2))) / n
-    d, radiance, pdf = image.sample(u)
-    weight = np.maximum(d @ np.float32(normal), 0) / pdf
-    got = np.mean(radiance * weight[:, None], axis=0)
-
-    z = (np.arange(1000) + 0.5) / 500 - 1
-    phi = (np.arange(2000) + 0.5) / 1000 * np.pi
-    z, phi = (a.ravel() for a in np.meshgrid(z, phi, indexing="ij"))
-    r = np.sqrt(1 - z * z)
-    grid = np.stack([r * np.cos(phi), z, r * np.sin(phi)], 1).astype(np.float32)
-    cosine = np.maximum(grid @ np.float32(normal), 0)
-    expected = np.mean(image.lookup(grid)[0] * cosine[:, None], axis=0) * 4 * np.pi
-    np.testing.assert_allclose(got, expected, rtol=0.005)
-    if name == "one colour":
-        np.testing.assert_allclose(got, np.pi * 0.3, rtol=0.005)
-
-
-def test_an_image_of_one_colour_is_that_colour(tmp_path):
-    path = tmp_path / "grey.exr"
-    write_exr(path, {name: np.full((4, 8), 0.5, np.float32) for name in "RGB"}, {})
-    image = light("environment", path=path, radiance=(1, 2, 4))
-    plain = light("environment", radiance=(0.5, 1, 2))
-    d, _, _ = EquirectangularImage(IMAGES["smooth"]).sample(squares(100))
-    np.testing.assert_allclose(
-        image.eval_environment(d)[0], plain.eval_environment(d)[0], rtol=1e-6
-    )
-    assert image.power(3.0) == pytest.approx(plain.power(3.0), rel=1e-6)
 
 
 def test_a_black_image_gives_nothing():

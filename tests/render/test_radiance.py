@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-import numba
 import numpy as np
 import pytest
 
-from rna_render.paths.bands import SMALL_BAND
-from rna_render.paths.integrator_factory import make_integrator
-from rna_render.paths.render import render
 from tests.render.assets import LambertAsset, merged, sphere, square
-from tests.render.stage import ABOVE, LOW, SKY, SUN, WHITE, image, rgb, stage
+from tests.render.stage import ABOVE, LOW, SKY, SUN, WHITE, image, rgb
 
 ALBEDO = np.array([0.8, 0.5, 0.2])
 SHADOW_COLOUR = (0.0, 0.0, 7.0)
@@ -148,28 +144,6 @@ def test_turning_everything_changes_no_radiance(floor):
     np.testing.assert_allclose(turned["position.Y"], straight["position.X"], atol=1e-4)
 
 
-def test_the_same_seed_gives_the_same_image_on_any_number_of_threads(ball):
-    placed, lights = [(ball, {}), (ball, {"translation": (1, 0, 0)})], [SUN, SKY]
-    first = image(placed, lights, seed=5)
-    threads = numba.get_num_threads()
-    try:
-        numba.set_num_threads(1)
-        second = image(placed, lights, seed=5)
-    finally:
-        numba.set_num_threads(threads)
-    for name, plane in first.items():
-        np.testing.assert_array_equal(plane, second[name], err_msg=name)
-    assert (rgb(image(placed, lights, seed=6)) != rgb(first)).any()
-
-
-def test_the_image_does_not_depend_on_how_it_is_cut_into_bands(ball, monkeypatch):
-    whole = image([(ball, {})], [SUN, SKY])
-    assert 16 * 12 < SMALL_BAND
-    monkeypatch.setattr("rna_render.paths.bands.BAND", 37)
-    for name, plane in image([(ball, {})], [SUN, SKY]).items():
-        np.testing.assert_array_equal(plane, whole[name], err_msg=name)
-
-
 def test_aovs_name_what_is_there(floor, ball):
     """A ball on the left half of the image, over a floor; instances numbered as in the file."""
     small = {"translation": (-1, 0.5, 0), "scale": 0.5}
@@ -192,22 +166,3 @@ def test_the_background_is_transparent_unless_the_environment_shows(ball):
         channels = image([(ball, {})], lights, camera=away)
         assert (channels["A"] == alpha).all() and (rgb(channels) == alpha).all()
         assert (channels["assetId"] == 0).all() and (channels["normal.Y"] == 0).all()
-
-
-def test_a_stopped_render_is_the_mean_of_its_finished_samples(ball):
-    two = image([(ball, {})], [SKY], samples=2)
-    scene, world = stage([(ball, {})], [SKY], samples=64)
-    bands = []
-    film = render(scene, make_integrator(scene, world), lambda: len(bands) == 2, bands.append)
-    assert film.samples == 2
-    np.testing.assert_array_equal(rgb(film.channels()), rgb(two))
-
-
-def test_a_sample_that_was_stopped_half_way_is_dropped(ball, monkeypatch):
-    one = image([(ball, {})], [SKY], samples=1)
-    monkeypatch.setattr("rna_render.paths.integrator.Integrator.band", 100)
-    scene, world = stage([(ball, {})], [SKY], samples=64)
-    bands = []
-    film = render(scene, make_integrator(scene, world), lambda: len(bands) == 3, bands.append)
-    assert film.samples == 1
-    np.testing.assert_array_equal(rgb(film.channels()), rgb(one))

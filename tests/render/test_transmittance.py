@@ -181,13 +181,6 @@ def test_passing_is_not_the_same_for_rays_side_by_side():
     assert abs(agree - (p * p + (1 - p) ** 2)) < 0.006
 
 
-def test_grey_layers_need_no_weights():
-    placed = InstanceScene([Instance(stack([GREY[:1], None]), np.eye(4))])
-    hits = placed.intersect(*upward(100_000))
-    assert hits.weight is None
-    assert abs(np.mean(hits.t > 1.5) - stepped(GREY)[0]) < 0.006
-
-
 def test_strands_are_blocked_as_without_transmittance():
     curves = curls(60)
     clear = square(size=2.0)

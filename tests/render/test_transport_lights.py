@@ -43,11 +43,6 @@ def parallel_rectangle(half_width, half_height, h):
     return 2 / np.pi * (a / p * np.arctan(b / p) + b / q * np.arctan(a / q))
 
 
-def test_a_directional_light():
-    sun = {"type": "directional", "direction": (3, 4, 0), "irradiance": RGB}
-    assert_brings(sun, 0.8, ways=["both", "lights"])
-
-
 @pytest.mark.parametrize("diameter", [10, 60])
 def test_a_directional_light_with_an_angular_diameter(diameter):
     sun = {

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -10,7 +9,6 @@ import numpy as np
 import pytest
 
 from rna_sdk.package import query_width
-from rna_view.site_files import Site
 from rna_view.site_source import site_for
 from tests.conftest import REPOSITORY
 from tests.package.builders import INPUTS, make_tier, make_tiny_fiber_package, make_tiny_package
@@ -20,7 +18,6 @@ from tests.web.pages import FIRST_LOOK, TIMEOUT, base64_of, notice, viewer, wait
 
 pytestmark = pytest.mark.chromium
 
-KIT = REPOSITORY / "spec" / "conformance"
 TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
 FILE = "new File([Uint8Array.from(atob('{data}'), (c) => c.charCodeAt(0))], '{name}')"
 
@@ -82,13 +79,6 @@ def test_drag_orbits_and_alt_drag_turns_the_light(page):
         assert canvas_of(page) != picture
 
 
-def test_wheel_comes_nearer(page):
-    before = page.evaluate("rnaViewer.orbit.distance")
-    page.mouse("mouseWheel", 60, 60, deltaX=0, deltaY=-100)
-    page.wait_for(f"rnaViewer.orbit.distance < {before}", TIMEOUT)
-    page.wait_for("!rnaViewer.viewer.moving", TIMEOUT)
-
-
 def test_size_of_the_window(page):
     for width, height in ((200, 90), (160, 120)):
         page.call(
@@ -99,22 +89,6 @@ def test_size_of_the_window(page):
             f"rnaViewer.canvas.width === {width} && rnaViewer.canvas.height === {height}", TIMEOUT
         )
         wait_for_picture(page, 3)
-
-
-def test_tier_is_switched(page):
-    first = page.evaluate("document.getElementById('size').textContent")
-    page.evaluate(
-        """(async () => {
-            const tier = document.getElementById("tier");
-            tier.value = "hq";
-            await rnaViewer.switchTier("hq");
-        })()"""
-    )
-    wait_for_picture(page, 3)
-    assert page.evaluate("rnaViewer.shown.name") == "hq"
-    assert page.evaluate("document.getElementById('size').textContent") != first
-    page.evaluate("rnaViewer.switchTier('small')")
-    wait_for_picture(page, 3)
 
 
 def test_dropped_package_is_shown(page, tmp_path, package):
@@ -196,41 +170,6 @@ def write_image(path: Path, rows: np.ndarray) -> Path:
     return path
 
 
-def test_broken_packages_get_one_line_each(page, package):
-    cases = json.loads((KIT / "kit.json").read_text())["validate"]
-    broken = [KIT / case["package"] for case in cases if not case["valid"]]
-    # What the page has no use for, and so does not read: proxies, the second tier, other variants.
-    unread = {
-        "proxy_that_is_no_mesh.rna",
-        "decoder_of_shadowed_light_without_factors.rna",
-        "decoder_of_transport_beside_one_of_shadowed_light.rna",
-        "decoder_of_visible_light_for_shadowed.rna",
-        "one_decoder_for_visible_and_for_shadowed_light.rna",
-        "variant_whose_image_is_none.rna",
-    }
-    wrong = []
-    for path in broken:
-        if path.name in unread:
-            continue
-        file = FILE.format(data=base64_of(path), name=path.name)
-        page.evaluate(f"rnaViewer.notices.place.hidden = true, rnaViewer.open({file})")
-        line = notice(page)
-        if line is None or "\n" in line or not line.endswith("]") or "did not work" in line:
-            wrong.append(f"{path.name}: {line}")
-    assert not wrong, "\n".join(wrong)
-    page.evaluate("rnaViewer.failures = 0")
-    drop(page, package)
-    wait_for_picture(page, 3)
-    assert notice(page) is None
-
-
-def test_lost_device_comes_back(page):
-    page.evaluate("globalThis.before = rnaViewer.engine, before.device.destroy()")
-    page.wait_for("rnaViewer.engine !== before && rnaViewer.viewer?.stats.rounds >= 3", TIMEOUT)
-    wait_for_picture(page, 3)
-    assert notice(page) is None
-
-
 # Counts bytes of buffers that were not let go.
 COUNT_BUFFERS = """
     globalThis.alive = 0;
@@ -285,8 +224,3 @@ def test_page_without_any_gpu_shows_the_poster_and_one_line():
         assert page.evaluate(f"[rnaViewer.failures, {parts}.poster.hidden]") == [1, False]
         fetched = "performance.getEntriesByType('resource').map((one) => one.transferSize)"
         assert page.evaluate(f"Math.max(...{fetched})") < TOY.stat().st_size / 2
-
-
-def test_page_without_its_panel():
-    with viewer(Site({}, {}), "ui=0") as page:
-        assert page.evaluate("getComputedStyle(document.getElementById('panel')).display") == "none"

@@ -14,7 +14,6 @@ from rna_sdk.errors import WorkError
 from rna_work.backend import Needs
 from rna_work.executors import Executor, open_executor
 from rna_work.pool import Pool
-from rna_work.timeouts import Timeouts
 from rna_work.workers import WorkerLost
 from tests.work.workers import CannotStart, Doubling, Once, Repeating
 
@@ -47,13 +46,6 @@ def test_failures_are_as_on_one_machine(executor: Executor, tmp_path: Path) -> N
     with Pool(executor.workers(CORE, 1), CannotStart) as pool:
         with pytest.raises(ValueError, match="cannot start"):
             list(pool.run([1]))
-
-
-def test_what_hangs_is_ended_and_run_again(executor: Executor, tmp_path: Path) -> None:
-    timeouts = Timeouts(least=1.0)
-    with Pool(executor.workers(CORE, 2), Repeating, attempts=2, timeouts=timeouts) as pool:
-        actual = [o.value() for o in pool.run([1, 2, 3, Once(tmp_path / "mark", "hang"), 4])]
-    assert sorted(map(str, actual)) == ["2", "4", "6", "8", "done"]
 
 
 def test_a_worker_that_dies_over_and_over_fails_its_item(executor: Executor) -> None:
@@ -93,14 +85,6 @@ def test_files_that_are_elsewhere_and_missing_are_an_error(
     executor.carry(source, fixed=[outside])  # all nodes are this machine, which has it
     with pytest.raises(WorkError, match=r"toy\.blend reads .*gone\.png by an absolute path"):
         check_elsewhere(source, {tmp_path / "gone.png": "0"})
-
-
-def test_no_cluster_is_one_line() -> None:
-    with (
-        pytest.raises(WorkError, match=r"^--cluster 127\.0\.0\.1:1: no cluster answers: "),
-        open_executor("127.0.0.1:1"),
-    ):
-        pass
 
 
 class BusyHead:
@@ -178,12 +162,3 @@ def test_local_is_a_cluster_of_its_own(monkeypatch: pytest.MonkeyPatch) -> None:
     with open_executor("local"):
         assert seen["address"] == "local"
     assert not seen
-
-
-def test_ray_s_reason_of_a_death_is_told() -> None:
-    from rna_work.cluster.ray_slots import first_line
-
-    message = "The actor died.\n\tpid: 3\nThe actor is dead because its node has died.\n\tmore"
-    expected = "The actor died. The actor is dead because its node has died."
-    assert first_line(RuntimeError(message)) == expected
-    assert first_line(RuntimeError()) == "RuntimeError"

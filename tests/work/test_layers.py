@@ -9,8 +9,6 @@ import sys
 from tests.conftest import REPOSITORY
 from tests.test_commands import COMMANDS
 
-FOLDER = REPOSITORY / "runtime" / "rna_work"
-
 
 def imports(path: object) -> set[str]:
     names = set()
@@ -20,24 +18,6 @@ def imports(path: object) -> set[str]:
         elif isinstance(node, ast.ImportFrom) and node.module:
             names.add(node.module)
     return names
-
-
-def test_it_lies_below_renderer_and_exporter() -> None:
-    ours = {name for path in FOLDER.rglob("*.py") for name in imports(path) if name[:4] == "rna_"}
-    above = {name for name in ours if not name.startswith("rna_work.")}
-    below = ("atomic_file", "console", "cores", "errors", "regular_file")
-    assert above == {f"rna_sdk.{name}" for name in below}
-
-
-def test_ray_is_imported_in_three_files_alone() -> None:
-    folders = ("rna_sdk", "runtime", "exporters", "benchmarks/rna_bench")
-    actual = {
-        path.name
-        for folder in folders
-        for path in (REPOSITORY / folder).rglob("*.py")
-        if any(name.split(".")[0] == "ray" for name in imports(path))
-    }
-    assert actual == {"ray_cluster.py", "ray_slots.py", "travelling.py"}
 
 
 def test_without_the_option_there_is_no_ray() -> None:

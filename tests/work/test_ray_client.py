@@ -86,20 +86,6 @@ def run(environment: dict[str, str], *arguments: object) -> subprocess.Completed
     return subprocess.run(command, env=environment, capture_output=True, text=True, timeout=SECONDS)
 
 
-def test_frames_have_the_same_bits(
-    address: str, environment: dict[str, str], scene: Path, tmp_path: Path
-) -> None:
-    for name in ("a", "b"):
-        (tmp_path / name).mkdir()
-    assert render([str(scene), "--frames", "all", "--out", str(tmp_path / "a" / "%d.exr")]) == 0
-    there = tmp_path / "b" / "%d.exr"
-    done = run(environment, scene, "--frames", "all", "--out", there, "--cluster", address)
-    assert done.returncode == 0, done.stderr
-    for number in range(4):
-        frames = [tmp_path / name / f"{number}.exr" for name in ("a", "b")]
-        assert frames[0].read_bytes() == frames[1].read_bytes()
-
-
 def test_an_image_has_the_same_bits(
     address: str, environment: dict[str, str], scene: Path, tmp_path: Path
 ) -> None:

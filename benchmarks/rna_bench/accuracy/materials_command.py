@@ -36,7 +36,7 @@ _VIEWS, _SIDE, _LABEL = 2, 128, 22
 def run(args: argparse.Namespace) -> None:
     """Make what is missing, then the table and the picture."""
     rows, pictures = [], []
-    for name in args.materials:
+    for name in NAMES:
         package = args.work / f"{name}.rna"
         if not package.is_file():
             _make(package, name, args)
@@ -102,9 +102,6 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     """The options of this command."""
     parser.add_argument(
         "--work", type=Path, default=Path("bench", "materials"), help="folder of the packages"
-    )
-    parser.add_argument(
-        "--materials", nargs="+", choices=NAMES, default=list(NAMES), help="which ones"
     )
     parser.add_argument("--lights", type=int, default=250, help="light directions of each")
     parser.add_argument("--steps", type=int, default=4000, help="training steps of each")

@@ -16,7 +16,6 @@ _PAPER_CHANNELS_PSNR = (33.51, 34.09, 34.40, 34.33)
 
 _ABLATIONS = {
     "our-optimizer": "with our optimizer",
-    "no-hint": "without the visibility hint",
     "no-h": "without h",
     "no-learned-normal": "without the learned normal",
     "paper-inputs": "with the paper's inputs",

@@ -1,7 +1,8 @@
 """The material that a baked glTF or strand shader could have, on known geometry.
 
-The model of `rna-train --preset analytic`, which learns from captured rays there and from the same
-images as the other peers here: parameters by place, the analytic BRDF, times the visibility.
+Parameters by place, the analytic BRDF, times the visibility. Of surfaces it is the model of
+`rna-train --preset analytic`, which learns from captured rays there and from the same images as
+the other peers here.
 """
 
 from __future__ import annotations
@@ -13,13 +14,17 @@ import torch
 from torch import Tensor, nn
 from torch.nn.functional import normalize
 
+from rna_bench.peers.kajiya_kay import HAIR_OUTPUTS, hair_material, hair_radiance
 from rna_bench.peers.known_method import KnownMethod, Points
 from rna_bench.peers.method import Budget, Training
 from rna_bench.peers.methods import Setting
 from rna_bench.peers.views import Views
+from rna_export.training.model.analytic import gltf_material, gltf_radiance
+from rna_export.training.model.layers import new_layers
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.presets import ANALYTIC
 from rna_sdk.errors import TrainingError
+from rna_sdk.package import query_width
 
 BATCH, RATE = 2048, 1e-2  # the rate of our planes
 
@@ -32,7 +37,12 @@ class _Model(nn.Module):
     def __init__(self, kind: str):
         super().__init__()
         bounds = torch.tensor([[-1.0] * 3, [1.0] * 3])
-        self.asset = NeuralAsset(ANALYTIC[kind].model, bounds)
+        self.is_strand = kind == "fiber"
+        model = ANALYTIC.model
+        self.asset = NeuralAsset(model, bounds)
+        if self.is_strand:  # an axis is three columns, too
+            columns = query_width(model.inputs, model.channels)
+            self.asset.decoder = new_layers(columns, model.width, model.hidden_layers, HAIR_OUTPUTS)
         self.register_buffer("intensity", torch.tensor(1.0))
 
 
@@ -65,9 +75,13 @@ class KnownMaterial(KnownMethod):
         """As `KnownMethod.shaded`; the model's radiance is that of irradiance 1."""
         way = at.lights - at.points
         squared = way.square().sum(dim=1, keepdim=True)
-        where = {"position": at.points, "normal": at.normals, "tangent": at.tangents}
-        where["h"] = torch.zeros_like(at.visible)  # which these materials do not know
-        queries = {**where, "wo": -at.directions, "wi": normalize(way, dim=1)}
-        asset = self.model.asset
-        lit = asset.transport(asset(queries))[:, 0]
+        asset, axis = self.model.asset, at.tangents if self.model.is_strand else at.normals
+        directions = axis, -at.directions, normalize(way, dim=1)
+        where = dict(zip(("normal", "wo", "wi"), directions, strict=True))
+        outputs = asset.decoder(asset.queries({"position": at.points, **where}))
+        lit = (
+            hair_radiance(hair_material(outputs), *directions)
+            if self.model.is_strand
+            else gltf_radiance(gltf_material(outputs), *directions)
+        )
         return lit * at.visible[:, None] * self.model.intensity / squared

@@ -33,6 +33,8 @@ from rna_sdk.errors import RnaError
 from rna_work.processor_time import process_seconds, process_threads
 
 _LOOP = "while True: pass"
+_LOOPS, _SECONDS = [2, 4], 8.0
+"""Busy processes beside the work, each number in turn; time of a measurement."""
 EFFICIENCY = 0.8
 """Of so many times the rate of one thread: the mark for captures, renders and queries."""
 
@@ -41,21 +43,19 @@ def run(args: argparse.Namespace) -> None:
     cores, rows = core_count(), {}
     for name in args.work:
         try:
-            rows[name] = measure(name, args.threads or _numbers(cores), args.loops, args.seconds)
+            rows[name] = measure(name, args.threads or _numbers(cores), _LOOPS, _SECONDS)
         except RnaError as error:
             print(f"{name}: {error}", file=sys.stderr)
             continue
         print("\n".join(lines(name, rows[name])), file=sys.stderr, flush=True)
     if args.picture is not None:
         draw(rows, args.picture)
-    publish({"cores": cores, "seconds": args.seconds, "work": rows}, args)
+    publish({"cores": cores, "seconds": _SECONDS, "work": rows}, args)
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("--threads", type=int, nargs="+", metavar="N", help="threads (default: 1, 2, 4, ... cores)")
-    add("--loops", type=int, nargs="*", default=[2, 4], help="busy processes beside, each in turn")
-    add("--seconds", type=float, default=8.0, help="time of a measurement")
     add("--work", nargs="+", choices=list(WORK), default=list(WORK), help="what is measured")
     add("--picture", type=Path, help="chart of the rates (SVG or PNG, default: none)")
     add_out(parser)

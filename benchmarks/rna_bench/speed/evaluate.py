@@ -29,13 +29,16 @@ from rna_bench.speed.random_package import HIDDEN_LAYERS, INPUTS, write_random_p
 from rna_export.export.precision import PRECISIONS
 from rna_export.machine import seconds_of
 
+_CHANNELS, _SECONDS, _REPEATS = 8, 0.3, 9
+"""Features per texel; about the time of an evaluation; evaluations, of which the median counts."""
+
 
 def run(args: argparse.Namespace) -> None:
     report: dict[str, Any] = {
-        "planes": [3, args.resolution, args.resolution, args.channels],
+        "planes": [3, args.resolution, args.resolution, _CHANNELS],
         "inputs": INPUTS,
         "hidden_layers": HIDDEN_LAYERS,
-        "repeats": args.repeats,
+        "repeats": _REPEATS,
         "widths": [measure(width, args) for width in args.widths],
     }
     publish(report, args)
@@ -49,11 +52,6 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--precisions", nargs="+", choices=list(PRECISIONS), default=["float32"], help="of tiers"
     )
     parser.add_argument("--resolution", type=int, default=512, help="texels along a plane's side")
-    parser.add_argument("--channels", type=int, default=8, help="features per texel")
-    parser.add_argument(
-        "--seconds", type=float, default=0.3, help="approximate time of one evaluation"
-    )
-    parser.add_argument("--repeats", type=int, default=9, help="runs, of which the median counts")
     add_out(parser)
 
 
@@ -61,12 +59,12 @@ def measure(width: int, args: argparse.Namespace) -> dict[str, Any]:
     """The record of one decoder width."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "random.rna"
-        write_random_package(path, width, args.resolution, args.channels)
+        write_random_package(path, width, args.resolution, _CHANNELS)
         assets = {name: load_one_part(path, name) for name in args.precisions}
         asset = next(iter(assets.values()))
-        n = batch_size(asset, args.seconds)
+        n = batch_size(asset)
         batches = {"random": random_points(n), "coherent": sphere_scan(n)}
-        gemm, rates = alternate(assets, batches, args.repeats)
+        gemm, rates = alternate(assets, batches)
         columns = asset.tier_part.query_width
         flop = 2 * sum(a * b for a, b in pairwise([columns, *[width] * HIDDEN_LAYERS, 6]))
         records: dict[str, Any] = {precision: {} for precision in assets}
@@ -86,16 +84,16 @@ def measure(width: int, args: argparse.Namespace) -> dict[str, Any]:
     }
 
 
-def batch_size(asset: OnePart, seconds: float) -> int:
-    """A number of queries that takes about this long."""
+def batch_size(asset: OnePart) -> int:
+    """A number of queries that takes about _SECONDS."""
     trial = random_points(65_536)
     asset.evaluate(*trial)
     rate = len(trial[0]) / seconds_of(lambda: asset.evaluate(*trial))
-    return int(np.clip(rate * seconds, 16_384, 2**22))
+    return int(np.clip(rate * _SECONDS, 16_384, 2**22))
 
 
 def alternate(
-    assets: dict[str, OnePart], batches: dict[str, Arrays], repeats: int
+    assets: dict[str, OnePart], batches: dict[str, Arrays]
 ) -> tuple[float, dict[tuple[str, str], float]]:
     """GFLOP/s of the matrix product, and queries/s of each asset and batch, by their names.
 
@@ -106,7 +104,7 @@ def alternate(
     results = np.zeros((size, 3), np.float32), np.zeros((size, 3), np.float32)
     gemm: list[float] = []
     rates: dict[tuple[str, str], list[float]] = {(p, b): [] for p in assets for b in batches}
-    for _ in range(repeats + 1):  # the first run warms caches and threads
+    for _ in range(_REPEATS + 1):  # the first run warms caches and threads
         gemm.append(GEMM_FLOP / 1e9 / product())
         for precision, name in rates:
             asset, batch = assets[precision], batches[name]

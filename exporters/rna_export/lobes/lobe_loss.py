@@ -13,7 +13,6 @@ from torch import Tensor
 from rna_export.lobes.directions import even_directions
 from rna_export.lobes.view_points import Rows
 from rna_sdk.compiled import compiled
-from rna_sdk.reference.lobes import SMALLEST_KAPPA
 from rna_sdk.runtime.kernels.lane_memory import load_lanes, store_lanes
 from rna_sdk.runtime.kernels.lane_vectors import between, exp
 from rna_sdk.runtime.kernels.lanes import LANES
@@ -26,6 +25,9 @@ _STRIDE = 7  # in concentrations between neighbouring lights: none has a part of
 LIMIT = 80.0  # of exponents: exp, compiled, knows no smaller ones than -174
 
 _SUMS = ("contract", "reassoc", "nsz")  # sums in any order, several at a time
+SMALLEST_KAPPA = 0.01
+"""Of an axis: `spec/RNA.md`, 12.1."""
+
 _SMALLEST, _TWO_PI = np.float32(SMALLEST_KAPPA), np.float32(2.0 * math.pi)
 _ZERO, _ONE, _TWO = np.float32(0.0), np.float32(1.0), np.float32(2.0)
 

@@ -7,10 +7,11 @@ import math
 import torch
 from torch import Tensor, nn
 
+from rna_export.lobes.lobe_loss import SMALLEST_KAPPA
 from rna_export.lobes.lobe_queries import LobeInputs, QueryRows
 from rna_export.lobes.view_points import LobesAt, Rows, ViewPoints
 from rna_export.training.model.layers import new_layers, through
-from rna_sdk.reference.lobes import NARROW, SHIFT, SMALLEST_KAPPA, WIDE
+from rna_sdk.runtime.kernels.lobe_kernels import NARROW, SHIFT, WIDE
 
 LOBES = 8
 WIDTH, HIDDEN_LAYERS = 88, 2  # of the decoder

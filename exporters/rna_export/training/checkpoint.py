@@ -99,6 +99,7 @@ def _saved(path: Path) -> dict[str, Any]:
 
 def _trained(saved: dict[str, Any]) -> Trained:
     record, weights = saved["record"], saved["model"]
+    record["preset"]["model"].pop("visibility_hint", None)  # of trainings before 2026-11-28, True
     preset = Preset.model_validate(record["preset"])
     bounds = torch.stack([weights["triplane.low"], weights["triplane.high"]])
     _check_weights(preset.model, bounds, weights)

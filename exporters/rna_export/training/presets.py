@@ -11,8 +11,10 @@ _PAPER_INPUTS = {
     "surface": ("features", "normal", "wo", "wi"),
     "fiber": ("features", "tangent", "h", "wo", "wi"),
 }
+# Position tells places apart that share texels of a plane (docs/decisions/model.md).
+_SURFACE_INPUTS = ("features", "position", "normal", "wo", "wi")
 _OUR_INPUTS = {
-    "surface": (*_PAPER_INPUTS["surface"], "half_vector", "highlight", "learned_normal"),
+    "surface": (*_SURFACE_INPUTS, "half_vector", "highlight", "learned_normal"),
     "fiber": (*_PAPER_INPUTS["fiber"], "fiber_angles", "fiber_lobes"),
 }
 
@@ -25,7 +27,7 @@ Optimizer = Literal["adam", "muon"]
 OPTIMIZERS: tuple[Optimizer, ...] = get_args(Optimizer)
 
 
-Material = Literal["learned", "gltf", "kajiya_kay"]
+Material = Literal["learned", "gltf"]
 
 
 MAX_MODEL_WIDTH = 8192
@@ -48,16 +50,13 @@ class ModelConfig(BaseModel, extra="forbid", frozen=True):
     separates_direct: bool = Field(
         False, description="direct and scattered light are outputs of their own, summed at the end"
     )
-    visibility_hint: bool = Field(
-        True, description="outputs of their own where light is shadowed; False only to compare"
-    )
     texture: str = Field(
         "triplane", description="where features come from: see `neural_asset.MODELS`"
     )
     material: Material = Field(
         "learned",
-        description="what the decoder's outputs are: colours, or parameters of a known material, "
-        "whose shadows are black: to compare, or to bake, packages have no such decoder",
+        description="what the decoder's outputs are: colours, or parameters of glTF's material, "
+        "whose shadows are black: to bake it; packages have no such decoder",
     )
     uses_base_color: bool = Field(
         False, description="each colour is a sum of two, of which the base colour multiplies one"
@@ -79,16 +78,9 @@ class ModelConfig(BaseModel, extra="forbid", frozen=True):
         return self.texture == "triplane" and self.material == "learned"
 
     @property
-    def has_shadow_decoder(self) -> bool:
-        """Whether shadowed light has a decoder of its own: a model without the hint has none."""
-        return self.shadow_width > 0 and self.visibility_hint
-
-    @property
     def colour_sums(self) -> tuple[tuple[int, ...], tuple[int, ...]]:
         """Weights of the decoder's colours in the visible and in the shadowed transport."""
-        if self.separates_direct:
-            return ((1, 1, 0), (0, 0, 1)) if self.visibility_hint else ((1, 1), (1, 1))
-        return ((1, 0), (0, 1)) if self.visibility_hint else ((1,), (1,))
+        return ((1, 1, 0), (0, 0, 1)) if self.separates_direct else ((1, 0), (0, 1))
 
 
 class TrainingConfig(BaseModel, extra="forbid", frozen=True):
@@ -224,7 +216,7 @@ def _ours(
             channels=channels,
             separates_direct=kind == "fiber",
             shadow_width=shadow_width if kind == "surface" else 0,
-            shadow_inputs=_PAPER_INPUTS[kind] if kind == "surface" else (),
+            shadow_inputs=_SURFACE_INPUTS if kind == "surface" else (),
         ),
         training=TrainingConfig(
             steps=steps,
@@ -259,24 +251,21 @@ PAPER_PRESETS = ("paper-small", "paper-hq")
 """Those of the paper, which knows no base colour."""
 
 
-def _analytic(kind: str) -> Preset:
-    """A material's parameters by place, with the training of `small`."""
-    small = PRESETS[kind]["small"]
-    return small.with_model(
-        material="gltf" if kind == "surface" else "kajiya_kay",
-        inputs=_PAPER_INPUTS[kind][:2],  # features, and normal or tangent
+ANALYTIC_NAME = "analytic"
+ANALYTIC = (
+    PRESETS["surface"]["small"]
+    .with_model(
+        material="gltf",
+        inputs=("features", "normal"),
         hidden_layers=2,
-        separates_direct=False,
         shadow_width=0,
         shadow_inputs=(),
-    ).with_training(loss="auto", shadow_weight=1.0)
-
-
-ANALYTIC_NAME = "analytic"
-ANALYTIC = {kind: _analytic(kind) for kind in PRESETS}
-"""Kind of asset -> the material that can be baked, fitted as well as it can be: to compare."""
+    )
+    .with_training(shadow_weight=1.0)
+)
+"""The material of surfaces that can be baked, fitted as well as it can be."""
 
 
 def named_preset(kind: str, name: str) -> Preset:
-    """The preset of that name, `ANALYTIC_NAME` among them; KeyError for none."""
-    return ANALYTIC[kind] if name == ANALYTIC_NAME else PRESETS[kind][name]
+    """The preset of that name, `ANALYTIC_NAME` of surfaces among them; KeyError for none."""
+    return ANALYTIC if (kind, name) == ("surface", ANALYTIC_NAME) else PRESETS[kind][name]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import gc
 import io
-from math import isnan
+from math import inf, isnan
 from pathlib import Path
 from time import monotonic
 
@@ -35,9 +35,9 @@ class Curves:
         self.rows = [row for row in read_curves(folder) if row["step"] <= done]
 
     @property
-    def best_psnr(self) -> float:
-        """Best PSNR of all rows; minus infinity if there are none."""
-        return max((row["psnr"] for row in self.rows), default=float("-inf"))
+    def best_flip(self) -> float:
+        """Least FLIP of the rows that have one; infinity if there are none."""
+        return min((row["flip"] for row in self.rows if "flip" in row), default=inf)
 
     def add(self, row: dict[str, float]) -> None:
         """Write the file with one more row."""

@@ -22,7 +22,6 @@ from rna_export.training.training_options import add_device, chosen_device
 from rna_sdk.console import command_line, command_parser, run_command
 from rna_sdk.errors import TrainingError
 from rna_sdk.owned_folder import owned
-from rna_sdk.package.blocks import INPUT_BLOCKS, blocks_for
 
 if TYPE_CHECKING:
     from rna_export.capture.dataset.dataset_folder import Dataset
@@ -60,18 +59,8 @@ def parser() -> argparse.ArgumentParser:
         "--preset",
         choices=[*PRESETS["surface"], ANALYTIC_NAME],
         default="small",
-        help="model preset; analytic: the best-fitting glTF material of a surface, or Kajiya-Kay "
-        "material of strands: what baking a material would give; no package holds it "
-        "(default: %(default)s)",
-    )
-    p.add_argument(
-        "--inputs",
-        nargs="+",
-        choices=INPUT_BLOCKS,
-        metavar="BLOCK",
-        help="decoder inputs, for ablations: "
-        + ", ".join(INPUT_BLOCKS)
-        + " (default: the preset's)",
+        help="model preset; analytic: the best-fitting glTF material of surfaces, what baking a "
+        "material would give; no package holds it (default: %(default)s)",
     )
     p.add_argument(
         "--loss",
@@ -176,6 +165,8 @@ def _to_export(out: Path, dataset: Dataset) -> Path:
 
 def _chosen(args: argparse.Namespace, kind: str, device: str) -> Preset:
     """The named preset, with what the options change of it."""
+    if args.preset == ANALYTIC_NAME and kind != "surface":
+        raise TrainingError(f"--preset {ANALYTIC_NAME}: found a part of strands, expected surfaces")
     preset = named_preset(kind, args.preset).on_device(device)
     for name in ("steps", "batch", "optimizer"):
         if (value := getattr(args, name)) is not None:
@@ -193,19 +184,7 @@ def _chosen(args: argparse.Namespace, kind: str, device: str) -> Preset:
                 f"--loss: expected none, {args.preset} of a {kind} has one for each"
             )
         preset = preset.with_training(loss=args.loss)
-    if args.inputs is not None:
-        _check_inputs(args.inputs, kind)
-        preset = preset.with_model(inputs=tuple(args.inputs))
     return preset
-
-
-def _check_inputs(inputs: list[str], kind: str) -> None:
-    known = blocks_for(kind)
-    if not set(inputs) <= set(known) or len(set(inputs)) < len(inputs):
-        raise TrainingError(
-            f"--inputs: found {' '.join(inputs)}, expected each once and, for a {kind}, of "
-            + " ".join(known)
-        )
 
 
 if __name__ == "__main__":

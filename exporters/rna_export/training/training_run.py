@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -163,7 +164,7 @@ def _fit(
             continue
         with threads.all():
             row = report.of(fitting.model, is_last=pace.progress >= 1.0)
-        is_best = row["psnr"] >= curves.best_psnr
+        is_best = row.get("flip", math.inf) <= curves.best_flip
         curves.add({"step": done, "loss": float(torch.stack(losses).mean()), **row})
         losses.clear()
         if "flip" in row:

@@ -17,7 +17,7 @@ from rna_sdk.runtime.kernels.vectors import Rows, dot, unit
 
 # Of spec/RNA.md, 12.1: kappa of a lobe that the decoder leaves as it is, of the first half
 # of them and of the rest; and of axes in the output, in which nothing is negative.
-_WIDE, _NARROW, _SHIFT = 2.0, 10.0, 8.0
+WIDE, NARROW, SHIFT = 2.0, 10.0, 8.0
 
 _VECTORS = types.Array(types.float32, 2, "C", readonly=True)
 _SCALARS = types.Array(types.float32, 1, "C", readonly=True)
@@ -114,7 +114,7 @@ def write_lobes(
             continue
         v = min(max(free[i], np.float32(0.0)), np.float32(1.0))
         about = unit(wide, i)
-        turned = -_WIDE if backwards else _WIDE
+        turned = -WIDE if backwards else WIDE
         for j in range(count):
             for k in range(3):
                 visible, shadowed = (
@@ -122,5 +122,5 @@ def write_lobes(
                     sanitised(output[i, 9 * j + 3 + k]),
                 )
                 amplitudes[i, j, k] = sanitised(v * visible + (np.float32(1.0) - v) * shadowed)
-                base = turned * about[k] if j < count // 2 else _NARROW * mirror[i, k]
-                axes[i, j, k] = sanitised(output[i, 9 * j + 6 + k]) - _SHIFT + base
+                base = turned * about[k] if j < count // 2 else NARROW * mirror[i, k]
+                axes[i, j, k] = sanitised(output[i, 9 * j + 6 + k]) - SHIFT + base

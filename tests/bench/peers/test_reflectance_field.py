@@ -17,6 +17,7 @@ from rna_bench.peers.fields.reflectance_field import (
     sections,
     single_bounce,
 )
+from rna_bench.peers.kajiya_kay import HairMaterial, hair_radiance
 from rna_bench.peers.learned_method import Rays
 from rna_bench.peers.method import Budget
 from rna_bench.peers.methods import Setting
@@ -121,3 +122,20 @@ def test_trains_on_collocated_views_alone_and_renders_both_lights(tmp_path, monk
     pictures = [method.render(camera, np.array(light)) for light in ([0, 0, 4], [3, 0, 3])]
     assert all(np.isfinite(p).all() and p.max() > 0 for p in pictures)
     assert not np.allclose(*pictures)
+
+
+def test_a_diffuse_strand_sends_out_its_share() -> None:
+    """Over a cylinder: power out = pi^2 diffuse of what arrives, for light from any inclination."""
+    count = 500
+    s = (torch.arange(count) + 0.5) / count * 2.0 - 1.0  # sine of wo to the tangent
+    wo = torch.stack([torch.sqrt(1 - s**2), torch.zeros(count), s], dim=1)
+    wi = torch.tensor([[0.8, 0.0, 0.6]]).expand_as(wo)
+    one, none = torch.ones(1, 1), torch.zeros(1, 3)
+    material = HairMaterial(torch.full((1, 3), 0.05), none, one)
+    radiance = hair_radiance(material, torch.tensor([[0.0, 0.0, 1.0]]).expand_as(wo), wo, wi)
+    out = 2.0 * 2.0 * math.pi * (radiance[:, 0] * torch.sqrt(1 - s**2)).mean()
+    assert float(out) == pytest.approx(math.pi**2 * 0.05 * 0.8, rel=1e-3)
+    mirror = HairMaterial(none, torch.full((1, 3), 0.7), 50.0 * one)
+    shine = hair_radiance(mirror, torch.tensor([[0.0, 0.0, 1.0]]).expand_as(wo), wo, wi)[:, 0]
+    assert float(shine.max()) == pytest.approx(0.7, rel=1e-2)
+    assert float(s[shine.argmax()]) == pytest.approx(-0.6, abs=0.01)

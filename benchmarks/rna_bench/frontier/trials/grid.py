@@ -115,10 +115,7 @@ def ablations(kind: str, widths: tuple[int, ...]) -> list[Trial]:
     for width in widths:
         preset = ours(kind, width).preset
         paper = PRESETS[kind]["paper-small"].model.inputs
-        variants = {
-            "no-hint": preset.with_model(visibility_hint=False),
-            "paper-inputs": preset.with_model(inputs=paper),
-        }
+        variants = {"paper-inputs": preset.with_model(inputs=paper)}
         if kind == "fiber":
             without = tuple(b for b in preset.model.inputs if b not in ("h", "fiber_lobes"))
             variants["no-h"] = preset.with_model(inputs=without)

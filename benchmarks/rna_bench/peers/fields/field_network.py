@@ -15,13 +15,8 @@ import torch
 from torch import Tensor, nn
 from torch.nn.functional import normalize, softplus
 
-from rna_export.training.model.analytic import (
-    PARAMETERS,
-    GltfMaterial,
-    gltf_radiance,
-    hair_material,
-    hair_radiance,
-)
+from rna_bench.peers.kajiya_kay import HAIR_OUTPUTS, hair_material, hair_radiance
+from rna_export.training.model.analytic import GltfMaterial, gltf_radiance
 
 LAYERS, WIDTH, OCTAVES = 14, 256, 10
 ENCODED = 3 + 3 * 2 * OCTAVES
@@ -48,7 +43,7 @@ class FieldNetwork(nn.Module):
         self.is_fur = is_fur
         columns = [ENCODED] + [WIDTH + ENCODED * (k in AGAIN) for k in range(1, LAYERS)]
         self.layers = nn.ModuleList(nn.Linear(c, WIDTH) for c in columns)
-        self.last = nn.Linear(WIDTH, 4 + (PARAMETERS["kajiya_kay"] if is_fur else 4))
+        self.last = nn.Linear(WIDTH, 4 + (HAIR_OUTPUTS if is_fur else 4))
 
     def forward(self, points: Tensor) -> FieldPoint:
         """The field at points (k, 3)."""

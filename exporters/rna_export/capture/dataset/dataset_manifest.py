@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Any, Literal, Self
+from typing import Literal, Self
 
 from pydantic import Field, ValidationError, model_validator
 
@@ -107,16 +107,6 @@ class CaptureManifest(DatasetModel):
     notes: tuple[str, ...] = ()
     processors: tuple[str, ...] = ()  # that rendered: where one is another, bits may differ
     scene_domain: Domain | None = None  # of --for; in the place of settings.domain
-
-    @model_validator(mode="before")
-    @classmethod
-    def _of_this_form(cls, data: Any) -> Any:
-        if isinstance(data, dict) and "parts" not in data and "kind" in data:
-            raise ValueError(
-                "found a dataset of an older version without parts, expected `parts`: capture it "
-                "again"
-            )
-        return data
 
     @property
     def domain(self) -> Domain:

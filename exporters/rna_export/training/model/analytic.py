@@ -1,10 +1,8 @@
-"""Analytic materials on captured geometry: what a decoder's outputs mean, and how they shade.
+"""The metallic-roughness material of glTF by place: what a decoder's outputs mean, how it shades.
 
-Instead of colours, the decoder gives the parameters of a known material at each point. It is what
-baking a material gives, fitted to the captured radiance: what a neural asset has to be better than.
-Surfaces: the metallic-roughness material of glTF, as `rna_render.materials.bsdf` shades it.
-Strands: Kajiya and Kay, "Rendering Fur with Three Dimensional Textures", 1989, with the exponent
-of the highlight, and a colour of its own, as parameters of a point.
+Instead of colours, the decoder gives the material's parameters at each point. It is what baking a
+material gives, fitted to the captured radiance: what a neural asset has to be better than.
+`rna_render.materials.bsdf` shades the same.
 """
 
 from __future__ import annotations
@@ -18,12 +16,10 @@ import torch
 import torch.nn.functional as F
 from torch import Tensor
 
-from rna_export.training.model.inputs import Points
-from rna_export.training.presets import Material
 from rna_render.materials import ALBEDO_MEANS, ALBEDO_TABLE
 
-PARAMETERS: dict[Material, int] = {"gltf": 8, "kajiya_kay": 7}
-"""Outputs of the decoder."""
+GLTF_OUTPUTS = 8
+"""Of the decoder."""
 
 COAT_F0 = 0.04
 """Reflectance of glTF's dielectrics seen straight on."""
@@ -31,7 +27,6 @@ COAT_F0 = 0.04
 _LEAST_ROUGHNESS = 0.03
 _LEAST_COSINE = 1e-3  # to the viewer
 _FIRST_METALLIC = -3.0  # before the sigmoid: dielectric at first
-_EXPONENTS = 1.0, 9.0  # of two: narrow highlights have the larger one
 
 
 class GltfMaterial(NamedTuple):
@@ -47,14 +42,6 @@ class GltfMaterial(NamedTuple):
         return F.normalize(n + self.tilt, dim=1)
 
 
-class HairMaterial(NamedTuple):
-    """Parameters of points of strands, (k, 3) or (k, 1) each; none negative."""
-
-    diffuse: Tensor  # radiance of light at right angles to the strand, of irradiance 1
-    specular: Tensor
-    exponent: Tensor
-
-
 def gltf_material(outputs: Tensor) -> GltfMaterial:
     """The material that a decoder's outputs (k, 8) stand for."""
     base, roughness, metallic, tilt = outputs.split([3, 1, 1, 3], dim=1)
@@ -64,21 +51,6 @@ def gltf_material(outputs: Tensor) -> GltfMaterial:
         torch.sigmoid(metallic + _FIRST_METALLIC),
         tilt,
     )
-
-
-def hair_material(outputs: Tensor) -> HairMaterial:
-    """The material that a decoder's outputs (k, 7) stand for."""
-    diffuse, specular, exponent = outputs.split([3, 3, 1], dim=1)
-    low, high = _EXPONENTS
-    power = torch.exp2(low + (high - low) * torch.sigmoid(exponent))
-    return HairMaterial(F.softplus(diffuse) / math.pi, F.softplus(specular) / math.pi, power)
-
-
-def shaded(material: Material, outputs: Tensor, at: Points) -> Tensor:
-    """Radiance (k, 3) towards wo of light from wi that nothing blocks, of irradiance 1."""
-    if material == "gltf":
-        return gltf_radiance(gltf_material(outputs), at["normal"], at["wo"], at["wi"])
-    return hair_radiance(hair_material(outputs), at["tangent"], at["wo"], at["wi"])
 
 
 def gltf_radiance(material: GltfMaterial, n: Tensor, wo: Tensor, wi: Tensor) -> Tensor:
@@ -99,14 +71,6 @@ def gltf_radiance(material: GltfMaterial, n: Tensor, wo: Tensor, wi: Tensor) -> 
     passed = (1.0 - _coat_albedo(roughness, cos_o)) * (1.0 - _coat_albedo(roughness, cos_i))
     diffuse = (1.0 - metallic) * base / math.pi * passed / (1.0 - _coat_albedo(roughness))
     return ((metal + coat) * mirrored + diffuse) * cos_i
-
-
-def hair_radiance(material: HairMaterial, t: Tensor, wo: Tensor, wi: Tensor) -> Tensor:
-    """A cylinder's diffuse part, and a highlight about the cone that mirrors the light: (k, 3)."""
-    s_i, s_o = (_dot(t, w).clamp(-1.0, 1.0) for w in (wi, wo))
-    c_i, c_o = (torch.sqrt((1.0 - s**2).clamp(min=1e-6)) for s in (s_i, s_o))
-    aside = (c_i * c_o - s_i * s_o).clamp(min=1e-6)  # cosine of the angle to the cone
-    return material.diffuse * c_i + material.specular * aside**material.exponent
 
 
 def _coat_albedo(roughness: Tensor, cosine: Tensor | None = None) -> Tensor:

@@ -7,7 +7,7 @@ from typing import Any
 import torch
 from torch import Tensor, nn
 
-from rna_export.training.model.analytic import PARAMETERS, shaded
+from rna_export.training.model.analytic import GLTF_OUTPUTS, gltf_material, gltf_radiance
 from rna_export.training.model.emission import EmissionDecoder
 from rna_export.training.model.inputs import Points, assemble, in_box
 from rna_export.training.model.layers import new_layers, through
@@ -26,7 +26,7 @@ class NeuralAsset(nn.Module):
     The decoder gives colours as y = log(x / unit + 1); `colours` inverts that. In the paper there
     are two, `visible` and `shadowed`. A model that `separates_direct` has three: direct light, and
     scattered light where the light is visible and where it is shadowed. `transport` sums them up
-    to the paper's two. Without `visibility_hint` there is one instead of each two. With an analytic
+    to the paper's two. With glTF's
     `material` the decoder gives its parameters, and shadowed light is black. A model that
     `uses_base_color` has a second colour for each, which the base colour of a point multiplies
     before it is added: print needs no planes. The last colour may come from a decoder of its own,
@@ -49,12 +49,12 @@ class NeuralAsset(nn.Module):
         self.triplane = self._new_features(config, bounds)
         width, columns = config.width, query_width(config.inputs, config.channels)
         terms = 6 if config.uses_base_color else 3
-        colours = len(config.colour_sums[0]) - config.has_shadow_decoder
-        outputs = PARAMETERS.get(config.material, terms * colours)
+        colours = len(config.colour_sums[0]) - (config.shadow_width > 0)
+        outputs = GLTF_OUTPUTS if config.material == "gltf" else terms * colours
         self.decoder = new_layers(columns, width, config.hidden_layers, outputs)
         self.shadow = (
             ShadowDecoder(config.shadow_inputs, config.channels, config.shadow_width, terms)
-            if config.has_shadow_decoder
+            if config.shadow_width > 0
             else None
         )
         self.emission = (
@@ -96,8 +96,9 @@ class NeuralAsset(nn.Module):
         features, p = self._features(at, blur), self._place(at)
         queries = assemble(self.config.inputs, features, p, at)
         y = through(self.decoder, queries, self._in_bfloat16)
-        if self.config.material != "learned":
-            lit = torch.log1p(shaded(self.config.material, y, at) / self.unit)
+        if self.config.material == "gltf":
+            radiance = gltf_radiance(gltf_material(y), at["normal"], at["wo"], at["wi"])
+            lit = torch.log1p(radiance / self.unit)
             return torch.stack([lit, torch.zeros_like(lit)], dim=1)
         colours = [self._with_base_color(y, at)]
         if self.shadow is not None:

@@ -12,7 +12,7 @@ from torch import Tensor
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.training.model.inputs import Points
 from rna_export.training.model.neural_asset import NeuralAsset
-from rna_export.training.presets import ModelConfig, Preset
+from rna_export.training.presets import Preset
 
 _LEAST_VISIBLE = 0.05
 _LEAST = 0.1  # of x / unit + 1, for a logarithm
@@ -33,19 +33,18 @@ def sample_loss(
     scattered light is next to nothing but noise, and its loss is always the unbiased one.
     shadow_weight: of samples in shadow, for a model without that output; the mean weight is 1.
     """
-    config, y = model.config, model(at, blur)
-    if not config.separates_direct:
-        weight = _weights(at["visible"], shadow_weight)
-        y, unit = _of_visibility(y, model.units, at, config)
+    y, v = model(at, blur), at["visible"]
+    if not model.config.separates_direct:
+        weight = _weights(v, shadow_weight)
+        y, unit = _of_visibility(y, model.units, v)
         return _LOSSES[loss](y, at["radiance"], unit, weight)
-    v, of_light = at["visible"], at["direct"]
+    scattered, unit = _of_visibility(y[:, 1:], model.units[1:], v)
+    of_light = at["direct"]
     if v.dim() == 1:
         v = v[:, None]
     else:  # weakened by what it came through
         of_light = of_light / v.clamp(min=_LEAST_VISIBLE)
-    of_direct = v if config.visibility_hint else 1.0
-    direct = _LOSSES[loss](y[:, 0], of_light, model.unit, of_direct)
-    scattered, unit = _of_visibility(y[:, 1:], model.units[1:], at, config)
+    direct = _LOSSES[loss](y[:, 0], of_light, model.unit, v)
     return direct + unbiased_l2(scattered, at["radiance"] - at["direct"], unit)
 
 
@@ -58,16 +57,11 @@ def _weights(visible: Tensor, of_shadow: float) -> Tensor | float:
     return weight / weight.mean()
 
 
-def _of_visibility(
-    y: Tensor, units: Tensor, at: Points, config: ModelConfig
-) -> tuple[Tensor, Tensor]:
+def _of_visibility(y: Tensor, units: Tensor, v: Tensor) -> tuple[Tensor, Tensor]:
     """y (k, 3) of each sample's light and its unit, of outputs for visible and shadowed light.
 
-    y: (k, 2, 3) outputs, blended by each sample's visibility. units: (2, 1) of both.
+    y: (k, 2, 3) outputs, blended by v, each sample's visibility. units: (2, 1) of both.
     """
-    if not config.visibility_hint:
-        return y[:, 0], units[0]
-    v = at["visible"]
     if v.dim() == 1:
         lit = v[:, None] > 0.5
         return torch.where(lit, y[:, 0], y[:, 1]), torch.where(lit, units[0], units[1])

@@ -14,6 +14,7 @@ from torch import Tensor
 from torch.utils.data import IterableDataset
 
 _DIM = 0.02  # of the mean of what an asset emits
+_STRAY = 8.0  # times the 99th percentile of shadowed radiance
 _GATHERED = 32  # batches at once: random rows of a large table come from memory one by one
 _MOST_GATHERED = 2**22  # rows
 _MOST_ON_CARD = 0.6  # of a card's free memory, for the table; the rest is for steps
@@ -37,7 +38,7 @@ class SampleTable(IterableDataset[Tensor]):
         device: str = "cpu",
         done: int = 0,
     ):
-        n = len(samples["position"])
+        samples, n = without_stray_highlights(samples), len(samples["position"])
         self.fields = {name: values[0].size for name, values in samples.items()}
         table = np.empty((n, sum(self.fields.values())), np.float32)
         first = 0
@@ -115,6 +116,26 @@ class SampleTable(IterableDataset[Tensor]):
             for order in orders:
                 rows, coming = coming.result(), loader.submit(load, order)
                 yield rows
+
+
+def without_stray_highlights(samples: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """The samples of a surface, shadowed ones clipped at 8 times their 99th percentile.
+
+    Near the terminator Cycles sees some highlights where our visibility ray is blocked: one
+    shadowed sample in 1,000 or 10,000, as bright as a lit one, and such samples rule the fit of
+    all others (docs/decisions/losses.md). Strands, whose direct light is apart, and emission stay.
+    """
+    if "visible" not in samples or "direct" in samples:
+        return samples
+    radiance, n = samples["radiance"], len(samples["visible"])
+    shadowed = samples["visible"].reshape(n, -1).max(axis=1) == 0
+    if not shadowed.any():
+        return samples
+    most = _STRAY * np.percentile(radiance[shadowed].max(axis=1), 99.0)
+    if most == 0.0:
+        return samples
+    clipped = np.where(shadowed[:, None], np.minimum(radiance, most), radiance)
+    return {**samples, "radiance": clipped}
 
 
 def _placed(table: Tensor, device: torch.device) -> Tensor:
