@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 
 from rna_render import read_environment
-from rna_render.scene import DirectionalModel, EnvironmentModel, SceneFile, read_scene
+from rna_render.scene import DirectionalModel, EnvironmentModel, ObjectModel, SceneFile, read_scene
 from rna_sdk.errors import PackageError, SceneError, ViewError
+from rna_sdk.glass_beside import glass_of
 from rna_view.site_files import Site
 
 
@@ -23,8 +24,10 @@ def scene_site(path: Path) -> Site:
     scene = scene_file.scene
     if not scene.assets:
         raise ViewError(f"{path}: the scene has no asset")
-    site = Site(notes=_left_out(scene_file))
+    site = Site()
     asset = _add_asset(scene_file, site)
+    glass = _add_glass(scene_file, site)
+    site.notes.extend(_left_out(scene_file, glass))
     if scene.assets[0].tier is not None:
         site.attributes["tier"] = scene.assets[0].tier
     _add_print(scene_file, site)
@@ -53,6 +56,21 @@ def _add_asset(scene_file: SceneFile, site: Site) -> str:
         return site.add_package(path)
     except PackageError as error:
         raise scene_file.error(("assets", 0, "path"), str(error)) from error
+
+
+def _add_glass(scene_file: SceneFile, site: Site) -> ObjectModel | None:
+    """The object that is the smooth glass of the first asset, where that is; None for none."""
+    scene, beside = scene_file.scene, glass_of(scene_file.asset_path(0))
+    for index, model in enumerate(scene.objects):
+        stands_there = model.transform == scene.assets[0].transform and model.material is None
+        if scene_file.resolve(model.path) != beside or not stands_there:
+            continue
+        try:
+            site.add_glass(beside)
+        except (OSError, ViewError) as error:
+            raise scene_file.error(("objects", index, "path"), str(error)) from error
+        return model
+    return None
 
 
 def _add_print(scene_file: SceneFile, site: Site) -> None:
@@ -100,7 +118,7 @@ def _note_if_outside(scene_file: SceneFile, path: Path, site: Site) -> None:
         site.notes.append(f"the page has a file from outside the scene's folder: {path}")
 
 
-def _left_out(scene_file: SceneFile) -> list[str]:
+def _left_out(scene_file: SceneFile, glass: ObjectModel | None) -> list[str]:
     scene = scene_file.scene
     notes = []
     if len(scene.assets) > 1:
@@ -108,9 +126,10 @@ def _left_out(scene_file: SceneFile) -> list[str]:
     transform = scene.assets[0].transform
     if transform != type(transform)():
         notes.append("the page shows the asset at the origin, not where the scene has it")
-    if scene.objects:
-        objects = "an object" if len(scene.objects) == 1 else f"{len(scene.objects)} objects"
-        notes.append(f"the page leaves out {objects}: {scene.objects[0].path.name}")
+    objects = [model.path.name for model in scene.objects if model is not glass]
+    if objects:
+        count = "an object" if len(objects) == 1 else f"{len(objects)} objects"
+        notes.append(f"the page leaves out {count}: {objects[0]}")
     shown = (DirectionalModel, EnvironmentModel)
     others = [light.type for light in scene.lights if not isinstance(light, shown)]
     if others:

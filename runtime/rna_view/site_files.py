@@ -18,7 +18,7 @@ ELEMENT = "rna-viewer.js"
 """Defines the element, on the page and on any other."""
 VIEWER_FILES = ("index.html", "viewer.js", "viewer.css", ELEMENT)
 SCENE = "scene.json"
-SITE_NAME = re.compile(rf"[0-9a-f]{{32}}\.(rna|exr|hdr|png|jpg|webp)|{re.escape(SCENE)}")
+SITE_NAME = re.compile(rf"[0-9a-f]{{32}}\.(rna|glb|exr|hdr|png|jpg|webp)|{re.escape(SCENE)}")
 """Names that a page's own files can have; those of the viewer are none of them."""
 
 # First bytes of the file, by which images are distinguished everywhere.
@@ -51,6 +51,16 @@ class Site:
         Package.open(path).close()
         return self._add(path, ".rna")
 
+    def add_glass(self, path: Path) -> None:
+        """Show the package with the smooth glass beside it.
+
+        Raises ViewError for a file that does not begin as a .glb.
+        """
+        with path.open("rb") as file:
+            if file.read(4) != b"glTF":
+                raise ViewError(f"{path}: expected the glass as a .glb")
+        self.attributes["glass"] = self._add(path, ".glb")
+
     def add_image(self, path: Path) -> str:
         """Add an environment image, .exr or .hdr; returns its name in the page.
 
@@ -78,7 +88,7 @@ class Site:
 
     def written_attributes(self, address: str = "") -> str:
         """The element's attributes in HTML, each after a space. address: of the page's folder."""
-        addresses = {name: address for name in ("src", "environment", "scene")}
+        addresses = {name: address for name in ("src", "glass", "environment", "scene")}
         written = {name: addresses.get(name, "") + value for name, value in self.attributes.items()}
         if self.maps:
             pairs = (f"{label}={address}{name}" for label, name in self.maps.items())

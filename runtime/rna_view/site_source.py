@@ -28,7 +28,7 @@ def site_for(source: Path, environment: Path | None = None) -> Site:
         site = Site()
         site.attributes["src"] = site.add_package(source)
         if (glass := glass_of(source)).is_file():
-            site.notes.append(f"the page leaves out {glass.name}: three.js and rna-run show it")
+            site.add_glass(glass)
     else:
         wrong = not_a("package", source) or "expected a .rna package or a .yaml scene file"
         raise ViewError(f"{source}: {wrong}")

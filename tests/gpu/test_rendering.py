@@ -15,7 +15,23 @@ from rna_render.paths.sampling import BRANCHES
 from rna_render.scene.scene_file import SceneFile
 from rna_render.world.world import World
 from tests.gpu.scenes import assert_same_law, assert_same_numbers, on_cpu, on_gpu
-from tests.render.whole_scenes import EVERYTHING, GLOW, RELIEF, UNDER_A_SKY, write_files
+from tests.render.whole_scenes import EVERYTHING, GLOW, RELIEF, TOY, UNDER_A_SKY, write_files
+from tests.web.glass_files import write_ball
+
+GLASS = f"""
+assets: [{{path: {TOY}}}]
+objects:
+  - {{path: ball.glb, transform: {{translation: [0.4, 0.2, -0.2]}}}}
+  - {{path: ball.glb, transform: {{translation: [1.1, 0.3, 0.3], scale: 0.4}}}}
+ground: {{height: -0.45}}
+camera: {{position: [2, 0.9, 1.2], look_at: [0.5, 0.2, 0], vertical_fov_deg: 40}}
+lights:
+  - {{type: environment, path: sky.exr, visible_to_camera: false}}
+  - {{type: sphere, position: [0.3, 2, 0.6], radius: 0.4, radiance: [9, 9, 7]}}
+resolution: [32, 24]
+samples: 4
+max_depth: 3
+"""
 
 
 @pytest.mark.parametrize("text", [EVERYTHING, RELIEF, GLOW], ids=["everything", "relief", "glow"])
@@ -30,6 +46,16 @@ def test_the_image_of_the_cpu_with_the_same_numbers(
     monkeypatch.setattr("rna_render.paths.integrator.STRAND_BRANCHES", BRANCHES)
     write_files(tmp_path)
     scene_file, world = scene(text)
+    actual = on_gpu(scene_file, world, lambda: device).channels()
+    assert_same_numbers(actual, on_cpu(scene_file, world).channels())
+
+
+def test_solid_glass_before_and_about_an_asset(
+    scene: Callable[..., tuple[SceneFile, World]], device: Device, tmp_path: Path
+) -> None:
+    write_files(tmp_path)
+    write_ball(tmp_path / "ball.glb", radius=0.6)
+    scene_file, world = scene(GLASS)
     actual = on_gpu(scene_file, world, lambda: device).channels()
     assert_same_numbers(actual, on_cpu(scene_file, world).channels())
 

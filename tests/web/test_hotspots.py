@@ -123,7 +123,7 @@ def test_two_fingers_and_keys_pan_and_limits_hold(page):
 @pytest.mark.usefixtures("shown")
 def test_the_prompt_is_for_those_who_have_not_moved_it(page):
     prompt = "one.parts.prompt.hidden"
-    page.evaluate("one.isFound = false, one._prompt(), 0")
+    page.evaluate("one.hasMoved = false, one._prompt(), 0")
     page.wait_for(f"!{prompt}", TIMEOUT)
     stillness = [{"name": "prefers-reduced-motion", "value": "reduce"}]
     page.call("Emulation.setEmulatedMedia", features=stillness)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from tests.web.element_pages import loads, show
+from tests.package.builders import make_tiny_package
+from tests.web.element_pages import SMALL, loads, show
 from tests.web.pages import TIMEOUT
 
 pytestmark = pytest.mark.chromium
@@ -47,3 +48,15 @@ def test_an_element_that_was_made_before_its_script(page, folder, url):
     page.evaluate("viewer.style.width = '64px', viewer.style.height = '40px', 0")
     page.wait_for("viewer.stage.canvas.width === 64 && viewer.stage.viewer.stats.scale", TIMEOUT)
     assert page.evaluate("viewer.stage.engine === engine && viewer.notices.place.hidden")
+
+
+def test_two_elements_of_one_asset_in_a_folder(page, folder, url):
+    (folder / "assets").mkdir()
+    make_tiny_package(folder / "assets" / "tiny.rna")
+    element = f'<rna-viewer id="{{}}" src="assets/tiny.rna" {SMALL}></rna-viewer>'
+    show(page, folder, url, element.format("one") + element.format("two"))
+    loads(page, "one")
+    loads(page, "two")
+    page.evaluate("one.remove(), two.cameraOrbit = '90deg 60deg 4m', 0")
+    page.wait_for("two.stage.viewer.stats.rounds === 1", TIMEOUT)
+    assert page.evaluate("two.notices.place.hidden && two.stage.engine !== null")

@@ -21,6 +21,7 @@ from rna_view.site_export import MARKER, export_site
 from rna_view.site_files import VIEWER_FILES, Site, viewer_file
 from rna_view.site_source import site_for
 from tests.package.builders import make_tier, make_tiny_package
+from tests.web.glass_files import write_ball
 from tests.web.pages import served
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -187,6 +188,26 @@ def test_names_in_a_page_are_ours(package, tmp_path, name):
     assert (folder / "viewer.js").read_bytes() == viewer_file("viewer.js")
     with served(site) as server:
         assert fetch(f"{server.url}viewer.js")[2] == viewer_file("viewer.js")
+
+
+def test_the_glass_beside_a_package_is_shown(package, tmp_path):
+    glass = write_ball(tmp_path / "a b.glass.glb")
+    site = site_for(package)
+    assert site.attributes == {"src": name_of(package), "glass": name_of(glass)} and not site.notes
+    with served(site) as server:
+        _, headers, content = fetch(server.url + name_of(glass))
+        assert content == glass.read_bytes() and headers["Content-Type"] == "model/gltf-binary"
+    scene = tmp_path / "glass.yaml"
+    text = SCENE.replace('{type: environment, path: "IMAGE"}', "").replace("lights: []\n", "")
+    scene.write_text(text + 'objects: [{path: "a b.glass.glb"}]\n')
+    assert site_for(scene).attributes == {"glass": name_of(glass), "scene": "scene.json"}
+    moved = "{path: a b.glass.glb, transform: {translation: [0, 1, 0]}}"
+    scene.write_text(text + f"objects: [{moved}]\n")
+    site = site_for(scene)
+    assert "glass" not in site.attributes and "a b.glass.glb" in site.notes[0]
+    glass.write_text("private")
+    with pytest.raises(ViewError, match="expected the glass"):
+        site_for(package)
 
 
 def test_what_lies_outside_the_scenes_folder_is_named(package, tmp_path, capsys):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from rna_gpu.records.part import NONE
 from rna_gpu.records.record import Field, Record
 from rna_render.paths.sampling import CHOICES, DIMENSIONS_A_VERTEX, DIRECTION, LIGHT, ROULETTE
-from rna_trace import CAMERA_RAY, SHADOW_RAY
+from rna_trace import CAMERA_RAY, INDIRECT_RAY, SHADOW_RAY
 
 FRAME = Record(
     "Frame",
@@ -123,6 +123,7 @@ SCENE_CONSTANTS = {
     "CATCHER_PART": CATCHER_PART,
     "SUM_GROUPS": SUMS.dtype.itemsize // 16,
     "CAMERA_RAY": CAMERA_RAY,
+    "INDIRECT_RAY": INDIRECT_RAY,
     "SHADOW_RAY": SHADOW_RAY,
     "ALL_DIRECTIONS": ALL_DIRECTIONS,
     "HEMISPHERE": HEMISPHERE,

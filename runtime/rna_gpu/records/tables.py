@@ -17,7 +17,7 @@ OBJECT = Record(
 )
 
 OF_MATERIAL, OF_NEURAL, OF_FIBERS = range(3)
-EMITS, LETS_THROUGH, IS_GLASS, HAS_CUTOFF, HAS_SCHLICK = 1, 2, 4, 8, 16
+EMITS, LETS_THROUGH, IS_GLASS, HAS_CUTOFF, HAS_SCHLICK, IS_SOLID = 1, 2, 4, 8, 16, 32
 
 MATERIAL_TEXTURES = {
     "BASE": "base_color_texture",
@@ -52,7 +52,8 @@ SURFACE = Record(
     Field("textures", "<u4", (2, 4), "numbers, NONE for none"),
     Field("through", "<u4", (), "texture of what is let through"),
     Field("cutoff", "<f4"),
-    Field("ior", "<f4", (2,), "of its pane, in front and behind"),
+    Field("ior", "<f4", (2,), "of its pane, in front and behind; of solid glass, and 0"),
+    Field("absorption", "<f4", (3,), "of solid glass, object space"),
     Field("f0", "<f4", (), "of its pane by Schlick"),
 )
 
@@ -101,6 +102,7 @@ TABLE_CONSTANTS = {
     "IS_GLASS": IS_GLASS,
     "HAS_CUTOFF": HAS_CUTOFF,
     "HAS_SCHLICK": HAS_SCHLICK,
+    "IS_SOLID": IS_SOLID,
     **{name: k for k, name in enumerate(MATERIAL_TEXTURES)},
     "LIGHT_SEEN": LIGHT_SEEN,
     "LIGHT_DELTA": LIGHT_DELTA,

@@ -14,6 +14,7 @@ from rna_gpu.records.tables import (
     HAS_CUTOFF,
     HAS_SCHLICK,
     IS_GLASS,
+    IS_SOLID,
     LETS_THROUGH,
     MATERIAL_TEXTURES,
     OF_FIBERS,
@@ -103,7 +104,10 @@ class Surfaces:
             row["flags"] |= EMITS
         if material.transmission > 0.0:
             row["flags"] |= IS_GLASS
-        through = None if catches else transmitted_by(material)
+        if material.inside is not None and not catches:
+            row["flags"] |= IS_SOLID
+            row["ior"][0], row["absorption"] = material.inside.ior, material.inside.absorption
+        through = None if catches or material.inside else transmitted_by(material)
         if through is not None:
             self._let_through(row, through, main_texture(material))
         self.has_coat |= material.metallic > 0 or material.coat_f0 > 0 or material.clear_coat > 0

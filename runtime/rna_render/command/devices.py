@@ -6,14 +6,11 @@ gives an OpenRenderer.
 
 from __future__ import annotations
 
-import warnings
 from importlib.metadata import EntryPoint, entry_points
 from typing import Protocol
 
-from rna_render.materials.files.mesh_file import MeshFileWarning
 from rna_render.paths.bands import BandRenderer
 from rna_render.paths.integrator_factory import make_integrator
-from rna_render.paths.solid_glass import SolidGlass
 from rna_render.scene.scene_file import SceneFile
 from rna_render.scene.scene_model import CameraModel, Scene
 from rna_render.world.world import World
@@ -66,9 +63,6 @@ def open_renderer(
     """
     if device == CPU:
         return make_integrator(scene, world, next_camera)
-    if SolidGlass(world):
-        message = f"solid glass is shown as thin walls with --device {device}"
-        warnings.warn(message, MeshFileWarning, stacklevel=2)
     return find_device(device)(scene, world, next_camera)
 
 

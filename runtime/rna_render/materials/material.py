@@ -36,7 +36,7 @@ class Material:
     Channels of the textures: metallic in blue, roughness in green, coat weight, opacity, clear coat
     and transmission in red, roughness of the clear coat in green. normal_texture: normals in
     tangent space, +Y up in the image, (x, y) times normal_scale. inside: of solid glass, which
-    refracts, with the base colour at each interface; None for thin walls. On GPUs all are thin.
+    refracts, with the base colour at each interface; None for thin walls.
     """
 
     base_color: Vector = (1.0, 1.0, 1.0)

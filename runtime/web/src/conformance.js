@@ -23,7 +23,7 @@ export class Reader {
     const opened = await Package.open(new BlobSource(new Blob([bytesOf(text)]), "package"));
     this.shown = await opened.load(tier);
     this.arrays = await sceneArrays(this.shown.parts);
-    await this.engine.setAsset(this.arrays, this.shown.parts);
+    await this.engine.setAsset(this.arrays, this.shown);
     this.engine.resize(1, 1);
   }
 

@@ -3,6 +3,7 @@
 /** Attributes of the element in markup. */
 export interface RnaViewerAttributes {
   src?: string;
+  glass?: string;
   alt?: string;
   poster?: string;
   loading?: "auto" | "lazy" | "eager";

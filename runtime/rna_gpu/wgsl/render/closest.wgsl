@@ -8,8 +8,13 @@ fn closest(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     let path = paths[k];
     let ray = RnaRay(path.origin, 0.0, path.direction, RNA_FAR);
-    let found = closest_through(ray, path.own, chance_of(path.pixel));
+    let found = follow(ray, path.own, frame.depth, path.pixel);
     let hit = found.hit;
+    if found.bent {
+        paths[k].origin = found.ray.origin;
+        paths[k].direction = found.ray.direction;
+        paths[k].pdf = BENT;
+    }
     paths[k].t = hit.t;
     paths[k].instance = hit.instance;
     paths[k].primitive = hit.primitive;
@@ -25,7 +30,7 @@ fn closest(@builtin(global_invocation_id) id: vec3<u32>) {
         queries[k].at_point.part = NONE; // a ray into a black sky brings nothing
         return;
     }
-    let far = min(hit.t / rna_instances[path.own].scale, RNA_FAR);
+    let far = min(found.first / rna_instances[path.own].scale, RNA_FAR);
     let way = RnaRay(path.leaving, 0.0, query.wi, far);
     queries[k].at_point.visible = start_visibility(path.own, way, query.strand);
     queries[k].at_point.weight = query.weight * found.weight;

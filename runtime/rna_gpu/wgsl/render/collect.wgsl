@@ -13,7 +13,7 @@ fn add_light_hit(k: u32, path: Path, light: u32, found: LightHit) {
 
 fn collect_sky(k: u32, path: Path) {
     for (var light = 0u; light < frame.light_count; light++) {
-        let seen = frame.depth > 0u || light_is(light, LIGHT_SEEN);
+        let seen = frame.depth > 0u || path.pdf == BENT || light_is(light, LIGHT_SEEN);
         if seen && light_is(light, LIGHT_INFINITE) {
             add_light_hit(k, path, light, environment_along(light, path.direction));
             if frame.depth == 0u {
@@ -91,6 +91,9 @@ fn collect(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     let path = paths[k];
     queries[k].at_point.part = NONE;
+    if frame.depth == 0u && path.pdf == BENT {
+        sums[frame.sums * k + SUM_BEAUTY].w = 1.0;
+    }
     let meets = frame.depth == 0u || (frame.flags & RAYS_MEET_LIGHTS) != 0u;
     if path.instance == RNA_NOTHING {
         paths[k].state = DEAD;

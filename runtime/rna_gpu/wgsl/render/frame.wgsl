@@ -5,6 +5,7 @@ const SHORTER: f32 = 1.0 - 0x1p-13f; // shadow rays end before the light
 
 const DEAD: u32 = 0u;
 const ALIVE: u32 = 1u;
+const BENT: f32 = 0x1p100f; // density of directions that no sample of a light finds: those behind solid glass
 
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var<storage, read_write> paths: array<Path>;

@@ -11,6 +11,7 @@ const MATERIAL_PART: u32 = 0xfffffffeu;
 const CATCHER_PART: u32 = 0xfffffffdu;
 const SUM_GROUPS: u32 = 5u;
 const CAMERA_RAY: u32 = 1u;
+const INDIRECT_RAY: u32 = 2u;
 const SHADOW_RAY: u32 = 4u;
 const ALL_DIRECTIONS: u32 = 0xffffffffu;
 const HEMISPHERE: u32 = 0xfffffffeu;

@@ -8,6 +8,7 @@ const LETS_THROUGH: u32 = 2u;
 const IS_GLASS: u32 = 4u;
 const HAS_CUTOFF: u32 = 8u;
 const HAS_SCHLICK: u32 = 16u;
+const IS_SOLID: u32 = 32u;
 const BASE: u32 = 0u;
 const METAL: u32 = 1u;
 const COAT: u32 = 2u;
@@ -103,8 +104,11 @@ fn surface_cutoff(k: u32) -> f32 {
 fn surface_ior(k: u32) -> vec2f {
     return table[frame.surfaces + 9u * k + 7u].zw;
 }
+fn surface_absorption(k: u32) -> vec3f {
+    return table[frame.surfaces + 9u * k + 8u].xyz;
+}
 fn surface_f0(k: u32) -> f32 {
-    return table[frame.surfaces + 9u * k + 8u].x;
+    return table[frame.surfaces + 9u * k + 8u].w;
 }
 
 fn texture_place(k: u32) -> u32 {

@@ -1,5 +1,5 @@
 // Rays of the three sorts through the whole scene. light_shapes.wgsl adds lights with a shape, or a host says
-//     fn with_lights(ray: RnaRay, found: RnaHit) -> RnaHit
+//     fn with_lights(ray: RnaRay, rays: u32, found: RnaHit) -> RnaHit
 // where there are none.
 
 struct Through {
@@ -7,8 +7,8 @@ struct Through {
     weight: vec3f, // for what the ray passed or hit at random, if that has a colour
 }
 
-// The closest hit of a camera or indirect ray; `key` decides what it passes.
-fn closest_through(ray: RnaRay, own: u32, key: u32) -> Through {
+// The closest hit of a camera or indirect ray, whose bit is `rays`; `key` decides what it passes.
+fn closest_through(ray: RnaRay, own: u32, rays: u32, key: u32) -> Through {
     var hit = rna_miss(ray.far);
     var line = ray;
     var share = vec3f(1.0);
@@ -16,11 +16,11 @@ fn closest_through(ray: RnaRay, own: u32, key: u32) -> Through {
     stopped_share = vec3f(1.0);
     start_passing(AT_RANDOM);
     loop {
-        let found = rna_trace(line, own, frame.rays, false);
+        let found = rna_trace(line, own, rays, false);
         if passing == WEIGH {
             break;
         }
-        hit = with_lights(ray, found);
+        hit = with_lights(ray, rays, found);
         let is_triangle = (hit.instance & IS_LIGHT) == 0u
             && !rna_is_segment(rna_primitives[hit.primitive]);
         share = select(share, stopped_share, is_triangle);
@@ -38,7 +38,7 @@ fn visible_on(ray: RnaRay, own: u32) -> vec3f {
     start_passing(WEAKEN);
     var hit = rna_trace(ray, own, frame.rays, true);
     if hit.instance == RNA_NOTHING {
-        hit = with_lights(ray, hit);
+        hit = with_lights(ray, frame.rays, hit);
     }
     return select(vec3f(0.0), passed_weight, hit.instance == RNA_NOTHING);
 }

@@ -18,9 +18,9 @@ function quantity(word, units) {
 
 /** Words of a text, each read by its reader; "auto" is null. */
 function words(text, form, readers) {
-  const found = text.trim().split(/\s+/);
-  if (found.length !== readers.length) expected(form, text);
-  return found.map((word, k) => (word === "auto" ? null : readers[k](word) ?? expected(form, text)));
+  const list = text.trim().split(/\s+/);
+  if (list.length !== readers.length) expected(form, text);
+  return list.map((word, k) => (word === "auto" ? null : readers[k](word) ?? expected(form, text)));
 }
 
 const angle = (word) => quantity(word, ANGLES), length = (word) => quantity(word, LENGTHS);
@@ -45,8 +45,8 @@ function cameraOrbit(value) {
 export const cameraTarget = (value) => words(value, "X Y Z, as 0m 0.5m 0m", [length, length, length]);
 
 function fieldOfView(value) {
-  const [found] = words(value, "an angle, as 30deg", [angle]);
-  return found === null ? null : Math.min(170, Math.max(1, found / RADIANS));
+  const [radians] = words(value, "an angle, as 30deg", [angle]);
+  return radians === null ? null : Math.min(170, Math.max(1, radians / RADIANS));
 }
 
 /** Degrees. */
@@ -68,14 +68,14 @@ function addresses(value) {
 
 /** Linear RGB. */
 function tintColour(value) {
-  const found = value.trim().split(/\s+/).map(Number), isColour = globalThis.CSS?.supports("color", value);
-  if (found.length === 3 && found.every((one) => one >= 0 && one < Infinity)) return found;
+  const rgb = value.trim().split(/\s+/).map(Number), isColour = globalThis.CSS?.supports("color", value);
+  if (rgb.length === 3 && rgb.every((one) => one >= 0 && one < Infinity)) return rgb;
   return (isColour && linearColour(value)) || expected("a colour, or R G B of linear light, as 1 0.5 0.2", value);
 }
 
 /** By attribute: how its text is read. */
 export const READERS = {
-  src: text, alt: text, poster: text, scene: text, environment: text, tier: text, "variant-name": text,
+  src: text, glass: text, alt: text, poster: text, scene: text, environment: text, tier: text, "variant-name": text,
   loading: choice("auto", "lazy", "eager"), reveal: choice("auto", "manual"),
   "camera-orbit": cameraOrbit, "camera-target": cameraTarget, "field-of-view": fieldOfView,
   "min-camera-orbit": cameraOrbit, "max-camera-orbit": cameraOrbit, "min-field-of-view": fieldOfView, "max-field-of-view": fieldOfView,

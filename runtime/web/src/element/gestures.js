@@ -17,7 +17,7 @@ export function actions(stage) {
     change(...values);
     stage.isTouched = true;
     stage.viewer.restart(values.at(-1) === true);
-    stage.tell("camera", { byUser: true });
+    stage.emit("camera", { byUser: true });
   };
   return {
     orbit: moved((x, y) => stage.orbit.turn(x, y)),

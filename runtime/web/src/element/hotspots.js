@@ -49,7 +49,7 @@ export class Hotspots {
   /** All of them to where the picture that is shown has them. */
   update() {
     const known = this._known(), slots = new Set([...known.keys()].map(({ slot }) => slot)), camera = this.stage.viewer?.shownCamera;
-    for (const own of [...this.place.children]) if (!slots.has(own.name)) own.remove();
+    for (const slot of [...this.place.children]) if (!slots.has(slot.name)) slot.remove();
     for (const [child, spot] of known) {
       const slot = this._slot(child.slot), at = camera && placeOf(camera, spot.position), isSeen = !!at && this._isSeen(camera, spot);
       slot.classList.toggle("unseen", !isSeen);
@@ -59,8 +59,8 @@ export class Hotspots {
   }
 
   _slot(name) {
-    const found = [...this.place.children].find((own) => own.name === name);
-    if (found) return found;
+    const there = [...this.place.children].find((slot) => slot.name === name);
+    if (there) return there;
     const made = Object.assign(document.createElement("slot"), { name });
     this.place.append(made);
     return made;
@@ -76,7 +76,7 @@ export class Hotspots {
 }
 
 function placed(text) {
-  const found = cameraTarget(text);
-  if (found.includes(null)) throw new Error(`expected X Y Z, as 0m 0.5m 0m, found ${JSON.stringify(text)}`);
-  return found;
+  const vector = cameraTarget(text);
+  if (vector.includes(null)) throw new Error(`expected X Y Z, as 0m 0.5m 0m, found ${JSON.stringify(text)}`);
+  return vector;
 }

@@ -39,13 +39,13 @@ export class LastingEngine extends EventTarget {
   replace() {
     this.end();
     this.since = performance.now();
-    const own = this._begin().then(() => (own === this.begun ? !!this.engine : this.begun), (error) => {
-      if (own !== this.begun) return this.begun;
+    const begun = this._begin().then(() => (begun === this.begun ? !!this.engine : this.begun), (error) => {
+      if (begun !== this.begun) return this.begun;
       this.end();
       this.failed(error, "engine");
       return false;
     });
-    return (this.begun = own);
+    return (this.begun = begun);
   }
 
   async _begin() {
@@ -60,7 +60,7 @@ export class LastingEngine extends EventTarget {
     this.viewer.addEventListener("failed", ({ error }) => this._lost(engine, lineOf(error)));
     performance.mark("engine");
     listen(canvas, actions(this), (event) => isForPicture(this, event));
-    this.tell("engine");
+    this.emit("engine");
     this.resize();
     await this.restore(engine);
   }
@@ -113,7 +113,7 @@ export class LastingEngine extends EventTarget {
     if (await this.replace()) this.notices.say(null, false, "engine");
   }
 
-  tell(name, more) {
+  emit(name, more) {
     this.dispatchEvent(Object.assign(new Event(name), more));
   }
 
@@ -122,7 +122,7 @@ export class LastingEngine extends EventTarget {
     if (!isKnown(error)) console.error(error);
     this.notices.say(lineOf(error), false, about);
     this.failures = (this.failures ?? 0) + 1;
-    this.tell("failed", { error, about });
+    this.emit("failed", { error, about });
   }
 }
 

@@ -29,9 +29,9 @@ export class Lighting {
 
   /** The tables of the environment that is chosen. */
   tables() {
-    const own = this.images.get(this.choice);
-    own.tables ??= environmentTables(own.make());
-    return own.tables;
+    const image = this.images.get(this.choice);
+    image.tables ??= environmentTables(image.make());
+    return image.tables;
   }
 
   /** Whether the first look's lights of the image that is chosen are known, or not wanted. */
@@ -40,8 +40,8 @@ export class Lighting {
   }
 
   async prepare() {
-    const own = this.images.get(this.choice);
-    own.first ??= await (own.finding ??= firstLight(own.make()));
+    const image = this.images.get(this.choice);
+    image.first ??= await (image.finding ??= firstLight(image.make()));
   }
 
   /** Lights of a first look, once it is prepared: suns, brightest places of the environment, and the rest of it for lobes; null without one. */

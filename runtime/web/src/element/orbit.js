@@ -42,8 +42,8 @@ export class Orbit {
    * framed one. What they leave out (null) is so that the box, if there is one, is in sight at each angle of the turntable.
    */
   place(views, box, aspect) {
-    const said = views.map((view) => Object.fromEntries(Object.entries(view).filter(([, value]) => value != null)));
-    const { azimuth, elevation, fov, target = [], distance, share = 1 } = Object.assign({}, HOME, ...said);
+    const given = views.map((view) => Object.fromEntries(Object.entries(view).filter(([, value]) => value != null)));
+    const { azimuth, elevation, fov, target = [], distance, share = 1 } = Object.assign({}, HOME, ...given);
     const { lowFov, highFov } = this.limits;
     Object.assign(this, { azimuth, elevation, fov: clamp(fov, lowFov ?? 0, highFov ?? Infinity) });
     if (box) this.frame(box, aspect);

@@ -43,7 +43,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     this.turntable = new Turntable(this.stage);
     new Hotspots(this, part("hotspots"), this.stage);
     this.stillness = matchMedia("(prefers-reduced-motion: reduce)");
-    Object.assign(this, { loaded: false, observer: null, isNear: false, isFound: false, isDismissed: false, isBegun: false, asked: null, failures: new Set() });
+    Object.assign(this, { loaded: false, observer: null, isNear: false, hasMoved: false, isDismissed: false, isBegun: false, requestedSrc: null, failures: new Set() });
     this._listen();
   }
 
@@ -64,7 +64,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     this.stillness.removeEventListener("change", this.onstillness);
     queueMicrotask(() => {
       if (this.isConnected || !this.isBegun) return;
-      if (this.stage.loading) this.asked = null;
+      if (this.stage.loading) this.requestedSrc = null;
       this.isBegun = false;
       this.turntable.switch(false);
       this.stage.close();
@@ -74,7 +74,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
   attributeChangedCallback(name, before, text) {
     const isTriedAgain = this.failures.delete(ADDRESSES[name]);
     if (before === text && !isTriedAgain) return;
-    if (name === "src") this.asked = null;
+    if (["src", "glass"].includes(name)) this.requestedSrc = null;
     const property = propertyOf(name);
     try {
       this.settings[property] = text === null ? null : READERS[name](text);
@@ -150,7 +150,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
   _seen(isNear) {
     this.isNear = isNear;
     this.stage.rest(!isNear);
-    this._tint();  // where it was not displayed, no transition told of a change
+    this._tint();  // where it was not displayed, no transition fired
     this._begin();
   }
 
@@ -170,7 +170,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
   /** What an attribute changes of what is there. */
   _apply(name) {
     const { stage, settings } = this;
-    if (name === "src") this._begin();
+    if (["src", "glass"].includes(name)) this._begin();
     if (name === "poster") this._showImage(settings.poster);
     if (name === "scene" && this.isBegun) this._openScene();
     if (name === "environment" && this.isBegun) this._light();
@@ -206,21 +206,21 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
       if (settings.environment && !this.isLit) this._light();
       if (settings.scene) return void this._openScene();
     }
-    if (settings.src !== this.asked) this._open();
+    if (settings.src !== this.requestedSrc) this._open();
   }
 
   _open() {
-    this.asked = this.settings.src;
-    if (this.asked === null) return;
+    this.requestedSrc = this.settings.src;
+    if (this.requestedSrc === null) return;
     this.loaded = false;
-    this.stage.open(this.asked);
+    this.stage.open(this.requestedSrc);
   }
 
   async _openScene() {
-    const asked = (this.requestedScene = this.settings.scene);
-    if (asked === null) return this.stage.leaveScene();
-    const scene = await this.stage.openScene(asked);
-    if (asked !== this.requestedScene) return;
+    const address = (this.requestedScene = this.settings.scene);
+    if (address === null) return this.stage.leaveScene();
+    const scene = await this.stage.openScene(address);
+    if (address !== this.requestedScene || !this.isBegun) return;  // another one, or taken out of the page
     if (this.settings.src) this._begin();
     else if (scene?.asset) this.stage.open(scene.asset);
   }
@@ -263,7 +263,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
       if (this.settings.reveal !== "manual" || this.isDismissed) this._hidePoster();
       parts.status.textContent = `${this._name()} is shown`;
       this._fire("progress", { totalProgress: 1 });
-      this._fire("load", { url: this.asked });
+      this._fire("load", { url: this.requestedSrc });
       this._prompt();
     });
     on("ended", () => { parts.loading.hidden = true; });
@@ -275,24 +275,24 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     on("camera", ({ byUser }) => {
       this._fire("camera-change", { ...cameraText(stage.orbit), source: byUser ? "user-interaction" : "none" });
       if (!byUser) return;
-      this._found();
+      this._moved();
       this._speak();
     });
     on("light", ({ byUser }) => this._fire("light-change", { ...lightText(stage.lighting), source: byUser ? "user-interaction" : "none" }));
   }
 
-  /** Says that the asset can be turned, to those who have not found out for a while and do not mind motion. */
+  /** Says that the asset can be turned, to those who have not moved it for a while and do not mind motion. */
   _prompt() {
     clearTimeout(this.prompting);
     const { cameraControls, interactionPrompt } = this.settings;
-    const isWanted = () => cameraControls && interactionPrompt !== "none" && !this.isFound && !this.stillness.matches;
+    const isWanted = () => cameraControls && interactionPrompt !== "none" && !this.hasMoved && !this.stillness.matches;
     this.parts.prompt.hidden = true;
     if (this.loaded && isWanted()) this.prompting = setTimeout(() => { this.parts.prompt.hidden = !isWanted(); }, PROMPT_MS);
   }
 
-  /** They have: the prompt is no longer wanted. */
-  _found() {
-    this.isFound = true;
+  /** People have moved it: the prompt is no longer wanted. */
+  _moved() {
+    this.hasMoved = true;
     this._prompt();
   }
 
@@ -343,10 +343,10 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     this.parts.image.alt = this._name();
     if (!canvas) return;
     canvas.style.touchAction = cameraControls ? touchAction ?? "pan-y" : "auto";
-    const own = cameraControls ? { role: "application", tabindex: 0, "aria-describedby": "keys" } : { role: "img" };
+    const wanted = cameraControls ? { role: "application", tabindex: 0, "aria-describedby": "keys" } : { role: "img" };
     canvas.setAttribute("aria-label", this._name());
     for (const name of ["role", "tabindex", "aria-describedby"]) {
-      if (name in own) canvas.setAttribute(name, own[name]);
+      if (name in wanted) canvas.setAttribute(name, wanted[name]);
       else canvas.removeAttribute(name);
     }
   }

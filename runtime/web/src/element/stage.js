@@ -7,6 +7,7 @@ import { readImage } from "../light/image_files.js";
 import { NotSupported } from "../package/errors.js";
 import { fileAddress } from "../package/file_address.js";
 import { otherFile } from "../package/other_files.js";
+import { readGlass } from "../package/glass.js";
 import { pictureOf } from "../package/images.js";
 import { Package } from "../package/package.js";
 import { BlobSource, nameOf, UrlSource } from "../package/source.js";
@@ -46,17 +47,19 @@ export class Stage extends LastingEngine {
     const loading = (this.loading = new AbortController()), { signal } = loading;
     try {
       this.notices.say(null, false, "asset");
-      this.tell("loading");
-      const progress = (got, all) => signal.aborted || this.tell("progress", { got, all });
+      this.emit("loading");
+      this.notices.say(null, true, "glass");
+      const address = from instanceof Blob ? null : this.settings.glass, glass = address && this._readGlass(address);
+      const progress = (got, all) => signal.aborted || this.emit("progress", { got, all });
       const source = from instanceof Blob
         ? new BlobSource(from, from.name)
         : await UrlSource.open(from, progress, signal, this.labels[nameOf(from)]);
-      const opened = await Package.open(source);
+      const opened = Object.assign(await Package.open(source), { glass });
       signal.throwIfAborted();
-      if (opened.environment && this.settings.firstLook !== "off") this.lit.then(() => this.lighting.prepare());
+      if (opened.environment && this._wantsLobes(opened)) this.lit.then(() => this.lighting.prepare());
       const wanted = this.settings.tier, tier = this._known(opened, wanted), print = this.settings.variantName;
       opened.variant = this._knownVariant(opened, print);
-      if (await this.begun) opened.prefetch(tier, this.settings.firstLook !== "off");
+      if (await this.begun) opened.prefetch(tier, this._wantsLobes(opened));
       await this._offerPoster(opened);
       await this._show(opened, tier, true, signal);
       if (this.settings.tier !== wanted) await this._show(opened, this._known(opened, this.settings.tier), false, signal);
@@ -66,9 +69,24 @@ export class Stage extends LastingEngine {
     } finally {
       if (this.loading === loading) {
         this.loading = null;
-        this.tell("ended");
+        this.emit("ended");
       }
     }
+  }
+
+  /** The glass at an address, of readGlass; null, with a line, where it cannot be read. */
+  async _readGlass(address) {
+    try {
+      return readGlass(new Uint8Array(await fetched(address)), this.labels[nameOf(address)] ?? nameOf(address));
+    } catch (error) {
+      this.notices.say(`glass: ${error.message}`, true, "glass");
+      return null;
+    }
+  }
+
+  /** Lobes know nothing of glass. */
+  _wantsLobes({ glass }) {
+    return this.settings.firstLook !== "off" && !glass;
   }
 
   /** Another tier of the package that is open, or the same with what the settings want of it; null: the first. */
@@ -79,7 +97,7 @@ export class Stage extends LastingEngine {
     } catch (error) {
       this.failed(error, "asset");
     } finally {
-      this.tell("ended");
+      this.emit("ended");
     }
   }
 
@@ -182,14 +200,14 @@ export class Stage extends LastingEngine {
   }
 
   async _openImage(from, name) {
-    const asked = (this.requestedImage = {});
+    const request = (this.requestedImage = {});
     try {
       this.notices.say(null, false, "light");
       const buffer = from instanceof Blob ? await from.arrayBuffer() : await fetched(from);
-      if (asked !== this.requestedImage) return;
+      if (request !== this.requestedImage) return;
       this.setLight({ choice: this.lighting.add(this.labels[name] ?? name, readImage(buffer, name)) });
     } catch (error) {
-      if (asked === this.requestedImage) this.failed(error, "light");
+      if (request === this.requestedImage) this.failed(error, "light");
     }
   }
 
@@ -202,8 +220,8 @@ export class Stage extends LastingEngine {
   /** values: of Lighting's fields. moving: more will follow at once. */
   setLight(values, { moving = false, byUser = false } = {}) {
     Object.assign(this.lighting, values);
-    this.tell("set");
-    this.tell("light", { byUser });
+    this.emit("set");
+    this.emit("light", { byUser });
     this.changed(moving);
   }
 
@@ -245,7 +263,7 @@ export class Stage extends LastingEngine {
     this.orbit.limits = limitsOf(settings);
     const { width, height } = this.canvas ?? { width: 1, height: 1 };
     this.orbit.place(views, this.box, width / height);
-    this.tell("camera", { byUser: false });
+    this.emit("camera", { byUser: false });
     this.viewer?.restart();
   }
 
@@ -265,7 +283,7 @@ export class Stage extends LastingEngine {
     this.glide.stop();
     this.orbit.limits = limitsOf(this.settings);
     this.orbit.limit();
-    this.tell("camera", { byUser: false });
+    this.emit("camera", { byUser: false });
     this.viewer?.restart();
   }
 
@@ -329,14 +347,15 @@ export class Stage extends LastingEngine {
   _setLook(values, relights = false) {
     Object.assign(this.look, values);
     Object.assign(this.viewer ?? {}, values);
-    this.tell("set");
+    this.emit("set");
     if (relights) this.changed();
     this.viewer?.show();
   }
 
   async _show(opened, tier, isNew, signal) {
     if (!(await this.begun)) return;
-    const shown = await opened.load(tier, { wantsLobes: this.settings.firstLook !== "off" });
+    const shown = await opened.load(tier, { wantsLobes: this._wantsLobes(opened) });
+    shown.glass = await opened.glass;
     opened.forget();
     performance.mark("package");
     await this.lit;
@@ -351,7 +370,7 @@ export class Stage extends LastingEngine {
     if (!this.viewer || (!isNew && this.opened !== opened)) return;
     if (isNew) this.viewer.hasShown = false;
     this.viewer.pause();
-    const building = isNew ? sceneArrays(shown.parts) : this.arrays;
+    const building = isNew ? sceneArrays(shown.parts, shown.glass) : this.arrays;
     if (!(await this._upload(building, shown))) return;
     const arrays = await building;
     if (this.engine.hasLobes) await this.lighting.prepare();
@@ -363,18 +382,18 @@ export class Stage extends LastingEngine {
     else if (isNew) this.placeCamera();
     const { warnings } = opened.manifest;
     if (warnings.length) this.notices.say(warnings.join("; "), true, "asset");
-    this.tell("package", { opened, shown });
+    this.emit("package", { opened, shown });
     this.viewer.stats.ms = 0;
     this.changed();
     this.viewer.start();
   }
 
   /** Hands the asset to the engine, and to the next one where that is lost meanwhile; false if there is none any more. */
-  async _upload(building, { parts }) {
+  async _upload(building, shown) {
     while ((await this.begun) && this.engine) {
       const { engine } = this;
       try {
-        await engine.setAsset(building, parts);
+        await engine.setAsset(building, shown);
         if (engine === this.engine) return true;
       } catch (error) {
         if (engine === this.engine) throw error;
@@ -388,7 +407,7 @@ export class Stage extends LastingEngine {
     this.uploaded = null;
     if (!this.shown) return;
     this.viewer.hasShown = true;
-    await engine.setAsset(this.arrays, this.shown.parts);
+    await engine.setAsset(this.arrays, this.shown);
     this.changed();
     this.viewer?.start();
   }
@@ -398,15 +417,15 @@ export class Stage extends LastingEngine {
   }
 
   pictured() {
-    this.tell("shown");
+    this.emit("shown");
     if (!this.isNew || !this.viewer.stats.isSharp) return;
     this.isNew = false;
-    this.tell("load");
+    this.emit("load");
   }
 
   async _offerPoster(opened) {
     try {
-      this.tell("poster", { blob: await opened.posterImage() });
+      this.emit("poster", { blob: await opened.posterImage() });
     } catch {
       // A poster that is broken is a warning (spec, 10): the asset is shown without it.
     }

@@ -17,8 +17,8 @@ export function filmic(rgb) {
 export function beforeFilmic(shown) {
   let rgb = [...shown];
   for (let step = 0; step < 60; step++) {
-    const found = filmic(rgb);
-    rgb = rgb.map((value, c) => value * Math.min(2, Math.max(0.5, shown[c] / Math.max(found[c], 1e-6))));
+    const result = filmic(rgb);
+    rgb = rgb.map((value, c) => value * Math.min(2, Math.max(0.5, shown[c] / Math.max(result[c], 1e-6))));
   }
   return rgb;
 }

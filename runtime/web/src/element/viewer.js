@@ -202,8 +202,8 @@ export class Viewer extends EventTarget {
   }
 
   _measure(ms, pixels, lights) {
-    const own = ms / (pixels * Math.max(1, lights));
-    this.msPerPixel = pixels < 4096 ? Math.min(this.msPerPixel * 4, own) : 0.5 * (this.msPerPixel + own);
+    const each = ms / (pixels * Math.max(1, lights));
+    this.msPerPixel = pixels < 4096 ? Math.min(this.msPerPixel * 4, each) : 0.5 * (this.msPerPixel + each);
   }
 }
 

@@ -10,15 +10,16 @@ const HALVED_FROM = 24;  // levels; from here on sets are halved, which ends bel
 
 /**
  * { nodes, order }: nodes: words of RnaNode. order: numbers of the primitives in the order of the leaves.
- * boxes: six numbers a primitive, min and max. at: place of the root among all nodes. It yields between steps.
+ * boxes: six numbers a primitive, min and max. at: place of the root among all nodes. before: primitives of other
+ * hierarchies. It yields between steps.
  */
-export function* buildHierarchy(boxes, at = 0) {
+export function* buildHierarchy(boxes, at = 0, before = 0) {
   const count = boxes.length / 6, order = Uint32Array.from({ length: count }, (_, k) => k);
   const centres = new Float32Array(3 * count);
   for (let k = 0; k < count; k++) {
     for (let axis = 0; axis < 3; axis++) centres[3 * k + axis] = 0.5 * (boxes[6 * k + axis] + boxes[6 * k + 3 + axis]);
   }
-  const floats = new Float32Array(2 * NODE_WORDS * count), words = new Uint32Array(floats.buffer), own = { boxes, centres, order };
+  const floats = new Float32Array(2 * NODE_WORDS * count), words = new Uint32Array(floats.buffer), arrays = { boxes, centres, order };
   const stack = [[0, count, 0, -1]];  // first, end, level, parent of a right child
   let used = 0;
   while (stack.length) {
@@ -26,27 +27,27 @@ export function* buildHierarchy(boxes, at = 0) {
     used += 1;
     if (parent >= 0) words[parent + NODE.child.at] = at + used - 1;
     if (end - first > STEP) yield;
-    boundsOf(own, first, end);
+    boundsOf(arrays, first, end);
     for (let k = 0; k < 3; k++) {
       floats[node + NODE.low.at + k] = box[k];
       floats[node + NODE.high.at + k] = box[3 + k];
     }
     if (end - first <= LEAF) {
-      words[node + NODE.child.at] = first;
+      words[node + NODE.child.at] = before + first;
       words[node + NODE.count.at] = end - first;
       continue;
     }
     let best = { cost: Infinity };
     for (let axis = 0; axis < 3 && level < HALVED_FROM; axis++) {
-      const found = bestCut(own, first, end, axis);
-      if (found.cost < best.cost) best = found;
+      const other = bestCut(arrays, first, end, axis);
+      if (other.cost < best.cost) best = other;
       if (end - first > STEP) yield;
     }
-    let middle = best.cost < Infinity ? split(own, first, end, best) : first;
-    if (!(first < middle && middle < end)) middle = halve(own, first, end);
+    let middle = best.cost < Infinity ? split(arrays, first, end, best) : first;
+    if (!(first < middle && middle < end)) middle = halve(arrays, first, end);
     stack.push([middle, end, level + 1, node], [first, middle, level + 1, -1]);
   }
-  return { nodes: words.slice(0, NODE_WORDS * used), order };
+  return { nodes: words.slice(0, NODE_WORDS * used), order: order.map((k) => before + k) };
 }
 
 /** Makes the box at `to` of `target` hold the one at `from` of `boxes` too. */
@@ -91,8 +92,8 @@ function spanOf({ centres, order }, first, end, axis) {
 const binOf = (value, low, high) => Math.min(Math.floor(((value - low) / (high - low)) * BINS), BINS - 1);
 
 /** The cheapest cut between bins along an axis: its cost, infinite for none, and the first bin behind it. */
-function bestCut(own, first, end, axis) {
-  const { boxes, centres, order } = own, [low, high] = spanOf(own, first, end, axis);
+function bestCut(arrays, first, end, axis) {
+  const { boxes, centres, order } = arrays, [low, high] = spanOf(arrays, first, end, axis);
   if (!(high > low)) return { cost: Infinity };
   clear(bins);
   counts.fill(0);
@@ -139,9 +140,9 @@ function split({ centres, order }, first, end, { axis, cut, low, high }) {
 }
 
 /** Halves the set at the median of its widest axis. */
-function halve(own, first, end) {
-  const { centres, order } = own, widths = [0, 1, 2].map((axis) => {
-    const [low, high] = spanOf(own, first, end, axis);
+function halve(arrays, first, end) {
+  const { centres, order } = arrays, widths = [0, 1, 2].map((axis) => {
+    const [low, high] = spanOf(arrays, first, end, axis);
     return high - low;
   });
   const axis = widths.indexOf(Math.max(...widths));

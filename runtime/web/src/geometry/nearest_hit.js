@@ -20,8 +20,8 @@ export function nearestHit({ nodes, primitives, points }, origin, direction) {
     if (!meetsBox(floats, at, origin, direction, best?.distance ?? Infinity)) continue;
     if (!count) stack.push(child, node + 1);
     for (let k = 0; k < count; k++) {
-      const own = primitives.subarray(PRIMITIVE_WORDS * (child + k)), isSegment = own[PRIMITIVE.tag.at] & RNA_IS_SEGMENT;
-      const hit = (isSegment ? hitSegment : hitTriangle)(own, points, origin, direction);
+      const record = primitives.subarray(PRIMITIVE_WORDS * (child + k)), isSegment = record[PRIMITIVE.tag.at] & RNA_IS_SEGMENT;
+      const hit = (isSegment ? hitSegment : hitTriangle)(record, points, origin, direction);
       if (hit && hit.distance < (best?.distance ?? Infinity)) best = hit;
     }
   }
@@ -48,8 +48,8 @@ function meetsBox(floats, at, origin, direction, most) {
 const pointAt = (points, k) => [points[4 * k], points[4 * k + 1], points[4 * k + 2]];
 
 /** Moeller and Trumbore, Fast, Minimum Storage Ray/Triangle Intersection (1997). */
-function hitTriangle(own, points, origin, direction) {
-  const [a, b, c] = ["a", "b", "c"].map((name) => pointAt(points, own[PRIMITIVE[name].at]));
+function hitTriangle(record, points, origin, direction) {
+  const [a, b, c] = ["a", "b", "c"].map((name) => pointAt(points, record[PRIMITIVE[name].at]));
   const ab = minus(b, a), ac = minus(c, a), p = cross(direction, ac), size = dot(ab, p);
   if (size === 0) return null;
   const from = minus(origin, a), q = cross(from, ab), u = dot(from, p) / size, v = dot(direction, q) / size, distance = dot(ac, q) / size;
@@ -57,8 +57,8 @@ function hitTriangle(own, points, origin, direction) {
 }
 
 /** A strand's segment as a cylinder about the place of its middle that is nearest to the ray. */
-function hitSegment(own, points, origin, direction) {
-  const first = own[PRIMITIVE.a.at], start = pointAt(points, first), axis = minus(pointAt(points, first + 1), start), from = minus(origin, start);
+function hitSegment(record, points, origin, direction) {
+  const first = record[PRIMITIVE.a.at], start = pointAt(points, first), axis = minus(pointAt(points, first + 1), start), from = minus(origin, start);
   const length = dot(axis, axis), slope = dot(axis, direction), slant = length - slope * slope;
   const reached = slant > 0 ? (dot(from, axis) - slope * dot(from, direction)) / slant : 0, t = Math.min(1, Math.max(0, reached));
   const middle = along(start, axis, t), nearest = dot(minus(middle, origin), direction), away = minus(along(origin, direction, nearest), middle);

@@ -1,4 +1,4 @@
-// What shaders know of an asset's geometry: all parts in one hierarchy, in the layouts of rna_gpu/wgsl/geometry.wgsl,
+// What shaders know of an asset's geometry: all parts in one hierarchy, and the glass beside it in another, in the layouts of rna_gpu/wgsl/geometry.wgsl,
 // render/surfaces.wgsl and render/textures.wgsl.
 import { constants, records } from "../decoder/records.js";
 import { finished, inSteps } from "../steps.js";
@@ -9,16 +9,17 @@ const { RNA_HAS_BEFORE, RNA_HAS_AFTER, RNA_IS_SEGMENT, RNA_SURFACE_SHIFT } = con
 const PRIMITIVE = records.RnaPrimitive, NODE = records.RnaNode;
 
 /**
- * In steps, between which the page answers. nodes: one of the only instance, then those of the hierarchy. primitives: RnaPrimitive, in the order of the leaves.
+ * In steps, between which the page answers. parts: of a tier. glass: of readGlass, or null. nodes: one above the
+ * instances, which are the asset and the glass, then those of the asset and from `glassRoot` on of the glass. primitives: RnaPrimitive, in the order of the leaves.
  * points: x, y, z, and u or the radius. normals: n, v, of meshes' points. table, images: of the surfaces (SurfaceTable).
  * where: of a primitive's number its place in `primitives`; numbers count through all parts, of which `parts[k].first` is
  * the first of part k, and `parts[k].point` its first point. surfaces: the table, for other prints. extent: the largest coordinate.
  */
-export const sceneArrays = (parts) => finished(arraysOf(parts));
+export const sceneArrays = (parts, glass = null) => finished(arraysOf(parts, glass));
 
-function* arraysOf(parts) {
-  const counts = parts.map(countsOf);
-  const total = (name) => counts.reduce((sum, own) => sum + own[name], 0);
+function* arraysOf(parts, glass) {
+  const counts = [...parts, ...(glass ? [glass] : [])].map(countsOf);
+  const total = (name) => counts.reduce((sum, count) => sum + count[name], 0);
   const arrays = {
     primitives: new Uint32Array(PRIMITIVE.words * total("primitives")),
     points: new Float32Array(4 * total("points")),
@@ -33,23 +34,31 @@ function* arraysOf(parts) {
     const part = parts[k];
     arrays.parts[k] = { first: at.primitive, point: at.point, fiber: part.kind === "fiber" };
     if (part.kind === "fiber") yield* addCurves(arrays, part.curves, k, at);
-    else yield* addMesh(arrays, part, k, at);
+    else yield* addMesh(arrays, part.mesh, yield* arrays.surfaces.ofTriangles(part, k), at);
     at = { primitive: at.primitive + counts[k].primitives, point: at.point + counts[k].points };
   }
-  const { nodes, order: leaves } = yield* buildHierarchy(arrays.boxes, 1);
+  if (glass) {
+    const surfaces = arrays.surfaces.ofGlass(glass.materials);
+    yield* addMesh(arrays, glass.mesh, glass.materialOf.map((k) => surfaces[k]), at);
+  }
+  const bodies = [yield* buildHierarchy(arrays.boxes.subarray(0, 6 * at.primitive), 1)];
+  const glassRoot = glass && 1 + bodies[0].nodes.length / NODE.words;
+  if (glass) bodies.push(yield* buildHierarchy(arrays.boxes.subarray(6 * at.primitive), glassRoot, at.primitive));
+  const leaves = joined(bodies.map(({ order }) => order));
   const primitives = new Uint32Array(arrays.primitives.length), where = new Uint32Array(leaves.length);
   yield* inSteps(0, leaves.length, (first, end) => {
     for (let to = first; to < end; to++) {
-      const from = leaves[to], own = arrays.primitives.subarray(PRIMITIVE.words * from, PRIMITIVE.words * (from + 1));
-      primitives.set(own, PRIMITIVE.words * to);
+      const from = leaves[to], record = arrays.primitives.subarray(PRIMITIVE.words * from, PRIMITIVE.words * (from + 1));
+      primitives.set(record, PRIMITIVE.words * to);
       where[from] = to;
     }
   });
-  return { ...arrays, boxes: null, ...arrays.surfaces.arrays(), primitives, nodes: withInstance(nodes), where, box: boxOf(nodes) };
+  const above = nodeAbove(bodies), nodes = joined([above, ...bodies.map((body) => body.nodes)]);
+  return { ...arrays, boxes: null, ...arrays.surfaces.arrays(), primitives, nodes, where, glassRoot, box: boxOf(above) };
 }
 
-function countsOf({ kind, mesh, curves }) {
-  if (kind === "surface") {
+function countsOf({ mesh, curves }) {
+  if (mesh) {
     const points = mesh.positions.length / 3;
     return { primitives: mesh.indices.length / 3, points, normals: points };
   }
@@ -57,8 +66,9 @@ function countsOf({ kind, mesh, curves }) {
   return { primitives: points - (curves.offsets.length - 1), points, normals: 0 };
 }
 
-function* addMesh(arrays, part, number, { primitive, point }) {
-  const { positions, normals, uvs, indices } = part.mesh, { points, boxes, primitives } = arrays;
+/** surfaces: number of each triangle's. */
+function* addMesh(arrays, { positions, normals, uvs, indices }, surfaces, { primitive, point }) {
+  const { points, boxes, primitives } = arrays;
   yield* inSteps(0, positions.length / 3, (from, to) => {
     for (let k = from; k < to; k++) {
       const at = 4 * (point + k);
@@ -71,7 +81,6 @@ function* addMesh(arrays, part, number, { primitive, point }) {
       arrays.normals[at + 3] = uvs ? uvs[2 * k + 1] : 0;
     }
   });
-  const surfaces = yield* arrays.surfaces.ofTriangles(part, number);
   yield* inSteps(0, indices.length / 3, (from, to) => {
     for (let k = from; k < to; k++) {
       const corners = [0, 1, 2].map((c) => indices[3 * k + c]);
@@ -121,13 +130,26 @@ function setPrimitive(words, k, a, b, c, tag) {
   words[at + members.tag.at] = tag;
 }
 
-/** The nodes behind a leaf with instance 0. */
-function withInstance(nodes) {
-  const all = new Uint32Array(nodes.length + NODE.words);
-  all.set(nodes.subarray(0, NODE.words));
-  all[NODE.members.child.at] = 0;
-  all[NODE.members.count.at] = 1;
-  all.set(nodes, NODE.words);
+/** A leaf with an instance of each hierarchy, whose box is about all of them. */
+function nodeAbove(bodies) {
+  const { low, high, child, count } = NODE.members, all = new Uint32Array(NODE.words), box = new Float32Array(all.buffer);
+  const boxes = bodies.map(({ nodes }) => boxOf(nodes));
+  for (let axis = 0; axis < 3; axis++) {
+    box[low.at + axis] = Math.min(...boxes.map(({ min }) => min[axis]));
+    box[high.at + axis] = Math.max(...boxes.map(({ max }) => max[axis]));
+  }
+  all[child.at] = 0;
+  all[count.at] = bodies.length;
+  return all;
+}
+
+function joined(lists) {
+  const all = new Uint32Array(lists.reduce((sum, { length }) => sum + length, 0));
+  let at = 0;
+  for (const list of lists) {
+    all.set(list, at);
+    at += list.length;
+  }
   return all;
 }
 

@@ -3,7 +3,7 @@ import { constants, packed, records } from "../decoder/records.js";
 import { levelsOf } from "../package/images.js";
 import { finished } from "../steps.js";
 
-const { NONE, OF_NEURAL, OF_FIBERS, LETS_THROUGH, HAS_CUTOFF, BASE } = constants;
+const { NONE, OF_MATERIAL, OF_NEURAL, OF_FIBERS, IS_SOLID, LETS_THROUGH, HAS_CUTOFF, BASE } = constants;
 const WRAPS = ["repeat", "clamp", "mirror"], MIXES_SRGB = 256;  // of the form of textures
 const TEXTURES = records.Surface.members.textures.count;
 const NOTHING = new Uint32Array(0), WHITE = [1, 1, 1], AS_IS = [1, 0, 0, 0, 1, 0];
@@ -20,15 +20,20 @@ export class SurfaceTable {
     return this._add({ kind: OF_FIBERS, part });
   }
 
+  /** materials: of readGlass. */
+  ofGlass(materials) {
+    return materials.map(({ ior, tint, absorption }) => this._add({ kind: OF_MATERIAL, flags: IS_SOLID, base_color: tint, ior: [ior, 0], absorption }));
+  }
+
   /** In steps, the surface of each triangle of a mesh: those of the same records share it. */
   *ofTriangles({ mesh, normalMaps, transmittance, baseColor }, part) {
     const count = mesh.indices.length / 3, lists = [normalMaps, transmittance, baseColor];
     const numbers = lists.map((list) => recordOf(list, count)), known = new Map(), result = new Uint32Array(count);
     for (let k = 0; k < count; k++) {
-      const own = numbers.map((list) => list[k]), key = own.join();
+      const row = numbers.map((list) => list[k]), key = row.join();
       if (!known.has(key)) {
-        known.set(key, yield* this._ofRecords(part, ...lists.map((list, j) => list[own[j]])));
-        this.surfaces[known.get(key)].record = own[2];
+        known.set(key, yield* this._ofRecords(part, ...lists.map((list, j) => list[row[j]])));
+        this.surfaces[known.get(key)].record = row[2];
       }
       result[k] = known.get(key);
     }
@@ -73,7 +78,7 @@ export class SurfaceTable {
 
   /** Another picture, { pixels, width, height }, in place of the images with that label; null: the package's own. */
   async setImage(label, picture) {
-    for (const texture of this.textures.filter((own) => own.label === label)) {
+    for (const texture of this.textures.filter((one) => one.label === label)) {
       const { piece, width, height } = texture, levels = picture && (await finished(levelsOf(picture, texture.colorSpace)));
       texture.first ??= { piece, width, height };
       // A piece of its own, in the place of the last one that was given.
@@ -112,11 +117,11 @@ export class SurfaceTable {
 
   /** Number of the texture of a record of base colour, with all levels. */
   *_print({ image, label, colorSpace = "srgb", wrap = ["repeat", "repeat"], transform = AS_IS }) {
-    const own = this.#made.get(image) ?? {}, [u, v] = wrap.map((name) => WRAPS.indexOf(name));
-    own[colorSpace] ??= this.pieces.push(yield* levelsOf(image, colorSpace)) - 1;
-    this.#made.set(image, own);
+    const made = this.#made.get(image) ?? {}, [u, v] = wrap.map((name) => WRAPS.indexOf(name));
+    made[colorSpace] ??= this.pieces.push(yield* levelsOf(image, colorSpace)) - 1;
+    this.#made.set(image, made);
     return this.textures.push({
-      piece: own[colorSpace], width: image.width, height: image.height, form: u | (v << 2) | (colorSpace === "srgb" ? MIXES_SRGB : 0),
+      piece: made[colorSpace], width: image.width, height: image.height, form: u | (v << 2) | (colorSpace === "srgb" ? MIXES_SRGB : 0),
       row_u: transform.slice(0, 3), row_v: transform.slice(3), label, colorSpace,
     }) - 1;
   }
@@ -125,6 +130,6 @@ export class SurfaceTable {
 /** Of each triangle the number of its record, -1 for none. */
 function recordOf(records, count) {
   const result = new Int32Array(count).fill(-1);
-  records.forEach(({ triangles: [first, own] }, k) => result.fill(k, first, first + own));
+  records.forEach(({ triangles: [first, count] }, k) => result.fill(k, first, first + count));
   return result;
 }

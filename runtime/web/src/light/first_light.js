@@ -76,10 +76,10 @@ function cellsOf(rgb, texels) {
       const cell = cellOf(texels, row, column), phi = (2 * Math.PI * (column + 0.5)) / texels.width - Math.PI;
       solids[cell] += solid;
       for (let c = 0; c < 3; c++) sums[3 * cell + c] += rgb[at + c] * solid;
-      const own = mean(rgb, at / 3) * solid;
-      directions[3 * cell] += own * sine * Math.sin(phi);
-      directions[3 * cell + 1] += own * cosine;
-      directions[3 * cell + 2] -= own * sine * Math.cos(phi);
+      const light = mean(rgb, at / 3) * solid;
+      directions[3 * cell] += light * sine * Math.sin(phi);
+      directions[3 * cell + 1] += light * cosine;
+      directions[3 * cell + 2] -= light * sine * Math.cos(phi);
     }
   }
   const flux = sums.map((sum, k) => (sum / solids[Math.floor(k / 3)]) * ((4 * Math.PI) / CELL_COUNT));
@@ -109,9 +109,9 @@ function middleOf(cells, excess) {
   const sum = [0, 0, 0];
   let flux = 0;
   for (const cell of cells) {
-    const own = mean(excess, cell);
-    flux += own;
-    directionOf(cell).forEach((value, k) => { sum[k] += own * value; });
+    const light = mean(excess, cell);
+    flux += light;
+    directionOf(cell).forEach((value, k) => { sum[k] += light * value; });
   }
   const size = Math.hypot(...sum) || 1;
   return { flux, size, direction: sum.map((value) => value / size) };
@@ -158,7 +158,7 @@ function longestAxis(cells, excess, middle) {
   const covariance = [[0, 0, 0], [0, 0, 0], [0, 0, 0]];
   for (const cell of cells) {
     const d = directionOf(cell).map((value, k) => value - middle[k]), own = mean(excess, cell);
-    for (let i = 0; i < 3; i++) for (let j = 0; j < 3; j++) covariance[i][j] += own * d[i] * d[j];
+    for (let i = 0; i < 3; i++) for (let j = 0; j < 3; j++) covariance[i][j] += light * d[i] * d[j];
   }
   let axis = [0.6, 0.5, 0.62];
   for (let step = 0; step < 60; step++) {
@@ -180,14 +180,14 @@ function lightOf(cells, excess, caught, directions) {
   return { direction: sum.map((value) => value / size), colour };
 }
 
-/** { radiance, up }: mean radiance in the cells of the GRID, and irradiance on a plane that faces +y. kept: of a cell. */
-function restOf(rgb, texels, kept) {
+/** { radiance, up }: mean radiance in the cells of the GRID, and irradiance on a plane that faces +y. share: of a cell that stays in it. */
+function restOf(rgb, texels, share) {
   const [rows, columns] = GRID, sums = new Float64Array(3 * rows * columns), solids = new Float64Array(rows * columns), up = [0, 0, 0];
   for (let row = 0, at = 0; row < texels.height; row++) {
     const height = Math.max(0, Math.cos((Math.PI * (row + 0.5)) / texels.height)), solid = texels.solid[row];
     for (let column = 0; column < texels.width; column++, at += 3) {
       const place = Math.floor((row / texels.height) * rows) * columns + Math.floor((column / texels.width) * columns);
-      const weight = solid * kept(cellOf(texels, row, column));
+      const weight = solid * share(cellOf(texels, row, column));
       solids[place] += solid;
       for (let c = 0; c < 3; c++) {
         sums[3 * place + c] += weight * rgb[at + c];

@@ -1,4 +1,4 @@
-// Environment images: Radiance and OpenEXR files, told by their first bytes.
+// Environment images: Radiance and OpenEXR files, which their first bytes tell apart.
 import { NotSupported } from "../package/errors.js";
 import { otherFile } from "../package/other_files.js";
 import { readExr } from "./exr_file.js";
@@ -15,8 +15,8 @@ export function readImage(buffer, name) {
   try {
     return checked(read(bytes));
   } catch (error) {
-    const said = error instanceof NotSupported ? error.message : `cannot read the image: ${error.message ?? error}`;
-    throw new NotSupported(`${name}: ${said}`);
+    const message = error instanceof NotSupported ? error.message : `cannot read the image: ${error.message ?? error}`;
+    throw new NotSupported(`${name}: ${message}`);
   }
 }
 

@@ -30,9 +30,9 @@ export function readCurves(bytes, where) {
 
 function checkForm(header, form, names, where) {
   const { tensors } = header, code = "GEOMETRY_PROFILE";
-  const found = Object.keys(tensors);
-  if (found.length !== names.length || names.some((name) => !found.includes(name))) {
-    fail(code, where, `found ${found.join(", ") || "no tensors"}, expected ${names.join(", ")}`);
+  const present = Object.keys(tensors);
+  if (present.length !== names.length || names.some((name) => !present.includes(name))) {
+    fail(code, where, `found ${present.join(", ") || "no tensors"}, expected ${names.join(", ")}`);
   }
   if (!isMetadata(header.metadata)) fail(code, where, "__metadata__ is no object");
   for (const [name, [dtypes, dims]] of Object.entries(form)) {

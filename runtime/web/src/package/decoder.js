@@ -23,8 +23,8 @@ export function readDecoder(bytes, { columns, outputs, output, precision }, wher
 
 /** Follows the one chain from queries to the output. */
 class Chain {
-  constructor({ nodes, constants }, asked, where, outside) {
-    Object.assign(this, asked, { where, outside, width: asked.columns, value: "queries", values: asked.outputs, work: 0 });
+  constructor({ nodes, constants }, form, where, outside) {
+    Object.assign(this, form, { where, outside, width: form.columns, value: "queries", values: form.outputs, work: 0 });
     if (nodes.length > MOST_NODES) outside(`${nodes.length} nodes; at most ${MOST_NODES}`);
     const names = ["queries", ...constants.map(({ name }) => name), ...nodes.map(({ output }) => output)];
     if (new Set(names).size !== names.length || names.includes("")) outside("a value made twice, or without a name");
@@ -64,8 +64,8 @@ class Chain {
   read(names, operands) {
     if (names.length !== operands.length) this.outside(`${names.length} constants where ${operands.length} must be`);
     return operands.map(([type, dims], k) => {
-      const { values, ...found } = this.constants.get(names[k]) ?? {};
-      if (!values || found.type !== type || found.dims.join() !== dims.join()) {
+      const { values, ...tensor } = this.constants.get(names[k]) ?? {};
+      if (!values || tensor.type !== type || tensor.dims.join() !== dims.join()) {
         this.outside(`${names[k]} is no constant of type ${type} and shape [${dims}]`);
       }
       if (type === FLOAT && !values.every(Number.isFinite)) {

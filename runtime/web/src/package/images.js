@@ -157,8 +157,8 @@ function encoder(linear) {
     guesses[k] = value;
   }
   return (value) => {
-    let found = guesses[Math.floor(value * GUESSES)];
-    while (found < 255 && edges[found] < value) found++;
-    return found;
+    let level = guesses[Math.floor(value * GUESSES)];
+    while (level < 255 && edges[level] < value) level++;
+    return level;
   };
 }

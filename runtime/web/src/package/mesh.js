@@ -17,20 +17,21 @@ export function readMesh(bytes, where) {
   }
   const primitive = json.meshes[0].primitives[0];
   const read = (index) => readAccessor(json, bin.subarray(0, buffer), index, where);
-  const found = {
+  const stored = {
     positions: read(primitive.attributes.POSITION), normals: read(primitive.attributes.NORMAL),
     uvs: "TEXCOORD_0" in primitive.attributes ? read(primitive.attributes.TEXCOORD_0) : null,
     indices: read(primitive.indices),
   };
-  checkCounts(found, where);
-  checkBounds(json.accessors[primitive.attributes.POSITION], found.positions, quantised, where);
-  const mesh = quantised ? restored(found, json.nodes[0]) : found;
-  mesh.indices = Uint32Array.from(found.indices);
+  checkCounts(stored, where);
+  checkBounds(json.accessors[primitive.attributes.POSITION], stored.positions, quantised, where);
+  const mesh = quantised ? restored(stored, json.nodes[0]) : stored;
+  mesh.indices = Uint32Array.from(stored.indices);
   checkValues(mesh, where);
   return mesh;
 }
 
-function readChunks(bytes, where) {
+/** { json, bin } of a binary glTF. */
+export function readChunks(bytes, where) {
   const code = "GEOMETRY_CONTAINER";
   const data = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
   if (bytes.length < 20 || data.getUint32(0, true) !== 0x46546c67 || data.getUint32(4, true) !== 2) {
@@ -52,7 +53,8 @@ function readChunks(bytes, where) {
   return { json: parseJson(chunks[0][1], where, code), bin: chunks[1][1] };
 }
 
-function readAccessor(json, bin, index, where) {
+/** The values of an accessor. */
+export function readAccessor(json, bin, index, where) {
   const accessor = json.accessors[index];
   if (!accessor) fail("GEOMETRY_RANGE", where, `no accessor ${index}`);
   const view = json.bufferViews[accessor.bufferView];
@@ -107,7 +109,8 @@ function restored({ positions, normals, uvs }, { translation, scale }) {
   };
 }
 
-function checkValues({ positions, normals, uvs, indices }, where) {
+/** Fails for what is not finite, indices without a vertex, normals that are no directions. */
+export function checkValues({ positions, normals, uvs, indices }, where) {
   for (const values of [positions, normals, uvs ?? []]) {
     for (let k = 0; k < values.length; k++) {
       if (!Number.isFinite(values[k])) fail("GEOMETRY_NOT_FINITE", where, "an attribute is not finite");

@@ -18,15 +18,15 @@ const GAP = 65536;
 
 export class Package {
   static async open(source) {
-    const own = new Package();
-    own.source = source;
-    own.directory = await readDirectory(source);
-    own.cache = new Map();
-    own.images = new Map();  // decoded
-    own.manifest = readManifest(await own._stored(MANIFEST));
-    checkEntries(own.manifest, own.directory);
-    own.environment = environmentOf(own.manifest);
-    return own;
+    const opened = new Package();
+    opened.source = source;
+    opened.directory = await readDirectory(source);
+    opened.cache = new Map();
+    opened.images = new Map();  // decoded
+    opened.manifest = readManifest(await opened._stored(MANIFEST));
+    checkEntries(opened.manifest, opened.directory);
+    opened.environment = environmentOf(opened.manifest);
+    return opened;
   }
 
   get poster() {
@@ -34,12 +34,12 @@ export class Package {
   }
 
   tier(name) {
-    const found = name ? this.manifest.tiers.find((tier) => tier.name === name) : this.manifest.tiers[0];
-    if (!found) {
+    const tier = name ? this.manifest.tiers.find((tier) => tier.name === name) : this.manifest.tiers[0];
+    if (!tier) {
       const names = this.manifest.tiers.map((tier) => tier.name).join(", ");
       fail("TIER_UNKNOWN", this.source.name, `no tier ${name}; there are ${names}`);
     }
-    return found;
+    return tier;
   }
 
   /** Bytes of the file that showing the tier takes. */
@@ -79,17 +79,17 @@ export class Package {
   async _addEnvironment(parts, tier, data) {
     const names = entriesOf(this.environment).filter((name) => !data.has(name));
     for (const name of names) data.set(name, await this._data(name));
-    this.environment.forEach((own, k) => { parts[k].environment = this._environment(parts[k], own, tier.parts[k], data); });
+    this.environment.forEach((form, k) => { parts[k].environment = this._environment(parts[k], form, tier.parts[k], data); });
   }
 
   /** { inputs, lobes, harmonics or null, planes, and the decoder }. The tier's planes are taken where they are the same. */
-  _environment(part, own, ofTier, data) {
-    const { inputs, lobes, visibility } = own, points = (part.mesh?.positions ?? part.curves.points).length / 3;
-    const isTiers = ["planes", "resolution", "channels", "planePrecision"].every((name) => own[name] === ofTier[name]);
-    const planes = isTiers ? part.planes : readPlanes(data.get(own.planes), own, own.planes);
+  _environment(part, form, ofTier, data) {
+    const { inputs, lobes, visibility } = form, points = (part.mesh?.positions ?? part.curves.points).length / 3;
+    const isTiers = ["planes", "resolution", "channels", "planePrecision"].every((name) => form[name] === ofTier[name]);
+    const planes = isTiers ? part.planes : readPlanes(data.get(form.planes), form, form.planes);
     const harmonics = visibility ? readHarmonics(data.get(visibility), points, visibility) : null;
     const more = visibility ? VISIBILITY_COLUMNS : 0;
-    return { inputs, lobes, harmonics, planes, ...decoderOf(data, own, own, "environment", 9 * lobes, more) };
+    return { inputs, lobes, harmonics, planes, ...decoderOf(data, form, form, "environment", 9 * lobes, more) };
   }
 
   /** The poster's PNG, or null. */
@@ -250,6 +250,6 @@ function roundedBounds({ min, max }) {
 async function checkHash(bytes, expected, name) {
   if (!globalThis.crypto?.subtle) return;
   const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));
-  const found = [...digest].map((byte) => byte.toString(16).padStart(2, "0")).join("");
-  if (found !== expected) fail("ENTRY_HASH", name, "the bytes do not have the declared SHA-256");
+  const actual = [...digest].map((byte) => byte.toString(16).padStart(2, "0")).join("");
+  if (actual !== expected) fail("ENTRY_HASH", name, "the bytes do not have the declared SHA-256");
 }

@@ -13,17 +13,17 @@ export function readPlanes(bytes, { planePrecision: precision, resolution, chann
     ? { scales: ["F32", [3, channels]], planes: ["I8", [3, resolution, resolution, channels]] }
     : { planes: [DTYPES[precision], [3, resolution, resolution, channels]] };
   const names = Object.keys(expected);
-  const found = Object.keys(tensors);
+  const present = Object.keys(tensors);
   if (!isMetadata(header.metadata)) fail("PLANES_TENSOR", where, "__metadata__ is no object");
-  if (found.length !== names.length || names.some((name) => !found.includes(name))) {
-    fail("PLANES_TENSOR", where, `found ${found.join(", ") || "no tensors"}, expected ${names.join(", ")}`);
+  if (present.length !== names.length || names.some((name) => !present.includes(name))) {
+    fail("PLANES_TENSOR", where, `found ${present.join(", ") || "no tensors"}, expected ${names.join(", ")}`);
   }
   for (const name of names) if (!isObject(tensors[name])) fail("PLANES_TENSOR", where, `${name} is no object`);
   for (const name of names) {
-    const [dtype, shape] = expected[name], own = tensors[name];
-    if (own.dtype !== dtype) fail("PLANES_DTYPE", where, `${name}: found ${own.dtype}, expected ${dtype}`);
-    if (!isTensor(own) || own.shape.join() !== shape.join()) {
-      fail("PLANES_SHAPE", where, `${name}: found [${own.shape}], expected [${shape}]`);
+    const [dtype, shape] = expected[name], tensor = tensors[name];
+    if (tensor.dtype !== dtype) fail("PLANES_DTYPE", where, `${name}: found ${tensor.dtype}, expected ${dtype}`);
+    if (!isTensor(tensor) || tensor.shape.join() !== shape.join()) {
+      fail("PLANES_SHAPE", where, `${name}: found [${tensor.shape}], expected [${shape}]`);
     }
   }
   const taken = takeTensors(bytes, header, names, where, "PLANES_HEADER");

@@ -68,8 +68,8 @@ class Checker {
     if (value.length < schema.minItems) wrong(`${schema.minItems} items or more`);
     if (value.length > schema.maxItems) wrong(`at most ${schema.maxItems} items`);
     value.forEach((item, k) => {
-      const own = schema.prefixItems?.[k] ?? schema.items;
-      if (own) this.check(own, item, `${where}/${k}`);
+      const rule = schema.prefixItems?.[k] ?? schema.items;
+      if (rule) this.check(rule, item, `${where}/${k}`);
     });
     if (schema.uniqueItems && new Set(value).size !== value.length) {
       fail("INPUT_UNKNOWN", where, "a name twice");
@@ -88,8 +88,8 @@ class Checker {
       if (!Object.hasOwn(value, key)) fail("FIELD_MISSING", `${where}/${key}`, "missing");
     }
     for (const key of keys) {
-      const own = Object.hasOwn(known, key) ? known[key] : schema.additionalProperties;
-      if (own) this.check(own, value[key], `${where}/${key}`);
+      const rule = Object.hasOwn(known, key) ? known[key] : schema.additionalProperties;
+      if (rule) this.check(rule, value[key], `${where}/${key}`);
     }
   }
 }

@@ -10,14 +10,14 @@ function readTexture(bytes, name, channels, where, code) {
   const tensor = header.tensors[name];
   if (!isMetadata(header.metadata)) fail(code, where, "__metadata__ is no object");
   if (Object.keys(header.tensors).join() !== name || !isTensor(tensor)) fail(code, where, `not one tensor ${name}`);
-  const [height, width, found] = tensor.shape;
+  const [height, width, depth] = tensor.shape;
   const fits = tensor.shape.length === 3 && [height, width].every((side) => side >= 1 && side <= WIDEST);
-  if (tensor.dtype !== "U8" || !fits || !channels.includes(found)) {
+  if (tensor.dtype !== "U8" || !fits || !channels.includes(depth)) {
     fail(code, where, `found ${tensor.dtype} [${tensor.shape}], expected U8 [H, W, ${channels.join(" or ")}]`);
   }
   if (header.data % 64) fail(code, where, "data does not start at a multiple of 64");
   const [values] = takeTensors(bytes, header, [name], where, code);
-  return { values, height, width, channels: found };
+  return { values, height, width, channels: depth };
 }
 
 export function readTransmittance(bytes, record, where) {

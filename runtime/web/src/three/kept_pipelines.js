@@ -2,21 +2,21 @@
 // compiling anew. three.js lets go of a pipeline with its last mesh; here each counts as used once more.
 
 const MOST = 16;
-const kept = new WeakMap();  // renderer -> pipelines, the latest last
+const latest = new WeakMap();  // renderer -> pipelines, the latest last
 
 /** Keeps the renderer's pipelines whose shader has this in it, the last 16. */
 export function keepPipelines(renderer, mark) {
   const owner = renderer?._pipelines;
   if (!owner?.caches) return;
-  if (!kept.has(renderer)) kept.set(renderer, new Set());
-  const own = kept.get(renderer);
+  if (!latest.has(renderer)) latest.set(renderer, new Set());
+  const pipelines = latest.get(renderer);
   for (const pipeline of owner.caches.values()) {
     if (!pipeline.fragmentProgram?.code.includes(mark)) continue;
-    if (!own.delete(pipeline)) count(pipeline, 1);
-    own.add(pipeline);
+    if (!pipelines.delete(pipeline)) count(pipeline, 1);
+    pipelines.add(pipeline);
   }
-  for (const pipeline of [...own].slice(0, -MOST)) {
-    own.delete(pipeline);
+  for (const pipeline of [...pipelines].slice(0, -MOST)) {
+    pipelines.delete(pipeline);
     letGo(owner, pipeline);
   }
 }

@@ -43,7 +43,7 @@ export class SharedBuffers {
   }
 }
 
-const named = (own, type, name) => storage(own, type, own.count).toReadOnly().setName(name);
+const named = (attribute, type, name) => storage(attribute, type, attribute.count).toReadOnly().setName(name);
 
 export class RnaMaterial extends NodeMaterial {
   static get type() {
@@ -75,9 +75,9 @@ export class RnaMaterial extends NodeMaterial {
   }
 
   _store(array, items) {
-    const own = new StorageBufferAttribute(array, items);
-    this.stored.push(own);
-    return own;
+    const attribute = new StorageBufferAttribute(array, items);
+    this.stored.push(attribute);
+    return attribute;
   }
 
   /** Up to 64 KiB the weights are uniform, which is faster. */

@@ -8,17 +8,17 @@ import { BlobSource } from "../package/source.js";
 
 /** What `RnaAsset` shows. wanted: a tier's name, or null for all. variant: its name, or null for the package's own print. */
 export async function readAsset(bytes, name, wanted = null, variant = null) {
-  const own = await Package.open(new BlobSource(new Blob([bytes]), name));
-  if (variant !== null && !own.variants.includes(variant)) {
-    throw new Error(`setVariant: expected ${own.variants.map((one) => JSON.stringify(one)).join(" or ") || "a package with variants"}, found ${JSON.stringify(variant)}`);
+  const opened = await Package.open(new BlobSource(new Blob([bytes]), name));
+  if (variant !== null && !opened.variants.includes(variant)) {
+    throw new Error(`setVariant: expected ${opened.variants.map((one) => JSON.stringify(one)).join(" or ") || "a package with variants"}, found ${JSON.stringify(variant)}`);
   }
-  own.variant = variant;
-  const names = wanted ? [own.tier(wanted).name] : own.manifest.tiers.map((tier) => tier.name);
+  opened.variant = variant;
+  const names = wanted ? [opened.tier(wanted).name] : opened.manifest.tiers.map((tier) => tier.name);
   const loaded = [];
-  for (const tier of names) loaded.push(await own.load(tier));
+  for (const tier of names) loaded.push(await opened.load(tier));
   const { parts } = loaded[0], arrays = await sceneArrays(parts);
   return {
-    name: own.manifest.name, manifest: own.manifest, box: arrays.box, geometry: shared(arrays),
+    name: opened.manifest.name, manifest: opened.manifest, box: arrays.box, geometry: shared(arrays),
     parts: parts.map((part, k) => ({ name: part.name, kind: part.kind, ...drawn(part, k, arrays, parts) })),
     tiers: loaded.map(tierOf),
     notes: notesOf(parts),
@@ -26,10 +26,10 @@ export async function readAsset(bytes, name, wanted = null, variant = null) {
 }
 
 /** The arrays' own buffers, to be handed over rather than copied. */
-export function buffersOf(value, found = new Set()) {
-  if (ArrayBuffer.isView(value)) found.add(value.buffer);
-  else if (value && typeof value === "object") Object.values(value).forEach((one) => buffersOf(one, found));
-  return [...found];
+export function buffersOf(value, buffers = new Set()) {
+  if (ArrayBuffer.isView(value)) buffers.add(value.buffer);
+  else if (value && typeof value === "object") Object.values(value).forEach((one) => buffersOf(one, buffers));
+  return [...buffers];
 }
 
 /** Of all parts: normals lie behind the points; of the surfaces the base colour. */

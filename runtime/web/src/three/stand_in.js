@@ -1,13 +1,13 @@
 // What is shown of an asset without WebGPU, and the line that says so: its shape in grey, lit from the camera.
 import { normalView, positionViewDirection, vec3, vec4 } from "three/tsl";
 
-const told = new WeakSet();  // renderers
+const warned = new WeakSet();  // renderers
 
-/** Whether this renderer can show the material; one that cannot is told once. */
+/** Whether this renderer can show the material; one that cannot has a warning once. */
 export function hasWebGPU(renderer) {
   if (renderer.backend?.isWebGPUBackend) return true;
-  if (!told.has(renderer)) console.warn("rna-three needs WebGPURenderer with WebGPU: assets are shown as grey shapes");
-  told.add(renderer);
+  if (!warned.has(renderer)) console.warn("rna-three needs WebGPURenderer with WebGPU: assets are shown as grey shapes");
+  warned.add(renderer);
   return false;
 }
 

@@ -5,8 +5,8 @@ import { Panel } from "./panel.js";
 import { readParameters } from "./parameters.js";
 
 async function start() {
-  const viewer = element("viewer"), { attributes, own, problems } = readParameters(location.search);
-  document.body.classList.toggle("bare", own.get("ui") === false);
+  const viewer = element("viewer"), { attributes, ofPage, problems } = readParameters(location.search);
+  document.body.classList.toggle("bare", ofPage.get("ui") === false);
   for (const [name, value] of attributes) viewer.setAttribute(name, value);
   // A scene has lights and a ground of its own, or none.
   if (viewer.hasAttribute("scene")) for (const name of ["sun", "ground"]) viewer.removeAttribute(name);
@@ -22,7 +22,7 @@ async function start() {
   stage.addEventListener("package", () => classList.add("loaded"));
   stage.addEventListener("failed", ({ about }) => about === "scene" && classList.remove("expecting"));
   listenForDrops(stage);
-  if (own.get("bench")) viewer.addEventListener("load", () => runBenchmark(stage), { once: true });
+  if (ofPage.get("bench")) viewer.addEventListener("load", () => runBenchmark(stage), { once: true });
 }
 
 function listenForDrops(stage) {

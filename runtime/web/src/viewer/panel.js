@@ -58,7 +58,7 @@ export class Panel {
     const { name, tiers } = opened.manifest, { validation, cost } = tier;
     document.title = `${name} – RNA viewer`;
     element("name").textContent = name;
-    element("tier").replaceChildren(...tiers.map((own) => new Option(own.name, own.name, false, own.name === tier.name)));
+    element("tier").replaceChildren(...tiers.map((one) => new Option(one.name, one.name, false, one.name === tier.name)));
     element("error").textContent = validation ? `FLIP ${validation.flip.toFixed(3)}, ${validation.psnr.toFixed(1)} dB` : "not recorded";
     element("cost").textContent = cost ? `${cost.multiplyAdds.toLocaleString("en")} multiply-adds` : "not recorded";
     element("size").textContent = readableBytes(opened.bytesOf(tier.name));
@@ -72,15 +72,15 @@ export class Panel {
 
   /** A cheaper tier, where this one is not fluent: the best that may be, else the cheapest. */
   _suggestTier(ms) {
-    const { opened, shown } = this.stage, own = shown?.tier.cost?.multiplyAdds;
-    const time = ({ cost }) => (ms * cost.multiplyAdds) / own;  // the decoder's part of it, which is most
-    const cheaper = own && ms > FLUENT_MS
-      ? opened.manifest.tiers.filter(({ cost }) => cost && cost.multiplyAdds < CHEAPER * own).sort((a, b) => time(b) - time(a))
+    const { opened, shown } = this.stage, operations = shown?.tier.cost?.multiplyAdds;
+    const time = ({ cost }) => (ms * cost.multiplyAdds) / operations;  // the decoder's part of it, which is most
+    const cheaper = operations && ms > FLUENT_MS
+      ? opened.manifest.tiers.filter(({ cost }) => cost && cost.multiplyAdds < CHEAPER * operations).sort((a, b) => time(b) - time(a))
       : [];
-    const found = cheaper.find((tier) => time(tier) <= FLUENT_MS) ?? cheaper.at(-1);
-    this.faster = found?.name;
-    element("faster").hidden = !found;
-    if (found) element("faster").textContent = `Switch to tier ${found.name}: about ${readableTime(time(found))} a sample`;
+    const faster = cheaper.find((tier) => time(tier) <= FLUENT_MS) ?? cheaper.at(-1);
+    this.faster = faster?.name;
+    element("faster").hidden = !faster;
+    if (faster) element("faster").textContent = `Switch to tier ${faster.name}: about ${readableTime(time(faster))} a sample`;
   }
 
   /** Saves the picture once it has all samples; pressed again, as it is. */
@@ -89,14 +89,14 @@ export class Panel {
     if (!viewer) return;
     if (this.saving) return this.saving.abort();
     const saving = (this.saving = new AbortController());
-    const tell = () => {
+    const check = () => {
       const { rounds, scale } = viewer.stats;
       button.textContent = `Save now (${scale === 1 ? rounds : 0} of ${viewer.rounds})`;
     };
-    tell();
-    viewer.addEventListener("shown", tell);
+    check();
+    viewer.addEventListener("shown", check);
     await Promise.race([viewer.converged(), new Promise((resolve) => saving.signal.addEventListener("abort", resolve))]);
-    viewer.removeEventListener("shown", tell);
+    viewer.removeEventListener("shown", check);
     this.saving = null;
     button.textContent = "Save picture";
     const link = document.createElement("a");

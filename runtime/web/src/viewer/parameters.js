@@ -6,15 +6,15 @@ import { nearName } from "../ui/near_name.js";
 const FILES = ["src", "environment", "scene"];
 const OWN = ["ui", "bench"];  // of the page: 0 or 1
 
-/** { attributes, own, problems }: by name; the element tells of values that it cannot read. problems: a line each. */
+/** { attributes, ofPage, problems }: by name; the element tells of values that it cannot read. problems: a line each. */
 export function readParameters(address) {
-  const attributes = new Map(), own = new Map(), problems = [];
+  const attributes = new Map(), ofPage = new Map(), problems = [];
   for (const [name, value] of new URLSearchParams(address)) {
     if (Object.hasOwn(READERS, name)) attributes.set(name, FILES.includes(name) ? fileAddress(value) : value);
-    else if (OWN.includes(name) && /^[01]$/.test(value)) own.set(name, value === "1");
+    else if (OWN.includes(name) && /^[01]$/.test(value)) ofPage.set(name, value === "1");
     else problems.push(OWN.includes(name) ? `${name}: expected 0 or 1, found ${JSON.stringify(value)}` : misspelt(name));
   }
-  return { attributes, own, problems: problems.filter(Boolean) };
+  return { attributes, ofPage, problems: problems.filter(Boolean) };
 }
 
 /** The line for a name that is nearly one of ours; null for others, which analytics and the like add to addresses. */

@@ -12,7 +12,7 @@ export async function evaluate(engine, part, output, rows, wantsAnswers = true) 
     const some = Math.min(bandPixels, count - first);
     device.queue.writeBuffer(queue.rows, 0, rows, 16 * first, 16 * some);
     device.queue.writeBuffer(queue.count, 0, Uint32Array.of(some));
-    engine._run((pass) => evaluators.forEach((own) => own.run(pass, queue, some)));
+    engine._run((pass) => evaluators.forEach((evaluator) => evaluator.run(pass, queue, some)));
     await engine.done();
     if (!wantsAnswers) continue;
     const answers = new Float32Array(await read(device, queue.answers, 16 * colours * some));

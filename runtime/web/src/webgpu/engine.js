@@ -9,6 +9,8 @@ import { rayKernels, sources } from "./sources.js";
 
 const BAND_PIXELS = 1 << 17;
 const FORMS = ["transport", "visible", "shadowed", "emission", "environment"];  // FORM_TRANSPORT and so on of band.wgsl
+const OBJECTS = 2;      // the asset and the glass: instances
+const STEP = 2 ** -18;  // of the largest coordinate, off a surface, where rays start
 const LIT = ["transport", "visible", "shadowed"];
 
 export class WebGPUEngine {
@@ -63,14 +65,14 @@ export class WebGPUEngine {
     this._bind();
   }
 
-  /** Shows these parts; what was there before is let go. building: sceneArrays of them; shaders compile meanwhile. */
-  async setAsset(building, parts) {
+  /** Shows these parts, with glass if there is some; what was there before is let go. building: sceneArrays of them; shaders compile meanwhile. */
+  async setAsset(building, { parts, glass }) {
     this._deleteAsset();
     await this.compiled;
-    const hasLobes = parts.every(({ environment }) => environment);
+    const hasLobes = !glass && parts.every(({ environment }) => environment);  // lobes know nothing of glass in the way
     this.lobeLight = hasLobes ? new LobeLight(this) : null;
     const making = Promise.all(parts.map((part) => this._makePart(part)));
-    const ready = Promise.all([making, this._compileKernels(parts, hasLobes), this._storeGeometry(building, parts)]);
+    const ready = Promise.all([making, this._compileKernels(parts, !!glass, hasLobes), this._storeGeometry(building, parts)]);
     ready.catch(() => making.then((made) => made.forEach(deletePart)).catch(() => {}));
     const [made] = await ready;
     Object.assign(this, { parts: made, hasLobes, texel: hasLobes ? Math.max(...parts.map(texelOf)) : 0 });
@@ -83,16 +85,16 @@ export class WebGPUEngine {
     const { device } = this, store = (content, what) => buffer(device, content, undefined, `the asset's ${what}`);
     this.geometry = [
       store(arrays.nodes, "hierarchy"), store(arrays.primitives, "geometry"), store(arrays.points, "geometry"),
-      store(instance(arrays.extent), "geometry"), store(arrays.normals, "geometry"),
+      store(instances(arrays), "geometry"), store(arrays.normals, "geometry"),
     ];
     this._storeSurfaces(arrays);
     await this.lobeLight?.begin(arrays, parts);
   }
 
   /** Those of rays, and with lobes those of the first look. */
-  async _compileKernels(parts, hasLobes) {
+  async _compileKernels(parts, hasGlass, hasLobes) {
     const { pipelines } = this, isThere = (kind) => parts.some(kind);
-    this.raySources = rayKernels({ hasSegments: isThere(({ kind }) => kind === "fiber"), hasTextures: isThere(hasTextures), hasBaseColor: isThere(hasBaseColor) });
+    this.raySources = rayKernels({ hasSegments: isThere(({ kind }) => kind === "fiber"), hasTextures: isThere(hasTextures), hasBaseColor: isThere(hasBaseColor), hasGlass });
     const look = hasLobes ? ["remember", "smooth_edges"] : [];
     const [hit, light, remember, smooth] = await Promise.all([
       pipelines.get(this.raySources.hit, "trace_pixels", this.rayLayout), pipelines.get(this.raySources.light, "light_pixels", this.rayLayout),
@@ -104,8 +106,8 @@ export class WebGPUEngine {
   async _makePart(part) {
     const { device, pipelines } = this;
     const upload = (stored) => [0, 1, 2].map((k) => buffer(device, planeWords(stored, k), undefined, "a plane of features"));
-    const planes = upload(part.planes), { environment: own } = part;
-    const ofLobes = this.lobeLight && own.planes !== part.planes ? upload(own.planes) : null;
+    const planes = upload(part.planes), lobes = part.environment;
+    const ofLobes = this.lobeLight && lobes.planes !== part.planes ? upload(lobes.planes) : null;
     const forms = Object.keys(part.decoders);
     const [environment, ...made] = await Promise.all([
       this.lobeLight && PartLobes.make(device, pipelines, part, ofLobes ?? planes, this.lobeLight),
@@ -128,9 +130,11 @@ export class WebGPUEngine {
   _storeSurfaces(arrays) {
     const { device } = this, { table } = arrays;
     this.table?.destroy();
-    this.table = buffer(device, 4 * table.length + bytesOf("Light"));
+    const objects = packed("Object", { step: STEP * arrays.extent });
+    this.table = buffer(device, 4 * table.length + bytesOf("Light") + OBJECTS * bytesOf("Object"));
     device.queue.writeBuffer(this.table, 0, table);
-    Object.assign(this, { arrays, lightsAt: table.length / 4 });
+    Object.assign(this, { arrays, lightsAt: table.length / 4, objectsAt: table.length / 4 + bytesOf("Light") / 16 });
+    for (let k = 0; k < OBJECTS; k++) device.queue.writeBuffer(this.table, 16 * this.objectsAt + k * bytesOf("Object"), objects);
     this._storeImages();
   }
 
@@ -163,7 +167,7 @@ export class WebGPUEngine {
   /** The sum of the samples; and the first look and what its rays met, where the asset has lobes. */
   _makeSums() {
     if (!this.capacity) return;
-    for (const own of [this.sums, this.firstLook, this.seen]) own?.destroy();
+    for (const one of [this.sums, this.firstLook, this.seen]) one?.destroy();
     const make = (pixels) => buffer(this.device, 16 * pixels, undefined, "the picture");
     const more = this.hasLobes ? this.capacity : 1;
     Object.assign(this, { sums: make(this.capacity), firstLook: make(more), seen: make(more) });
@@ -262,13 +266,13 @@ export class WebGPUEngine {
 
   _decode(form) {
     for (const [k, part] of this.parts.entries()) {
-      const own = part[form];
-      if (!own) continue;
+      const decoder = part[form];
+      if (!decoder) continue;
       this._writeView({ ...this.view, part: k + 1, form: FORMS.indexOf(form) });
       this.device.queue.writeBuffer(this.queue.count, 0, Uint32Array.of(0));
       this._run((pass) => {
         dispatch(pass, this.kernels.gather, this.groups.queue, this.span.pixels);
-        own.run(pass, this.queue, this.span.pixels);
+        decoder.run(pass, this.queue, this.span.pixels);
         dispatch(pass, this.kernels.scatter, this.groups.queue, this.span.pixels);
       });
     }
@@ -283,10 +287,10 @@ export class WebGPUEngine {
 
   /** rna_gpu's Frame: render/frame.wgsl. Images are averaged over what a sample stands for, so that print becomes sharper. */
   _writeFrame({ position, corner, stepX, stepY }, sample) {
-    const { lightsAt, arrays, span, target } = this;
+    const { lightsAt, objectsAt, arrays, span, target } = this;
     this.device.queue.writeBuffer(this.frameRecord, 0, packed("Frame", {
       camera: position, corner, step_x: stepX, step_y: stepY, width: target.width, paths: span.pixels, sample, branches: 1, depth: 1, rays: constants.CAMERA_RAY,
-      flags: arrays.transmits ? constants.TRANSMITS : 0, textures: arrays.texturesAt, lights: lightsAt, spread: Math.hypot(...stepY) / Math.sqrt(span.jitter > 0 ? sample + 1 : 1),
+      flags: arrays.transmits ? constants.TRANSMITS : 0, textures: arrays.texturesAt, lights: lightsAt, objects: objectsAt, spread: Math.hypot(...stepY) / Math.sqrt(span.jitter > 0 ? sample + 1 : 1),
     }));
   }
 
@@ -310,7 +314,7 @@ export class WebGPUEngine {
   }
 
   _deleteAsset() {
-    for (const own of [...(this.geometry ?? []), this.table, this.images]) own?.destroy();
+    for (const one of [...(this.geometry ?? []), this.table, this.images]) one?.destroy();
     this.lobeLight?.delete();
     this.parts.forEach(deletePart);
     this.parts = [];
@@ -325,8 +329,8 @@ export class WebGPUEngine {
 }
 
 function deletePart({ planes, ...decoders }) {
-  planes.forEach((own) => own.destroy());
-  for (const own of Object.values(decoders)) own?.delete();
+  planes.forEach((plane) => plane.destroy());
+  for (const one of Object.values(decoders)) one?.delete();
 }
 
 const hasTextures = ({ transmittance, normalMaps }) => transmittance.length + normalMaps.length > 0;
@@ -334,8 +338,9 @@ const hasTextures = ({ transmittance, normalMaps }) => transmittance.length + no
 const texelOf = ({ bounds: { min, max }, environment }) => Math.max(...max.map((high, k) => high - min[k])) / environment.planes.resolution;
 const hasBaseColor = ({ baseColor }) => baseColor.length > 0;
 
-/** The only instance, where it stands in the world; node 0 is above it. */
-const instance = (extent) => packed("RnaInstance", {
-  to_object: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0], rotation: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0], scale: 1, root: 1,
-  rays: constants.CAMERA_RAY, extent,
-});
+/** The asset and the glass, where they stand in the world; node 0 is above them. */
+function instances({ glassRoot, extent }) {
+  const stands = { to_object: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0], rotation: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0], scale: 1 };
+  const rays = constants.CAMERA_RAY | constants.INDIRECT_RAY, rows = [1, glassRoot ?? 1].map((root) => packed("RnaInstance", { ...stands, root, rays, extent }));
+  return Uint32Array.from(rows.flatMap((row) => [...row]));
+}

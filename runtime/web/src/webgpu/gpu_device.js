@@ -52,7 +52,7 @@ export function groupLayout(device, types) {
 }
 
 export function bindGroup(device, layout, buffers) {
-  const entries = Object.entries(buffers).map(([binding, own]) => ({ binding: Number(binding), resource: { buffer: own } }));
+  const entries = Object.entries(buffers).map(([binding, content]) => ({ binding: Number(binding), resource: { buffer: content } }));
   return device.createBindGroup({ layout, entries });
 }
 

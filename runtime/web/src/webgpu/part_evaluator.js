@@ -35,18 +35,18 @@ export class PartEvaluator {
 
   /** A kernel over rows: what packDecoder gives, and constants and parts of the module, with more WGSL behind them. */
   static async of(device, pipelines, { weights, record, groups }, planes, { constants, parts, kernel, entryPoint }) {
-    const own = new this(), { UNIFORM_WEIGHTS } = limits, fits = weights.length / 4 <= UNIFORM_WEIGHTS;
+    const evaluator = new this(), { UNIFORM_WEIGHTS } = limits, fits = weights.length / 4 <= UNIFORM_WEIGHTS;
     const file = fits ? "weights_uniform.wgsl" : "weights_storage.wgsl";
-    own.pipeline = await pipelines.get(compose({ RNA_GROUPS: groups, ...constants }, file, ...parts) + kernel, entryPoint);
+    evaluator.pipeline = await pipelines.get(compose({ RNA_GROUPS: groups, ...constants }, file, ...parts) + kernel, entryPoint);
     const { UNIFORM, STORAGE } = GPUBufferUsage;
     const padded = fits ? new Float32Array(4 * UNIFORM_WEIGHTS) : weights;
     if (fits) padded.set(weights);
-    own.buffers = [
+    evaluator.buffers = [
       buffer(device, record, UNIFORM, "a decoder"), buffer(device, padded, fits ? UNIFORM : STORAGE, "a decoder"),
     ];
-    own.part = bind(device, own.pipeline, 0, [...own.buffers, ...planes]);
-    own.device = device;
-    return own;
+    evaluator.part = bind(device, evaluator.pipeline, 0, [...evaluator.buffers, ...planes]);
+    evaluator.device = device;
+    return evaluator;
   }
 
   /** Answers of at most `most` rows, of which the first word of `count` says how many there are. */
@@ -60,6 +60,6 @@ export class PartEvaluator {
   }
 
   delete() {
-    for (const own of this.buffers) own.destroy();
+    for (const one of this.buffers) one.destroy();
   }
 }

@@ -28,7 +28,7 @@ export class LobeLight {
     const harmonics = new Int8Array(4 * arrays.points.length);  // 16 a point
     parts.forEach(({ environment }, k) => harmonics.set(environment.harmonics ?? [], 16 * arrays.parts[k].point));
     this.harmonics = buffer(this.device, harmonics, undefined, "the asset's visibility");
-    this.tell = await this.engine.pipelines.get(sources.columns, "tell_visibility", this.layouts);
+    this.columnKernel = await this.engine.pipelines.get(sources.columns, "write_visibility", this.layouts);
   }
 
   /** rest: of firstLight. turn: of the image about +y, radians. radiance: of what is 1 in it. */
@@ -54,19 +54,19 @@ export class LobeLight {
     this.groups ??= [
       [frameRecord], [band, viewRecord], [count, geometry[1], this.harmonics, this.columns],
     ].map((buffers, k) => bindGroup(device, layouts[k], buffers));
-    dispatch(pass, this.tell, this.groups, most);
+    dispatch(pass, this.columnKernel, this.groups, most);
   }
 
   delete() {
-    for (const own of [this.harmonics, this.columns, this.record, this.texture]) own?.destroy();
+    for (const one of [this.harmonics, this.columns, this.record, this.texture]) one?.destroy();
   }
 }
 
 export class PartLobes extends PartEvaluator {
   static async make(device, pipelines, part, planes, shared) {
-    const { environment: own } = part, more = own.harmonics ? VISIBILITY_COLUMNS : 0;
-    const made = await super.of(device, pipelines, packDecoder({ ...part, planes: own.planes }, own, own.inputs, more), planes, {
-      constants: { RNA_LOBES: own.lobes, RNA_IS_FIBER: Number(part.kind === "fiber"), RNA_VISIBILITY_GROUPS: more / 4 },
+    const { environment: form } = part, more = form.harmonics ? VISIBILITY_COLUMNS : 0;
+    const made = await super.of(device, pipelines, packDecoder({ ...part, planes: form.planes }, form, form.inputs, more), planes, {
+      constants: { RNA_LOBES: form.lobes, RNA_IS_FIBER: Number(part.kind === "fiber"), RNA_VISIBILITY_GROUPS: more / 4 },
       parts: [part.kind], kernel: sources.lobes, entryPoint: "light_by_lobes",
     });
     return Object.assign(made, { shared });

@@ -10,6 +10,7 @@ import look from "./shaders/look.wgsl";
 import lobes from "./shaders/lobes.wgsl";
 import queue from "./shaders/queue.wgsl";
 import show from "./shaders/show.wgsl";
+import withoutGlass from "./shaders/without_glass.wgsl";
 import withoutSegments from "./shaders/without_segments.wgsl";
 import withoutBaseColor from "./shaders/without_base_color.wgsl";
 import withoutTextures from "./shaders/without_textures.wgsl";
@@ -28,11 +29,12 @@ export function compose(constants, ...parts) {
   return lines.join("") + joined(parts);
 }
 
-/** The kernels of rays, for assets that have segments, textures, base colour, or not. */
-export function rayKernels({ hasSegments, hasTextures, hasBaseColor }) {
+/** The kernels of rays, for assets that have segments, textures, base colour, glass beside them, or not. */
+export function rayKernels({ hasSegments, hasTextures, hasBaseColor, hasGlass }) {
   const instead = { ...sharedFiles };
   if (!hasSegments) instead["segment.wgsl"] = withoutSegments;
   if (!hasTextures) Object.assign(instead, { "normal_maps.wgsl": withoutTextures, "render/transmittance.wgsl": "" });
+  if (!hasGlass) instead["render/solid_glass.wgsl"] = withoutGlass;
   if (!hasBaseColor) instead["render/base_color.wgsl"] = withoutBaseColor;
   return { hit: joined(compositions.hit, instead) + band + hit, light: [joined(compositions.light, instead), band, lightKinds, light].join("\n") };
 }

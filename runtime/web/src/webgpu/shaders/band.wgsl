@@ -28,8 +28,8 @@ const FORM_ENVIRONMENT = 4u;
 
 // A pixel: the members of a row of rna_evaluate, with two numbers in free ones; and its weights.
 struct Pixel {
-    position: vec4<u32>, // and h of a fiber
-    axis: vec4<u32>,     // and part + 1, or 0 where nothing is hit
+    position: vec4<u32>, // and h of a fiber; where nothing is hit, the start of the ray
+    axis: vec4<u32>,     // and part + 1; or 0 where nothing is hit, with BENT_AWAY first if that is behind glass
     wo: vec4<u32>,       // and the primitive
     wi: vec4<u32>,
     through: vec3f, // throughput
@@ -41,6 +41,8 @@ struct Pixel {
     base_color: vec3f,
     detail: vec3f, // factor of the lobes' first half
 }
+
+const BENT_AWAY = 1u;
 
 @group(1) @binding(0) var<storage, read_write> band: array<Pixel>;
 @group(1) @binding(1) var<uniform> view: View;

@@ -1,4 +1,4 @@
-// What decoders of lobes are told of the asset's own visibility about a query's point.
+// Inputs of decoders of lobes: the asset's own visibility about a query's point.
 
 @group(2) @binding(0) var<storage, read> count: array<u32>; // [0]; then the pixel of each row
 @group(2) @binding(1) var<storage, read> primitives: array<RnaPrimitive>;
@@ -10,7 +10,7 @@ fn harmonic(point: u32, k: u32) -> vec4f {
 }
 
 @compute @workgroup_size(64)
-fn tell_visibility(
+fn write_visibility(
     @builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>,
 ) {
     let at = path_number(id, groups);

@@ -5,7 +5,7 @@ fn words(v: vec3f, last: u32) -> vec4<u32> {
 }
 
 // There are no lights with a shape.
-fn with_lights(ray: RnaRay, found: RnaHit) -> RnaHit {
+fn with_lights(ray: RnaRay, rays: u32, found: RnaHit) -> RnaHit {
     return found;
 }
 
@@ -15,10 +15,12 @@ fn along_segment(record: RnaPrimitive, x: vec3f) -> f32 {
     return clamp(dot(x - cone.a, way) / max(dot(way, way), 1e-30), 0.0, 1.0);
 }
 
-fn pixel_of(hit: RnaHit, wo: vec3f) -> Pixel {
+fn pixel_of(hit: RnaHit, ray: RnaRay) -> Pixel {
     var pixel: Pixel;
+    let wo = -ray.direction;
     pixel.wo = words(wo, hit.primitive);
     if hit.instance == RNA_NOTHING {
+        pixel.position = words(ray.origin, 0u);
         return pixel;
     }
     let record = rna_primitives[hit.primitive];
@@ -27,8 +29,8 @@ fn pixel_of(hit: RnaHit, wo: vec3f) -> Pixel {
         v = triangle_vertex(record, hit.b1, hit.b2);
     } else {
         var path: Path;
-        path.origin = frame.camera;
-        path.direction = -wo;
+        path.origin = ray.origin;
+        path.direction = ray.direction;
         path.t = hit.t;
         path.normal = hit.normal;
         v = segment_vertex(path, record, wo);
@@ -39,7 +41,7 @@ fn pixel_of(hit: RnaHit, wo: vec3f) -> Pixel {
     pixel.b2 = hit.b2;
     pixel.base_color = vec3f(1.0);
     if !rna_is_segment(record) {
-        pixel.base_color = base_color_on(record, hit.b1, hit.b2, frame.spread * hit.t);
+        pixel.base_color = base_color_on(record, hit.b1, hit.b2, frame.spread * distance(frame.camera, v.x));
     }
     return pixel;
 }
@@ -57,9 +59,12 @@ fn trace_pixels(
     let at = place + mix(vec2f(0.5), square(number, 0u, frame.sample), view.jitter) + view.shift;
     let d = normalize(frame.corner + at.x * frame.step_x + at.y * frame.step_y);
     let ray = RnaRay(frame.camera, 0.0, d, RNA_FAR);
-    let found = closest_through(ray, RNA_NOTHING, chance_of(number));
-    var pixel = pixel_of(found.hit, -d);
+    let found = follow(ray, RNA_NOTHING, 0u, number);
+    var pixel = pixel_of(found.hit, found.ray);
     pixel.through = found.weight;
+    if found.bent && found.hit.instance == RNA_NOTHING {
+        pixel.axis.x = BENT_AWAY;
+    }
     band[k] = pixel;
 }
 
@@ -71,7 +76,8 @@ fn find_normals(
     let k = path_number(id, groups);
     if k < frame.paths {
         let hit = RnaHit(0.0, 0u, band[k].wo.w, band[k].b1, band[k].b2, vec3f(0.0));
-        band[k].axis = pixel_of(hit, bitcast<vec3f>(band[k].wo.xyz)).axis;
+        let ray = RnaRay(frame.camera, 0.0, -bitcast<vec3f>(band[k].wo.xyz), RNA_FAR);
+        band[k].axis = pixel_of(hit, ray).axis;
     }
 }
 

@@ -54,7 +54,7 @@ fn surroundings_of(pixel: Pixel) -> Surroundings {
     return Surroundings(select(n, -n, dot(n, wo) < 0.0), reflect(-wo, n));
 }
 
-// The direction that lobes are asked with. To the ground one by the cosine, with the irradiance in the view's colour.
+// The direction of queries for lobes. To the ground one by the cosine, with the irradiance in the view's colour.
 fn mirrored(number: u32, pixel: Pixel) -> Arrival {
     if pixel.axis.w == 0u {
         let u = at_point(number, DIRECTION);
@@ -99,8 +99,33 @@ fn arrival_at(number: u32, pixel: Pixel) -> Arrival {
     return Arrival(wi, sky.radiance / (sky.pdf + density_about(at, wi)));
 }
 
-// How much of the light along wi the asset itself lets through to a point of it.
-fn visibility_of(pixel: Pixel, wi: vec3f) -> vec3f {
+// What comes along wi to x, where glass may be in the way: rays that follow it through find the environment; the other
+// sorts of light do not pass.
+fn past_glass(number: u32, pixel: Pixel, x: vec3f, arrival: Arrival) -> vec3f {
+    let ray = RnaRay(x, 0.0, arrival.wi, RNA_FAR);
+    if view.kind != LIGHT_AROUND_POINT {
+        start_passing(ALL_STOP);
+        let is_hidden = rna_trace(ray, 0u, frame.rays, true).instance != RNA_NOTHING;
+        return select(arrival.radiance, vec3f(0.0), is_hidden);
+    }
+    let found = follow(ray, 0u, 1u, number);
+    if !found.bent {
+        return arrival.radiance;
+    }
+    if found.hit.instance != RNA_NOTHING {
+        return vec3f(0.0);
+    }
+    let sky = look_up_image(0u, found.ray.direction).radiance;
+    return found.weight * sky / density_about(surroundings_of(pixel), arrival.wi);
+}
+
+// Where rays along wi from the asset's point start, and the strand that they pass.
+struct Start {
+    x: vec3f,
+    strand: u32,
+}
+
+fn start_of(pixel: Pixel, wi: vec3f) -> Start {
     let record = rna_primitives[pixel.wo.w];
     var v: Vertex;
     if !rna_is_segment(record) {
@@ -111,16 +136,19 @@ fn visibility_of(pixel: Pixel, wi: vec3f) -> vec3f {
         v.kind = OF_FIBERS;
         v.strand = rna_strand(record);
     }
-    return start_visibility(0u, RnaRay(leaving_point(v, wi), 0.0, wi, RNA_FAR), v.strand);
+    return Start(leaving_point(v, wi), v.strand);
 }
 
-// The ground, seen along d, shows the shadow and fades with the distance: what it sends on of light along wi; and how
-// much it covers.
-fn ground_seen(d: vec3f, wi: vec3f) -> vec4f {
-    if view.ground_size == 0.0 || d.y * (frame.camera.y - view.ground) >= 0.0 {
+// The ground, which the pixel's ray meets, shows the shadow and fades with the distance: what it sends on of an arrival;
+// and how much it covers.
+fn ground_seen(number: u32, pixel: Pixel, arrival: Arrival) -> vec4f {
+    let start = bitcast<vec3f>(pixel.position.xyz);
+    let d = -bitcast<vec3f>(pixel.wo.xyz);
+    let wi = arrival.wi;
+    if view.ground_size == 0.0 || d.y * (start.y - view.ground) >= 0.0 {
         return vec4f(0.0);
     }
-    let x = frame.camera + d * ((view.ground - frame.camera.y) / d.y);
+    let x = start + d * ((view.ground - start.y) / d.y);
     let fade = 1.0 - smoothstep(0.5, 1.0, length(x.xz - view.middle) / view.ground_size);
     let weight = fade * max(0.0, wi.y) * view.ground_colour;
     if all(weight <= vec3f(0.0)) {
@@ -128,7 +156,16 @@ fn ground_seen(d: vec3f, wi: vec3f) -> vec4f {
     }
     let step = 0x1p-18f * rna_instances[0].extent;
     let way = RnaRay(x + vec3f(0.0, step, 0.0), 0.0, wi, RNA_FAR);
-    return vec4f(weight * start_visibility(0u, way, RNA_NOTHING), fade);
+    let visible = start_visibility(0u, way, RNA_NOTHING);
+    return vec4f(weight * visible * past_glass(number, pixel, way.origin, arrival), fade);
+}
+
+// What a ray that comes out of glass and meets nothing sees: the ground, and beyond it the environment.
+fn seen_behind_glass(pixel: Pixel, ground: vec4f) -> vec3f {
+    if view.kind != LIGHT_ENVIRONMENT {
+        return ground.xyz;
+    }
+    return ground.xyz + (1.0 - ground.w) * look_up_image(0u, -bitcast<vec3f>(pixel.wo.xyz)).radiance;
 }
 
 @compute @workgroup_size(64)
@@ -140,18 +177,26 @@ fn light_pixels(
         return;
     }
     var pixel = band[k];
-    let arrival = arrival_at(view.first + k, pixel);
+    let number = view.first + k;
+    let arrival = arrival_at(number, pixel);
     pixel.wi = vec4<u32>(bitcast<vec3<u32>>(arrival.wi), 0u);
-    pixel.radiance = pixel.through * arrival.radiance;
     if view.kind == LIGHT_MIRROR {
         pixel.detail = detail_of(pixel);
     }
     if pixel.axis.w != 0u {
-        pixel.visibility = visibility_of(pixel, arrival.wi);
+        let start = start_of(pixel, arrival.wi);
+        let way = RnaRay(start.x, 0.0, arrival.wi, RNA_FAR);
+        pixel.visibility = start_visibility(0u, way, start.strand);
+        pixel.radiance = pixel.through * past_glass(number, pixel, start.x, arrival);
     } else {
-        let ground = ground_seen(-bitcast<vec3f>(pixel.wo.xyz), arrival.wi);
-        pixel.radiance *= ground.xyz;
-        pixel.coverage = ground.w;
+        let ground = ground_seen(number, pixel, arrival);
+        let is_behind_glass = pixel.axis.x == BENT_AWAY;
+        pixel.radiance = ground.xyz;
+        if is_behind_glass {
+            pixel.radiance = seen_behind_glass(pixel, ground);
+        }
+        pixel.radiance *= pixel.through;
+        pixel.coverage = select(ground.w, 1.0, is_behind_glass);
     }
     band[k] = pixel;
 }

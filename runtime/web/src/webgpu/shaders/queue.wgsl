@@ -19,8 +19,8 @@ fn begin(
     sums[view.first + k] = before + vec4f(select(band[k].radiance, vec3f(0.0), is_query), covered);
 }
 
-// A decoder of visible or of shadowed light alone is not asked where that does not count.
-fn is_asked(visibility: vec3f) -> bool {
+// Whether a decoder, of visible or of shadowed light alone, adds something there.
+fn counts(visibility: vec3f) -> bool {
     if view.form == FORM_VISIBLE {
         return any(visibility > vec3f(0.0));
     }
@@ -32,7 +32,7 @@ fn gather(
     @builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>,
 ) {
     let k = path_number(id, groups);
-    if k >= frame.paths || band[k].axis.w != view.part || !is_asked(band[k].visibility) {
+    if k >= frame.paths || band[k].axis.w != view.part || !counts(band[k].visibility) {
         return;
     }
     let pixel = band[k];
