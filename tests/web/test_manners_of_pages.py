@@ -60,3 +60,27 @@ def test_two_elements_of_one_asset_in_a_folder(page, folder, url):
     page.evaluate("one.remove(), two.cameraOrbit = '90deg 60deg 4m', 0")
     page.wait_for("two.stage.viewer.stats.rounds === 1", TIMEOUT)
     assert page.evaluate("two.notices.place.hidden && two.stage.engine !== null")
+
+
+SCREEN = """<script>
+  const real = matchMedia;
+  const pixels = (value) =>
+    Object.defineProperty(globalThis, "devicePixelRatio", { value, configurable: true });
+  globalThis.asked = [];
+  globalThis.matchMedia = (query) => {
+    if (!query.endsWith("dppx)")) return real.call(globalThis, query);
+    return { addEventListener: (_, changed) => asked.push({ query, changed }) };
+  };
+  globalThis.move = (ratio) => (pixels(ratio), asked.at(-1).changed());
+  pixels(2);
+</script><rna-viewer id="one" src="tiny.rna" samples="1"></rna-viewer>"""
+
+
+def test_pixels_of_another_screen(page, folder, url):
+    """Of a phone at first, then of two desktops; nothing else of the page changes."""
+    show(page, folder, url, SCREEN)
+    loads(page, "one")
+    widths = [page.evaluate(f"{move}one.stage.canvas.width") for move in ("", "move(1), ")]
+    assert [*widths, page.evaluate("move(1.5), one.stage.canvas.width")] == [128, 64, 96]
+    queries = [f"(resolution: {ratio}dppx)" for ratio in (2, 1, 1.5)]
+    assert page.evaluate("asked.map(({ query }) => query)") == queries

@@ -19,6 +19,17 @@ export class LastingEngine extends EventTarget {
     Object.assign(this, { place, notices, settings, losses: 0, lives: 0, isResting: false });
     this.look = { backdrop: null, exposure: 0, view: "srgb", denoise: true, rounds: 256, jitter: 1, isCovered: () => false };
     new ResizeObserver(() => this.resize()).observe(place);
+    this._followScreen();
+  }
+
+  /** A page that moves to a screen with other pixels, or is zoomed, keeps the sizes of its elements. */
+  _followScreen() {
+    const now = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
+    const changed = () => {
+      this.resize();
+      this._followScreen();
+    };
+    now.addEventListener("change", changed, { once: true });
   }
 
   /** The engine and an empty picture; packages that load meanwhile wait for it. The result tells whether there is one. */

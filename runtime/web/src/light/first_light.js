@@ -157,7 +157,7 @@ function splitWidest(clusters, excess) {
 function longestAxis(cells, excess, middle) {
   const covariance = [[0, 0, 0], [0, 0, 0], [0, 0, 0]];
   for (const cell of cells) {
-    const d = directionOf(cell).map((value, k) => value - middle[k]), own = mean(excess, cell);
+    const d = directionOf(cell).map((value, k) => value - middle[k]), light = mean(excess, cell);
     for (let i = 0; i < 3; i++) for (let j = 0; j < 3; j++) covariance[i][j] += light * d[i] * d[j];
   }
   let axis = [0.6, 0.5, 0.62];
