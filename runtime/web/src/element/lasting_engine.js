@@ -19,17 +19,17 @@ export class LastingEngine extends EventTarget {
     Object.assign(this, { place, notices, settings, losses: 0, lives: 0, isResting: false });
     this.look = { backdrop: null, exposure: 0, view: "srgb", denoise: true, rounds: 256, jitter: 1, isCovered: () => false };
     new ResizeObserver(() => this.resize()).observe(place);
-    this._followScreen();
   }
 
-  /** A page that moves to a screen with other pixels, or is zoomed, keeps the sizes of its elements. */
+  /** Until the end: a page that moves to a screen with other pixels, or is zoomed, keeps the sizes of its elements. */
   _followScreen() {
-    const now = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
-    const changed = () => {
+    this.following = new AbortController();
+    const again = () => {
+      this.following.abort();
       this.resize();
       this._followScreen();
     };
-    now.addEventListener("change", changed, { once: true });
+    matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener("change", again, { signal: this.following.signal });
   }
 
   /** The engine and an empty picture; packages that load meanwhile wait for it. The result tells whether there is one. */
@@ -41,6 +41,7 @@ export class LastingEngine extends EventTarget {
   end() {
     this.lives += 1;
     this.begun = Promise.resolve(false);
+    this.following?.abort();
     this.viewer?.stop();
     this.engine?.close();
     Object.assign(this, { viewer: null, engine: null });
@@ -72,6 +73,7 @@ export class LastingEngine extends EventTarget {
     performance.mark("engine");
     listen(canvas, actions(this), (event) => isForPicture(this, event));
     this.emit("engine");
+    this._followScreen();
     this.resize();
     await this.restore(engine);
   }
