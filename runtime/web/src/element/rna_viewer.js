@@ -53,7 +53,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     this.observer.observe(this);
     this.stillness.addEventListener("change", this.onstillness = () => this._still());
     this._takeOver();
-    this._turn();
+    this._still();
     this._tint();
     this._begin();
   }
@@ -237,17 +237,18 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     this.stage.setBackdrop(linearColour(getComputedStyle(this.parts.tint).backgroundColor));
   }
 
-  /** People want stillness, or no longer. */
+  /** People want stillness, or no longer. The query is read here alone: reading it between a change and its event
+   * takes the event away. */
   _still() {
+    this.stage.isStill = this.stillness.matches;
     this._turn();
     this._prompt();
   }
 
   _turn() {
     const { autoRotate, autoRotateDelay, rotationPerSecond } = this.settings;
-    this.stage.isStill = this.stillness.matches;
     Object.assign(this.turntable, { delay: autoRotateDelay ?? 3000, speed: rotationPerSecond ?? 30 });
-    this.turntable.switch(!!autoRotate && this.isBegun && !this.stillness.matches);
+    this.turntable.switch(!!autoRotate && this.isBegun && !this.stage.isStill);
   }
 
   _listen() {
@@ -285,7 +286,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
   _prompt() {
     clearTimeout(this.prompting);
     const { cameraControls, interactionPrompt } = this.settings;
-    const isWanted = () => cameraControls && interactionPrompt !== "none" && !this.hasMoved && !this.stillness.matches;
+    const isWanted = () => cameraControls && interactionPrompt !== "none" && !this.hasMoved && !this.stage.isStill;
     this.parts.prompt.hidden = true;
     if (this.loaded && isWanted()) this.prompting = setTimeout(() => { this.parts.prompt.hidden = !isWanted(); }, PROMPT_MS);
   }
