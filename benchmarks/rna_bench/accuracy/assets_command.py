@@ -23,6 +23,7 @@ from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.validation_view import WholeView
 from rna_export.capture.rays.capture_directions import BEHIND
 from rna_export.training.asset_error import asset_error, worse_error
+from rna_export.training.validation import mean_psnr
 from rna_sdk.error_words import error_in_words
 from rna_sdk.errors import RnaError
 from rna_sdk.package import Package, Tier
@@ -77,7 +78,7 @@ def _rows(path: Path, folder: Path | None) -> list[Row]:
     rows = []
     for tier in manifest.tiers:
         error = _recorded(path, tier) if dataset is None else _measured(path, tier, dataset)
-        rows.append({"asset": manifest.name, "tier": tier.name, **error, **_others(tier)})
+        rows.append({"asset": manifest.name, "tier": tier.name, **_others(tier), **error})
     return rows
 
 
@@ -112,7 +113,8 @@ def _measured(path: Path, tier: Tier, dataset: Dataset) -> Row:
         if chosen:
             error = asset_error([radiance[k] for k in chosen], [views[k] for k in chosen])
             lit[name] = _figures(error)
-    return {**_figures(worse_error(radiance, views, emitted)), **lit}
+    error = worse_error(radiance, views, emitted)
+    return {**_figures(error), "psnr": mean_psnr(radiance, views), **lit}
 
 
 def _figures(error: AssetFlip) -> Row:
