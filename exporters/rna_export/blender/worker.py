@@ -93,7 +93,7 @@ def show_frame(request: dict[str, Any]) -> None:
 HANDLERS = {
     "open": open_scene,
     "exportBaseColors": lambda r: base_colors.export_base_colors(
-        r["out"], r["charts"], r["asTexels"], r["largest"], r["only"]
+        r["out"], r["charts"], base_colors.Wish.of(r)
     ),
     "exportCurves": lambda r: as_rendered(
         lambda: curves_export.export_curves(r["out"], r["owner"])

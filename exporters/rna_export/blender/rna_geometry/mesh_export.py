@@ -12,6 +12,7 @@ from rna_geometry.attributes import read, uv_map
 from rna_geometry.left_out import unrendered
 from rna_geometry.shown_objects import SURFACES, top_object
 from rna_materials.object_materials import materials_of
+from rna_materials.udim_tiles import numbers_of
 from rna_materials.uv_charts import Chart
 from rna_materials.uv_dependence import IDENTITY
 from rna_preflight.smooth_glass import is_left
@@ -24,17 +25,18 @@ def export_mesh(
     of_hosts: bool = False,
 ) -> dict[str, Any]:
     """Write an .npz: `positions`, `normals` (3t, 3), `uvs` (3t, 2), `has_uv`, `material` (t,),
-    `vertex` (3t,), `vertices`.
+    `tile` (t,), `vertex` (3t,), `vertices`.
 
     One row a triangle corner, world space, Blender's axes, float32; materials by their place in
     the reply's list of full names, -1 for none. owner: the top object whose meshes are meant; None:
     all. charts: texture coordinates of materials (see `surface_textures.export_textures`); the rest
     has the UV map that renders use, or 0. has_uv: whether all objects have UV maps, or a chart.
+    tile: int32, number of the UDIM tile (see `base_colors.Piece`).
     vertex: int32, the corners' vertices, numbered over all shown meshes, of which there are so many
     `vertices`. of_hosts: whether it is the glass that is left to hosts, else all but that.
     """
     names = [material.name_full for material in bpy.data.materials]
-    charted = {name: Chart(c["layer"], np.array(c["matrix"])) for name, c in (charts or {}).items()}
+    charted = {name: Chart.of(chart) for name, chart in (charts or {}).items()}
     corners, vertices = [], 0
     for instance in _mesh_instances():
         if owner in (None, top_object(instance)):
@@ -44,7 +46,7 @@ def export_mesh(
         hidden = unrendered()
         why = f": renders do not show {hidden}, turn on its camera icon in the Outliner"
         raise ValueError(f"the scene has no mesh with faces{why if hidden else ''}")
-    positions, normals, uvs, has_uv, material, vertex = zip(*corners, strict=True)
+    positions, normals, uvs, has_uv, material, tile, vertex = zip(*corners, strict=True)
     used = np.unique(np.concatenate(material))
     np.savez(
         path,
@@ -53,6 +55,7 @@ def export_mesh(
         uvs=np.concatenate(uvs),
         has_uv=all(has_uv) or any(names[m] in charted for m in used if m >= 0),
         material=np.concatenate(material),
+        tile=np.concatenate(tile),
         vertex=np.concatenate(vertex),
         vertices=vertices,
     )
@@ -95,7 +98,7 @@ def _corners(
     charts: dict[str, Chart],
     first: int,
     of_hosts: bool,
-) -> tuple[np.ndarray, np.ndarray, np.ndarray, bool, np.ndarray, np.ndarray]:
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, bool, np.ndarray, np.ndarray, np.ndarray]:
     """See `export_mesh`. first: number of the mesh's first vertex."""
     mesh = instance.object.to_mesh()
     try:
@@ -111,7 +114,8 @@ def _corners(
         slots = [None if m is None else m.name_full for m in materials_of(instance.object)]
         slot = read(mesh.loop_triangles, "material_index", triangles, np.int32)
         slot = np.clip(slot, 0, len(slots) - 1)
-        uvs = _stored_uvs(mesh, loops.reshape(-1, 3), [charts.get(n or "") for n in slots], slot)
+        of_slots = [charts.get(name or "") for name in slots]
+        uvs, tile = _stored_uvs(mesh, loops.reshape(-1, 3), of_slots, slot)
         has_uv = len(mesh.uv_layers) > 0
         matrix = np.array(instance.matrix_world, np.float32)
     finally:
@@ -119,26 +123,29 @@ def _corners(
     numbers = np.array([names.index(name) if name in names else -1 for name in slots])
     material = numbers[slot].astype(np.int32)
     wanted = np.array([is_left(name) == of_hosts for name in slots])[slot]
-    material, corner = material[wanted], np.repeat(wanted, 3)
+    material, tile, corner = material[wanted], tile[wanted], np.repeat(wanted, 3)
     positions, normals, uvs, vertices = (a[corner] for a in (positions, normals, uvs, vertices))
     *placed, order = _place(positions, normals, uvs, matrix, vertices[:, None] + first)
-    return *placed, has_uv, material, order[:, 0].astype(np.int32)
+    return *placed, has_uv, material, tile, order[:, 0].astype(np.int32)
 
 
 def _stored_uvs(
     mesh: bpy.types.Mesh, loops: np.ndarray, charts: list[Chart | None], slot: np.ndarray
-) -> np.ndarray:
-    """(3t, 2): texture coordinates of a package, by the chart of each slot."""
+) -> tuple[np.ndarray, np.ndarray]:
+    """(3t, 2) texture coordinates of a package, by the chart of each slot, and (t,) tiles."""
     result = np.zeros((*loops.shape, 2), np.float32)
+    tile = np.zeros(len(loops), np.int32)
     for k, chart in enumerate(charts):
         uvs = uv_map(mesh, "" if chart is None else chart.layer)
         rows = slot == k
         if uvs is None and chart is not None:
             uvs = np.zeros((len(mesh.loops), 2), np.float32)  # as Cycles has a map that is missing
         if uvs is not None and rows.any():
-            chart = chart or Chart("", IDENTITY)
-            result[rows] = chart.stored(uvs[loops[rows]].reshape(-1, 2)).reshape(-1, 3, 2)
-    return result.reshape(-1, 2)
+            chart, of_rows = chart or Chart("", IDENTITY), uvs[loops[rows]].reshape(-1, 2)
+            result[rows] = chart.stored(of_rows).reshape(-1, 3, 2)
+            if chart.tiles is not None:
+                tile[rows] = numbers_of(of_rows, chart.tiles)
+    return result.reshape(-1, 2), tile
 
 
 def _place(

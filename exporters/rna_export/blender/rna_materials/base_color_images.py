@@ -10,6 +10,7 @@ from pathlib import Path
 import bpy
 import numpy as np
 from rna_materials.texture_fit import Texture, best_fit, looked_up
+from rna_materials.udim_tiles import path_of, size_of
 from rna_materials.uv_charts import SMALLEST, Chart, charts
 from rna_materials.uv_points import NotOfUv, UvPoints
 from rna_materials.uv_render import ColourOfUv
@@ -28,35 +29,48 @@ def wrap_of(node: bpy.types.Node) -> str:
     return _WRAPS[node.extension]
 
 
-def file_of(node: bpy.types.Node) -> tuple[bytes, str] | None:
+def file_of(node: bpy.types.Node, tile: int = 0) -> tuple[bytes, str] | None:
     """The bytes of an image node's file and its colour space; None where they are not its colours.
 
-    A package reads 8 bits a channel, without alpha, interpolated.
+    tile: the number of one of UDIM; 0 without tiles. A package reads 8 bits a channel, without
+    alpha, interpolated.
     """
     image = node.image
     space = _SPACES.get(image.colorspace_settings.name)
-    is_plain = image.source == "FILE" and not image.is_float and not image.is_dirty
-    is_read = is_plain and max(image.size) <= LARGEST and image.depth <= 32
+    is_file = image.source in ("FILE", "TILED")
+    is_plain = is_file and not image.is_float and not image.is_dirty
+    is_read = is_plain and max(size_of(image, tile)) <= LARGEST and image.depth <= 32
     if space is None or not is_read or node.interpolation == "Closest":
         return None
-    if image.packed_file is not None:
-        data = bytes(image.packed_file.data)
-    else:
-        path = Path(bpy.path.abspath(image.filepath, library=image.library))
-        data = path.read_bytes() if path.is_file() else b""
+    data = _bytes(image, tile)
     return (data, space) if data.startswith(_FORMATS) else None
 
 
+def _bytes(image: bpy.types.Image, tile: int) -> bytes:
+    """Of an image's file, or of a tile's; b"" without one."""
+    packed = [each for each in image.packed_files if tile in (0, each.tile_number)]
+    if packed:
+        return bytes(packed[0].packed_file.data)
+    path = path_of(image.filepath, tile) if tile else image.filepath
+    file = Path(bpy.path.abspath(path, library=image.library))
+    return file.read_bytes() if file.is_file() else b""
+
+
 def texels_of(
-    node: bpy.types.Node, colour: ColourOfUv, layer: str, mapping: np.ndarray, uvs: np.ndarray
+    node: bpy.types.Node,
+    tile: int,
+    colour: ColourOfUv,
+    layer: str,
+    mapping: np.ndarray,
+    uvs: np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray]:
     """(h, w, 3) uint8 sRGB, as Cycles shows an image node; and the map from UVs to the texels.
 
     mapping: (2, 3), from UVs to the image's coordinates. uvs: (n, 2), that are used. An image that
-    ends at its edges gets a border where some of them lie beyond it.
+    ends at its edges gets a border where some of them lie beyond it. tile: see `file_of`.
     """
     finer = _CLOSEST if node.interpolation == "Closest" else 1
-    width, height = (min(max(SMALLEST, finer * side), LARGEST) for side in node.image.size)
+    width, height = (min(max(SMALLEST, finer * n), LARGEST) for n in size_of(node.image, tile))
     if is_cut_off(node, mapping, uvs):
         border = np.array([1.0 / width, 1.0 / height])
         grown = 1.0 + 2.0 * border
@@ -67,14 +81,12 @@ def texels_of(
     return texels_in_srgb(shown), mapping
 
 
-def baked(
-    colour: ColourOfUv, points: UvPoints, taken: Chart | None, largest: int
-) -> tuple[np.ndarray, Chart]:
+def baked(colour: ColourOfUv, points: UvPoints, largest: int) -> tuple[np.ndarray, Chart]:
     """(h, w, 3) uint8 sRGB, repeated, over a chart, which fits what nodes give. Raises NotOfUv.
 
-    taken: the chart that it has to be over; None: any. largest: texels a side, at most.
+    largest: texels a side, at most.
     """
-    tried = charts(colour.depends, points.layer, points.used) if taken is None else [taken]
+    tried = charts(colour.depends, points.layer, points.used)
     truth = np.clip(colour.values(points.uvs), 0.0, 1.0)
 
     def make(chart: Chart, size: tuple[int, int]) -> Texture:

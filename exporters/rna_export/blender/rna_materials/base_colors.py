@@ -7,7 +7,7 @@ shows at points of the surfaces.
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -28,12 +28,38 @@ from rna_materials.material_uses import Use, Wanted, shown_materials, uses_of
 from rna_materials.node_sources import lifted
 from rna_materials.other_textures import texels_of_inputs
 from rna_materials.shown_surfaces import Copies
+from rna_materials.udim_tiles import is_tiled, numbers_of, onto_tile
 from rna_materials.uv_charts import Chart
 from rna_materials.uv_dependence import IDENTITY
 from rna_materials.uv_points import NotOfUv, UvPoints, joined
 from rna_materials.uv_render import ColourOfUv
 
 _EVERY = 1 << 30  # texels a side, that are none too many
+
+
+Piece = tuple[str, int]
+"""A material's full name and a tile of its UDIM image: 0 without tiles, and beyond them all."""
+
+
+@dataclass
+class Wish:
+    """What is wanted of base colours.
+
+    largest: texels a side of what is baked. as_texels: of which no files are wanted. whole: full
+    names of materials whose tiles are to be baked as one image. only: full names of the materials
+    that are wanted; None: of all that surfaces show.
+    """
+
+    largest: int
+    as_texels: Collection[Piece] = ()
+    whole: Collection[str] = ()
+    only: Collection[str] | None = None
+
+    @classmethod
+    def of(cls, request: dict[str, Any]) -> Wish:
+        """Of a worker's request."""
+        as_texels = {(name, tile) for name, tile in request["asTexels"]}
+        return cls(request["largest"], as_texels, request["whole"], request["only"])
 
 
 @dataclass
@@ -51,50 +77,45 @@ class _Found:
         node = None if self.base.source is None else self.base.source[0]
         if node is None or node.type != "TEX_IMAGE" or node.image is None:
             return None
-        is_plain = node.projection == "FLAT" and node.image.source != "TILED"
-        return node if is_plain and self.base.source[1].name == "Color" else None
+        is_flat = node.projection == "FLAT"
+        return node if is_flat and self.base.source[1].name == "Color" else None
 
 
-def export_base_colors(
-    path: str,
-    charts: dict[str, Any],
-    as_texels: Collection[str],
-    largest: int,
-    only: Collection[str] | None = None,
-) -> dict[str, Any]:
+@dataclass
+class _Exported:
+    """Results of `export_base_colors`."""
+
+    charts: dict[str, Any]
+    colors: list[dict[str, Any]] = field(default_factory=list)
+    arrays: dict[str, Any] = field(default_factory=dict)
+    notes: list[str] = field(default_factory=list)
+
+
+def export_base_colors(path: str, charts: dict[str, Any], wish: Wish) -> dict[str, Any]:
     """Write an .npz of `image0`, ...: (n,) uint8 of a file, or (h, w, 3) uint8 in sRGB; and points.
 
     charts: that textures have taken, by material (see `surface_textures.export_textures`).
-    as_texels: materials of which no files are wanted. largest: texels a side of what is baked.
-    only: full names of the materials that are wanted; None: of all that surfaces show.
 
-    Returns `colors`: records of material (its full name), factor, and for an image its number,
-    colorSpace, wrap and transform, with `uvs0`, ... (p, 2) float32 stored coordinates of points and
-    `shown0`, ... (p, 3) float32 linear colours there, before the factor, in the .npz. `charts`: as
-    the argument, with those of images. `others`: by material, what else it has of textures (see
+    Returns `colors`: records of material (its full name), tile (see `Piece`), factor, and for an
+    image its number, colorSpace, wrap and transform, with `uvs0`, ... (p, 2) float32 stored
+    coordinates of points and `shown0`, ... (p, 3) float32 linear colours there, before the factor,
+    in the .npz. `charts`: as the argument, with those of images, and of tiled ones `tiles` (see
+    `udim_tiles.numbers_of`). `others`: by material, what else it has of textures (see
     `other_textures.py`). `notes`: for the user.
     """
-    charts = dict(charts)
-    colors: list[dict[str, Any]] = []
-    arrays: dict[str, Any] = {}
-    notes: list[str] = []
+    exported = _Exported(dict(charts))
     copies = Copies()
     try:
-        for found in _with_uses(list(_found(copies, Path(path).parent, only))):
-            name = found.material.name_full
-            color = {"material": name, "factor": _unit(found.base.factor)}
+        for found in _with_uses(list(_found(copies, Path(path).parent, wish.only))):
             try:
-                if found.image is not None:
-                    color |= _image(found, charts, name in as_texels, arrays, len(colors))
-                elif found.shown is not None:
-                    color |= _baked(found, charts, largest, arrays, len(colors), notes)
-                colors.append(color)
+                _add(exported, found, wish)
             except NotOfUv as problem:
-                notes += _note(found, problem)
+                exported.notes += _note(found, problem)
     finally:
         copies.remove()
-    np.savez(path, **arrays)
-    return {"colors": colors, "charts": charts, "others": _others(charts), "notes": notes}
+    np.savez(path, **exported.arrays)
+    answer = {"colors": exported.colors, "charts": exported.charts, "notes": exported.notes}
+    return {**answer, "others": _others(exported.charts)}
 
 
 def _others(charts: dict[str, Any]) -> dict[str, dict[str, float]]:
@@ -142,76 +163,93 @@ def _note(found: _Found, problem: NotOfUv) -> list[str]:
     assert found.shown is not None  # or there is no problem
     if found.shown.depends.attributes:
         return []
+    where = " across its UDIM tiles" if is_tiled(found.image) else ""
     return [
-        f"material {found.material.name!r} has a base colour by {problem}, which is no function of "
-        "its UV coordinates: it is learnt, and as fine as the planes"
+        f"material {found.material.name!r} has a base colour{where} by {problem}, which is no "
+        "function of its UV coordinates: it is learnt, and as fine as the planes"
     ]
 
 
-def _image(
-    found: _Found,
-    charts: dict[str, Any],
-    as_texels: bool,
-    arrays: dict[str, np.ndarray],
-    number: int,
-) -> dict[str, Any]:
-    """The members of a record that an image has. Raises NotOfUv."""
-    name, node, shown = found.material.name_full, found.image, found.shown
-    assert node is not None and shown is not None  # the caller has checked
+def _add(exported: _Exported, found: _Found, wish: Wish) -> None:
+    """The records of a material: one, or of a tiled image one for each tile. Raises NotOfUv."""
+    name, shown = found.material.name_full, found.shown
+    factor = _unit(found.base.factor)
+    if shown is None:
+        exported.colors.append({"material": name, "tile": 0, "factor": factor})
+        return
     points = UvPoints.of(found.uses, shown)
-    chart = _chart(found, points, charts.get(name))
-    mapping = shown.depends.images[0].mapping if shown.depends.images else IDENTITY
-    file = None if as_texels or is_cut_off(node, mapping, points.used) else file_of(node)
+    chart = _chart(found, points, exported.charts.get(name))
+    pieces = {0: points}
+    if is_tiled(found.image) and name not in wish.whole:
+        there = [tile.number for tile in found.image.image.tiles]
+        chart.tiles = {"matrix": _mapping(shown).tolist(), "numbers": there}
+        numbers = numbers_of(points.used, chart.tiles)
+        order = np.unique(numbers)[::-1]  # what is baked comes last: it may fail
+        pieces = {int(n): points.on(numbers == n) for n in order}
+    colours = shown.values(np.concatenate([piece.uvs for piece in pieces.values()]))
+    truths = np.split(colours, len(pieces))
+    for (tile, piece), truth in zip(pieces.items(), truths, strict=True):
+        if found.image is None or (is_tiled(found.image) and not tile):
+            image, members = _baked(found, piece, chart, wish.largest, exported.notes)
+        else:
+            image, members = _image(found, tile, piece, chart, (name, tile) in wish.as_texels)
+        number = len(exported.colors)
+        exported.arrays[f"image{number}"] = image
+        exported.arrays[f"uvs{number}"] = chart.stored(piece.uvs.astype(np.float32))
+        exported.arrays[f"shown{number}"] = truth
+        record = {"material": name, "tile": tile, "factor": factor, "image": number}
+        exported.colors.append({**record, **members})
+        exported.charts[name] = chart.record()
+
+
+def _mapping(shown: ColourOfUv) -> np.ndarray:
+    """(2, 3) from UVs to coordinates of the image that a colour comes from."""
+    return shown.depends.images[0].mapping if shown.depends.images else IDENTITY
+
+
+def _image(
+    found: _Found, tile: int, points: UvPoints, chart: Chart, as_texels: bool
+) -> tuple[np.ndarray, dict[str, Any]]:
+    """An image, its file or texels, and the members of a record that it has."""
+    node, shown = found.image, found.shown
+    assert node is not None and shown is not None  # the caller has checked
+    mapping = onto_tile(_mapping(shown), tile) if tile else _mapping(shown)
+    file = None if as_texels or is_cut_off(node, mapping, points.used) else file_of(node, tile)
     if file is None:
-        image, mapping = texels_of(node, shown, points.layer, mapping, points.used)
+        image, mapping = texels_of(node, tile, shown, points.layer, mapping, points.used)
         space = "srgb"
     else:
         image, space = np.frombuffer(file[0], np.uint8), file[1]
-    charts[name] = {"layer": chart.layer, "matrix": chart.matrix.tolist()}
-    arrays[f"image{number}"] = image
-    arrays[f"uvs{number}"] = chart.stored(points.uvs.astype(np.float32))
-    arrays[f"shown{number}"] = shown.values(points.uvs)
     transform = transform_of(mapping, chart)
-    return {"image": number, "colorSpace": space, "wrap": wrap_of(node), "transform": transform}
+    return image, {"colorSpace": space, "wrap": wrap_of(node), "transform": transform}
 
 
 def _baked(
-    found: _Found,
-    charts: dict[str, Any],
-    largest: int,
-    arrays: dict[str, np.ndarray],
-    number: int,
-    notes: list[str],
-) -> dict[str, Any]:
-    """The members of a record of what is no image, as a texture. Raises NotOfUv.
+    found: _Found, points: UvPoints, chart: Chart, largest: int, notes: list[str]
+) -> tuple[np.ndarray, dict[str, Any]]:
+    """As `_image`, of what is no image. Raises NotOfUv.
 
     notes: gets one where the images have more texels than that.
     """
-    name, shown = found.material.name_full, found.shown
+    shown = found.shown
     assert shown is not None  # the caller has checked
-    points = UvPoints.of(found.uses, shown)
-    taken = _chart(found, points, charts[name]) if name in charts else None
-    image, chart = baked(shown, points, taken, largest)
-    width, height = chart.size(shown.depends, largest=_EVERY)
+    image, over = baked(shown, points, largest)
+    width, height = over.size(shown.depends, largest=_EVERY)
     if shown.depends.images and max(width, height) > largest:
         notes.append(
             f"material {found.material.name!r} has a base colour of {width} x {height} texels, "
             f"baked with {image.shape[1]} x {image.shape[0]}; --texture-size takes more, up to "
             f"{LARGEST}"
         )
-    charts[name] = {"layer": chart.layer, "matrix": chart.matrix.tolist()}
-    arrays[f"image{number}"] = image
-    arrays[f"uvs{number}"] = chart.stored(points.uvs.astype(np.float32))
-    arrays[f"shown{number}"] = shown.values(points.uvs)
-    transform = transform_of(chart.matrix, chart)
-    return {"image": number, "colorSpace": "srgb", "wrap": "repeat", "transform": transform}
+    transform = transform_of(over.matrix, chart)
+    return image, {"colorSpace": "srgb", "wrap": "repeat", "transform": transform}
 
 
 def _chart(found: _Found, points: UvPoints, taken: dict[str, Any] | None) -> Chart:
     """The chart of a material: that of its other textures if it has any. Raises NotOfUv."""
     if taken is None:
         return Chart(points.layer, IDENTITY)
-    chart = Chart(taken["layer"], np.array(taken["matrix"]))
+    chart = replace(Chart.of(taken), tiles=None)
     used = joined(found.uses, chart.layer)
     if chart.layer != points.layer and not np.allclose(used, points.used, atol=1e-6):
         raise NotOfUv("another UV map than its holes and normal map")

@@ -90,7 +90,7 @@ def export_textures(path: str, side: int) -> dict[str, Any]:
                 textures[f"normals{len(normals)}"] = surface_textures.normals.texture
                 normals.append(name)
             if (chart := surface_textures.chart()) is not None:
-                stored[name] = {"layer": chart.layer, "matrix": chart.matrix.tolist()}
+                stored[name] = chart.record()
     finally:
         copies.remove()
     np.savez(path, **textures)

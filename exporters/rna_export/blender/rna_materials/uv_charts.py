@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from rna_materials.uv_dependence import IDENTITY, Dependence
@@ -22,10 +23,22 @@ class Chart:
     """layer: the UV map, "" for the one that renders use by default.
 
     matrix: (2, 3), from its (u, v, 1) to (s, t); the texture is that of [0, 1] x [0, 1], t upwards.
+    tiles: of UDIM, by which triangles are told apart (see `udim_tiles.numbers_of`).
     """
 
     layer: str
     matrix: np.ndarray
+    tiles: dict[str, Any] | None = None
+
+    @classmethod
+    def of(cls, record: dict[str, Any]) -> Chart:
+        """The inverse of `record`."""
+        return cls(record["layer"], np.array(record["matrix"]), record.get("tiles"))
+
+    def record(self) -> dict[str, Any]:
+        """As JSON holds it."""
+        tiles = {} if self.tiles is None else {"tiles": self.tiles}
+        return {"layer": self.layer, "matrix": self.matrix.tolist(), **tiles}
 
     def stored(self, uvs: np.ndarray) -> np.ndarray:
         """Texture coordinates of a package for (n, 2) UVs: glTF counts v from the top."""

@@ -9,6 +9,7 @@ import bpy
 import mathutils
 import numpy as np
 from rna_materials.node_sources import Inside, Source, origin
+from rna_materials.udim_tiles import is_tiled, size_of
 
 IDENTITY = np.eye(2, 3)
 """A map of texture coordinates: (2, 3), of (u, v, 1)."""
@@ -36,7 +37,7 @@ _COLOUR, _ALPHA = (0, 1, 2), (3,)  # components of an attribute
 
 @dataclass
 class ImageUse:
-    """An image texture: the map from UV to its own coordinates, and its form."""
+    """An image texture: the map from UV to its own coordinates, its texels and form."""
 
     mapping: np.ndarray
     size: tuple[int, int]
@@ -98,10 +99,9 @@ def _add_texture(result: Dependence, node: bpy.types.Node, inside: Inside) -> No
         if is_free:
             result.layers.add("")
         if node.image is not None:
-            tiled = node.image.source == "TILED"
-            extension = "TILED" if tiled else node.extension
-            size = tuple(max(1, side) for side in node.image.size)
-            result.images.append(ImageUse(_mapping(node, inside), size, extension))
+            extension = "TILED" if is_tiled(node) else node.extension
+            image = ImageUse(_mapping(node, inside), size_of(node.image), extension)
+            result.images.append(image)
         return
     result.patterns = True
     if is_free and node.type != "TEX_WHITE_NOISE":

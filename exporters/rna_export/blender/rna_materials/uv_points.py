@@ -8,7 +8,7 @@ import numpy as np
 from rna_materials.material_uses import Use
 from rna_materials.uv_render import ColourOfUv
 
-_POINTS = 16384  # a square number
+_POINTS = 16384
 
 
 class NotOfUv(Exception):
@@ -19,12 +19,13 @@ class NotOfUv(Exception):
 class UvPoints:
     """Points of all surfaces of a material, evenly spread: the UV map that a colour is read from.
 
-    uvs: (n, 2) of the points. used: (3t, 2) of all corners.
+    uvs: (n, 2) of the points. used: (3t, 2) of all corners. positions: (3t, 3) of them.
     """
 
     layer: str
     uvs: np.ndarray
     used: np.ndarray
+    positions: np.ndarray
 
     @classmethod
     def of(cls, uses: list[Use], colour: ColourOfUv) -> UvPoints:
@@ -44,7 +45,28 @@ class UvPoints:
             value = _constant(uses, name, sorted(colour.depends.attributes[name]))
             if value is not None:
                 colour.constants[name] = value
-        return cls(names[0] if names else "", _sampled(uses, maps[0]), maps[0])
+        positions = np.concatenate([use.positions for use in uses])
+        return cls._sampled(names[0] if names else "", maps[0], positions)
+
+    def on(self, triangles: np.ndarray) -> UvPoints:
+        """Points of some of the triangles, (t,) bool."""
+        rows = np.repeat(triangles, 3)
+        return self._sampled(self.layer, self.used[rows], self.positions[rows])
+
+    @classmethod
+    def _sampled(cls, layer: str, used: np.ndarray, positions: np.ndarray) -> UvPoints:
+        corners = positions.reshape(-1, 3, 3).astype(np.float64)
+        a, b, c = corners.swapaxes(0, 1)
+        area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+        area = np.where(np.isfinite(area), area, 0.0)
+        total = area.sum()
+        rng = np.random.default_rng(0)
+        weight = area / total if total > 0.0 else np.full(len(area), 1.0 / len(area))
+        triangle = rng.choice(len(area), _POINTS, p=weight)
+        root, v = np.sqrt(rng.random(_POINTS)), rng.random(_POINTS)
+        weights = np.stack([1.0 - root, root * (1.0 - v), root * v], axis=1)
+        uvs = np.einsum("nk,nkc->nc", weights, used.reshape(-1, 3, 2)[triangle])
+        return cls(layer, uvs, used, positions)
 
 
 def joined(uses: list[Use], layer: str | None) -> np.ndarray:
@@ -65,18 +87,3 @@ def _constant(uses: list[Use], name: str, components: list[int]) -> np.ndarray |
     if not (values[:, components] == values[0, components]).all():
         raise NotOfUv(f"the attribute {name!r}" if name else "the colour attribute")
     return np.array(values[0]) if any(name in use.attributes for use in uses) else None
-
-
-def _sampled(uses: list[Use], uvs: np.ndarray) -> np.ndarray:
-    """(n, 2): UVs of points of the triangles, uniform by area."""
-    corners = np.concatenate([use.positions for use in uses]).reshape(-1, 3, 3).astype(np.float64)
-    a, b, c = corners.swapaxes(0, 1)
-    area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
-    area = np.where(np.isfinite(area), area, 0.0)
-    total = area.sum()
-    rng = np.random.default_rng(0)
-    weight = area / total if total > 0.0 else np.full(len(area), 1.0 / len(area))
-    triangle = rng.choice(len(area), _POINTS, p=weight)
-    root, v = np.sqrt(rng.random(_POINTS)), rng.random(_POINTS)
-    weights = np.stack([1.0 - root, root * (1.0 - v), root * v], axis=1)
-    return np.asarray(np.einsum("nk,nkc->nc", weights, uvs.reshape(-1, 3, 2)[triangle]))

@@ -66,15 +66,15 @@ class ColourOfUv:
         return self._rendered(places, chart.uvs(_SQUARE), size)[::-1]
 
     def values(self, uvs: np.ndarray) -> np.ndarray:
-        """(n, 3) float32 at UV coordinates (n, 2), a square number of them."""
-        side = int(np.sqrt(len(uvs)))
+        """(n, 3) float32 at UV coordinates (n, 2)."""
+        side = int(np.ceil(np.sqrt(len(uvs))))
         rows, columns = np.divmod(np.arange(len(uvs)), side)
         cell = np.stack([columns, rows], axis=1)[:, None] + _SQUARE
         corners = uvs[:, None] + _POINT * (2.0 * _SQUARE - 1.0)
         image = self._rendered(
             (cell / side - 0.5).reshape(-1, 2), corners.reshape(-1, 2), (side,) * 2
         )
-        return image.reshape(-1, 3)
+        return image.reshape(-1, 3)[: len(uvs)]
 
     def _rendered(self, places: np.ndarray, uvs: np.ndarray, size: tuple[int, int]) -> np.ndarray:
         """(h, w, 3), row 0 at the bottom, of quads with corners (4q, 2) in an image's plane."""

@@ -12,6 +12,7 @@ from rna_geometry.attributes import read, uv_map
 from rna_geometry.shown_objects import SURFACES
 from rna_materials.node_sources import origin
 from rna_materials.object_materials import materials_of
+from rna_materials.udim_tiles import size_of
 from rna_preflight.shader_values import Shader, constant
 
 _WAVE = 20.0 / (2.0 * math.pi)  # waves a unit, of Blender's Wave Texture at scale 1
@@ -93,8 +94,7 @@ def _period(texture: Shader) -> float | None:
     if node.type == "TEX_WHITE_NOISE":
         return 0.0
     if node.type == "TEX_IMAGE":
-        width = 0 if node.image is None else int(max(node.image.size))
-        return 2.0 / width if width else None
+        return None if node.image is None else 2.0 / max(size_of(node.image))
     if node.type == "TEX_GRADIENT" or "Scale" not in node.inputs:
         return None
     value = constant(texture, "Scale")

@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import bpy
+from rna_materials.udim_tiles import path_of
 
 _opened: set[str] = set()  # by Python
 
@@ -46,18 +47,10 @@ def _of_blender() -> list[str]:
     paths: list[str] = bpy.utils.blend_paths(absolute=False, packed=False, local=False)
     for image in bpy.data.images:
         if image.source == "TILED":
-            numbers = [tile.number for tile in image.tiles]
-            paths += [image.filepath.replace("<UDIM>", str(n)) for n in numbers]
-            paths += [image.filepath.replace("<UVTILE>", _uv_tile(n)) for n in numbers]
+            paths += [path_of(image.filepath, tile.number) for tile in image.tiles]
         elif image.source == "SEQUENCE":
             paths += _frames(image.filepath)
     return paths
-
-
-def _uv_tile(number: int) -> str:
-    """Mari's number of a tile: u1_v1 for 1001."""
-    v, u = divmod(number - 1001, 10)
-    return f"u{u + 1}_v{v + 1}"
 
 
 def _frames(path: str) -> list[str]:

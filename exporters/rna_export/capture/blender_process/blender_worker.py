@@ -20,7 +20,7 @@ from rna_export.capture.blender_process.exchanged_files import (
     read_render,
     write_rays,
 )
-from rna_export.capture.blender_process.material_colors import MaterialColors
+from rna_export.capture.blender_process.material_colors import MaterialColors, Piece
 from rna_sdk.package import Curves
 
 
@@ -86,7 +86,8 @@ class BlenderWorker(BlenderProcess):
     ) -> dict[str, np.ndarray]:
         """Corners of a top object's triangles, or of the scene's, +Y up: see `mesh_export.py`.
 
-        The materials of the triangles by their full name, "" for none. charts: of
+        The materials of the triangles by their full name, "" for none; `tile` makes them pieces
+        (see `material_colors.py`). charts: of
         `MaterialTextures`, for the texture coordinates. of_hosts: whether those of the glass that
         is left to hosts, else of all but that.
         """
@@ -115,15 +116,18 @@ class BlenderWorker(BlenderProcess):
         self,
         charts: dict[str, Any],
         largest: int,
-        as_texels: Collection[str] = (),
+        as_texels: Collection[Piece] = (),
+        whole: Collection[str] = (),
         only: Collection[str] | None = None,
     ) -> MaterialColors:
         """Base colours of all materials that surfaces show, or of some of them.
 
         charts: of `MaterialTextures`. largest: texels a side of what is baked, at most.
-        as_texels: materials whose image is wanted as Cycles shows it, and not as its file.
+        as_texels: pieces whose image is wanted as Cycles shows it, and not as its file. whole:
+        materials whose UDIM tiles are to be baked as one image. only: materials that are wanted.
         """
         request = {"charts": charts, "asTexels": sorted(as_texels), "largest": largest}
+        request["whole"] = sorted(whole)
         wanted = None if only is None else sorted(only)
         return MaterialColors.of(*self._exported("exportBaseColors", **request, only=wanted))
 

@@ -10,6 +10,8 @@ import numpy as np
 from rna_sdk.package.manifest.manifest_model import Affine, ColorSpace, Wrap
 
 Rgb = tuple[float, float, float]
+Piece = tuple[str, int]
+"""A material's full name and a tile of its UDIM image: 0 without tiles, and beyond them all."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,7 +33,7 @@ class ColorImage:
 
 @dataclass(frozen=True, eq=False)
 class MaterialColor:
-    """The base colour of a material: a linear factor from 0 to 1, times an image if it has any."""
+    """The base colour of a piece: a linear factor from 0 to 1, times an image if it has any."""
 
     factor: Rgb
     image: ColorImage | None
@@ -39,14 +41,14 @@ class MaterialColor:
 
 @dataclass(frozen=True)
 class MaterialColors:
-    """Base colours by the full name of their material, of those that have one.
+    """Base colours by the piece of a material, of those that have one.
 
     charts: the texture coordinates of all textures (see `uv_charts.py`). others: by material,
     inputs of its shaders with other images -> texels in a unit square of texture coordinates.
     notes: for the user.
     """
 
-    of_material: dict[str, MaterialColor]
+    of_piece: dict[Piece, MaterialColor]
     charts: dict[str, Any]
     others: dict[str, dict[str, float]]
     notes: list[str]
@@ -61,5 +63,6 @@ class MaterialColors:
                 members = record["colorSpace"], (record["wrap"],) * 2, tuple(record["transform"])
                 points = arrays[f"uvs{k}"], arrays[f"shown{k}"]
                 image = ColorImage(arrays[f"image{k}"], *members, *points)
-            colors[record["material"]] = MaterialColor(tuple(record["factor"]), image)
+            piece = record["material"], record["tile"]
+            colors[piece] = MaterialColor(tuple(record["factor"]), image)
         return cls(colors, answer["charts"], answer["others"], answer["notes"])

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import itertools
 import re
+from collections import Counter
 from collections.abc import Collection
 from dataclasses import dataclass, field
 from pathlib import PurePosixPath
@@ -14,11 +15,11 @@ import numpy as np
 from PIL import Image
 
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
-from rna_export.capture.blender_process.material_colors import ColorImage, MaterialColor
+from rna_export.capture.blender_process.material_colors import ColorImage, MaterialColor, Piece
 from rna_export.capture.geometry.blurred_textures import PLANE_TEXELS
 from rna_sdk.errors import PackageError
 from rna_sdk.package import BaseColor, Mesh
-from rna_sdk.package.limits import MAX_TEXTURE_RECORDS
+from rna_sdk.package.limits import MAX_TEXTURE_RECORDS as _MOST
 from rna_sdk.package.manifest.extensions import Variants
 from rna_sdk.package.manifest.manifest_model import BaseColorFields, BaseColorRecord
 from rna_sdk.package.textures.base_color import image_from_bytes
@@ -29,27 +30,35 @@ FINE = 0.01  # RMS of what planes would blur, linear: above it, print is worth a
 VARIANTS = f"extensions/{Variants.NAME}"
 """Folder of the images of variants."""
 
+Ranges = dict[Piece, tuple[int, int]]
+"""Triangles of each piece in a part: the first, and how many."""
+
 _POINTS = 1 << 14
 _ENDINGS = {b"\x89P": "png", b"\xff\xd8": "jpg", b"RI": "webp"}
 
 
+_WHOLE = -1  # in the place of a piece's tile: of all of them
+
+
 @dataclass
 class BaseColors:
-    """Base colours by the full name of their material.
+    """Base colours by the piece of a material.
 
-    entries: names of the images, by material. files: of the images, by name. images: decoded.
-    charts: the texture coordinates of all textures. others: see `MaterialColors`. notes: for the
-    user. folder: where the files lie in a package. variants: by name.
+    entries: names of the images, by piece. files: of the images, by name. images: decoded. known:
+    names by file and tile. charts: the texture coordinates of all textures. others: see
+    `MaterialColors`. notes: for the user. folder: where the files lie in a package. variants: by
+    name.
     """
 
-    of_material: dict[str, MaterialColor]
+    of_piece: dict[Piece, MaterialColor]
     charts: dict[str, Any]
     others: dict[str, dict[str, float]]
     notes: list[str]
     folder: str = "base_color"
-    entries: dict[str, str] = field(default_factory=dict)
+    entries: dict[Piece, str] = field(default_factory=dict)
     files: dict[str, bytes] = field(default_factory=dict)
     images: dict[str, np.ndarray] = field(default_factory=dict)
+    known: dict[tuple[bytes, int], str] = field(default_factory=dict)
     variants: dict[str, Variant] = field(default_factory=dict)
 
     @classmethod
@@ -67,23 +76,35 @@ class BaseColors:
         worker.show_variant(None)
         return colors
 
+    @property
+    def materials(self) -> tuple[str, ...]:
+        """Full names of those that have a base colour."""
+        return tuple(dict.fromkeys(name for name, _ in self.of_piece))
+
     def _add(self, worker: BlenderWorker, largest: int, only: Collection[str] | None) -> None:
         """Base colours of what the worker shows; only: of these materials; None: of all."""
         charts = self.charts
         first = worker.export_base_colors(charts, largest, only=only)
-        self.of_material |= first.of_material
+        self.of_piece |= first.of_piece
         self.charts, self.others = first.charts, first.others
         self.notes += first.notes
-        wrong = [name for name in first.of_material if not self._add_image(name)]
+        wrong = [piece for piece in first.of_piece if not self._add_image(piece)]
         if wrong:
-            self.of_material |= worker.export_base_colors(charts, largest, wrong, only).of_material
-            for name in wrong:
-                if not self._add_image(name):
-                    del self.of_material[name]
-                    self.notes.append(
-                        f"material {name!r} has a base colour that is no image over its UV "
-                        "coordinates: it is learnt, and as fine as the planes"
-                    )
+            names = {name for name, _ in wrong}
+            again = worker.export_base_colors(charts, largest, wrong, only=names).of_piece
+            self._add_checked({piece: again[piece] for piece in wrong})
+
+    def _add_checked(self, colors: dict[Piece, MaterialColor]) -> None:
+        """Those that have Cycles' colours; a note of each other."""
+        for piece, color in colors.items():
+            self.of_piece[piece] = color
+            if not self._add_image(piece):
+                del self.of_piece[piece]
+                name, tile = piece
+                self.notes.append(
+                    f"material {name!r} has a base colour{f' in tile {tile}' * (tile > 0)} that is "
+                    "no image over its UV coordinates: it is learnt, and as fine as the planes"
+                )
 
     def _add_variant(
         self, worker: BlenderWorker, largest: int, name: str, materials: dict[str, str]
@@ -91,13 +112,14 @@ class BaseColors:
         """Base colours of a variant's materials, over the charts of those that they replace."""
         pairs = materials.items()
         charts = {other: self.charts[base] for base, other in pairs if base in self.charts}
-        colors = BaseColors({}, charts, {}, [], VARIANTS, files=self.files, images=self.images)
+        shared = {"files": self.files, "images": self.images, "known": self.known}
+        colors = BaseColors({}, charts, {}, [], VARIANTS, **shared)
         if materials:
             worker.show_variant(name)
             colors._add(worker, largest, set(materials.values()))
         for base, other in pairs:
             fits = colors.charts.get(other) == self.charts.get(base, colors.charts.get(other))
-            if base not in self.of_material or other not in colors.of_material or not fits:
+            if base not in self.materials or other not in colors.materials or not fits:
                 self.notes.append(
                     f"variant {name!r} is left out: material {other!r} has a base colour that is "
                     f"no colour or image over the UV coordinates of {base!r}"
@@ -108,71 +130,93 @@ class BaseColors:
                 self.charts[base] = colors.charts[other]
         self.variants[name] = Variant(colors, materials)
 
-    def _add_image(self, name: str) -> bool:
-        """Keep the image of a material; whether it has Cycles' colours. True without an image."""
-        image = self.of_material[name].image
+    def _add_image(self, piece: Piece) -> bool:
+        """Keep the image of a piece; whether it has Cycles' colours. True without an image."""
+        image, tile = self.of_piece[piece].image, piece[1]
         if image is None:
             return True
         file = _file(image.data)
-        entry = next((key for key, known in self.files.items() if known == file), None)
+        entry = self.known.get((file, tile))
         try:
-            pixels = image_from_bytes(file, name) if entry is None else self.images[entry]
+            pixels = image_from_bytes(file, piece[0]) if entry is None else self.images[entry]
         except PackageError:
             return False
         if _difference(image, pixels) > (WRONG_FILE if image.data.ndim == 1 else WRONG):
             return False
         if entry is None:
-            entry = self._new_entry(name, _ENDINGS[file[:2]])
+            entry = self.known[file, tile] = self._new_entry(piece, _ENDINGS[file[:2]])
             self.files[entry], self.images[entry] = file, pixels
-        self.entries[name] = entry
+        self.entries[piece] = entry
         return True
 
-    def _new_entry(self, material: str, ending: str) -> str:
-        """A name that tells the material: hosts exchange images by it."""
+    def _new_entry(self, piece: Piece, ending: str) -> str:
+        """A name that tells the material and tile: hosts exchange images by it."""
+        material, tile = piece
         label = re.sub(r"[^A-Za-z0-9-]+", "-", material).strip("-")[:40] or "image"
+        label += f"-{tile}" if tile > 0 else ""
         names = (f"{label}-{k}" if k else label for k in itertools.count())
         taken = {PurePosixPath(entry).stem.lower() for entry in self.files}
         free = next(name for name in names if name.lower() not in taken)
         return f"{self.folder}/{free}.{ending}"
 
-    def records(self, mesh: Mesh, ranges: dict[str, tuple[int, int]]) -> dict[str, BaseColorRecord]:
-        """Records of a part by material, in order; none where no image of it is finer than planes
-        would be and no variant changes it.
+    def fitted(self, worker: BlenderWorker, largest: int, pieces: Ranges) -> Ranges:
+        """The pieces of a part, with no more images than it has records.
 
-        ranges: triangles of each material.
+        Where there are more, the tiles of a material are one piece, with what Blender bakes.
         """
-        with_image = [name for name in ranges if name in self.entries]
+        while len(shown := [piece for piece in pieces if piece in self.entries]) > _MOST:
+            name, tiles = Counter(name for name, _ in shown).most_common(1)[0]
+            if tiles == 1:
+                break
+            whole, own = (name, _WHOLE), [range_ for (n, _), range_ in pieces.items() if n == name]
+            if whole not in self.entries:
+                self.notes.append(
+                    f"material {name!r} has {tiles} UDIM tiles, and a part {_MOST} images: they "
+                    "are baked as one"
+                )
+                baked = worker.export_base_colors(self.charts, largest, whole=[name], only=[name])
+                self.notes += baked.notes
+                self._add_checked({whole: baked.of_piece[name, 0]} if baked.of_piece else {})
+            pieces = {piece: of for piece, of in pieces.items() if piece[0] != name}
+            pieces[whole] = min(own)[0], sum(count for _, count in own)
+        return dict(sorted(pieces.items(), key=lambda item: item[1]))
+
+    def records(self, mesh: Mesh, pieces: Ranges) -> dict[Piece, BaseColorRecord]:
+        """Records of a part by piece, in order; none where no image of it is finer than planes
+        would be and no variant changes it.
+        """
+        with_image = [piece for piece in pieces if piece in self.entries]
         changed = {base for variant in self.variants.values() for base in variant.materials}
-        is_changed = not changed.isdisjoint(ranges)
-        if not is_changed and not any(self._is_fine(mesh, k, ranges[k]) for k in with_image):
+        is_changed = not changed.isdisjoint(name for name, _ in pieces)
+        if not is_changed and not any(self._is_fine(mesh, k, pieces[k]) for k in with_image):
             return {}
-        plain = [name for name in ranges if name in self.of_material and name not in self.entries]
+        plain = [piece for piece in pieces if piece in self.of_piece and piece not in self.entries]
         largest = sorted(
             with_image + plain,
-            key=lambda name: (name not in changed, name in plain, -ranges[name][1]),
+            key=lambda piece: (piece[0] not in changed, piece in plain, -pieces[piece][1]),
         )
-        stored = largest[:MAX_TEXTURE_RECORDS]
-        return {name: self._record(name, ranges[name]) for name in ranges if name in stored}
+        stored = largest[:_MOST]
+        return {piece: self._record(piece, pieces[piece]) for piece in pieces if piece in stored}
 
-    def changes(self, name: str, variant: str) -> BaseColorFields | None:
+    def changes(self, material: str, variant: str) -> BaseColorFields | None:
         """What a variant has in the place of a material's record; None: the same."""
         changed = self.variants[variant]
-        other = changed.materials.get(name)
-        return None if other is None else BaseColorFields(**changed.colors._members(other))
+        other = changed.materials.get(material)
+        return None if other is None else BaseColorFields(**changed.colors._members((other, 0)))
 
-    def _is_fine(self, mesh: Mesh, name: str, triangles: tuple[int, int]) -> bool:
-        record = self._record(name, triangles)
-        return blurred(mesh, BaseColor.of(record, self.images[self.entries[name]])) > FINE
+    def _is_fine(self, mesh: Mesh, piece: Piece, triangles: tuple[int, int]) -> bool:
+        record = self._record(piece, triangles)
+        return blurred(mesh, BaseColor.of(record, self.images[self.entries[piece]])) > FINE
 
-    def _record(self, name: str, triangles: tuple[int, int]) -> BaseColorRecord:
-        return BaseColorRecord(triangles=triangles, **self._members(name))
+    def _record(self, piece: Piece, triangles: tuple[int, int]) -> BaseColorRecord:
+        return BaseColorRecord(triangles=triangles, **self._members(piece))
 
-    def _members(self, name: str) -> dict[str, Any]:
-        color = self.of_material[name]
+    def _members(self, piece: Piece) -> dict[str, Any]:
+        color = self.of_piece[piece]
         if color.image is None:
             return {"factor": color.factor}
         return {
-            "image": self.entries[name],
+            "image": self.entries[piece],
             "color_space": color.image.color_space,
             "factor": color.factor,
             "wrap": color.image.wrap,

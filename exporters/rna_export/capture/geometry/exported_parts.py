@@ -10,7 +10,7 @@ from rna_export.capture.blender_process.blender_process import ScenePart
 from rna_export.capture.blender_process.blender_worker import BlenderWorker, MaterialTextures
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.dataset.dataset_manifest import CapturedPart
-from rna_export.capture.geometry.base_colors import BaseColors
+from rna_export.capture.geometry.base_colors import BaseColors, Ranges
 from rna_export.capture.geometry.blurred_textures import blurred_note
 from rna_export.capture.geometry.glass_mesh import glass_glb
 from rna_export.capture.geometry.mesh_cleanup import welded, with_last
@@ -105,15 +105,16 @@ def exported_parts(worker: BlenderWorker, settings: CaptureSettings) -> Exported
         has_opaque_cutouts=textures.captured_holes,
         has_learnt_relief=textures.learnt_relief,
         mapped=tuple(textures.normals),
-        coloured=tuple(colors.of_material),
+        coloured=colors.materials,
         variants={name: {} for name in colors.variants},
-        notes=[*textures.notes, *colors.notes],
+        notes=[*textures.notes],
     )
     for part in worker.parts:
         if part.kind == "fiber":
             exported.geometries[part.name] = worker.export_curves(part.owner)
         else:
-            _add_surface(exported, worker, part, textures, colors)
+            _add_surface(exported, worker, part, textures, colors, settings.texture_size)
+    exported.notes += colors.notes
     _check_not_empty(exported, worker)
     if not settings.exact_geometry:
         _quantise(exported)
@@ -151,8 +152,10 @@ def _add_surface(
     part: ScenePart,
     of: MaterialTextures,
     colors: BaseColors,
+    largest: int,
 ) -> None:
-    last = list(dict.fromkeys([*of.normals, *of.see_through, *colors.of_material]))
+    """largest: texels a side of what is baked."""
+    last = list(dict.fromkeys([*of.normals, *of.see_through, *colors.materials]))
     corners = with_last(worker.export_corners(part.owner, colors.charts), last)
     if not len(corners["material"]):
         return
@@ -160,12 +163,14 @@ def _add_surface(
     exported.geometries[part.name] = mesh
     numbers = corners["vertex"][first].astype(np.uint32)
     exported.sources[part.name] = SourceVertices(numbers, int(corners["vertices"]))
-    ranges = {}
+    pieces: Ranges = {}
     for name in last:
         rows = np.flatnonzero(corners["material"] == name)
         if not len(rows):
             continue
-        triangles = ranges[name] = int(rows[0]), len(rows)
+        triangles = int(rows[0]), len(rows)
+        for tile, at, count in zip(*_runs(corners["tile"][rows]), strict=True):
+            pieces[name, int(tile)] = triangles[0] + int(at), int(count)
         if pane := of.see_through.get(name):
             texture = f"transmittance/{list(of.see_through).index(name)}.safetensors"
             exported.textures[texture] = pane.texture
@@ -179,16 +184,31 @@ def _add_surface(
             exported.textures[texture] = of.normals[name]
             mapped = NormalMapRecord(triangles=triangles, texture=texture)
             exported.maps.setdefault(part.name, []).append(mapped)
-    if records := colors.records(mesh, ranges):
-        exported.colors[part.name] = list(records.values())
-        shown: list[BaseColorFields | None] = [*records.values()]
-        for variant, parts in exported.variants.items():
-            parts[part.name] = tuple(colors.changes(name, variant) for name in records)
-            shown += parts[part.name]
-        images = {one.image for one in shown if one is not None and one.image is not None}
-        exported.textures |= {name: colors.files[name] for name in images}
+    _add_colors(exported, part, colors, colors.fitted(worker, largest, pieces))
     if note := blurred_note(part.name, corners, colors.others):
         exported.notes.append(note)
+
+
+def _runs(sorted_: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The values of a sorted array, the place of each one's first, and how many."""
+    return np.unique(sorted_, return_index=True, return_counts=True)
+
+
+def _add_colors(
+    exported: ExportedParts, part: ScenePart, colors: BaseColors, pieces: Ranges
+) -> None:
+    mesh = exported.geometries[part.name]
+    assert isinstance(mesh, Mesh)  # the caller has made it
+    records = colors.records(mesh, pieces)
+    if not records:
+        return
+    exported.colors[part.name] = list(records.values())
+    shown: list[BaseColorFields | None] = [*records.values()]
+    for variant, parts in exported.variants.items():
+        parts[part.name] = tuple(colors.changes(name, variant) for name, _ in records)
+        shown += parts[part.name]
+    images = {one.image for one in shown if one is not None and one.image is not None}
+    exported.textures |= {name: colors.files[name] for name in images}
 
 
 def _first_equal(textures: dict[str, np.ndarray], name: str) -> int:

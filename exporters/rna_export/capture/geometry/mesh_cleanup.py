@@ -11,16 +11,17 @@ from rna_sdk.package import Mesh
 
 
 def with_last(corners: dict[str, np.ndarray], last: Sequence[str]) -> dict[str, np.ndarray]:
-    """Corners, the triangles of the last materials at the end; degenerate ones go."""
+    """Corners, the triangles of the last materials at the end, by tile; degenerate ones go."""
     positions = corners["positions"].astype(np.float32).reshape(-1, 3, 3)
     area = trimesh.triangles.area(positions.astype(np.float64))
     rank = {material: place for place, material in enumerate(last)}
     places = np.array([rank.get(name, -1) for name in corners["material"]])
-    order = np.argsort(places, kind="stable")
+    order = np.lexsort((corners["tile"], places))
     order = order[area[order] > 0.0]
     rows = (3 * order[:, None] + np.arange(3)).ravel()
     of_corners = {name: corners[name][rows] for name in ("positions", "normals", "uvs", "vertex")}
-    return {**corners, **of_corners, "material": corners["material"][order]}
+    of_triangles = {name: corners[name][order] for name in ("material", "tile")}
+    return {**corners, **of_corners, **of_triangles}
 
 
 def welded(corners: dict[str, np.ndarray]) -> tuple[Mesh, np.ndarray]:
