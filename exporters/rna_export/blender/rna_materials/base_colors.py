@@ -163,7 +163,8 @@ def _note(found: _Found, problem: NotOfUv) -> list[str]:
     assert found.shown is not None  # or there is no problem
     if found.shown.depends.attributes:
         return []
-    where = " across its UDIM tiles" if is_tiled(found.image) else ""
+    node = found.image
+    where = " across its UDIM tiles" if node is not None and is_tiled(node) else ""
     return [
         f"material {found.material.name!r} has a base colour{where} by {problem}, which is no "
         "function of its UV coordinates: it is learnt, and as fine as the planes"
@@ -179,9 +180,9 @@ def _add(exported: _Exported, found: _Found, wish: Wish) -> None:
         return
     points = UvPoints.of(found.uses, shown)
     chart = _chart(found, points, exported.charts.get(name))
-    pieces = {0: points}
-    if is_tiled(found.image) and name not in wish.whole:
-        there = [tile.number for tile in found.image.image.tiles]
+    pieces, node = {0: points}, found.image
+    if node is not None and is_tiled(node) and name not in wish.whole:
+        there = [tile.number for tile in node.image.tiles]
         chart.tiles = {"matrix": _mapping(shown).tolist(), "numbers": there}
         numbers = numbers_of(points.used, chart.tiles)
         order = np.unique(numbers)[::-1]  # what is baked comes last: it may fail
@@ -189,7 +190,7 @@ def _add(exported: _Exported, found: _Found, wish: Wish) -> None:
     colours = shown.values(np.concatenate([piece.uvs for piece in pieces.values()]))
     truths = np.split(colours, len(pieces))
     for (tile, piece), truth in zip(pieces.items(), truths, strict=True):
-        if found.image is None or (is_tiled(found.image) and not tile):
+        if node is None or (is_tiled(node) and not tile):
             image, members = _baked(found, piece, chart, wish.largest, exported.notes)
         else:
             image, members = _image(found, tile, piece, chart, (name, tile) in wish.as_texels)
@@ -204,7 +205,8 @@ def _add(exported: _Exported, found: _Found, wish: Wish) -> None:
 
 def _mapping(shown: ColourOfUv) -> np.ndarray:
     """(2, 3) from UVs to coordinates of the image that a colour comes from."""
-    return shown.depends.images[0].mapping if shown.depends.images else IDENTITY
+    images = shown.depends.images
+    return np.asarray(images[0].mapping if images else IDENTITY)
 
 
 def _image(

@@ -17,9 +17,9 @@ def path_of(pattern: str, number: int) -> str:
     return pattern.replace("<UDIM>", str(number)).replace("<UVTILE>", f"u{u + 1}_v{v + 1}")
 
 
-def is_tiled(node: bpy.types.Node | None) -> bool:
-    """Whether an image node, or none, has a tiled image."""
-    return node is not None and node.image.source == "TILED"
+def is_tiled(node: bpy.types.Node) -> bool:
+    """Whether the image of an image node has tiles."""
+    return bool(node.image.source == "TILED")
 
 
 def size_of(image: bpy.types.Image, number: int = 0) -> tuple[int, int]:
@@ -34,7 +34,7 @@ def size_of(image: bpy.types.Image, number: int = 0) -> tuple[int, int]:
 def onto_tile(mapping: np.ndarray, number: int) -> np.ndarray:
     """The map (2, 3) onto the unit square of a tile; mapping: onto that of 1001."""
     v, u = divmod(number - 1001, _ACROSS)
-    return mapping - np.array([(0.0, 0.0, u), (0.0, 0.0, v)])
+    return np.asarray(mapping - [(0.0, 0.0, u), (0.0, 0.0, v)])
 
 
 def numbers_of(uvs: np.ndarray, tiles: dict[str, Any]) -> np.ndarray:

@@ -112,8 +112,8 @@ class BaseColors:
         """Base colours of a variant's materials, over the charts of those that they replace."""
         pairs = materials.items()
         charts = {other: self.charts[base] for base, other in pairs if base in self.charts}
-        shared = {"files": self.files, "images": self.images, "known": self.known}
-        colors = BaseColors({}, charts, {}, [], VARIANTS, **shared)
+        colors = BaseColors({}, charts, {}, [], VARIANTS)
+        colors.files, colors.images, colors.known = self.files, self.images, self.known
         if materials:
             worker.show_variant(name)
             colors._add(worker, largest, set(materials.values()))
