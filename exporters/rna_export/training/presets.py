@@ -151,10 +151,15 @@ class Preset(BaseModel, extra="forbid", frozen=True):
         """This preset, but for these fields of `TrainingConfig`."""
         return self.model_copy(update={"training": self.training.model_copy(update=fields)})
 
-    def with_base_color(self) -> Preset:
-        """This preset where base colour is a factor: planes hold no print, and may be smoother."""
-        smoothing = _SMOOTHING_BESIDE_PRINT if self.training.smoothing else 0.0
-        return self.with_model(uses_base_color=True).with_training(smoothing=smoothing)
+    def with_base_color(self, has_images: bool) -> Preset:
+        """This preset where base colour is a factor.
+
+        has_images: planes hold no print, and may be smoother.
+        """
+        preset = self.with_model(uses_base_color=True)
+        if not (has_images and self.training.smoothing):
+            return preset
+        return preset.with_training(smoothing=_SMOOTHING_BESIDE_PRINT)
 
     def on_device(self, device: str) -> Preset:
         """This preset, on "cuda" with the batch that is usual there."""
