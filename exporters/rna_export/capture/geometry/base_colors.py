@@ -27,6 +27,7 @@ from rna_sdk.runtime.base_color import BaseColorMaps
 
 WRONG_FILE, WRONG = 0.01, 0.03  # mean difference from Cycles' colours, linear
 FINE = 0.01  # RMS of what planes would blur, linear: above it, print is worth a texture
+UNLIKE = 0.05  # difference of plain colours, linear: above it, planes mix them in the shade
 VARIANTS = f"extensions/{Variants.NAME}"
 """Folder of the images of variants."""
 
@@ -182,15 +183,19 @@ class BaseColors:
         return dict(sorted(pieces.items(), key=lambda item: item[1]))
 
     def records(self, mesh: Mesh, pieces: Ranges) -> dict[Piece, BaseColorRecord]:
-        """Records of a part by piece, in order; none where no image of it is finer than planes
-        would be and no variant changes it.
+        """Records of a part by piece, in order; none where planes show its base colour as well:
+        no image is finer, no two plain colours are unlike, no variant changes it.
         """
         with_image = [piece for piece in pieces if piece in self.entries]
-        changed = {base for variant in self.variants.values() for base in variant.materials}
-        is_changed = not changed.isdisjoint(name for name, _ in pieces)
-        if not is_changed and not any(self._is_fine(mesh, k, pieces[k]) for k in with_image):
-            return {}
         plain = [piece for piece in pieces if piece in self.of_piece and piece not in self.entries]
+        changed = {base for variant in self.variants.values() for base in variant.materials}
+        is_worth_it = (
+            not changed.isdisjoint(name for name, _ in pieces)
+            or self._are_unlike(plain)
+            or any(self._is_fine(mesh, piece, pieces[piece]) for piece in with_image)
+        )
+        if not is_worth_it:
+            return {}
         largest = sorted(
             with_image + plain,
             key=lambda piece: (piece[0] not in changed, piece in plain, -pieces[piece][1]),
@@ -203,6 +208,10 @@ class BaseColors:
         changed = self.variants[variant]
         other = changed.materials.get(material)
         return None if other is None else BaseColorFields(**changed.colors._members((other, 0)))
+
+    def _are_unlike(self, plain: list[Piece]) -> bool:
+        factors = np.array([self.of_piece[piece].factor for piece in plain]).reshape(-1, 3)
+        return len(plain) > 1 and bool(np.ptp(factors, axis=0).max() > UNLIKE)
 
     def _is_fine(self, mesh: Mesh, piece: Piece, triangles: tuple[int, int]) -> bool:
         record = self._record(piece, triangles)
