@@ -22,7 +22,8 @@ from rna_sdk.runtime import Transform, choose_tier, load
 class LoadedPackage:
     """One tier of a package in Mitsuba's memory, shared by its instances.
 
-    motion: a motion file and its frame; None for the asset at rest.
+    motion: a motion file and its frame; None for the asset at rest. variant: name of a print of the
+    package; None for its own.
 
     Attributes:
         scene: the geometry for ray queries.
@@ -31,17 +32,23 @@ class LoadedPackage:
     """
 
     def __init__(
-        self, path: str, tier: str | None, motion: tuple[str, float] | None = None
+        self,
+        path: str,
+        tier: str | None,
+        motion: tuple[str, float] | None = None,
+        variant: str | None = None,
     ) -> None:
         with Package.open(path) as package:
             record = choose_tier(package, tier)
             shapes = None if motion is None else _shapes(path, record.name, *motion)
-            self.scene = PackageScene(package, shapes)
+            self.scene = PackageScene(package, shapes, variant)
             parts = range(len(package.manifest.parts))
             self.evaluators = [PartEvaluator(package, record.name, part) for part in parts]
             boxes = np.array([part.bounds.corners() for part in package.manifest.parts])
             if shapes is not None:
                 boxes = np.array([geometry_of(s).box() for s in shapes])
+        if variant is not None and not any(one.uses_base_color for one in self.evaluators):
+            raise QueryError(f"variant {variant!r}: tier {record.name!r} has no base colour")
         self.bounds = np.stack([boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)])
         self.emits = any(evaluator.emits for evaluator in self.evaluators)
 
@@ -58,16 +65,19 @@ _loaded: dict[tuple[Any, ...], LoadedPackage] = {}
 
 
 def load_package(
-    path: str, tier: str | None, motion: tuple[str, float] | None = None
+    path: str,
+    tier: str | None,
+    motion: tuple[str, float] | None = None,
+    variant: str | None = None,
 ) -> LoadedPackage:
     """The package at `path`; cached until the file changes. A frame of a motion is not cached."""
     if motion is not None:
-        return LoadedPackage(path, tier, motion)
+        return LoadedPackage(path, tier, motion, variant)
     real = os.path.realpath(path)
     changed = os.path.getmtime(real) if os.path.exists(real) else 0.0
-    key = real, changed, tier
+    key = real, changed, tier, variant
     if key not in _loaded:
-        _loaded[key] = LoadedPackage(path, tier)
+        _loaded[key] = LoadedPackage(path, tier, None, variant)
     return _loaded[key]
 
 
@@ -77,6 +87,7 @@ def asset(
     to_world: Any = None,
     motion: str | PathLike[str] | None = None,
     frame: float = 0.0,
+    variant: str | None = None,
 ) -> dict[str, Any]:
     """The scene entry of a package instance, for `mitsuba.load_dict`.
 
@@ -87,17 +98,20 @@ def asset(
             scale and a translation; None is the identity.
         motion: a motion file of `rna-motion` that bends the asset; None is the asset at rest.
         frame: of the motion, from 0; it may lie between two.
+        variant: name of a print of the package, as `Package.variants` lists them; None: its own.
 
     Raises:
-        PackageError, QueryError: the package, the tier or the transform cannot be used. Mitsuba
-            would say so behind a traceback.
+        PackageError, QueryError: the package, the tier, the variant or the transform cannot be
+            used. Mitsuba would say so behind a traceback.
 
     Example:
         >>> entry = asset("toy.rna", to_world=mi.ScalarTransform4f().translate([0, 0, -1]))
         >>> scene = mi.load_dict({"type": "scene", "toy": entry, "sky": {"type": "constant"}})
     """
-    load_package(str(mi.file_resolver().resolve(os.fspath(path))), tier)
+    load_package(str(mi.file_resolver().resolve(os.fspath(path))), tier, variant=variant)
     entry: dict[str, Any] = {"type": "rna", "filename": os.fspath(path)}
+    if variant is not None:
+        entry["variant"] = variant
     if tier is not None:
         entry["tier"] = tier
     if motion is not None:
@@ -126,14 +140,14 @@ class RnaShape(mi.Mesh):
         and open_motion."""
         self.to_world: mi.Transform4f | None = None
         path = props["filename"]
-        tier = props["tier"] if "tier" in props else None
+        tier, variant = (props[n] if n in props else None for n in ("tier", "variant"))
         matrix = np.eye(4)
         if "to_world" in props:
             matrix = np.array(props["to_world"].matrix, float).reshape(4, 4)
         resolver, motion = mi.file_resolver(), None
         if "motion" in props:
             motion = str(resolver.resolve(props["motion"])), float(props.get("frame", 0.0))
-        self.loaded = load_package(str(resolver.resolve(path)), tier, motion)
+        self.loaded = load_package(str(resolver.resolve(path)), tier, motion, variant)
         Transform(matrix)  # raises if not a similarity
         corners = np.array(list(itertools.product(*self.loaded.bounds.T)))
         corners = corners @ matrix[:3, :3].T + matrix[:3, 3]

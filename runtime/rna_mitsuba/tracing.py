@@ -39,7 +39,7 @@ class Hits:
 class PackageScene:
     """All parts of a package as rays meet them.
 
-    shapes: of the parts in motion; None at rest.
+    shapes: of the parts in motion; None at rest. variant: as for `Package.base_color`.
 
     Attributes:
         geometries: of the parts.
@@ -47,12 +47,18 @@ class PackageScene:
         is_plain: opaque meshes alone: a ray that meets one is blocked.
     """
 
-    def __init__(self, package: Package, shapes: Sequence[Shape] | None = None) -> None:
+    def __init__(
+        self,
+        package: Package,
+        shapes: Sequence[Shape] | None = None,
+        variant: str | None = None,
+    ) -> None:
         count = len(package.manifest.parts)
-        self.geometries = [_geometry(package, part) for part in range(count)]
+        self.geometries = [_geometry(package, part, variant) for part in range(count)]
         self._rest: list[RestMesh | RestStrands | None] = [None] * count
         for k, shape in enumerate(shapes or ()):
-            self.geometries[k], self._rest[k] = _moved(package, k, self.geometries[k], shape)
+            rest = self.geometries[k]
+            self.geometries[k], self._rest[k] = _moved(package, k, rest, shape, variant)
         parts = {f"part{k}": g.shape() for k, g in enumerate(self.geometries)}
         self._scene = mi.load_dict(
             {"type": "scene", "embree_use_robust_intersections": True, **parts}
@@ -151,15 +157,15 @@ class PackageScene:
         return result
 
 
-def _geometry(package: Package, part: int) -> MeshGeometry | FiberGeometry:
+def _geometry(package: Package, part: int, variant: str | None) -> MeshGeometry | FiberGeometry:
     if package.manifest.parts[part].kind == "fiber":
         return FiberGeometry(package.curves(part))
-    return _mesh_geometry(package, part, package.mesh(part))
+    return _mesh_geometry(package, part, package.mesh(part), variant)
 
 
-def _mesh_geometry(package: Package, part: int, mesh: Mesh) -> MeshGeometry:
-    records = package.transmittance(part), package.normal_maps(part), package.base_color(part)
-    return MeshGeometry(mesh, *records)
+def _mesh_geometry(package: Package, part: int, mesh: Mesh, variant: str | None) -> MeshGeometry:
+    records = package.transmittance(part), package.normal_maps(part)
+    return MeshGeometry(mesh, *records, package.base_color(part, variant))
 
 
 def geometry_of(shape: Shape) -> Mesh | Curves:
@@ -168,11 +174,15 @@ def geometry_of(shape: Shape) -> Mesh | Curves:
 
 
 def _moved(
-    package: Package, part: int, rest: MeshGeometry | FiberGeometry, shape: Shape
+    package: Package,
+    part: int,
+    rest: MeshGeometry | FiberGeometry,
+    shape: Shape,
+    variant: str | None,
 ) -> tuple[MeshGeometry | FiberGeometry, RestMesh | RestStrands]:
     if isinstance(shape, DeformedCurves):
         assert isinstance(rest, FiberGeometry)
         return FiberGeometry(shape.curves), RestStrands(rest, shape)
     assert isinstance(rest, MeshGeometry)
-    moved = _mesh_geometry(package, part, shape.mesh)
+    moved = _mesh_geometry(package, part, shape.mesh, variant)
     return moved, RestMesh(rest, moved)

@@ -10,8 +10,11 @@ import numpy as np
 import pytest
 
 from rna_sdk.errors import RnaError
+from rna_sdk.package import Package
+from rna_sdk.runtime.base_color import BaseColorMaps
 from tests.conftest import REPOSITORY
 from tests.package.builders import make_tiny_package
+from tests.package.prints import make_variants
 
 TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
 
@@ -47,9 +50,27 @@ def test_instances_share_a_package() -> None:
     assert load(filename=str(TOY)).loaded is load(filename=str(TOY)).loaded
 
 
+def test_a_variant_has_its_own_base_colour(tmp_path: Path) -> None:
+    import mitsuba as mi
+
+    path = make_variants(tmp_path / "print.rna")
+    with Package.open(path) as package:
+        mesh, prints = package.mesh(), {v: package.base_color(0, v) for v in (None, "deep red")}
+    rng = np.random.default_rng(0)
+    triangle = rng.integers(0, len(mesh.triangles), 64).astype(np.uint32)
+    u, v = (rng.random((2, 64)) / 2).astype(np.float32)
+    for variant, records in prints.items():
+        chosen = {} if variant is None else {"variant": variant}
+        geometry = load(filename=str(path), **chosen).loaded.scene.geometries[0]
+        at = mi.UInt32(triangle), mi.Float(u), mi.Float(v), mi.Float(0.0)
+        expected = BaseColorMaps(mesh, records).at(triangle, u, v)
+        np.testing.assert_allclose(np.array(geometry.base_color(*at)).T, expected, atol=1e-4)
+
+
 @pytest.mark.parametrize(
     ("change", "actual"),
     [
+        ({"variant": "Midnight"}, "found the variant 'Midnight'"),
         ({"filename": "nowhere.rna"}, "nowhere.rna: error FILE_UNREADABLE"),
         ({"tier": "huge"}, "no tier 'huge'"),
         ({"to_world": np.diag([1.0, 2.0, 1.0, 1.0])}, "transform: .*non-uniform scale"),
