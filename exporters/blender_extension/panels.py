@@ -53,6 +53,9 @@ class PackagePanel(_Properties, bpy.types.Panel):
             column.label(text=tier_line(tier))
         for name in ("source", "license", "tool", "generator"):
             column.label(text=f"{name.title()}: {info[name]}")
+        row = column.row()
+        row.operator("rna.show_in_browser")
+        row.operator("rna.write_web_page")
 
 
 def tier_line(tier):

@@ -103,7 +103,7 @@ class Page:
 
     @contextmanager
     def complaints(self) -> Iterator[list[str]]:
-        """Errors and warnings in the console, of the page and of the browser, once the block ends."""
+        """Errors and warnings of the page and of the browser, once the block ends."""
         lines: list[str] = []
         domains = ("Runtime", "Log")
         for domain in domains:
@@ -147,7 +147,9 @@ def _complaint(event: dict[str, Any]) -> str | None:
             details = parameters["exceptionDetails"]
             return f"{details['text']} {details.get('exception', {}).get('description', '')}"
         case "Runtime.consoleAPICalled" if parameters["type"] in ("error", "warning", "assert"):
-            return " ".join(str(one.get("value", one.get("description"))) for one in parameters["args"])
+            return " ".join(
+                str(one.get("value", one.get("description"))) for one in parameters["args"]
+            )
         case "Log.entryAdded" if parameters["entry"]["level"] in ("error", "warning"):
             return str(parameters["entry"]["text"])
     return None

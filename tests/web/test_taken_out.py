@@ -7,9 +7,9 @@ import json
 import numpy as np
 import pytest
 
-from tests.web.test_page import write_image
 from tests.web.element_pages import SMALL, loads, show
 from tests.web.pages import TIMEOUT
+from tests.web.test_page import write_image
 
 pytestmark = pytest.mark.chromium
 
@@ -24,7 +24,7 @@ MOMENTS = {
     "uploaded": "performance, 'mark', (name) => name === 'asset'",
     "first-rays": "GPUQueue.prototype, 'onSubmittedWorkDone', () => true",
 }
-"""What is called when the element goes: an object, the name of its method, and which of its calls."""
+"""What is called when the element goes: an object, its method, and which of its calls."""
 BODY = """<link rel="icon" href="data:,"><script>
   globalThis.devices = [];
   const hear = (object, name, before) => {
@@ -72,7 +72,9 @@ def test_taken_out_while_it_loads(page, folder, url, scene, moment, is_put_back_
         if not is_put_back_at_once:
             page.wait_for("!kept.stage.engine && devices.every(({ isLost }) => isLost)", TIMEOUT)
             page.evaluate("new Promise((resolve) => setTimeout(resolve, 300))")
-            assert page.evaluate("!kept.stage.engine && heard.every(({ name }) => /change/.test(name))")
+            assert page.evaluate(
+                "!kept.stage.engine && heard.every(({ name }) => /change/.test(name))"
+            )
             page.evaluate("document.body.prepend(kept), 0")
         loads(page, "one")
         page.wait_for("kept.stage.viewer.stats.rounds === 1", TIMEOUT)
