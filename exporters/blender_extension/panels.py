@@ -93,7 +93,8 @@ class BakePanel(_Properties, bpy.types.Panel):
         else:
             column.label(text=f"{status.state}: {status.text}" if status.text else status.state)
             row = column.row()
-            row.operator("rna.bake", text="Continue").anew = False
+            if status.state != "finished":
+                row.operator("rna.bake", text="Continue").anew = False
             row.operator("rna.bake", text="Bake Anew").anew = True
         for line in job.lines(4):
             column.label(text=line)

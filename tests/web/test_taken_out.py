@@ -7,7 +7,7 @@ import json
 import numpy as np
 import pytest
 
-from tests.web.element_pages import SMALL, loads, show
+from tests.web.element_pages import SMALL, Static, loads, show
 from tests.web.pages import TIMEOUT
 from tests.web.test_page import write_image
 
@@ -16,12 +16,9 @@ pytestmark = pytest.mark.chromium
 MOMENTS = {
     "engine": "GPUAdapter.prototype, 'requestDevice', () => true",
     "scene": "globalThis, 'fetch', (file) => /scene/.test(file)",
-    "environment": "globalThis, 'fetch', (file) => /sky/.test(file)",
     "package": "globalThis, 'fetch', (file) => /tiny/.test(file)",
-    "read": "performance, 'mark', (name) => name === 'package'",
     "shaders": "GPUDevice.prototype, 'createComputePipelineAsync', () => one.stage.loading",
     "hierarchy": "performance, 'mark', (name) => name === 'hierarchy'",
-    "uploaded": "performance, 'mark', (name) => name === 'asset'",
     "first-rays": "GPUQueue.prototype, 'onSubmittedWorkDone', () => true",
 }
 """What is called when the element goes: an object, its method, and which of its calls."""
@@ -61,8 +58,15 @@ def scene(folder):
     (folder / "scene.json").write_text(json.dumps(record))
 
 
-@pytest.mark.parametrize("is_put_back_at_once", [False, True])
-@pytest.mark.parametrize("moment", MOMENTS)
+@pytest.mark.parametrize(
+    ("moment", "is_put_back_at_once"),
+    [
+        *((moment, False) for moment in MOMENTS),
+        ("scene", True),
+        ("package", True),
+        ("shaders", True),
+    ],
+)
 def test_taken_out_while_it_loads(page, folder, url, scene, moment, is_put_back_at_once):
     """Nothing is said, the GPU is free, and the element works where it is put back."""
     body = BODY.replace("MOMENT", MOMENTS[moment]).replace("SMALL", SMALL)
@@ -82,3 +86,29 @@ def test_taken_out_while_it_loads(page, folder, url, scene, moment, is_put_back_
     assert page.evaluate("devices.filter(({ isLost }) => !isLost).length") == 1
     assert page.evaluate("kept.notices.place.hidden && count('error', 'one') === 0")
     assert page.evaluate("kept.stage.lighting.tables().floats[0]") == 0.25
+
+
+TIER_LATER = """(() => {
+    const real = performance.mark;
+    performance.mark = (name) => {
+        performance.mark = real;
+        if (name === "package") kept.remove();
+    };
+    globalThis.kept = globalThis.one = one;
+    one.tier = "hq";
+    one.cameraOrbit = "50deg 60deg 3m";
+})()"""
+
+
+def test_what_has_a_scene_comes_back_as_it_was(page, folder, url, scene):
+    """With the last camera, and the tier that was on its way; the scene is read once."""
+    element = f'<rna-viewer id="one" scene="scene.json" loading="eager" {SMALL}></rna-viewer>'
+    show(page, folder, url, element)
+    loads(page, "one")
+    page.evaluate(TIER_LATER)
+    page.wait_for("!kept.isConnected && !kept.stage.engine", TIMEOUT)
+    Static.asked.clear()
+    page.evaluate("document.body.prepend(kept), 0")
+    page.wait_for("kept.stage.shown.name === 'hq'", TIMEOUT)
+    assert page.evaluate("kept.cameraOrbit") == "50deg 60deg 3m"
+    assert not any(path.endswith("scene.json") for path in Static.asked)
