@@ -42,8 +42,9 @@ from rna_sdk.runtime import load
 from rna_work.cached import locked
 
 asset = load(toy)
-up = np.float32([[0, 1, 0]])
-visible, _ = asset.evaluate(asset.mesh.positions[:1], up, up, up)
+up, corner = np.float32([[0, 1, 0]]), np.zeros(1, np.float32)
+color = asset.base_color_at(np.uint32([0]), corner, corner)
+visible, _ = asset.evaluate(asset.mesh.positions[:1], up, up, up, color)
 assert np.isfinite(visible).all() and validate(toy) == []
 from pathlib import Path
 write_atomically(Path(out) / "a.bin", b"whole")

@@ -33,7 +33,9 @@ b = np.float32(trimesh.triangles.points_to_barycentric(corners, hits))
 rest = shape.rest_points(triangle, b[:, 1], b[:, 2])
 wo = np.float32(-directions[pixel])
 wi = np.tile(np.float32(trimesh.unitize([0.5, 0.8, 0.6])), (len(wo), 1))  # a sun
-visible, shadowed = asset.evaluate(rest.positions, rest.axes, rest.to_rest(wo), rest.to_rest(wi))
+color = asset.base_color_at(triangle, b[:, 1], b[:, 2])
+at_rest = rest.positions, rest.axes, rest.to_rest(wo), rest.to_rest(wi)
+visible, shadowed = asset.evaluate(*at_rest, color)
 
 # Its own shadow falls from the deformed shape; a step off the triangle, towards the light.
 n = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])

@@ -4,7 +4,8 @@ Examples:
     A surface:
 
     >>> asset = load("toy.rna")
-    >>> visible, shadowed = asset.evaluate(positions, normals, wo, wi)
+    >>> color = asset.base_color_at(triangles, u, v)
+    >>> visible, shadowed = asset.evaluate(positions, normals, wo, wi, color)
 
     Fibers:
 

@@ -116,8 +116,8 @@ def base_color_levels(record: BaseColor) -> list[Texture]:
     the one before, down to (1, 1, 3): spec/RNA.md, 4.6.
 
     Examples:
-        >>> asset = load("toy.rna")
-        >>> [base_color_levels(record) for record in asset.base_colors]  # it has no print
+        >>> records = load("toy.rna").base_colors
+        >>> [base_color_levels(record) for record in records if record.image is not None]
         []
     """
     assert record.image is not None

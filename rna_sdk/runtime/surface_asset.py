@@ -66,7 +66,8 @@ class SurfaceAsset(AssetPart):
         Examples:
             >>> asset = load("toy.rna")
             >>> x, n = asset.mesh.positions[:100], asset.mesh.normals[:100]
-            >>> visible, shadowed = asset.evaluate(x, n, n, n)  # seen, lit from above
+            >>> blue = np.tile(np.float32([0.03, 0.16, 0.65]), (100, 1))  # or of base_color_at
+            >>> visible, shadowed = asset.evaluate(x, n, n, n, blue)  # seen, lit from above
             >>> visible.shape
             (100, 3)
         """
@@ -97,7 +98,7 @@ class SurfaceAsset(AssetPart):
         Examples:
             >>> asset = load("toy.rna")
             >>> x, n = asset.mesh.positions[:100], asset.mesh.normals[:100]
-            >>> asset.transport(x, n, n, n, np.ones(100, bool)).shape
+            >>> asset.transport(x, n, n, n, np.ones(100, bool), np.ones_like(x)).shape
             (100, 3)
         """
         return self._transport(self._lit(positions, normals, wo, wi, base_color), visibility)
@@ -211,7 +212,8 @@ class SurfaceAsset(AssetPart):
             >>> first, middle = np.zeros(1, np.int32), np.full(1, 1 / 3, np.float32)
             >>> rest = shape.rest_points(first, middle, middle)
             >>> wo = rest.to_rest(np.float32([[0, 1, 0]]))
-            >>> visible, shadowed = asset.evaluate(rest.positions, rest.axes, wo, wo)
+            >>> color = asset.base_color_at(first, middle, middle)
+            >>> visible, shadowed = asset.evaluate(rest.positions, rest.axes, wo, wo, color)
         """
         return self._rest_mesh.deformed(positions)
 

@@ -1,7 +1,7 @@
 """Relightable neural assets on any GPU, by WGSL and `wgpu`.
 
 >>> asset = rna_gpu.load("toy.rna")
->>> visible, shadowed = asset.evaluate(positions, normals, wo, wi)
+>>> visible, shadowed = asset.evaluate(positions, normals, wo, wi, color)
 
 Arguments and results are those of `rna_sdk.runtime`. `asset.evaluate_on_gpu` reads and writes GPU
 buffers, without a copy to the CPU. The web viewer uses the same shaders, `wgsl/`.

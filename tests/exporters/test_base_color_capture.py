@@ -259,6 +259,24 @@ def test_what_is_no_function_of_uv_coordinates_is_told(
     assert "material 'label' has a base colour by the node 'Texture Coordinate'" in note
 
 
+@pytest.mark.parametrize("other", [(0.1, 0.3, 0.8), (0.83, 0.12, 0.2), (0.8, 0.1, 0.2)])
+def test_plain_colours_are_factors_where_they_differ(
+    open_worker: OpenWorker, other: tuple[float, float, float]
+) -> None:
+    """Planes would mix red and blue; they show two nearly equal reds as well as records do."""
+    triangles = "".join(
+        f"add([({k}, 0, 0), ({k} + 0.9, 0, 0), ({k}, 0.9, 0)], [(0, 1, 2)], diffuse({color}))\n"
+        for k, color in enumerate([(0.8, 0.1, 0.2), other])
+    )
+    records = exported_parts(open_worker(triangles), CaptureSettings()).colors.get("asset", [])
+    if other[2] < 0.5:
+        assert records == []
+        return
+    factors = {tuple(record.factor): (record.triangles, record.image) for record in records}
+    assert [*factors.values()] == [((0, 1), None), ((1, 1), None)]
+    assert sorted(factors) == [pytest.approx(other), pytest.approx((0.8, 0.1, 0.2))]
+
+
 def test_textures_that_planes_blur_are_told() -> None:
     """Of 0.5 mm on a sheet of 1 m, where planes have 3.9 mm; coarse ones are not."""
     sheet = {

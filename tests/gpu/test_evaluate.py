@@ -25,11 +25,12 @@ BALL = REPOSITORY / "examples" / "fibers" / "curly_ball.rna"
 
 
 def rows(count: int, bounds: np.ndarray) -> list[np.ndarray]:
-    """Positions within the bounds, and three unit directions."""
+    """Positions within the bounds, three unit directions, and base colours."""
     rng = np.random.default_rng(0)
     directions = rng.normal(size=(3, count, 3))
     directions /= np.linalg.norm(directions, axis=-1, keepdims=True)
-    return [a.astype(np.float32) for a in (rng.uniform(*bounds, (count, 3)), *directions)]
+    rows = rng.uniform(*bounds, (count, 3)), *directions, rng.random((count, 3))
+    return [a.astype(np.float32) for a in rows]
 
 
 def test_the_conformance_kit(device: Device) -> None:
@@ -57,16 +58,17 @@ def test_results_do_not_depend_on_the_batch(
 def test_results_that_stay_on_the_gpu(device: Device) -> None:
     gpu = rna_gpu.load(TOY, device=device)
     assert isinstance(gpu, GpuSurface)
-    x, n, wo, wi = rows(100, runtime.load(TOY).bounds)
+    *vectors, color = rows(100, runtime.load(TOY).bounds)
     packed = np.zeros((100, 4, 4), np.float32)
-    for k, values in enumerate((x, n, wo, wi)):
+    for k, values in enumerate(vectors):
         packed[:, k, :3] = values
+    packed[:, 1:, 3] = color
     on_gpu = gpu.new_rows(128)
     device.write(on_gpu.rows, packed)
     device.write(on_gpu.count, np.array([90], np.uint32))
     gpu.evaluate_on_gpu(on_gpu, 100)
     actual = device.read(on_gpu.results, 128 * 32).view(np.float32).reshape(128, 2, 4)
-    expected = np.stack(gpu.evaluate(x, n, wo, wi), axis=1)
+    expected = np.stack(gpu.evaluate(*vectors, color), axis=1)
     assert np.array_equal(actual[:90, :, :3], expected[:90])
     assert not actual[90:].any()  # rows beyond the count are left alone
 
@@ -89,9 +91,9 @@ def test_dispatches_grow_until_they_take_20_ms(
 def test_one_line_says_what_is_wrong(device: Device) -> None:
     gpu = rna_gpu.load(TOY, device=device)
     assert isinstance(gpu, GpuSurface)
-    x, n, wo, wi = rows(4, np.array([[0, 0, 0], [1, 1, 1]]))
+    x, n, wo, wi, color = rows(4, np.array([[0, 0, 0], [1, 1, 1]]))
     with pytest.raises(QueryError, match=r"wi: expected a \(4, 3\) float32 array, found \(3, 3\)"):
-        gpu.evaluate(x, n, wo, wi[:3])
+        gpu.evaluate(x, n, wo, wi[:3], color)
     with pytest.raises(QueryError, match="no tier 'none'"):
         rna_gpu.load(TOY, "none", device)
     with pytest.raises(rna_gpu.GpuError, match=r"planes: 1,099,511,627,776 bytes, and "):

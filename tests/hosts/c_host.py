@@ -43,6 +43,9 @@ class CBaseColor(ctypes.Structure):
     )
 
 
+_SURFACE = 0  # of RnaKind
+
+
 class CPart(ctypes.Structure):
     """RnaPart."""
 
@@ -89,11 +92,16 @@ class CAsset:
         self._rna.rna_close(self._asset)
 
     def evaluate(self, *arrays: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """(visible, shadowed), (n, 3) float32 each, of positions, axes, [h,] wo, wi."""
-        positions, axes, *h, wo, wi = arrays
+        """(visible, shadowed), (n, 3) float32 each.
+
+        arrays: positions, normals, wo, wi and base colours of a surface; positions, tangents, h, wo
+        and wi of fibers.
+        """
+        positions, axes, *rest = arrays
+        in_order = [None, *rest] if self.record.kind == _SURFACE else [*rest, None]
         results = np.empty((2, len(positions), 3), np.float32)
         place = self._asset, self._tier, 0, ctypes.c_size_t(len(positions))
-        given = positions, axes, *(h or (None,)), wo, wi, None, *results
+        given = positions, axes, *in_order, *results
         if status := self._rna.rna_evaluate(*place, *map(_address, given)):
             raise ValueError(f"rna_evaluate: status {status}")
         visible, shadowed = results

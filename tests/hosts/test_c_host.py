@@ -29,13 +29,18 @@ TOLERANCE = 1e-4  # of the root mean square
 
 
 def random_rows(kind: str, bounds: np.ndarray, n: int) -> list[np.ndarray]:
-    """Arguments of `evaluate`: positions in and about the bounds, directions of any length."""
+    """Arguments of `evaluate`: positions in and about the bounds, directions of any length, and
+    for surfaces base colours.
+    """
     rng = np.random.default_rng(3)
     size = bounds[1] - bounds[0]
     positions = rng.uniform(bounds[0] - 0.1 * size, bounds[1] + 0.1 * size, (n, 3))
     axes, wo, wi = rng.normal(size=(3, n, 3))
-    h = [rng.uniform(-1.2, 1.2, n)] if kind == "fiber" else []
-    return [a.astype(np.float32) for a in (positions, axes, *h, wo, wi)]
+    if kind == "fiber":
+        rows = positions, axes, rng.uniform(-1.2, 1.2, n), wo, wi
+    else:
+        rows = positions, axes, wo, wi, rng.random((n, 3))
+    return [a.astype(np.float32) for a in rows]
 
 
 def differences(library: Path, package: Path, tier: str) -> np.ndarray:

@@ -151,10 +151,18 @@ class Preset(BaseModel, extra="forbid", frozen=True):
         """This preset, but for these fields of `TrainingConfig`."""
         return self.model_copy(update={"training": self.training.model_copy(update=fields)})
 
-    def with_base_color(self) -> Preset:
-        """This preset where base colour is a factor: planes hold no print, and may be smoother."""
-        smoothing = _SMOOTHING_BESIDE_PRINT if self.training.smoothing else 0.0
-        return self.with_model(uses_base_color=True).with_training(smoothing=smoothing)
+    def with_base_color(self, has_images: bool) -> Preset:
+        """This preset for a part with base colour, of which some is images or all are plain.
+
+        Base colour is a factor, but of plain colours for narrow decoders alone: wide ones learn
+        them better. Planes beside images hold no print, and may be smoother.
+        """
+        if not has_images and self.model.width >= _KNOWS_PLAIN_COLORS:
+            return self
+        preset = self.with_model(uses_base_color=True)
+        if not (has_images and self.training.smoothing):
+            return preset
+        return preset.with_training(smoothing=_SMOOTHING_BESIDE_PRINT)
 
     def on_device(self, device: str) -> Preset:
         """This preset, on "cuda" with the batch that is usual there."""
@@ -191,6 +199,9 @@ _PLANES = {"surface": (256, 8), "fiber": (32, 16)}
 # Measured on surfaces alone (docs/decisions/training.md).
 _SMOOTHING = {"surface": 0.25, "fiber": 0.0}
 _SMOOTHING_BESIDE_PRINT = 2.0
+_KNOWS_PLAIN_COLORS = 128  # neurons
+# Measured on curls (docs/decisions/training.md).
+_MUON_RATE = {"surface": 0.015, "fiber": 0.005}
 # A decoder of shadowed light has a unit a tenth as large (docs/decisions/model.md).
 _SHADOW_WEIGHT = {"surface": 0.1, "fiber": 1.0}
 # For assets that are small in the image.
@@ -223,6 +234,7 @@ def _ours(
             batch=BATCH["cpu"],
             optimizer="muon",
             learning_rate=learning_rate,
+            muon_learning_rate=_MUON_RATE[kind],
             plane_learning_rate=1e-2,
             schedule="cosine",
             unit="usual",

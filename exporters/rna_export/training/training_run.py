@@ -77,8 +77,9 @@ def train(
         inputs = INPUTS[run.dataset.kind]
         run = replace(run, preset=run.preset.with_model(emission_inputs=inputs))
     can_know = run.preset.model.packageable and run.preset_name not in PAPER_PRESETS
-    if can_know and run.dataset.captured.base_color:
-        run = replace(run, preset=run.preset.with_base_color())
+    if can_know and (records := run.dataset.captured.base_color):
+        has_images = any(record.image is not None for record in records)
+        run = replace(run, preset=run.preset.with_base_color(has_images))
     run.out.mkdir(parents=True, exist_ok=True)
     saved = _continued(run.out / "last.ckpt", run)
     done = saved["step"] if saved else 0

@@ -47,8 +47,8 @@ class BaseColor:
 
     Examples:
         >>> with Package.open("toy.rna") as package:
-        ...     package.base_color()  # the toy has no print
-        []
+        ...     [round(channel, 2) for channel in package.base_color()[0].factor]  # blue bricks
+        [0.03, 0.16, 0.65]
     """
 
     first: int

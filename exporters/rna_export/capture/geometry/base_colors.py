@@ -26,6 +26,7 @@ from rna_sdk.runtime.base_color import BaseColorMaps
 
 WRONG_FILE, WRONG = 0.01, 0.03  # mean difference from Cycles' colours, linear
 FINE = 0.01  # RMS of what planes would blur, linear: above it, print is worth a texture
+UNLIKE = 0.05  # difference of plain colours, linear: above it, planes mix them in the shade
 VARIANTS = f"extensions/{Variants.NAME}"
 """Folder of the images of variants."""
 
@@ -136,17 +137,21 @@ class BaseColors:
         return f"{self.folder}/{free}.{ending}"
 
     def records(self, mesh: Mesh, ranges: dict[str, tuple[int, int]]) -> dict[str, BaseColorRecord]:
-        """Records of a part by material, in order; none where no image of it is finer than planes
-        would be and no variant changes it.
+        """Records of a part by material, in order; none where planes show its base colour as well:
+        no image is finer, no two plain colours are unlike, no variant changes it.
 
         ranges: triangles of each material.
         """
         with_image = [name for name in ranges if name in self.entries]
-        changed = {base for variant in self.variants.values() for base in variant.materials}
-        is_changed = not changed.isdisjoint(ranges)
-        if not is_changed and not any(self._is_fine(mesh, k, ranges[k]) for k in with_image):
-            return {}
         plain = [name for name in ranges if name in self.of_material and name not in self.entries]
+        changed = {base for variant in self.variants.values() for base in variant.materials}
+        is_worth_it = (
+            not changed.isdisjoint(ranges)
+            or self._are_unlike(plain)
+            or any(self._is_fine(mesh, name, ranges[name]) for name in with_image)
+        )
+        if not is_worth_it:
+            return {}
         largest = sorted(
             with_image + plain,
             key=lambda name: (name not in changed, name in plain, -ranges[name][1]),
@@ -159,6 +164,10 @@ class BaseColors:
         changed = self.variants[variant]
         other = changed.materials.get(name)
         return None if other is None else BaseColorFields(**changed.colors._members(other))
+
+    def _are_unlike(self, plain: list[str]) -> bool:
+        factors = np.array([self.of_material[name].factor for name in plain]).reshape(-1, 3)
+        return len(plain) > 1 and bool(np.ptp(factors, axis=0).max() > UNLIKE)
 
     def _is_fine(self, mesh: Mesh, name: str, triangles: tuple[int, int]) -> bool:
         record = self._record(name, triangles)
