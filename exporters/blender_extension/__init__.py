@@ -1,6 +1,15 @@
 """Relightable neural assets in Blender: import, render, bake."""
 
-from . import engine, export_scene, import_package, panels, preferences, properties, set_up
+from . import (
+    engine,
+    export_scene,
+    import_package,
+    panels,
+    preferences,
+    properties,
+    set_up,
+    web_page,
+)
 from .bake import operators
 
 _MODULES = (
@@ -9,6 +18,7 @@ _MODULES = (
     preferences,
     import_package,
     export_scene,
+    web_page,
     operators,
     engine,
     panels,

@@ -53,6 +53,9 @@ class PackagePanel(_Properties, bpy.types.Panel):
             column.label(text=tier_line(tier))
         for name in ("source", "license", "tool", "generator"):
             column.label(text=f"{name.title()}: {info[name]}")
+        row = column.row()
+        row.operator("rna.show_in_browser")
+        row.operator("rna.write_web_page")
 
 
 def tier_line(tier):
@@ -90,7 +93,8 @@ class BakePanel(_Properties, bpy.types.Panel):
         else:
             column.label(text=f"{status.state}: {status.text}" if status.text else status.state)
             row = column.row()
-            row.operator("rna.bake", text="Continue").anew = False
+            if status.state != "finished":
+                row.operator("rna.bake", text="Continue").anew = False
             row.operator("rna.bake", text="Bake Anew").anew = True
         for line in job.lines(4):
             column.label(text=line)

@@ -24,7 +24,12 @@ def _tier_names(self, context, text):
 class RnaPackage(bpy.types.PropertyGroup):
     """Package of a mesh or hair data-block, shared by objects with the same data."""
 
-    path: bpy.props.StringProperty(name="Package", description="The .rna file", subtype="FILE_PATH")
+    path: bpy.props.StringProperty(
+        name="Package",
+        description="The .rna file",
+        subtype="FILE_PATH",
+        options={"PATH_SUPPORTS_BLEND_RELATIVE"},
+    )
     part: bpy.props.IntProperty(
         name="Part", description="Which part of the package this is; part 0 stands for all"
     )

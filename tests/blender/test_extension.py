@@ -261,6 +261,40 @@ bpy.ops.render.render(animation=True)
     assert centres[1] > centres[0] + 10
 
 
+def test_an_asset_is_shown_in_a_browser_and_written_as_a_page(
+    run_in_blender: RunInBlender, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("BROWSER", "true")  # a program that does nothing
+    printed = run_in_blender(
+        STAGE
+        + """
+import urllib.request
+import bl_ext.user_default.rna_sdk.web_page as web_page
+bpy.ops.mesh.primitive_cube_add()
+refused(bpy.ops.rna.show_in_browser)
+bpy.ops.rna.import_package(filepath=TOY)
+said = web_page._address
+def read(command):
+    line = said(command)
+    print("READ", b"<rna-viewer" in urllib.request.urlopen(line.split()[-1]).read())
+    return line
+web_page._address = read
+bpy.ops.rna.show_in_browser()
+servers = [*web_page._shown.values()]
+bpy.ops.rna.show_in_browser()
+servers += web_page._shown.values()
+web_page.unregister()
+print("LEFT", [one.is_running() for one in servers])
+web_page.register()
+bpy.ops.rna.write_web_page(filepath=os.path.abspath("page"))
+refused(bpy.ops.rna.write_web_page, filepath=os.path.abspath("."))
+"""
+    )
+    assert printed.count("READ True") == 2 and "LEFT [False, False]" in printed
+    assert "refused: Error: toy.rna: " in printed and "the folder holds other files" in printed
+    assert (tmp_path / "page" / "index.html").is_file()
+
+
 def test_the_zip_has_the_same_bytes_each_time(extension_zip: Path, tmp_path: Path) -> None:
     import subprocess
 

@@ -101,8 +101,22 @@ class Page:
         threads = _threads(events, "CrRendererMain")
         found += [one for one in events if (one["pid"], one["tid"]) in threads]
 
+    @contextmanager
+    def complaints(self) -> Iterator[list[str]]:
+        """Errors and warnings of the page and of the browser, once the block ends."""
+        lines: list[str] = []
+        domains = ("Runtime", "Log")
+        for domain in domains:
+            self.call(f"{domain}.enable")
+        self._events.clear()  # enabling repeats what was said before
+        yield lines
+        for domain in domains:
+            self.call(f"{domain}.disable")
+        lines += [line for event in self._events if (line := _complaint(event))]
+        self._events.clear()
+
     def _keep(self, message: dict[str, Any]) -> None:
-        if message.get("method", "").startswith("Tracing."):
+        if message.get("method", "").startswith(("Tracing.", "Runtime.", "Log.")):
             self._events.append(message)
 
     def screenshot(self) -> bytes:
@@ -123,6 +137,22 @@ def _threads(events: list[dict[str, Any]], name: str) -> set[tuple[int, int]]:
     """Process and thread of those with this name."""
     named = [one for one in events if one.get("name") == "thread_name"]
     return {(one["pid"], one["tid"]) for one in named if one["args"]["name"] == name}
+
+
+def _complaint(event: dict[str, Any]) -> str | None:
+    """The line of an error or a warning; None of all else."""
+    parameters = event["params"]
+    match event["method"]:
+        case "Runtime.exceptionThrown":
+            details = parameters["exceptionDetails"]
+            return f"{details['text']} {details.get('exception', {}).get('description', '')}"
+        case "Runtime.consoleAPICalled" if parameters["type"] in ("error", "warning", "assert"):
+            return " ".join(
+                str(one.get("value", one.get("description"))) for one in parameters["args"]
+            )
+        case "Log.entryAdded" if parameters["entry"]["level"] in ("error", "warning"):
+            return str(parameters["entry"]["text"])
+    return None
 
 
 @contextmanager

@@ -208,9 +208,14 @@ class RnaBake(bpy.types.PropertyGroup):
         name="Package",
         description="The .rna file to write; if left empty, beside the .blend file",
         subtype="FILE_PATH",
+        options={"PATH_SUPPORTS_BLEND_RELATIVE"},
     )
     minutes: bpy.props.FloatProperty(
-        name="Minutes", description="Time of the whole bake; 0 for no limit", default=20.0, min=0.0
+        name="Minutes",
+        description="Time until the package is there; 0 for no limit. Nine pictures beside Cycles "
+        "follow",
+        default=20.0,
+        min=0.0,
     )
     goal: bpy.props.EnumProperty(
         name="Goal",

@@ -172,7 +172,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     const { stage, settings } = this;
     if (["src", "glass"].includes(name)) this._begin();
     if (name === "poster") this._showImage(settings.poster);
-    if (name === "scene" && this.isBegun) this._openScene();
+    if (name === "scene") this._openScene();
     if (name === "environment" && this.isBegun) this._light();
     if (name === "tier" && stage.opened && !stage.loading) stage.switchTier(settings.tier);
     if (name === "variant-name" && stage.shown && !stage.loading) stage.switchVariant(settings.variantName);
@@ -204,25 +204,24 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
       stage.begin();
       this._turn();
       if (settings.environment && !this.isLit) this._light();
-      if (settings.scene) return void this._openScene();
+      if (settings.scene && !stage.scene) return void this._openScene();
     }
-    if (settings.src !== this.requestedSrc) this._open();
+    const src = settings.src ?? stage.scene?.asset ?? null;
+    if (src !== this.requestedSrc) this._open(src);
   }
 
-  _open() {
-    this.requestedSrc = this.settings.src;
-    if (this.requestedSrc === null) return;
+  _open(src) {
+    this.requestedSrc = src;
+    if (src === null) return;
     this.loaded = false;
     this.stage.open(this.requestedSrc);
   }
 
   async _openScene() {
-    const address = (this.requestedScene = this.settings.scene);
-    if (address === null) return this.stage.leaveScene();
-    const scene = await this.stage.openScene(address);
-    if (address !== this.requestedScene || !this.isBegun) return;  // another one, or taken out of the page
-    if (this.settings.src) this._begin();
-    else if (scene?.asset) this.stage.open(scene.asset);
+    const { stage, settings } = this;
+    if (settings.scene === null) return stage.leaveScene();
+    if (!this.isBegun) stage.scene = null;  // it is opened where the element begins
+    else if (await stage.openScene(settings.scene)) this._begin();
   }
 
   _light() {

@@ -38,6 +38,7 @@ export class Stage extends LastingEngine {
   /** Lets the GPU go; begin() takes up what was shown. */
   close() {
     this.loading?.abort();
+    this.requestedScene = null;
     this.end();
   }
 
@@ -133,8 +134,9 @@ export class Stage extends LastingEngine {
     return isThere ? name : null;
   }
 
-  /** Camera, lights and asset of a scene, as rna-view hands them over; null if it cannot be read. */
+  /** Camera, lights and asset of a scene, as rna-view hands them over. The result tells whether it is still wanted. */
   async openScene(url) {
+    const request = (this.requestedScene = {});
     try {
       const scene = readScene(await fetched(url), url);
       const { radiance, image } = scene.environment ?? {};
@@ -145,13 +147,14 @@ export class Stage extends LastingEngine {
         const label = this.labels[image] ?? image;
         scene.environment.key = this.lighting.add(label, readImage(await fetched(beside(image)), image));
       }
+      if (request !== this.requestedScene) return false;
       this.scene = scene;
       this.reset();
-      return scene;
     } catch (error) {
+      if (request !== this.requestedScene) return false;
       this.failed(error, "scene");
-      return null;
     }
+    return true;
   }
 
   /** Another picture in place of the asset's images with that label; null: the package's own. Throws where there is none. */
@@ -190,7 +193,7 @@ export class Stage extends LastingEngine {
   }
 
   leaveScene() {
-    this.scene = null;
+    this.requestedScene = this.scene = null;
     this.reset();
   }
 
@@ -410,6 +413,8 @@ export class Stage extends LastingEngine {
     await engine.setAsset(this.arrays, this.shown);
     this.changed();
     this.viewer?.start();
+    const { tier } = this.settings;
+    if (tier && tier !== this.shown.name && !this.loading) this.switchTier(tier);
   }
 
   resized() {

@@ -105,10 +105,10 @@ export class Package {
     this.images.clear();
   }
 
-  _part(part, own, k, data) {
+  _part(part, tierPart, k, data) {
     const { kind, bounds, geometry } = part, where = `/parts/${k}`;
     const bytes = data.get(geometry);
-    const result = { name: part.name, kind, bounds: roundedBounds(bounds), inputs: own.inputs };
+    const result = { name: part.name, kind, bounds: roundedBounds(bounds), inputs: tierPart.inputs };
     if (kind === "surface") result.mesh = readMesh(bytes, geometry);
     else result.curves = readCurves(bytes, geometry);
     result.transmittance = (part.transmittance ?? []).map((record) => {
@@ -122,40 +122,40 @@ export class Package {
       return { ...record, texture };
     });
     result.baseColor = this._print(k, data, result.mesh);
-    result.planes = readPlanes(data.get(own.planes), own, own.planes);
-    result.decoders = this._decoders(own, data);
+    result.planes = readPlanes(data.get(tierPart.planes), tierPart, tierPart.planes);
+    result.decoders = this._decoders(tierPart, data);
     return result;
   }
 
   /** By the name of their form, with their colours and the column where factors of base colour begin: of transport, or of visible and of shadowed light; and of emission. */
-  _decoders(own, data) {
-    const sets = own.usesBaseColor ? 2 : 1, { shadowed, emission } = own;
+  _decoders(tierPart, data) {
+    const sets = tierPart.usesBaseColor ? 2 : 1, { shadowed, emission } = tierPart;
     const make = (record, form, colours, sets) => {
-      const columns = 3 * colours, decoder = decoderOf(data, own, record, form, columns * sets);
+      const columns = 3 * colours, decoder = decoderOf(data, tierPart, record, form, columns * sets);
       return { ...decoder, inputs: record.inputs, colours, factors: sets > 1 ? columns : 0 };
     };
     return {
       ...(shadowed
-        ? { visible: make(own, "visible", 1, sets), shadowed: make(shadowed, "shadowed", 1, sets) }
-        : { transport: make(own, "transport", 2, sets) }),
+        ? { visible: make(tierPart, "visible", 1, sets), shadowed: make(shadowed, "shadowed", 1, sets) }
+        : { transport: make(tierPart, "transport", 2, sets) }),
       ...(emission && { emission: make(emission, "emission", 1, 1) }),
     };
   }
 
   /** Base colour of a part, with its images. */
   _print(k, data, mesh) {
-    const own = this.manifest.parts[k].baseColor ?? [];
+    const packagePrint = this.manifest.parts[k].baseColor ?? [];
     return this._records(k).map((record, j) => {
       const image = record.image === undefined ? null : data.get(record.image);
       checkRecord(record, image, mesh, `/parts/${k}`, "BASE_COLOR");
-      return { ...record, image, label: image && stemOf(own[j].image ?? record.image) };
+      return { ...record, image, label: image && stemOf(packagePrint[j].image ?? record.image) };
     });
   }
 
   /** Records of base colour of a part, in the chosen variant. */
   _records(k) {
     const chosen = variantsOf(this.manifest).find(({ name }) => name === this.variant)?.parts[k];
-    return (this.manifest.parts[k].baseColor ?? []).map((own, j) => (chosen?.[j] ? { ...chosen[j], triangles: own.triangles } : own));
+    return (this.manifest.parts[k].baseColor ?? []).map((record, j) => (chosen?.[j] ? { ...chosen[j], triangles: record.triangles } : record));
   }
 
   /** Entries of the images of base colour. */
@@ -179,7 +179,7 @@ export class Package {
     }
     for (const part of tier.parts) {
       names.push(part.planes, part.decoder);
-      for (const own of [part.shadowed, part.emission]) if (own) names.push(own.decoder);
+      for (const record of [part.shadowed, part.emission]) if (record) names.push(record.decoder);
     }
     return [...new Set(names)];
   }
@@ -216,8 +216,8 @@ export class Package {
 
   async _stored(name) {
     const entry = this.directory.get(name), { bytes, start } = this.cache.get(name) ?? {};
-    const own = bytes ? (await bytes).subarray(entry.header - start, entry.end - start) : await this.source.read(entry.header, entry.end);
-    return entryData(entry, own);
+    const stored = bytes ? (await bytes).subarray(entry.header - start, entry.end - start) : await this.source.read(entry.header, entry.end);
+    return entryData(entry, stored);
   }
 
   /** The entry as the rest of the spec knows it: checked, decoded where it is coded. */
@@ -236,10 +236,10 @@ export class Package {
 const stemOf = (entry) => entry.split("/").pop().replace(/\.[^.]*$/, "");
 
 /** more: columns behind those of the blocks. */
-function decoderOf(data, part, own, output, outputs, more = 0) {
-  const columns = own.inputs.reduce((sum, block) => sum + widthOf(block, part.channels), more);
-  const options = { columns, outputs, output, precision: own.decoderPrecision };
-  return readDecoder(data.get(own.decoder), options, own.decoder);
+function decoderOf(data, part, record, output, outputs, more = 0) {
+  const columns = record.inputs.reduce((sum, block) => sum + widthOf(block, part.channels), more);
+  const options = { columns, outputs, output, precision: record.decoderPrecision };
+  return readDecoder(data.get(record.decoder), options, record.decoder);
 }
 
 function roundedBounds({ min, max }) {

@@ -15,9 +15,9 @@ export function environmentLight({ functions, options }, builder) {
     const world = objectToWorld(wi, builder).toVar();
     // What a sample stands for is as wide as the lobe of this roughness: a blurred image has no noise.
     const roughness = float(1 / (4 * Math.PI * count)).div(drawn.w).pow(0.25).clamp();
-    const own = functions.own(wi, false).x;
+    const selfVisibility = functions.selfVisibility(wi, false).x;
     const arriving = radiance.map((of) => of(world, roughness)).reduce((a, b) => a.add(b));
-    sum.addAssign(functions.sent(wi, own).mul(arriving).div(drawn.w));
+    sum.addAssign(functions.sent(wi, selfVisibility).mul(arriving).div(drawn.w));
   }
   builder.context.reflectedLight.indirectDiffuse.addAssign(sum.div(count));
 }

@@ -6,18 +6,18 @@ const latest = new WeakMap();  // renderer -> pipelines, the latest last
 
 /** Keeps the renderer's pipelines whose shader has this in it, the last 16. */
 export function keepPipelines(renderer, mark) {
-  const owner = renderer?._pipelines;
-  if (!owner?.caches) return;
+  const manager = renderer?._pipelines;
+  if (!manager?.caches) return;
   if (!latest.has(renderer)) latest.set(renderer, new Set());
   const pipelines = latest.get(renderer);
-  for (const pipeline of owner.caches.values()) {
+  for (const pipeline of manager.caches.values()) {
     if (!pipeline.fragmentProgram?.code.includes(mark)) continue;
     if (!pipelines.delete(pipeline)) count(pipeline, 1);
     pipelines.add(pipeline);
   }
   for (const pipeline of [...pipelines].slice(0, -MOST)) {
     pipelines.delete(pipeline);
-    letGo(owner, pipeline);
+    letGo(manager, pipeline);
   }
 }
 
@@ -27,8 +27,8 @@ function count(pipeline, change) {
   for (const used of [pipeline, ...programsOf(pipeline)]) used.usedTimes += change;
 }
 
-function letGo(owner, pipeline) {
+function letGo(manager, pipeline) {
   count(pipeline, -1);
-  if (pipeline.usedTimes === 0) owner._releasePipeline(pipeline);
-  for (const program of programsOf(pipeline)) if (program.usedTimes === 0) owner._releaseProgram(program);
+  if (pipeline.usedTimes === 0) manager._releasePipeline(pipeline);
+  for (const program of programsOf(pipeline)) if (program.usedTimes === 0) manager._releaseProgram(program);
 }

@@ -34,11 +34,11 @@ export class RnaLighting extends LightingModel {
       shadowPosition.assign(positionWorld);
       return functions.sent(wi, vec3(shadow).x);
     }
-    const own = functions.own(wi, shadow !== null).toVar();
-    if (!shadow) return functions.sent(wi, own.x);
+    const selfVisibility = functions.selfVisibility(wi, shadow !== null).toVar();
+    if (!shadow) return functions.sent(wi, selfVisibility.x);
     // Where the light enters the asset: the map, in which the asset itself is, tells there of others alone.
-    shadowPosition.assign(positionWorld.add(world.mul(own.y.div(scaled.length()))));
-    return functions.sent(wi, own.x).mul(vec3(shadow).toVar());
+    shadowPosition.assign(positionWorld.add(world.mul(selfVisibility.y.div(scaled.length()))));
+    return functions.sent(wi, selfVisibility.x).mul(vec3(shadow).toVar());
   }
 
   /** Points of the lamp in a grid, whose middles are asked: it shines to one side. */

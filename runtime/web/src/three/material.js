@@ -39,7 +39,7 @@ export class SharedBuffers {
   }
 
   dispose() {
-    for (const own of [this.nodes, this.primitives, this.points, this.images?.value]) own?.dispose();
+    for (const stored of [this.nodes, this.primitives, this.points, this.images?.value]) stored?.dispose();
   }
 }
 
@@ -67,7 +67,7 @@ export class RnaMaterial extends NodeMaterial {
       named(shared.points, "vec4", "rna_points"), named(this._store(planes, 1), "uint", "rna_planes"),
       ...(shared.images ? [shared.images] : []), ...forms.flatMap((form) => this._decoder(decoders[form], `rna${LETTERS[form]}_`)),
     ];
-    const groups = Math.max(...Object.values(decoders).map((own) => own.groups));
+    const groups = Math.max(...Object.values(decoders).map((decoder) => decoder.groups));
     const source = partSource({ kind, groups, forms, planeWords: planes.length / 3, ...shared.facts });
     this.functions = functionsOf(source, buffers, "emission" in decoders);
     this.fragment = fragmentOf(this);
@@ -126,7 +126,7 @@ export class RnaMaterial extends NodeMaterial {
 
   dispose() {
     super.dispose();
-    for (const own of this.stored) own.dispose();
+    for (const attribute of this.stored) attribute.dispose();
   }
 }
 
@@ -156,11 +156,11 @@ function functionsOf(source, buffers, emits) {
   const all = wgsl(source, buffers), primitive = attribute("rnaPrimitive", "uint");
   const make = (head, body) => wgslFn(`fn ${MARK}${head} {\n    return ${body};\n}`, [all]);
   const begin = make("begin(primitive: u32, x: vec3f, wo: vec3f, width: f32) -> f32", "begin(primitive, x, wo, width)");
-  const own = make("own(wi: vec3f, entry: bool) -> vec2f", "self_visibility(wi, entry)");
+  const selfVisibility = make("self_visibility(wi: vec3f, entry: bool) -> vec2f", "self_visibility(wi, entry)");
   const emitted = emits && make("emitted(primitive: u32, x: vec3f, wo: vec3f) -> vec3f", "emitted(primitive, x, wo)");
   return {
     begin: (x, wo, width) => begin(primitive, x, wo, width),
-    own: (wi, entry) => own(wi, bool(entry)),
+    selfVisibility: (wi, entry) => selfVisibility(wi, bool(entry)),
     sent: make("sent(wi: vec3f, visibility: f32) -> vec3f", "sent(wi, visibility)"),
     direction: make("direction(number: f32, count: f32, turn: f32) -> vec4f", "direction_about(number, count, turn)"),
     emitted: (wo) => emitted(primitive, positionGeometry, wo),

@@ -19,7 +19,7 @@ export async function readAsset(bytes, name, wanted = null, variant = null) {
   const { parts } = loaded[0], arrays = await sceneArrays(parts);
   return {
     name: opened.manifest.name, manifest: opened.manifest, box: arrays.box, geometry: shared(arrays),
-    parts: parts.map((part, k) => ({ name: part.name, kind: part.kind, ...drawn(part, k, arrays, parts) })),
+    parts: parts.map((part, k) => ({ name: part.name, kind: part.kind, ...drawn(k, arrays) })),
     tiers: loaded.map(tierOf),
     notes: notesOf(parts),
   };
@@ -42,8 +42,8 @@ function shared({ nodes, primitives, points, normals, surfaces, extent, strands 
 }
 
 /** What is rasterised of a part: `primitive` has the number of each corner's triangle or segment. */
-function drawn(part, k, arrays, parts) {
-  const { first, fiber } = arrays.parts[k], next = arrays.parts.map((own) => own.first).filter((own) => own > first);
+function drawn(k, arrays) {
+  const { first, fiber } = arrays.parts[k], next = arrays.parts.map((part) => part.first).filter((start) => start > first);
   const count = Math.min(arrays.primitives.length / 4, ...next) - first;
   const numbers = arrays.where.subarray(first, first + count);
   return fiber ? boxes(numbers, arrays) : triangles(numbers, arrays);
@@ -51,18 +51,18 @@ function drawn(part, k, arrays, parts) {
 
 function triangles(numbers, { primitives, points, normals }) {
   const corners = 3 * numbers.length;
-  const own = { position: new Float32Array(3 * corners), normal: new Float32Array(3 * corners), primitive: new Uint32Array(corners) };
+  const attributes = { position: new Float32Array(3 * corners), normal: new Float32Array(3 * corners), primitive: new Uint32Array(corners) };
   numbers.forEach((number, k) => {
     for (let c = 0; c < 3; c++) {
       const point = 4 * primitives[4 * number + c], to = 3 * (3 * k + c);
       for (let axis = 0; axis < 3; axis++) {
-        own.position[to + axis] = points[point + axis];
-        own.normal[to + axis] = normals[point + axis];
+        attributes.position[to + axis] = points[point + axis];
+        attributes.normal[to + axis] = normals[point + axis];
       }
-      own.primitive[3 * k + c] = number;
+      attributes.primitive[3 * k + c] = number;
     }
   });
-  return own;
+  return attributes;
 }
 
 // How much wider: corners are rasterised on a grid, and a box thinner than a pixel must not miss what the strand covers.
@@ -73,21 +73,21 @@ const BOX = [0, 1, 2, 3].flatMap((p) => { const q = (p + 1) % 4; return [p, q, q
 /** A box about each segment, round ends included; `begin` in fiber.wgsl finds the segment in it. */
 function boxes(numbers, { primitives, points }) {
   const corners = 8 * numbers.length;
-  const own = { position: new Float32Array(3 * corners), normal: new Float32Array(3 * corners), primitive: new Uint32Array(corners), index: new Uint32Array(BOX.length * numbers.length) };
+  const attributes = { position: new Float32Array(3 * corners), normal: new Float32Array(3 * corners), primitive: new Uint32Array(corners), index: new Uint32Array(BOX.length * numbers.length) };
   numbers.forEach((number, k) => {
     const first = 4 * primitives[4 * number], [a, b] = [points.subarray(first, first + 4), points.subarray(first + 4, first + 8)];
     const { along, sides } = frameOf(a, b);
     for (let c = 0; c < 8; c++) {
       const end = c < 4 ? a : b, away = PAD * (c < 4 ? -end[3] : end[3]), to = 3 * (8 * k + c), side = sides[c % 4];
       for (let axis = 0; axis < 3; axis++) {
-        own.position[to + axis] = end[axis] + away * along[axis] + Math.SQRT2 * PAD * end[3] * side[axis];
-        own.normal[to + axis] = side[axis];
+        attributes.position[to + axis] = end[axis] + away * along[axis] + Math.SQRT2 * PAD * end[3] * side[axis];
+        attributes.normal[to + axis] = side[axis];
       }
-      own.primitive[8 * k + c] = number;
+      attributes.primitive[8 * k + c] = number;
     }
-    own.index.set(BOX.map((corner) => 8 * k + corner), BOX.length * k);
+    attributes.index.set(BOX.map((corner) => 8 * k + corner), BOX.length * k);
   });
-  return own;
+  return attributes;
 }
 
 /** Unit vectors along a segment and to the corners of its box. */
@@ -114,8 +114,8 @@ function decoders(part) {
     return { weights: padded, record, groups, uniform: fits };
   };
   const stored = [0, 1, 2].map((k) => planeWords(part.planes, k)), bytes = stored[0].byteLength, planes = new Uint8Array(3 * bytes);
-  stored.forEach((own, k) => planes.set(new Uint8Array(own.buffer, own.byteOffset, bytes), k * bytes));
-  return { planes: new Uint32Array(planes.buffer), decoders: Object.fromEntries(Object.entries(part.decoders).map(([form, own]) => [form, make(own)])) };
+  stored.forEach((plane, k) => planes.set(new Uint8Array(plane.buffer, plane.byteOffset, bytes), k * bytes));
+  return { planes: new Uint32Array(planes.buffer), decoders: Object.fromEntries(Object.entries(part.decoders).map(([form, decoder]) => [form, make(decoder)])) };
 }
 
 /** What the package has and this module does not show. */

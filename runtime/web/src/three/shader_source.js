@@ -30,7 +30,7 @@ export function partSource({ kind, groups, forms, planeWords, normalsAt, extent,
   const names = [...new Set([...filesOf(kind), ...filesOf("trace"), "visibility.wgsl", ...(printed ? ["images.wgsl"] : [])])];
   const shared = names.map((name) => instead[name] ?? sharedFiles[name]).join("\n")
     .replace(/^@group.*;.*$/gm, "");
-  const own = `
+  const declarations = `
     const RNA_GROUPS: u32 = ${groups}u;
     const EXTENT: f32 = ${float(extent)};
     const NORMALS_AT: u32 = ${normalsAt}u;
@@ -45,7 +45,7 @@ export function partSource({ kind, groups, forms, planeWords, normalsAt, extent,
     forms.includes("shadowed") ? copyOf(kind, "shadowed") + sentApartFile : sentFile,
     forms.includes("emission") ? copyOf(kind, "emission") + emittedFile : "",
   ];
-  return [own, shared, ...host].join("\n")
+  return [declarations, shared, ...host].join("\n")
     .replace(BUFFER, "rna$1_$2.value[").replace(/\brna([se]?)_part\./g, "rna$1_part.value[0].");
 }
 

@@ -10,12 +10,12 @@ export const viewToWorld = (direction) => direction.transformDirection(cameraWor
 export function worldToObject(world, { object }) {
   const direction = modelWorldMatrixInverse.mul(vec4(world, 0)).xyz;
   if (!object.isInstancedMesh) return direction;
-  const own = direction.toVar(), [a, b, c] = instanceColumns;
-  return vec3(a.dot(own), b.dot(own), c.dot(own)).div(a.dot(a));
+  const inMesh = direction.toVar(), [a, b, c] = instanceColumns;
+  return vec3(a.dot(inMesh), b.dot(inMesh), c.dot(inMesh)).div(a.dot(a));
 }
 
 export function objectToWorld(direction, { object }) {
   const [a, b, c] = instanceColumns;
-  const own = object.isInstancedMesh ? a.mul(direction.x).add(b.mul(direction.y)).add(c.mul(direction.z)) : direction;
-  return modelWorldMatrix.mul(vec4(own, 0)).xyz.normalize();
+  const inMesh = object.isInstancedMesh ? a.mul(direction.x).add(b.mul(direction.y)).add(c.mul(direction.z)) : direction;
+  return modelWorldMatrix.mul(vec4(inMesh, 0)).xyz.normalize();
 }
