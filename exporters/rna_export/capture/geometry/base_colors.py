@@ -166,11 +166,12 @@ class BaseColors:
         Where there are more, the tiles of a material are one piece, with what Blender bakes.
         """
         while len(shown := [piece for piece in pieces if piece in self.entries]) > _MOST:
-            name, tiles = Counter(name for name, _ in shown).most_common(1)[0]
-            if tiles == 1:
+            name, images = Counter(name for name, _ in shown).most_common(1)[0]
+            if images == 1:
                 break
             whole, own = (name, _WHOLE), [range_ for (n, _), range_ in pieces.items() if n == name]
             if whole not in self.entries:
+                tiles = sum(n == name and tile > 0 for n, tile in shown)
                 self.notes.append(
                     f"material {name!r} has {tiles} UDIM tiles, and a part {_MOST} images: they "
                     "are baked as one"
