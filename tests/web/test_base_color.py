@@ -42,12 +42,11 @@ __all__ = ["middles_of_pixels"]
 def test_transport_as_the_runtime_has_it(tmp_path):
     """By one decoder, and by two of which one is for shadowed light."""
     path = make_print(tmp_path / "print.rna")
-    colors = np.random.default_rng(1).uniform(size=(500, 3)).astype(np.float32)
     with viewer(Site({}, {})) as page:
         for tier in ("small", "hq"):
             asset = runtime.load(path, tier)
-            x, n, wo, wi = rows(500, asset.bounds)
-            expected = np.hstack(asset.evaluate(x, n, wo, wi, base_color=colors))
+            x, n, wo, wi, colors = rows(500, asset.bounds)
+            expected = np.hstack(asset.evaluate(x, n, wo, wi, colors))
             queries = np.hstack([x, n, np.zeros((500, 1), np.float32), wo, wi, colors])
             text = base64.b64encode(queries.tobytes()).decode()
             call_reader(page, "load", base64_of(path), tier)
