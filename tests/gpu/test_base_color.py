@@ -32,10 +32,9 @@ def printed(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_results_of_two_decoders_that_stay_on_the_gpu(printed: Path, device: Device) -> None:
     gpu = rna_gpu.load(printed, "hq", device)
     assert isinstance(gpu, GpuSurface)
-    x, n, wo, wi = rows(64, runtime.load(printed).bounds)
-    colors = np.random.default_rng(1).uniform(size=(64, 3)).astype(np.float32)
+    *vectors, colors = rows(64, runtime.load(printed).bounds)
     packed = np.zeros((64, 4, 4), np.float32)
-    for k, values in enumerate((x, n, wo, wi)):
+    for k, values in enumerate(vectors):
         packed[:, k, :3] = values
     packed[:, 1:, 3] = colors
     on_gpu = gpu.new_rows(64)
@@ -43,14 +42,14 @@ def test_results_of_two_decoders_that_stay_on_the_gpu(printed: Path, device: Dev
     device.write(on_gpu.count, np.array([64], np.uint32))
     gpu.evaluate_on_gpu(on_gpu, 64)
     actual = device.read(on_gpu.results, 64 * 32).view(np.float32).reshape(64, 2, 4)
-    expected = np.stack(gpu.evaluate(x, n, wo, wi, colors), axis=1)
+    expected = np.stack(gpu.evaluate(*vectors, colors), axis=1)
     assert np.array_equal(actual[..., :3], expected)
 
 
 def test_queries_without_a_base_color(printed: Path, device: Device) -> None:
     gpu = rna_gpu.load(printed, device=device)
     assert isinstance(gpu, GpuSurface)
-    queries = rows(4, runtime.load(printed).bounds)
+    *queries, _ = rows(4, runtime.load(printed).bounds)
     with pytest.raises(QueryError, match=r"base_color: expected a \(4, 3\) float32 array"):
         gpu.evaluate(*queries)
 
