@@ -20,6 +20,7 @@ from tests.exporters.synthetic import manifest_of
 pytestmark = pytest.mark.blender
 
 SIZE = 960, 384  # of the print, pixels
+SHADERS = "ShaderNodeBsdfDiffuse", "ShaderNodeEmission"
 
 PRINTED = """
 # Squares, each with an image as its base colour, changed in its own way; `shown` gives the colour.
@@ -115,23 +116,34 @@ def print_of(folder: Path, ending: str = "png", alpha: bool = False) -> Path:
     return path
 
 
-def captured(
-    open_worker: OpenWorker, folder: Path, path: Path, changes: list[str]
-) -> tuple[ExportedParts, list[tuple[str, np.ndarray, np.ndarray]]]:
-    """What is exported; and of each square, the image's name, base colours, and Cycles' own."""
-    source = {"path": str(path), "changes": changes}
-    worker = open_worker(PRINTED.format(**source, shader="ShaderNodeBsdfDiffuse"))
+def sampled(
+    open_worker: OpenWorker, folder: Path, diffuse: str, glowing: str
+) -> tuple[ExportedParts, dict[str, np.ndarray], np.ndarray, np.ndarray]:
+    """What is exported of a scene, samples of it, Cycles' colours there, and which are on red.
+
+    diffuse, glowing: scripts of the scene, which scatters or emits light of its colours.
+    """
+    worker = open_worker(diffuse)
     settings = CaptureSettings(lights=8, lights_per_shard=8, rays=4096, samples=1)
     exported = exported_parts(worker, settings)
     manifest = manifest_of(settings, parts=exported.captured())
     dataset = Dataset.create(folder / "rays", manifest, exported.geometries, exported.textures)
     TrainingShard(0).run(dataset, scene_of(dataset), worker)
     at = dataset.only.training_samples()
-    glows = open_worker(PRINTED.format(**source, shader="ShaderNodeEmission"))
     origins = at["position"] + np.float32(0.01) * at["wo"]
-    shown = glows.render_rays(origins, -at["wo"], None, 1, 0).radiance
+    shown = open_worker(glowing).render_rays(origins, -at["wo"], None, 1, 0).radiance
     on_red = at["position"][:, 1] > 0.1
     assert np.allclose(at["base_color"][on_red], [0.8, 0.1, 0.2], atol=1e-3)
+    return exported, at, np.clip(shown, 0.0, 1.0), on_red
+
+
+def captured(
+    open_worker: OpenWorker, folder: Path, path: Path, changes: list[str]
+) -> tuple[ExportedParts, list[tuple[str, np.ndarray, np.ndarray]]]:
+    """What is exported; and of each square, the image's name, base colours, and Cycles' own."""
+    source = {"path": str(path), "changes": changes}
+    scripts = [PRINTED.format(**source, shader=shader) for shader in SHADERS]
+    exported, at, shown, on_red = sampled(open_worker, folder, *scripts)
     mesh, labels = exported.geometries["asset"], []
     for k in range(len(changes)):
         on = ~on_red & (np.abs(at["position"][:, 2] + 1.5 * k + 0.5) < 0.51)
@@ -143,7 +155,7 @@ def captured(
             for r in exported.colors["asset"]
             if 0 <= triangle - r.triangles[0] < r.triangles[1]
         )
-        labels.append((name, at["base_color"][on], np.clip(shown[on], 0.0, 1.0)))
+        labels.append((name, at["base_color"][on], shown[on]))
     return exported, labels
 
 

@@ -8,14 +8,10 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from rna_export.capture.blender_process.capture_worker import scene_of
-from rna_export.capture.capture_settings import CaptureSettings
-from rna_export.capture.capture_tasks import TrainingShard
-from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.geometry import base_colors
-from rna_export.capture.geometry.exported_parts import ExportedParts, exported_parts
+from rna_export.capture.geometry.exported_parts import ExportedParts
 from tests.exporters.conftest import OpenWorker
-from tests.exporters.synthetic import manifest_of
+from tests.exporters.test_base_color_capture import SHADERS, sampled
 
 pytestmark = pytest.mark.blender
 
@@ -91,19 +87,10 @@ def captured(
 ) -> tuple[ExportedParts, dict[int, tuple[np.ndarray, np.ndarray]]]:
     """What is exported; and by square, the base colours of samples and Cycles' own."""
     write_tiles(folder)
-    script, source = TILED + changes, {"folder": str(folder), "tiles": tiles}
-    worker = open_worker(script.format(**source, shader="ShaderNodeBsdfDiffuse"))
-    settings = CaptureSettings(lights=8, lights_per_shard=8, rays=4096, samples=1)
-    exported = exported_parts(worker, settings)
-    manifest = manifest_of(settings, parts=exported.captured())
-    dataset = Dataset.create(folder / "rays", manifest, exported.geometries, exported.textures)
-    TrainingShard(0).run(dataset, scene_of(dataset), worker)
-    at = dataset.only.training_samples()
-    glows = open_worker(TILED.format(**source, shader="ShaderNodeEmission"))
-    origins = at["position"] + np.float32(0.01) * at["wo"]
-    shown = np.clip(glows.render_rays(origins, -at["wo"], None, 1, 0).radiance, 0.0, 1.0)
-    on_red = at["position"][:, 1] > 0.1
-    assert np.allclose(at["base_color"][on_red], [0.8, 0.1, 0.2], atol=1e-3)
+    source = {"folder": str(folder), "tiles": tiles}
+    diffuse = (TILED + changes).format(**source, shader=SHADERS[0])
+    glowing = TILED.format(**source, shader=SHADERS[1])
+    exported, at, shown, on_red = sampled(open_worker, folder, diffuse, glowing)
     square = np.where(on_red, -1, np.floor(at["position"][:, 0] / 1.2))
     colours = {k: (at["base_color"][square == k], shown[square == k]) for k in range(len(tiles))}
     return exported, colours
