@@ -147,9 +147,10 @@ def evaluation(threads: int) -> Iterator[Task]:
     asset = load_one_part(TOY, threads=threads)
     (low, high), (positions, *directions) = asset.bounds, random_points(_ROWS)
     inside = (low + (positions + 1) / 2 * (high - low)).astype(np.float32)
+    white = np.ones_like(inside)
 
     def batch() -> float:
-        asset.evaluate(inside, *directions)
+        asset.evaluate(inside, *directions, white)
         return float(_ROWS)
 
     yield repeated(batch)
