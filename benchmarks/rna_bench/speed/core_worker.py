@@ -143,8 +143,10 @@ def evaluation(threads: int) -> Iterator[Task]:
     """Random queries of the quickstart's asset."""
     from rna_bench.one_part import load_one_part
     from rna_bench.speed.query_batches import random_points
+    from rna_sdk.runtime import SurfaceAsset
 
     asset = load_one_part(TOY, threads=threads)
+    assert isinstance(asset, SurfaceAsset)
     (low, high), (positions, *directions) = asset.bounds, random_points(_ROWS)
     inside = (low + (positions + 1) / 2 * (high - low)).astype(np.float32)
     white = np.ones_like(inside)
