@@ -147,12 +147,12 @@ def evaluation(threads: int) -> Iterator[Task]:
 
     asset = load_one_part(TOY, threads=threads)
     assert isinstance(asset, SurfaceAsset)
-    (low, high), (positions, *directions) = asset.bounds, random_points(_ROWS)
+    (low, high), (positions, normals, wo, wi) = asset.bounds, random_points(_ROWS)
     inside = (low + (positions + 1) / 2 * (high - low)).astype(np.float32)
     white = np.ones_like(inside)
 
     def batch() -> float:
-        asset.evaluate(inside, *directions, white)
+        asset.evaluate(inside, normals, wo, wi, white)
         return float(_ROWS)
 
     yield repeated(batch)
