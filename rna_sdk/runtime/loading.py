@@ -54,9 +54,7 @@ def load(
         raise QueryError(f"path: expected the name of a package, found {type(path).__name__}")
     count = thread_count(threads)
     with Package.open(path) as package:
-        record = choose_tier(package, tier, min_psnr, max_error, pixels)
-        if variant is not None and not any(part.uses_base_color for part in record.parts):
-            raise QueryError(f"variant {variant!r}: tier {record.name!r} has no base colour")
+        record = choose_tier(package, tier, min_psnr, max_error, pixels, variant)
         height, records = image_height(pixels), package.manifest.parts
 
         def part(k: int, name: str) -> SurfaceAsset | FiberAsset:

@@ -19,6 +19,7 @@ def choose_tier(
     min_psnr: float | None = None,
     max_error: float | None = None,
     pixels: float | None = None,
+    variant: str | None = None,
 ) -> Tier:
     """The tier of this name; or the cheapest within a limit; or, with neither, the first.
 
@@ -26,9 +27,11 @@ def choose_tier(
     `pixels`. Cheapest is fewest multiply-adds per query, those of int8 decoders counted half, so
     that the choice is the same on all machines; ties go to the package's first. A tier without a
     recorded validation meets no limit; one without a recorded cost is chosen last.
+    variant: that the tier is to show, which takes base colour.
 
     Raises:
-        QueryError: more than one criterion is given, no tier meets it, or a limit is not a number.
+        QueryError: more than one criterion is given, no tier meets it, a limit is not a number, or
+            the tier has no base colour for the variant.
 
     Examples:
         >>> with Package.open("toy.rna") as package:
@@ -37,6 +40,19 @@ def choose_tier(
     """
     if sum(choice is not None for choice in (name, min_psnr, max_error)) > 1:
         raise QueryError("tier, min_psnr and max_error: give one of them, not both")
+    tier = _chosen(package, name, min_psnr, max_error, pixels)
+    if variant is not None and not any(part.uses_base_color for part in tier.parts):
+        raise QueryError(f"variant {variant!r}: tier {tier.name!r} has no base colour")
+    return tier
+
+
+def _chosen(
+    package: Package,
+    name: str | None,
+    min_psnr: float | None,
+    max_error: float | None,
+    pixels: float | None,
+) -> Tier:
     if name is not None:
         return package.tier(name)
     tiers = package.manifest.tiers

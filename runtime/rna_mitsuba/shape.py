@@ -39,7 +39,7 @@ class LoadedPackage:
         variant: str | None = None,
     ) -> None:
         with Package.open(path) as package:
-            record = choose_tier(package, tier)
+            record = choose_tier(package, tier, variant=variant)
             shapes = None if motion is None else _shapes(path, record.name, *motion)
             self.scene = PackageScene(package, shapes, variant)
             parts = range(len(package.manifest.parts))
@@ -47,8 +47,6 @@ class LoadedPackage:
             boxes = np.array([part.bounds.corners() for part in package.manifest.parts])
             if shapes is not None:
                 boxes = np.array([geometry_of(s).box() for s in shapes])
-        if variant is not None and not any(one.uses_base_color for one in self.evaluators):
-            raise QueryError(f"variant {variant!r}: tier {record.name!r} has no base colour")
         self.bounds = np.stack([boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)])
         self.emits = any(evaluator.emits for evaluator in self.evaluators)
 
