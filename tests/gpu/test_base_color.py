@@ -15,7 +15,7 @@ from rna_render.world.world import World
 from rna_sdk import runtime
 from rna_sdk.errors import QueryError
 from tests.gpu.scenes import assert_same_numbers, on_cpu, on_gpu
-from tests.gpu.test_evaluate import rows
+from tests.gpu.test_evaluate import evaluated_on_gpu, rows
 from tests.package.prints import LABEL, STAMP, image_bytes, make_print
 
 
@@ -32,17 +32,9 @@ def printed(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_results_of_two_decoders_that_stay_on_the_gpu(printed: Path, device: Device) -> None:
     gpu = rna_gpu.load(printed, "hq", device)
     assert isinstance(gpu, GpuSurface)
-    *vectors, colors = rows(64, runtime.load(printed).bounds)
-    packed = np.zeros((64, 4, 4), np.float32)
-    for k, values in enumerate(vectors):
-        packed[:, k, :3] = values
-    packed[:, 1:, 3] = colors
-    on_gpu = gpu.new_rows(64)
-    device.write(on_gpu.rows, packed)
-    device.write(on_gpu.count, np.array([64], np.uint32))
-    gpu.evaluate_on_gpu(on_gpu, 64)
-    actual = device.read(on_gpu.results, 64 * 32).view(np.float32).reshape(64, 2, 4)
-    expected = np.stack(gpu.evaluate(*vectors, colors), axis=1)
+    queries = rows(64, runtime.load(printed).bounds)
+    actual = evaluated_on_gpu(device, gpu, queries, 64)[:64]
+    expected = np.stack(gpu.evaluate(*queries), axis=1)
     assert np.array_equal(actual[..., :3], expected)
 
 

@@ -55,20 +55,26 @@ def test_results_do_not_depend_on_the_batch(
     assert none[0].shape == (0, 3)
 
 
-def test_results_that_stay_on_the_gpu(device: Device) -> None:
-    gpu = rna_gpu.load(TOY, device=device)
-    assert isinstance(gpu, GpuSurface)
-    *vectors, color = rows(100, runtime.load(TOY).bounds)
-    packed = np.zeros((100, 4, 4), np.float32)
+def evaluated_on_gpu(device: Device, gpu: GpuSurface, queries: list[np.ndarray], count: int):
+    """(n, 2, 4) of buffers of 128 rows, of which `count` are evaluated."""
+    *vectors, color = queries
+    packed = np.zeros((len(color), 4, 4), np.float32)
     for k, values in enumerate(vectors):
         packed[:, k, :3] = values
     packed[:, 1:, 3] = color
     on_gpu = gpu.new_rows(128)
     device.write(on_gpu.rows, packed)
-    device.write(on_gpu.count, np.array([90], np.uint32))
-    gpu.evaluate_on_gpu(on_gpu, 100)
-    actual = device.read(on_gpu.results, 128 * 32).view(np.float32).reshape(128, 2, 4)
-    expected = np.stack(gpu.evaluate(*vectors, color), axis=1)
+    device.write(on_gpu.count, np.array([count], np.uint32))
+    gpu.evaluate_on_gpu(on_gpu, len(color))
+    return device.read(on_gpu.results, 128 * 32).view(np.float32).reshape(128, 2, 4)
+
+
+def test_results_that_stay_on_the_gpu(device: Device) -> None:
+    gpu = rna_gpu.load(TOY, device=device)
+    assert isinstance(gpu, GpuSurface)
+    queries = rows(100, runtime.load(TOY).bounds)
+    actual = evaluated_on_gpu(device, gpu, queries, 90)
+    expected = np.stack(gpu.evaluate(*queries), axis=1)
     assert np.array_equal(actual[:90, :, :3], expected[:90])
     assert not actual[90:].any()  # rows beyond the count are left alone
 
