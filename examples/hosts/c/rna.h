@@ -3,7 +3,7 @@
  *     RnaReport report;
  *     RnaAsset *asset = rna_open("toy.rna", &report);
  *     if (!asset) { fprintf(stderr, "%s\n", report.issues[0].code); return 1; }
- *     rna_evaluate(asset, 0, 0, n, positions, normals, NULL, wo, wi, NULL, visible, shadowed);
+ *     rna_evaluate(asset, 0, 0, n, positions, normals, NULL, wo, wi, colors, visible, shadowed);
  *     rna_close(asset);
  *
  * An asset has one part or several, each a mesh or curves with planes and decoders of its own, and
