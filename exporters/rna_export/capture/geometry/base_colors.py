@@ -36,8 +36,6 @@ Ranges = dict[Piece, tuple[int, int]]
 
 _POINTS = 1 << 14
 _ENDINGS = {b"\x89P": "png", b"\xff\xd8": "jpg", b"RI": "webp"}
-
-
 _WHOLE = -1  # in the place of a piece's tile: of all of them
 
 
