@@ -144,6 +144,11 @@ def roughness(image: np.ndarray) -> float:
 def test_a_tiny_run(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
+    assert run(tmp_path, "--references-only") == 0
+    assert [path.name for path in (tmp_path / "references").glob("*.safetensors")] == [
+        "lamp.safetensors"
+    ]
+    assert not (tmp_path / "scenes.json").exists()
     assert run(tmp_path) == 0
     report = json.loads((tmp_path / "scenes.json").read_text())
     lamp = report["scenes"]["lamp"]

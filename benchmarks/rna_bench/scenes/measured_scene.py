@@ -68,11 +68,16 @@ class MeasuredScene:
         return CyclesScene(self._worker(), self.scene)
 
     @cached_property
+    def halves(self) -> np.ndarray:
+        """Two independent references, (2, h, w, 3) float32."""
+        made = self._references.arrays(self.name, self._announced("reference", self._reference))
+        return made["halves"]
+
+    @cached_property
     def beside(self) -> Beside:
         """The references, and the pixels that the asset covers."""
-        halves = self._references.arrays(self.name, self._announced("reference", self._reference))
         covered = self._measured.arrays(f"{self.name}-covered", self._covered)["covered"]
-        return Beside.of(halves["halves"], covered > 0)
+        return Beside.of(self.halves, covered > 0)
 
     @cached_property
     def floor(self) -> np.ndarray:

@@ -7,8 +7,9 @@ alternate, raw and denoised: Cycles with its own denoiser, ours with Open Image 
 is a wheel of it. The error is split into the package's own (the floor, independent of
 sampling) and noise. Writes the figures as JSON and one sheet as PNG.
 
-Cycles references are slow, and cached in OUT/references. Run it on an idle machine. Arguments
-after -- are passed to a source that is a Python script.
+Cycles references are slow, and cached in OUT/references; --references-only makes them beforehand,
+on a machine that may be busy. The rest needs an idle one. Arguments after -- are passed to a source
+that is a Python script.
 """
 
 from __future__ import annotations
@@ -70,6 +71,11 @@ def add_options(p: argparse.ArgumentParser) -> None:
     )
     p.add_argument("--turn", type=float, default=0.0, help="camera rotation, degrees")
     p.add_argument(
+        "--references-only",
+        action="store_true",
+        help="render the missing Cycles references and stop (default: off)",
+    )
+    p.add_argument(
         "--again",
         action="store_true",
         help="measure again, reusing the Cycles references (default: off)",
@@ -80,5 +86,4 @@ def run(args: argparse.Namespace) -> None:
     """Make the missing measurements, and write the results."""
     from rna_bench.scenes.scenes_study import study
 
-    study(args)
-    print(f"wrote {args.out / 'scenes.json'}, {args.out / 'scenes.png'}")
+    print(f"wrote {study(args)}")

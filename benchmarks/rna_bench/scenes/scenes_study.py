@@ -40,8 +40,11 @@ DEFINITIONS = {
 }
 
 
-def study(args: argparse.Namespace) -> None:
-    """Measure the scenes that the options ask for; write `scenes.json` and `scenes.png`."""
+def study(args: argparse.Namespace) -> str:
+    """Measure the scenes that the options ask for; write `scenes.json` and `scenes.png`.
+
+    With `references_only` nothing is timed. Returns what was written, for a person.
+    """
     environments = [find_environment(name) for name in args.environment]
     _check(args, environments)
     stage, plan = _stage(args), _plan(args)
@@ -57,9 +60,14 @@ def study(args: argparse.Namespace) -> None:
                 worker = cache(partial(_enter, stack, args))
                 caches = references, measured
                 one = MeasuredScene(name, scene, plan, *caches, worker, progress.tell)
-                result[name] = judge(one)
+                if args.references_only:
+                    _ = one.halves
+                else:
+                    result[name] = judge(one)
             done.append(one)
             progress.advance({})
+    if args.references_only:
+        return str(args.out / "references")
     report = {
         "asset": args.asset.name,
         "tier": args.tier or "default",
@@ -69,6 +77,7 @@ def study(args: argparse.Namespace) -> None:
     }
     write_results(args.out / "scenes.json", args.stamp, report)
     draw_sheet(done, result, args.out / "scenes.png")
+    return f"{args.out / 'scenes.json'}, {args.out / 'scenes.png'}"
 
 
 def _enter(stack: ExitStack, args: argparse.Namespace) -> BlenderWorker:
