@@ -59,7 +59,7 @@ def test_validation_images_take_a_quarter_at_most(
 ) -> None:
     usual = CaptureSettings.usual(kind)
     assert seconds(usual, rate)[0] > 0.25 * 60.0 * minutes
-    settings = planned(usual, TimeLimit(minutes, 0.0), 10.0, rate, ())
+    settings = planned(usual, kind, TimeLimit(minutes, 0.0), 10.0, rate, ())
     images, training = seconds(settings, rate)
     left = 60.0 * minutes - 10.0
     assert 0.2 * left < images <= 0.25 * left
@@ -72,17 +72,32 @@ def test_validation_images_take_a_quarter_at_most(
 
 def test_with_time_enough_they_stay_as_they_are(clock: Clock) -> None:
     usual = CaptureSettings.usual("surface")
-    settings = planned(usual, TimeLimit(30.0, 0.0), 10.0, SURFACE_RATE, ())
+    settings = planned(usual, "surface", TimeLimit(30.0, 0.0), 10.0, SURFACE_RATE, ())
     changed = {"lights": settings.lights, "lights_per_shard": settings.lights_per_shard}
     assert settings == usual.model_copy(update=changed)
     assert 10 <= settings.lights / settings.lights_per_shard
     assert shrunk(usual, settings) is None
 
 
+@pytest.mark.parametrize(
+    ("minutes", "lights", "rays"), [(30.0, None, 4096), (5.0, 2000, None), (1.0, None, 1024)]
+)
+def test_lights_of_surfaces_have_fewer_rays_rather_than_being_few(
+    minutes: float, lights: int | None, rays: int | None, clock: Clock
+) -> None:
+    usual, limit = CaptureSettings.usual("surface"), TimeLimit(minutes, 0.0)
+    settings = planned(usual, "surface", limit, 10.0, SURFACE_RATE, ())
+    fixed = planned(usual, "surface", limit, 10.0, SURFACE_RATE, ("rays",))
+    assert settings.lights == pytest.approx(lights or settings.lights, rel=0.01)
+    assert settings.rays == (rays or settings.rays) and 1024 <= settings.rays <= 4096
+    total = fixed.lights * 4096
+    assert fixed.rays == 4096 and settings.lights * settings.rays == pytest.approx(total, rel=0.01)
+
+
 @pytest.mark.parametrize("option", ["validation_resolution", "validation_samples"])
 def test_what_was_asked_for_stays(option: str, clock: Clock) -> None:
     usual = CaptureSettings.usual("surface")
-    settings = planned(usual, TimeLimit(5.0, 0.0), 10.0, SURFACE_RATE, (option,))
+    settings = planned(usual, "surface", TimeLimit(5.0, 0.0), 10.0, SURFACE_RATE, (option,))
     assert getattr(settings, option) == getattr(usual, option)
     assert seconds(settings, SURFACE_RATE)[0] == pytest.approx(0.25 * 290.0, rel=0.15)
 
@@ -93,13 +108,13 @@ def test_too_few_minutes_are_refused(clock: Clock) -> None:
         r"--minutes 0\.2 leaves .* --minutes (\d+) would",
     )
     with pytest.raises(CaptureError, match=message) as caught:
-        planned(fiber, TimeLimit(0.2, 0.0), 12.0, FIBER_RATE, ())
+        planned(fiber, "fiber", TimeLimit(0.2, 0.0), 12.0, FIBER_RATE, ())
     enough = int(re.findall(message, str(caught.value))[0])
-    assert planned(fiber, TimeLimit(enough, 0.0), 12.0, FIBER_RATE, ()).lights >= 16
+    assert planned(fiber, "fiber", TimeLimit(enough, 0.0), 12.0, FIBER_RATE, ()).lights >= 16
     with pytest.raises(CaptureError, match=f"--minutes {enough} would do"):
-        planned(fiber, TimeLimit(enough - 1, 0.0), 12.0, FIBER_RATE, ())
+        planned(fiber, "fiber", TimeLimit(enough - 1, 0.0), 12.0, FIBER_RATE, ())
     with pytest.raises(CaptureError, match="give more minutes"):
-        planned(fiber, TimeLimit(1.0, 0.0), 12.0, 0.1, ())
+        planned(fiber, "fiber", TimeLimit(1.0, 0.0), 12.0, 0.1, ())
 
 
 @pytest.fixture

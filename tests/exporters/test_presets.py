@@ -55,6 +55,14 @@ def test_the_learning_rate_is_halved_each_fifth(kind: str, preset: str) -> None:
         assert rates[20 * fifth : 20 * fifth + 20] == [1e-3 * 0.5**fifth] * 20
 
 
+def test_planes_of_few_samples_are_smoothed_more() -> None:
+    small, fiber = PRESETS["surface"]["small"], PRESETS["fiber"]["small"]
+    smoothings = [small.for_rows(rows).training.smoothing for rows in (10_000_000, 3_200_000, 1000)]
+    assert smoothings == pytest.approx([0.25, 0.5, 2.0])
+    for preset in (fiber, PRESETS["surface"]["paper-small"]):
+        assert preset.for_rows(1000) == preset
+
+
 def learning_rates(kind: str, preset: str, steps: int) -> list[float]:
     config = PRESETS[kind][preset].training
     return [config.learning_rate * rate(config, step / steps) for step in range(steps)]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import gc
 import weakref
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -44,6 +44,12 @@ def without_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def plan(dataset: DatasetPart, out: Path, steps: int = 40, seed: int = 0) -> Run:
     return Run(dataset, tiny(steps=steps), "small", out, seed)
+
+
+def test_a_run_of_few_samples_smooths_its_planes_more(dataset: DatasetPart, tmp_path: Path) -> None:
+    run = plan(dataset, tmp_path, steps=4)
+    best = train(replace(run, preset=run.preset.with_training(smoothing=0.25)))
+    assert load_checkpoint(best).preset.training.smoothing == 2.0
 
 
 def weights(checkpoint: Path) -> dict[str, torch.Tensor]:

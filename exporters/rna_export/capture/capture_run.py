@@ -154,7 +154,7 @@ def begin(
             check, speed = asset.checked(asset.scene, bar.update)
             rate = speed.rate * workers.backend().width()
             if limit is not None:  # too few minutes are an error before the estimate takes some
-                planned(settings, limit, opening + trial / speed.rate, rate, given)
+                planned(settings, worker.kind, limit, opening + trial / speed.rate, rate, given)
             if why is None:
                 why = gain_text(asset.pilot(speed, bar.update), table_of())
             checks = {"": check}
@@ -166,7 +166,8 @@ def begin(
     if limit is None:
         settings = settings.shared_out()
     else:
-        usual, settings = settings, planned(settings, limit, opening, rate, given)
+        usual = settings
+        settings = planned(settings, worker.kind, limit, opening, rate, given)
         if note := shrunk(usual, settings):
             say(note)
     manifest = CaptureManifest(

@@ -1,4 +1,4 @@
-"""Plan of a time-limited capture: reduced validation images, then the number of lights."""
+"""Plan of a time-limited capture: reduced validation images, then lights and their rays."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ LEAST_LIGHTS = 16
 
 _SHARE = 0.25  # of the time, for the validation images
 _LEAST_RESOLUTION, _LEAST_SAMPLES = 48, 16
+_LEAST_RAYS = 1024  # of a light, of surfaces
 _DAY = 24 * 60  # minutes
 
 
@@ -30,15 +31,21 @@ class TimeLimit:
 
 
 def planned(
-    settings: CaptureSettings, limit: TimeLimit, opening: float, rate: float, given: Collection[str]
+    settings: CaptureSettings,
+    kind: str,
+    limit: TimeLimit,
+    opening: float,
+    rate: float,
+    given: Collection[str],
 ) -> CaptureSettings:
     """The settings with as many lights as there is time for at `rate` paths a second.
 
     Validation images that took more than a quarter of it are made smaller, but for what was
-    `given`.
+    `given`. Where there is time for fewer lights than `settings` have, those of surfaces have fewer
+    rays (docs/decisions/capture.md).
 
-    opening: seconds until a worker can render. Raises `CaptureError` when fewer than 16 lights are
-    left.
+    kind: "surface", "fiber" or "both". opening: seconds until a worker can render. Raises
+    `CaptureError` when fewer than 16 lights are left.
     """
     left = limit.left()
     usual, (settings, lights) = settings, _fitting(settings, left - opening, rate, given)
@@ -50,7 +57,11 @@ def planned(
             f"--minutes {limit.minutes:g} leaves time for {max(lights, 0)} lights after the start "
             f"and the validation images, expected at least {LEAST_LIGHTS}: {do}"
         )
-    return settings.model_copy(update={"lights": lights}).shared_out()
+    rays = settings.rays
+    if kind == "surface" and "rays" not in given and lights < settings.lights:
+        rays = max(_LEAST_RAYS, rays * lights // settings.lights)
+    lights = min(lights * settings.rays // rays, MAX_LIGHTS)
+    return settings.model_copy(update={"lights": lights, "rays": rays}).shared_out()
 
 
 def _fitting(

@@ -164,6 +164,15 @@ class Preset(BaseModel, extra="forbid", frozen=True):
             return preset
         return preset.with_training(smoothing=_SMOOTHING_BESIDE_PRINT)
 
+    def for_rows(self, rows: int) -> Preset:
+        """This preset for so many samples: smoothed planes are smoothed more if they are few.
+
+        Otherwise texels learn single samples (docs/decisions/training.md).
+        """
+        usual = self.training.smoothing
+        wanted = usual * _ROWS_OF_SMOOTHING / rows
+        return self.with_training(smoothing=max(usual, min(wanted, _MOST_SMOOTHING)))
+
     def on_device(self, device: str) -> Preset:
         """This preset, on "cuda" with the batch that is usual there."""
         return self.with_training(batch=BATCH["cuda"]) if device == "cuda" else self
@@ -198,6 +207,8 @@ def _paper(kind: str, width: int) -> Preset:
 _PLANES = {"surface": (256, 8), "fiber": (32, 16)}
 # Measured on surfaces alone (docs/decisions/training.md).
 _SMOOTHING = {"surface": 0.25, "fiber": 0.0}
+_ROWS_OF_SMOOTHING = 6.4e6
+_MOST_SMOOTHING = 2.0
 _SMOOTHING_BESIDE_PRINT = 2.0
 _KNOWS_PLAIN_COLORS = 128  # neurons
 # Measured on curls (docs/decisions/training.md).

@@ -80,6 +80,7 @@ def train(
     if can_know and (records := run.dataset.captured.base_color):
         has_images = any(record.image is not None for record in records)
         run = replace(run, preset=run.preset.with_base_color(has_images))
+    run = replace(run, preset=run.preset.for_rows(len(table)))
     run.out.mkdir(parents=True, exist_ok=True)
     saved = _continued(run.out / "last.ckpt", run)
     done = saved["step"] if saved else 0
