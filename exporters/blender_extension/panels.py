@@ -96,6 +96,9 @@ class BakePanel(_Properties, bpy.types.Panel):
             if status.state != "finished":
                 row.operator("rna.bake", text="Continue").anew = False
             row.operator("rna.bake", text="Bake Anew").anew = True
+            if status.state == "finished":
+                column.prop(settings, "more")
+                column.operator("rna.bake_more")
         for line in job.lines(4):
             column.label(text=line)
         column.operator("rna.show_errors")

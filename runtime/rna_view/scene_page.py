@@ -130,6 +130,8 @@ def _left_out(scene_file: SceneFile, glass: ObjectModel | None) -> list[str]:
     if objects:
         count = "an object" if len(objects) == 1 else f"{len(objects)} objects"
         notes.append(f"the page leaves out {count}: {objects[0]}")
+    if scene.camera.aperture > 0.0:
+        notes.append("the page has a pinhole in place of the camera's lens: all is in focus")
     shown = (DirectionalModel, EnvironmentModel)
     others = [light.type for light in scene.lights if not isinstance(light, shown)]
     if others:

@@ -130,6 +130,117 @@ def test_a_bake_is_started_stopped_continued_and_replaces_its_original(
     assert (scale, turn) == pytest.approx((3**0.5, 1.5707963), abs=1e-5)
 
 
+# In place of the SDK's Python: a bake that is finished at once, but hangs when it is first to go
+# on. It writes its options to a file.
+GOES_ON = f"""#!{sys.executable}
+import os, pathlib, shutil, sys, time
+if not sys.argv[1].endswith("bake.py"):
+    os.execv({sys.executable!r}, [{sys.executable!r}, *sys.argv[1:]])
+out, folder, *options = sys.argv[3:]
+folder = pathlib.Path(folder)
+with open("options", "a", encoding="utf-8") as file:
+    print(*options, sep="|", file=file)
+more, hung = any(option.startswith("--more") for option in options), folder / "make" / "hung"
+if more and not (folder / "made").exists() and not hung.exists():
+    hung.touch()
+    print("last training:  50%|##  | 00:02", end="", flush=True)
+    try:
+        time.sleep(100)
+    except KeyboardInterrupt:
+        print("\\nstopped; run the same command again to continue", flush=True)
+        sys.exit(130)
+(folder / "make" / "rays").mkdir(parents=True, exist_ok=True)
+for name in ("make/make.json", "make/rays/manifest.json", "made"):
+    (folder / name).touch()
+shutil.copy({str(TOY)!r}, out)
+print("bake finished", flush=True)
+"""
+
+MORE = """
+import pathlib, shutil, time
+import bl_ext.user_default.rna_sdk.bake.operators as operators
+
+here = pathlib.Path.cwd()
+bpy.ops.mesh.primitive_cube_add()
+chair = bpy.context.object
+chair.name = "Stühle/rot\\n.001"
+bpy.ops.mesh.primitive_cube_add()
+chair.select_set(True)
+bpy.context.view_layer.objects.active = chair
+bpy.ops.wm.save_as_mainfile(filepath=str(here / "Zimmer.blend"))
+chair, other = (bpy.data.objects[name] for name in (chair.name, "Cube"))
+chair.rna_bake.goal, chair.rna_bake.options = "0.07", "--lights 8 --seed 3"
+print("FIRST", bpy.ops.rna.bake())
+job = operators.job_of(chair)
+print("NAMES", job.out.name, job.source.name)
+chair.name = "renamed"
+
+chair.rna_bake.presets = "hq"
+refused(bpy.ops.rna.bake_more)
+chair.rna_bake.presets = "small"
+bpy.context.view_layer.objects.active = other
+other.rna_bake.out = chair.rna_bake.out
+other.rna_bake.options = chair.rna_bake.options
+refused(bpy.ops.rna.bake_more)
+bpy.context.view_layer.objects.active = chair
+
+chair.rna_bake.minutes, chair.rna_bake.more, chair.rna_bake.goal = 5, 2.5, "NONE"
+wait = operators.Job.wait
+def until_it_says_something(job):
+    while job.status().share == 0:
+        time.sleep(0.05)
+operators.Job.wait = until_it_says_something
+refused(bpy.ops.rna.bake_more)
+operators.Job.wait = wait
+refused(bpy.ops.rna.bake_more)
+bpy.ops.rna.stop_bake()
+wait(job)
+print("STATE", job.status().state)
+refused(bpy.ops.rna.bake_more)
+print("CONTINUED", bpy.ops.rna.bake(), job.status().state)
+print("AGAIN", bpy.ops.rna.bake_more())
+shutil.rmtree(job.folder / "make" / "rays")
+refused(bpy.ops.rna.bake_more)
+job.remove()
+print("LEFT", job.folder.exists())
+"""
+
+
+def test_a_finished_bake_goes_on_for_more_minutes(
+    run_in_blender: RunInBlender, tmp_path: Path
+) -> None:
+    stand_in = tmp_path / "python"
+    stand_in.write_text(GOES_ON)
+    stand_in.chmod(0o755)
+    printed = run_in_blender(MORE, python=str(stand_in))
+    for word in ("FIRST", "AGAIN"):
+        assert printed_value(printed, word) == "{'FINISHED'}"
+    assert printed_value(printed, "CONTINUED") == "{'FINISHED'} finished"
+    assert printed_value(printed, "STATE") == "stopped"
+    assert printed_value(printed, "LEFT") == "False"
+    refusals = [line for line in printed.splitlines() if line.startswith("refused: ")]
+    for refusal, expected in zip(
+        refusals,
+        (
+            "with options --presets small --seed=3, found --presets hq --seed=3: set that back",
+            "Stühle_rot__001.rna was baked from another object: select that",
+            "bake running: last training",
+            "the bake is running",
+            "the bake is not finished: Continue",
+            "found no rays to go on from, expected those of the bake; Bake Anew captures them",
+        ),
+        strict=True,
+    ):
+        assert expected in refusal
+    # The asset is named for the object, its source for the file; lengths are those of each run.
+    assert printed_value(printed, "NAMES") == "Stühle_rot__001.rna Zimmer.blend"
+    first, *more = (tmp_path / "options").read_text(encoding="utf-8").splitlines()
+    lasting = "--name=Stühle/rot .001|--presets|small"
+    lengths = "--minutes=20|--max-error=0.07|--lights=8"
+    assert first == f"{lasting}|{lengths}|--seed=3"
+    assert more == [f"{lasting}|--seed=3|--more=2.5"] * 3
+
+
 # A file that a stranger sends: data alone. Its properties, and the files that came with it, are all
 # that the stranger chose; the user presses buttons.
 OPTIONS = [

@@ -11,6 +11,7 @@ import torch
 
 from rna_export.asset_flip import ImageFlip, asset_flip, scene_exposures
 from rna_export.capture.dataset.dataset_part import DatasetPart
+from rna_export.export.package_build import build_package
 from rna_export.export.rna_export import main
 from rna_export.metrics import psnr
 from rna_export.training.checkpoint import load_checkpoint
@@ -61,6 +62,21 @@ def evaluate(package: Path, tier: str, dataset: DatasetPart) -> list[np.ndarray]
 
 def test_the_package_is_valid(exported: Exported) -> None:
     assert validate(exported.package) == []
+
+
+def test_an_asset_is_named_for_its_source_or_as_one_wishes(exported: Exported) -> None:
+    """A name for people: no file is named so, whatever characters it has."""
+    with Package.open(exported.package) as package:
+        assert package.manifest.name == "ball" and package.manifest.provenance.source == "a ball"
+    models = [load_checkpoint(exported.checkpoints["small"])]
+    out, name = exported.package.with_name("named.rna"), "Bälle/Größe: 1"
+    files = {path.name for path in out.parent.iterdir()}
+    whole, quiet = exported.dataset.dataset, lambda _: None
+    build_package(models, whole, out, None, "CC0-1.0", quiet, is_measured=False, name=name)
+    assert validate(out) == [] and load(out).name == name
+    with Package.open(out) as package:
+        assert package.manifest.provenance.source.startswith(f"{whole.manifest.source} (sha256 ")
+    assert {path.name for path in out.parent.iterdir()} - files == {out.name}
 
 
 def test_a_tier_a_checkpoint_in_their_order(exported: Exported) -> None:

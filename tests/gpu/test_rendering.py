@@ -33,6 +33,19 @@ samples: 4
 max_depth: 3
 """
 
+LENS = f"""
+assets:
+  - {{path: {TOY}}}
+  - {{path: {TOY}, transform: {{translation: [-1.5, 0, -2.5]}}}}
+ground: {{height: -0.45}}
+camera: {{position: [0.3, 0.5, 2], look_at: [0, 0, 0], vertical_fov_deg: 60 LENS}}
+lights:
+  - {{type: sphere, position: [0.3, 2, 0.6], radius: 0.4, radiance: [9, 9, 7]}}
+resolution: [32, 24]
+samples: 4
+max_depth: 2
+"""
+
 
 @pytest.mark.parametrize("text", [EVERYTHING, RELIEF, GLOW], ids=["everything", "relief", "glow"])
 def test_the_image_of_the_cpu_with_the_same_numbers(
@@ -58,6 +71,29 @@ def test_solid_glass_before_and_about_an_asset(
     scene_file, world = scene(GLASS)
     actual = on_gpu(scene_file, world, lambda: device).channels()
     assert_same_numbers(actual, on_cpu(scene_file, world).channels())
+
+
+def test_a_lens_blurs_as_on_the_cpu(
+    scene: Callable[..., tuple[SceneFile, World]], device: Device, tmp_path: Path
+) -> None:
+    """The same numbers choose the place on the lens: an asset in focus, another that is not."""
+    write_files(tmp_path)
+    scene_file, world = scene(LENS.replace(" LENS", ", aperture: 0.3, focus: 1.7"))
+    actual = on_gpu(scene_file, world, lambda: device).channels()
+    assert_same_numbers(actual, on_cpu(scene_file, world).channels())
+    pinhole = on_gpu(*scene(LENS.replace(" LENS", "")), lambda: device).channels()
+    with pytest.raises(AssertionError):
+        assert_same_numbers(actual, pinhole)
+
+
+def test_without_an_aperture_no_bit_changes(
+    scene: Callable[..., tuple[SceneFile, World]], device: Device
+) -> None:
+    expected = on_gpu(*scene(LENS.replace(" LENS", "")), lambda: device).channels()
+    closed = LENS.replace(" LENS", ", aperture: 0, focus: 1")
+    actual = on_gpu(*scene(closed), lambda: device).channels()
+    for name, plane in expected.items():
+        np.testing.assert_array_equal(actual[name], plane, err_msg=name)
 
 
 def test_the_image_of_the_cpu_with_other_numbers(

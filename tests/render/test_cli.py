@@ -94,14 +94,6 @@ def test_a_lens_blurs_what_is_out_of_focus(folder, tmp_path):
     assert partly["blurred"][1] == pytest.approx(partly["sharp"][1], rel=0.2)
 
 
-def test_a_lens_is_for_the_cpu(folder, tmp_path, capsys):
-    (folder / "lens.yaml").write_text(
-        SCENE.replace("LIGHT", "1").replace("fov_deg: 5", "fov_deg: 5, aperture: 1")
-    )
-    assert run(folder / "lens.yaml", "--out", tmp_path / "a.exr", "--device", "gpu") == 1
-    assert "camera.aperture: depth of field is rendered on the CPU" in capsys.readouterr().err
-
-
 def test_options_replace_what_the_scene_says(folder, tmp_path):
     options = ["--samples", 2, "--resolution", "6x5", "--seed", 9, "--tier", "hq", "--threads", 1]
     assert run(folder / "lit.yaml", "--out", tmp_path / "out.exr", *options) == 0

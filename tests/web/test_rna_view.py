@@ -146,6 +146,14 @@ def test_scene_becomes_camera_and_lights():
     assert any("object" in note for note in notes)
 
 
+def test_a_page_says_that_its_camera_has_no_lens(tmp_path):
+    text = (EXAMPLES / "quickstart" / "scene.yaml").read_text()
+    text = text.replace("toy.rna", str(EXAMPLES / "quickstart" / "toy.rna"))
+    (tmp_path / "scene.yaml").write_text(text.replace("camera:\n", "camera:\n  aperture: 0.1\n"))
+    (note,) = [one for one in scene_site(tmp_path / "scene.yaml").notes if "folder" not in one]
+    assert "a pinhole in place of the camera's lens" in note
+
+
 SCENE = """
 assets: [{path: "a b.rna"}]
 camera: {position: [1, 1, 1], look_at: [0, 0, 0]}

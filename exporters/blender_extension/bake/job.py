@@ -11,6 +11,7 @@ from pathlib import Path
 
 from ..sdk import SdkError
 from ..sdk_command import SIDE, Command, failure, log_lines
+from .options import lasting
 from .seal import is_sealed, seal_of
 
 _BAR = re.compile(r"(.*?):\s+(\d+)%\|")
@@ -39,7 +40,8 @@ class Job:
     def __init__(self, folder):
         self.folder = Path(folder)
         self.sheet = self.folder / "compare" / "sheet.png"
-        self._log, self._pid, self._settings = (self.folder / n for n in ("log", "pid", "job.json"))
+        names = "log", "pid", "job.json", "made"
+        self._log, self._pid, self._settings, self._made = (self.folder / n for n in names)
 
     def is_begun(self):
         return self._stored() is not None
@@ -56,9 +58,33 @@ class Job:
                     "here; move the folder away, or name another package"
                 )
 
-    def begin(self, out, options, source):
-        """Store the job's package and options, as its own; its file `source` exists already."""
-        settings = {"out": str(out), "options": options, "source": source.name}
+    def begin(self, out, options, source, name):
+        """Store the job's package and options, as its own; its file `source` exists already.
+
+        name: of the asset.
+        """
+        named = {"source": source.name, "name": name}
+        self._store({"out": str(out), "options": options, **named, "more": 0.0})
+
+    def begin_more(self, minutes, out, options):
+        """Store that a finished job goes on for `minutes`.
+
+        Raises SdkError if it was begun for something else, is not finished or has no rays any more.
+        """
+        self._check_same(out, options, is_more=True)
+        if not self._made.is_file():
+            raise SdkError("the bake is not finished: Continue, then go on for more minutes")
+        if not all((self.folder / name).is_file() for name in _RAYS):
+            raise SdkError(
+                f"{self.folder / 'make'}: found no rays to go on from, expected those of the bake; "
+                "Bake Anew captures them again"
+            )
+        self._store({**self._stored(), "more": minutes})
+        self._made.unlink()
+        with self._log.open("a") as log:  # its last line no longer says that all is finished
+            log.write(f"going on for {minutes:g} minutes\n")
+
+    def _store(self, settings):
         temporary = self._settings.with_suffix(".part")
         seal = seal_of(self._sealed(settings))
         temporary.write_text(json.dumps({**settings, "seal": seal}, indent=1))
@@ -66,10 +92,16 @@ class Job:
 
     def check_same(self, out, options):
         """Raises SdkError if the job was begun for something else."""
+        self._check_same(out, options, is_more=self._stored()["more"] > 0.0)
+
+    def _check_same(self, out, options, is_more):
+        """is_more: whether lengths may differ, since more minutes have their own."""
         stored = self._stored()
+        both = stored["options"], options
+        begun_options, now_options = map(lasting, both) if is_more else both
         for what, begun, now in (
             ("the package", stored["out"], str(out)),
-            ("options", shlex.join(stored["options"]), shlex.join(options)),
+            ("options", shlex.join(begun_options), shlex.join(now_options)),
         ):
             if begun != now:
                 raise SdkError(
@@ -91,9 +123,14 @@ class Job:
         """Place for the objects of a .blend file, by its name; the text is empty if unsaved."""
         return self.folder / (f"{Path(filepath).stem}.blend" if filepath else "untitled.blend")
 
-    def start(self, out, options):
+    def start(self):
         """Start, or continue. Raises SdkError without an environment of the SDK."""
-        script = [SIDE / "bake.py", self.source, out, self.folder, *options]
+        stored = self._stored()
+        options = stored["options"]
+        if stored["more"]:
+            options = [*lasting(options), f"--more={stored['more']:g}"]
+        named = f"--name={stored['name']}"
+        script = [SIDE / "bake.py", self.source, self.out, self.folder, named, *options]
         command = Command(script, self._log, survives=True)
         self._pid.write_text(str(command.process.pid))
         _started[self._key()] = command
@@ -122,7 +159,7 @@ class Job:
         source = self.source
         for name in _FOLDERS:
             shutil.rmtree(self.folder / name, ignore_errors=True)
-        for path in (source, self._log, self._pid, self.folder / "made", self._settings):
+        for path in (source, self._log, self._pid, self._made, self._settings):
             path.unlink(missing_ok=True)
         if not any(self.folder.iterdir()):
             self.folder.rmdir()
@@ -150,6 +187,8 @@ class Job:
                 "out": str(record["out"]),
                 "options": [str(one) for one in record["options"]],
                 "source": Path(record["source"]).name,
+                "name": str(record["name"]),
+                "more": float(record["more"]),
             }
             return settings if is_sealed(self._sealed(settings), record["seal"]) else None
         except (OSError, ValueError, KeyError, TypeError, RecursionError):
@@ -165,6 +204,8 @@ class Job:
 
 _FOLDERS = ("make", "compare")
 """Written by rna-make and rna-compare."""
+_RAYS = ("make/make.json", "make/rays/manifest.json")
+"""What more minutes go on from."""
 _started = {}
 """Processes of this Blender by their job's folder."""
 

@@ -1,5 +1,6 @@
 """Bake: the selected objects become a package, and are replaced by it."""
 
+import re
 from pathlib import Path
 
 import bpy
@@ -37,24 +38,10 @@ class Bake(bpy.types.Operator):
         return context.object is not None and package_of(context.object) is None
 
     def execute(self, context):
-        item = context.object
-        try:
-            job = self._started(context, item)
-        except (SdkError, OSError) as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-        if bpy.app.background:
-            job.wait()
-            return self._report_status(job.status())
-        _watch(item)
-        return {"FINISHED"}
+        return _run(self, context.object, lambda *panel: self._begin(context, *panel))
 
-    def _started(self, context, item):
-        """Start what the panel says: a new job, or that which was begun so."""
-        out, options = _package_path(item), _options(item.rna_bake)
-        job = job_of(item)
-        if job.is_running():
-            raise SdkError("the bake is running")
+    def _begin(self, context, item, job, out, options):
+        """A new job, or that which was begun as the panel says."""
         if self.anew:
             job.remove()
         if job.is_begun():
@@ -62,15 +49,53 @@ class Bake(bpy.types.Operator):
         else:
             job.check_free()
             _begin(context, item, job, out, options)
-        job.start(out, options)
-        return job
 
-    def _report_status(self, status):
-        if status.state == "finished":
-            self.report({"INFO"}, status.text)
-            return {"FINISHED"}
-        self.report({"ERROR"}, f"bake {status.state}: {status.text}")
+
+class BakeMore(bpy.types.Operator):
+    """Go on with the finished bake: more light from Cycles, and training from the model there is"""
+
+    bl_idname = "rna.bake_more"
+    bl_label = "Bake for More Minutes"
+
+    @classmethod
+    def poll(cls, context):
+        job = job_of(context.object)
+        return job is not None and job.is_begun()
+
+    def execute(self, context):
+        return _run(self, context.object, self._begin)
+
+    def _begin(self, item, job, out, options):
+        if item not in {one.item for one in item.rna_bake.originals}:
+            raise SdkError(f"{out.name} was baked from another object: select that, or Bake Anew")
+        job.begin_more(item.rna_bake.more, out, options)
+
+
+def _run(operator, item, begin):
+    """Start the job that `begin` begins as the panel says; returns what `execute` does.
+
+    begin: takes the object, its job, the package and the options. In background mode the operator
+    waits for the end.
+    """
+    try:
+        out, options, job = _package_path(item), _options(item.rna_bake), job_of(item)
+        if job.is_running():
+            raise SdkError("the bake is running")
+        begin(item, job, out, options)
+        job.start()
+    except (SdkError, OSError) as error:
+        operator.report({"ERROR"}, str(error))
         return {"CANCELLED"}
+    if not bpy.app.background:
+        _watch(item)
+        return {"FINISHED"}
+    job.wait()
+    status = job.status()
+    if status.state == "finished":
+        operator.report({"INFO"}, status.text)
+        return {"FINISHED"}
+    operator.report({"ERROR"}, f"bake {status.state}: {status.text}")
+    return {"CANCELLED"}
 
 
 def _begin(context, item, job, out, options):
@@ -86,12 +111,24 @@ def _begin(context, item, job, out, options):
         settings.originals.add().item = one
     if not settings.out:  # by which the job is found again, whatever the object is called then
         settings.out = out.name
-    job.begin(out, options, source)
+    job.begin(out, options, source, _asset_name(item))
+
+
+def _asset_name(item):
+    """Name of the object as one line, as rna-make takes it: imported ones may have controls."""
+    return " ".join(
+        re.sub(r"[\x00-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff]", " ", item.name).split()
+    )
+
+
+def _file_name(item):
+    """Name of the object as that of a file: letters and digits of any script stay."""
+    return re.sub(r"[^\w-]", "_", item.name)
 
 
 def _package_path(item):
     """Path of the package: the given one, relative to the .blend file, or beside it."""
-    given = item.rna_bake.out or f"{bpy.path.clean_name(item.name)}.rna"
+    given = item.rna_bake.out or f"{_file_name(item)}.rna"
     if not given.startswith("//") and not Path(given).is_absolute():
         given = f"//{given}"
     if given.startswith("//") and not bpy.data.filepath:
@@ -217,6 +254,12 @@ class RnaBake(bpy.types.PropertyGroup):
         default=20.0,
         min=0.0,
     )
+    more: bpy.props.FloatProperty(
+        name="More Minutes",
+        description="Time to go on with the finished bake; pictures beside Cycles follow",
+        default=10.0,
+        min=0.1,
+    )
     goal: bpy.props.EnumProperty(
         name="Goal",
         description="The error that is good enough: mean FLIP of the asset's pixels. Without a "
@@ -247,7 +290,7 @@ class RnaBake(bpy.types.PropertyGroup):
     originals: bpy.props.CollectionProperty(type=RnaOriginal)
 
 
-CLASSES = (RnaOriginal, RnaBake, Bake, StopBake, ReplaceByAsset, ShowErrors)
+CLASSES = (RnaOriginal, RnaBake, Bake, BakeMore, StopBake, ReplaceByAsset, ShowErrors)
 
 
 def register():

@@ -5,7 +5,7 @@ A .blend file stores them, and may be a stranger's.
 
 import shlex
 
-FLAGS = ("--exact-geometry",)
+FLAGS = ("--discard", "--exact-geometry")
 LISTS = ("--precision",)
 VALUES = (
     "--device",
@@ -31,6 +31,7 @@ VALUES = (
     "--workers",
 )
 """By what follows them: nothing, any number of words, one."""
+_LENGTHS = ("--lights", "--max-error", "--minutes", "--steps")
 
 
 def parsed(text):
@@ -52,3 +53,8 @@ def parsed(text):
             allowed = ", ".join(sorted([*FLAGS, *LISTS, *VALUES]))
             raise ValueError(f"Options: found {name}, expected any of {allowed}")
     return result
+
+
+def lasting(arguments):
+    """Those that hold for more minutes, too, which have a length of their own."""
+    return [one for one in arguments if one.partition("=")[0] not in _LENGTHS]

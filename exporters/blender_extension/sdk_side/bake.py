@@ -2,8 +2,8 @@
 
     python bake.py SOURCE.blend OUT.rna FOLDER OPTION...
 
-Options are those of rna-make. Stopped by SIGINT, the same command continues. Cycles' pictures
-beside the package's go to FOLDER/compare.
+Options are those of rna-make, whose rays and models stay in FOLDER/make. Stopped by SIGINT, the
+same command continues. Cycles' pictures beside the package's go to FOLDER/compare.
 """
 
 import subprocess
@@ -17,7 +17,7 @@ def main():
     folder = Path(folder)
     check_can_bake()
     if not (folder / "made").is_file():
-        made = "--out", out, "--work", folder / "make", "--discard", *options
+        made = "--out", out, "--work", folder / "make", *options
         run("rna_export.make.rna_make", source, *made)
         (folder / "made").touch()
     sizes = ("--resolution", 256, "--cycles-samples", 64)

@@ -36,6 +36,7 @@ def build_package(
     precisions: Sequence[Precision] | Mapping[str, Sequence[Precision]] = (Precision(),),
     is_measured: bool = True,
     max_loss: float = MAX_LOSS,
+    name: str | None = None,
 ) -> Manifest:
     """Write `out` with a tier for each preset and precision; returns its manifest.
 
@@ -43,7 +44,7 @@ def build_package(
 
     trained: a model of each part of the dataset for each preset. precisions: of each preset's
     tiers, or by its name. Tiers are named for the preset and, unless it is the usual one, the
-    precision.
+    precision. name: of the asset; None for the dataset's, which is that of the source's file.
 
     Each tier's error and cost are measured through the runtime, from a package like the one
     written, unless that is not wanted: then the manifest has neither. Raises `ExportError` when
@@ -60,7 +61,7 @@ def build_package(
             data[tier.name] = tier_data
     manifest = Manifest(
         generator=f"rna-export {rna_sdk.__version__}",
-        name=dataset.manifest.name,
+        name=name or dataset.manifest.name,
         parts=_parts(models[0], dataset),
         domain=dataset.manifest.domain,
         tiers=tuple(tiers),

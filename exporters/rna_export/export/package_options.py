@@ -1,16 +1,30 @@
-"""Options of commands that write a package: credit, and the form `environment`."""
+"""Options of commands that write a package: name, credit, and the form `environment`."""
 
 from __future__ import annotations
 
-from argparse import ArgumentParser, Namespace
+import unicodedata
+from argparse import ArgumentParser, ArgumentTypeError, Namespace
 from pathlib import Path
 
 MINUTES = 5.0
 _SHARE = 0.25  # of the minutes that a command has in all
+_NO_TEXT = ("Cc", "Cs", "Zl", "Zp")  # Unicode's categories: controls, half pairs, ends of lines
+
+
+def asset_name(text: str) -> str:
+    """A name for people, as an argument. Raises ArgumentTypeError unless it is one line of text."""
+    if not text or any(unicodedata.category(c) in _NO_TEXT for c in text):
+        raise ArgumentTypeError(f"expected a line of text, found {text!r}")
+    return text
 
 
 def add_credit(p: ArgumentParser) -> None:
-    """Add --source and --license."""
+    """Add --name, --source and --license."""
+    p.add_argument(
+        "--name",
+        type=asset_name,
+        help="name of the asset (text, default: that of the source's file, without its suffix)",
+    )
     p.add_argument(
         "--source",
         help="credit of the original model: name, author, URL (text, default: file name and "

@@ -107,7 +107,7 @@ def _check_package(args: argparse.Namespace, options: argparse.ArgumentParser) -
     if len(args.checkpoints) > 1 or not args.environment:
         found = " ".join(map(str, args.checkpoints))
         options.error(f"found {found}, expected checkpoints, or one package with --environment")
-    for name in ("dataset", "precision", "poster", "proxies", "source", "standin"):
+    for name in ("dataset", "precision", "poster", "proxies", "name", "source", "standin"):
         if getattr(args, name):
             options.error(f"argument --{name}: expected checkpoints, found {args.checkpoints[0]}")
 
@@ -156,6 +156,7 @@ def _run(args: argparse.Namespace) -> None:
         print,
         precisions,
         max_loss=args.max_loss,
+        name=args.name,
     )
     proxies = sorted(set(args.proxies), reverse=True)
     coded = args.coding == "deflate"

@@ -20,8 +20,9 @@ def check_outs(args: Namespace, options: ArgumentParser) -> None:
         options.error("expected one of --out and --out-dir")
     if args.out is not None and len(args.model) > 1:
         options.error(f"found {len(args.model)} models, which need --out-dir in place of --out")
-    if args.work is not None and args.out_dir is not None:
-        options.error("--work is for one model, not for --out-dir")
+    for name in ("work", "name") if args.out_dir is not None else ():
+        if getattr(args, name) is not None:
+            options.error(f"--{name} is for one model, not for --out-dir")
 
 
 def jobs_of(args: Namespace) -> list[Namespace]:

@@ -315,10 +315,12 @@ def export(
     credit: str | None,
     license_: str,
     precisions: Mapping[str, Sequence[Precision]],
+    name: str | None,
 ) -> Manifest:
     """Write the package of what was made; precisions: of each preset's tiers."""
+    models, dataset, loss = made.trained(), made.dataset, math.inf
     manifest = build_package(
-        made.trained(), made.dataset, out, credit, license_, quiet, precisions, max_loss=math.inf
+        models, dataset, out, credit, license_, quiet, precisions, max_loss=loss, name=name
     )
     add_extras(out, made.dataset, None, (), False, quiet)
     return manifest

@@ -133,7 +133,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
             )
             made = Make(options, begun, print).run()
         print("writing the package: measuring its error and cost, rendering its poster", flush=True)
-        manifest = export(made, args.out, args.source, args.license, precisions)
+        manifest = export(made, args.out, args.source, args.license, precisions, args.name)
         marked = _saved_picture(options, args.out)
         lines = closing_lines(args.out, manifest, made.trained(), made.dataset)
         if args.environment:

@@ -4,7 +4,14 @@ from __future__ import annotations
 
 from rna_gpu.records.part import NONE
 from rna_gpu.records.record import Field, Record
-from rna_render.paths.sampling import CHOICES, DIMENSIONS_A_VERTEX, DIRECTION, LIGHT, ROULETTE
+from rna_render.paths.sampling import (
+    CHOICES,
+    DIMENSIONS_A_VERTEX,
+    DIRECTION,
+    LENS_DIMENSION,
+    LIGHT,
+    ROULETTE,
+)
 from rna_trace import CAMERA_RAY, INDIRECT_RAY, SHADOW_RAY
 
 FRAME = Record(
@@ -39,6 +46,9 @@ FRAME = Record(
     Field("domains", "<u4"),
     Field("textures", "<u4"),
     Field("spread", "<f4", (), "width of a pixel over the distance to it"),
+    Field("lens_x", "<f4", (3,), "to the right, as long as the lens's radius"),
+    Field("focus", "<f4", (), "distance of the sharp plane; 0 of a pinhole"),
+    Field("lens_y", "<f4", (3,), "likewise, up"),
 )
 
 HAS_SKY, FOR_BETA, RAYS_MEET_LIGHTS = 1, 2, 4
@@ -131,6 +141,7 @@ SCENE_CONSTANTS = {
     "DIRECTION": DIRECTION,
     "ROULETTE": ROULETTE,
     "LIGHT": LIGHT,
+    "LENS": LENS_DIMENSION,
     "DIMENSIONS": DIMENSIONS_A_VERTEX,
     "HAS_SKY": HAS_SKY,
     "FOR_BETA": FOR_BETA,

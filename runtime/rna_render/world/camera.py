@@ -17,6 +17,8 @@ class Camera:
     to_world: (4, 4) float64, from the camera's space, which looks along -z with +y up.
     corner, step_x, step_y: (3,) float64, direction through the image's top left corner, and the
     steps of a pixel. has_lens: whether rays start all over a lens.
+    lens_x, lens_y: (3,) float64, to the right and up, as long as the lens's radius. focus: distance
+    of the sharp plane, metres.
     spread: width of what a sample of a pixel stands for, over the distance to it. Textures are
     averaged over it, as in PBRT: a pixel's width, over the square root of its samples.
     """
@@ -36,8 +38,8 @@ class Camera:
         self.step_x = right * (2.0 * half_width / self.width)
         self.spread = 2.0 * half_height / self.height / max(samples, 1) ** 0.5
         self.step_y = -up * (2.0 * half_height / self.height)
-        self._lens_radius, self._focus = model.aperture / 2.0, model.focus_distance
-        self.has_lens = self._lens_radius > 0.0
+        radius, self.focus = model.aperture / 2.0, model.focus_distance
+        self.lens_x, self.lens_y, self.has_lens = radius * right, radius * up, radius > 0.0
 
     def directions(self, pixels: np.ndarray, u: np.ndarray) -> np.ndarray:
         """Unit directions through points of pixels: (n, 3) float32.
@@ -56,10 +58,9 @@ class Camera:
         [0, 1), place on the lens by Shirley and Chiu's concentric map (Journal of Graphics Tools
         2(3), 1997).
         """
-        right, up, back = self.to_world[:3, :3].T
-        at = self._lens_radius * _on_disk(u)
-        offset = at[:, :1] * right + at[:, 1:] * up
-        sharp = directions * (self._focus / -(directions @ back))[:, None]
+        back, at = self.to_world[:3, 2], _on_disk(u)
+        offset = at[:, :1] * self.lens_x + at[:, 1:] * self.lens_y
+        sharp = directions * (self.focus / -(directions @ back))[:, None]
         through = sharp - offset
         through /= np.linalg.norm(through, axis=1, keepdims=True)
         return (self.position + offset).astype(np.float32), through.astype(np.float32)

@@ -12,12 +12,11 @@ fn camera(
     }
     let pixel = pixels[k];
     let u = square(pixel, 0u, frame.sample);
-    let x = f32(pixel % frame.width) + u.x;
-    let y = f32(pixel / frame.width) + u.y;
+    let ray = camera_ray(vec2f(vec2<u32>(pixel % frame.width, pixel / frame.width)) + u, pixel);
     var path: Path;
-    path.origin = frame.camera;
+    path.origin = ray.origin;
     path.pixel = pixel;
-    path.direction = normalize(frame.corner + x * frame.step_x + y * frame.step_y);
+    path.direction = ray.direction;
     path.beta = vec3f(1.0);
     path.state = ALIVE;
     path.own = NONE;

@@ -19,6 +19,7 @@ const CHOICES: u32 = 1u;
 const DIRECTION: u32 = 2u;
 const ROULETTE: u32 = 3u;
 const LIGHT: u32 = 4u;
+const LENS: u32 = 0x100000u;
 const DIMENSIONS: u32 = 7u;
 const HAS_SKY: u32 = 1u;
 const FOR_BETA: u32 = 2u;
@@ -29,7 +30,7 @@ const TRANSMITS: u32 = 32u;
 const FOR_VISIBLE: u32 = 64u;
 const FOR_SHADOWED: u32 = 128u;
 
-struct Frame { // 160 bytes
+struct Frame { // 192 bytes
     camera: vec3f, // 0
     width: u32, // 12
     corner: vec3f, // 16; direction through the image's top left corner
@@ -60,6 +61,9 @@ struct Frame { // 160 bytes
     domains: u32, // 140
     textures: u32, // 144
     spread: f32, // 148; width of a pixel over the distance to it
+    lens_x: vec3f, // 160; to the right, as long as the lens's radius
+    focus: f32, // 172; distance of the sharp plane; 0 of a pinhole
+    lens_y: vec3f, // 176; likewise, up
 }
 
 struct Path { // 96 bytes
