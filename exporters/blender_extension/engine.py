@@ -157,9 +157,4 @@ def _region(render, size):
     return left, bottom, right - left, top - bottom
 
 
-def register():
-    bpy.utils.register_class(RnaEngine)
-
-
-def unregister():
-    bpy.utils.unregister_class(RnaEngine)
+register, unregister = bpy.utils.register_classes_factory((RnaEngine,))

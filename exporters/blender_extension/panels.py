@@ -143,6 +143,7 @@ class PassesPanel(_OfEngine, bpy.types.Panel):
 
 
 CLASSES = (PackagePanel, BakePanel, SamplingPanel, PassesPanel)
+_register_classes, _unregister_classes = bpy.utils.register_classes_factory(CLASSES)
 
 
 def _shared():
@@ -151,8 +152,7 @@ def _shared():
 
 
 def register():
-    for one in CLASSES:
-        bpy.utils.register_class(one)
+    _register_classes()
     for panel in _shared():
         panel.COMPAT_ENGINES.add(RnaEngine.bl_idname)
 
@@ -160,5 +160,4 @@ def register():
 def unregister():
     for panel in _shared():
         panel.COMPAT_ENGINES.discard(RnaEngine.bl_idname)
-    for one in reversed(CLASSES):
-        bpy.utils.unregister_class(one)
+    _unregister_classes()

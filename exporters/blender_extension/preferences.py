@@ -33,9 +33,4 @@ class Preferences(bpy.types.AddonPreferences):
         row.operator("rna.set_up", text="Set Up for Baking, Too").bake = True
 
 
-def register():
-    bpy.utils.register_class(Preferences)
-
-
-def unregister():
-    bpy.utils.unregister_class(Preferences)
+register, unregister = bpy.utils.register_classes_factory((Preferences,))

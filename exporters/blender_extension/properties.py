@@ -107,11 +107,11 @@ class RnaPasses(bpy.types.PropertyGroup):
 
 
 CLASSES = (RnaPackage, RnaInstance, RnaRenderSettings, RnaPasses)
+_register_classes, _unregister_classes = bpy.utils.register_classes_factory(CLASSES)
 
 
 def register():
-    for one in CLASSES:
-        bpy.utils.register_class(one)
+    _register_classes()
     bpy.types.Mesh.rna_package = bpy.props.PointerProperty(type=RnaPackage)
     bpy.types.Curves.rna_package = bpy.props.PointerProperty(type=RnaPackage)
     bpy.types.Object.rna_instance = bpy.props.PointerProperty(type=RnaInstance)
@@ -123,5 +123,4 @@ def unregister():
     del bpy.types.ViewLayer.rna_passes
     del bpy.types.Scene.rna_render, bpy.types.Object.rna_instance
     del bpy.types.Curves.rna_package, bpy.types.Mesh.rna_package
-    for one in reversed(CLASSES):
-        bpy.utils.unregister_class(one)
+    _unregister_classes()

@@ -71,9 +71,4 @@ def _look():
     return _POLL if _running.is_running() else None
 
 
-def register():
-    bpy.utils.register_class(SetUp)
-
-
-def unregister():
-    bpy.utils.unregister_class(SetUp)
+register, unregister = bpy.utils.register_classes_factory((SetUp,))

@@ -90,16 +90,10 @@ def _end(path):
         command.end(1.0)
 
 
-CLASSES = (ShowInBrowser, WriteWebPage)
-
-
-def register():
-    for one in CLASSES:
-        bpy.utils.register_class(one)
+register, _unregister_classes = bpy.utils.register_classes_factory((ShowInBrowser, WriteWebPage))
 
 
 def unregister():
     for path in list(_shown):
         _end(path)
-    for one in reversed(CLASSES):
-        bpy.utils.unregister_class(one)
+    _unregister_classes()

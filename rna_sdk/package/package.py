@@ -33,6 +33,7 @@ from rna_sdk.package.manifest.extensions import (
     Variants,
     changed_record,
     extension,
+    of_part,
 )
 from rna_sdk.package.manifest.manifest_model import BaseColorFields, Manifest, Part
 from rna_sdk.package.manifest.manifest_tiers import Tier, TierPart
@@ -201,11 +202,8 @@ class Package:
             QueryError: the package has no such part, or is closed.
         """
         self._part(part)
-        data = extension(self.manifest, StandinTextures)
-        names = data.parts[part] if data else None
-        if names is None:
-            return None
-        return {member: bytes(self._view(name)) for member, name in names}
+        names = of_part(self.manifest, StandinTextures, part)
+        return {member: bytes(self._view(name)) for member, name in names} if names else None
 
     def mesh(self, part: int = 0, pixels: float = math.inf) -> Mesh:
         """The mesh of a surface part, object space, metres; arguments as for `geometry`.
@@ -340,8 +338,7 @@ class Package:
             QueryError: the package has no such part, or is closed.
         """
         self._part(part)
-        data = extension(self.manifest, Environment)
-        record = data.parts[part] if data else None
+        record = of_part(self.manifest, Environment, part)
         if record is None:
             return None
         harmonics = None
@@ -352,8 +349,7 @@ class Package:
         return EnvironmentLobes(record, planes, self._view(record.decoder), harmonics)
 
     def _proxies(self, part: int) -> tuple[ProxyLevel, ...]:
-        data = extension(self.manifest, Proxy)
-        return (data.parts[part] if data else None) or ()
+        return of_part(self.manifest, Proxy, part) or ()
 
     def _part(self, part: int) -> Part:
         parts = self.manifest.parts

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from os import PathLike
@@ -17,27 +17,43 @@ from rna_sdk.package.geometry.geometry_files import Geometry, geometry_from_byte
 from rna_sdk.package.geometry.mesh import Mesh
 from rna_sdk.package.geometry.source_vertices import source_vertices_from_bytes
 from rna_sdk.package.geometry.vertex_visibility import vertex_count, visibility_from_bytes
-from rna_sdk.package.issues import Code, Issue, Severity
+from rna_sdk.package.issues import Code, Issue, Severity, refuse
+from rna_sdk.package.limits import MAX_TEXTURE_SIDE
 from rna_sdk.package.manifest.deflate import decoded_entry
 from rna_sdk.package.manifest.extensions import (
     Deflate,
     Environment,
+    Poster,
     Proxy,
     Source,
+    StandinTextures,
     extension,
+    of_part,
     variant_records,
 )
-from rna_sdk.package.manifest.manifest_checks import manifest_warnings
-from rna_sdk.package.manifest.manifest_fields import Bounds
-from rna_sdk.package.manifest.manifest_model import Manifest, NormalMapRecord, TransmittanceRecord
+from rna_sdk.package.manifest.manifest_checks import RANGE_CODES, manifest_warnings
+from rna_sdk.package.manifest.manifest_fields import Bounds, Record, references
+from rna_sdk.package.manifest.manifest_model import (
+    Manifest,
+    NormalMapRecord,
+    Part,
+    TransmittanceRecord,
+    TriangleRange,
+)
 from rna_sdk.package.manifest.manifest_reader import parse_manifest
 from rna_sdk.package.manifest.manifest_tiers import TierPartFields
-from rna_sdk.package.manifest.pictures import poster_issues, texture_issues
-from rna_sdk.package.textures.base_color import check_base_color, image_from_bytes
-from rna_sdk.package.textures.normal_maps import NORMALS, check_normal_maps
+from rna_sdk.package.manifest.pictures import png_size
+from rna_sdk.package.textures.base_color import image_from_bytes
+from rna_sdk.package.textures.normal_maps import NORMALS
 from rna_sdk.package.textures.planes import check_finite, planes_from_bytes
 from rna_sdk.package.textures.texture_form import Texture
-from rna_sdk.package.textures.transmittance import check_records, texture_from_bytes
+from rna_sdk.package.textures.transmittance import texture_from_bytes
+
+_UV_CODES = {
+    "transmittance": Code.TRANSMITTANCE_UV,
+    "normalMaps": Code.NORMAL_MAP_UV,
+    "baseColor": Code.BASE_COLOR_UV,
+}
 
 _OUTSIDE_TOLERANCE = 1e-4
 """Part of the bounds' extent that geometry may lie outside before a warning says so."""
@@ -95,7 +111,7 @@ def inspect(path: str | PathLike[str]) -> Inspection:
         result.issues += manifest_warnings(manifest)
         intact = _check_entries(result, result.container, manifest)
         _decode_entries(result, result.container, manifest, intact)
-        _check_contents(result, result.container, manifest, intact)
+        _Contents(result, result.container, manifest, intact).check()
     return result
 
 
@@ -140,126 +156,147 @@ def _decode_entries(
                 intact.add(name)
 
 
-def _check_contents(
-    result: Inspection, container: Container, manifest: Manifest, intact: set[str]
-) -> None:
-    vertices: dict[int, int] = {}  # of parts whose geometry is good
-    for k, part in enumerate(manifest.parts):
-        if part.geometry in intact:
-            with result.collect():
-                view = container.view(part.geometry)
-                geometry = geometry_from_bytes(view, part.geometry, part.kind)
-                vertices[k] = vertex_count(geometry)
-                result.issues += _outside(geometry, part.bounds, pointer("parts", k, "bounds"))
-                if isinstance(geometry, Mesh):
-                    _check_source(container, manifest, k, geometry, intact)
-                    result.issues += texture_issues(container, manifest, k, geometry, intact)
-                    textures = _Textures(result, container, intact)
-                    where = pointer("parts", k, "transmittance")
-                    check_records(part, geometry, textures.of_transmittance, where)
-                    where = pointer("parts", k, "normalMaps")
-                    check_normal_maps(part, geometry, textures.of_normals, where)
-                    where = pointer("parts", k, "baseColor")
-                    more = variant_records(manifest, k)
-                    check_base_color(part, geometry, textures.of_image, where, more)
-    result.issues += poster_issues(container, manifest, intact)
-    _check_proxies(result, container, manifest, intact)
-    checked: set[object] = set()  # tiers and parts may share entries
-    for tier in manifest.tiers:
-        for tier_part in tier.parts:
-            _check_planes(result, container, tier_part, intact, checked)
-            for decoder in tier_part.decoders:
-                _check_decoder(result, container, decoder, intact, checked)
-    data = extension(manifest, Environment)
-    for k, record in enumerate(data.parts if data else ()):
-        if record is not None:
-            _check_planes(result, container, record, intact, checked)
-            _check_decoder(result, container, record.optional_decoder, intact, checked)
-            name = record.visibility
-            if name is not None and name in intact and k in vertices:
-                with result.collect():
-                    visibility_from_bytes(container.view(name), name, vertices[k])
+class _Noted(PackageError):
+    """Of an entry whose issue is among the others: it has none of its own."""
 
 
-def _check_source(
-    container: Container, manifest: Manifest, part: int, mesh: Mesh, intact: set[str]
-) -> None:
-    data = extension(manifest, Source)
-    name = None if data is None else data.parts[part]
-    if data is not None and name is not None and name in intact:
-        view = container.view(name)
-        source_vertices_from_bytes(view, name, len(mesh.positions), data.vertices)
+class _Contents:
+    """Checks what is inside the entries that are intact."""
 
+    def __init__(
+        self, result: Inspection, container: Container, manifest: Manifest, intact: set[str]
+    ) -> None:
+        self._result, self._container = result, container
+        self._manifest, self._intact = manifest, intact
+        self._vertices: dict[int, int] = {}  # of parts whose geometry is good
+        self._seen: set[object] = set()  # tiers, parts and records may share entries
+        self._sizes: dict[object, tuple[int, ...]] = {}  # of textures that are good
 
-def _check_proxies(
-    result: Inspection, container: Container, manifest: Manifest, intact: set[str]
-) -> None:
-    data = extension(manifest, Proxy)
-    for part, proxies in zip(manifest.parts, data.parts if data else (), strict=False):
-        for proxy in proxies or ():
-            if proxy.geometry in intact:
-                with result.collect():
-                    view = container.view(proxy.geometry)
-                    geometry_from_bytes(view, proxy.geometry, part.kind)
-
-
-def _check_planes(
-    result: Inspection,
-    container: Container,
-    part: TierPartFields,
-    intact: set[str],
-    checked: set[object],
-) -> None:
-    form = part.planes, part.resolution, part.channels, part.plane_precision
-    if part.planes in intact and form not in checked:
-        checked.add(form)
-        with result.collect():
-            check_finite(planes_from_bytes(container.view(part.planes), part), part.planes)
-
-
-def _check_decoder(
-    result: Inspection,
-    container: Container,
-    decoder: PartDecoder,
-    intact: set[str],
-    checked: set[object],
-) -> None:
-    if decoder.entry in intact and decoder not in checked:
-        checked.add(decoder)
-        with result.collect():
-            result.issues += check_decoder(container.view(decoder.entry), decoder)
-
-
-class _Textures:
-    """The textures of one part; each issue is reported once."""
-
-    def __init__(self, result: Inspection, container: Container, intact: set[str]) -> None:
-        self._result, self._container, self._intact = result, container, intact
-        self._refused: set[tuple[str, bool]] = set()
-
-    def of_transmittance(self, record: TransmittanceRecord) -> Texture | None:
-        """The record's texture; None where it is not as it must be."""
-        has_cutoff = record.cutoff is not None
-        return self._read(record.texture, has_cutoff, lambda data: texture_from_bytes(data, record))
-
-    def of_normals(self, record: NormalMapRecord) -> Texture | None:
-        """The normal map of a record, or None if it is invalid."""
-        return self._read(
-            record.texture, False, lambda data: NORMALS.from_bytes(data, record.texture)
-        )
-
-    def of_image(self, entry: str) -> Texture | None:
-        """The image of base colour in an entry, or None if it cannot be decoded."""
-        return self._read(entry, False, lambda data: image_from_bytes(data, entry))
-
-    def _read(
-        self, entry: str, has_cutoff: bool, parse: Callable[[memoryview], Texture]
-    ) -> Texture | None:
-        if entry in self._intact and (entry, has_cutoff) not in self._refused:
+    def check(self) -> None:
+        """Notes all issues."""
+        parts = list(enumerate(self._manifest.parts))
+        for k, part in parts:
             with self._result.collect():
-                return parse(self._container.view(entry))
-            self._refused.add((entry, has_cutoff))
-        return None
+                self._check_geometry(k, part)
+        if poster := extension(self._manifest, Poster):
+            declared = poster.width, poster.height
+            expected = f"a PNG of {declared[0]} x {declared[1]} pixels"
+            self._check_png(
+                Code.POSTER_IMAGE, poster.image, expected, lambda size: size == declared
+            )
+        for k, part in parts:
+            for proxy in of_part(self._manifest, Proxy, k) or ():
+                with self._result.collect():
+                    view = self._view(proxy.geometry)
+                    geometry_from_bytes(view, proxy.geometry, part.kind)
+        for tier in self._manifest.tiers:
+            for tier_part in tier.parts:
+                self._check_tier_part(tier_part, *tier_part.decoders)
+        for k, _ in parts:
+            if lobes := of_part(self._manifest, Environment, k):
+                self._check_tier_part(lobes, lobes.optional_decoder)
+                if lobes.visibility is not None and k in self._vertices:
+                    with self._result.collect():
+                        view = self._view(lobes.visibility)
+                        visibility_from_bytes(view, lobes.visibility, self._vertices[k])
+
+    def _view(self, entry: str) -> memoryview:
+        if entry not in self._intact:
+            raise _Noted([])
+        return self._container.view(entry)
+
+    def _check_geometry(self, k: int, part: Part) -> None:
+        geometry = geometry_from_bytes(self._view(part.geometry), part.geometry, part.kind)
+        self._vertices[k] = vertex_count(geometry)
+        self._result.issues += _outside(geometry, part.bounds, pointer("parts", k, "bounds"))
+        if isinstance(geometry, Mesh):
+            with self._result.collect():
+                self._check_source(k, geometry)
+            self._check_standin_textures(k, geometry)
+            for member, records in part.ranges.items():
+                with self._result.collect():
+                    self.check_textures(k, part, geometry, member, records)
+
+    def _check_source(self, k: int, mesh: Mesh) -> None:
+        data = extension(self._manifest, Source)
+        if data is not None and (name := data.parts[k]) is not None:
+            view = self._view(name)
+            source_vertices_from_bytes(view, name, len(mesh.positions), data.vertices)
+
+    def _check_standin_textures(self, k: int, mesh: Mesh) -> None:
+        textures = of_part(self._manifest, StandinTextures, k)
+        if textures is not None and mesh.uvs is None:
+            where = f"/extensions/{StandinTextures.NAME}/parts/{k}"
+            issue = Issue.of(
+                Code.STANDIN_TEXTURE, where, "a mesh without TEXCOORD_0", "texture coordinates"
+            )
+            self._result.issues.append(issue)
+        elif textures is not None:
+            expected = f"a PNG of 1 to {MAX_TEXTURE_SIDE} pixels a side"
+            for _, name in textures:
+                self._check_png(
+                    *(Code.STANDIN_TEXTURE, name, expected),
+                    lambda size: 1 <= min(size) and max(size) <= MAX_TEXTURE_SIDE,
+                )
+
+    def _check_png(
+        self, code: Code, entry: str, expected: str, fits: Callable[[tuple[int, int]], bool]
+    ) -> None:
+        """Warns of a picture that is none, or of a size (width, height) that does not fit."""
+        if entry in self._intact and self._is_new((code, entry)):
+            size = png_size(self._view(entry))
+            if size is None or not fits(size):
+                found = "no PNG" if size is None else f"{size[0]} x {size[1]} pixels"
+                self._result.issues.append(Issue.of(code, entry, found, expected))
+
+    def check_textures(
+        self, k: int, part: Part, mesh: Mesh, member: str, records: Sequence[TriangleRange]
+    ) -> None:
+        """Compare a part's records of one sort with its mesh, and read their textures."""
+        if records and (end := sum(records[-1].triangles)) > len(mesh.triangles):
+            where = pointer("parts", k, member, len(records) - 1, "triangles")
+            expected = f"at most {len(mesh.triangles)} triangles"
+            refuse(RANGE_CODES[member], where, f"an end at {end}", expected)
+        of_variants = variant_records(self._manifest, k) if member == "baseColor" else []
+        for record in (*records, *of_variants):
+            for _, entry in references(record):
+                size = self._texture_size(entry, record)
+                # A transmittance of one texel is that of all triangles.
+                free = member == "transmittance" and size in (None, (1, 1))
+                if mesh.uvs is None and not free:
+                    found, expected = f"no TEXCOORD_0 beside {entry}", "texture coordinates"
+                    refuse(_UV_CODES[member], part.geometry, found, expected)
+
+    def _texture_size(self, entry: str, record: Record) -> tuple[int, ...] | None:
+        """Height and width of a record's texture; None if it is not as it must be."""
+        key = entry, getattr(record, "cutoff", None) is not None
+        if self._is_new(key):
+            with self._result.collect():
+                self._sizes[key] = _texture(self._view(entry), entry, record).shape[:2]
+        return self._sizes.get(key)
+
+    def _check_tier_part(self, part: TierPartFields, *decoders: PartDecoder) -> None:
+        if self._is_new((part.planes, part.resolution, part.channels, part.plane_precision)):
+            with self._result.collect():
+                check_finite(planes_from_bytes(self._view(part.planes), part), part.planes)
+        for decoder in decoders:
+            if self._is_new(decoder):
+                with self._result.collect():
+                    self._result.issues += check_decoder(self._view(decoder.entry), decoder)
+
+    def _is_new(self, key: object) -> bool:
+        is_new = key not in self._seen
+        self._seen.add(key)
+        return is_new
+
+
+def _texture(data: memoryview, entry: str, record: Record) -> Texture:
+    """The texture in the entry that a record of a range of triangles names."""
+    if isinstance(record, TransmittanceRecord):
+        return texture_from_bytes(data, record)
+    if isinstance(record, NormalMapRecord):
+        return NORMALS.from_bytes(data, entry)
+    return image_from_bytes(data, entry)
 
 
 def _outside(geometry: Geometry, bounds: Bounds, where: str) -> list[Issue]:

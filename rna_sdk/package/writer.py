@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import hashlib
+import json
 import os
-from collections.abc import Mapping, Sequence
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from os import PathLike
 from pathlib import Path
@@ -16,10 +18,9 @@ from rna_sdk.package.container.zip_container import MANIFEST_NAME
 from rna_sdk.package.container.zip_writer import write_container
 from rna_sdk.package.geometry.geometry_files import Geometry, geometry_to_bytes
 from rna_sdk.package.issues import Code, refuse
-from rna_sdk.package.manifest.entry_order import ordered
+from rna_sdk.package.manifest.manifest_fields import Record, references
 from rna_sdk.package.manifest.manifest_model import EntryRecord, Manifest
 from rna_sdk.package.manifest.manifest_tiers import Tier, TierPart
-from rna_sdk.package.manifest.manifest_writer import manifest_to_json
 from rna_sdk.package.textures.normal_maps import NORMALS
 from rna_sdk.package.textures.planes import DTYPES, Planes, planes_to_bytes
 from rna_sdk.package.textures.texture_form import Texture
@@ -96,8 +97,8 @@ def write_entries(
         for name, value in contents.items()
     }
     complete = manifest.model_copy(update={"entries": records})
-    entries = [(name, contents[name]) for name in ordered(manifest, records)]
-    return _write(Path(path), [(MANIFEST_NAME, manifest_to_json(complete)), *entries])
+    entries = [(name, contents[name]) for name in _ordered(manifest, records)]
+    return _write(Path(path), [(MANIFEST_NAME, _manifest_bytes(complete)), *entries])
 
 
 def _write(target: Path, entries: list[tuple[str, bytes]]) -> Manifest:
@@ -110,6 +111,31 @@ def _write(target: Path, entries: list[tuple[str, bytes]]) -> Manifest:
         if result.errors or result.manifest is None:
             raise PackageError(result.errors, target)
     return result.manifest
+
+
+def _ordered(manifest: Manifest, entries: Iterable[str]) -> list[str]:
+    """The entries behind the manifest: those that every tier needs first.
+
+    Geometry and textures; what several tiers share; what each tier has alone, tier after tier; the
+    others, which are those of extensions, in their own order. A reader then finds all of one tier
+    in two ranges of bytes.
+    """
+    tier_names = [dict.fromkeys(_names(tier.parts)) for tier in manifest.tiers]
+    users = Counter(name for names in tier_names for name in names)
+    of_tiers = [name for names in tier_names for name in names]
+    shared = [name for name in of_tiers if users[name] > 1]
+    return list(dict.fromkeys([*_names(manifest.parts), *shared, *of_tiers, *entries]))
+
+
+def _names(records: tuple[Record, ...]) -> list[str]:
+    """Entries that the records name, some perhaps twice."""
+    return [entry for _, entry in references(records)]
+
+
+def _manifest_bytes(manifest: Manifest) -> bytes:
+    """manifest.json: UTF-8, two spaces of indentation, members in the order of the model."""
+    fields = manifest.model_dump(mode="json", by_alias=True)
+    return (json.dumps(fields, indent=2, ensure_ascii=False, allow_nan=False) + "\n").encode()
 
 
 def _texture_bytes(member: str | int, texture: Texture | bytes, entry: str) -> bytes:
@@ -140,13 +166,14 @@ class _Contents:
             found, expected = f"{len(geometries)} geometries", f"{len(parts)}, one a part"
             refuse(Code.PARTS_DIFFER, "/parts", found, expected)
         for k, (part, geometry) in enumerate(zip(parts, geometries, strict=True)):
-            where = pointer("parts", k, "geometry")
-            self._add(where, part.geometry, geometry_to_bytes(geometry, part.kind, where))
-            for path, entry in part.texture_paths:
+            for path, entry in references(part):
                 where = pointer("parts", k, *path)
-                if entry not in textures:
+                if path[0] == "geometry":
+                    self._add(where, entry, geometry_to_bytes(geometry, part.kind, where))
+                elif entry in textures:
+                    self._add(where, entry, _texture_bytes(path[0], textures[entry], entry))
+                else:
                     refuse(Code.REFERENCE_MISSING, where, "no such texture", entry)
-                self._add(where, entry, _texture_bytes(path[0], textures[entry], entry))
 
     def add_tiers(self, data: Mapping[str, Sequence[TierData]]) -> None:
         """Planes and decoders of every tier."""

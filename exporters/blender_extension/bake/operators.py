@@ -291,15 +291,14 @@ class RnaBake(bpy.types.PropertyGroup):
 
 
 CLASSES = (RnaOriginal, RnaBake, Bake, BakeMore, StopBake, ReplaceByAsset, ShowErrors)
+_register_classes, _unregister_classes = bpy.utils.register_classes_factory(CLASSES)
 
 
 def register():
-    for one in CLASSES:
-        bpy.utils.register_class(one)
+    _register_classes()
     bpy.types.Object.rna_bake = bpy.props.PointerProperty(type=RnaBake)
 
 
 def unregister():
     del bpy.types.Object.rna_bake
-    for one in reversed(CLASSES):
-        bpy.utils.unregister_class(one)
+    _unregister_classes()

@@ -8,7 +8,7 @@ from typing import Any
 
 from rna_sdk.error_words import error_text
 from rna_sdk.package.geometry.curves import Curves
-from rna_sdk.package.manifest.extensions import Environment, Poster, extension
+from rna_sdk.package.manifest.extensions import Environment, Poster, extension, of_part
 from rna_sdk.package.manifest.manifest_model import POSES, REST_FRAME, Manifest, Part
 from rna_sdk.package.manifest.manifest_tiers import Tier, TierPart
 from rna_sdk.package.package import Package
@@ -94,16 +94,19 @@ def contents(manifest: Manifest) -> list[tuple[Part, list[str]]]:
 
     Decoders are those of the first tier.
     """
-    result, data = [], extension(manifest, Environment)
-    lobes = data.parts if data else (None,) * len(manifest.parts)
-    for part, tier_part, light in zip(manifest.parts, manifest.tiers[0].parts, lobes, strict=True):
+    result = []
+    for k, (part, tier_part) in enumerate(
+        zip(manifest.parts, manifest.tiers[0].parts, strict=True)
+    ):
         named = {
             **{"transmittance": part.transmittance, "normal maps": part.normal_maps},
             "base colour": part.base_color,
         }
         has = [name for name, records in named.items() if records]
         has += [_DECODERS[decoder.form.name] for decoder in tier_part.decoders[1:]]
-        result.append((part, [*has, *([f"{light.lobes} lobes"] if light else [])]))
+        if lobes := of_part(manifest, Environment, k):
+            has.append(f"{lobes.lobes} lobes")
+        result.append((part, has))
     return result
 
 

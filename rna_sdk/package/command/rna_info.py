@@ -17,7 +17,7 @@ from rna_sdk.file_kinds import not_a
 from rna_sdk.outputs import check_outputs
 from rna_sdk.package.command.package_info import info_lines, package_info
 from rna_sdk.package.geometry.standin_glb import standin_glb
-from rna_sdk.package.manifest.extensions import Standin, extension
+from rna_sdk.package.manifest.extensions import Standin, of_part
 from rna_sdk.package.package import Package
 
 
@@ -75,10 +75,10 @@ def _colors(path: Path, package: Package) -> dict[int, np.ndarray]:
     from rna_sdk.runtime import load  # slow to import
     from rna_sdk.runtime.standin_colors import surface_colors
 
-    standin = extension(package.manifest, Standin)
     colors = {}
     for i, part in enumerate(load(path).parts):
-        if part.kind == "surface" and not (standin and standin.parts[i].metallic):
+        standin = of_part(package.manifest, Standin, i)
+        if part.kind == "surface" and not (standin and standin.metallic):
             colors[i] = np.minimum(surface_colors(part), 1)
     return colors
 

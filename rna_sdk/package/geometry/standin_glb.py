@@ -6,9 +6,8 @@ has a colour at each vertex, at most.
 
 from __future__ import annotations
 
+import io
 import json
-import struct
-import zlib
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import Any
@@ -21,7 +20,7 @@ from rna_sdk.package.geometry import gltf_model as gltf
 from rna_sdk.package.geometry.glb_writer import pack_glb
 from rna_sdk.package.geometry.mesh import Mesh
 from rna_sdk.package.geometry.strand_tubes import tubes
-from rna_sdk.package.manifest.extensions import Standin, StandinMaterial, extension
+from rna_sdk.package.manifest.extensions import Standin, StandinMaterial, of_part
 from rna_sdk.package.package import Package
 from rna_sdk.package.textures.normal_maps import NormalMap
 from rna_sdk.package.textures.transmittance import Transmittance
@@ -40,11 +39,10 @@ def standin_glb(package: Package, colors: Mapping[int, NDArray[np.float32]] | No
     """
     file = _File()
     manifest = package.manifest
-    standin = extension(manifest, Standin)
     for i, part in enumerate(manifest.parts):
         geometry = package.geometry(i)
         mesh = geometry if isinstance(geometry, Mesh) else tubes(geometry)
-        base = standin.parts[i] if standin else _GREY
+        base = of_part(manifest, Standin, i) or _GREY
         textures = package.standin_textures(i)
         vertex_colors = None if textures else (colors or {}).get(i)
         if vertex_colors is not None:
@@ -224,13 +222,9 @@ def _gltf_normals(texels: NDArray[np.uint8]) -> NDArray[np.uint8]:
 
 
 def _png(pixels: NDArray[np.uint8]) -> bytes:
-    """A PNG of (h, w, 3 or 4) uint8, unfiltered."""
-    height, width, channels = pixels.shape
-    rows = np.zeros((height, 1 + width * channels), np.uint8)
-    rows[:, 1:] = pixels.reshape(height, -1)
-    header = struct.pack(">IIBBBBB", width, height, 8, {3: 2, 4: 6}[channels], 0, 0, 0)
-    chunks = ((b"IHDR", header), (b"IDAT", zlib.compress(rows.tobytes(), 9)), (b"IEND", b""))
-    return b"\x89PNG\r\n\x1a\n" + b"".join(
-        struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
-        for name, data in chunks
-    )
+    """A PNG of (h, w, 3 or 4) uint8."""
+    from PIL import Image  # loads with the first image
+
+    file = io.BytesIO()
+    Image.fromarray(pixels).save(file, "PNG")
+    return file.getvalue()

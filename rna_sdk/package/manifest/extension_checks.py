@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from pydantic import ValidationError
 
 from rna_sdk.package.container.strict_json import model_of, pointer
+from rna_sdk.package.decoder.decoder_form import PartDecoder
 from rna_sdk.package.issues import Code, Issue
 from rna_sdk.package.limits import MAX_FILE_BYTES
 from rna_sdk.package.manifest.deflate import largest_decoded
@@ -14,16 +15,16 @@ from rna_sdk.package.manifest.extensions import (
     EXTENSIONS,
     Deflate,
     Environment,
+    EnvironmentPart,
     Extension,
-    Poster,
     Proxy,
     Source,
     Standin,
     StandinTextures,
     Variants,
 )
-from rna_sdk.package.manifest.input_checks import input_issues
-from rna_sdk.package.manifest.manifest_model import Manifest
+from rna_sdk.package.manifest.manifest_fields import Kind, references
+from rna_sdk.package.manifest.manifest_model import Manifest, Part
 from rna_sdk.package.manifest.schema_issues import schema_issues
 
 KNOWN_EXTENSIONS = frozenset(extension.NAME for extension in EXTENSIONS)
@@ -47,6 +48,17 @@ def extension_issues(manifest: Manifest) -> list[Issue]:
     return issues
 
 
+def input_issues(decoder: PartDecoder, kind: Kind, what: str, where: str) -> Iterator[Issue]:
+    """INPUT_KIND of each block that the kind of part cannot fill, or the decoder's form does not.
+
+    what: it is for, for the message. where: JSON pointer of the decoder's `inputs`.
+    """
+    known = decoder.form.blocks(kind)
+    for j, name in enumerate(decoder.inputs):
+        if name not in known:
+            yield Issue.of(Code.INPUT_KIND, f"{where}/{j}", name, f"for {what}: {', '.join(known)}")
+
+
 def _data_issues(data: Extension, manifest: Manifest) -> Iterator[Issue]:
     if isinstance(data, Deflate):
         yield from _deflate_issues(data, manifest)
@@ -57,26 +69,31 @@ def _data_issues(data: Extension, manifest: Manifest) -> Iterator[Issue]:
         return
     if isinstance(data, Variants):
         yield from _variant_issues(data, manifest)
-    for path, entry in _references(data):
+    for path, entry in references(data):
         if entry not in manifest.entries:
             where = pointer("extensions", data.NAME, *path)
             yield Issue.of(Code.REFERENCE_MISSING, where, entry, "a key of /entries")
-    if isinstance(data, Environment):
-        for k, (part, lobes) in enumerate(zip(manifest.parts, data.parts, strict=True)):
-            if lobes:
-                where, what = _place(data, k, "inputs"), f"environment of {part.kind}"
-                yield from input_issues(lobes.optional_decoder, part.kind, what, where)
-    if isinstance(data, Proxy | StandinTextures):
+    if isinstance(data, by_part):
         for k, (part, item) in enumerate(zip(manifest.parts, data.parts, strict=True)):
-            printed = isinstance(data, Proxy) and part.base_color
-            if (part.transmittance or part.normal_maps or printed) and item:
-                where, found = _place(data, k), f"{data.NAME} of a part with textures"
-                yield Issue.of(Code.FIELD_VALUE, where, found, "null")
-    if isinstance(data, Source | StandinTextures):
-        for k, (part, of_mesh) in enumerate(zip(manifest.parts, data.parts, strict=True)):
-            if part.kind != "surface" and of_mesh is not None:
-                found = f"{data.NAME} of a {part.kind}"
-                yield Issue.of(Code.FIELD_VALUE, _place(data, k), found, "null")
+            if item is not None:
+                yield from _part_issues(
+                    data, part, item, pointer("extensions", data.NAME, "parts", k)
+                )
+
+
+def _part_issues(data: Extension, part: Part, item: object, where: str) -> Iterator[Issue]:
+    """Whether an extension may have this item of a part; where: its JSON pointer."""
+    if isinstance(item, EnvironmentPart):
+        what = f"environment of {part.kind}"
+        yield from input_issues(item.optional_decoder, part.kind, what, f"{where}/inputs")
+    textured = part.transmittance or part.normal_maps
+    if (isinstance(data, Proxy) and (textured or part.base_color)) or (
+        isinstance(data, StandinTextures) and textured
+    ):
+        found = f"{data.NAME} of a part with textures"
+        yield Issue.of(Code.FIELD_VALUE, where, found, "null")
+    if isinstance(data, Source | StandinTextures) and part.kind != "surface":
+        yield Issue.of(Code.FIELD_VALUE, where, f"{data.NAME} of a {part.kind}", "null")
 
 
 def _variant_issues(data: Variants, manifest: Manifest) -> Iterator[Issue]:
@@ -91,10 +108,6 @@ def _variant_issues(data: Variants, manifest: Manifest) -> Iterator[Issue]:
             if changes is not None and len(changes) != len(part.base_color):
                 found, expected = f"{len(changes)} records", f"{len(part.base_color)}, as baseColor"
                 yield Issue.of(Code.FIELD_VALUE, pointer(*where, k), found, expected)
-
-
-def _place(data: Extension, part: int, *member: str) -> str:
-    return pointer("extensions", data.NAME, "parts", part, *member)
 
 
 def _deflate_issues(data: Deflate, manifest: Manifest) -> Iterator[Issue]:
@@ -112,35 +125,3 @@ def _deflate_issues(data: Deflate, manifest: Manifest) -> Iterator[Issue]:
             place = pointer("extensions", data.NAME, "entries", name, "size")
             expected = f"at most {largest_decoded(stored)}, for {stored} bytes stored"
             yield Issue.of(Code.DEFLATE_SIZE, place, f"{coding.size} bytes", expected)
-
-
-def _references(data: Extension) -> Iterator[tuple[tuple[str | int, ...], str]]:
-    """(path in the data, entry) of every entry that the data names."""
-    if isinstance(data, Deflate):
-        for name in data.entries:
-            yield ("entries", name), name
-    if isinstance(data, Poster):
-        yield ("image",), data.image
-    if isinstance(data, Source):
-        for k, numbers in enumerate(data.parts):
-            if numbers is not None:
-                yield ("parts", k), numbers
-    if isinstance(data, StandinTextures):
-        for k, textures in enumerate(data.parts):
-            for member, entry in (textures.entries if textures else {}).items():
-                yield ("parts", k, member), entry
-    if isinstance(data, Variants):
-        for j, variant in enumerate(data.variants):
-            for k, changes in enumerate(variant.parts):
-                for i, change in enumerate(changes or ()):
-                    if change is not None and change.image is not None:
-                        yield ("variants", j, "parts", k, i, "image"), change.image
-    if isinstance(data, Proxy):
-        for k, proxies in enumerate(data.parts):
-            for j, proxy in enumerate(proxies or ()):
-                yield ("parts", k, j, "geometry"), proxy.geometry
-    if isinstance(data, Environment):
-        for k, lobes in enumerate(data.parts):
-            for member in ("planes", "decoder", "visibility") if lobes else ():
-                if entry := getattr(lobes, member):
-                    yield ("parts", k, member), entry

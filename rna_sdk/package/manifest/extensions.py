@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import Annotated, ClassVar, TypeVar
+from typing import Annotated, Any, ClassVar, Protocol, TypeVar, cast
 
 from pydantic import AfterValidator, Field
 from pydantic_core import PydanticCustomError
@@ -96,11 +96,6 @@ class PartTextures(Record):
     base_color: EntryPath = Field(description="Entry with a PNG: sRGB.")
     metallic_roughness: EntryPath = Field(description="PNG: roughness in green, metallic in blue.")
     normal: EntryPath = Field(description="PNG: normal in the tangent frame.")
-
-    @property
-    def entries(self) -> dict[str, str]:
-        """Entries by member, as the manifest names them."""
-        return self.model_dump(mode="json", by_alias=True)
 
 
 class ProxyLevel(Record):
@@ -241,6 +236,7 @@ def changed_record(record: BaseColorRecord, change: BaseColorFields | None) -> B
 
 
 T = TypeVar("T", bound=Extension)
+Item = TypeVar("Item", covariant=True)
 EXTENSIONS: tuple[type[Extension], ...] = (
     Deflate,
     Poster,
@@ -257,3 +253,15 @@ def extension(manifest: Manifest, of: type[T]) -> T | None:
     """The data of the extension in a manifest that was checked; None if it is not used."""
     data = manifest.extensions.get(of.NAME)
     return None if data is None else model_of(of, data)
+
+
+class _ByPartExtension(Protocol[Item]):
+    @property
+    def parts(self) -> tuple[Item | None, ...]: ...
+
+
+def of_part(manifest: Manifest, of: type[_ByPartExtension[Item]], part: int) -> Item | None:
+    """What an extension with members by part has of this one; None without."""
+    data: Any = extension(manifest, cast(type[Extension], of))
+    item: Item | None = data.parts[part] if data else None
+    return item

@@ -8,15 +8,20 @@ from itertools import pairwise
 from rna_sdk.package.container.strict_json import pointer
 from rna_sdk.package.decoder.decoder_form import FORMS
 from rna_sdk.package.issues import Code, Issue
-from rna_sdk.package.manifest.extension_checks import KNOWN_EXTENSIONS, extension_issues
-from rna_sdk.package.manifest.input_checks import input_issues
+from rna_sdk.package.manifest.extension_checks import (
+    KNOWN_EXTENSIONS,
+    extension_issues,
+    input_issues,
+)
+from rna_sdk.package.manifest.manifest_fields import references
 from rna_sdk.package.manifest.manifest_model import Manifest
 
-_RANGE_CODES = {
+RANGE_CODES = {
     "transmittance": Code.TRANSMITTANCE_RANGE,
     "normalMaps": Code.NORMAL_MAP_RANGE,
     "baseColor": Code.BASE_COLOR_RANGE,
 }
+"""By member of a part."""
 
 
 def manifest_issues(manifest: Manifest) -> list[Issue]:
@@ -38,19 +43,6 @@ def manifest_warnings(manifest: Manifest) -> list[Issue]:
         for i, name in enumerate(manifest.extensions_used)
         if name not in KNOWN_EXTENSIONS
     ]
-
-
-def references(manifest: Manifest) -> Iterator[tuple[str, str]]:
-    """(JSON pointer, entry) of every path in the manifest."""
-    for k, part in enumerate(manifest.parts):
-        yield pointer("parts", k, "geometry"), part.geometry
-        for path, entry in part.texture_paths:
-            yield pointer("parts", k, *path), entry
-    for i, tier in enumerate(manifest.tiers):
-        for k, tier_part in enumerate(tier.parts):
-            yield pointer("tiers", i, "parts", k, "planes"), tier_part.planes
-            for decoder in tier_part.decoders:
-                yield pointer("tiers", i, "parts", k, *decoder.form.path, "decoder"), decoder.entry
 
 
 def _differing_parts(manifest: Manifest) -> Iterator[Issue]:
@@ -111,17 +103,17 @@ def _texture_issues(manifest: Manifest) -> Iterator[Issue]:
                 if second < first + count:
                     where = pointer("parts", k, name, j + 1, "triangles")
                     expected = f"{first + count} or more, behind those of the record before"
-                    yield Issue.of(_RANGE_CODES[name], where, second, expected)
+                    yield Issue.of(RANGE_CODES[name], where, second, expected)
 
 
 def _reference_issues(manifest: Manifest) -> list[Issue]:
     """Every path names a declared entry, and every declared entry is named by a path."""
-    paths = list(references(manifest))
-    named = {path for _, path in paths}
+    paths = [*references(manifest.parts, "parts"), *references(manifest.tiers, "tiers")]
+    named = {entry for _, entry in paths}
     issues = [
-        Issue.of(Code.REFERENCE_MISSING, where, path, "a key of /entries")
-        for where, path in paths
-        if path not in manifest.entries
+        Issue.of(Code.REFERENCE_MISSING, pointer(*path), entry, "a key of /entries")
+        for path, entry in paths
+        if entry not in manifest.entries
     ]
     folders = tuple(f"extensions/{name}/" for name in manifest.extensions_used)
     issues += [

@@ -7,6 +7,7 @@ object space (right-handed, +Y up), metres, linear.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from typing import Annotated, Any, Literal, cast, get_args
 
 import numpy as np
@@ -36,10 +37,21 @@ from rna_sdk.package.limits import (
     MIN_EXTENT,
 )
 
+
+class Entry(str):
+    """The name of an entry, which `references` knows from other texts."""
+
+    __slots__ = ()
+
+
 Vector = tuple[float, float, float]
 Coordinate = Annotated[float, Field(ge=-MAX_COORDINATE, le=MAX_COORDINATE)]
 Point = tuple[Coordinate, Coordinate, Coordinate]
-EntryPath = Annotated[str, Field(pattern=f"^{NAME_PATTERN}$", max_length=MAX_NAME_BYTES)]
+EntryPath = Annotated[
+    str,
+    Field(pattern=f"^{NAME_PATTERN}$", max_length=MAX_NAME_BYTES),
+    AfterValidator(Entry),
+]
 Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$", max_length=64)]
 Measure = Annotated[float, Field(ge=0)]
 Count = Annotated[int, Field(ge=0, le=MAX_INTEGER)]
@@ -79,6 +91,24 @@ class SparseRecord(Record):
     def _what_is_there(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
         members: dict[str, Any] = handler(self)
         return {name: value for name, value in members.items() if value not in (None, [], ())}
+
+
+def references(value: object, *path: str | int) -> Iterator[tuple[tuple[str | int, ...], str]]:
+    """(path, entry) of every entry that a record or a tuple of records names, as in the file.
+
+    path: to the value.
+    """
+    if isinstance(value, Entry):
+        yield path, value
+    elif isinstance(value, Record):
+        for name, member in value:
+            yield from references(member, *path, to_camel(name))
+    elif isinstance(value, tuple):
+        for i, item in enumerate(value):
+            yield from references(item, *path, i)
+    elif isinstance(value, dict):
+        for key in value:
+            yield from references(key, *path, key)
 
 
 class Bounds(Record):

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import Annotated, ClassVar, Literal
+from typing import Annotated, Literal
 
 from pydantic import Field, JsonValue, field_validator
 
@@ -36,16 +35,7 @@ Index = Annotated[float, Field(ge=0.01, le=100)]
 class TriangleRange(SparseRecord):
     """Triangles with a texture: base of the records of each sort."""
 
-    ENTRY: ClassVar = "texture"
-    """The member that names the texture's entry."""
-
     triangles: tuple[Count, Positive] = Field(description="The first, and how many.")
-
-    @property
-    def entry(self) -> str | None:
-        """The texture's entry; None without one."""
-        name: str | None = getattr(self, self.ENTRY)
-        return name
 
 
 class TransmittanceRecord(TriangleRange):
@@ -95,8 +85,6 @@ class BaseColorFields(SparseRecord):
 class BaseColorRecord(BaseColorFields, TriangleRange):
     """Triangles with a base colour."""
 
-    ENTRY: ClassVar = "image"
-
 
 class Part(SparseRecord):
     """One geometry with planes and decoders of its own."""
@@ -123,14 +111,6 @@ class Part(SparseRecord):
             "normalMaps": self.normal_maps,
             "baseColor": self.base_color,
         }
-
-    @property
-    def texture_paths(self) -> Iterator[tuple[tuple[str | int, ...], str]]:
-        """Of each texture the path from the part to its member, and the entry."""
-        for member, records in self.ranges.items():
-            for k, record in enumerate(records):
-                if record.entry is not None:
-                    yield (member, k, record.ENTRY), record.entry
 
 
 class EntryRecord(Record):

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rna_sdk.package.geometry.mesh import Mesh
 from rna_sdk.package.issues import Code, refuse
 from rna_sdk.package.limits import MAX_TEXTURE_SIDE
 from rna_sdk.package.manifest.manifest_model import (
@@ -18,10 +16,9 @@ from rna_sdk.package.manifest.manifest_model import (
     BaseColorFields,
     BaseColorRecord,
     ColorSpace,
-    Part,
     Wrap,
 )
-from rna_sdk.package.textures.texture_form import Texture, check_last_range
+from rna_sdk.package.textures.texture_form import Texture
 
 if TYPE_CHECKING:
     from PIL.Image import Image
@@ -113,29 +110,3 @@ def _rgb(image: Image) -> Texture:
         high = (np.asarray(image) >> 8).astype(np.uint8)
         return np.repeat(high[:, :, None], 3, axis=2)
     return np.array(image.convert("RGBA").convert("RGB"))
-
-
-def check_base_color(
-    part: Part,
-    mesh: Mesh,
-    image_of: Callable[[str], Texture | None],
-    where: str,
-    more: Sequence[BaseColorFields] = (),
-) -> None:
-    """Compare the records of a part, and those of its variants, with its mesh.
-
-    image_of: the image of an entry's name, or None where it is not as it must be.
-    where: JSON pointer of the part's `baseColor`. more: what variants have in their place.
-
-    Raises:
-        PackageError: BASE_COLOR_RANGE or BASE_COLOR_UV.
-    """
-    ranges = [record.triangles for record in part.base_color]
-    check_last_range(ranges, mesh, Code.BASE_COLOR_RANGE, where)
-    records = [*part.base_color, *more]
-    images = [record.image for record in records if record.image is not None]
-    if images and mesh.uvs is None:
-        found, expected = f"no TEXCOORD_0 beside {images[0]}", "texture coordinates"
-        refuse(Code.BASE_COLOR_UV, part.geometry, found, expected)
-    for name in images:
-        image_of(name)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,7 +14,6 @@ from rna_sdk.package.container.tensor_file import (
     tensors_from_bytes,
     tensors_to_bytes,
 )
-from rna_sdk.package.geometry.mesh import Mesh
 from rna_sdk.package.issues import Code, refuse
 from rna_sdk.package.limits import MAX_TEXTURE_SIDE
 
@@ -65,16 +63,3 @@ class TextureForm:
             self.tensor
         ]
         return texture
-
-
-def check_last_range(ranges: Sequence[tuple[int, int]], mesh: Mesh, code: Code, where: str) -> None:
-    """Whether ranges of triangles (first, count) that ascend end within the mesh.
-
-    where: JSON pointer of the records.
-
-    Raises:
-        PackageError: `code`.
-    """
-    if ranges and sum(ranges[-1]) > len(mesh.triangles):
-        found, expected = f"an end at {sum(ranges[-1])}", f"at most {len(mesh.triangles)} triangles"
-        refuse(code, f"{where}/{len(ranges) - 1}/triangles", found, expected)

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
-from rna_sdk.package.geometry.mesh import Mesh
 from rna_sdk.package.issues import Code, refuse
-from rna_sdk.package.manifest.manifest_model import Part, TransmittanceRecord
-from rna_sdk.package.textures.texture_form import Texture, TextureForm, check_last_range
+from rna_sdk.package.manifest.manifest_model import TransmittanceRecord
+from rna_sdk.package.textures.texture_form import Texture, TextureForm
 
 TRANSMITTANCE = TextureForm("transmittance", range(1, 4, 2), Code.TRANSMITTANCE_TEXTURE)
 """Texels are 255 times the transmittance, linear."""
@@ -40,31 +38,6 @@ def texture_from_bytes(data: memoryview, record: TransmittanceRecord) -> Texture
     """
     texture = TRANSMITTANCE.from_bytes(data, record.texture)
     if record.cutoff is not None and texture.shape[2] != 1:
-        where = f"{record.texture}#/{TRANSMITTANCE.tensor}/shape"
-        refuse(
-            TRANSMITTANCE.code,
-            where,
-            f"{texture.shape[2]} channels",
-            "1, for a record with a cutoff",
-        )
+        where, found = f"{record.texture}#/{TRANSMITTANCE.tensor}/shape", texture.shape[2]
+        refuse(TRANSMITTANCE.code, where, f"{found} channels", "1, for a record with a cutoff")
     return texture
-
-
-def check_records(
-    part: Part, mesh: Mesh, texture_of: Callable[[TransmittanceRecord], Texture | None], where: str
-) -> None:
-    """Compare the records of a part with its mesh.
-
-    texture_of: the record's texture, or None where it is not as it must be.
-    where: JSON pointer of the part's `transmittance`.
-
-    Raises:
-        PackageError: TRANSMITTANCE_RANGE or TRANSMITTANCE_UV.
-    """
-    ranges = [record.triangles for record in part.transmittance]
-    check_last_range(ranges, mesh, Code.TRANSMITTANCE_RANGE, where)
-    for record in part.transmittance:
-        texture = texture_of(record)
-        if texture is not None and texture.shape[:2] != (1, 1) and mesh.uvs is None:
-            found, expected = f"no TEXCOORD_0 beside {record.texture}", "texture coordinates"
-            refuse(Code.TRANSMITTANCE_UV, part.geometry, found, expected)
