@@ -96,8 +96,8 @@ class NetworkAsset(NeuralAsset):
     @property
     def multiply_adds(self) -> int:
         """Of all matrix products of a query."""
-        of_network = sum(layer.weight.numel() for layer in self.network.layers)
-        return super().multiply_adds + of_network
+        layers: list[Any] = [*self.network.layers]
+        return super().multiply_adds + sum(layer.weight.numel() for layer in layers)
 
     def hidden_matrices(self) -> list[Tensor]:
         """As of `NeuralAsset`, and those of the network."""
