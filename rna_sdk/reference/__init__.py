@@ -21,5 +21,6 @@ Base colour (4.6): `base_color.py`. Fast forms:
     numba                rna_sdk/runtime/kernels/base_color_kernel.py
     shaders              images.wgsl
 
-The twin reader of `rna_sdk.conformance` answers with these references.
+Constants are declared here from the specification, not taken from a fast form. The twin reader of
+`tests/conformance` answers with these references.
 """

@@ -8,12 +8,12 @@ import { imports } from "./imports.mjs";
 const here = dirname(fileURLToPath(import.meta.url));
 // By page: where it goes, and what is there beside its main.js and page.css.
 const PAGES = {
-  viewer: { own: "../rna_view/site", more: [{ in: "src/element/rna_viewer.js", out: "rna-viewer" }] },
-  preview: { own: "../rna_render/preview/site", more: [] },
+  viewer: { site: "../rna_view/site", more: [{ in: "src/element/rna_viewer.js", out: "rna-viewer" }] },
+  preview: { site: "../rna_render/preview/site", more: [] },
 };
 
-for (const [name, { own, more }] of Object.entries(PAGES)) {
-  const out = process.argv[2] ? join(process.argv[2], name) : join(here, own);
+for (const [name, { site, more }] of Object.entries(PAGES)) {
+  const out = process.argv[2] ? join(process.argv[2], name) : join(here, site);
   mkdirSync(out, { recursive: true });
   await build({
     absWorkingDir: here,

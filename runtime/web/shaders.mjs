@@ -15,6 +15,6 @@ export function shaders(entries) {
   const filesOf = (name) => (name.endsWith(".wgsl") ? [name] : compositions[name].flatMap(filesOf));
   const files = [...new Set(entries.flatMap(filesOf))].sort();
   const sharedFiles = Object.fromEntries(files.map((name) => [name, readFileSync(join(SHADERS, name), "utf8")]));
-  const own = Object.fromEntries(Object.entries(compositions).filter(([, parts]) => parts.flatMap(filesOf).every((name) => name in sharedFiles)));
-  return `export const compositions = ${JSON.stringify(own)};\nexport const sharedFiles = ${JSON.stringify(sharedFiles)};\n`;
+  const complete = Object.fromEntries(Object.entries(compositions).filter(([, parts]) => parts.flatMap(filesOf).every((name) => name in sharedFiles)));
+  return `export const compositions = ${JSON.stringify(complete)};\nexport const sharedFiles = ${JSON.stringify(sharedFiles)};\n`;
 }

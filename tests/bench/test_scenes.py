@@ -119,14 +119,14 @@ def test_what_is_kept_was_made_with_the_same_settings(tmp_path: Path) -> None:
         made.append(1)
         return {"n": len(made)}
 
-    def kept(samples: int, again: bool = False) -> StoredResults:
+    def stored(samples: int, again: bool = False) -> StoredResults:
         return StoredResults(tmp_path / "a", {"samples": samples}, again, "choose another --out")
 
-    assert kept(4).record("x", make) == kept(4).record("x", make) == {"n": 1}
+    assert stored(4).record("x", make) == stored(4).record("x", make) == {"n": 1}
     with pytest.raises(RnaError, match=r"samples 4, now 8\): choose another --out"):
-        kept(8)
-    assert kept(8, again=True).record("x", make) == {"n": 2}
-    assert kept(8).record("x", make) == {"n": 2}
+        stored(8)
+    assert stored(8, again=True).record("x", make) == {"n": 2}
+    assert stored(8).record("x", make) == {"n": 2}
 
 
 def run(out: Path, *more: str) -> int:

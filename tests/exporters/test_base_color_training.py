@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import itertools
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
 import torch
 
 from rna_export.export.decoder import decoders_of
-from rna_export.training.model.neural_asset import NeuralAsset, new_model
+from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.optimization.fitting import Fitting
 from rna_export.training.optimization.samples import SampleTable
-from rna_export.training.presets import PRESETS
+from rna_export.training.presets import ANALYTIC, PRESETS, Preset
+from rna_export.training.training_run import Run, table_of
 from rna_export.training.validation import answer
 from tests.exporters.synthetic import samples_of_light, tiny
 from tests.runtime.points import unit_vectors
@@ -61,7 +65,7 @@ def test_checks_finer_than_the_planes_are_learnt() -> None:
 @torch.no_grad()
 def test_decoders_give_what_the_model_does(shadow: dict[str, object]) -> None:
     torch.manual_seed(0)
-    model = new_model(tiny().model.model_copy(update={"uses_base_color": True, **shadow}), BOUNDS)
+    model = NeuralAsset(tiny().model.model_copy(update={"uses_base_color": True, **shadow}), BOUNDS)
     model.triplane.planes.data.normal_()
     samples = printed_samples(500)
     at = {name: torch.from_numpy(np.ascontiguousarray(v)) for name, v in samples.items()}
@@ -73,3 +77,27 @@ def test_decoders_give_what_the_model_does(shadow: dict[str, object]) -> None:
     expected = model.transport(model(at))
     assert expected.std() > 0.01
     torch.testing.assert_close(torch.cat(outputs, dim=1), expected, rtol=1e-4, atol=1e-5)
+
+
+PLAIN, IMAGE = SimpleNamespace(image=None), SimpleNamespace(image="checks.png")
+SURFACE = PRESETS["surface"]
+
+
+@pytest.mark.parametrize(
+    ("preset", "record", "is_read"),
+    [
+        (SURFACE["small"], PLAIN, True),
+        (SURFACE["hq"], PLAIN, False),  # wide decoders learn plain colours themselves
+        (SURFACE["hq"], IMAGE, True),
+        (SURFACE["paper-small"], IMAGE, False),
+        (SURFACE["paper-hq"].with_model(width=16), PLAIN, False),
+        (ANALYTIC, IMAGE, False),
+    ],
+)
+def test_rows_have_the_base_colour_that_the_model_reads(
+    preset: Preset, record: Any, is_read: bool
+) -> None:
+    dataset: Any = SimpleNamespace(captured=SimpleNamespace(base_color=(record,)))
+    table = table_of(Run(dataset, preset, "any", Path("none")), printed_samples(50))
+    assert ("base_color" in table.fields) == is_read
+    assert table.rows.shape == (50, 19 if is_read else 16)

@@ -13,7 +13,7 @@ import torch
 
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.training.checkpoint import load_checkpoint, load_progress
-from rna_export.training.model.neural_asset import MODELS, NeuralAsset
+from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.presets import ModelConfig
 from rna_export.training.report import Curves
 from rna_export.training.training_run import Run, train
@@ -160,14 +160,13 @@ def test_a_small_file_asks_for_no_large_model(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """It is refused before a model takes memory."""
-    made = []
+    made, init = [], NeuralAsset.__init__
 
-    class Watched(NeuralAsset):
-        def __init__(self, config: ModelConfig, bounds: torch.Tensor):
-            made.append(bounds.device.type)
-            super().__init__(config, bounds)
+    def watched(model: NeuralAsset, config: ModelConfig, bounds: torch.Tensor) -> None:
+        made.append(bounds.device.type)
+        init(model, config, bounds)
 
-    monkeypatch.setitem(MODELS, "triplane", Watched)
+    monkeypatch.setattr(NeuralAsset, "__init__", watched)
     saved = torch.load(checkpoint, weights_only=True)
     saved["record"]["preset"]["model"].update(change)
     torch.save(saved, tmp_path / "large.ckpt")

@@ -118,8 +118,8 @@ def test_lobes_that_are_the_truth_have_no_loss(model, rows):
     with torch.no_grad():
         lobes = model(inputs)
         truth = lobes[0].transpose(1, 2) @ densities(lobes[1], torch.from_numpy(targets.directions))
-    own = targets._replace(transport=truth.numpy())
-    assert LobeLoss.apply(*lobes, np.arange(32), own, even_lights()) < 1e-10
+    exact = targets._replace(transport=truth.numpy())
+    assert LobeLoss.apply(*lobes, np.arange(32), exact, even_lights()) < 1e-10
     assert LobeLoss.apply(*lobes, np.arange(32), targets, even_lights()) > 1e-3
 
 
@@ -127,8 +127,8 @@ def test_shares_of_directions_add_up_to_the_sphere(rows):
     (strands,) = part_views(load(HAIR, threads=1))
     with Package.open(HAIR) as package:
         queries = QueryRows(package, package.manifest.tiers[0].name, 0, 0)
-    for own in (rows, make_rows(strands, queries, 32, np.random.default_rng(0))):
-        d, share = own[4], own[6]
+    for made in (rows, make_rows(strands, queries, 32, np.random.default_rng(0))):
+        d, share = made[4], made[6]
         assert share.sum(axis=1) == pytest.approx(np.full(32, 4 * np.pi), rel=0.1)
         moments = np.einsum("nik,njk,nk->ij", d, d, share) / 32
         assert moments == pytest.approx(4 * np.pi / 3 * np.eye(3), abs=0.1)
@@ -180,11 +180,11 @@ def test_the_command_adds_lobes_to_a_package(tmp_path, monkeypatch, capsys):
     with Package.open(HEAD) as before, Package.open(out) as package:
         kinds = [part.kind for part in package.manifest.parts]
         data = extension(package.manifest, Environment)
-        own = [lobes.record for lobes in map(package.environment, range(len(kinds)))]
+        records = [lobes.record for lobes in map(package.environment, range(len(kinds)))]
         assert before.manifest.entries.items() < package.manifest.entries.items()
         assert before.manifest.tiers == package.manifest.tiers
     assert sorted(kinds) == ["fiber", "surface"]
-    for kind, record, planes in zip(kinds, own, package.manifest.tiers[0].parts, strict=True):
+    for kind, record, planes in zip(kinds, records, package.manifest.tiers[0].parts, strict=True):
         assert (record.lobes, record.planes, record.inputs) == (LOBES, planes.planes, planes.inputs)
         assert (record.visibility is None) == (kind == "fiber")
     names = [one.environment for one in data.validation]

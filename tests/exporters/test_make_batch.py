@@ -93,36 +93,36 @@ def work(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def asked(**given: object) -> Namespace:
+def options(**given: object) -> Namespace:
     usual = {"presets": None, "seed": 0, "minutes": None, "more": None, "update": False}
     return Namespace(**{**usual, **given})
 
 
 def test_more_carries_the_options_of_the_run_on(work: Path) -> None:
-    carried = carried_options(asked(more=10.0), work, ())
+    carried = carried_options(options(more=10.0), work, ())
     assert (carried.more, carried.minutes) == (10.0, 3.0)
     assert carried.presets == ("small", "hq") and carried.arguments == ("--tip", "1")
     assert carried.settings == {"seed": 7, "sharpest": 0.1} and carried.seed == 7
 
 
 def test_more_minutes_in_all_are_more_minutes(work: Path) -> None:
-    assert carried_options(asked(minutes=5.0), work, ()).more == pytest.approx(2.0)
-    assert carried_options(asked(minutes=3.0), work, ()).more is None  # the same command
+    assert carried_options(options(minutes=5.0), work, ()).more == pytest.approx(2.0)
+    assert carried_options(options(minutes=3.0), work, ()).more is None  # the same command
     with pytest.raises(TrainingError, match=r"--minutes 2: 3\.0 are spent already"):
-        carried_options(asked(minutes=2.0), work, ())
+        carried_options(options(minutes=2.0), work, ())
 
 
 def test_minutes_of_lobes_are_no_minutes_of_the_run(work: Path) -> None:
-    assert carried_options(asked(minutes=5.0), work, (), 2.0).more is None  # 3 of them, as before
-    assert carried_options(asked(more=5.0), work, (), 2.0).more == pytest.approx(3.0)
+    assert carried_options(options(minutes=5.0), work, (), 2.0).more is None  # 3 of them, as before
+    assert carried_options(options(more=5.0), work, (), 2.0).more == pytest.approx(3.0)
 
 
 def test_an_update_takes_a_third_of_the_time(work: Path) -> None:
-    assert carried_options(asked(update=True), work, ()).minutes == pytest.approx(1.0)
-    assert carried_options(asked(update=True, minutes=2.0), work, ()).minutes == 2.0
+    assert carried_options(options(update=True), work, ()).minutes == pytest.approx(1.0)
+    assert carried_options(options(update=True, minutes=2.0), work, ()).minutes == 2.0
 
 
 def test_a_new_run_carries_nothing_on(tmp_path: Path) -> None:
-    carried = carried_options(asked(minutes=5.0, seed=3), tmp_path, ("x",))
+    carried = carried_options(options(minutes=5.0, seed=3), tmp_path, ("x",))
     assert (carried.presets, carried.minutes, carried.more) == (("small",), 5.0, None)
     assert (carried.settings, carried.seed, carried.arguments) == ({}, 3, ("x",))

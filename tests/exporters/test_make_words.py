@@ -77,11 +77,11 @@ def test_the_cheapest_tier_that_meets_the_goal_is_named() -> None:
     tiers = [tier("hq", 38.0, 900.0), tier("small", 36.5, 150.0), tier("small-int8", 35.9, 80.0)]
     made = SimpleNamespace(lead="hq", why="goal met", rounds=2)
 
-    def told(goal: Goal, *shown: SimpleNamespace) -> str:
+    def closing(goal: Goal, *shown: SimpleNamespace) -> str:
         return rna_make._outcome(made, SimpleNamespace(tiers=shown), goal)
 
     goal = Goal("min_psnr", 36.0)
-    assert told(goal, *tiers).startswith(f"goal met: {goal}, cheapest by small: 150 ns/query; ")
-    assert told(goal, tiers[0]).startswith(f"goal met: {goal}; ")
-    assert "cheapest by small-int8" in told(Goal("max_error", 0.05), *tiers)
-    assert told(Goal("min_psnr", 39.0), *tiers).startswith("goal not met")
+    assert closing(goal, *tiers).startswith(f"goal met: {goal}, cheapest by small: 150 ns/query; ")
+    assert closing(goal, tiers[0]).startswith(f"goal met: {goal}; ")
+    assert "cheapest by small-int8" in closing(Goal("max_error", 0.05), *tiers)
+    assert closing(Goal("min_psnr", 39.0), *tiers).startswith("goal not met")

@@ -146,8 +146,10 @@ def test_packed_tiles_and_those_of_a_punched_material(
     for base, shown in colours.values():
         assert len(base) > 100 and np.abs(base - shown).mean() < 0.005
     (punched,) = exported.records["asset"]
-    own = [r.triangles for r in exported.colors["asset"] if r.image is not None]
-    assert punched.triangles == (own[0][0], sum(count for _, count in own)) == (own[0][0], 6)
+    imaged = [r.triangles for r in exported.colors["asset"] if r.image is not None]
+    assert (
+        punched.triangles == (imaged[0][0], sum(count for _, count in imaged)) == (imaged[0][0], 6)
+    )
 
 
 def test_more_tiles_than_a_part_has_records_are_baked(

@@ -50,11 +50,16 @@ def write_gltf(folder: Path) -> Path:
         pixels[::2, ::3] = 255 - pixels[::2, ::3]
         Image.fromarray(pixels).save(folder / f"{k}.png")
 
-    def square(place: int, own: int, chosen: dict[int, list[int]]) -> dict[str, Any]:
+    def square(place: int, default: int, chosen: dict[int, list[int]]) -> dict[str, Any]:
         mappings = [{"material": m, "variants": of} for m, of in chosen.items()]
         attributes = {"POSITION": place, "TEXCOORD_0": 2}
         extension = {KHR: {"mappings": mappings}}
-        return {"attributes": attributes, "indices": 3, "material": own, "extensions": extension}
+        return {
+            "attributes": attributes,
+            "indices": 3,
+            "material": default,
+            "extensions": extension,
+        }
 
     box = {"min": [0, 0, 0], "max": [2.5, 1, 0]}
     vectors = [{"bufferView": k, "componentType": 5126, "count": 4} for k in range(3)]

@@ -5,9 +5,8 @@ from __future__ import annotations
 import pytest
 import torch
 
-from rna_bench.frontier.trials.feature_network import ENCODED_DIRECTIONS
+from rna_bench.frontier.trials.feature_network import ENCODED_DIRECTIONS, NetworkAsset
 from rna_bench.frontier.trials.grid import nrhints, with_our_optimizer
-from rna_export.training.model.neural_asset import NeuralAsset, new_model
 from rna_export.training.optimization.losses import sample_loss
 from rna_export.training.optimization.optimizers import muon_matrices, optimizers_of
 from tests.exporters.synthetic import tiny
@@ -15,10 +14,10 @@ from tests.exporters.synthetic import tiny
 BOUNDS = torch.tensor([[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]])
 
 
-def model_of(kind: str, **changes: object) -> NeuralAsset:
+def model_of(kind: str, **changes: object) -> NetworkAsset:
     torch.manual_seed(0)
     config = tiny(kind=kind).model.model_copy(update={"shadow_width": 0, **changes})
-    return new_model(config, BOUNDS).eval()
+    return NetworkAsset(config, BOUNDS).eval()
 
 
 def samples(n: int) -> dict[str, torch.Tensor]:
@@ -39,7 +38,7 @@ def samples(n: int) -> dict[str, torch.Tensor]:
 @pytest.mark.parametrize("kind", ["surface", "fiber"])
 def test_feature_network_sees_position_and_directions(kind: str) -> None:
     channels = 12 + ENCODED_DIRECTIONS
-    model = model_of(kind, texture="network", width=48, channels=channels)
+    model = model_of(kind, width=48, channels=channels)
     at = samples(8)
     features = model.queries(at)[:, :channels]
     moved = model.queries({**at, "position": -at["position"]})[:, :channels]
@@ -49,17 +48,17 @@ def test_feature_network_sees_position_and_directions(kind: str) -> None:
     assert torch.equal(features[:, :36], turned[:, :36])  # the position's, then wo's
     assert (features[:, 36:] != turned[:, 36:]).any(dim=1).all()
     sample_loss(model, at, 1.0).backward()
-    assert all(p.grad is not None for p in model.triplane.parameters())
+    assert all(p.grad is not None for p in model.network.parameters())
 
 
 def test_feature_network_in_bfloat16_is_near_that_in_float32() -> None:
-    model = model_of("surface", texture="network", width=128, channels=64 + ENCODED_DIRECTIONS)
+    model = model_of("surface", width=128, channels=64 + ENCODED_DIRECTIONS)
     at, answers, gradients = samples(400), [], []
     for bfloat16 in (False, True):
         model.multiplies_in_bfloat16 = bfloat16
         answers.append(model(at))
         loss = sample_loss(model, at, 1.0)
-        gradients.append(torch.autograd.grad(loss, [*model.triplane.parameters()]))
+        gradients.append(torch.autograd.grad(loss, [*model.network.parameters()]))
     assert not torch.equal(*answers)
     assert (answers[1] - answers[0]).norm() / answers[0].norm() < 0.01
     for exact, actual in zip(*gradients, strict=True):
@@ -69,7 +68,7 @@ def test_feature_network_in_bfloat16_is_near_that_in_float32() -> None:
 
 def test_muon_takes_its_matrices() -> None:
     chosen = with_our_optimizer(nrhints("surface")).preset
-    model = new_model(chosen.model, BOUNDS)
+    model = NetworkAsset(chosen.model, BOUNDS)
     matrices = muon_matrices(model, chosen.training)
     assert len(matrices) == 4 + 8 and all(m.ndim == 2 for m in matrices)
     groups = [g for o in optimizers_of(model, chosen.training) for g in o.param_groups]

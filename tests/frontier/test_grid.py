@@ -5,9 +5,10 @@ from __future__ import annotations
 import pytest
 import torch
 
+from rna_bench.frontier.trials.feature_network import NetworkAsset
 from rna_bench.frontier.trials.grid import PAPER_ARCHITECTURES, full_grid, short_grid
 from rna_bench.frontier.trials.trial import Trial
-from rna_export.training.model.neural_asset import new_model
+from rna_export.training.model.neural_asset import NeuralAsset
 
 KINDS = ("surface", "fiber")
 
@@ -44,11 +45,12 @@ def test_short_grid_is_part_of_the_full_one(kind: str) -> None:
 @pytest.mark.parametrize("kind", KINDS)
 def test_nrhints_costs_what_paper_hq_does(kind: str) -> None:
     trials = {trial.name: trial for trial in short_grid(kind)}
-    own = trials["nrhints"]
-    assert not own.packageable
+    network = trials["nrhints"]
+    assert not network.has_planes
+    bounds = torch.tensor([[0.0] * 3, [1.0] * 3])
     counts = [
-        new_model(t.preset.model, torch.tensor([[0.0] * 3, [1.0] * 3])).multiply_adds
-        for t in (own, trials[own.cost_as])
+        NetworkAsset(network.preset.model, bounds).multiply_adds,
+        NeuralAsset(trials[network.cost_as].preset.model, bounds).multiply_adds,
     ]
     assert abs(counts[0] / counts[1] - 1.0) < 0.02
 

@@ -206,8 +206,8 @@ def read_everything(package: Package) -> None:
         for tier in package.manifest.tiers:
             part = tier.parts[k]
             _check_planes(package.planes(tier.name, k), part.resolution, part.channels)
-            for own in part.decoders:
-                package.decoder(tier.name, k, own.form.name)
+            for decoder in part.decoders:
+                package.decoder(tier.name, k, decoder.form.name)
     package.poster()
 
 
@@ -237,8 +237,12 @@ def _look_up(package: Package, part: int, mesh: Mesh) -> None:
     if sum(color.image is not None and color.image.size > _MOST_TEXELS for color in colors):
         return
     for color in colors:
-        found = BaseColorMaps(mesh, colors).at(_ends(color.first, color.count, mesh), u, v, 0.01)
-        if not (np.isfinite(found).all() and found.min() >= 0.0 and found.max() <= 1.0001):
+        looked_up = BaseColorMaps(mesh, colors).at(
+            _ends(color.first, color.count, mesh), u, v, 0.01
+        )
+        if not (
+            np.isfinite(looked_up).all() and looked_up.min() >= 0.0 and looked_up.max() <= 1.0001
+        ):
             raise ValueError("base colours that are not from 0 to 1")
 
 

@@ -12,7 +12,7 @@ import torch
 
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.training.checkpoint import load_checkpoint, save_checkpoint
-from rna_export.training.model.neural_asset import new_model
+from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.training_run import padded_bounds
 from tests.exporters.synthetic import make_dataset, tiny
 from tests.fuzz.mutations import change_bytes
@@ -29,7 +29,7 @@ def write_training_files(folder: Path) -> dict[str, list[Path]]:
     """Writes the files; kind -> paths."""
     part = make_dataset(folder / "ball.rays", shards=1, views=1)
     preset = tiny()
-    model = new_model(preset.model, padded_bounds(part))
+    model = NeuralAsset(preset.model, padded_bounds(part))
     record = {
         "preset": preset.model_dump(mode="json"),
         "preset_name": "small",

@@ -108,17 +108,17 @@ async function* mutations() {
   }
 }
 
-const told = { verdicts: [], warnings: [], failures: [] };
+const report = { verdicts: [], warnings: [], failures: [] };
 for await (const bytes of mutations()) {
   const started = performance.now(), lines = [];
-  let found = "failed";
+  let outcome = "failed";
   try {
-    found = await verdict(bytes, lines);
+    outcome = await verdict(bytes, lines);
     expect(performance.now() - started < SLOW_MS, `more than ${SLOW_MS} ms`);
   } catch (error) {
-    told.failures.push([told.verdicts.length, `${error.name}: ${error.message}`.slice(0, 300)]);
+    report.failures.push([report.verdicts.length, `${error.name}: ${error.message}`.slice(0, 300)]);
   }
-  told.verdicts.push(found);
-  told.warnings.push(lines);
+  report.verdicts.push(outcome);
+  report.warnings.push(lines);
 }
-console.log(JSON.stringify(told));
+console.log(JSON.stringify(report));

@@ -35,8 +35,10 @@ def rows(count: int, bounds: np.ndarray) -> list[np.ndarray]:
 
 def test_the_conformance_kit(device: Device) -> None:
     kit: Kit = load_kit(KIT)
-    own = conformance_reader
-    reader = InProcess(own.evaluate, own.visibility, own.normals, base_color=own.base_color)
+    of_gpu = conformance_reader
+    reader = InProcess(
+        of_gpu.evaluate, of_gpu.visibility, of_gpu.normals, base_color=of_gpu.base_color
+    )
     scores = list(run_levels(reader, kit, ("evaluate", "visibility", "normals", "base-color")))
     cases = kit.evaluate, kit.visibility, kit.normals, kit.base_color
     assert len(scores) == sum(map(len, cases))

@@ -134,10 +134,10 @@ def test_the_programs_read_png(png_reader: Path) -> None:
         (saved(Image.fromarray(smooth[:, :, 2] > 99)), (smooth[:, :, 2:] > 99).repeat(3, 2) * 255),
     ):
         height, width = pixels.shape[:2]
-        status, found = read_png(png_reader, data, width, height)
+        status, decoded = read_png(png_reader, data, width, height)
         assert status == 0
         np.testing.assert_array_equal(
-            np.frombuffer(found, np.uint8).reshape(pixels.shape), pixels.astype(np.uint8)
+            np.frombuffer(decoded, np.uint8).reshape(pixels.shape), pixels.astype(np.uint8)
         )
         assert read_png(png_reader, data, width + 1, height)[0] == 1
 

@@ -22,7 +22,7 @@ def path(tmp_path: Path) -> Path:
 def test_a_variant_has_other_images_and_factors_on_the_same_triangles(path: Path) -> None:
     with Package.open(path) as package:
         assert package.variants() == ("as it is", "deep red")
-        own, same, red = (package.base_color(0, name) for name in (None, "as it is", "deep red"))
+        plain, same, red = (package.base_color(0, name) for name in (None, "as it is", "deep red"))
     assert [(c.first, c.count, c.label) for c in red] == [
         (0, 2, "label"),
         (2, 1, "stamp"),
@@ -31,9 +31,9 @@ def test_a_variant_has_other_images_and_factors_on_the_same_triangles(path: Path
     np.testing.assert_array_equal(red[0].image, RED_PIXELS)
     assert (red[0].factor, red[0].wrap) == ((1.0, 0.5, 0.5), ("repeat", "clamp"))
     assert red[0].transform == (1.0, 0.0, 0.0, 0.0, 1.0, 0.0)  # not that of the record before
-    np.testing.assert_array_equal(red[1].image, own[1].image)
+    np.testing.assert_array_equal(red[1].image, plain[1].image)
     assert red[2].factor == (0.75, 0.125, 0.0)
-    for one, other in zip(own, same, strict=True):
+    for one, other in zip(plain, same, strict=True):
         np.testing.assert_array_equal(one.image, other.image)
         assert (one.factor, one.transform, one.label) == (
             other.factor,

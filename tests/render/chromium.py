@@ -88,10 +88,10 @@ class Page:
     @contextmanager
     def tracing(self, category: str) -> Iterator[list[dict[str, Any]]]:
         """Trace events of the page's main thread, in the list once the block has ended."""
-        found: list[dict[str, Any]] = []
+        of_page: list[dict[str, Any]] = []
         config = {"includedCategories": [category, "__metadata"]}
         self.call("Tracing.start", transferMode="ReportEvents", traceConfig=config)
-        yield found
+        yield of_page
         self._events.clear()
         self.call("Tracing.end")
         while not any(event["method"] == "Tracing.tracingComplete" for event in self._events):
@@ -99,7 +99,7 @@ class Page:
         sent = [event for event in self._events if event["method"] == "Tracing.dataCollected"]
         events = [one for event in sent for one in event["params"]["value"]]
         threads = _threads(events, "CrRendererMain")
-        found += [one for one in events if (one["pid"], one["tid"]) in threads]
+        of_page += [one for one in events if (one["pid"], one["tid"]) in threads]
 
     @contextmanager
     def complaints(self) -> Iterator[list[str]]:

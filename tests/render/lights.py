@@ -62,7 +62,7 @@ class Quad:
         return np.tile(value[:, None], (1, 3))
 
 
-def found(
+def radiance_and_pdf(
     of: Light | Quad, x: tuple[float, float, float], d_world: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Radiance (n, 3) and density (n,) that rays from x find: 0 where they find no light."""

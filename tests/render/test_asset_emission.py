@@ -126,7 +126,7 @@ def test_samples_follow_the_density_and_rays_agree():
         """Summed over both plates, one behind the other; no ray meets both first."""
         total = np.zeros(len(d))
         for part in (1, 3):
-            total += found(light, asset, part, matrix, x, d)[1]
+            total += radiance_and_pdf(light, asset, part, matrix, x, d)[1]
         return total
 
     assert_directions_follow(drawn.wi_world, density, (0, -1, 0), np.radians(60), 0.015)
@@ -134,7 +134,7 @@ def test_samples_follow_the_density_and_rays_agree():
     y = np.float32(x) + drawn.distance[:, None] * drawn.wi_world
     assert np.mean(y[:, 0] > 0.3) > 0.55
     for part in (1, 3):
-        radiance, pdf = found(light, asset, part, matrix, x, drawn.wi_world)
+        radiance, pdf = radiance_and_pdf(light, asset, part, matrix, x, drawn.wi_world)
         same = (np.abs(distance(asset, part, matrix, x, drawn.wi_world) / drawn.distance - 1)
                 < 1e-5)  # fmt: skip
         assert same.mean() > 0.1
@@ -154,7 +154,7 @@ def distance(asset, part, matrix, x, d):
     return hits_of(asset, part, matrix, x, d).t * np.float32(matrix[0, 0])
 
 
-def found(light, asset, part, matrix, x, d):
+def radiance_and_pdf(light, asset, part, matrix, x, d):
     """Radiance and density of rays from x that meet one of its meshes, 0 for others."""
     hits = hits_of(asset, part, matrix, x, d)
     hit = np.flatnonzero(hits.primitive >= 0)

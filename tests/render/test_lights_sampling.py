@@ -6,7 +6,14 @@ import numpy as np
 import pytest
 
 from tests.render.chi_squared import assert_directions_follow
-from tests.render.lights import Quad, distances, found, independent_samples, light, samples
+from tests.render.lights import (
+    Quad,
+    distances,
+    independent_samples,
+    light,
+    radiance_and_pdf,
+    samples,
+)
 
 WHITE = (1.0, 1.0, 1.0)
 ORIGIN = (0.0, 0.0, 0.0)
@@ -73,7 +80,7 @@ def test_directions_follow_the_density(name):
     assert valid.mean() > 0.9999
     assert_directions_follow(
         drawn.wi_world[valid],
-        lambda d: found(of, x, d)[1],
+        lambda d: radiance_and_pdf(of, x, d)[1],
         axis,
         np.radians(angle),
         integral_tolerance=0.015,
@@ -85,7 +92,7 @@ def test_rays_find_what_samples_promise(name):
     """Equal density and radiance, but for rays past the rim by rounding."""
     of, x, _, _ = CASES[name]
     drawn = sampled(of, x, 16_384, independent=False)
-    radiance, pdf = found(of, x, drawn.wi_world)
+    radiance, pdf = radiance_and_pdf(of, x, drawn.wi_world)
     hit = pdf > 0
     assert hit.mean() > 0.995
     # A sample knows its direction in float64, a ray in float32.
@@ -139,7 +146,7 @@ def test_where_nothing_arrives_the_density_is_zero_and_all_numbers_finite(name):
         rng = np.random.default_rng(3)
         d = rng.normal(size=(1000, 3))
         d = (d / np.linalg.norm(d, axis=1, keepdims=True)).astype(np.float32)
-        radiance, pdf = found(of, x, d)
+        radiance, pdf = radiance_and_pdf(of, x, d)
         outwards = (x != (0.0, 0.0, 0.5)) | (d[:, 2] > 0)
         assert (pdf[outwards] == 0).all() and (radiance[outwards] == 0).all()
 

@@ -67,8 +67,8 @@ def test_samples_of_which_something_is_left(channels: int) -> None:
     actual, left = tried.where_visible(visibility)
     rows = np.flatnonzero(visibility.any(axis=1))
     assert (left == visibility[rows]).all()
-    for of_found, of_tried in zip(actual, tried, strict=True):
-        assert (of_found == of_tried[rows]).all()
+    for of_actual, of_tried in zip(actual, tried, strict=True):
+        assert (of_actual == of_tried[rows]).all()
 
 
 @pytest.mark.parametrize("channels", [1, 3])

@@ -65,9 +65,9 @@ def test_light_is_a_sum_of_which_one_term_has_the_base_colour(printed: tuple[Pat
     points, base_color = random_points(3000), colours(3000)
     actual = opened(printed).evaluate(*points, base_color=base_color)
     share = 0.02 if "int8" in load(*printed).tier.parts[0].decoder_precision else 0
-    for found, expected in zip(actual, by_hand(printed, points, base_color), strict=True):
+    for result, expected in zip(actual, by_hand(printed, points, base_color), strict=True):
         assert (expected > 0).mean() > 0.2
-        off = ~np.isclose(found, expected, rtol=1e-4, atol=1e-5)
+        off = ~np.isclose(result, expected, rtol=1e-4, atol=1e-5)
         assert off.any(axis=1).mean() <= share
     black = opened(printed).evaluate(*points, base_color=0 * base_color)
     assert all((a >= b).all() and (a > b).any() for a, b in zip(actual, black, strict=True))
@@ -253,11 +253,11 @@ def test_print_beyond_the_planes_of_lobes(tmp_path: Path) -> None:
     number, (u, v) = rng.integers(0, 4, 50).astype(np.uint32), rng.random((2, 50), np.float32) / 2
     texel = float(np.ptp(asset.bounds, axis=0).max() / asset.environment_form.resolution)
     narrow, wide = (np.full(50, width, np.float32) for width in (1e-3, 2.0 * texel))
-    own, blurred = (asset.base_color_at(number, u, v, width) for width in (1e-3, texel))
-    expected = (own + 0.02) / (blurred + 0.02)
-    detail = asset.print_detail_at(number, u, v, narrow, own)
+    sharp, blurred = (asset.base_color_at(number, u, v, width) for width in (1e-3, texel))
+    expected = (sharp + 0.02) / (blurred + 0.02)
+    detail = asset.print_detail_at(number, u, v, narrow, sharp)
     np.testing.assert_allclose(detail, expected, rtol=1e-5)
     assert np.ptp(expected) > 0.5
     coarse = asset.base_color_at(number, u, v, wide)
     assert (asset.print_detail_at(number, u, v, wide, coarse) == 1.0).all()
-    assert (load(plain).print_detail_at(number, u, v, narrow, own) == 1.0).all()
+    assert (load(plain).print_detail_at(number, u, v, narrow, sharp) == 1.0).all()

@@ -29,12 +29,12 @@ SMALL = 'samples="1" pixel-ratio="1"'
 
 
 class Static(Plain):
-    """Any web server; `asked` has the paths."""
+    """Any web server; `requested` has the paths."""
 
-    asked: ClassVar[list[str]] = []
+    requested: ClassVar[list[str]] = []
 
     def do_GET(self) -> None:
-        self.asked.append(self.path)
+        self.requested.append(self.path)
         super().do_GET()
 
 

@@ -4,5 +4,5 @@ import { firstLight } from "../../runtime/web/src/light/first_light.js";
 
 const [width, height] = process.argv.slice(2).map(Number), file = readFileSync(0);
 const rgb = new Float32Array(file.buffer.slice(file.byteOffset, file.byteOffset + file.byteLength));
-const { rest, ...found } = await firstLight({ rgb, width, height });
-console.log(JSON.stringify({ ...found, rest: { ...rest, texels: Buffer.from(rest.texels.buffer).toString("base64") } }));
+const { rest, ...result } = await firstLight({ rgb, width, height });
+console.log(JSON.stringify({ ...result, rest: { ...rest, texels: Buffer.from(rest.texels.buffer).toString("base64") } }));

@@ -85,9 +85,9 @@ def test_the_same_address_is_tried_again_after_a_failure(page, folder):
     page.evaluate(f"Object.assign(one, {json.dumps(wrong)}), 0")
     page.wait_for("count('error', 'one') === 3", TIMEOUT)
     (folder / "later.rna").write_bytes((folder / "tiny.rna").read_bytes())
-    Static.asked.clear()
+    Static.requested.clear()
     page.evaluate("one.src = one.src, 0")
     loads(page, "one", 2)
     page.evaluate(f"Object.assign(one, {json.dumps(wrong)}), 0")
     page.wait_for("count('error', 'one') === 5", TIMEOUT)
-    assert [path for path in Static.asked if path.startswith("/later")].count("/later.rna") == 1
+    assert [path for path in Static.requested if path.startswith("/later")].count("/later.rna") == 1

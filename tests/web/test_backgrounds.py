@@ -82,9 +82,9 @@ def test_the_environment_behind_the_asset(page, folder, url):
             v = np.array(camera["corner"]) + (x + 0.5) * np.array(camera["stepX"])
             v += (y + 0.5) * np.array(camera["stepY"])
             v /= np.linalg.norm(v)
-            own = np.array([v[0] * np.cos(turn) - v[2] * np.sin(turn), v[1], 0.0])
-            own[2] = v[2] * np.cos(turn) + v[0] * np.sin(turn)
-            expected = 255 * to_display(0.3 * (own + 1), "srgb", 0.5)
+            local = np.array([v[0] * np.cos(turn) - v[2] * np.sin(turn), v[1], 0.0])
+            local[2] = v[2] * np.cos(turn) + v[0] * np.sin(turn)
+            expected = 255 * to_display(0.3 * (local + 1), "srgb", 0.5)
             np.testing.assert_allclose(shot[y, x], expected, atol=3)
     page.evaluate("one.ground = true, 0")
     assert line(page) == GROUND

@@ -84,7 +84,7 @@ def test_the_picture_of_the_path_tracer(tmp_path):
     """By two decoders, with another map and a tint; then the package's own print, by one."""
     path = make_print(tmp_path / "print.rna", write_files(tmp_path))
     scene = write_scene(tmp_path, {"path": path, **VIEW}, SUNS, SIZE, 1)
-    own = by_rna_run(scene)
+    plain = by_rna_run(scene)
     printed_anew(scene, path)
     query = "samples=1&pixel-ratio=1&ui=0&jitter=0"
     with viewer(site_for(scene), query, *SIZE) as page:
@@ -96,7 +96,7 @@ def test_the_picture_of_the_path_tracer(tmp_path):
         is_own = "rnaViewer.shown.name === 'small' && !Object.keys(rnaViewer.arrays.maps).length"
         page.wait_for(is_own, TIMEOUT)
         wait_for_picture(page, 1)
-        assert psnr(picture(page), own) >= LEAST_PSNR
+        assert psnr(picture(page), plain) >= LEAST_PSNR
         assert page.evaluate(f"{element}.availableMaps") == ["label", "stamp"]
         said = page.evaluate(f"{element}.setMap('stamps', null).catch(String)")
         assert said.endswith('expected label or stamp, found "stamps"')
@@ -107,24 +107,24 @@ def test_variants_as_the_path_tracer_shows_them(tmp_path):
     """By the scene, then by the attribute; of one that is not there a line is said."""
     path = make_variants(tmp_path / "print.rna")
     scene = write_scene(tmp_path, {"path": path, **VIEW}, SUNS, SIZE, 1)
-    own, plain = by_rna_run(scene), scene.read_text()
-    scene.write_text(plain.replace(f"{{path: {path}}}", f"{{path: {path}, variant: deep red}}"))
+    plain, text = by_rna_run(scene), scene.read_text()
+    scene.write_text(text.replace(f"{{path: {path}}}", f"{{path: {path}, variant: deep red}}"))
     red = by_rna_run(scene)
-    assert psnr(own, red) < LEAST_PSNR - 10
+    assert psnr(plain, red) < LEAST_PSNR - 10
     element = "document.querySelector('rna-viewer')"
     with viewer(site_for(scene), "samples=1&pixel-ratio=1&ui=0&jitter=0", *SIZE) as page:
         wait_for_picture(page, 1)
         assert psnr(picture(page), red) >= LEAST_PSNR
         assert page.evaluate(f"{element}.availableVariants") == ["as it is", "deep red"]
-        for name, shown in (("as it is", own), ("deep red", red), ("blue", own)):
+        for name, shown in (("as it is", plain), ("deep red", red), ("blue", plain)):
             page.evaluate(f"{element}.variantName = '{name}'")
             chosen = "null" if name == "blue" else f"'{name}'"
             page.wait_for(f"rnaViewer.arrays.variant === {chosen}", TIMEOUT)
             page.evaluate("rnaViewer.viewer.start()")  # `picture` has paused it
             wait_for_picture(page, 1)
             assert psnr(picture(page), shown) >= LEAST_PSNR, name
-        told = page.evaluate(f"{element}.shadowRoot.textContent + document.body.textContent")
-        assert 'variant-name: expected "as it is" or "deep red", found "blue"' in told
+        text = page.evaluate(f"{element}.shadowRoot.textContent + document.body.textContent")
+        assert 'variant-name: expected "as it is" or "deep red", found "blue"' in text
 
 
 @pytest.mark.usefixtures("middles_of_pixels")

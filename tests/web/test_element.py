@@ -186,13 +186,13 @@ def test_what_is_below_the_fold_waits(page, folder, url):
     """Nothing is fetched for it; what leaves the page lets its GPU go, and comes back as it was."""
     late = f'<rna-viewer id="one" src="tiny.rna" {SMALL}></rna-viewer>'
     closed = f'<rna-viewer id="two" src="fibers.rna" reveal="manual" {SMALL}></rna-viewer>'
-    Static.asked.clear()
+    Static.requested.clear()
     show(page, folder, url, f'{closed}<div style="height: 2000px"></div>{late}')
     page.evaluate("new Promise((resolve) => setTimeout(resolve, 200))")
-    assert not any(path.endswith(".rna") for path in Static.asked)
+    assert not any(path.endswith(".rna") for path in Static.requested)
     page.evaluate("one.scrollIntoView(), 0")
     loads(page, "one")
-    assert next(path for path in Static.asked if path.endswith(".rna")) == "/tiny.rna"
+    assert next(path for path in Static.requested if path.endswith(".rna")) == "/tiny.rna"
     gone = """globalThis.kept = one, globalThis.before = one.stage.engine;
         kept.cameraOrbit = "50deg 60deg 3m";
         document.body.prepend(kept);
@@ -200,15 +200,15 @@ def test_what_is_below_the_fold_waits(page, folder, url):
         later.then(() => { kept.remove(); return kept.stage.engine === before; })"""
     assert page.evaluate(gone), "an element that moves within its page keeps its GPU"
     page.wait_for("before.closed && kept.stage.engine === null", TIMEOUT)
-    requests = len(Static.asked)
+    requests = len(Static.requested)
     page.evaluate("document.body.prepend(kept), scrollTo(0, 0)")
     page.wait_for("kept.stage.viewer?.stats.rounds >= 1", TIMEOUT)
     assert page.evaluate("kept.cameraOrbit") == "50deg 60deg 3m"
-    assert len(Static.asked) == requests
+    assert len(Static.requested) == requests
     page.evaluate("two.dismissPoster(), 0")
     loads(page, "two")
     assert page.evaluate("count('poster-dismissed', 'two')") == 1
-    assert len(Static.asked) > requests
+    assert len(Static.requested) > requests
 
 
 @pytest.mark.chromium

@@ -27,8 +27,8 @@ def test_an_element_that_was_made_before_its_script(page, folder, url):
     """In a dialog that is opened later, without a size at first; then in a shadow tree."""
     show(page, folder, url, EARLY)
     page.wait_for("one.getAttribute('src') === 'tiny.rna'", TIMEOUT)
-    own = page.evaluate("[one.samples, one.cameraControls, Object.hasOwn(one, 'src')]")
-    assert own == [1, True, False]
+    values = page.evaluate("[one.samples, one.cameraControls, Object.hasOwn(one, 'src')]")
+    assert values == [1, True, False]
     said = "rna-viewer has no attribute camera-orbot: did you mean camera-orbit?"
     assert page.evaluate("said") == [said]
     assert page.evaluate("count('load', 'one')") == 0

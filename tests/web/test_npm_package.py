@@ -58,8 +58,8 @@ def test_files(package):
     names = {path.name for path in package.iterdir()}
     assert names == wanted | {"package.json", "README.md", "LICENSE"}
     manifest = json.loads((package / "package.json").read_text())
-    for own in manifest["exports"].values():
-        for name in own.values() if isinstance(own, dict) else [own]:
+    for export in manifest["exports"].values():
+        for name in export.values() if isinstance(export, dict) else [export]:
             assert (package / name).is_file()
 
 
@@ -73,10 +73,10 @@ def test_manifest_of_the_element_names_all_attributes(package):
     names = json.loads(done.stdout)
     (module,) = json.loads((package / "custom-elements.json").read_text())["modules"]
     (element,) = module["declarations"]
-    assert [own["name"] for own in element["attributes"]] == names
-    assert all(own["description"] for own in element["attributes"])
-    assert "camera-change" in [own["name"] for own in element["events"]]
-    assert "poster" in [own["name"] for own in element["slots"]]
+    assert [record["name"] for record in element["attributes"]] == names
+    assert all(record["description"] for record in element["attributes"])
+    assert "camera-change" in [record["name"] for record in element["events"]]
+    assert "poster" in [record["name"] for record in element["slots"]]
     types = (package / "rna-viewer.d.ts").read_text().split("export interface RnaViewerAttributes")
     lines = types[1].split("}")[0].splitlines()[1:]
     written = [line.split("?:")[0].strip().strip('"') for line in lines]

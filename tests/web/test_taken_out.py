@@ -107,8 +107,8 @@ def test_what_has_a_scene_comes_back_as_it_was(page, folder, url, scene):
     loads(page, "one")
     page.evaluate(TIER_LATER)
     page.wait_for("!kept.isConnected && !kept.stage.engine", TIMEOUT)
-    Static.asked.clear()
+    Static.requested.clear()
     page.evaluate("document.body.prepend(kept), 0")
     page.wait_for("kept.stage.shown.name === 'hq'", TIMEOUT)
     assert page.evaluate("kept.cameraOrbit") == "50deg 60deg 3m"
-    assert not any(path.endswith("scene.json") for path in Static.asked)
+    assert not any(path.endswith("scene.json") for path in Static.requested)

@@ -58,8 +58,8 @@ def _later(module: str, name: str) -> Callable[[Setting], Method]:
     """The maker of that name in a module of this package, imported when it is called."""
 
     def make(setting: Setting) -> Method:
-        found: Method = getattr(import_module(f"rna_bench.peers.{module}"), name)(setting)
-        return found
+        method: Method = getattr(import_module(f"rna_bench.peers.{module}"), name)(setting)
+        return method
 
     return make
 

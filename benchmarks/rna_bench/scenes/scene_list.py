@@ -56,7 +56,7 @@ def find_environment(name: str) -> Path:
         return path.resolve()
     python = blender_env.find_python()
     folder = "lib/python*/site-packages/bpy/*/datafiles/studiolights/world"
-    ours = {found.stem: found for found in python.parent.parent.glob(f"{folder}/*.exr")}
+    ours = {path.stem: path for path in python.parent.parent.glob(f"{folder}/*.exr")}
     if name not in ours:
         known = ", ".join(sorted(ours))
         raise SceneError(f"--environment: found {name}; expected a file or one of {known}")

@@ -20,19 +20,19 @@
 #define S_ISREG(mode) (((mode) & _S_IFMT) == _S_IFREG)
 #endif
 
-/* own: what is freed with the asset, or NULL. */
-static RnaAsset *open_span(Span file, void *own, RnaReport *report) {
+/* block: what is freed with the asset, or NULL. */
+static RnaAsset *open_span(Span file, void *block, RnaReport *report) {
     RnaAsset *asset = calloc(1, sizeof *asset);
     Container *zip = calloc(1, sizeof *zip);
     if (!asset || !zip) {
         refuse(report, "FILE_UNREADABLE", "byte 0", "memory for it", "not enough");
         free(asset);
         free(zip);
-        free_aligned(own);
+        free_aligned(block);
         return NULL;
     }
     asset->file = zip->file = file;
-    asset->own = own;
+    asset->block = block;
     asset->zip = zip;
     read_package(zip, asset, report);
     if (report->errors == 0) return asset;
@@ -68,12 +68,12 @@ RnaAsset *rna_open(const char *path, RnaReport *report) {
     struct stat status;
     bool good = path && stat(path, &status) == 0 && S_ISREG(status.st_mode); /* a pipe would wait for a writer */
     size_t size = good ? (size_t)status.st_size : 0;
-    void *own = NULL;
+    void *block = NULL;
     if (good && size > 0 && size < UINT32_MAX) { /* others are refused for their size */
-        own = bytes_of(path, size);
-        good = own != NULL;
+        block = bytes_of(path, size);
+        good = block != NULL;
     }
-    if (good) return open_span((Span){own, size}, own, report);
+    if (good) return open_span((Span){block, size}, block, report);
     refuse(report, "FILE_UNREADABLE", "byte 0", "a readable file", "%s", path ? path : "no path");
     return NULL;
 }
@@ -81,7 +81,7 @@ RnaAsset *rna_open(const char *path, RnaReport *report) {
 void rna_close(RnaAsset *asset) {
     if (!asset) return;
     free_package(asset);
-    free_aligned(asset->own);
+    free_aligned(asset->block);
     free(asset);
 }
 
@@ -139,8 +139,8 @@ static float light(float value, bool valid) {
     return valid && value > 0 ? (value < FLT_MAX ? value : FLT_MAX) : 0; /* 0 for NaN */
 }
 
-/* The tier part that rows are asked of; NULL where an argument is missing or wrong. */
-static const TierPart *asked_part(const RnaAsset *asset, int tier, int part, const Batch *batch) {
+/* The tier part of the queries; NULL where an argument is missing or wrong. */
+static const TierPart *queried_part(const RnaAsset *asset, int tier, int part, const Batch *batch) {
     const RnaPart *of = rna_part(asset, part);
     if (!of || !rna_tier(asset, tier)) return NULL;
     const bool given = batch->positions && batch->axes && batch->wo && batch->wi;
@@ -187,7 +187,7 @@ RnaStatus rna_evaluate(const RnaAsset *asset, int tier, int part, size_t n, cons
                        const float *axes, const float *h, const float *wo, const float *wi,
                        const float *base_colors, float *visible, float *shadowed) {
     const Batch batch = {n, positions, axes, h, wo, wi};
-    const TierPart *with = asked_part(asset, tier, part, &batch);
+    const TierPart *with = queried_part(asset, tier, part, &batch);
     if (!with || (n && !(visible && shadowed && (base_colors || !with->uses_base_color)))) return RNA_BAD_ARGUMENT;
     const RnaPart *of = rna_part(asset, part);
     const float *a = with->uses_base_color ? base_colors : NULL;
@@ -204,7 +204,7 @@ bool rna_uses_base_color(const RnaAsset *asset, int tier, int part) {
 RnaStatus rna_emission(const RnaAsset *asset, int tier, int part, size_t n, const float *positions,
                        const float *axes, const float *h, const float *wo, float *emission) {
     const Batch batch = {n, positions, axes, h, wo, .wi = wo}; /* which no block of emission uses */
-    const TierPart *with = asked_part(asset, tier, part, &batch);
+    const TierPart *with = queried_part(asset, tier, part, &batch);
     if (!with || (n && !emission)) return RNA_BAD_ARGUMENT;
     if (with->emission.decoder)
         return run_network(rna_part(asset, part), with, &with->emission, &batch, NULL, &emission, 1);

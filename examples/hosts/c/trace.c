@@ -113,7 +113,7 @@ typedef struct Query {
     Ray ray;
     const TraceHit *after;
     TraceHit hit;
-    bool found;
+    bool is_hit;
     double *v;
     uint32_t part, strand; /* that the ray passes through; strand UINT32_MAX: none */
 } Query;
@@ -134,8 +134,8 @@ static bool take_hit(const Tracer *tracer, Query *query, const TraceHit *hit) {
         return query->v[0] + query->v[1] + query->v[2] == 0;
     }
     bool behind = !query->after || comes_before(query->after, hit);
-    if (!behind || (query->found && comes_before(&query->hit, hit))) return false;
-    query->found = true;
+    if (!behind || (query->is_hit && comes_before(&query->hit, hit))) return false;
+    query->is_hit = true;
     query->hit = *hit;
     query->ray.far = hit->t;
     return false;
@@ -253,7 +253,7 @@ bool trace_closest(const Tracer *tracer, const double origin[3], const double di
     if (after) query.ray.near = after->t;
     search(tracer, &query);
     *hit = query.hit;
-    return query.found;
+    return query.is_hit;
 }
 
 void trace_surface_point(const RnaMesh *mesh, uint32_t triangle, double b1, double b2, double position[3],

@@ -19,10 +19,9 @@ from rna_export.make.plan import Length
 from rna_export.make.state import Score
 from rna_export.training.asset_error import worse_error
 from rna_export.training.checkpoint import Trained, load_checkpoint
-from rna_export.training.optimization.samples import SampleTable
 from rna_export.training.part_runs import part_folder, shared_minutes
 from rna_export.training.presets import PRESETS, Preset
-from rna_export.training.training_run import Run, train
+from rna_export.training.training_run import Run, table_of, train
 from rna_export.training.validation import mean_psnr, shade, shade_emission
 from rna_sdk.atomic_file import write_atomically
 
@@ -64,7 +63,7 @@ class Phase:
                 after_checkpoint=partial(self._show, out),
                 start=self.starts.get(part.name),
             )
-            table = SampleTable(part.samples_of(shards), device=self.device)
+            table = table_of(run, part.samples_of(shards))
             train(run, table, quiet, stage.part(k / len(parts), 1 / len(parts)))
 
     def _show(self, training: Path) -> None:

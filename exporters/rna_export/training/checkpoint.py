@@ -13,8 +13,8 @@ from pydantic import ValidationError
 from torch import Tensor
 
 from rna_export.capture.dataset.dataset_manifest import CaptureManifest, what_is_wrong
-from rna_export.training.model.neural_asset import NeuralAsset, new_model
-from rna_export.training.presets import ModelConfig, Preset
+from rna_export.training.model.neural_asset import NeuralAsset
+from rna_export.training.presets import Preset
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import ExportError, TrainingError
 
@@ -34,27 +34,27 @@ class Trained:
     dataset: Path
 
 
-def load_checkpoint(path: Path) -> Trained:
+def load_checkpoint(path: Path, model_class: type[NeuralAsset] = NeuralAsset) -> Trained:
     """The model of a checkpoint of `rna-train`, on the CPU, ready to evaluate.
 
-    Raises `ExportError` when the file is not such a checkpoint.
+    model_class: of the saved model. Raises `ExportError` when the file is not such a checkpoint.
     """
     if not path.is_file():
         raise ExportError(f"{path}: no such file")
     try:
-        return _trained(_saved(path))
+        return _trained(_saved(path), model_class)
     except Exception as error:  # whatever torch and the models make of damaged bytes
         raise ExportError(f"{path}: not a checkpoint of rna-train: {_summary(error)}") from error
 
 
-def load_progress(path: Path) -> dict[str, Any]:
+def load_progress(path: Path, model_class: type[NeuralAsset] = NeuralAsset) -> dict[str, Any]:
     """The checkpoint of `rna-train` that a stopped run resumes from, as saved.
 
-    Raises `TrainingError` when no run can go on from the file.
+    model_class: of the saved model. Raises `TrainingError` when no run can go on from the file.
     """
     try:
         saved = _saved(path)
-        _trained(saved)
+        _trained(saved, model_class)
         saved["progress"]["step"], saved["progress"]["fitting"], saved["progress"]["pace"]
     except Exception as error:  # as above
         raise TrainingError(
@@ -97,13 +97,15 @@ def _saved(path: Path) -> dict[str, Any]:
     return saved
 
 
-def _trained(saved: dict[str, Any]) -> Trained:
+def _trained(saved: dict[str, Any], model_class: type[NeuralAsset]) -> Trained:
     record, weights = saved["record"], saved["model"]
-    record["preset"]["model"].pop("visibility_hint", None)  # of trainings before 2026-11-28, True
+    for name in ("texture", "visibility_hint"):  # of trainings before 2026-11-28, all alike
+        record["preset"]["model"].pop(name, None)
     preset = Preset.model_validate(record["preset"])
     bounds = torch.stack([weights["triplane.low"], weights["triplane.high"]])
-    _check_weights(preset.model, bounds, weights)
-    model = new_model(preset.model, bounds)
+    with torch.device("meta"):
+        _check_weights(model_class(preset.model, bounds.to("meta")), weights)
+    model = model_class(preset.model, bounds)
     model.load_state_dict(weights)
     capture = CaptureManifest.model_validate(record["capture"])
     made = (
@@ -116,14 +118,12 @@ def _trained(saved: dict[str, Any]) -> Trained:
     return Trained(model.eval(), preset, *made, capture, Path(record["dataset"]))
 
 
-def _check_weights(config: ModelConfig, bounds: Tensor, weights: dict[str, Tensor]) -> None:
-    """Raises ValueError unless the file holds all that a model of this configuration has.
+def _check_weights(planned: NeuralAsset, weights: dict[str, Tensor]) -> None:
+    """Raises ValueError unless the file holds all that the planned model has.
 
     Before the model takes memory: a few bytes can ask for planes of gigabytes.
     """
-    with torch.device("meta"):
-        planned = new_model(config, bounds.to("meta")).state_dict()
-    for name, value in planned.items():
+    for name, value in planned.state_dict().items():
         weight = weights.get(name)
         if not isinstance(weight, Tensor) or weight.shape != value.shape:
             shape = list(weight.shape) if isinstance(weight, Tensor) else "nothing"

@@ -50,9 +50,6 @@ class ModelConfig(BaseModel, extra="forbid", frozen=True):
     separates_direct: bool = Field(
         False, description="direct and scattered light are outputs of their own, summed at the end"
     )
-    texture: str = Field(
-        "triplane", description="where features come from: see `neural_asset.MODELS`"
-    )
     material: Material = Field(
         "learned",
         description="what the decoder's outputs are: colours, or parameters of glTF's material, "
@@ -75,7 +72,7 @@ class ModelConfig(BaseModel, extra="forbid", frozen=True):
     @property
     def packageable(self) -> bool:
         """Whether the format can hold it."""
-        return self.texture == "triplane" and self.material == "learned"
+        return self.material == "learned"
 
     @property
     def colour_sums(self) -> tuple[tuple[int, ...], tuple[int, ...]]:
@@ -142,6 +139,9 @@ class Preset(BaseModel, extra="forbid", frozen=True):
 
     model: ModelConfig
     training: TrainingConfig
+    knows_base_color: bool = Field(
+        True, description="whether captured base colour may be a factor; not in the paper"
+    )
 
     def with_model(self, **fields: Any) -> Preset:
         """This preset, but for these fields of `ModelConfig`."""
@@ -157,7 +157,8 @@ class Preset(BaseModel, extra="forbid", frozen=True):
         Base colour is a factor, but of plain colours for narrow decoders alone: wide ones learn
         them better. Planes beside images hold no print, and may be smoother.
         """
-        if not has_images and self.model.width >= _KNOWS_PLAIN_COLORS:
+        learns_plain = not has_images and self.model.width >= _KNOWS_PLAIN_COLORS
+        if learns_plain or not self.knows_base_color:
             return self
         preset = self.with_model(uses_base_color=True)
         if not (has_images and self.training.smoothing):
@@ -200,6 +201,7 @@ def _paper(kind: str, width: int) -> Preset:
             unit="one",
             blur=4.0,
         ),
+        knows_base_color=False,
     )
 
 
@@ -270,9 +272,6 @@ PRESETS = {
 }
 """Kind of asset -> name -> preset."""
 
-PAPER_PRESETS = ("paper-small", "paper-hq")
-"""Those of the paper, which knows no base colour."""
-
 
 ANALYTIC_NAME = "analytic"
 ANALYTIC = (
@@ -285,6 +284,7 @@ ANALYTIC = (
         shadow_inputs=(),
     )
     .with_training(shadow_weight=1.0)
+    .model_copy(update={"knows_base_color": False})
 )
 """The material of surfaces that can be baked, fitted as well as it can be."""
 

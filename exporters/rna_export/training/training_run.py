@@ -11,6 +11,7 @@ from pathlib import Path
 from time import monotonic
 from typing import Any
 
+import numpy as np
 import torch
 from tqdm import tqdm
 
@@ -26,7 +27,7 @@ from rna_export.training.optimization.losses import with_fitting_loss
 from rna_export.training.optimization.pace import Pace, StepPace, TimePace, length
 from rna_export.training.optimization.samples import SampleTable
 from rna_export.training.optimization.step_threads import StepThreads
-from rna_export.training.presets import PAPER_PRESETS, Preset
+from rna_export.training.presets import Preset
 from rna_export.training.report import Curves, Report
 from rna_export.training.training_options import device_name
 from rna_sdk.errors import TrainingError
@@ -51,6 +52,7 @@ class Run:
     validations: int = 10  # over the run; the best checkpoint is one of as many
     after_checkpoint: Callable[[], None] = lambda: None
     start: Path | None = None  # checkpoint with the first weights; None: random ones
+    model_class: type[NeuralAsset] = NeuralAsset
 
 
 def train(
@@ -61,13 +63,13 @@ def train(
 ) -> Path:
     """Train to the end; returns the best checkpoint, `best.ckpt`.
 
-    `<out>/last.ckpt` of an earlier, stopped call is continued. table: the samples to train on, on
-    the run's device; None: all of the dataset's. bars: makes the progress bar. Raises
+    `<out>/last.ckpt` of an earlier, stopped call is continued. table: the samples to train on, of
+    `table_of` or with all fields; None: all of the dataset's. bars: makes the progress bar. Raises
     `TrainingError` when the checkpoint belongs to another run, or the model diverges.
     """
     begun = monotonic() if run.begun is None else run.begun
     if table is None:
-        table = SampleTable(run.dataset.training_samples(), device=run.device)
+        table = table_of(run, run.dataset.training_samples())
     # Nothing brighter than the training data: a network extrapolates arbitrarily beyond it.
     ceiling = 1.5 * table.largest_radiance
     # Radiance that the loss calls 1.
@@ -76,11 +78,7 @@ def train(
     if run.dataset.manifest.emitters:
         inputs = INPUTS[run.dataset.kind]
         run = replace(run, preset=run.preset.with_model(emission_inputs=inputs))
-    can_know = run.preset.model.packageable and run.preset_name not in PAPER_PRESETS
-    if can_know and (records := run.dataset.captured.base_color):
-        has_images = any(record.image is not None for record in records)
-        run = replace(run, preset=run.preset.with_base_color(has_images))
-    run = replace(run, preset=run.preset.for_rows(len(table)))
+    run = replace(run, preset=_for_base_color(run).for_rows(len(table)))
     run.out.mkdir(parents=True, exist_ok=True)
     saved = _continued(run.out / "last.ckpt", run)
     done = saved["step"] if saved else 0
@@ -88,11 +86,12 @@ def train(
     say(_plan(run, len(table)))
     torch.manual_seed(run.seed)
     bounds, emission = padded_bounds(run.dataset), _emission(run, done)
-    fitting = Fitting(run.preset, bounds, ceiling, unit, table.fields, emission, run.device)
+    of_rows = table.fields, emission, run.device, run.model_class
+    fitting = Fitting(run.preset, bounds, ceiling, unit, *of_rows)
     if saved:
         fitting.load(saved["fitting"])
     elif run.start is not None:
-        fitting.start_from(load_checkpoint(run.start).model)
+        fitting.start_from(load_checkpoint(run.start, run.model_class).model)
     best, so_far = run.out / "best.ckpt", run.out / _SO_FAR
     pace = _pace(run, begun, saved)
     batch = run.preset.training.batch
@@ -110,6 +109,20 @@ def train(
     if not best.is_file():
         raise TrainingError(f"{best}: the run is finished, and this file is gone; delete {run.out}")
     return best
+
+
+def table_of(run: Run, samples: dict[str, np.ndarray]) -> SampleTable:
+    """These samples of the run's dataset, with the fields that its model reads, on its device."""
+    if not _for_base_color(run).model.uses_base_color:
+        samples = {name: values for name, values in samples.items() if name != "base_color"}
+    return SampleTable(samples, device=run.device)
+
+
+def _for_base_color(run: Run) -> Preset:
+    """The run's preset for the base colour that was captured."""
+    if not (records := run.dataset.captured.base_color):
+        return run.preset
+    return run.preset.with_base_color(any(record.image is not None for record in records))
 
 
 @contextmanager
@@ -228,7 +241,7 @@ def _continued(last: Path, run: Run) -> dict[str, Any] | None:
     """The progress to go on from, if there is one; `TrainingError` when it is of another run."""
     if not last.is_file():
         return None
-    saved = load_progress(last)
+    saved = load_progress(last, run.model_class)
     begun, record = saved["record"], _record(run, saved["progress"]["step"])
     begun_preset = Preset.model_validate(begun["preset"])
     for what, before, now in (

@@ -43,5 +43,5 @@ INSTANCE = Record(
     Field("root", "<u4", (), "node"),
     Field("rays", "<u4", (), "bits of those that can hit it"),
     Field("extent", "<f4", (), "largest coordinate of its body"),
-    Field("own", "<u4", (), "a number of the host's"),
+    Field("host_data", "<u4", (), "a number of the host's"),
 )

@@ -67,7 +67,7 @@ PATH = Record(
     Field("t", "<f4"),
     Field("instance", "<u4"),
     Field("primitive", "<u4"),
-    Field("own", "<u4", (), "instance that the ray passes through"),
+    Field("ignored", "<u4", (), "instance that the ray passes through"),
     Field("b1", "<f4"),
     Field("leaving", "<f4", (3,), "of a ray that leaves an asset: its start in object space"),
     Field("b2", "<f4"),

@@ -70,7 +70,7 @@ def scene_tables(world: World, lights: Sequence[Light]) -> SceneTables:
     _BUILT[world] = geometry
     ordered = [visible[i] for i in geometry.order]
     shining = np.where(world.light[ordered] < 0, NONE, world.light[ordered]).astype(np.uint32)
-    geometry.instances["own"] = shining
+    geometry.instances["host_data"] = shining
     stored = {k: at for at, k in enumerate(ordered)}
     return _joined(world, lights, surfaces, geometry, stored, numbers, placed)
 

@@ -51,13 +51,13 @@ fn rna_meet(primitive: u32, ray: RnaRay, start_strand: u32, hit: ptr<function, R
     let record = rna_primitives[primitive];
     let line = RnaRay(ray.origin, ray.near, ray.direction, (*hit).t);
     if !rna_is_segment(record) {
-        let found = rna_meet_triangle(
+        let crossing = rna_meet_triangle(
             line, rna_points[record.a].xyz, rna_points[record.b].xyz, rna_points[record.c].xyz,
         );
-        if found.x >= RNA_FAR || !rna_stops(primitive, ray, found, (*hit).instance) {
+        if crossing.x >= RNA_FAR || !rna_stops(primitive, ray, crossing, (*hit).instance) {
             return false;
         }
-        *hit = RnaHit(found.x, (*hit).instance, primitive, found.y, found.z, vec3f(0.0));
+        *hit = RnaHit(crossing.x, (*hit).instance, primitive, crossing.y, crossing.z, vec3f(0.0));
         return true;
     }
     if rna_strand(record) == start_strand {
@@ -78,7 +78,7 @@ fn rna_trace_body(
 ) -> bool {
     var top = RNA_STACK;
     var node = root;
-    var found = false;
+    var is_hit = false;
     let inverse = rna_inverse(ray.direction);
     loop {
         let count = rna_nodes[node].count;
@@ -89,7 +89,7 @@ fn rna_trace_body(
         let first = rna_nodes[node].child;
         for (var k = 0u; k < count; k++) {
             if rna_meet(first + k, ray, start_strand, hit) {
-                found = true;
+                is_hit = true;
                 if any {
                     return true;
                 }
@@ -104,14 +104,14 @@ fn rna_trace_body(
         }
         node = next;
     }
-    return found;
+    return is_hit;
 }
 
-// Tests an instance, world ray; `own` is passed through, and so is what `rays` has no bit of.
+// Tests an instance, world ray; `ignored` is passed through, and so is what `rays` has no bit of.
 fn rna_trace_instance(
-    instance: u32, ray: RnaRay, own: u32, rays: u32, any: bool, hit: ptr<function, RnaHit>,
+    instance: u32, ray: RnaRay, ignored: u32, rays: u32, any: bool, hit: ptr<function, RnaHit>,
 ) -> bool {
-    if instance == own || (rna_instances[instance].rays & rays) == 0u {
+    if instance == ignored || (rna_instances[instance].rays & rays) == 0u {
         return false;
     }
     let scale = rna_instances[instance].scale;
@@ -128,7 +128,7 @@ fn rna_trace_instance(
 }
 
 // The closest hit in the world, or with `any` some hit.
-fn rna_trace(ray: RnaRay, own: u32, rays: u32, any: bool) -> RnaHit {
+fn rna_trace(ray: RnaRay, ignored: u32, rays: u32, any: bool) -> RnaHit {
     var hit = rna_miss(ray.far);
     var top = 0u;
     var node = 0u;
@@ -141,7 +141,7 @@ fn rna_trace(ray: RnaRay, own: u32, rays: u32, any: bool) -> RnaHit {
         }
         let first = rna_nodes[node].child;
         for (var k = 0u; k < count; k++) {
-            if rna_trace_instance(first + k, ray, own, rays, any, &hit) && any {
+            if rna_trace_instance(first + k, ray, ignored, rays, any, &hit) && any {
                 return hit;
             }
         }

@@ -28,5 +28,5 @@ struct RnaInstance { // 128 bytes
     root: u32, // 112; node
     rays: u32, // 116; bits of those that can hit it
     extent: f32, // 120; largest coordinate of its body
-    own: u32, // 124; a number of the host's
+    host_data: u32, // 124; a number of the host's
 }

@@ -40,13 +40,13 @@ from tests.package.builders import make_manifest, make_part, make_tier_part
 _CALIBRATION_ROWS = 600
 _FORMS = {form.name: form for form in (TRANSPORT, VISIBLE, SHADOWED, EMISSION)}
 
-Asked = tuple[Decoder | Int8Decoder, tuple[str, ...]]
+Queried = tuple[Decoder | Int8Decoder, tuple[str, ...]]
 """A decoder and its input blocks."""
 
 
 @dataclass(frozen=True)
 class Query:
-    """What is asked of a package."""
+    """What is queried of a package."""
 
     tier: str
     part: int
@@ -128,7 +128,7 @@ class _Made:
         decoder = _decoder(rng, part, tier, self._values, form.name)
         shared = self.records[-1].planes if tier.shares_planes else None
         record = _record(tier, self._end, shared)
-        asked: dict[str, list[Asked]] = {TRANSPORT.name: [(decoder, tier.inputs)]}
+        queried: dict[str, list[Queried]] = {TRANSPORT.name: [(decoder, tier.inputs)]}
         seeds, files = [int(rng.integers(2**32))], {}
         for output, plan in tier.others.items():
             query = _as_tier(tier, plan)
@@ -137,9 +137,9 @@ class _Made:
             tier_member = {_FORMS[output].member: _other(tier.name + self._end, output, plan)}
             record = TierPart.model_validate({**dict(record), **tier_member})
             name = TRANSPORT.name if output == SHADOWED.name else output
-            asked.setdefault(name, []).append((other, query.inputs))
+            queried.setdefault(name, []).append((other, query.inputs))
             seeds.append(int(rng.integers(2**32)))
-        for (name, decoders_of), seed in zip(asked.items(), seeds, strict=False):
+        for (name, decoders_of), seed in zip(queried.items(), seeds, strict=False):
             answers = _answers(seed, part, tier, name, decoders_of, self._values)
             self.answers[Query(tier.name, number, name)] = answers
         self.records.append(record)
@@ -244,9 +244,9 @@ def _decoder(
 
 
 def _answers(
-    seed: int, part: PartPlan, tier: TierPlan, form: str, asked: list[Asked], planes: np.ndarray
+    seed: int, part: PartPlan, tier: TierPlan, form: str, queried: list[Queried], planes: np.ndarray
 ) -> Answers:
-    """form: what is asked for; asked: the decoders whose results, side by side, are the answer."""
+    """form: what is queried for; queried: decoders whose results, side by side, are the answer."""
     queries, classes = make_queries(seed, part.is_fiber, part.bounds)
     if tier.resolution == 1 and not part.is_fiber:
         queries, classes = _with_cancelled_normals(queries, classes)
@@ -260,13 +260,13 @@ def _answers(
     valid = valid_rows(arrays)
     points = Points.of({name: rows[valid] for name, rows in arrays.items()}, part.bounds)
     color = arrays["base_color"][valid].astype(np.float64) if "base_color" in arrays else None
-    made = [decoder_inputs(points, inputs, planes) for _, inputs in asked]
-    answer, rng = _light(asked, made, color), np.random.default_rng(seed)
+    made = [decoder_inputs(points, inputs, planes) for _, inputs in queried]
+    answer, rng = _light(queried, made, color), np.random.default_rng(seed)
     change = np.zeros_like(answer)
     for _ in range(SIGN_PATTERNS):
         rounded = points.rounded(rng)
-        moved = [moved_blocks(decoder_inputs(rounded, of, planes), rng) for _, of in asked]
-        change = np.maximum(change, np.abs(_light(asked, moved, color) - answer))
+        moved = [moved_blocks(decoder_inputs(rounded, of, planes), rng) for _, of in queried]
+        change = np.maximum(change, np.abs(_light(queried, moved, color) - answer))
     name, first, count = classes[0]
     assert name == ORDINARY and first == 0
     scale = float(np.sqrt(np.mean(answer[:count] ** 2)))
@@ -275,16 +275,16 @@ def _answers(
     expected, tolerance = np.zeros((2, len(queries), answer.shape[1]))
     blocks[valid], expected[valid] = inputs, answer
     tolerance[valid] = PART_OF_SCALE * scale + change
-    step = _largest_step(asked, made, color)
+    step = _largest_step(queried, made, color)
     return Answers(queries, blocks, expected, tolerance, classes, scale, step)
 
 
 def _light(
-    asked: list[Asked], blocks: list[np.ndarray], base_color: np.ndarray | None
+    queried: list[Queried], blocks: list[np.ndarray], base_color: np.ndarray | None
 ) -> np.ndarray:
     """(n, width): results of the decoders side by side; with a base colour (n, 3), sums."""
     results = []
-    for (decoder, _), inputs in zip(asked, blocks, strict=True):
+    for (decoder, _), inputs in zip(queried, blocks, strict=True):
         light = decoder(inputs)
         if base_color is not None:
             light, factors = np.hsplit(light, 2)
@@ -294,7 +294,7 @@ def _light(
 
 
 def _largest_step(
-    asked: list[Asked], blocks: list[np.ndarray], base_color: np.ndarray | None
+    queried: list[Queried], blocks: list[np.ndarray], base_color: np.ndarray | None
 ) -> float:
     """The most that one step of an int8 activation changes a result; 0 without int8."""
     terms = 1.0 if base_color is None else 1.0 + np.abs(base_color).max(axis=1)
@@ -302,7 +302,7 @@ def _largest_step(
         float((decoder.largest_step(inputs) * terms).max())
         if isinstance(decoder, Int8Decoder)
         else 0.0
-        for (decoder, _), inputs in zip(asked, blocks, strict=True)
+        for (decoder, _), inputs in zip(queried, blocks, strict=True)
     )
 
 

@@ -129,9 +129,9 @@ def make_base_color_hits(
 ) -> BaseColorHits:
     """Hits on every triangle of one part, class by class, with what they are answered."""
     rng, hits, classes = np.random.default_rng(seed), [], []
-    for name, own in _classes(rng, mesh, records):
+    for name, of_class in _classes(rng, mesh, records):
         first = len(hits)
-        hits += own
+        hits += of_class
         classes.append((name, first, len(hits) - first))
     rows = [_answered(mesh, records, hit) for hit in hits]
     words = np.zeros((len(hits), 8), np.uint32)

@@ -130,8 +130,8 @@ def _deformed_normals(
             angle = np.arccos(np.clip(a @ b, -1, 1))
             turned = angle * (rotations[t] @ mesh.normals[vertex].astype(np.float64))
             sums[keys[vertex]] = sums.get(keys[vertex], 0) + turned
-    kept = mesh.normals.astype(np.float64)
-    return unit(np.array([sums.get(key, kept[v]) for v, key in enumerate(keys)]))
+    normals = mesh.normals.astype(np.float64)
+    return unit(np.array([sums.get(key, normals[v]) for v, key in enumerate(keys)]))
 
 
 def _smallest(a: np.ndarray, b: np.ndarray) -> np.ndarray:
@@ -204,9 +204,9 @@ def make_deformed_hits(
         for _ in range(TRIALS):
             moved = at_rest(geometry, shape, hits, lambda v: _rounded(v, rng))
             change = np.maximum(change, np.abs(moved - exact))
-        kept = (TOLERANCE + change).max(axis=1) <= LARGEST
-        made.append([a[kept] for a in (hits.primitive, hits.place, exact, TOLERANCE + change)])
-        classes.append((name, sum(c[2] for c in classes), int(kept.sum())))
+        is_stable = (TOLERANCE + change).max(axis=1) <= LARGEST
+        made.append([a[is_stable] for a in (hits.primitive, hits.place, exact, TOLERANCE + change)])
+        classes.append((name, sum(c[2] for c in classes), int(is_stable.sum())))
     primitive, place, expected, tolerance = map(np.concatenate, zip(*made, strict=True))
     words = np.zeros((len(primitive), 8), np.uint32)
     words[:, 0], words[:, 7] = primitive, part

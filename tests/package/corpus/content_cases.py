@@ -479,8 +479,8 @@ def layers_that_share_weights(*weights: np.ndarray, count: int) -> bytes:
     value = graph.node("Clip", "queries", -LIMIT, LIMIT)
     value = graph.node("Relu", graph.node("Gemm", value, first, np.zeros(len(first.T), np.float32)))
     for k in range(count):
-        own = k % len(weights)
-        value = graph.node("Relu", graph.node("Gemm", value, names[own], biases[own]))
+        stored = k % len(weights)
+        value = graph.node("Relu", graph.node("Gemm", value, names[stored], biases[stored]))
     value = graph.node("Gemm", value, last, np.zeros(6, np.float32))
     value = graph.node("Exp", graph.node("Clip", value, 0.0, 1.0))
     graph.node("Mul", graph.node("Sub", value, 1.0), 1.0, output="transport")

@@ -76,12 +76,12 @@ def test_the_picture_of_the_path_tracer(load, page, tmp_path):
 def test_a_variant(page, tmp_path):
     path = make_variants(tmp_path / "variants.rna", images=write_files(tmp_path, CELLS))
     scene = write_scene(tmp_path, {"path": path, **VIEW}, SUN, SIZE, 1)
-    own, plain = by_rna_run(scene), scene.read_text()
-    scene.write_text(plain.replace(f"{{path: {path}}}", f"{{path: {path}, variant: deep red}}"))
+    plain, text = by_rna_run(scene), scene.read_text()
+    scene.write_text(text.replace(f"{{path: {path}}}", f"{{path: {path}, variant: deep red}}"))
     expected = by_rna_run(scene)
     actual = by_three(page, {"path": path, **VIEW}, "sun()", SIZE, load=VARIANT)
     assert psnr(actual, without_edges(expected, actual)) >= LEAST_PSNR
-    assert psnr(actual, without_edges(own, actual)) < LEAST_PSNR - 10
+    assert psnr(actual, without_edges(plain, actual)) < LEAST_PSNR - 10
 
 
 def without_edges(expected: np.ndarray, actual: np.ndarray) -> np.ndarray:

@@ -70,7 +70,8 @@ def test_instances_are_what_clones_are(release, tmp_path):
     minor = json.loads((MODULES / release / "package.json").read_text())["version"].split(".")[1]
     assert revision.split(".")[0] == minor
     many, clones, moved, moved_clones = (
-        np.frombuffer(base64.b64decode(own), "<f4").reshape(SIZE[1], SIZE[0], 4) for own in pictures
+        np.frombuffer(base64.b64decode(picture), "<f4").reshape(SIZE[1], SIZE[0], 4)
+        for picture in pictures
     )
     assert np.mean(clones[..., 3] > 0) > 0.05 and np.mean(np.abs(many - moved)) > 0.01
     assert np.mean(np.abs(many - clones)) < 1e-3 and np.mean(np.abs(moved - moved_clones)) < 1e-3

@@ -1,4 +1,4 @@
-"""Features from NRHints' network instead of the triplane, the paper's baseline.
+"""A model with features from NRHints' network instead of planes, the paper's baseline.
 
 Sizes are those that its authors published: Zeng et al., "Relighting Neural Radiance Fields with
 Shadow and Highlight Hints", 2023, github.com/iamNCJ/NRHints, `SDFNetConfig` and
@@ -15,7 +15,7 @@ from torch import Tensor, nn
 from torch.nn.utils.parametrizations import weight_norm
 
 from rna_export.training.model.inputs import Points
-from rna_export.training.model.neural_asset import MODELS, NeuralAsset
+from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.presets import ModelConfig
 
 _LAYERS = 8
@@ -24,9 +24,6 @@ SKIP = 4
 
 _POSITION_OCTAVES, _DIRECTION_OCTAVES = 6, 4
 _SCALE = 3.0  # of positions, -1 to 1 in the bounds
-
-NETWORK = "network"
-"""`ModelConfig.texture` of models with these features."""
 
 ENCODED_DIRECTIONS = 2 * 3 * 2 * _DIRECTION_OCTAVES
 """Channels that are not of the network: encodings of wo and wi."""
@@ -90,20 +87,23 @@ def octaves(x: Tensor, count: int) -> Tensor:
 
 
 class NetworkAsset(NeuralAsset):
-    """A neural asset with such features; no package holds it."""
+    """A neural asset with such features; no package holds it. Its planes are not used."""
 
-    triplane: FeatureNetwork
+    def __init__(self, config: ModelConfig, bounds: Tensor):
+        super().__init__(config, bounds)
+        self.network = FeatureNetwork(config.width, config.channels, *bounds)
 
-    def feature_matrices(self) -> list[Tensor]:
-        return self.triplane.hidden_matrices()
+    @property
+    def multiply_adds(self) -> int:
+        """Of all matrix products of a query."""
+        layers: list[Any] = [*self.network.layers]
+        return super().multiply_adds + sum(layer.weight.numel() for layer in layers)
 
-    def _new_features(self, config: ModelConfig, bounds: Tensor) -> nn.Module:
-        return FeatureNetwork(config.width, config.channels, *bounds)
+    def hidden_matrices(self) -> list[Tensor]:
+        """As of `NeuralAsset`, and those of the network."""
+        return [*super().hidden_matrices(), *self.network.hidden_matrices()]
 
     def _features(self, at: Points, blur: float | Tensor) -> Tensor:
         directions = at["wo"], at["wi"]
-        features: Tensor = self.triplane(at["position"], *directions, self._in_bfloat16)
+        features: Tensor = self.network(at["position"], *directions, self._in_bfloat16)
         return features
-
-
-MODELS[NETWORK] = NetworkAsset

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from itertools import product
 
-from rna_bench.frontier.trials.feature_network import NETWORK
 from rna_bench.frontier.trials.trial import Family, Trial, name_of
 from rna_export.training.presets import PRESETS, Preset
 
@@ -96,10 +95,11 @@ def nrhints(kind: str) -> Trial:
     """
     paper = PRESETS[kind]["paper-hq"]
     inputs = ("features", "position", *paper.model.inputs[1:])
-    preset = paper.with_model(
-        inputs=inputs, width=256, resolution=1, channels=304, texture=NETWORK
-    ).with_training(learning_rate=5e-4, plane_learning_rate=5e-4, schedule="cosine")
-    return _trial("opponent", preset, "nrhints").model_copy(update={"cost_as": "paper-hq"})
+    preset = paper.with_model(inputs=inputs, width=256, resolution=1, channels=304).with_training(
+        learning_rate=5e-4, schedule="cosine"
+    )
+    named = {"cost_as": "paper-hq", "has_planes": False}
+    return _trial("opponent", preset, "nrhints").model_copy(update=named)
 
 
 def with_our_optimizer(trial: Trial) -> Trial:

@@ -20,20 +20,19 @@ class Trial(BaseModel, extra="forbid", frozen=True):
         "ablation: neither"
     )
     preset: Preset
+    has_planes: bool = Field(
+        True,
+        description="whether features come from planes, as in packages; else from NRHints' network",
+    )
     tables: tuple[str, ...] = Field((), description="comparisons that it is a row of")
     cost_as: str | None = Field(
-        None, description="trial whose decode cost it has, for a model that no package holds"
+        None, description="trial whose decode cost it has, for a model without planes"
     )
     seed: int = 0
 
     def of_length(self, steps: int) -> Trial:
         """This trial with another number of steps."""
         return self.model_copy(update={"preset": self.preset.with_training(steps=steps)})
-
-    @property
-    def packageable(self) -> bool:
-        """Whether the format can hold it."""
-        return self.preset.model.packageable
 
 
 def name_of(preset: Preset) -> str:

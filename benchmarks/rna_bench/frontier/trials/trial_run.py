@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
+from rna_bench.frontier.trials.feature_network import NetworkAsset
 from rna_bench.frontier.trials.scores import judge, write_strips
 from rna_bench.frontier.trials.trial import Trial
 from rna_bench.frontier.trials.trial_packages import TRIAL_PRECISIONS, USUAL, write_packages
@@ -14,6 +15,7 @@ from rna_bench.frontier.trials.trial_record import Point, Record, read_record
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.validation_view import ValidationView
 from rna_export.training.checkpoint import Trained, load_checkpoint, load_progress
+from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.optimization.samples import SampleTable
 from rna_export.training.report import read_curves
 from rna_export.training.training_run import Run, train
@@ -43,8 +45,8 @@ def run_trial(
         return record
     folder.mkdir(parents=True, exist_ok=True)
     seconds = record.seconds if record else _finish(_run(trial, dataset, folder, device), table)
-    trained = load_checkpoint(folder / "best.ckpt")
-    if trial.packageable:
+    trained = load_checkpoint(folder / "best.ckpt", _model_class(trial))
+    if trial.has_planes:
         points = dict(record.points) if record else {}
         wanted = missing_precisions(record) if record else tuple(TRIAL_PRECISIONS)
         points.update(_measure_packages(trained, dataset, folder, wanted))
@@ -65,7 +67,7 @@ def run_trial(
 
 def missing_precisions(record: Record) -> tuple[str, ...]:
     """The TRIAL_PRECISIONS not yet measured; none for a model that cannot be packaged."""
-    if not record.trial.packageable:
+    if not record.trial.has_planes:
         return ()
     return tuple(p for p in TRIAL_PRECISIONS if p not in record.points)
 
@@ -79,7 +81,12 @@ def _run(trial: Trial, dataset: DatasetPart, folder: Path, device: str) -> Run:
         trial.seed,
         device=device,
         validations=max(1, trial.preset.training.steps // _VALIDATED_EVERY),
+        model_class=_model_class(trial),
     )
+
+
+def _model_class(trial: Trial) -> type[NeuralAsset]:
+    return NeuralAsset if trial.has_planes else NetworkAsset
 
 
 def _finish(run: Run, table: SampleTable | None) -> float:
@@ -87,11 +94,11 @@ def _finish(run: Run, table: SampleTable | None) -> float:
     finished = run.out / "seconds.txt"
     if finished.is_file():
         return float(finished.read_text())
-    before = steps_done(run.out)
+    before = steps_done(run.out, run.model_class)
     clock = time.perf_counter if run.device == "cuda" else time.process_time
     start = clock()
     train(run, table)
-    total = steps_done(run.out)
+    total = steps_done(run.out, run.model_class)
     if total == before:
         # It was stopped between its last step and the file that says how long it took.
         (run.out / "last.ckpt").unlink()
@@ -101,12 +108,12 @@ def _finish(run: Run, table: SampleTable | None) -> float:
     return seconds
 
 
-def steps_done(folder: Path) -> int:
+def steps_done(folder: Path, model_class: type[NeuralAsset] = NeuralAsset) -> int:
     """Steps done by a training, finished or stopped; 0 if there is none."""
     path = folder / "last.ckpt"
     if not path.is_file():
         return 0
-    return int(load_progress(path)["progress"]["step"])
+    return int(load_progress(path, model_class)["progress"]["step"])
 
 
 def _measure_packages(

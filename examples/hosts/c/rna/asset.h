@@ -53,7 +53,7 @@ typedef struct Tier {
 
 struct RnaAsset {
     Span file;
-    void *own; /* the file's bytes where rna_open has read them */
+    void *block; /* the file's bytes where rna_open has read them */
     JsonText manifest; /* what the names live on */
     const Json *domain, *extensions; /* the second NULL where there are none */
     int parts, tiers;

@@ -27,13 +27,13 @@ enum { LOCAL_SIZE = 30, CENTRAL_SIZE = 46, END_SIZE = 22, PADDING_ID = 0x4E52 };
 /* For sanitizers: each entry in a block of just its size, so that a read past its end, which would be
  * inside the file, is outside of memory.  The caller frees the copies after all that uses the data. */
 static Span entry_data(const Container *zip, const Entry *entry) {
-    Entry *own = (Entry *)(uintptr_t)entry;
+    Entry *writable = (Entry *)(uintptr_t)entry;
     void *block;
-    if (!own->copy) {
+    if (!writable->copy) {
         if (posix_memalign(&block, ALIGNMENT, entry->size ? entry->size : 1)) abort();
-        own->copy = memcpy(block, zip->file.at + entry->data, entry->size);
+        writable->copy = memcpy(block, zip->file.at + entry->data, entry->size);
     }
-    return (Span){own->copy, entry->size};
+    return (Span){writable->copy, entry->size};
 }
 #else
 static Span entry_data(const Container *zip, const Entry *entry) {

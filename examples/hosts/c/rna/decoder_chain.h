@@ -63,8 +63,8 @@ static bool name_values(Builder *b) {
 
 static Value find_value(const Builder *b, Span name) {
     const Value key = {.name = name};
-    const Value *found = bsearch(&key, b->values, b->count, sizeof key, compare_values);
-    return found ? *found : key;
+    const Value *match = bsearch(&key, b->values, b->count, sizeof key, compare_values);
+    return match ? *match : key;
 }
 
 static bool is_operator(const OnnxNode *node, const char *operator, size_t inputs) {

@@ -13,9 +13,9 @@ static void turn(const double m[9], const double v[3], double out[3]) {
 static void transpose(double m[9]) {
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < i; j++) {
-            const double kept = m[3 * i + j];
+            const double upper = m[3 * i + j];
             m[3 * i + j] = m[3 * j + i];
-            m[3 * j + i] = kept;
+            m[3 * j + i] = upper;
         }
 }
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import torch
 from torch import Tensor, nn
 
@@ -41,12 +39,11 @@ class NeuralAsset(nn.Module):
 
     ceiling: Tensor
     unit: Tensor
-    triplane: Any  # a Triplane, but for the classes that benchmarks add to MODELS
 
     def __init__(self, config: ModelConfig, bounds: Tensor):
         super().__init__()
         self.config = config
-        self.triplane = self._new_features(config, bounds)
+        self.triplane = Triplane(config.resolution, config.channels, *bounds)
         width, columns = config.width, query_width(config.inputs, config.channels)
         terms = 6 if config.uses_base_color else 3
         colours = len(config.colour_sums[0]) - (config.shadow_width > 0)
@@ -81,14 +78,13 @@ class NeuralAsset(nn.Module):
     @property
     def multiply_adds(self) -> int:
         """Multiply-adds of all matrix products of a query, without the emission decoder."""
-        modules = [*self.decoder, *self.triplane.modules()]
-        modules += [] if self.shadow is None else self.shadow.modules()
+        modules = [*self.decoder, *([] if self.shadow is None else self.shadow.modules())]
         return sum(m.weight.numel() for m in modules if isinstance(m, nn.Linear))
 
     @property
     def emitting(self) -> tuple[EmissionDecoder, Triplane]:
         """The decoder of emission with its planes, of a model that has one."""
-        assert self.emission is not None and isinstance(self.triplane, Triplane)
+        assert self.emission is not None
         return self.emission, self.triplane
 
     def forward(self, at: Points, blur: float | Tensor = 1.0) -> Tensor:
@@ -128,12 +124,12 @@ class NeuralAsset(nn.Module):
         """Positions in the bounds, (k, 3) from 0 to 1."""
         return in_box(at["position"], self.triplane.low, self.triplane.high)
 
-    def feature_matrices(self) -> list[Tensor]:
-        """Matrices of a network that features come from, which Muon takes; planes have none."""
-        return []
-
-    def _new_features(self, config: ModelConfig, bounds: Tensor) -> nn.Module:
-        return Triplane(config.resolution, config.channels, *bounds)
+    def hidden_matrices(self) -> list[Tensor]:
+        """Matrices of all layers of the decoders but the last ones."""
+        others = (self.shadow, self.emission)
+        decoders = [self.decoder, *(other.decoder for other in others if other is not None)]
+        layers = (layer for decoder in decoders for layer in [*decoder][:-1])
+        return [layer.weight for layer in layers if isinstance(layer, nn.Linear)]
 
     def _features(self, at: Points, blur: float | Tensor) -> Tensor:
         """Features (k, C) of the points."""
@@ -155,14 +151,3 @@ class NeuralAsset(nn.Module):
 def _cut_off(y: Tensor) -> Tensor:
     """y as packages have it, 0 at least; in training a gradient leads back from below."""
     return nn.functional.leaky_relu(y, _LEAK if torch.is_grad_enabled() else 0.0)
-
-
-MODELS: dict[str, type[NeuralAsset]] = {"triplane": NeuralAsset}
-"""`ModelConfig.texture` -> its class. Packages hold triplanes; benchmarks add what they compare."""
-
-
-def new_model(config: ModelConfig, bounds: Tensor) -> NeuralAsset:
-    """A model with random weights. Raises ValueError for a texture without a class."""
-    if config.texture not in MODELS:
-        raise ValueError(f"texture: found {config.texture!r}, expected {' or '.join(MODELS)}")
-    return MODELS[config.texture](config, bounds)

@@ -8,9 +8,8 @@ from typing import Any
 import torch
 from torch import Tensor
 
-from rna_export.training.model.neural_asset import NeuralAsset, new_model
+from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.model.shadow import RELATIVE_UNIT
-from rna_export.training.model.triplane import Triplane
 from rna_export.training.optimization.emission_batches import EmissionBatches
 from rna_export.training.optimization.losses import sample_loss
 from rna_export.training.optimization.muon import Muon
@@ -28,7 +27,8 @@ class Fitting:
     """Fits a `NeuralAsset`; the loss sees only the output that matches the visibility.
 
     bounds: (2, 3) of the planes. ceiling, unit: see `NeuralAsset`. fields: of the batches' rows,
-    see `SampleTable`. emission: batches of what the asset emits, if it does.
+    see `SampleTable`. emission: batches of what the asset emits, if it does. model_class: of the
+    model.
     """
 
     def __init__(
@@ -40,9 +40,10 @@ class Fitting:
         fields: dict[str, int],
         emission: EmissionBatches | None = None,
         device: str = "cpu",
+        model_class: type[NeuralAsset] = NeuralAsset,
     ):
         self._config, self._fields, self._emission = preset.training, fields, emission
-        self.model = new_model(preset.model, bounds)
+        self.model = model_class(preset.model, bounds)
         self.model.ceiling.fill_(ceiling)
         self.model.unit.fill_(unit)
         if self.model.shadow is not None:
@@ -108,12 +109,10 @@ class Fitting:
 
     def _smooth(self, factor: float) -> None:
         """Diffusion of planes, several steps' worth at a time: it passes over all texels."""
-        planes, config = self.model.triplane, self._config
-        if not (config.smoothing and isinstance(planes, Triplane)):
-            return
-        if self._done % _SMOOTHED_TOGETHER == 0:
+        config = self._config
+        if config.smoothing and self._done % _SMOOTHED_TOGETHER == 0:
             share = config.smoothing * config.plane_learning_rate * factor * _SMOOTHED_TOGETHER
-            planes.smooth(min(share, 0.25))
+            self.model.triplane.smooth(min(share, 0.25))
 
     def stacks(self) -> list[Tensor]:
         """Like those of matrices that a step orthogonalises: see `Muon`."""

@@ -8,10 +8,9 @@ from typing import Any
 
 import numpy as np
 import torch
-from torch import Tensor, nn
+from torch import Tensor
 
 from rna_export.training.model.neural_asset import NeuralAsset
-from rna_export.training.model.triplane import Triplane
 from rna_export.training.optimization.muon import Muon
 from rna_export.training.optimization.plane_kernels import adam
 from rna_export.training.presets import TrainingConfig
@@ -60,19 +59,17 @@ def optimizers_of(model: NeuralAsset, config: TrainingConfig) -> list[torch.opti
     On a GPU rates are tensors there: a step that reads them can be part of a CUDA graph.
     """
     device = model.ceiling.device
-    matrices = muon_matrices(model, config)
-    taken = {id(p) for p in matrices}
-    features: list[Tensor] = [p for p in model.triplane.parameters() if id(p) not in taken]
-    taken |= {id(p) for p in features}
+    matrices, planes = muon_matrices(model, config), model.triplane.planes
+    taken = {id(p) for p in [*matrices, planes]}
     others: list[Tensor] = [p for p in model.parameters() if id(p) not in taken]
     optimizers: list[torch.optim.Optimizer] = [_adam(others, config.learning_rate, device)]
     if matrices:
         lr = _rate(config.muon_learning_rate, device)
         optimizers.append(Muon(matrices, lr, model.multiplies_in_bfloat16))
-    if isinstance(model.triplane, Triplane) and device.type == "cpu":
-        optimizers.append(PlaneAdam(features[0], config.plane_learning_rate))
+    if device.type == "cpu":
+        optimizers.append(PlaneAdam(planes, config.plane_learning_rate))
     else:
-        optimizers.append(_adam(features, config.plane_learning_rate, device))
+        optimizers.append(_adam([planes], config.plane_learning_rate, device))
     for group in _groups(optimizers):
         group["initial_lr"] = float(group["lr"])
     return optimizers
@@ -83,13 +80,7 @@ def muon_matrices(model: NeuralAsset, config: TrainingConfig) -> list[Tensor]:
 
     Jordan et al. leave the layers that read out, and all vectors, to Adam.
     """
-    if config.optimizer == "adam":
-        return []
-    others = (model.shadow, model.emission)
-    decoders = [model.decoder, *(other.decoder for other in others if other is not None)]
-    layers = (layer for decoder in decoders for layer in [*decoder][:-1])
-    matrices: list[Tensor] = [layer.weight for layer in layers if isinstance(layer, nn.Linear)]
-    return matrices + model.feature_matrices()
+    return [] if config.optimizer == "adam" else model.hidden_matrices()
 
 
 def set_rates(optimizers: Iterable[torch.optim.Optimizer], factor: float) -> None:

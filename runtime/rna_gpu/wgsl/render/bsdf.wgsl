@@ -135,8 +135,8 @@ fn clear_coat(b: Bsdf, o: vec3f, i: vec3f) -> vec3f {
     let cos_i = max(dot(b.clear_m, i), 0.0);
     var sent = 0.0;
     if cos_i > 0.0 {
-        let found = lobe(b.clear_alpha, b.clear_m, o, i);
-        sent = b.clear * found.x * (CLEAR_F0 + (1.0 - CLEAR_F0) * found.y) * cos_i;
+        let coat = lobe(b.clear_alpha, b.clear_m, o, i);
+        sent = b.clear * coat.x * (CLEAR_F0 + (1.0 - CLEAR_F0) * coat.y) * cos_i;
     }
     let way_out = 1.0 - albedo(b.clear, CLEAR_F0, b.clear_alpha, dot(b.clear_m, o));
     let way_in = 1.0 - albedo(b.clear, CLEAR_F0, b.clear_alpha, cos_i);

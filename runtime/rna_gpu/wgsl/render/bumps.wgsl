@@ -74,6 +74,6 @@ fn bumped_normal(record: RnaPrimitive, b1: f32, b2: f32, m: vec3f, g: vec3f, o: 
     let bent = unit_or_zero(relief.z * m + scale * (relief.x * t + relief.y * bitangent));
     // All on the side of the surface that o is on, and back.
     let side = select(1.0, -1.0, dot(g, o) < 0.0);
-    let own = select(-side, side, dot(m, g) >= 0.0);
-    return own * raised_above(own * bent, side * g, o);
+    let side_of_m = select(-side, side, dot(m, g) >= 0.0);
+    return side_of_m * raised_above(side_of_m * bent, side * g, o);
 }

@@ -19,7 +19,7 @@ fn camera(
     path.direction = ray.direction;
     path.beta = vec3f(1.0);
     path.state = ALIVE;
-    path.own = NONE;
+    path.ignored = NONE;
     paths[k] = path;
     atomicStore(&live[frame.list + LIST_HEADER + k], k);
     queries[k].at_point.part = NONE;

@@ -8,11 +8,11 @@ fn closest(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     let path = paths[k];
     let ray = RnaRay(path.origin, 0.0, path.direction, RNA_FAR);
-    let found = follow(ray, path.own, frame.depth, path.pixel);
-    let hit = found.hit;
-    if found.bent {
-        paths[k].origin = found.ray.origin;
-        paths[k].direction = found.ray.direction;
+    let followed = follow(ray, path.ignored, frame.depth, path.pixel);
+    let hit = followed.hit;
+    if followed.bent {
+        paths[k].origin = followed.ray.origin;
+        paths[k].direction = followed.ray.direction;
         paths[k].pdf = BENT;
     }
     paths[k].t = hit.t;
@@ -23,15 +23,15 @@ fn closest(@builtin(global_invocation_id) id: vec3<u32>) {
     paths[k].normal = hit.normal;
     let query = queries[k].at_point;
     if query.part == NONE {
-        paths[k].beta = path.beta * found.weight;
+        paths[k].beta = path.beta * followed.weight;
         return;
     }
     if hit.instance == RNA_NOTHING && (frame.flags & HAS_SKY) == 0u {
         queries[k].at_point.part = NONE; // a ray into a black sky brings nothing
         return;
     }
-    let far = min(found.first / rna_instances[path.own].scale, RNA_FAR);
+    let far = min(followed.first / rna_instances[path.ignored].scale, RNA_FAR);
     let way = RnaRay(path.leaving, 0.0, query.wi, far);
-    queries[k].at_point.visible = start_visibility(path.own, way, query.strand);
-    queries[k].at_point.weight = query.weight * found.weight;
+    queries[k].at_point.visible = start_visibility(path.ignored, way, query.strand);
+    queries[k].at_point.weight = query.weight * followed.weight;
 }

@@ -7,8 +7,8 @@ fn mis_weight(path: Path, light: u32, pdf: f32) -> vec3f {
     return path.beta * share(path.pdf, samples_of(light, frame.depth) * pdf);
 }
 
-fn add_light_hit(k: u32, path: Path, light: u32, found: LightHit) {
-    add_light(k, light, clamped(mis_weight(path, light, found.pdf) * found.radiance));
+fn add_light_hit(k: u32, path: Path, light: u32, hit: LightHit) {
+    add_light(k, light, clamped(mis_weight(path, light, hit.pdf) * hit.radiance));
 }
 
 fn collect_sky(k: u32, path: Path) {
@@ -35,7 +35,7 @@ fn collect_shape(k: u32, path: Path) {
 
 // Emission of surfaces that also scatter.
 fn collect_emission(k: u32, path: Path, record: RnaPrimitive) {
-    let light = rna_instances[path.instance].own;
+    let light = rna_instances[path.instance].host_data;
     if light == NONE || !surface_has(rna_surface(record), EMITS) {
         return;
     }

@@ -1,6 +1,6 @@
 // The paths of the step's list that are alive, into the next list.
 
-var<workgroup> found: atomic<u32>;
+var<workgroup> alive: atomic<u32>;
 var<workgroup> first: u32;
 
 @compute @workgroup_size(64)
@@ -8,7 +8,7 @@ fn compact(
     @builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocation_index) local: u32,
 ) {
     if local == 0u {
-        atomicStore(&found, 0u); // which not all drivers do
+        atomicStore(&alive, 0u); // which not all drivers do
     }
     workgroupBarrier();
     let k = live_path(id.x);
@@ -18,11 +18,11 @@ fn compact(
     }
     var at = 0u;
     if is_alive {
-        at = atomicAdd(&found, 1u);
+        at = atomicAdd(&alive, 1u);
     }
     workgroupBarrier();
     if local == 0u {
-        let count = atomicLoad(&found);
+        let count = atomicLoad(&alive);
         first = atomicAdd(&live[frame.next_list + 3u], count);
         atomicMax(&live[frame.next_list], (first + count + 63u) / 64u);
     }

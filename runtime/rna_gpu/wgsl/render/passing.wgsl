@@ -34,7 +34,7 @@ fn pass_at_random(tau: vec3f, mean: f32, passes: bool) -> bool {
     return true;
 }
 
-fn rna_stops(primitive: u32, ray: RnaRay, found: vec3f, instance: u32) -> bool {
+fn rna_stops(primitive: u32, ray: RnaRay, crossing: vec3f, instance: u32) -> bool {
     stopped_share = vec3f(1.0);
     if passing == ALL_STOP {
         return true;
@@ -46,7 +46,7 @@ fn rna_stops(primitive: u32, ray: RnaRay, found: vec3f, instance: u32) -> bool {
     let p = rna_points[record.a].xyz;
     let ng = cross(rna_points[record.b].xyz - p, rna_points[record.c].xyz - p);
     let facing = dot(ng, ray.direction) < 0.0;
-    let tau = transmittance(record, found.y, found.z, ray.direction, facing);
+    let tau = transmittance(record, crossing.y, crossing.z, ray.direction, facing);
     if passing == WEAKEN {
         passed_weight *= tau;
         return all(passed_weight <= vec3f(0.0));

@@ -11,8 +11,8 @@ struct RowCount {
     one: vec2<u32>,
 }
 
-// A decoder of visible or of shadowed light alone is not asked where that does not count.
-fn is_asked(visible: vec3f) -> bool {
+// A decoder of visible or of shadowed light alone is needed where that light counts.
+fn is_needed(visible: vec3f) -> bool {
     if (frame.flags & FOR_VISIBLE) != 0u {
         return any(visible > vec3f(0.0));
     }
@@ -43,7 +43,7 @@ fn gather(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     let query = query_of(k);
-    if query.part != frame.neural_part || !is_asked(query.visible) {
+    if query.part != frame.neural_part || !is_needed(query.visible) {
         return;
     }
     let row = atomicAdd(&row_count.rows, 1u);

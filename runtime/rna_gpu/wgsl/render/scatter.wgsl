@@ -55,5 +55,5 @@ fn scatter(@builtin(global_invocation_id) id: vec3<u32>) {
     paths[k].direction = wi_world;
     paths[k].pdf = pdf;
     paths[k].beta = beta;
-    paths[k].own = select(NONE, v.instance, object_passes(v.instance) == 1u);
+    paths[k].ignored = select(NONE, v.instance, object_passes(v.instance) == 1u);
 }

@@ -77,7 +77,7 @@ struct Path { // 96 bytes
     t: f32, // 60
     instance: u32, // 64
     primitive: u32, // 68
-    own: u32, // 72; instance that the ray passes through
+    ignored: u32, // 72; instance that the ray passes through
     b1: f32, // 76
     leaving: vec3f, // 80; of a ray that leaves an asset: its start in object space
     b2: f32, // 92

@@ -82,10 +82,10 @@ fn pass_interface(f: ptr<function, Followed>, inside: ptr<function, vec3f>, u: f
 }
 
 // A ray to the first hit of no glass. depth: of the point where it starts, 0 for the camera.
-fn follow(start: RnaRay, own: u32, depth: u32, pixel: u32) -> Followed {
+fn follow(start: RnaRay, ignored: u32, depth: u32, pixel: u32) -> Followed {
     let key = chance_of(pixel);
-    let found = closest_through(start, own, frame.rays, key);
-    var f = Followed(found.hit, found.hit.t, found.weight, false, start);
+    let through = closest_through(start, ignored, frame.rays, key);
+    var f = Followed(through.hit, through.hit.t, through.weight, false, start);
     var inside = vec3f(0.0);
     for (var k = 0u; is_solid(f.hit); k++) {
         f.bent = true;

@@ -1,5 +1,5 @@
 // Rays of the three sorts through the whole scene. light_shapes.wgsl adds lights with a shape, or a host says
-//     fn with_lights(ray: RnaRay, rays: u32, found: RnaHit) -> RnaHit
+//     fn with_lights(ray: RnaRay, rays: u32, of_geometry: RnaHit) -> RnaHit
 // where there are none.
 
 struct Through {
@@ -8,7 +8,7 @@ struct Through {
 }
 
 // The closest hit of a camera or indirect ray, whose bit is `rays`; `key` decides what it passes.
-fn closest_through(ray: RnaRay, own: u32, rays: u32, key: u32) -> Through {
+fn closest_through(ray: RnaRay, ignored: u32, rays: u32, key: u32) -> Through {
     var hit = rna_miss(ray.far);
     var line = ray;
     var share = vec3f(1.0);
@@ -16,11 +16,11 @@ fn closest_through(ray: RnaRay, own: u32, rays: u32, key: u32) -> Through {
     stopped_share = vec3f(1.0);
     start_passing(AT_RANDOM);
     loop {
-        let found = rna_trace(line, own, rays, false);
+        let of_geometry = rna_trace(line, ignored, rays, false);
         if passing == WEIGH {
             break;
         }
-        hit = with_lights(ray, rays, found);
+        hit = with_lights(ray, rays, of_geometry);
         let is_triangle = (hit.instance & IS_LIGHT) == 0u
             && !rna_is_segment(rna_primitives[hit.primitive]);
         share = select(share, stopped_share, is_triangle);
@@ -34,9 +34,9 @@ fn closest_through(ray: RnaRay, own: u32, rays: u32, key: u32) -> Through {
 }
 
 // What a shadow ray keeps of its light.
-fn visible_on(ray: RnaRay, own: u32) -> vec3f {
+fn visible_on(ray: RnaRay, ignored: u32) -> vec3f {
     start_passing(WEAKEN);
-    var hit = rna_trace(ray, own, frame.rays, true);
+    var hit = rna_trace(ray, ignored, frame.rays, true);
     if hit.instance == RNA_NOTHING {
         hit = with_lights(ray, frame.rays, hit);
     }

@@ -175,7 +175,7 @@ export class Stage extends LastingEngine {
     arrays.surfaces.tint = tint ?? [1, 1, 1];
     this._printed();
     try {
-      for (const label of Object.keys(arrays.maps ?? {}).filter((own) => !(own in wanted))) await this.setMap(label, null);
+      for (const label of Object.keys(arrays.maps ?? {}).filter((name) => !(name in wanted))) await this.setMap(label, null);
       for (const [label, address] of Object.entries(wanted)) {
         if (arrays.maps?.[label] !== address) await this.setMap(label, new Blob([await fetched(address)]));
       }

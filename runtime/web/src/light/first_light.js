@@ -126,9 +126,9 @@ function clustersOf(excess) {
   const near = (direction) => left.filter((cell) => dot(directionOf(cell), direction) > NEARNESS);
   while (left.length && clusters.length < LIGHTS) {
     const all = left.slice(0, CANDIDATES).map((cell) => middleOf(near(directionOf(cell)), excess));
-    const best = all.reduce((a, b) => (b.flux > a.flux ? b : a)), own = new Set(near(best.direction));
-    clusters.push([...own]);
-    left = left.filter((cell) => !own.has(cell));
+    const best = all.reduce((a, b) => (b.flux > a.flux ? b : a)), members = new Set(near(best.direction));
+    clusters.push([...members]);
+    left = left.filter((cell) => !members.has(cell));
   }
   while (clusters.length && clusters.length < LIGHTS) if (!splitWidest(clusters, excess)) break;
   return clusters;
@@ -173,8 +173,8 @@ function longestAxis(cells, excess, middle) {
 function lightOf(cells, excess, caught, directions) {
   const colour = [0, 1, 2].map((c) => cells.reduce((sum, cell) => sum + caught(3 * cell + c), 0)), sum = [0, 0, 0];
   for (const cell of cells) {
-    const own = directions.subarray(3 * cell, 3 * cell + 3), weight = mean(excess, cell) / Math.hypot(...own);
-    own.forEach((value, k) => { sum[k] += weight * value; });
+    const d = directions.subarray(3 * cell, 3 * cell + 3), weight = mean(excess, cell) / Math.hypot(...d);
+    d.forEach((value, k) => { sum[k] += weight * value; });
   }
   const size = Math.hypot(...sum);
   return { direction: sum.map((value) => value / size), colour };

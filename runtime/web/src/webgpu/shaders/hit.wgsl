@@ -5,8 +5,8 @@ fn words(v: vec3f, last: u32) -> vec4<u32> {
 }
 
 // There are no lights with a shape.
-fn with_lights(ray: RnaRay, rays: u32, found: RnaHit) -> RnaHit {
-    return found;
+fn with_lights(ray: RnaRay, rays: u32, of_geometry: RnaHit) -> RnaHit {
+    return of_geometry;
 }
 
 fn along_segment(record: RnaPrimitive, x: vec3f) -> f32 {
@@ -59,10 +59,10 @@ fn trace_pixels(
     let at = place + mix(vec2f(0.5), square(number, 0u, frame.sample), view.jitter) + view.shift;
     let d = normalize(frame.corner + at.x * frame.step_x + at.y * frame.step_y);
     let ray = RnaRay(frame.camera, 0.0, d, RNA_FAR);
-    let found = follow(ray, RNA_NOTHING, 0u, number);
-    var pixel = pixel_of(found.hit, found.ray);
-    pixel.through = found.weight;
-    if found.bent && found.hit.instance == RNA_NOTHING {
+    let followed = follow(ray, RNA_NOTHING, 0u, number);
+    var pixel = pixel_of(followed.hit, followed.ray);
+    pixel.through = followed.weight;
+    if followed.bent && followed.hit.instance == RNA_NOTHING {
         pixel.axis.x = BENT_AWAY;
     }
     band[k] = pixel;

@@ -108,15 +108,15 @@ fn past_glass(number: u32, pixel: Pixel, x: vec3f, arrival: Arrival) -> vec3f {
         let is_hidden = rna_trace(ray, 0u, frame.rays, true).instance != RNA_NOTHING;
         return select(arrival.radiance, vec3f(0.0), is_hidden);
     }
-    let found = follow(ray, 0u, 1u, number);
-    if !found.bent {
+    let followed = follow(ray, 0u, 1u, number);
+    if !followed.bent {
         return arrival.radiance;
     }
-    if found.hit.instance != RNA_NOTHING {
+    if followed.hit.instance != RNA_NOTHING {
         return vec3f(0.0);
     }
-    let sky = look_up_image(0u, found.ray.direction).radiance;
-    return found.weight * sky / density_about(surroundings_of(pixel), arrival.wi);
+    let sky = look_up_image(0u, followed.ray.direction).radiance;
+    return followed.weight * sky / density_about(surroundings_of(pixel), arrival.wi);
 }
 
 // Where rays along wi from the asset's point start, and the strand that they pass.

@@ -7,7 +7,7 @@ struct Followed {
     ray: RnaRay,
 }
 
-fn follow(start: RnaRay, own: u32, depth: u32, pixel: u32) -> Followed {
-    let found = closest_through(start, own, frame.rays, chance_of(pixel));
-    return Followed(found.hit, found.weight, false, start);
+fn follow(start: RnaRay, ignored: u32, depth: u32, pixel: u32) -> Followed {
+    let through = closest_through(start, ignored, frame.rays, chance_of(pixel));
+    return Followed(through.hit, through.weight, false, start);
 }
