@@ -144,7 +144,7 @@ def roughness(image: np.ndarray) -> float:
 def test_a_tiny_run(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert run(tmp_path, "--references-only") == 0
+    assert run(tmp_path, "--references-only", "--floor-samples", "9") == 0
     assert [path.name for path in (tmp_path / "references").glob("*.safetensors")] == [
         "lamp.safetensors"
     ]

@@ -16,6 +16,8 @@ from rna_sdk.errors import RnaError
 
 Arrays = dict[str, np.ndarray]
 
+_SETTINGS = "settings.json"
+
 
 class StoredResults:
     """A folder of results that were all made with the same settings."""
@@ -25,7 +27,8 @@ class StoredResults:
 
         Raises RnaError, which names the remedy, where there is some and it is not to be forgotten.
         """
-        self._folder, path = folder, folder / "settings.json"
+        self._folder, self._settings = folder, json.dumps(settings, indent=1).encode()
+        path = folder / _SETTINGS
         earlier = json.loads(path.read_text()) if path.is_file() else None
         if earlier is not None and again:
             for made in ("*.safetensors", "*.json"):
@@ -35,19 +38,26 @@ class StoredResults:
             differ = [k for k in settings if earlier.get(k) != settings[k]]
             differences = ", ".join(f"{k} {earlier.get(k)}, now {settings[k]}" for k in differ)
             raise RnaError(f"{folder} was made with other settings ({differences}): {remedy}")
-        folder.mkdir(parents=True, exist_ok=True)
-        write_atomically(path, json.dumps(settings, indent=1).encode())
 
     def arrays(self, name: str, make: Callable[[], Arrays]) -> Arrays:
         """The result of `make`, or the stored result of an earlier call."""
         path = self._folder / f"{name}.safetensors"
         if not path.is_file():
-            write_arrays(path, make())
+            made = make()
+            self._store_settings()
+            write_arrays(path, made)
         return load_file(path)
 
     def record(self, name: str, make: Callable[[], dict[str, Any]]) -> dict[str, Any]:
         """The result of `make`, JSON values, or the stored one."""
         path = self._folder / f"{name}.json"
         if not path.is_file():
-            write_atomically(path, json.dumps(make(), indent=1).encode())
+            made = make()
+            self._store_settings()
+            write_atomically(path, json.dumps(made, indent=1).encode())
         return json.loads(path.read_text())
+
+    def _store_settings(self) -> None:
+        """With the first result, and not before: a folder without any takes all settings."""
+        self._folder.mkdir(parents=True, exist_ok=True)
+        write_atomically(self._folder / _SETTINGS, self._settings)
