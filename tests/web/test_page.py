@@ -116,8 +116,10 @@ SHARPENED = """new Promise((resolve) => {
         if (viewer.stats.scale !== 4 || viewer.shownCamera.width !== width) return;
         viewer.removeEventListener("shown", shown);
         viewer.pause();
-        engine.target = { width, height };  // of what FIRST_LOOK reads
-        resolve();
+        engine.done().then(() => {  // the next size has begun by then, and ends
+            engine.target = { width, height };  // of what FIRST_LOOK reads
+            resolve();
+        });
     });
     viewer.restart();
 })"""
