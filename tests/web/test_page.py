@@ -109,6 +109,23 @@ rnaViewer.viewer.addEventListener("shown", () => {
 });"""
 
 
+SHARPENED = """new Promise((resolve) => {
+    const { viewer, engine, canvas: { width, height } } = rnaViewer;
+    viewer.msPerPixel = 1;
+    viewer.addEventListener("shown", function shown() {
+        if (viewer.stats.scale !== 4 || viewer.shownCamera.width !== width) return;
+        viewer.removeEventListener("shown", shown);
+        viewer.pause();
+        engine.done().then(() => {  // the next size has begun by then, and ends
+            engine.target = { width, height };  // of what FIRST_LOOK reads
+            resolve();
+        });
+    });
+    viewer.restart();
+})"""
+"""Until the first look has light of a quarter of the size, and edges of the full one."""
+
+
 def test_package_with_lobes_has_a_first_look(page, tmp_path, package):
     """It is whole before the first sample, what shows while something moves, and fades."""
     columns = query_width(INPUTS, 4) + 16
@@ -130,6 +147,11 @@ def test_package_with_lobes_has_a_first_look(page, tmp_path, package):
     assert np.sum((cover > 0.1) & (cover < 0.9)) > 50  # edges are smooth
     # Four lobes of .125 under a radiance of 1.5.
     assert look[:, :3] == pytest.approx(0.75 * np.repeat(cover, 3, axis=1), rel=2e-3, abs=1e-6)
+    wait_for_picture(page, 3)
+    page.evaluate(SHARPENED)
+    sharpened = np.reshape(page.evaluate(FIRST_LOOK), (-1, 4))
+    assert sharpened.shape == look.shape
+    assert np.abs(sharpened - look).max(axis=1).mean() < 0.002
     wait_for_picture(page, 3)
     page.evaluate("pictures.length = 0; rnaViewer.turnTable(0.3, true)")
     page.wait_for("pictures.length", TIMEOUT)

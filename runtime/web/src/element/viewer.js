@@ -108,14 +108,14 @@ export class Viewer extends EventTarget {
     return !this.hasShown && this.isCovered();
   }
 
-  /** Sizes to go through: what is quick enough first, then finer ones; the first look, which costs more than a sample, in more steps. */
+  /** Sizes to go through: what is quick enough first, then finer ones, the last of them in steps of a half. */
   _scales() {
     const pixels = this.canvas.width * this.canvas.height * Math.max(1, (this.firstLights ?? this.lights).length);
     const coarsest = this._isHidden ? SHARP : this.coarsest;
     let scale = 1;
     while (scale < coarsest && (pixels * this.msPerPixel) / scale ** 2 > MOVING_MS) scale *= 2;
-    const scales = [scale], least = this.firstLights ? 2 : 1;
-    while (scale > 1) scales.push((scale = scale > 4 ? scale / 4 : scale > least ? least : 1));
+    const scales = [scale];
+    while (scale > 1) scales.push((scale /= scale > 4 ? 4 : 2));
     return scales;
   }
 
@@ -126,13 +126,10 @@ export class Viewer extends EventTarget {
     engine.resize(width, height);
     const camera = { ...this.orbit.camera(width, height), jitter: this.jitter }, { firstLights } = this;
     if (firstLights) {
-      const begun = performance.now();
-      if (!(await this._look(generation, { ...camera, jitter: 0 }))) return false;
-      this._present(camera, 0, scale, 1);
-      this._measure(performance.now() - begun, width * height, firstLights.length);
+      if (!(await this._look(generation, { ...camera, jitter: 0 }, scale))) return false;
     } else if (!this.hasShown && !this._isHidden) {  // one light is better than none
       if (!(await this._round(generation, camera, 0, this.lights.slice(0, 1)))) return false;
-      this._present(camera, 1, scale, 0, false);
+      this._present(camera, 1, scale, 0, engine.target, false);
     }
     for (let round = 0; round < rounds; round++) {
       const begun = performance.now();
@@ -153,23 +150,36 @@ export class Viewer extends EventTarget {
     });
   }
 
-  /** The first look: light at the pixels' middles, then edges by rays alone. */
-  async _look(generation, camera) {
-    const { engine, firstLights } = this;
+  /** The first look: light at the pixels' middles, then edges by rays alone, at once in that size, then in full size: rays
+   * are cheaper than light. */
+  async _look(generation, camera, scale) {
+    const { engine, canvas, firstLights, moving, stats } = this, { target } = engine, begun = performance.now();
+    const full = { width: canvas.width, height: canvas.height }, isOneSize = scale === 1 || scale > SHARP || moving;
+    const views = [[camera, target], [{ ...this.orbit.camera(full.width, full.height), jitter: 0 }, full]];
     const lit = await this._bands(generation, firstLights.length, (from, to) => {
       this._band(camera, 0, firstLights, from, to);
       engine.remember();
     });
     if (!lit) return false;
+    for (const [view, size] of isOneSize ? views.slice(0, 1) : views.slice(Number(stats.isSharp))) {
+      if (!(await this._edges(generation, view, size))) return false;
+      this._present(view, 0, scale, 1, size);
+      if (size === target) this._measure(performance.now() - begun, target.width * target.height, firstLights.length);
+    }
+    return true;
+  }
+
+  _edges(generation, camera, size) {
+    const { engine } = this;
     return this._bands(generation, 1, (from, to) => EDGE_RAYS.forEach((shift, k) => {
-      engine.trace({ ...camera, shift }, 0, from, to);
-      engine.smoothEdges(EDGE_RAYS.length, k === 0);
-    }));
+      engine.trace({ ...camera, shift }, 0, from, to, size.width);
+      engine.smoothEdges(EDGE_RAYS.length, k === 0, size);
+    }), size);
   }
 
   /** Does work on some rows at a time, which takes as long as so many lights; false if the picture is no longer wanted. */
-  async _bands(generation, lights, work) {
-    const { engine } = this, { width, height } = engine.target;
+  async _bands(generation, lights, work, { width, height } = this.engine.target) {
+    const { engine } = this;
     const cost = this.msPerPixel * width * Math.max(1, lights);
     const rows = Math.max(1, Math.min(height, Math.floor(BAND_MS / cost), Math.floor(engine.bandPixels / width)));
     for (let from = 0; from < height; from += rows) {
@@ -191,9 +201,9 @@ export class Viewer extends EventTarget {
     if (engine.emits) engine.emission();
   }
 
-  /** firstLook: share of the first look in the picture. isLit: by all lights. */
-  _present(camera, rounds, scale, firstLook, isLit = true) {
-    Object.assign(this, { shown: { rounds, firstLook }, shownCamera: { ...camera, ...this.engine.target }, rowsAhead: 0 });
+  /** firstLook: share of the first look in the picture. scale: of its light. isLit: by all lights. */
+  _present(camera, rounds, scale, firstLook, size = this.engine.target, isLit = true) {
+    Object.assign(this, { shown: { rounds, firstLook }, shownCamera: { ...camera, ...size }, rowsAhead: 0 });
     this.show();
     if (!this.hasShown) performance.mark("picture");
     this.hasShown = true;

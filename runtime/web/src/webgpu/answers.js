@@ -7,17 +7,21 @@ const CAMERA = { position: [0, 0, 0], corner: [0, 0, 0], stepX: [0, 0, 0], stepY
 /** (n, colours, 3) numbers for rows of 16: position and h; n or t and red; wo and green; wi and blue, of the base colour. */
 export async function evaluate(engine, part, output, rows, wantsAnswers = true) {
   const { [output]: one, visible, shadowed } = engine.parts[part], { device, queue, bandPixels } = engine;
-  const evaluators = one ? [one] : [visible, shadowed], colours = output === "transport" ? 2 : 1, count = rows.length / 16, result = new Float32Array(3 * colours * count);
+  const evaluators = one ? [one] : [visible, shadowed], all = output === "transport" ? 2 : 1, colours = all / evaluators.length;
+  const count = rows.length / 16, result = new Float32Array(3 * all * count);
   for (let first = 0; first < count; first += bandPixels) {
     const some = Math.min(bandPixels, count - first);
     device.queue.writeBuffer(queue.rows, 0, rows, 16 * first, 16 * some);
     device.queue.writeBuffer(queue.count, 0, Uint32Array.of(some));
-    engine._run((pass) => evaluators.forEach((evaluator) => evaluator.run(pass, queue, some)));
-    await engine.done();
-    if (!wantsAnswers) continue;
-    const answers = new Float32Array(await read(device, queue.answers, 16 * colours * some));
-    for (let k = 0; k < colours * some; k++) {
-      result.set(answers.subarray(4 * k, 4 * k + 3), 3 * (colours * first + k));
+    for (const [place, evaluator] of evaluators.entries()) {
+      engine._run((pass) => evaluator.run(pass, queue, some));
+      await engine.done();
+      if (!wantsAnswers) continue;
+      const answers = new Float32Array(await read(device, queue.answers, 16 * all * some));  // `all` a row
+      for (let k = 0; k < colours * some; k++) {
+        const row = Math.floor(k / colours), own = all * row + (k % colours);
+        result.set(answers.subarray(4 * own, 4 * own + 3), 3 * (all * first + own + place));
+      }
     }
   }
   return result;
@@ -33,7 +37,7 @@ async function answersOf(engine, hits, kernel, member) {
   engine.resize(hits.length, 1);
   engine.span = { first: 0, pixels: hits.length, jitter: 0 };
   device.queue.writeBuffer(band, 0, rows);
-  engine._writeFrame(CAMERA, 0);
+  engine._writeFrame(CAMERA, 0, hits.length);
   engine._writeView({ kind: "given", colour: [1, 1, 1] });
   engine._run((pass) => dispatch(pass, kernel, engine.groups.rays, hits.length));
   const answers = new Float32Array(await read(device, band, rows.byteLength));

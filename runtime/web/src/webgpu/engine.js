@@ -154,11 +154,10 @@ export class WebGPUEngine {
     this.device.queue.writeBuffer(this.images, 4 * images.length, floats);
   }
 
-  /** A picture of this size, empty. */
+  /** A picture of this size, empty; its first look may be as large as the canvas. */
   resize(width, height) {
-    if (this.target?.width === width && this.target.height === height) return;
-    const capacity = width * height;
     this.target = { width, height };
+    const capacity = Math.max(width * height, this.hasLobes ? this.canvas.width * this.canvas.height : 0);
     if (this.sums && capacity <= this.capacity && capacity * 8 >= this.capacity) return;
     this.capacity = capacity;
     this._makeSums();
@@ -190,11 +189,10 @@ export class WebGPUEngine {
     };
   }
 
-  /** The first hits of rows `from` to `to`, the band that what follows is about. */
-  trace(camera, sample, from, to) {
-    const { width } = this.target;
+  /** The first hits of rows `from` to `to` of a picture so wide, the band that what follows is about. */
+  trace(camera, sample, from, to, width = this.target.width) {
     this.span = { first: from * width, pixels: (to - from) * width, jitter: camera.jitter ?? 1, shift: camera.shift ?? [0, 0] };
-    this._writeFrame(camera, sample);
+    this._writeFrame(camera, sample, width);
     this._writeView({});
     this._run((pass) => dispatch(pass, this.kernels.hit, this.groups.rays, this.span.pixels));
   }
@@ -221,15 +219,15 @@ export class WebGPUEngine {
     this._run((pass) => dispatch(pass, this.kernels.remember, this.groups.look, this.span.pixels));
   }
 
-  /** Adds one of `shares` rays a pixel, those of the band, to the first look. */
-  smoothEdges(shares, isFirst) {
-    this._writeView({ shares, isFirst });
+  /** Adds one of `shares` rays a pixel, those of the band, to the first look. size: of its picture; its light is the target's. */
+  smoothEdges(shares, isFirst, size) {
+    this._writeView({ shares, isFirst, size });
     this._run((pass) => dispatch(pass, this.kernels.smooth, this.groups.look, this.span.pixels));
   }
 
   /** firstLook: its share in what is shown, 1 where there are no samples. rowsAhead: from the top, with one sample more. */
   show({ rounds, firstLook, rowsAhead, exposure, backdrop, filmic, spread, camera, sky }) {
-    const { width, height } = this.target, { canvas, device } = this;
+    const { width, height } = camera, { canvas, device } = this;
     device.queue.writeBuffer(this.showRecord, 0, packed("Show", {
       size: [canvas.width, canvas.height], picture: [width, height], backdrop, rounds, rows_ahead: rowsAhead, exposure, filmic: Number(filmic), spread, first_look: firstLook,
       ...(sky && this._sky(camera, sky)),
@@ -286,20 +284,21 @@ export class WebGPUEngine {
   }
 
   /** rna_gpu's Frame: render/frame.wgsl. Images are averaged over what a sample stands for, so that print becomes sharper. */
-  _writeFrame({ position, corner, stepX, stepY }, sample) {
-    const { lightsAt, objectsAt, arrays, span, target } = this;
+  _writeFrame({ position, corner, stepX, stepY }, sample, width) {
+    const { lightsAt, objectsAt, arrays, span } = this;
     this.device.queue.writeBuffer(this.frameRecord, 0, packed("Frame", {
-      camera: position, corner, step_x: stepX, step_y: stepY, width: target.width, paths: span.pixels, sample, branches: 1, depth: 1, rays: constants.CAMERA_RAY,
+      camera: position, corner, step_x: stepX, step_y: stepY, width, paths: span.pixels, sample, branches: 1, depth: 1, rays: constants.CAMERA_RAY,
       flags: arrays.transmits ? constants.TRANSMITS : 0, textures: arrays.texturesAt, lights: lightsAt, objects: objectsAt, spread: Math.hypot(...stepY) / Math.sqrt(span.jitter > 0 ? sample + 1 : 1),
     }));
   }
 
-  _writeView({ kind = "sun", direction = [0, 0, 0], colour = [0, 0, 0], ground, isFirst = false, countsCoverage = false, part = 0, form = 0, shares = 1 }) {
+  _writeView({ kind = "sun", direction = [0, 0, 0], colour = [0, 0, 0], ground, isFirst = false, countsCoverage = false, part = 0, form = 0, shares = 1, size = this.target }) {
     const { first, jitter, shift = [0, 0] } = this.span, { width, height } = this.target;
     const under = ground && { ground: ground.height, ground_colour: ground.colour, ground_size: ground.size, middle: [ground.x, ground.z] };
     this.device.queue.writeBuffer(this.viewRecord, 0, packed("View", {
       first, jitter, kind: viewerLights[kind], is_first: Number(isFirst), direction, counts_coverage: Number(countsCoverage), colour, part,
-      form, shift, pixels: width * height, shares, texel: this.texel ?? 0, ...under,
+      form, shift, shares, texel: this.texel ?? 0,
+      light_width: width, light_height: height, light_scale: [width / size.width, height / size.height], ...under,
     }));
   }
 

@@ -28,7 +28,7 @@ export class Pipelines {
 export class PartEvaluator {
   static make(device, pipelines, part, form, planes) {
     const decoder = part.decoders[form];
-    const constants = { RNA_COLOURS: decoder.colours, RNA_STRIDE: form === "emission" ? 1 : 2, RNA_FIRST: Number(form === "shadowed") };
+    const constants = { RNA_COLOURS: decoder.colours, RNA_STRIDE: form === "emission" ? 1 : 2, RNA_FIRST: 0 };  // visible and shadowed light share a pipeline
     const what = { constants, parts: [part.kind, "evaluate"], kernel: "", entryPoint: "rna_evaluate" };
     return this.of(device, pipelines, packDecoder(part, decoder, decoder.inputs), planes, what);
   }

@@ -36,7 +36,7 @@ export function rayKernels({ hasSegments, hasTextures, hasBaseColor, hasGlass })
   if (!hasTextures) Object.assign(instead, { "normal_maps.wgsl": withoutTextures, "render/transmittance.wgsl": "" });
   if (!hasGlass) instead["render/solid_glass.wgsl"] = withoutGlass;
   if (!hasBaseColor) instead["render/base_color.wgsl"] = withoutBaseColor;
-  return { hit: joined(compositions.hit, instead) + band + hit, light: [joined(compositions.light, instead), band, lightKinds, light].join("\n") };
+  return { hit: joined(compositions.hit, instead) + band + hit, light: [`const HAS_GLASS = ${hasGlass};`, joined(compositions.light, instead), band, lightKinds, light].join("\n") };
 }
 
 export const sources = {

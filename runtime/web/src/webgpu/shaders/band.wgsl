@@ -15,9 +15,11 @@ struct View {
     part: u32,     // of the queries, + 1
     form: u32,     // of the answers: up to FORM_SHADOWED two vec4f each; FORM_EMISSION or FORM_ENVIRONMENT, one
     shift: vec2f,  // of the rays, pixels
-    pixels: u32,   // of the whole picture
+    light_width: u32, // of the picture that has the first look's light, pixels
+    light_height: u32,
     shares: f32,   // rays a pixel of the first look's edges
     texel: f32,    // of the lobes' planes, object space
+    light_scale: vec2f, // width and height of that picture over those of the band's
 }
 
 const FORM_TRANSPORT = 0u;

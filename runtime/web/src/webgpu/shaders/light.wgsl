@@ -102,6 +102,9 @@ fn arrival_at(number: u32, pixel: Pixel) -> Arrival {
 // What comes along wi to x, where glass may be in the way: rays that follow it through find the environment; the other
 // sorts of light do not pass.
 fn past_glass(number: u32, pixel: Pixel, x: vec3f, arrival: Arrival) -> vec3f {
+    if !HAS_GLASS {
+        return arrival.radiance;
+    }
     let ray = RnaRay(x, 0.0, arrival.wi, RNA_FAR);
     if view.kind != LIGHT_AROUND_POINT {
         start_passing(ALL_STOP);
@@ -119,13 +122,16 @@ fn past_glass(number: u32, pixel: Pixel, x: vec3f, arrival: Arrival) -> vec3f {
     return followed.weight * sky / density_about(surroundings_of(pixel), arrival.wi);
 }
 
-// Where rays along wi from the asset's point start, and the strand that they pass.
+// Where rays of light start, the strand that they pass, and what is sent on of the light; of the ground how much it
+// covers.
 struct Start {
     x: vec3f,
     strand: u32,
+    weight: vec3f,
+    coverage: f32,
 }
 
-fn start_of(pixel: Pixel, wi: vec3f) -> Start {
+fn start_on_asset(pixel: Pixel, wi: vec3f) -> Start {
     let record = rna_primitives[pixel.wo.w];
     var v: Vertex;
     if !rna_is_segment(record) {
@@ -136,36 +142,29 @@ fn start_of(pixel: Pixel, wi: vec3f) -> Start {
         v.kind = OF_FIBERS;
         v.strand = rna_strand(record);
     }
-    return Start(leaving_point(v, wi), v.strand);
+    return Start(leaving_point(v, wi), v.strand, vec3f(1.0), 0.0);
 }
 
-// The ground, which the pixel's ray meets, shows the shadow and fades with the distance: what it sends on of an arrival;
-// and how much it covers.
-fn ground_seen(number: u32, pixel: Pixel, arrival: Arrival) -> vec4f {
+// The ground, which the pixel's ray meets, shows the shadow and fades with the distance.
+fn start_on_ground(pixel: Pixel, wi: vec3f) -> Start {
     let start = bitcast<vec3f>(pixel.position.xyz);
     let d = -bitcast<vec3f>(pixel.wo.xyz);
-    let wi = arrival.wi;
     if view.ground_size == 0.0 || d.y * (start.y - view.ground) >= 0.0 {
-        return vec4f(0.0);
+        return Start(vec3f(0.0), RNA_NOTHING, vec3f(0.0), 0.0);
     }
     let x = start + d * ((view.ground - start.y) / d.y);
     let fade = 1.0 - smoothstep(0.5, 1.0, length(x.xz - view.middle) / view.ground_size);
     let weight = fade * max(0.0, wi.y) * view.ground_colour;
-    if all(weight <= vec3f(0.0)) {
-        return vec4f(0.0, 0.0, 0.0, fade);
-    }
     let step = 0x1p-18f * rna_instances[0].extent;
-    let way = RnaRay(x + vec3f(0.0, step, 0.0), 0.0, wi, RNA_FAR);
-    let visible = start_visibility(0u, way, RNA_NOTHING);
-    return vec4f(weight * visible * past_glass(number, pixel, way.origin, arrival), fade);
+    return Start(x + vec3f(0.0, step, 0.0), RNA_NOTHING, weight, fade);
 }
 
 // What a ray that comes out of glass and meets nothing sees: the ground, and beyond it the environment.
-fn seen_behind_glass(pixel: Pixel, ground: vec4f) -> vec3f {
+fn seen_behind_glass(pixel: Pixel, ground: vec3f, coverage: f32) -> vec3f {
     if view.kind != LIGHT_ENVIRONMENT {
-        return ground.xyz;
+        return ground;
     }
-    return ground.xyz + (1.0 - ground.w) * look_up_image(0u, -bitcast<vec3f>(pixel.wo.xyz)).radiance;
+    return ground + (1.0 - coverage) * look_up_image(0u, -bitcast<vec3f>(pixel.wo.xyz)).radiance;
 }
 
 @compute @workgroup_size(64)
@@ -183,20 +182,31 @@ fn light_pixels(
     if view.kind == LIGHT_MIRROR {
         pixel.detail = detail_of(pixel);
     }
-    if pixel.axis.w != 0u {
-        let start = start_of(pixel, arrival.wi);
-        let way = RnaRay(start.x, 0.0, arrival.wi, RNA_FAR);
-        pixel.visibility = start_visibility(0u, way, start.strand);
-        pixel.radiance = pixel.through * past_glass(number, pixel, start.x, arrival);
+    let is_asset = pixel.axis.w != 0u;
+    var start: Start;
+    if is_asset {
+        start = start_on_asset(pixel, arrival.wi);
     } else {
-        let ground = ground_seen(number, pixel, arrival);
-        let is_behind_glass = pixel.axis.x == BENT_AWAY;
-        pixel.radiance = ground.xyz;
+        start = start_on_ground(pixel, arrival.wi);
+    }
+    // Drivers inline each call, so the asset and the ground share those that trace.
+    var visible = vec3f(0.0);
+    var arriving = vec3f(0.0);
+    if any(start.weight > vec3f(0.0)) {
+        visible = start_visibility(0u, RnaRay(start.x, 0.0, arrival.wi, RNA_FAR), start.strand);
+        arriving = past_glass(number, pixel, start.x, arrival);
+    }
+    if is_asset {
+        pixel.visibility = visible;
+        pixel.radiance = pixel.through * arriving;
+    } else {
+        let is_behind_glass = HAS_GLASS && pixel.axis.x == BENT_AWAY;
+        pixel.radiance = start.weight * visible * arriving;
         if is_behind_glass {
-            pixel.radiance = seen_behind_glass(pixel, ground);
+            pixel.radiance = seen_behind_glass(pixel, pixel.radiance, start.coverage);
         }
         pixel.radiance *= pixel.through;
-        pixel.coverage = select(ground.w, 1.0, is_behind_glass);
+        pixel.coverage = select(start.coverage, 1.0, is_behind_glass);
     }
     band[k] = pixel;
 }

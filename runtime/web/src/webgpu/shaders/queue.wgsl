@@ -64,7 +64,7 @@ fn scatter(
             transport = pixel.visibility * answers[2u * at].xyz;
         }
         if view.form != FORM_VISIBLE {
-            transport += (1.0 - pixel.visibility) * answers[2u * at + 1u].xyz;
+            transport += (1.0 - pixel.visibility) * answers[2u * at + select(0u, 1u, view.form == FORM_TRANSPORT)].xyz;
         }
         radiance = pixel.radiance * transport;
     }
