@@ -30,19 +30,26 @@ def test_the_python_of_the_page(
     for name, path in environment.items():
         assert any(name in block for block in blocks)
         blocks = [block.replace(name, str(path)) for block in blocks]
-    install, imported, bake = blocks
+    install, imported, bake, more = blocks
     stand_in = tmp_path / "python"
     stand_in.write_text(
-        f"#!{sys.executable}\nimport shutil, sys\n"
-        f"shutil.copy({str(TOY)!r}, sys.argv[3])\nprint('bake finished')\n"
+        f"#!{sys.executable}\nimport pathlib, shutil, sys\n"
+        f"shutil.copy({str(TOY)!r}, sys.argv[3])\n"
+        "folder = pathlib.Path(sys.argv[4])\n"
+        "(folder / 'make' / 'rays').mkdir(parents=True, exist_ok=True)\n"
+        "for name in ('make/make.json', 'make/rays/manifest.json', 'made'):\n"
+        "    (folder / name).touch()\n"
+        "print(*sys.argv[5:], 'bake finished', sep='\\n')\n"
     )
     stand_in.chmod(0o755)
     (engine,) = re.findall(r"`(bpy\.context\.scene\.render\.engine = .*?)`", PAGE)
     object_ = "bpy.ops.mesh.primitive_monkey_add()"
     code = "print('SEEN', bpy.context.scene.render.engine, 'Suzanne' in bpy.data.objects)"
-    script = "\n".join([install, object_, engine, bake, code])
+    log = f"print('LOG', open({str(tmp_path / 'suzanne.bake' / 'log')!r}).read())"
+    script = "\n".join([install, object_, engine, bake, more, code, log])
     printed = run_in_blender(script, python=str(stand_in))
-    assert "SEEN RNA True" in printed and (tmp_path / "suzanne.rna").is_file()
+    assert "SEEN RNA True" in printed and "--more=10" in printed
+    assert (tmp_path / "suzanne.rna").is_file()
     printed = run_in_blender(f"{imported}\nprint('SEEN', bpy.context.object.name)")
     assert "SEEN toy" in printed
 
