@@ -35,7 +35,8 @@ def checkpoint(dataset: DatasetPart, tmp_path_factory: pytest.TempPathFactory) -
 
 def test_says_all_that_is_needed_to_repeat_it(checkpoint: Path, dataset: DatasetPart) -> None:
     trained = load_checkpoint(checkpoint)
-    assert trained.preset == tiny(steps=10, loss="log")  # a capture without noise
+    rows = len(dataset.training_samples()["wo"])
+    assert trained.preset == tiny(steps=10, loss="log").for_rows(rows)  # a capture without noise
     assert (trained.preset_name, trained.seed, trained.steps) == ("small", 3, 10)
     assert trained.capture == dataset.manifest
     assert trained.dataset == dataset.folder.resolve()
