@@ -118,9 +118,12 @@ def test_lights_and_steps_make_the_package_of_the_three_commands(tmp_path: Path)
 
 
 def test_a_minute_is_kept(tmp_path: Path) -> None:
-    """What is neither rays nor training may take 12 s, 3 of which are kept for the export."""
+    """What is neither rays nor training may take 33 s, 3 of which are kept for the export.
+
+    It takes 9 s on an idle machine, and longer on a slow one beside another test.
+    """
     source = write_scene(tmp_path, "ball", SCENE)
     begun = time.monotonic()
     said = run(source, tmp_path / "b.rna", "--minutes", 1, "--presets", "tiny", "--", 0.4)
     assert "time is up" in said
-    assert 0.8 * 60.0 < time.monotonic() - begun < 60.0 + 9.0
+    assert 0.8 * 60.0 < time.monotonic() - begun < 60.0 + 30.0
