@@ -70,9 +70,9 @@ def last_tenth(curve: Sequence[tuple[int, float]], steps: int) -> float | None:
 def front(points: list[dict[str, Any]], cost: str) -> list[dict[str, Any]]:
     """Pareto front of cost and FLIP without ablations, cheapest point first."""
     known = [p for p in points if p["family"] != "ablation" and p[cost] is not None]
-    best, front = float("inf"), []
+    best, cheapest = float("inf"), []
     for point in sorted(known, key=lambda p: (p[cost], p["flip"])):
         if point["flip"] < best:
             best = point["flip"]
-            front.append(point)
-    return front
+            cheapest.append(point)
+    return cheapest
