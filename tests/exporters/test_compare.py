@@ -99,6 +99,13 @@ def test_the_page_holds_every_picture_and_its_numbers(tmp_path: Path) -> None:
         assert (tmp_path / name).is_file()
 
 
+def test_an_error_in_words_is_without_the_noise_of_cycles() -> None:
+    pair = _pair(shots([MESH], 16)[0], 0)
+    assert pair.error == f"FLIP {pair.flip.mean:.3f}, PSNR 30.0 dB"
+    bound = replace(pair, psnr_without_noise=NoiselessPsnr(28.0, 28.0, None))
+    assert bound.error.endswith("PSNR at least 28.0 dB")
+
+
 def test_the_page_says_what_was_compared_with_recorded_and_found_figures(tmp_path: Path) -> None:
     package, source = _package(tmp_path), tmp_path / "ball.gltf"
     source.write_bytes(b"another ball")

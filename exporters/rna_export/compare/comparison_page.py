@@ -49,7 +49,7 @@ def write_page(
     shots, strips = [], []
     for number, pair in enumerate(pairs):
         images = _images(pair)
-        strips.append((list(images.values()), _scores(pair)))
+        strips.append((list(images.values()), f"{pair.shot.name}: {pair.error}"))
         files = {kind: f"{number}-{kind}.png" for kind in images}
         if number == len(pairs) - 1 or not all((folder / f).is_file() for f in files.values()):
             for kind, image in images.items():
@@ -119,12 +119,6 @@ def _facts(made: Made | None) -> dict[str, str]:
 def _images(pair: Pair) -> dict[str, np.ndarray]:
     pictures = pictures_of(pair.ours, pair.cycles, pair.exposure)
     return dict(zip(("ours", "cycles", "difference", "flip"), pictures, strict=True))
-
-
-def _scores(pair: Pair) -> str:
-    clean = pair.psnr_without_noise
-    bound = "at least " if clean.high is None else ""
-    return f"{pair.shot.name}: FLIP {pair.flip.mean:.3f}, PSNR {bound}{clean.db:.1f} dB"
 
 
 def _summary(pairs: list[Pair]) -> dict[str, object]:

@@ -40,6 +40,13 @@ class Pair:
     seconds_cycles: float
     exposure: float = 1.0  # that FLIP is of, and that it is shown at
 
+    @property
+    def error(self) -> str:
+        """In words: FLIP and PSNR, neither with Cycles' noise."""
+        clean = self.psnr_without_noise
+        bound = "at least " if clean.high is None else ""
+        return f"FLIP {self.flip.mean:.3f}, PSNR {bound}{clean.db:.1f} dB"
+
 
 def compare(
     asset: Asset,

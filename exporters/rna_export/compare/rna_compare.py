@@ -112,7 +112,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
         """Report the last image, and write what there is: the next ones may take minutes."""
         p = pairs[-1]
         print(
-            f"FLIP {p.flip.mean:.3f}, PSNR {p.psnr:.2f} dB, coverage differs by {p.coverage:.2%}, "
+            f"{p.error}, coverage differs by {p.coverage:.2%}, "
             f"ours {p.seconds_ours:.2f} s, Cycles {p.seconds_cycles:.2f} s",
             flush=True,
         )
