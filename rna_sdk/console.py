@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import re
 import shlex
 import signal
 import sys
@@ -16,6 +17,9 @@ from typing import Any
 from rna_sdk.command_parser import CommandParser
 from rna_sdk.errors import RnaError
 from rna_sdk.lasting_streams import lasting_streams
+
+_REFUSED_BY_TORCH = re.compile(r"you tried to allocate \d+ bytes")
+"""In PyTorch's error for memory that the system refuses (c10/core/impl/alloc_cpu.cpp)."""
 
 INTERRUPTED = 130
 """Exit status after Ctrl-C: the shell's for a program that SIGINT ended."""
@@ -63,9 +67,10 @@ def run_command(
     """Runs `command`; returns its exit status, 0 for None.
 
     1 after an RnaError, which is printed as one line, or with its traceback if `debug`, and so
-    after an OSError, such as a full disk, and a MemoryError; INTERRUPTED after Ctrl-C or SIGTERM,
-    where `when_stopped` is printed. A warning is one line, too. A reader of the output that ends
-    early, such as `head`, does not end the command: the rest of the output is dropped.
+    after an OSError, such as a full disk, a MemoryError and what PyTorch raises for one;
+    INTERRUPTED after Ctrl-C or SIGTERM, where `when_stopped` is printed. A warning is one line,
+    too. A reader of the output that ends early, such as `head`, does not end the command: the rest
+    of the output is dropped.
 
     extra: the distribution extra that `command` needs; the error for a missing module names it.
     """
@@ -86,6 +91,10 @@ def run_command(
             return _fail(_error_text(error), debug)
         except MemoryError as error:
             return _fail(f"not enough memory: {error}".removesuffix(": "), debug)
+        except RuntimeError as error:
+            if (refused := _REFUSED_BY_TORCH.search(str(error))) is None:
+                raise
+            return _fail(f"not enough memory: {refused[0]}", debug)
         except KeyboardInterrupt:
             print(f"stopped; {when_stopped}", file=sys.stderr)
             return INTERRUPTED

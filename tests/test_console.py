@@ -44,6 +44,14 @@ def fails(error: BaseException, debug: bool = False) -> int:
         (TimeoutError("no answer"), "no answer"),
         (MemoryError("Unable to allocate 8 TiB"), "not enough memory: Unable to allocate 8 TiB"),
         (MemoryError(), "not enough memory"),
+        (
+            RuntimeError(
+                "[enforce fail at alloc_cpu.cpp:127] err == 0. DefaultCPUAllocator: can't allocate "
+                "memory: you tried to allocate 112000000000 bytes. Error code 12 (Cannot allocate "
+                "memory)"
+            ),
+            "not enough memory: you tried to allocate 112000000000 bytes",
+        ),
     ],
 )
 def test_an_error_of_the_system_is_one_line(

@@ -63,6 +63,15 @@ def test_the_sdist_takes_files_of_the_top_alone() -> None:
     assert [p for p in patterns if not (p[0] == "/" and (REPOSITORY / p[1:]).exists())] == []
 
 
+def test_the_lowest_test_names_files_that_exist() -> None:
+    lines = (REPOSITORY / "scripts" / "test-lowest").read_text().splitlines()
+    shown = lines[lines.index("tests=(") : lines.index(")") + 1]
+    listed = [*shown, 'printf "%s\\n" "${tests[@]#--ignore=}"']
+    paths = subprocess.check_output(["bash", "-c", "\n".join(listed)], text=True).split()
+    assert len(paths) > 10
+    assert [path for path in paths if not (REPOSITORY / path).exists()] == []
+
+
 def test_a_marker_is_kept() -> None:
     assert pins(["numpy>=2.0; python_version < '3.14'"]) == ["numpy==2.0; python_version < '3.14'"]
 

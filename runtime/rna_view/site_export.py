@@ -6,7 +6,7 @@ import json
 import shutil
 from pathlib import Path
 
-from rna_sdk.atomic_file import atomic_file, write_atomically
+from rna_sdk.atomic_file import atomic_file, is_temporary, remove_leftovers, write_atomically
 from rna_sdk.errors import ViewError
 from rna_view.site_files import SITE_NAME, VIEWER_FILES, Site, viewer_file
 
@@ -33,13 +33,16 @@ MARKER = "rna-view.json"
 def export_site(site: Site, folder: Path) -> list[Path]:
     """Write the page; returns the files. Of an earlier export, what is no longer used is removed.
 
+    So is what an export that was killed left half written.
+
     Raises:
         ViewError: the folder holds something else, or cannot be written.
     """
     if folder.exists() and not folder.is_dir():
         raise ViewError(f"{folder}: expected a folder")
     earlier = _exported(folder)
-    if earlier is None and folder.is_dir() and any(folder.iterdir()):
+    there = folder.iterdir() if folder.is_dir() else ()
+    if earlier is None and not all(map(is_temporary, there)):
         raise ViewError(
             f"{folder}: the folder holds other files; expected a new or empty one, or an earlier "
             "export"
@@ -50,6 +53,7 @@ def export_site(site: Site, folder: Path) -> list[Path]:
     contents["index.html"] = site.index()
     try:
         folder.mkdir(parents=True, exist_ok=True)
+        remove_leftovers(folder)
         _mark(folder, used | (earlier or set()))
         written = [_write(folder / name, content) for name, content in contents.items()]
         for name in (earlier or set()) - used:

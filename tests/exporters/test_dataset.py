@@ -113,11 +113,17 @@ def _more(scale: float) -> Callable[[np.ndarray], np.ndarray]:
         ("train", "asset/position", _more(1e20)),
         ("train", "asset/position", _more(3.0)),
         ("train", "asset/radiance", _more(1e30)),
+        ("train", "asset/normal", _more(1e17)),
+        ("train", "asset/wo", _more(1.1)),
+        ("train", "asset/wi", _more(1e17)),
         ("validation", "asset/pixel", lambda v: v + 24 * 24),
         ("validation", "asset/pixel", lambda v: v - 1000),
         ("validation", "asset/pixel", lambda v: v.astype(np.float32)),
         ("geometry", "triangles", lambda v: v + np.uint32(100_000)),
         ("geometry", "positions", _more(1e20)),
+        ("geometry", "normals", _more(0.0)),
+        ("geometry", "normals", _more(1e17)),
+        ("geometry", "normals", _more(float("nan"))),
     ],
 )
 def test_arrays_of_strangers_are_refused_in_one_line(

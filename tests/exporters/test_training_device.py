@@ -17,7 +17,7 @@ from rna_export.training.report import Curves
 from rna_export.training.rna_train import main
 from rna_export.training.training_options import device_name
 from rna_export.training.training_run import Run, train
-from rna_sdk.errors import TrainingError
+from rna_sdk.errors import RnaError, TrainingError
 from tests.exporters.synthetic import make_dataset, tiny
 
 
@@ -67,6 +67,14 @@ def test_what_device_was_taken_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     for there, taken in ((True, "cuda"), (False, "cpu")):
         monkeypatch.setattr(torch.cuda, "is_available", lambda there=there: there)
         assert training_options.chosen_device("auto") == taken
+
+
+def test_a_batch_beyond_the_machine_is_refused_before_a_step(
+    dataset: DatasetPart, tmp_path: Path
+) -> None:
+    run = Run(dataset, tiny(batch=10**10), "small", tmp_path / "run")
+    with pytest.raises(RnaError, match=r"^--batch 10000000000: a step: takes .* GB of memory"):
+        train(run)
 
 
 def test_a_batch_that_does_not_fit_is_one_line(

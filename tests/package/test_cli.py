@@ -79,22 +79,32 @@ def test_usage_error(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 @pytest.mark.parametrize("options", [[], ["--json"]])
+@pytest.mark.parametrize(
+    ("defect", "said"),
+    [
+        (RuntimeError("defect"), "internal error, RuntimeError('defect'); try --debug"),
+        (MemoryError("Unable to allocate 8 TiB"), "not enough memory: Unable to allocate 8 TiB"),
+        (MemoryError(), "not enough memory"),
+    ],
+)
 def test_a_defect_takes_no_other_report_along(
     tiny: Path,
     broken: Path,
     options: list[str],
+    defect: Exception,
+    said: str,
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     def defect_of_one(path: str) -> Inspection:
         if path == "defect.rna":
-            raise RuntimeError("defect")
+            raise defect
         return inspect(path)
 
     monkeypatch.setattr(cli, "inspect", defect_of_one)
     assert cli.main([*options, str(tiny), "defect.rna", str(broken)]) == 1
     output = capsys.readouterr()
-    assert output.err.startswith("defect.rna: internal error")
+    assert output.err == f"defect.rna: {said}\n"
     if options:
         assert [report["file"] for report in json.loads(output.out)] == [str(tiny), str(broken)]
     else:

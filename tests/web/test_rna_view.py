@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 
+from rna_sdk.atomic_file import remove_leftovers, temporary_path
 from rna_sdk.errors import PackageError, ViewError
 from rna_view.page_server import PageServer
 from rna_view.rna_view_command import main
@@ -196,6 +197,22 @@ def test_names_in_a_page_are_ours(package, tmp_path, name):
     assert (folder / "viewer.js").read_bytes() == viewer_file("viewer.js")
     with served(site) as server:
         assert fetch(f"{server.url}viewer.js")[2] == viewer_file("viewer.js")
+
+
+def test_what_a_killed_export_left_goes_with_the_next(package, tmp_path):
+    """Whether it was killed before it had marked the folder, or later."""
+    folder = tmp_path / "site"
+    folder.mkdir()
+    for _ in range(2):
+        leftover = temporary_path(folder / "index.html")
+        leftover.write_bytes(b"half")
+        remove_leftovers.cache_clear()  # another process
+        export_site(site_for(package), folder)
+        assert (folder / MARKER).is_file() and not leftover.exists()
+    (tmp_path / "other").mkdir()
+    (tmp_path / "other" / ".index.html.part").touch()  # of somebody else
+    with pytest.raises(ViewError, match="holds other files"):
+        export_site(site_for(package), tmp_path / "other")
 
 
 def test_the_glass_beside_a_package_is_shown(package, tmp_path):

@@ -31,6 +31,7 @@ from rna_export.training.presets import Preset
 from rna_export.training.report import Curves, Report
 from rna_export.training.training_options import device_name
 from rna_sdk.errors import TrainingError
+from rna_sdk.memory import check_memory
 
 _SO_FAR = "best-so-far.ckpt"  # until the run is finished
 _ROUNDING = 1e-9
@@ -65,7 +66,8 @@ def train(
 
     `<out>/last.ckpt` of an earlier, stopped call is continued. table: the samples to train on, of
     `table_of` or with all fields; None: all of the dataset's. bars: makes the progress bar. Raises
-    `TrainingError` when the checkpoint belongs to another run, or the model diverges.
+    `TrainingError` when the checkpoint belongs to another run, or the model diverges; `RnaError`
+    where a step takes more memory than the machine has.
     """
     begun = monotonic() if run.begun is None else run.begun
     if table is None:
@@ -95,6 +97,8 @@ def train(
     best, so_far = run.out / "best.ckpt", run.out / _SO_FAR
     pace = _pace(run, begun, saved)
     batch = run.preset.training.batch
+    if run.device == "cpu":
+        check_memory(int(batch * _bytes_a_sample(fitting.model)), f"--batch {batch}: a step")
     batches = batch, batch // emission_batches.SHARE
     with (
         bars(initial=done, total=run.preset.training.steps, unit="step", mininterval=0.5) as bar,

@@ -28,10 +28,13 @@ def _run(options: argparse.Namespace) -> int:
     for path in options.files:
         try:
             inspection = inspect(path)
-        except Exception as error:  # a defect of the validator: say so, in one line, and go on
+        except Exception as error:  # say so, in one line, and go on
             if options.debug:
                 raise
-            print(f"{path}: internal error, {error!r}; try --debug", file=sys.stderr)
+            what = f"internal error, {error!r}; try --debug"  # a defect of the validator
+            if isinstance(error, MemoryError):
+                what = f"not enough memory: {error}".removesuffix(": ")
+            print(f"{path}: {what}", file=sys.stderr)
             status = INVALID
             continue
         if not is_valid(inspection.issues):

@@ -64,6 +64,15 @@ def curves_from_bytes(data: memoryview, name: str) -> Curves:
         curves = QuantisedCurves(**tensors).restored()
     else:
         curves = Curves(**tensors_from_bytes(data, name, _FORMS, GEOMETRY_CODES))
+    check_curves(curves, name)
+    return curves
+
+
+def check_curves(curves: Curves, name: str) -> None:
+    """Raises PackageError for values that the curves of a package have not.
+
+    GEOMETRY_NOT_FINITE, GEOMETRY_RADIUS; name: of their file, for the issue.
+    """
     for attribute, array in (("points", curves.points), ("radii", curves.radii)):
         if not np.isfinite(array).all():
             refuse(Code.GEOMETRY_NOT_FINITE, name, attribute, "finite values")
@@ -71,4 +80,3 @@ def curves_from_bytes(data: memoryview, name: str) -> Curves:
     if curves.radii[thinnest] <= 0:
         found = f"{curves.radii[thinnest]:.6g} at point {thinnest}"
         refuse(Code.GEOMETRY_RADIUS, name, found, "greater than 0")
-    return curves

@@ -41,8 +41,7 @@ def mesh_from_glb(data: memoryview, name: str) -> Mesh:
     position = forms["POSITION"]
     _check_range(arrays["POSITION"], document.accessors[position.index], position.where(name))
     mesh = _mesh(document, arrays, indices.astype(np.uint32, copy=False).reshape(-1, 3))
-    stored = mesh.quantised
-    _check_values(mesh, mesh.normals if stored is None else stored_normals(stored.normals), name)
+    check_mesh(mesh, name)
     return mesh
 
 
@@ -121,7 +120,11 @@ def _array(document: gltf.Gltf, blob: memoryview, form: AccessorForm, name: str)
     return np.ndarray((accessor.count, form.width), form.dtype, blob, start, strides)
 
 
-def _check_values(mesh: Mesh, stored_normals: NDArray[np.floating[Any]], name: str) -> None:
+def check_mesh(mesh: Mesh, name: str) -> None:
+    """Raises PackageError for values that the mesh of a package has not.
+
+    GEOMETRY_NOT_FINITE, GEOMETRY_INDEX, GEOMETRY_NORMAL; name: of its file, for the issue.
+    """
     attributes: dict[str, NDArray[np.float32] | None] = {
         "POSITION": mesh.positions,
         "NORMAL": mesh.normals,
@@ -133,7 +136,9 @@ def _check_values(mesh: Mesh, stored_normals: NDArray[np.floating[Any]], name: s
     largest = int(mesh.triangles.max())
     if largest >= len(mesh.positions):
         refuse(Code.GEOMETRY_INDEX, name, largest, f"below {len(mesh.positions)}")
-    lengths = np.linalg.norm(stored_normals.astype(np.float64), axis=1)
+    stored = mesh.quantised
+    normals = mesh.normals if stored is None else stored_normals(stored.normals)
+    lengths = np.linalg.norm(normals.astype(np.float64), axis=1)
     worst = float(lengths[np.argmax(np.abs(lengths - 1))])
     if abs(worst - 1) > NORMAL_TOLERANCE:
         refuse(Code.GEOMETRY_NORMAL, name, f"length {worst:.6g}", f"1 within {NORMAL_TOLERANCE}")

@@ -22,6 +22,8 @@ from rna_export.capture.dataset.validation_view import EmissionView, ValidationV
 from rna_export.capture.geometry.stored_geometry import geometry_from_arrays, source_from_arrays
 from rna_sdk.errors import CaptureError, PackageError
 from rna_sdk.package import BaseColor, Curves, Mesh, SourceVertices
+from rna_sdk.package.geometry.curves_file import check_curves
+from rna_sdk.package.geometry.glb_reader import check_mesh
 from rna_sdk.package.manifest.extensions import changed_record
 from rna_sdk.package.manifest.manifest_model import (
     BaseColorFields,
@@ -69,11 +71,18 @@ class DatasetPart:
 
     def geometry(self) -> Mesh | Curves:
         """The captured mesh, or the strands: object space, +Y up, metres."""
-        geometry = self._read_geometry(lambda arrays: geometry_from_arrays(arrays, self.kind))
+        geometry = self._read_geometry(self._checked_geometry)
         path = self.dataset.geometry_path(self.name)
-        if isinstance(geometry, Mesh) and geometry.triangles.max() >= len(geometry.positions):
-            raise CaptureError(DAMAGED.format(path, "a triangle names a vertex that is not there"))
         self._check_places(path, np.array(geometry.box()))
+        return geometry
+
+    def _checked_geometry(self, arrays: dict[str, np.ndarray]) -> Mesh | Curves:
+        """What a package could hold; raises TypeError and PackageError for all else."""
+        geometry = geometry_from_arrays(arrays, self.kind)
+        if isinstance(geometry, Mesh):
+            check_mesh(geometry, "/geometry")
+        else:
+            check_curves(geometry, "/geometry")
         return geometry
 
     def _check_places(self, path: Path, places: np.ndarray) -> None:

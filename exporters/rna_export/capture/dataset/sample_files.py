@@ -12,12 +12,17 @@ import numpy as np
 from safetensors import SafetensorError, safe_open
 from safetensors.numpy import save
 
-from rna_export.capture.dataset.dataset_manifest import MAX_NUMBER
+from rna_export.capture.dataset.dataset_manifest import BASE_COLOR, MAX_NUMBER
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import CaptureError
 
 DAMAGED = "{}: damaged ({})"
 _MADE_AGAIN = "; delete it, and the same rna-capture makes it again"
+
+
+_UNIT = ("normal", "tangent", "wo", "wi", "h", BASE_COLOR)
+_LARGEST = {**dict.fromkeys(_UNIT, 1.001), "visible": 255.0}
+"""Magnitude of the numbers of a field, rounding included; of all others MAX_NUMBER."""
 
 
 def write_parts(path: Path, parts: Mapping[str, Mapping[str, np.ndarray]]) -> None:
@@ -30,7 +35,7 @@ def read_part(path: Path, part: str, fields: Mapping[str, int]) -> dict[str, np.
     """The named fields of one part's samples, with their numbers of columns.
 
     Raises CaptureError if the file is damaged, or has arrays of another shape, or numbers that
-    are not finite or above MAX_NUMBER.
+    are not finite or larger than its field has.
     """
     try:
         with safe_open(path, "np") as file:
@@ -48,11 +53,12 @@ def read_part(path: Path, part: str, fields: Mapping[str, int]) -> dict[str, np.
         if rows.dtype.kind not in "fiu" or columns != (fields[field],):
             shape = f"{rows.dtype} {list(rows.shape)}"
             raise damaged(path, f"{part}/{field} is {shape}, expected {fields[field]} columns")
-        limit = np.float32(MAX_NUMBER)  # float16 has no such number
+        largest = _LARGEST.get(field, MAX_NUMBER)
+        limit = np.float32(largest)  # float16 has no such number
         usable = (rows >= -limit) & (rows <= limit)
         if not usable.all():
             bad = np.count_nonzero(~usable.reshape(len(rows), -1).all(axis=1))
-            what = f"{part}/{field} are not finite numbers up to {MAX_NUMBER:g}"
+            what = f"{part}/{field} are not finite numbers up to {largest:g}"
             raise damaged(path, f"{bad} rows of {what}")
     return arrays
 
