@@ -1,4 +1,4 @@
-"""Blender workers for the tests of the exporters."""
+"""Blender workers for the tests of the exporters, and quick posters."""
 
 from __future__ import annotations
 
@@ -18,6 +18,14 @@ from tests.exporters.scenes import write_scene
 
 OpenWorker = Callable[..., BlenderWorker]
 SaveBlend = Callable[..., Path]
+
+
+@pytest.fixture(scope="module", autouse=True)
+def quick_posters() -> Iterator[None]:
+    """Posters of one sample: no test here looks at them, and they take most of an export."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("rna_export.export.poster_rendering._SAMPLES", 1)
+        yield
 
 
 class LentWorker(BlenderWorker):
