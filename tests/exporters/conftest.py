@@ -1,4 +1,4 @@
-"""Blender workers for the tests of the exporters, and quick posters."""
+"""Blender workers for the tests of the exporters, and quick exports."""
 
 from __future__ import annotations
 
@@ -21,10 +21,11 @@ SaveBlend = Callable[..., Path]
 
 
 @pytest.fixture(scope="module", autouse=True)
-def quick_posters() -> Iterator[None]:
-    """Posters of one sample: no test here looks at them, and they take most of an export."""
+def quick_exports() -> Iterator[None]:
+    """Posters of one sample, costs of few queries: most of an export's time, unseen by tests."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("rna_export.export.poster_rendering._SAMPLES", 1)
+        patch.setattr("rna_export.export.measure._COST_ROWS", 2_000)
         yield
 
 
