@@ -49,11 +49,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--widths", type=int, nargs="+", default=[16, 32, 64, 128, 256, 512], help="decoder widths"
     )
     parser.add_argument(
-        "--precisions",
-        nargs="+",
-        choices=list(PRECISIONS),
-        default=["float32"],
-        help="tier precisions",
+        "--precisions", nargs="+", choices=list(PRECISIONS), default=["float32"], help="of tiers"
     )
     parser.add_argument("--resolution", type=int, default=512, help="texels along a plane's side")
     add_out(parser)
