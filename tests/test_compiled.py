@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 from collections.abc import Callable
@@ -68,11 +69,13 @@ NUMBERS = {"constant": 1.0, "called": 2.0, "called_by_name_of_the_module": 4.0, 
 
 
 class Program:
-    """KERNEL and HELPERS in a folder, run in a process of its own."""
+    """KERNEL, which the folder may have already, and HELPERS; run in a process of its own."""
 
-    def __init__(self, folder: Path, options: str) -> None:
+    def __init__(self, folder: Path, options: str = "") -> None:
         self._folder = folder
-        (folder / "kernel.py").write_text(KERNEL.format(options=options))
+        folder.mkdir(exist_ok=True)
+        if not (folder / "kernel.py").exists():
+            (folder / "kernel.py").write_text(KERNEL.format(options=options))
 
     def run(self, **numbers: float) -> list[float]:
         """What `fill` gives, and whether it and `told` came from disk."""
@@ -86,6 +89,22 @@ def run(command: list[str], folder: Path, **environment: str) -> str:
     )
     assert done.returncode == 0, done.stderr
     return done.stdout
+
+
+@pytest.fixture(scope="module")
+def compiled_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Folder of a program whose code is on disk, and counts in a copy, too."""
+    folder = tmp_path_factory.mktemp("compiled")
+    Program(folder / "first").run()
+    shutil.copytree(folder / "first", folder / "copy")
+    assert Program(folder / "copy").run() == [15.0, 1, 1]
+    return folder / "copy"
+
+
+@pytest.fixture
+def compiled_copy(compiled_folder: Path, tmp_path: Path) -> Path:
+    """A copy of it, to be changed."""
+    return shutil.copytree(compiled_folder, tmp_path / "copy")
 
 
 @pytest.mark.parametrize("options", ["", "parallel=True", "numba.types.float64[::1]"])
@@ -104,22 +123,21 @@ def test_code_comes_from_disk_until_a_helper_changes(tmp_path: Path, options: st
     ],
     ids=["empty", "cut", "changed"],
 )
-def test_damaged_code_is_compiled_again(tmp_path: Path, damage: Callable[[bytes], bytes]) -> None:
+def test_damaged_code_is_compiled_again(
+    compiled_copy: Path, damage: Callable[[bytes], bytes]
+) -> None:
     """As a power cut leaves it, or a bad disk."""
-    program = Program(tmp_path, "")
-    program.run()
+    program = Program(compiled_copy)
     for suffix in (".nbi", ".nbc"):
-        for path in tmp_path.rglob(f"*{suffix}"):
+        for path in compiled_copy.rglob(f"*{suffix}"):
             path.write_bytes(damage(path.read_bytes()))
         assert program.run() == [15.0, 0, 0]
     assert program.run() == [15.0, 1, 1]
 
 
 @pytest.mark.parametrize("changed", NUMBERS)
-def test_a_change_of_anything_compiled_in_is_seen(tmp_path: Path, changed: str) -> None:
-    program = Program(tmp_path, "")
-    program.run()
-    result, from_disk, _ = program.run(**{changed: 100.0})
+def test_a_change_of_anything_compiled_in_is_seen(compiled_copy: Path, changed: str) -> None:
+    result, from_disk, _ = Program(compiled_copy).run(**{changed: 100.0})
     assert (result, from_disk) == (115.0 - NUMBERS[changed], 0)
 
 

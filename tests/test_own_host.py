@@ -80,7 +80,7 @@ def test_lobes_are_looked_up_in_a_sky(names: dict, tmp_path: Path) -> None:
     """A sky of one colour is the sum of the amplitudes; another adds light where lobes look up."""
     with Package.open(REPOSITORY / "examples" / "quickstart" / "toy.rna") as package:
         part = package.manifest.tiers[0].parts[0]
-    decoder = even_decoder(query_width(INPUTS, part.channels) + 16, 0.125)
+    decoder = even_decoder(query_width(INPUTS, part.channels) + 16)
     toy = REPOSITORY / "examples" / "quickstart" / "toy.rna"
     asset = load(with_lobes(toy, tmp_path / "lobes.rna", decoder=decoder))
     seen = (names[k] for k in ("triangle", "b", "x", "n", "corners"))

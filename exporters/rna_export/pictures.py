@@ -48,9 +48,7 @@ def enlarged(picture: Picture) -> Picture:
 
 
 def comparison_sheet(
-    rows: Sequence[tuple[Sequence[Picture], str]],
-    columns: Sequence[str] = COLUMNS,
-    notes: Sequence[str] = (),
+    rows: Sequence[tuple[Sequence[Picture], str]], notes: Sequence[str] = ()
 ) -> Image.Image:
     """Rows of pictures of one size, (h, w, 3) uint8, each with a caption; the last one is FLIP.
 
@@ -62,14 +60,14 @@ def comparison_sheet(
     size = max(11, round(width / 18))
     line = round(1.6 * size)
     font = ImageFont.load_default(size)
-    across = width * len(columns)
+    across = width * len(COLUMNS)
     below = [piece for note in notes for piece in _broken(note, font, across - size)]
     down = line + len(rows) * (height + line)
     sheet = Image.new("RGB", (across, down + len(below) * line), _PAPER)
     draw = ImageDraw.Draw(sheet)
-    for k, name in enumerate(columns):
+    for k, name in enumerate(COLUMNS):
         draw.text((k * width + size // 2, line // 2), name, _INK, font, anchor="lm")
-    _draw_scale(sheet, draw, font, (len(columns) - 1) * width, width, line)
+    _draw_scale(sheet, draw, font, (len(COLUMNS) - 1) * width, width, line)
     for k, (pictures, caption) in enumerate(rows):
         top = line + k * (height + line)
         sheet.paste(Image.fromarray(np.concatenate(pictures, axis=1)), (0, top))

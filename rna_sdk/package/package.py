@@ -47,14 +47,14 @@ from rna_sdk.package.validator import inspect
 
 @dataclass(frozen=True, eq=False)
 class EnvironmentLobes:
-    """Lobes of a part (RNA_environment): light from all sides in one query a point.
+    """Lobes of a part (RNA_environment): light of a whole environment by one query a point.
 
     Attributes:
-        record: in the manifest.
-        planes: that the decoder reads, as of `Package.planes`.
+        record: the part's record in the manifest.
+        planes: inputs of the decoder, as returned by `Package.planes`.
         decoder: the ONNX model, read-only bytes.
-        harmonics: (vertices, 16) int8, read-only: 127 times the coefficients of the visibility
-            about the mesh's vertices or the curves' points; None if the decoder reads none.
+        harmonics: (vertices, 16) int8, read-only: 127 times the visibility's coefficients at the
+            mesh's vertices or the curves' points; None if the decoder takes none.
 
     Examples:
         >>> with Package.open("toy.rna") as package:
@@ -194,9 +194,9 @@ class Package:
         return bytes(self._view(data.image)) if data else None
 
     def standin_textures(self, part: int = 0) -> dict[str, bytes] | None:
-        """The PNGs of a part's stand-in material (RNA_standin_textures), None if it has none.
+        """PNG textures of a part's stand-in material (RNA_standin_textures); None if it has none.
 
-        By the names `base_color`, `metallic_roughness` and `normal`, as glTF has them.
+        By name, as in glTF: `base_color`, `metallic_roughness` and `normal`.
 
         Raises:
             QueryError: the package has no such part, or is closed.
@@ -271,14 +271,14 @@ class Package:
         ]
 
     def variants(self) -> tuple[str, ...]:
-        """Names of the prints that `base_color` and `load` choose by (RNA_variants)."""
+        """Names of the variants of base colours (RNA_variants), for `base_color` and `load`."""
         data = extension(self.manifest, Variants)
         return tuple(variant.name for variant in data.variants) if data else ()
 
     def base_color(self, part: int = 0, variant: str | None = None) -> list[BaseColor]:
         """Base colour of a part, with its images; empty if it has none.
 
-        variant: name of a print; None for the asset's own.
+        variant: one of `variants`; None for the default base colours.
 
         Raises:
             PackageError: an image cannot be decoded.
@@ -320,8 +320,8 @@ class Package:
     def decoder(self, tier: str, part: int = 0, form: str | None = None) -> memoryview:
         """The ONNX model of a part's decoder, read-only bytes.
 
-        form: of one of the tier part's `decoders`, as "emission"; None for the first, which is
-            that of transport, or of visible light.
+        form: of one of the tier part's `decoders`, such as "emission"; None for the first, of
+            transport or of visible light.
 
         Raises:
             QueryError: the package has no such tier, part or decoder, or is closed.
@@ -332,7 +332,7 @@ class Package:
         raise QueryError(f"no decoder of {form} in part {part} of tier {tier!r}")
 
     def environment(self, part: int = 0) -> EnvironmentLobes | None:
-        """The lobes of a part (RNA_environment), which are for its full geometry; None without.
+        """The lobes of a part (RNA_environment), made for its full geometry; None if it has none.
 
         Raises:
             QueryError: the package has no such part, or is closed.

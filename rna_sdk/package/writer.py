@@ -35,8 +35,7 @@ class TierData:
     Attributes:
         planes: (3, R, R, C) float16 or float32, or Int8Planes, as in the manifest's tier part.
         decoder: serialized ONNX model of transport, or of visible light.
-        others: those of other forms, by name ("shadowed", "emission"), that the manifest's tier
-            part has.
+        others: models of the tier part's other forms, by name ("shadowed", "emission").
     """
 
     planes: Planes
@@ -62,8 +61,8 @@ def write_package(
             supported; `rna-export` adds them.
         geometries: one per part: a Mesh for a surface, Curves for fibers.
         data: for each tier, by name, the data of each part.
-        textures: by entry name, (H, W, C) uint8 of all transmittance textures and normal maps, and
-            the files of all images of base colour.
+        textures: by entry name: transmittance textures and normal maps as (H, W, C) uint8, images
+            of base colour as bytes of their files.
 
     Returns:
         The manifest as written.

@@ -99,14 +99,14 @@ class Asset:
         images: Mapping[str, NDArray[np.uint8]] | None = None,
         tint: tuple[float, float, float] = (1.0, 1.0, 1.0),
     ) -> Self:
-        """This asset with another print, which `base_color_at` looks up.
+        """A copy of this asset with other base colours, which its `base_color_at` looks up.
 
-        images: by the label of a record (`base_colors` of a part), (H, W, 3) uint8 in the record's
-        colour space; row 0 is v = 0. tint: linear RGB that every base colour is multiplied by.
-        Light that one surface casts on another keeps the old colours.
+        images: replacements by label (`label` of a record in `base_colors` of a part), (H, W, 3)
+        uint8 in the record's colour space; row 0 is v = 0. tint: linear RGB factor of all base
+        colours. Indirect light between surfaces of the asset keeps the colours of the capture.
 
         Raises:
-            QueryError: there is no such label, or no such image.
+            QueryError: no record has such a label, or an image is not an array of this form.
         """
         raise NotImplementedError
 
@@ -275,10 +275,9 @@ class AssetPart(Asset):
     ) -> tuple[Rows, ...]:
         """The results of a decoder, each (n, 3) float32; 0 if the part has no such decoder.
 
-        form: name of its form: "transport" gives (visible, shadowed), "emission" (radiance,).
-        arrays: by name, those that the form takes: position, axis (a normal or tangent), h
-        (of fibers alone), wo, wi, and base_color where the tier part uses it. out: arrays for the
-        results, as for `evaluate`.
+        form: "transport" returns (visible, shadowed), "emission" (radiance,). arrays: the inputs of
+        the form by name: position, axis (normal or tangent), h (fibers only), wo, wi, and
+        base_color where the tier part uses it. out: arrays for the results, as for `evaluate`.
 
         Raises:
             QueryError: an array is missing, or is no float32 array of its shape; they differ in n;
@@ -346,13 +345,13 @@ class AssetPart(Asset):
         return result
 
     def visibility_at(self, primitives: NDArray[np.integer], u: Rows, v: Rows) -> Rows:
-        """The package's coefficients of the visibility at ray hits, for `lobes`.
+        """Stored coefficients of the visibility at ray hits, an argument of `lobes`.
 
         primitives: (n,) indices of triangles, or of segments in the order of `Curves.segments()`.
         u, v: (n,) float32, barycentric coordinates of the second and third corner; of a segment u,
         from 0 at its first point to 1 at its second.
 
-        Returns (n, 16) float32; (n, 0) where the lobes want none.
+        Returns (n, 16) float32; (n, 0) if the lobes take no visibility.
 
         Raises:
             QueryError: arrays differ in length, or a primitive is not there.

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.arrays import indices, scalars
+from rna_sdk.errors import QueryError
 from rna_sdk.package import BaseColor, Mesh
 from rna_sdk.package.textures.texture_form import Texture
 from rna_sdk.runtime.kernels.base_color_kernel import CLAMP, LEVELS, MIRROR, REPEAT, look_up
@@ -115,12 +116,16 @@ def base_color_levels(record: BaseColor) -> list[Texture]:
     Returns (H, W, 3) uint8 arrays in the colour space of the image, each half as high and wide as
     the one before, down to (1, 1, 3): spec/RNA.md, 4.6.
 
+    Raises:
+        QueryError: the record has no image, only a factor.
+
     Examples:
         >>> records = load("toy.rna").base_colors
         >>> [base_color_levels(record) for record in records if record.image is not None]
         []
     """
-    assert record.image is not None
+    if record.image is None:
+        raise QueryError("base colour: the record has no image")
     linear = linear_of(record.color_space)
     edges = (linear[1:] + linear[:-1]) / 2.0  # between the values that 8 bits have
     levels = [record.image]

@@ -26,11 +26,11 @@ _TO_IDENTITY = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class RestPoints:
-    """The decoder's query of a part at n points of its deformed shape.
+    """Where to query a part for n points of a deformed shape.
 
-    positions: (n, 3) float32, at rest, object space. axes: (n, 3) float32, unit: normals of a mesh,
-    before normal maps, or tangents of strands, at rest. rotations: (n, 3, 3) float32, from the
-    deformed shape to rest.
+    positions: (n, 3) float32, at rest, object space, metres. axes: (n, 3) float32, unit, at rest:
+    normals of a mesh, before normal maps, or tangents of strands. rotations: (n, 3, 3) float32,
+    from the deformed shape to rest.
 
     Examples:
         >>> asset = load("toy.rna")
@@ -52,7 +52,7 @@ class RestPoints:
     def to_rest(self, directions: Float32, row: NDArray[np.integer] | None = None) -> Float32:
         """Directions of the deformed shape, turned to rest; both (k, 3) float32.
 
-        row: (k,) at which points; None for all, in order.
+        row: (k,) indices of the points; None for all, in order.
 
         Raises:
             QueryError: `directions` is no such array, or a row is not there.
@@ -119,7 +119,7 @@ class DeformedMesh:
     def rest_points(self, triangle: NDArray[np.integer], u: Float32, v: Float32) -> RestPoints:
         """The rest points of ray hits on the deformed mesh.
 
-        triangle: (n,) int32, numbers of triangles. u, v: (n,) float32, barycentric coordinates of
+        triangle: (n,) int32, indices of triangles. u, v: (n,) float32, barycentric coordinates of
         the second and third corner.
 
         The rotation is that of the triangle (the polar factor of its deformation gradient, normal
@@ -186,7 +186,7 @@ class DeformedCurves:
     def rest_points(self, segment: NDArray[np.integer], u: Float32, normals: Float32) -> RestPoints:
         """The rest points of ray hits on the deformed strands.
 
-        segment: (n,) int32, numbers of segments, in the order of `Curves.segments()`. u: (n,)
+        segment: (n,) int32, indices of segments, in the order of `Curves.segments()`. u: (n,)
         float32, from 0 at a segment's first point to 1 at its second. normals: (n, 3) float32,
         unit, outward normals of the round cones at the hits, deformed.
 

@@ -81,10 +81,10 @@ class FiberAsset(AssetPart):
     ) -> Rows:
         """`evaluate`, for hosts that have traced the visibility v: v visible + (1 - v) shadowed.
 
-        visibility: of the light from the position along wi, through the asset but for the strand
-        itself: (n,) bool, or (n,) or (n, 3) float32 from 0 to 1. The others are as for `evaluate`.
-        In a tier with a decoder of its own for shadowed light, a row takes the time of those that
-        count.
+        visibility: share of the light along wi that the asset, without the strand itself, lets
+        through to the position: (n,) bool, or (n,) or (n, 3) float32 from 0 to 1. The others are as
+        for `evaluate`. If the tier has a separate decoder for shadowed light, a row costs only the
+        decoders of non-zero weight.
 
         Returns (n, 3) float32 linear RGB, finite and non-negative.
 
@@ -118,10 +118,10 @@ class FiberAsset(AssetPart):
     def lobes(
         self, positions: Rows, tangents: Rows, h: Rows, wo: Rows, free: Rows, visibility: Rows
     ) -> tuple[Rows, Rows]:
-        """Light of a whole environment at points of fibers: lobes that hosts integrate.
+        """Lobes at points of fibers, with which hosts integrate light from a whole environment.
 
         free: (n,) float32, the asset's own visibility along `mirror`, 0 to 1 (the mean of RGB).
-        visibility: of `visibility_at`. The others are as for `evaluate`.
+        visibility: from `visibility_at`. The others are as for `evaluate`.
 
         Returns (amplitudes, axes), (n, L, 3) float32 each. With kappa = |axis|, at least 0.01, the
         radiance towards wo is the sum over lobes of amplitude (RGB) times the mean of the
@@ -137,7 +137,7 @@ class FiberAsset(AssetPart):
         return self._lobe_arguments(arrays, free, visibility)
 
     def deformed(self, points: Rows) -> DeformedCurves:
-        """The part in motion: its strands with other points, and the rest points of hits on them.
+        """A deformed shape of the part: strands to trace, which map their hits back to rest.
 
         points: (p, 3) float32, finite, one for each of `curves.points`, object space.
 

@@ -36,12 +36,12 @@ def load(
     pixels: height in the image of the sphere about the asset's bounds. For a small asset a cheaper
         tier meets `max_error`, and the geometry is that of a proxy if the package has one for this
         size. None: as high as the validation images.
-    variant: name of a print of the package, as `Package.variants` lists them; None: its own.
+    variant: name of a variant of the base colours, see `Package.variants`; None: the default ones.
 
     Raises:
         PackageError: the file cannot be read or violates the format.
-        QueryError: no tier has this name or is good enough, the package has no such variant or the
-            tier no base colour, or an argument is invalid, such as a path that is none.
+        QueryError: no tier has this name or is good enough, the package has no such variant, the
+            tier has no base colour for it, or an argument is invalid.
 
     Examples:
         >>> asset = load("toy.rna", min_psnr=30.0)

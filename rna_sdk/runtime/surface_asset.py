@@ -48,10 +48,10 @@ class SurfaceAsset(AssetPart):
 
         positions: metres. normals: of the surface. wo, wi: directions towards the viewer and
         the light, both away from the surface. All (n, 3) float32, object space; n may be 0. Vectors
-        are normalised; positions outside the bounds are clamped to them. out: two C-contiguous
-        (n, 3) float32 arrays that receive the result and are returned, which avoids allocations.
-        base_color: (n, 3) float32 linear RGB, of `base_color_at` or another; required where
-        `uses_base_color`, else not looked at.
+        are normalised; positions outside the bounds are clamped to them. base_color: (n, 3) float32
+        linear RGB, from `base_color_at` or any other; required if `uses_base_color`, ignored
+        otherwise. out: two C-contiguous (n, 3) float32 arrays that receive the result and are
+        returned, which avoids allocations.
 
         Returns (visible, shadowed), each (n, 3) float32 linear RGB, finite and non-negative.
         `shadowed` applies where the asset itself blocks the ray from the position along wi,
@@ -86,9 +86,10 @@ class SurfaceAsset(AssetPart):
     ) -> Rows:
         """`evaluate`, for hosts that have traced the visibility v: v visible + (1 - v) shadowed.
 
-        visibility: of the light from the position along wi, through the asset itself: (n,) bool,
-        or (n,) or (n, 3) float32 from 0 to 1. The others are as for `evaluate`. In a tier with a
-        decoder of its own for shadowed light, a row takes the time of those that count.
+        visibility: share of the light along wi that the asset itself lets through to the position:
+        (n,) bool, or (n,) or (n, 3) float32 from 0 to 1. The others are as for `evaluate`. If the
+        tier has a separate decoder for shadowed light, a row costs only the decoders of non-zero
+        weight.
 
         Returns (n, 3) float32 linear RGB, finite and non-negative.
 
@@ -124,8 +125,7 @@ class SurfaceAsset(AssetPart):
 
         primitives: (n,) indices of triangles. u, v: (n,) float32, barycentric coordinates of the
         second and third corner. widths: (n,) float32 or one number: the width of a pixel at the
-        hit, object space, metres; images are averaged over it, so that print does not alias. 0
-        takes them as they are.
+        hit, object space, metres; images are filtered to it, against aliasing. 0: no filter.
 
         Returns (n, 3) float32 linear RGB, from 0 to 1; 1 where the part has no base colour.
 
@@ -139,9 +139,11 @@ class SurfaceAsset(AssetPart):
     ) -> Rows:
         """Factor of the amplitudes of the first half of `lobes`: spec/RNA.md, 12.1, Print.
 
-        The base colour at ray hits over that of a texel of the lobes' planes. base_color: (n, 3)
-        float32, what `base_color_at` gave for the other arguments. Returns (n, 3) float32, 1 where
-        the part has no base colour or no lobes.
+        It restores detail finer than the texels of the lobes' planes: the base colour at ray hits
+        over its mean in such a texel. base_color: (n, 3) float32, returned by `base_color_at` for
+        the other arguments.
+
+        Returns (n, 3) float32, 1 where the part has no base colour or no lobes.
         """
         if self.environment_form is None or not self.base_colors:
             return np.ones((len(u), 3), np.float32)
@@ -178,10 +180,10 @@ class SurfaceAsset(AssetPart):
     def lobes(
         self, positions: Rows, normals: Rows, wo: Rows, free: Rows, visibility: Rows
     ) -> tuple[Rows, Rows]:
-        """Light of a whole environment at surface points: lobes that hosts integrate.
+        """Lobes at surface points, with which hosts integrate light from a whole environment.
 
         free: (n,) float32, the asset's own visibility along `mirror`, 0 to 1 (the mean of RGB).
-        visibility: of `visibility_at`. The others are as for `evaluate`.
+        visibility: from `visibility_at`. The others are as for `evaluate`.
 
         Returns (amplitudes, axes), (n, L, 3) float32 each. With kappa = |axis|, at least 0.01, the
         radiance towards wo is the sum over lobes of amplitude (RGB) times the mean of the
@@ -197,7 +199,7 @@ class SurfaceAsset(AssetPart):
         return self._lobe_arguments(arrays, free, visibility)
 
     def deformed(self, positions: Rows) -> DeformedMesh:
-        """The part in motion: its mesh with other positions, and the rest points of hits on it.
+        """A deformed shape of the part: a mesh to trace, which maps its hits back to rest.
 
         positions: (v, 3) float32, finite, one for each of `mesh.positions`, object space.
 

@@ -27,7 +27,7 @@ def choose_tier(
     `pixels`. Cheapest is fewest multiply-adds per query, those of int8 decoders counted half, so
     that the choice is the same on all machines; ties go to the package's first. A tier without a
     recorded validation meets no limit; one without a recorded cost is chosen last.
-    variant: that the tier is to show, which takes base colour.
+    variant: the variant to be shown, for which the tier must have base colour.
 
     Raises:
         QueryError: more than one criterion is given, no tier meets it, a limit is not a number, or
@@ -39,7 +39,7 @@ def choose_tier(
         'small'
     """
     if sum(choice is not None for choice in (name, min_psnr, max_error)) > 1:
-        raise QueryError("tier, min_psnr and max_error: give one of them, not both")
+        raise QueryError("tier, min_psnr and max_error: give only one of them")
     tier = _chosen(package, name, min_psnr, max_error, pixels)
     if variant is not None and not any(part.uses_base_color for part in tier.parts):
         raise QueryError(f"variant {variant!r}: tier {tier.name!r} has no base colour")

@@ -157,12 +157,12 @@ class Device:
         with self.working():
             return np.frombuffer(self.wgpu.queue.read_buffer(buffer, 0, size), np.uint8)
 
-    def groups(self, threads: int, size: int = 64) -> Groups:
-        """Workgroups of `size` for `threads` invocations.
+    def groups(self, threads: int) -> Groups:
+        """Workgroups of 64 for `threads` invocations.
 
         Two-dimensional, because one dimension is limited (65,535 by default).
         """
-        count = max(-(-threads // size), 1)
+        count = max(-(-threads // 64), 1)
         most = self.limits["max-compute-workgroups-per-dimension"]
         rows = -(-count // most)
         return Groups((-(-count // rows), rows, 1))

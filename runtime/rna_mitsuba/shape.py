@@ -22,8 +22,8 @@ from rna_sdk.runtime import Transform, choose_tier, load
 class LoadedPackage:
     """One tier of a package in Mitsuba's memory, shared by its instances.
 
-    motion: a motion file and its frame; None for the asset at rest. variant: name of a print of the
-    package; None for its own.
+    motion: a motion file and its frame; None for the asset at rest. variant: one of
+    `Package.variants`; None for the default base colours.
 
     Attributes:
         scene: the geometry for ray queries.
@@ -96,7 +96,7 @@ def asset(
             scale and a translation; None is the identity.
         motion: a motion file of `rna-motion` that bends the asset; None is the asset at rest.
         frame: of the motion, from 0; it may lie between two.
-        variant: name of a print of the package, as `Package.variants` lists them; None: its own.
+        variant: one of `Package.variants`; None for the default base colours.
 
     Raises:
         PackageError, QueryError: the package, the tier, the variant or the transform cannot be

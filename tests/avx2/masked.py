@@ -15,6 +15,8 @@ from importlib.util import find_spec
 from pathlib import Path
 
 _CPUID, _TRAP = b"\x0f\xa2", b"\x0f\x0b"
+_NOPS = b"\x90" * 16  # more than the longest instruction has
+_BEFORE = 512
 _LIBRARY = "onnxruntime_pybind11_state*.so"
 
 
@@ -35,7 +37,7 @@ def make_avx2_onnxruntime(folder: Path) -> Path:
     (library,) = (copy / "capi").glob(_LIBRARY)
     source = library.resolve()
     library.unlink()
-    library.write_bytes(_trapped(source))
+    library.write_bytes(_trapped(source, folder))
     here = Path(__file__).with_name("cpuid.c")
     handler = folder / "cpuid.so"
     subprocess.run(["cc", "-O1", "-shared", "-fPIC", "-o", handler, here], check=True)
@@ -50,28 +52,38 @@ def _link(source: str, target: str) -> None:
     Path(target).symlink_to(source)
 
 
-def _trapped(library: Path) -> bytes:
+def _trapped(library: Path, folder: Path) -> bytes:
     """The library's bytes with every cpuid replaced."""
     data = bytearray(library.read_bytes())
-    for start, size, offset in _code_segments(library):
-        for address in _cpuid_addresses(library, start, start + size):
-            at = address - start + offset
-            assert data[at : at + 2] == _CPUID
-            data[at : at + 2] = _TRAP
+    places = [
+        found.start()
+        for start, stop in _code_sections(library)
+        for found in re.compile(_CPUID).finditer(data, start, stop)
+    ]
+    for at in _instructions(data, places, folder):
+        data[at : at + 2] = _TRAP
     return bytes(data)
 
 
-def _code_segments(library: Path) -> list[tuple[int, int, int]]:
-    """(address, bytes, offset in the file) of each section of code."""
+def _code_sections(library: Path) -> list[tuple[int, int]]:
+    """First and last offset in the file of each section of code."""
     table = subprocess.run(["objdump", "-h", library], check=True, capture_output=True, text=True)
     lines = re.findall(
-        r"^\s*\d+ \S+\s+(\w+)\s+(\w+)\s+\w+\s+(\w+).*\n.*CODE", table.stdout, re.MULTILINE
+        r"^\s*\d+ \S+\s+(\w+)\s+\w+\s+\w+\s+(\w+).*\n.*CODE", table.stdout, re.MULTILINE
     )
-    return [(int(address, 16), int(size, 16), int(at, 16)) for size, address, at in lines]
+    return [(int(at, 16), int(at, 16) + int(size, 16)) for size, at in lines]
 
 
-def _cpuid_addresses(library: Path, start: int, stop: int) -> list[int]:
-    command = ["objdump", "-d", "--no-show-raw-insn"]
-    command += [f"--start-address={start}", f"--stop-address={stop}", library]
+def _instructions(data: bytes, places: list[int], folder: Path) -> list[int]:
+    """The places where cpuid is an instruction, and not a part of one.
+
+    Only the code before each place is disassembled: that of the whole library takes 10 s. The
+    first instructions may be read wrongly, from their middle; soon they are read as they are.
+    """
+    pieces = folder / "pieces.bin"
+    pieces.write_bytes(b"".join(data[at - _BEFORE : at + 2] + _NOPS for at in places))
+    command = ["objdump", "-D", "-b", "binary", "-m", "i386:x86-64", pieces]
     listing = subprocess.run(command, check=True, capture_output=True, text=True).stdout
-    return [int(a, 16) for a in re.findall(r"^\s*(\w+):\s+cpuid\b", listing, re.MULTILINE)]
+    found = {int(a, 16) for a in re.findall(r"^\s*(\w+):.*\tcpuid\b", listing, re.MULTILINE)}
+    size = _BEFORE + len(_CPUID + _NOPS)
+    return [at for k, at in enumerate(places) if k * size + _BEFORE in found]

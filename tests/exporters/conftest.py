@@ -1,4 +1,4 @@
-"""Blender workers for the tests of the exporters."""
+"""Blender workers for the tests of the exporters, and quick exports."""
 
 from __future__ import annotations
 
@@ -18,6 +18,15 @@ from tests.exporters.scenes import write_scene
 
 OpenWorker = Callable[..., BlenderWorker]
 SaveBlend = Callable[..., Path]
+
+
+@pytest.fixture(scope="module", autouse=True)
+def quick_exports() -> Iterator[None]:
+    """Posters of one sample, costs of few queries: most of an export's time, unseen by tests."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("rna_export.export.poster_rendering._SAMPLES", 1)
+        patch.setattr("rna_export.export.measure._COST_ROWS", 2_000)
+        yield
 
 
 class LentWorker(BlenderWorker):

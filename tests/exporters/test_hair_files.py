@@ -52,10 +52,10 @@ def tfx_bytes(
     return header + positions.astype("<f4").tobytes()
 
 
-def tfx_4_bytes(offset: int = 160, start: int = 160) -> bytes:
+def tfx_4_bytes(offset: int = 160) -> bytes:
     """The strands of `tfx_bytes`, each point with an inverse mass behind it."""
     points = np.column_stack([np.arange(18, dtype="<f4").reshape(6, 3), np.full(6, np.nan, "<f4")])
-    header = struct.pack("<fIII", 4.0, 2, 3, offset).ljust(start, b"\0")
+    header = struct.pack("<fIII", 4.0, 2, 3, offset).ljust(160, b"\0")
     return header + points.astype("<f4").tobytes()
 
 

@@ -26,7 +26,7 @@ from rna_sdk.package.decoder.saturation import PAIR_LIMIT, can_saturate, pair_su
 from rna_sdk.runtime import load
 from rna_sdk.runtime.engine.decoder_graph import fast_graph
 from rna_sdk.runtime.engine.decoder_sessions import Decoder
-from tests.exporters.synthetic import make_dataset, tiny
+from tests.exporters.synthetic import hurried_packages, make_dataset, tiny
 from tests.exporters.test_decoder_export import make_model, run
 
 
@@ -189,7 +189,8 @@ def test_presets_have_precisions_of_their_own(checkpoint: Path, tmp_path: Path) 
     trained = [small, replace(small, preset_name="hq")]
     path, precisions = tmp_path / "two.rna", {"small": [Precision()], "hq": [Precision("int8")]}
     dataset = Dataset(small.dataset)
-    build_package(trained, dataset, path, None, "CC0-1.0", lambda _: None, precisions)
+    with hurried_packages():
+        build_package(trained, dataset, path, None, "CC0-1.0", lambda _: None, precisions)
     with Package.open(path) as package:
         assert [tier.name for tier in package.manifest.tiers] == ["small", "hq-int8"]
 
@@ -198,7 +199,9 @@ def test_tiers_of_any_pair_share_their_entries(checkpoint: Path, tmp_path: Path)
     pairs = [Precision(d, p) for d in ("float32", "int8") for p in ("float16", "int8")]
     trained = load_checkpoint(checkpoint)
     path = tmp_path / "every.rna"
-    build_package([trained], Dataset(trained.dataset), path, None, "CC0-1.0", lambda _: None, pairs)
+    dataset = Dataset(trained.dataset)
+    with hurried_packages():
+        build_package([trained], dataset, path, None, "CC0-1.0", lambda _: None, pairs)
     with Package.open(path) as package:
         manifest = package.manifest
     assert len(manifest.tiers) == 4
@@ -210,11 +213,12 @@ def test_a_tier_that_loses_too_much_is_refused(
 ) -> None:
     path = tmp_path / "ball.rna"
     arguments = [str(checkpoint), "--precision", "int8", "--out", str(path)]
-    assert main([*arguments, "--max-loss", "-20"]) == 1
-    said = capsys.readouterr().err
-    assert "small-int8" in said and "at most -20 dB (--max-loss)" in said
-    assert not path.exists()
-    assert main([*arguments, "--max-loss", "1"]) == 0
+    with hurried_packages():
+        assert main([*arguments, "--max-loss", "-20"]) == 1
+        said = capsys.readouterr().err
+        assert "small-int8" in said and "at most -20 dB (--max-loss)" in said
+        assert not path.exists()
+        assert main([*arguments, "--max-loss", "1"]) == 0
 
 
 @pytest.mark.parametrize("kind", PRESETS)

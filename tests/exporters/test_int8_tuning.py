@@ -16,6 +16,7 @@ from rna_export.export.decoder import (
 )
 from rna_export.export.int8_decoder import Int8Decoder, int8_decoder
 from rna_export.export.int8_tuning import Calibration, tuned
+from tests.exporters.synthetic import hurried_packages
 from tests.exporters.test_decoder_export import make_model
 
 
@@ -59,7 +60,8 @@ def test_tuning_repeats_itself() -> None:
     model = make_model()
     calibration = make_calibration(model, 7, 1)
     plain = int8_decoder(model.decoder, calibration.queries)
-    first, second = (tuned(plain, model, calibration) for _ in range(2))
+    with hurried_packages():
+        first, second = (tuned(plain, model, calibration) for _ in range(2))
     for layer, again in zip(first.layers, second.layers, strict=True):
         assert torch.equal(layer.weight_scale, again.weight_scale)
         assert torch.equal(layer.bias, again.bias)

@@ -22,8 +22,8 @@ pytestmark = pytest.mark.blender
 HEADER = '#usda 1.0\n(\n    metersPerUnit = 0.01\n    upAxis = "Y"\n)\n'
 
 
-def curves(body: str, name: str = "hair") -> str:
-    return f'def BasisCurves "{name}"\n{{\n{body}\n}}\n'
+def curves(body: str) -> str:
+    return f'def BasisCurves "hair"\n{{\n{body}\n}}\n'
 
 
 def widths(values: list[float], interpolation: str) -> str:

@@ -18,10 +18,10 @@ from tests.exporters.synthetic import manifest_of
 from tests.runtime.points import unit_vectors
 
 
-def spikes(count: int, radius: float = 0.01, root: float = 1.0, tip: float = 1.5) -> Curves:
+def spikes(count: int, radius: float = 0.01) -> Curves:
     """Straight strands that stand on the unit ball."""
     out = unit_vectors(np.random.default_rng(5), count)
-    points = (np.linspace(root, tip, 4)[:, None] * out[:, None]).reshape(-1, 3)
+    points = (np.linspace(1.0, 1.5, 4)[:, None] * out[:, None]).reshape(-1, 3)
     radii = np.full(4 * count, radius, np.float32)
     return Curves(
         points.astype(np.float32), radii, np.arange(0, 4 * count + 1, 4).astype(np.uint32)

@@ -53,26 +53,26 @@ def welch(a: Channels, b: Channels, side: int) -> np.ndarray:
     return np.stack(result)
 
 
-def assert_same_numbers(actual: Channels, expected: Channels, share: float = 0.985) -> None:
+def assert_same_numbers(actual: Channels, expected: Channels) -> None:
     """Equal images but for rounding, which sends some paths elsewhere."""
     assert actual.keys() == expected.keys() and actual["R"].max() > 0.1
     for name, values in expected.items():
-        assert _close(actual[name], values) > share, name
+        assert _close(actual[name], values) > 0.985, name
     for name in "RGB":  # 3% more light is told apart
-        assert _close(1.03 * actual[name], expected[name]) < share, name
+        assert _close(1.03 * actual[name], expected[name]) < 0.985, name
 
 
 def _close(actual: np.ndarray, expected: np.ndarray) -> float:
     return float(np.isclose(actual, expected, rtol=1e-2, atol=1e-3).mean())
 
 
-def assert_same_law(actual: Channels, expected: Channels, side: int = 8) -> None:
+def assert_same_law(actual: Channels, expected: Channels) -> None:
     """Equal images but for noise; a darker one is told apart."""
-    tiles = welch(actual, expected, side)
+    tiles = welch(actual, expected, 8)
     assert np.abs(tiles).max() < 4.5 and np.mean(tiles**2) < 2.0
     assert np.allclose(actual["A"].mean(), expected["A"].mean(), atol=0.01)
     darker = {name: values * 0.7 for name, values in actual.items()}
-    assert np.mean(welch(darker, expected, side) ** 2) > 3.0
+    assert np.mean(welch(darker, expected, 8) ** 2) > 3.0
 
 
 def of_objects(

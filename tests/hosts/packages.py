@@ -40,11 +40,9 @@ def make_profile_tier(name: str, kind: str, **changes: Any) -> Tier:
     return make_tier(name, inputs=SURFACE_INPUTS if kind == "surface" else FIBER_INPUTS, **changes)
 
 
-def write_profile_package(
-    path: Path, *tiers: Tier, kind: str = "surface", widths: tuple[int, ...] = (8,)
-) -> Path:
-    """Write a package of `kind` with these tiers: random planes, and random layers of `widths`."""
-    data = {tier.name: [_part_data(tier.parts[0], widths)] for tier in tiers}
+def write_profile_package(path: Path, *tiers: Tier, kind: str = "surface") -> Path:
+    """Write a package of `kind` with these tiers: random planes, and a random layer of 8 units."""
+    data = {tier.name: [_part_data(tier.parts[0], (8,))] for tier in tiers}
     geometry = make_curves() if kind == "fiber" else make_mesh()
     write_package(path, make_manifest(*tiers, kind=kind), [geometry], data)
     return path

@@ -41,9 +41,7 @@ class GltfFile:
         primitive = {"attributes": {k: self.add(v) for k, v in named.items()}, "indices": indices}
         return {"primitives": [primitive]}
 
-    def animate(
-        self, tracks: list[tuple[int, str, Any, Any]], name: str = "clip", kind: str = "LINEAR"
-    ) -> None:
+    def animate(self, tracks: list[tuple[int, str, Any, Any]], kind: str = "LINEAR") -> None:
         """An animation of tracks: node, path, times, values."""
         samplers = [
             {
@@ -57,7 +55,7 @@ class GltfFile:
             {"sampler": k, "target": {"node": node, "path": path}}
             for k, (node, path, _, _) in enumerate(tracks)
         ]
-        self.data["animations"].append({"name": name, "samplers": samplers, "channels": channels})
+        self.data["animations"].append({"name": "clip", "samplers": samplers, "channels": channels})
 
     def write(self, path: Path) -> Path:
         """As .gltf, with the buffer inside."""
@@ -81,13 +79,13 @@ def moving_node(path: Path, mesh: Mesh, tracks: Any, kind: str = "LINEAR") -> Pa
     return file.write(path)
 
 
-def bending_arm(path: Path, mesh: Mesh, degrees: float, axis: int = 0) -> Path:
-    """A mesh on two bones: the part beyond the middle of `axis` turns about z, within 1 s, and with
-    a soft seam."""
-    low, high = mesh.positions[:, axis].min(), mesh.positions[:, axis].max()
+def bending_arm(path: Path, mesh: Mesh, degrees: float) -> Path:
+    """A mesh on two bones: the part beyond the middle of x turns about z, within 1 s, and with a
+    soft seam."""
+    low, high = mesh.positions[:, 0].min(), mesh.positions[:, 0].max()
     middle = mesh.positions.mean(axis=0)
-    middle[axis] = (low + high) / 2
-    share = np.clip((mesh.positions[:, axis] - low) / (high - low) * 4 - 1.5, 0, 1)
+    middle[0] = (low + high) / 2
+    share = np.clip((mesh.positions[:, 0] - low) / (high - low) * 4 - 1.5, 0, 1)
     zero = np.zeros_like(share)
     file = GltfFile()
     weights = np.float32(np.stack([1 - share, share, zero, zero], axis=1))

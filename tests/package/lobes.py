@@ -45,11 +45,11 @@ def make_harmonics(geometry: Mesh | Curves) -> np.ndarray:
     return np.random.default_rng(3).integers(-127, 128, (vertices, 16)).astype(np.int8)
 
 
-def even_decoder(columns: int, amplitude: float, lobes: int = LOBES) -> bytes:
-    """A decoder whose lobes have this amplitude, visible and shadowed, wherever it is asked."""
-    of_lobe = np.repeat([amplitude, amplitude, 8.0], 3)
-    bias = np.log1p(np.tile(of_lobe, lobes)).astype(np.float32)
-    layer = ProfileLayer(np.zeros((columns, 9 * lobes), np.float32), bias, 0.0, None, False)
+def even_decoder(columns: int) -> bytes:
+    """A decoder whose lobes have amplitude 1/8 everywhere, visible and shadowed."""
+    of_lobe = np.repeat([0.125, 0.125, 8.0], 3)
+    bias = np.log1p(np.tile(of_lobe, LOBES)).astype(np.float32)
+    layer = ProfileLayer(np.zeros((columns, 9 * LOBES), np.float32), bias, 0.0, None, False)
     return decoder_to_bytes(decoder_of([layer], output="environment"))
 
 

@@ -64,10 +64,10 @@ def node_of(model: onnx.ModelProto, operator: str, number: int = 0) -> onnx.Node
     return [node for node in model.graph.node if node.op_type == operator][number]
 
 
-def with_operand(model: onnx.ModelProto, node: onnx.NodeProto, k: int, value: object) -> None:
-    """Another constant as operand k of a node."""
+def with_operand(model: onnx.ModelProto, node: onnx.NodeProto, value: object) -> None:
+    """Another constant as the second operand of a node."""
     model.graph.initializer.append(numpy_helper.from_array(np.asarray(value), "other"))
-    node.input[k] = "other"
+    node.input[1] = "other"
 
 
 def scale_the_product(model: onnx.ModelProto) -> None:
@@ -83,11 +83,11 @@ def leave_the_exponential_out(model: onnx.ModelProto) -> None:
 
 
 def another_shape_of_a_number(model: onnx.ModelProto) -> None:
-    with_operand(model, node_of(model, "Sub"), 1, np.ones(1, np.float32))
+    with_operand(model, node_of(model, "Sub"), np.ones(1, np.float32))
 
 
 def let_negative_logarithms_through(model: onnx.ModelProto) -> None:
-    with_operand(model, node_of(model, "Clip", 1), 1, np.float32(-1))
+    with_operand(model, node_of(model, "Clip", 1), np.float32(-1))
 
 
 def constants_unpacked(model: onnx.ModelProto) -> None:
@@ -139,11 +139,11 @@ def a_zero_point_of_weights(model: onnx.ModelProto) -> None:
 
 
 def a_bias_of_another_scale(model: onnx.ModelProto) -> None:
-    with_operand(model, node_of(model, "DequantizeLinear", 2), 1, np.full(8, 0.1, np.float32))
+    with_operand(model, node_of(model, "DequantizeLinear", 2), np.full(8, 0.1, np.float32))
 
 
 def two_scales_for_one_value(model: onnx.ModelProto) -> None:
-    with_operand(model, node_of(model, "DequantizeLinear"), 1, np.float32(0.5))
+    with_operand(model, node_of(model, "DequantizeLinear"), np.float32(0.5))
 
 
 def weights_dequantised_too_late(model: onnx.ModelProto) -> None:

@@ -133,8 +133,8 @@ def _hdr_cases(folder: Path) -> list[Case]:
 Values = dict[str, np.ndarray]
 
 
-def _rgb(texels: np.ndarray, names: str = "RGB") -> Values:
-    return {name: np.ascontiguousarray(texels[..., k]) for k, name in enumerate(names)}
+def _rgb(texels: np.ndarray) -> Values:
+    return {name: np.ascontiguousarray(texels[..., k]) for k, name in enumerate("RGB")}
 
 
 def _write(path: Path, channels: Values, **header: object) -> None:

@@ -13,7 +13,6 @@ from rna_sdk.package.geometry.glb_writer import pack_glb
 
 def box_glb(
     size: Sequence[float],
-    ior: float,
     colour: Sequence[float] = (1.0, 1.0, 1.0),
     distance: float = 1.0,
     share: float = 1.0,
@@ -36,7 +35,7 @@ def box_glb(
                 "pbrMetallicRoughness": {"metallicFactor": 0, "roughnessFactor": 0},
                 "extensions": {
                     "KHR_materials_transmission": {"transmissionFactor": share},
-                    "KHR_materials_ior": {"ior": ior},
+                    "KHR_materials_ior": {"ior": 1.5},
                     "KHR_materials_volume": volume,
                 },
             }

@@ -151,13 +151,13 @@ def facing(position: Any, look_at: Any, up: Any, scale: Any) -> Any:
     return T().look_at(list(position), list(look_at), list(up)).scale(list(scale))
 
 
-def sampled_environment(function: Any, height: int = 512) -> dict[str, Any]:
+def sampled_environment(function: Any) -> dict[str, Any]:
     """Radiance (..., 3) of directions (..., 3), at the points that Mitsuba's texels stand for.
 
     Its image wraps around within its width, from -z towards +x, column k at k + 1/2, and its first
     and last rows are the poles.
     """
-    width = 2 * height
+    width, height = 1024, 512
     theta = np.pi * np.arange(height) / (height - 1)
     phi = 2 * np.pi * (np.arange(width) + 0.5) / width
     theta, phi = np.meshgrid(theta, phi, indexing="ij")

@@ -145,13 +145,7 @@ def constant_decoder(
     return decoder_to_bytes(decoder_of([layer], output=output))
 
 
-def ramp_decoder(
-    columns: int,
-    column: int,
-    span: tuple[float, float],
-    ends: np.ndarray,
-    output: str = "transport",
-) -> bytes:
+def ramp_decoder(columns: int, column: int, span: tuple[float, float], ends: np.ndarray) -> bytes:
     """A decoder linear in one column between the ends of a span, and constant beyond.
 
     Its hidden layer makes pieces of the logarithm that a decoder takes the exponential of, shorter

@@ -20,9 +20,9 @@ def scene_of(curves: Curves) -> PartsScene:
     return PartsScene([curves])
 
 
-def rays_through(curves: Curves, n: int, seed: int = 1) -> tuple[np.ndarray, np.ndarray]:
+def rays_through(curves: Curves, n: int) -> tuple[np.ndarray, np.ndarray]:
     """Rays from outside towards points near the strands."""
-    rng = np.random.default_rng(seed)
+    rng = np.random.default_rng(1)
     directions = unit_vectors(rng, n)
     targets = rng.choice(curves.points, n) + 0.02 * rng.normal(size=(n, 3))
     return (targets - 3.0 * directions).astype(np.float32), directions

@@ -146,7 +146,7 @@ def test_a_size_that_looks_like_centimetres_is_named(tmp_path, capsys, size, is_
 def test_glass_beside_the_package_is_part_of_the_scene(tmp_path: Path) -> None:
     package = write_lambert_package(tmp_path / "it.rna", sphere(3))
     alone = shown(package)
-    glass_of(package).write_bytes(box_glb((1.0, 9.0, 1.0), ior=1.5))
+    glass_of(package).write_bytes(box_glb((1.0, 9.0, 1.0)))
     scene = read_scene(package).scene
     assert [item.path.name for item in scene.objects] == ["it.glass.glb"]
     of = shown(package)

@@ -32,8 +32,8 @@ samples: 2
 """
 
 
-def cone(axis: tuple[float, float, float], half_angle: float = 0.5) -> tuple[Cone, ...]:
-    return (Cone(axis=axis, half_angle=half_angle),)
+def cone(axis: tuple[float, float, float]) -> tuple[Cone, ...]:
+    return (Cone(axis=axis, half_angle=0.5),)
 
 
 def rows(*directions: tuple[float, float, float]) -> np.ndarray:

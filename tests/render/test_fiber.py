@@ -23,9 +23,9 @@ def visible(scene: PartsScene, x, segment, wi, tfar=np.inf) -> np.ndarray:
     return scene.visible(0, FiberPoints(x, x, x, segment), wi, tfar)
 
 
-def seen_points(curves: Curves, n: int, far: float = 3.0, seed: int = 1):
+def seen_points(curves: Curves, n: int, far: float = 3.0):
     """Segments and points that n rays from outside hit first, and those rays."""
-    rng = np.random.default_rng(seed)
+    rng = np.random.default_rng(1)
     directions = unit_vectors(rng, n)
     targets = rng.choice(curves.points, n) + 0.02 * rng.normal(size=(n, 3))
     origins = (targets - far * directions).astype(np.float32)

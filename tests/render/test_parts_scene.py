@@ -22,14 +22,14 @@ def rays(*pairs) -> tuple[np.ndarray, np.ndarray]:
     return tuple(np.float32(rows) for rows in zip(*pairs, strict=True))
 
 
-def on_square(x: float, z: float, height: float = 0.0) -> SurfacePoints:
+def on_square(x: float, z: float) -> SurfacePoints:
     up = np.float32([[0, 1, 0]])
-    return SurfacePoints(np.float32([[x, height, z]]), up, up, 0 * up, up)
+    return SurfacePoints(np.float32([[x, 0, z]]), up, up, 0 * up, up)
 
 
-def on_strand(x, segment: int = 0) -> FiberPoints:
+def on_strand(x) -> FiberPoints:
     x = np.float32([x])
-    return FiberPoints(x, x, x, np.int32([segment]))
+    return FiberPoints(x, x, x, np.int32([0]))
 
 
 def test_hits_name_part_and_primitive():

@@ -21,8 +21,8 @@ DISK = {
 BALL_LAMP = {"type": "sphere", "position": (0, 3, 0), "radius": 0.5, "radiance": (5, 4, 3)}
 
 
-def catcher(size: float = 20.0):
-    return made_of(square(size), catches_shadows=True)
+def catcher():
+    return made_of(square(20.0), catches_shadows=True)
 
 
 def shade(offset: float = 0.0, height: float = 1.0):

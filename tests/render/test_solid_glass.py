@@ -65,7 +65,7 @@ def test_a_slab_absorbs_along_its_thickness(tmp_path) -> None:
     """Straight on: 1 and 2 of a white sky's faces, with all reflections between them."""
     left = np.array([0.5, 0.25, 0.8])
     path = tmp_path / "slab.glb"
-    path.write_bytes(box_glb((4.0, 4.0, 0.5), ior=1.5, colour=left, distance=0.5))
+    path.write_bytes(box_glb((4.0, 4.0, 0.5), colour=left, distance=0.5))
     slab = read_mesh_object(path)
     assert slab.has_solid_glass and slab.transmittance is None
     camera = at_point((0, 0, 0), (0, 0, 4.0))
@@ -89,7 +89,7 @@ def test_a_floor_is_lit_through_glass() -> None:
 
 def test_what_is_not_solid_glass_is_said(tmp_path) -> None:
     path = tmp_path / "half.glb"
-    path.write_bytes(box_glb((1.0, 1.0, 1.0), ior=1.5, share=0.5))
+    path.write_bytes(box_glb((1.0, 1.0, 1.0), share=0.5))
     with pytest.warns(UserWarning, match="refraction of what transmits in part"):
         half = read_mesh_object(path)
     assert not half.has_solid_glass and half.transmittance is not None

@@ -41,8 +41,8 @@ def stack(colours) -> TriangleScene:
     return TriangleScene([(mesh.positions, mesh.triangles) for mesh in meshes], tables)
 
 
-def upward(n, seed=0):
-    rng = np.random.default_rng(seed)
+def upward(n):
+    rng = np.random.default_rng(0)
     origins = np.zeros((n, 3), np.float32)
     origins[:, [0, 2]] = rng.uniform(-0.8, 0.8, (n, 2))
     origins[:, 1] = -1

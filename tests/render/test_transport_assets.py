@@ -17,13 +17,13 @@ BELOW = {"type": "directional", "direction": (0, -1, 0), "irradiance": WHITE}
 WAYS = ["both", "lights", "rays"]
 
 
-def upside_down(height: float, scale: float = 1.0) -> dict:
-    return {"translation": (0, height, 0), "rotation_deg": (180, 0, 0), "scale": scale}
+def upside_down(height: float) -> dict:
+    return {"translation": (0, height, 0), "rotation_deg": (180, 0, 0)}
 
 
-def roofed(gap: float = 1.0) -> LambertAsset:
+def roofed() -> LambertAsset:
     """A small floor, and a wide roof above it that faces down: one asset."""
-    roof = inside(square(1.0, height=gap))
+    roof = inside(square(1.0, height=1.0))
     return LambertAsset(merged(square(0.002), roof))
 
 

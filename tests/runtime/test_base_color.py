@@ -14,7 +14,7 @@ from rna_sdk.package import BaseColor, Mesh, Package, decoder_from_bytes
 from rna_sdk.reference.base_color import base_color_reference
 from rna_sdk.reference.queries import queries_reference
 from rna_sdk.runtime import SurfaceAsset, load
-from rna_sdk.runtime.base_color import BaseColorMaps
+from rna_sdk.runtime.base_color import BaseColorMaps, base_color_levels
 from tests.package.builders import make_mesh
 from tests.package.lobes import with_lobes
 from tests.package.prints import make_print, tiers
@@ -152,12 +152,12 @@ def hits(count: int, triangles: int) -> tuple[np.ndarray, np.ndarray, np.ndarray
     return rng.integers(0, triangles, count), u, v
 
 
-def sheet(seed: int, triangles: int = 20) -> Mesh:
+def sheet(seed: int) -> Mesh:
     rng = np.random.default_rng(seed)
     positions = rng.normal(size=(30, 3)).astype(np.float32)
     uvs = rng.uniform(-1, 2, (30, 2)).astype(np.float32)
     normals = np.tile(np.float32([0, 0, 1]), (30, 1))
-    return Mesh(positions, normals, uvs, rng.integers(0, 30, (triangles, 3)).astype(np.uint32))
+    return Mesh(positions, normals, uvs, rng.integers(0, 30, (20, 3)).astype(np.uint32))
 
 
 IDENTITY, SKEWED = (1, 0, 0, 0, 1, 0), (2, 0.3, 0.1, -0.2, 3, 0.4)
@@ -218,6 +218,11 @@ def test_the_last_level_is_the_mean_of_the_image() -> None:
     far = maps.at(*at, 1e6)
     np.testing.assert_allclose(far, mean, atol=0.01)
     np.testing.assert_array_equal(maps.at(*at, math.inf), far)
+
+
+def test_a_record_without_an_image_has_no_levels() -> None:
+    with pytest.raises(QueryError, match="the record has no image"):
+        base_color_levels(BaseColor(0, 20, None, factor=(0.2, 0.3, 0.4)))
 
 
 def test_encoded_colours_are_mixed_as_the_teacher_does() -> None:

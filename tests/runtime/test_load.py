@@ -116,7 +116,7 @@ def test_the_cheapest_tier_that_is_good_enough(
         ({"min_psnr": 60}, "no tier of 60 dB.*hq 40 dB, small 35 dB, raw none, odd 50 dB"),
         ({"min_psnr": float("nan")}, "no tier of nan dB"),
         ({"min_psnr": "high"}, "expected a number of dB, found 'high'"),
-        ({"tier": "hq", "min_psnr": 30}, "not both"),
+        ({"tier": "hq", "min_psnr": 30}, "give only one"),
         ({"threads": 0}, "threads: expected .* found 0"),
         ({"threads": 1.5}, "threads: expected .* found 1.5"),
         ({"threads": True}, "threads: expected .* found True"),

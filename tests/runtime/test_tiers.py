@@ -78,8 +78,8 @@ def test_a_small_asset_gets_a_cheaper_tier(
         ({"max_error": 0.1, "pixels": -1}, "pixels: expected 0 or more, found -1"),
         ({"max_error": 0.1, "pixels": math.nan}, "pixels: expected 0 or more, found nan"),
         ({"max_error": 0.1, "pixels": "40"}, "pixels: expected a number"),
-        ({"max_error": 0.1, "min_psnr": 30}, "not both"),
-        ({"max_error": 0.1, "name": "hq"}, "not both"),
+        ({"max_error": 0.1, "min_psnr": 30}, "give only one"),
+        ({"max_error": 0.1, "name": "hq"}, "give only one"),
     ],
 )
 def test_what_cannot_be_chosen_is_said(

@@ -30,8 +30,8 @@ def test_the_emulated_cpu_saturates(environment: Mapping[str, str]) -> None:
     assert done.stdout == "True\n", done.stdout + done.stderr
 
 
-@pytest.mark.parametrize("file", ["test_saturation.py", "test_int8_decoder.py"])
-def test_int8_is_exact(environment: Mapping[str, str], file: str) -> None:
-    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", str(HERE / file)]
+def test_int8_is_exact(environment: Mapping[str, str]) -> None:
+    files = [str(HERE / name) for name in ("test_saturation.py", "test_int8_decoder.py")]
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *files]
     done = subprocess.run(command, env=environment, capture_output=True, text=True)
     assert done.returncode == 0, done.stdout + done.stderr

@@ -15,13 +15,13 @@ from rna_sdk.package import Curves
 SIZE = 32
 
 
-def flat_view(shadow_from: int, n_wi: float = 0.7) -> ValidationView:
-    """A plane seen from above; columns from `shadow_from` on are in shadow."""
+def flat_view(n_wi: float = 0.7) -> ValidationView:
+    """A plane seen from above; columns from 12 on are in shadow."""
     row, column = np.divmod(np.arange(SIZE**2), SIZE)
     position = np.stack([column, 0 * row, row], axis=1).astype(np.float32) / SIZE
     up = np.tile(np.float32([0, 1, 0]), (len(row), 1))
     wi = np.tile(np.float32([np.sqrt(1 - n_wi**2), n_wi, 0]), (len(row), 1))
-    visible = (column < shadow_from).astype(np.uint8)
+    visible = (column < 12).astype(np.uint8)
     radiance = np.repeat(np.float32(0.1 + 0.1 * visible)[:, None], 3, axis=1)
     samples = {"position": position, "normal": up, "wo": up, "wi": wi, "radiance": radiance}
     pixel = np.arange(SIZE**2, dtype=np.int32)
@@ -29,14 +29,14 @@ def flat_view(shadow_from: int, n_wi: float = 0.7) -> ValidationView:
 
 
 def test_distance_to_an_edge_counts_pixels() -> None:
-    distance = shadow_edges.signed_distance(flat_view(12))["cast shadow"].reshape(SIZE, SIZE)
+    distance = shadow_edges.signed_distance(flat_view())["cast shadow"].reshape(SIZE, SIZE)
     expected = np.zeros(SIZE, int)
     expected[4:12], expected[12:20] = np.arange(8, 0, -1), -np.arange(1, 9)
     np.testing.assert_array_equal(distance, np.tile(expected, (SIZE, 1)))
 
 
 def test_visibility_may_have_a_colour() -> None:
-    view = flat_view(12)
+    view = flat_view()
     glass = np.float32([0.9, 0.8, 0.7]) * view.visible[:, None]
     through_glass = replace(view, samples={**view.samples, "visible": glass})
     expected = shadow_edges.signed_distance(view)["cast shadow"]
@@ -45,13 +45,13 @@ def test_visibility_may_have_a_colour() -> None:
 
 
 def test_a_terminator_is_where_the_surface_turns_away() -> None:
-    distance = shadow_edges.signed_distance(flat_view(12, n_wi=0.05))
+    distance = shadow_edges.signed_distance(flat_view(n_wi=0.05))
     assert not distance["cast shadow"].any() and distance["terminator"].any()
 
 
 @pytest.mark.parametrize(("smear", "passes"), [(0.0, True), (0.05, False)])
 def test_a_smeared_edge_fails(smear: float, passes: bool) -> None:
-    view = flat_view(12)
+    view = flat_view()
 
     def answers(queries: dict) -> tuple[np.ndarray, np.ndarray]:
         at_edge = np.abs(SIZE * queries["position"][:, :1] - 11.5) < 1.6

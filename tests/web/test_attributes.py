@@ -21,7 +21,7 @@ LOBES = query_width(INPUTS, 4) + 16
 def element(page, folder, url) -> None:
     """One element with lobes, whose first look is there."""
     make_tiny_package(folder / "plain.rna")
-    with_lobes(folder / "plain.rna", folder / "lobes.rna", decoder=even_decoder(LOBES, 0.125))
+    with_lobes(folder / "plain.rna", folder / "lobes.rna", decoder=even_decoder(LOBES))
     scene = {"camera": {"position": [0, 0, 9], "look_at": [0, 0, 0], "vertical_fov_deg": 20}}
     (folder / "scene.json").write_text(json.dumps(scene))
     show(page, folder, url, f'<rna-viewer id="one" src="lobes.rna" {SMALL}></rna-viewer>')

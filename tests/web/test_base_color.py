@@ -132,7 +132,7 @@ def test_the_first_look_is_as_sharp_as_the_print(tmp_path):
     """Beside the lobes of the path tracer, under an even sky."""
     plain = make_print(tmp_path / "plain.rna", write_files(tmp_path))
     columns = query_width(INPUTS, 2) + 16
-    lobes = even_decoder(columns, 0.125)
+    lobes = even_decoder(columns)
     path = with_lobes(plain, tmp_path / "print.rna", decoder=lobes)
     sky = "{type: environment, radiance: [1.5, 1.5, 1.5], visible_to_camera: false}"
     scene = write_scene(tmp_path, {"path": path, **VIEW}, sky, SIZE, 1)

@@ -129,7 +129,7 @@ SHARPENED = """new Promise((resolve) => {
 def test_package_with_lobes_has_a_first_look(page, tmp_path, package):
     """It is whole before the first sample, what shows while something moves, and fades."""
     columns = query_width(INPUTS, 4) + 16
-    lobes = even_decoder(columns, 0.125)
+    lobes = even_decoder(columns)
     drop(page, with_lobes(package, tmp_path / "lobes.rna", decoder=lobes))
     page.evaluate(SHOWN)
     page.evaluate("rnaViewer.setGround(false)")

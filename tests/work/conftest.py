@@ -20,8 +20,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
                 item.add_marker(pytest.mark.skip(reason=MISSING))
 
 
-def start_cluster(nodes: int = 3, cpus: int = 1) -> Any:
-    """A cluster of nodes on this machine, of which the first is the head."""
+def start_cluster() -> Any:
+    """A cluster of three nodes of one core each on this machine, of which the first is the head."""
     os.environ["RAY_USAGE_STATS_ENABLED"] = "0"
     os.environ["RAY_worker_niceness"] = "0"  # else 15: a busy machine would leave them nothing
     with warnings.catch_warnings():
@@ -29,10 +29,10 @@ def start_cluster(nodes: int = 3, cpus: int = 1) -> Any:
         from ray.cluster_utils import Cluster
 
         cluster = Cluster(
-            initialize_head=True, head_node_args={"num_cpus": cpus, "include_dashboard": False}
+            initialize_head=True, head_node_args={"num_cpus": 1, "include_dashboard": False}
         )
-        for _ in range(nodes - 1):
-            cluster.add_node(num_cpus=cpus)
+        for _ in range(2):
+            cluster.add_node(num_cpus=1)
     return cluster
 
 

@@ -103,8 +103,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--work", type=Path, default=Path("bench", "materials"), help="folder of the packages"
     )
-    parser.add_argument("--lights", type=int, default=250, help="light directions of each")
-    parser.add_argument("--steps", type=int, default=4000, help="training steps of each")
+    parser.add_argument("--lights", type=int, default=250, help="light directions per material")
+    parser.add_argument("--steps", type=int, default=4000, help="training steps per material")
     parser.add_argument("--workers", type=int, help="Blender processes (int, default: rna-make's)")
     parser.add_argument("--picture", type=Path, help="JPEG to write (path)")
     add_out(parser)

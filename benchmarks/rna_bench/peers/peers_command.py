@@ -38,37 +38,40 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--methods",
         nargs="+",
         choices=METHODS,
-        help="which to train (text, default: all that the data and --package allow)",
+        help="methods to train (text, default: all that the data and --package allow)",
     )
     parser.add_argument(
-        "--minutes", type=float, default=10.0, help="processor time of each training"
+        "--minutes", type=float, default=10.0, help="processor time per training, minutes"
     )
     parser.add_argument(
         "--steps",
         type=int,
-        help="steps of each training, instead of --minutes (int, default: none)",
+        help="steps per training, instead of --minutes (int, default: none)",
     )
     parser.add_argument(
         "--full",
         action="store_true",
-        help="published batches and samples a ray, made for a GPU (default: off)",
+        help="use the published batch sizes and samples per ray, meant for a GPU (default: off)",
     )
-    parser.add_argument("--seeds", type=int, nargs="+", default=[0], help="of trainings")
-    parser.add_argument("--device", default="cpu", help="of PyTorch: cpu or cuda")
+    parser.add_argument("--seeds", type=int, nargs="+", default=[0], help="seeds of trainings")
+    parser.add_argument("--device", default="cpu", help="PyTorch device: cpu or cuda")
     parser.add_argument(
-        "--threads", type=int, default=1, help="of each training; more than a free core are slow"
+        "--threads",
+        type=int,
+        default=1,
+        help="threads per training; more than there are free cores are slow",
     )
-    parser.add_argument("--held-out", type=int, default=4, help="views to measure, of each kind")
+    parser.add_argument("--held-out", type=int, default=4, help="views of each kind to measure")
     parser.add_argument(
         "--size",
         type=int,
-        help="width and height to measure at, which divides the views' (int, default: the views')",
+        help="width and height to measure at, a divisor of the views' (int, default: the views')",
     )
-    parser.add_argument("--samples", type=int, default=32, help="a pixel, of our package")
+    parser.add_argument("--samples", type=int, default=32, help="samples per pixel of our package")
     parser.add_argument(
         "--again",
         action="store_true",
-        help="forget what was made with other settings (default: off)",
+        help="discard results that were made with other settings (default: off)",
     )
 
 

@@ -27,9 +27,12 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--held-out", type=int, default=10, help="views each to validate and test")
     parser.add_argument("--resolution", type=int, default=512, help="width and height, pixels")
-    parser.add_argument("--samples", type=int, default=128, help="Cycles samples a pixel")
+    parser.add_argument("--samples", type=int, default=128, help="Cycles samples per pixel")
     parser.add_argument(
-        "--held-out-samples", type=int, default=512, help="the same of the held-out views"
+        "--held-out-samples",
+        type=int,
+        default=512,
+        help="Cycles samples per pixel of held-out views",
     )
 
 

@@ -54,10 +54,11 @@ class Beside:
         """FLIP of every pixel, (h, w), with that noise."""
         return flip(self._shown(image), self._shown(self.reference))[1]
 
-    def brightness(self, image: np.ndarray, where: np.ndarray | None = None) -> np.ndarray:
-        """Light over the reference's, red, green and blue, (3,), over the asset or `where`."""
-        rows = self.asset if where is None else where
-        ours, theirs = (i[rows].sum(axis=0, dtype=np.float64) for i in (image, self.reference))
+    def brightness(self, image: np.ndarray) -> np.ndarray:
+        """Light over the reference's, red, green and blue, (3,), over the asset."""
+        ours, theirs = (
+            i[self.asset].sum(axis=0, dtype=np.float64) for i in (image, self.reference)
+        )
         return ours / theirs
 
     def picture(self, image: np.ndarray) -> np.ndarray:

@@ -66,8 +66,8 @@ def add_options(p: argparse.ArgumentParser) -> None:
         "--share",
         type=float,
         default=1 / 3,
-        help="of the picture that the asset covers, to which the camera's distance is fitted "
-        "(float, default: a third)",
+        help="share of the picture that the asset covers, by the camera's distance (float, "
+        "default: a third)",
     )
     p.add_argument("--turn", type=float, default=0.0, help="camera rotation, degrees")
     p.add_argument(

@@ -171,7 +171,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     """The options of the command."""
     parser.add_argument("results", type=Path, nargs="+", help="JSON of `rna-bench scenes` (path)")
     parser.add_argument(
-        "--targets", type=float, nargs="+", default=list(TARGETS), help="FLIP to wait for"
+        "--targets", type=float, nargs="+", default=list(TARGETS), help="target FLIP values"
     )
     parser.add_argument("--out", type=Path, help="SVG to draw (path, default: only the table)")
 

@@ -55,8 +55,8 @@ def run(args: argparse.Namespace) -> None:
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
-    add("--threads", type=int, nargs="+", metavar="N", help="threads (default: 1, 2, 4, ... cores)")
-    add("--work", nargs="+", choices=list(WORK), default=list(WORK), help="what is measured")
+    add("--threads", type=int, nargs="+", metavar="N", help="counts (default: 1, 2, 4, ... cores)")
+    add("--work", nargs="+", choices=list(WORK), default=list(WORK), help="workloads to measure")
     add("--picture", type=Path, help="chart of the rates (SVG or PNG, default: none)")
     add_out(parser)
 

@@ -46,7 +46,7 @@ def run(args: argparse.Namespace) -> None:
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
-        "--widths", type=int, nargs="+", default=[16, 32, 64, 128, 256, 512], help="of the decoders"
+        "--widths", type=int, nargs="+", default=[16, 32, 64, 128, 256, 512], help="decoder widths"
     )
     parser.add_argument(
         "--precisions", nargs="+", choices=list(PRECISIONS), default=["float32"], help="of tiers"

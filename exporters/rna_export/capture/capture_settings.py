@@ -38,8 +38,8 @@ class CaptureSettings(DatasetModel):
     parts: str = Field(
         "kinds",
         pattern="^(kinds|objects)$",
-        description="what gets its own planes and decoder: kinds (all surfaces, all hair) or "
-        "objects (each without a parent)",
+        description="what has planes and a decoder of its own: kinds (all surfaces, all hair) or "
+        "objects (each top-level object)",
     )
     exact_geometry: bool = Field(
         False, description="keep float32 geometry; quantised geometry halves the package size"
@@ -48,20 +48,19 @@ class CaptureSettings(DatasetModel):
         512,
         ge=0,
         le=_MAX_SIDE,
-        description="maximum width and height of normal maps; 0: normal maps are learnt",
+        description="maximum width and height of normal maps; 0: none, the planes learn them",
     )
     texture_size: int = Field(
         4096,
         ge=4,
         le=_MAX_SIDE,
-        description="maximum width and height of base colours that are baked; images stay as "
-        "they are",
+        description="maximum width and height of baked base colours; images keep their size",
     )
     sharpest: float = Field(
         SHARPEST,
         gt=0,
         le=0.8,
-        description="roughness of the sharpest highlight that view rays importance-sample",
+        description="lowest roughness whose highlights view rays importance-sample",
     )
     clamp_direct: float = Field(
         CLAMP_DIRECT, description="Cycles' direct clamp (the paper's value)"
@@ -70,8 +69,8 @@ class CaptureSettings(DatasetModel):
     glass: str = Field(
         "leave",
         pattern="^(keep|leave)$",
-        description="smooth glass, which is no part of the asset: keep (it refracts and shadows "
-        "the light of the rest) or leave (the rest is lit as if it were not there)",
+        description="smooth glass, which hosts render: keep (the asset is captured with its "
+        "refraction and shadows) or leave (without them)",
     )
     front: str | None = Field(None, pattern="^-?[XYZ]$", description="front axis of the file")
     up: str | None = Field(None, pattern="^-?[XYZ]$", description="up axis of the file")
@@ -91,16 +90,19 @@ class CaptureSettings(DatasetModel):
         8, ge=1, le=_MAX_VIEWS, description="validation images, held out from training"
     )
     validation_resolution: int = Field(
-        160, gt=0, le=_MAX_SIDE, description="their width and height, pixels"
+        160, gt=0, le=_MAX_SIDE, description="width and height of validation images, pixels"
     )
     validation_samples: int = Field(
-        512, ge=2, le=_MAX_SAMPLES, description="their paths per pixel, in two independent halves"
+        512,
+        ge=2,
+        le=_MAX_SAMPLES,
+        description="paths per pixel of validation images, in two independent halves",
     )
     lights_per_shard: int = Field(
         32,
         gt=0,
         le=MAX_LIGHTS,
-        description="lights per shard, the most that an interruption can lose",
+        description="lights per shard: an interruption loses at most one shard",
     )
     seed: int = 0
 

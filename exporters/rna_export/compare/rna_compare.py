@@ -16,10 +16,10 @@ def parser() -> argparse.ArgumentParser:
     """The options of `rna-compare`."""
     p = command_parser(
         "rna-compare",
-        "Render a package, and its original with Cycles, and write an HTML comparison.",
+        "Render a package with rna-run and its original with Cycles; write an HTML comparison.",
         "rna-compare helmet.rna helmet.gltf --out compare/helmet",
-        epilog="Three cameras (one a close-up; for pure hair a fourth, strand close-up) x three "
-        "lights.\nArguments after -- are passed to a source that is a Python script.",
+        epilog="Renders three cameras, one of them a close-up (hair alone: a fourth, of single "
+        "strands),\nunder three lights each. Arguments after -- are passed to a Python source.",
     )
     p.add_argument("package", type=Path, help="the package (path)")
     p.add_argument("source", type=Path, help="the model it was captured from (path)")

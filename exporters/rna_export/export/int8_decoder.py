@@ -7,7 +7,6 @@ engine may multiply as a pair can saturate 16 bits (`rna_sdk/package/decoder/sat
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,9 +14,6 @@ import torch
 from torch import Tensor, nn
 
 from rna_sdk.package.decoder.saturation import PAIR_LIMIT, pair_sums
-
-WeightScale = Callable[[Tensor], Tensor]
-"""From weights (outputs, inputs) to what one step of int8 means for each output, (outputs,)."""
 
 _CLIPS = torch.linspace(0.3, 1.0, 36)
 """Candidates for the end of a layer's range, as parts of its largest activation."""
@@ -75,8 +71,8 @@ def stored(steps: Tensor) -> Tensor:
     return steps.round().clamp(0, 255)
 
 
-def pair_scale(weight: Tensor) -> Tensor:
-    """The smallest steps with which no weight exceeds 127, and no pair of inputs PAIR_LIMIT."""
+def _pair_scale(weight: Tensor) -> Tensor:
+    """(outputs,), the smallest steps: no weight above 127, no pair of inputs above PAIR_LIMIT."""
     largest = weight.abs().amax(dim=1).clamp(min=1e-9)
     paired = torch.nn.functional.pad(weight, (0, weight.shape[1] % 2)).unflatten(1, (-1, 2))
     sums = torch.maximum(paired.clamp(min=0).sum(2), -paired.clamp(max=0).sum(2)).amax(dim=1)
@@ -92,9 +88,7 @@ def _pairs_over(weight: Tensor, scale: Tensor) -> Tensor:
 
 
 @torch.no_grad()
-def int8_decoder(
-    decoder: nn.Sequential, queries: Tensor, weight_scale: WeightScale = pair_scale
-) -> Int8Decoder:
+def int8_decoder(decoder: nn.Sequential, queries: Tensor) -> Int8Decoder:
     """A decoder's layers in integers, with ranges that suit these queries, (n, K)."""
     linear = [layer for layer in decoder if isinstance(layer, nn.Linear)]
     weights = [layer.weight.detach().clone() for layer in linear]
@@ -110,7 +104,7 @@ def int8_decoder(
     q, scale = stored(queries * gain + offset), 1.0
     layers = []
     for weight, bias, exact in zip(weights, biases, expected, strict=True):
-        layers.append(_layer(weight, weight_scale(weight), bias, scale, q, exact))
+        layers.append(_layer(weight, _pair_scale(weight), bias, scale, q, exact))
         sums = layers[-1](q).float()
         scale = _scale(torch.relu(sums))
         q = stored(sums / scale)

@@ -23,7 +23,7 @@ def add_credit(p: ArgumentParser) -> None:
     p.add_argument(
         "--name",
         type=asset_name,
-        help="name of the asset (text, default: that of the source's file, without its suffix)",
+        help="name of the asset (text, default: file name of the source without its suffix)",
     )
     p.add_argument(
         "--source",
@@ -42,15 +42,15 @@ def add_environment(p: ArgumentParser) -> None:
     p.add_argument(
         "--environment",
         action="store_true",
-        help="add lobes, from which one query gives the light of a whole environment, for the "
-        "first look of viewers; trained from the package itself (default: off)",
+        help="add lobes: one query estimates the light of a whole environment map, for the first "
+        "image in viewers; trained from the package itself (default: off)",
     )
     p.add_argument(
         "--environment-minutes",
         type=float,
         default=MINUTES,
         metavar="MINUTES",
-        help="limit of this training and its measurement (float, default: %(default)g)",
+        help="time limit for training and measuring the lobes (float, default: %(default)g)",
     )
     p.add_argument(
         "--environment-files",
@@ -58,8 +58,8 @@ def add_environment(p: ArgumentParser) -> None:
         type=Path,
         default=[],
         metavar="HDR",
-        help="environments, beside two generated ones, that the lobes' error is measured under "
-        "(paths to .hdr or .exr, default: none)",
+        help="environment maps under which the error of the lobes is measured, besides two "
+        "generated ones (paths to .hdr or .exr, default: none)",
     )
 
 

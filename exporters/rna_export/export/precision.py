@@ -61,9 +61,9 @@ def add_precision(p: ArgumentParser) -> None:
         metavar="FORMAT",
         default=[],
         help="number formats, one tier per preset and format; float32: float32 decoder and int8 "
-        "planes; int8: decoder and planes (tier suffix -int8); float32-float16: float32 decoder "
-        "and float16 planes, of twice the size. PRESET=FORMAT: for this preset alone, in place of "
-        "the others (default: float32)",
+        "planes; int8: int8 decoder and planes (tier suffix -int8); float32-float16: float32 "
+        "decoder and float16 planes, twice the size. PRESET=FORMAT overrides the formats of one "
+        "preset (default: float32)",
     )
 
 

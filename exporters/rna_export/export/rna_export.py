@@ -24,8 +24,8 @@ def parser() -> argparse.ArgumentParser:
         nargs="+",
         type=Path,
         help="checkpoints or output folders of rna-train, one per tier, the default tier first; an "
-        "asset of several parts needs its folder. With --environment alone, a package to add it to "
-        "(paths)",
+        "asset of several parts needs its folder. With --environment alone, a package to add lobes "
+        "to (paths)",
     )
     p.add_argument("--out", type=Path, required=True, help="output package (path, required)")
     p.add_argument(
@@ -54,22 +54,22 @@ def parser() -> argparse.ArgumentParser:
         type=int,
         default=[],
         metavar="PIXELS",
-        help="add simplified proxy meshes for these heights of the asset in the image; rna-run "
-        "uses them in scenes with `quality` (ints, default: none)",
+        help="add simplified proxy meshes for these heights of the asset in the image, pixels; "
+        "rna-run uses them in scenes with `quality` (ints, default: none)",
     )
     p.add_argument(
         "--standin",
         type=Path,
         metavar="FOLDER",
-        help="folder of rna-train --preset analytic on the same dataset, whose materials become "
-        "textures of the stand-ins where texture coordinates allow it, for rna-info --glb (path, "
-        "default: one colour for each part)",
+        help="folder of rna-train --preset analytic on the same dataset; its materials become the "
+        "textures of rna-info --glb, for parts with texture coordinates (path, default: one colour "
+        "per part)",
     )
     p.add_argument(
         "--source-vertices",
         action="store_true",
-        help="store which vertex of the source each vertex is, 4 bytes each, by which rna-motion "
-        "then follows the source (default: off)",
+        help="store the number of each vertex in the source, 4 bytes each, by which rna-motion "
+        "matches the two (default: off)",
     )
     p.add_argument(
         "--coding",
@@ -99,7 +99,7 @@ def main(argv: list[str] | None = None) -> int:
         check_package_name(args.out)
         run(args)
 
-    return run_command(checked, args.debug, "no package is half written", "train")
+    return run_command(checked, args.debug, "no partial package was written", "train")
 
 
 def _check_package(args: argparse.Namespace, options: argparse.ArgumentParser) -> None:

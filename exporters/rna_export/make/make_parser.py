@@ -48,7 +48,7 @@ def parser() -> argparse.ArgumentParser:
         "--out",
         type=Path,
         metavar="RNA",
-        help="output package (path, no default: it or --out-dir is required)",
+        help="output package (path, no default: this or --out-dir is required)",
     )
     p.add_argument(
         "--out-dir",
@@ -62,13 +62,13 @@ def parser() -> argparse.ArgumentParser:
         "--max-error",
         type=float,
         metavar="FLIP",
-        help="target mean FLIP of the asset's pixels, validation images (float, default: none)",
+        help="target mean FLIP over the asset's pixels in validation images (float, default: none)",
     )
     goal.add_argument(
         "--min-psnr",
         type=float,
         metavar="DB",
-        help="target PSNR of the validation images (float, default: none)",
+        help="target PSNR of the validation images, dB (float, default: none)",
     )
     p.add_argument(
         "--minutes",
@@ -80,14 +80,13 @@ def parser() -> argparse.ArgumentParser:
         "--more",
         type=float,
         metavar="MINUTES",
-        help="go on from the rays of a finished run for so many minutes (float, default: none)",
+        help="continue a finished run, from its rays, for this many minutes (float, default: none)",
     )
     p.add_argument(
         "--update",
         action="store_true",
-        help="capture a changed source anew, and start training from the old model where the "
-        "geometry is the same; takes a third of the time that was spent, or --minutes (default: "
-        "off)",
+        help="recapture a source that has changed; parts of unchanged geometry are trained from "
+        "their previous weights; takes --minutes, or a third of the previous time (default: off)",
     )
     p.add_argument(
         "--lights",
@@ -118,8 +117,8 @@ def parser() -> argparse.ArgumentParser:
         "--work",
         type=Path,
         metavar="FOLDER",
-        help="folder for rays and trainings, which --more and --update go on from (path, default: "
-        "OUT with suffix .make)",
+        help="folder for rays and trainings, reused by --more and --update (path, default: OUT "
+        "with suffix .make)",
     )
     p.add_argument(
         "--discard", action="store_true", help="delete the work folder at the end (default: off)"

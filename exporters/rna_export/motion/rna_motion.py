@@ -25,20 +25,21 @@ def parser() -> argparse.ArgumentParser:
     """The options of `rna-motion`."""
     p = command_parser(
         "rna-motion",
-        "Write the motion of a package, from an animated model, as a file for rna-run.",
+        "Convert the animation of a model to a motion file for its package, used by rna-run.",
         "rna-motion walk.blend fox.rna --out walk.rnam",
-        epilog="At the rest frame the model has to have the package's shape. glTF is read as it "
-        "is; all else is\nevaluated by Blender, with the arguments after -- as for rna-capture.",
+        epilog="At the rest frame the model must have the package's shape. glTF is read directly; "
+        "other formats\nare evaluated in Blender. Arguments after -- are passed to the source, as "
+        "in rna-capture.",
     )
     add = p.add_argument
     add("source", type=Path, help="animated model (path): glTF, .blend, Alembic, USD or a script")
     add("package", type=Path, help="package of the same model (path)")
     add("--out", type=Path, required=True, metavar="FILE", help="motion file (path, required)")
-    add("--clip", metavar="NAME", help="animation of a glTF (default: its first)")
+    add("--clip", metavar="NAME", help="name of a glTF's animation (text, default: the first)")
     add(
         "--rate",
         type=float,
-        help="frames per second (float, default: 24 for glTF, else that of Blender's scene)",
+        help="frames per second (float, default: 24 for glTF, else the scene's)",
     )
     add(
         "--frames",

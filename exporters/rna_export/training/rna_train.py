@@ -59,27 +59,28 @@ def parser() -> argparse.ArgumentParser:
         "--preset",
         choices=[*PRESETS["surface"], ANALYTIC_NAME],
         default="small",
-        help="model preset; analytic: the best-fitting glTF material of surfaces, what baking a "
-        "material would give; no package holds it (default: %(default)s)",
+        help="model preset; analytic: a glTF material fitted to each surface, for comparison and "
+        "for --standin of rna-export (default: %(default)s)",
     )
     p.add_argument(
         "--loss",
         choices=LOSSES,
-        help="log; unbiased: capture noise does not darken the result, but sharp highlights lose "
-        "accuracy; auto: chosen by the noise level (default: the preset's, auto for ours)",
+        help="log: capture noise darkens the result slightly; unbiased: it does not, but sharp "
+        "highlights are less accurate; auto: chosen by the noise level (default: the preset's, "
+        "auto for ours)",
     )
     p.add_argument(
         "--shadow-weight",
         type=float,
-        help="weight of samples in shadow in the loss; 10 in configurations of the paper's code "
-        "(float, default: the preset's: 1, and 0.1 in ours of surfaces, whose shadowed light has a "
-        "decoder of its own)",
+        help="weight of shadowed samples in the loss; 10 in configurations of the paper's code "
+        "(float, default: the preset's: 0.1 for our surfaces, which have a separate decoder for "
+        "shadowed light, else 1)",
     )
     p.add_argument(
         "--optimizer",
         choices=OPTIMIZERS,
-        help="optimizer of the decoder's matrices; all else uses Adam (default: the preset's, muon "
-        "for ours, adam for the paper's)",
+        help="optimizer of the decoder's matrices; other parameters use Adam (default: the "
+        "preset's, muon for ours, adam for the paper's)",
     )
     p.add_argument(
         "--batch",

@@ -33,8 +33,8 @@ def parser() -> argparse.ArgumentParser:
         "rna-info",
         "Show a package's size, parts, tiers, error, cost, origin and training.",
         "rna-info asset.rna",
-        epilog="Errors are those that the package records; `rna-compare` measures them against\n"
-        "the original. A tier's cost is that on the machine that made it.",
+        epilog="Errors and costs are those recorded in the package; costs were measured on the\n"
+        "machine that exported it. rna-compare measures errors against the original model.",
     )
     p.add_argument("package", type=Path, help="the package (path)")
     p.add_argument("--json", action="store_true", help="print JSON (default: text)")
@@ -42,15 +42,14 @@ def parser() -> argparse.ArgumentParser:
         "--poster",
         type=Path,
         metavar="PNG",
-        help="write the package's picture to this file (path, default: none)",
+        help="write the package's poster image to this file (path, default: none)",
     )
     p.add_argument(
         "--glb",
         type=Path,
         metavar="GLB",
-        help="write the geometry with its stand-in materials to this file, for any glTF viewer;\n"
-        "surfaces with colours at their vertices, strands as at most 300,000 triangles\n"
-        "(path, default: none)",
+        help="write the geometry with its stand-in materials as glTF (.glb) for other viewers;\n"
+        "strands become at most 300,000 triangles (path, default: none)",
     )
     return p
 

@@ -21,11 +21,10 @@ def parser() -> argparse.ArgumentParser:
     """The options of `rna-pack`."""
     p = command_parser(
         "rna-pack",
-        "Repack a package losslessly: compressed, uncompressed, with a new poster image, or as it "
-        "was before a ZIP program wrote it again.",
+        "Repack a package losslessly: compress it, uncompress it, or replace its poster image.",
         "rna-pack toy.rna --out toy-small.rna --deflate",
         epilog="Without --deflate all entries are stored uncompressed, which every reader "
-        "supports.",
+        "supports.\nA package that a ZIP program has rewritten is repaired.",
     )
     p.add_argument("package", type=Path, help="input package (path)")
     p.add_argument("--out", type=Path, required=True, help="output package (path, required)")

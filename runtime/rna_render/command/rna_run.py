@@ -56,19 +56,19 @@ def _parser() -> argparse.ArgumentParser:
         "scene",
         metavar="FILE",
         type=Path,
-        help="scene file (YAML), or a package (.rna), shown on a ground under lights of its size",
+        help="scene file (YAML), or a package (.rna), placed on a ground under default lights",
     )
     add(
         "--out",
         metavar="FILE",
         type=Path,
-        help="linear HDR image with AOVs, .exr or .npz; a .png is as --png (path, default: none)",
+        help="linear HDR image with AOVs, .exr or .npz; .png: as by --png (path, default: none)",
     )
     add(
         "--png",
         metavar="FILE",
         type=Path,
-        help="sRGB PNG of the same image; with or without --out (path, default: none)",
+        help="sRGB image, instead of --out or beside it (path, default: none)",
     )
     add(
         "--preview",
@@ -94,8 +94,8 @@ def _parser() -> argparse.ArgumentParser:
         metavar="RANGE",
         type=_frames,
         help="render an animation: all, 3, or 0-10; --out and --png need a frame number, such as "
-        "frame.%%04d.exr; existing frames are skipped; a scene without an animation makes a whole "
-        "turn in 0 to the last frame (default: one still image)",
+        "frame.%%04d.exr; existing frames are skipped; a scene without an animation becomes a "
+        "turntable, one turn over frames 0 to the last (default: one still image)",
     )
     add("--view", choices=VIEWS, help="view transform of the PNG (default: the scene's)")
     add(

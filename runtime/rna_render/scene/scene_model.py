@@ -31,7 +31,7 @@ PixelCount = Annotated[int, Field(ge=1, le=MAX_PIXELS_A_SIDE)]
 
 
 class MotionModel(Model):
-    """What moves the limbs of an asset; a path alone is short for it."""
+    """Deformation of an asset over time; a path alone is short for it."""
 
     path: FilePath = Field(
         description="A motion file of `rna-motion`, or an animated .glb or .gltf, relative to the "
@@ -47,7 +47,7 @@ class MotionModel(Model):
     )
     loop: bool = Field(
         default=False,
-        description="Goes on with the first frame instead of the last one, which is the same.",
+        description="Repeats the motion; its last frame must equal the first and is left out.",
     )
 
 
@@ -68,7 +68,7 @@ class AssetModel(Model):
     emission: Nonnegative = Field(default=1.0, description="Scale factor on the asset's emission.")
     variant: str | None = Field(
         default=None,
-        description="A print of the package, as `rna-info` lists its variants; its own if omitted.",
+        description="Variant of the base colours, as listed by `rna-info`; the default if omitted.",
     )
     maps: dict[str, FilePath] = Field(
         default={},

@@ -38,11 +38,7 @@ from tests.package.corpus.registry import (
 CASES = Corpus("surface")
 
 
-def with_gltf(
-    entries: Entries,
-    edit: Callable[[dict[str, Any]], object],
-    edit_manifest: Callable[[dict[str, Any]], object] | None = None,
-) -> bytes:
+def with_gltf(entries: Entries, edit: Callable[[dict[str, Any]], object]) -> bytes:
     """The package with an edited JSON chunk in its geometry."""
     glb = entries[MESH]
     size = CHUNK.unpack_from(glb, HEADER.size)[0]
@@ -50,8 +46,7 @@ def with_gltf(
     document = json.loads(glb[start : start + size])
     edit(document)
     blob = glb[start + size + CHUNK.size :]
-    data = pack_glb(json.dumps(document).encode(), blob)
-    return with_entry(entries, MESH, data, edit_manifest)
+    return with_entry(entries, MESH, pack_glb(json.dumps(document).encode(), blob))
 
 
 in_gltf = breaks_by(with_gltf)

@@ -57,7 +57,7 @@ def test_plain_page(tmp_path):
 def test_glass_beside_an_asset(tmp_path):
     installed(tmp_path)
     shutil.copy(TOY, tmp_path / "bottle.rna")
-    glass = box_glb((1.6, 0.9, 0.8), 1.5, colour=(0.01, 1.0, 0.01))
+    glass = box_glb((1.6, 0.9, 0.8), colour=(0.01, 1.0, 0.01))
     (tmp_path / "bottle.glass.glb").write_bytes(glass)
     shutil.copy(EXAMPLES / "glass" / "index.html", tmp_path)
     assert shows(tmp_path, has_toy_in_green_glass)

@@ -15,6 +15,7 @@ from rna_sdk.cpu import processor, thread_count
 from rna_sdk.runtime import FiberAsset, SurfaceAsset, load
 
 _SECONDS = 0.05  # of one evaluation
+_REPEATS = 7
 _FEWEST, _MOST = 16_384, 1_000_000
 
 
@@ -35,8 +36,8 @@ class Costs(BaseModel, extra="forbid", frozen=True):
     of: dict[str, QueryCost]
 
 
-def measure_costs(packages: dict[str, Path], queries: Arguments, repeats: int = 7) -> Costs:
-    """Costs of packages by name, each the median of `repeats` evaluations.
+def measure_costs(packages: dict[str, Path], queries: Arguments) -> Costs:
+    """Costs of packages by name, each the median of several evaluations.
 
     Every repeat goes through all packages and a matrix product, so that whatever else slows the
     machine down for a while slows all of them alike. queries: of `all_queries`.
@@ -48,7 +49,7 @@ def measure_costs(packages: dict[str, Path], queries: Arguments, repeats: int = 
     }
     product, gemm = matrix_product(), []
     taken: dict[tuple[str, int | None], list[float]] = {key: [] for key in timed}
-    for _ in range(repeats):
+    for _ in range(_REPEATS):
         gemm.append(product())
         for key, (evaluate, rows) in timed.items():
             taken[key].append(1e9 * seconds_of(evaluate) / rows)
@@ -56,7 +57,7 @@ def measure_costs(packages: dict[str, Path], queries: Arguments, repeats: int = 
     return Costs(
         machine=processor(),
         threads=thread_count(None),
-        repeats=repeats,
+        repeats=_REPEATS,
         gemm_gflops=1e-9 * GEMM_FLOP / float(np.median(gemm)),
         of={
             name: QueryCost(ns=median[name, None], ns_one_thread=median[name, 1])

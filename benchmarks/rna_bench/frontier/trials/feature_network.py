@@ -53,7 +53,7 @@ class FeatureNetwork(nn.Module):
         layers: list[Any] = [*self.layers]
         return [layer.parametrizations.weight.original1 for layer in layers[:-1]]
 
-    def forward(self, position: Tensor, wo: Tensor, wi: Tensor, bfloat16: bool = False) -> Tensor:
+    def forward(self, position: Tensor, wo: Tensor, wi: Tensor, bfloat16: bool) -> Tensor:
         """Features (n, C) of points and directions, (n, 3) each; bfloat16: as in `of_position`."""
         directions = [octaves(w, _DIRECTION_OCTAVES) for w in (wo, wi)]
         return torch.cat([self.of_position(position, bfloat16), *directions], dim=1)

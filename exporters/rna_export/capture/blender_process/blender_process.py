@@ -63,7 +63,7 @@ class BlenderProcess:
     Raises `CaptureError` when Blender cannot start, cannot load the source or fails at a request.
     """
 
-    def __init__(self, python: Path, source: Source, folder: Path, threads: int, name: str = "0"):
+    def __init__(self, python: Path, source: Source, folder: Path, threads: int, name: str):
         self._python, self.source, self._threads = python, source, threads
         self._folder, self._name = folder, name
         self._frame = source.rest_frame  # that the source shows; None for the one it opens with

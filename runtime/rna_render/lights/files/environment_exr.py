@@ -76,9 +76,9 @@ def _picture(path: Path, headers: Sequence[Header]) -> int:
     raise SceneError(f"has no channels R, G and B, nor Y; it has {_listed(names)}", file=path)
 
 
-def _listed(names: Sequence[str], most: int = 12) -> str:
-    shown = ", ".join(names[:most]) or "none"
-    return f"{shown} and {len(names) - most} more" if len(names) > most else shown
+def _listed(names: Sequence[str]) -> str:
+    shown = ", ".join(names[:12]) or "none"
+    return f"{shown} and {len(names) - 12} more" if len(names) > 12 else shown
 
 
 def _check_layout(path: Path, header: Header, parts: int) -> None:
