@@ -100,3 +100,25 @@ def test_a_tint_that_is_no_colour_by_itself_is_told(page, folder, url):
         page.evaluate(f"one.tint = '{text}', 0")
         expected = f'expected a colour, or R G B of linear light, as 1 0.5 0.2, found "{text}"'
         assert line(page) == f"tint: {expected}"
+
+
+def test_a_property_takes_what_it_gives(page, folder, url):
+    """As its types say: text or a number."""
+    given = {
+        "tint": "crimson",
+        "maps": "label=label-de.png",
+        "minCameraOrbit": "auto 10deg auto",
+        "maxFieldOfView": "60deg",
+        "rotationPerSecond": "20deg",
+        "autoRotateDelay": 100,
+        "alt": "",
+        "touchAction": "none",
+        "cameraControls": True,
+    }
+    show(page, folder, url, '<rna-viewer id="one" hidden></rna-viewer>')
+    for name, value in given.items():
+        page.evaluate(f"one.{name} = {json.dumps(value)}, 0")
+        assert page.evaluate(f"one.{name}") == value
+        assert line(page) is None
+    page.evaluate("one.tint = 'no colour', 0")
+    assert page.evaluate("one.tint") is None

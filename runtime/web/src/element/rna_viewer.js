@@ -369,11 +369,17 @@ const LIVE = {
   tier: ({ stage, settings }) => stage.shown?.name ?? settings.tier,
 };
 
+/** The value of an attribute as its property takes it again: a number, or the text; null where it counts as missing. */
+function written(viewer, name) {
+  const value = viewer.settings[propertyOf(name)], text = viewer.getAttribute(name);
+  return value === null || Number(text) === value ? value : text;
+}
+
 for (const [name, read] of Object.entries(READERS)) {
   const property = propertyOf(name), isFlag = read === flag;
   Object.defineProperty(RnaViewer.prototype, property, {
     get() {
-      return LIVE[property]?.(this) ?? (isFlag ? this.settings[property] === true : this.settings[property]);
+      return LIVE[property]?.(this) ?? (isFlag ? this.settings[property] === true : written(this, name));
     },
     set(value) {
       if (isFlag) this.toggleAttribute(name, !!value);
