@@ -122,3 +122,13 @@ def test_a_property_takes_what_it_gives(page, folder, url):
         assert line(page) is None
     page.evaluate("one.tint = 'no colour', 0")
     assert page.evaluate("one.tint") is None
+
+
+def test_false_is_off(page, folder, url):
+    """As Vue and Svelte write what is false; on is any other text, as in HTML."""
+    attributes = 'auto-rotate="false" camera-controls="true" ground=""'
+    show(page, folder, url, f'<rna-viewer id="one" hidden {attributes}></rna-viewer>')
+    is_on = "[one.autoRotate, one.cameraControls, one.ground, one.skybox, one.settings.autoRotate]"
+    assert page.evaluate(is_on) == [False, True, True, False, False]
+    page.evaluate("one.autoRotate = true, 0")
+    assert page.evaluate("[one.autoRotate, one.getAttribute('auto-rotate')]") == [True, ""]

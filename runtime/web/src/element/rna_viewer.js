@@ -382,9 +382,9 @@ for (const [name, read] of Object.entries(READERS)) {
       return LIVE[property]?.(this) ?? (isFlag ? this.settings[property] === true : written(this, name));
     },
     set(value) {
-      if (isFlag) this.toggleAttribute(name, !!value);
-      else if (value === null || value === undefined) this.removeAttribute(name);
-      else this.setAttribute(name, value);
+      const text = isFlag ? (value ? "" : null) : value;
+      if (text === null || text === undefined) this.removeAttribute(name);
+      else this.setAttribute(name, text);
     },
     enumerable: true, configurable: true,
   });
