@@ -93,6 +93,20 @@ def test_the_same_address_is_tried_again_after_a_failure(page, folder):
     assert [path for path in Static.requested if path.startswith("/later")].count("/later.rna") == 1
 
 
+@pytest.mark.usefixtures("element")
+def test_without_an_address_there_is_no_asset(page):
+    page.evaluate("one.src = null, 0")
+    assert page.evaluate("[one.loaded, one.availableTiers, one.stage.shown]") == [False, [], None]
+    assert page.evaluate("one.toBlob()") is None
+    page.wait_for("one.stage.engine", TIMEOUT)
+    assert page.evaluate("[one.stage.viewer.shown, one.stage.shown]") == [None, None]
+    page.evaluate("one.src = 'tiny.rna', 0")
+    loads(page, "one", 2)
+    page.evaluate("one.src = 'lobes.rna', one.src = null, 0")
+    page.wait_for("one.stage.engine && !one.stage.loading", TIMEOUT)
+    assert page.evaluate("[one.loaded, one.stage.shown]") == [False, None] and line(page) is None
+
+
 def test_a_tint_that_is_no_colour_by_itself_is_told(page, folder, url):
     show(page, folder, url, '<rna-viewer id="one" hidden tint="crimson"></rna-viewer>')
     assert page.evaluate("one.settings.tint") == pytest.approx([0.716, 0.007, 0.045], abs=1e-3)

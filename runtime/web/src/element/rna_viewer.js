@@ -170,6 +170,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
   /** What an attribute changes of what is there. */
   _apply(name) {
     const { stage, settings } = this;
+    if (name === "src" && settings.src === null && !stage.scene?.asset) this._clear();
     if (["src", "glass"].includes(name)) this._begin();
     if (name === "poster") this._showImage(settings.poster);
     if (name === "scene") this._openScene();
@@ -215,6 +216,14 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     if (src === null) return;
     this.loaded = false;
     this.stage.open(this.requestedSrc);
+  }
+
+  /** Nothing is to be shown any more, but for a poster. */
+  _clear() {
+    Object.assign(this, { loaded: false, isBegun: false });
+    this.turntable.switch(false);
+    this.stage.clear();
+    this._showImage(this.settings.poster);
   }
 
   async _openScene() {
