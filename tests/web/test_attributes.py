@@ -91,3 +91,58 @@ def test_the_same_address_is_tried_again_after_a_failure(page, folder):
     page.evaluate(f"Object.assign(one, {json.dumps(wrong)}), 0")
     page.wait_for("count('error', 'one') === 5", TIMEOUT)
     assert [path for path in Static.requested if path.startswith("/later")].count("/later.rna") == 1
+
+
+@pytest.mark.usefixtures("element")
+def test_without_an_address_there_is_no_asset(page):
+    page.evaluate("one.src = null, 0")
+    assert page.evaluate("[one.loaded, one.availableTiers, one.stage.shown]") == [False, [], None]
+    assert page.evaluate("one.toBlob()") is None
+    page.wait_for("one.stage.engine", TIMEOUT)
+    assert page.evaluate("[one.stage.viewer.shown, one.stage.shown]") == [None, None]
+    page.evaluate("one.src = 'tiny.rna', 0")
+    loads(page, "one", 2)
+    page.evaluate("one.src = 'lobes.rna', one.src = null, 0")
+    page.wait_for("one.stage.engine && !one.stage.loading", TIMEOUT)
+    assert page.evaluate("[one.loaded, one.stage.shown]") == [False, None] and line(page) is None
+
+
+def test_a_tint_that_is_no_colour_by_itself_is_told(page, folder, url):
+    show(page, folder, url, '<rna-viewer id="one" hidden tint="crimson"></rna-viewer>')
+    assert page.evaluate("one.settings.tint") == pytest.approx([0.716, 0.007, 0.045], abs=1e-3)
+    for text in ("var(--accent)", "inherit", "transparent", "crimsom"):
+        page.evaluate(f"one.tint = '{text}', 0")
+        expected = f'expected a colour, or R G B of linear light, as 1 0.5 0.2, found "{text}"'
+        assert line(page) == f"tint: {expected}"
+
+
+def test_a_property_takes_what_it_gives(page, folder, url):
+    """As its types say: text or a number."""
+    given = {
+        "tint": "crimson",
+        "maps": "label=label-de.png",
+        "minCameraOrbit": "auto 10deg auto",
+        "maxFieldOfView": "60deg",
+        "rotationPerSecond": "20deg",
+        "autoRotateDelay": 100,
+        "alt": "",
+        "touchAction": "none",
+        "cameraControls": True,
+    }
+    show(page, folder, url, '<rna-viewer id="one" hidden></rna-viewer>')
+    for name, value in given.items():
+        page.evaluate(f"one.{name} = {json.dumps(value)}, 0")
+        assert page.evaluate(f"one.{name}") == value
+        assert line(page) is None
+    page.evaluate("one.tint = 'no colour', 0")
+    assert page.evaluate("one.tint") is None
+
+
+def test_false_is_off(page, folder, url):
+    """As Vue and Svelte write what is false; on is any other text, as in HTML."""
+    attributes = 'auto-rotate="false" camera-controls="true" ground=""'
+    show(page, folder, url, f'<rna-viewer id="one" hidden {attributes}></rna-viewer>')
+    is_on = "[one.autoRotate, one.cameraControls, one.ground, one.skybox, one.settings.autoRotate]"
+    assert page.evaluate(is_on) == [False, True, True, False, False]
+    page.evaluate("one.autoRotate = true, 0")
+    assert page.evaluate("[one.autoRotate, one.getAttribute('auto-rotate')]") == [True, ""]

@@ -2,7 +2,14 @@
 
 from __future__ import annotations
 
+import base64
+import io
+import re
+import zlib
+
+import numpy as np
 import pytest
+from PIL import Image
 
 from tests.package.builders import make_tiny_package
 from tests.web.element_pages import SMALL, loads, show
@@ -84,3 +91,18 @@ def test_pixels_of_another_screen(page, folder, url):
     assert [*widths, page.evaluate("move(1.5), one.stage.canvas.width")] == [128, 64, 96]
     queries = [f"(resolution: {ratio}dppx)" for ratio in (2, 1, 1.5)]
     assert page.evaluate("asked.map(({ query }) => query)") == queries
+
+
+def test_the_picture_is_on_paper(page, folder, url):
+    """Chromium leaves canvases of WebGPU out of what it prints."""
+    show(page, folder, url, f'<rna-viewer id="one" src="tiny.rna" {SMALL}></rna-viewer>')
+    loads(page, "one")
+    page.evaluate("one.stage.viewer.converged().then(() => 0)")
+    shown = np.asarray(Image.open(io.BytesIO(page.screenshot())).convert("RGB"), int)[:40, :64]
+    document = base64.b64decode(page.call("Page.printToPDF")["data"])
+    streams = re.findall(rb"/Subtype /Image.*?stream\r?\n(.*?)endstream", document, re.S)
+    images = [zlib.decompress(data) for data in streams]
+    (pixels,) = (image for image in images if len(image) == 3 * 40 * 64)
+    printed = np.frombuffer(pixels, np.uint8).reshape(40, 64, 3).astype(int)
+    assert np.ptp(shown) > 50 and np.abs(printed - shown).max() <= 2
+    assert page.evaluate("one.stage.place.children.length") == 1

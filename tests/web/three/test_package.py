@@ -4,15 +4,26 @@ from __future__ import annotations
 
 import json
 import re
+import subprocess
 import tarfile
 from pathlib import Path
 
 import pytest
 
-from tests.web.three.pages import TOY, installed
+from tests.web.three.pages import REPOSITORY, TOY, installed
 
 MOST_BYTES = 5_000_000
 """Of page, module and toy; three.js is the page's own."""
+KIT = REPOSITORY / "spec" / "conformance" / "packages"
+READ_IN_NODE = """
+    import fs from "node:fs";
+    import { RnaLoader } from "rna-three";
+    for (const path of process.argv.slice(1)) {
+      const bytes = new Uint8Array(fs.readFileSync(path)).buffer;
+      await new RnaLoader().parseAsync(bytes).then(
+        ({ tiers }) => console.log(tiers.join()), ({ message }) => console.log(message));
+    }
+"""
 
 
 @pytest.fixture(scope="module")
@@ -55,3 +66,13 @@ def test_types_name_what_is_exported(package):
     text = (package[1] / "rna-three.js").read_text()
     exported = re.findall(r"\w+ as (\w+)", re.findall(r"export\{([^}]*)\}", text)[-1])
     assert set(declared) == set(exported)
+
+
+def test_packages_are_read_in_node_but_for_their_images(package):
+    """As where pages are rendered on a server."""
+    paths = [KIT / f"surface-{name}.rna" for name in ("tiny", "print")]
+    command = ["node", "--input-type=module", "-e", READ_IN_NODE, *map(str, paths)]
+    folder = package[1].parents[1]
+    done = subprocess.run(command, capture_output=True, text=True, cwd=folder, timeout=300)
+    tiers, line = done.stdout.splitlines()
+    assert tiers == "two" and "expected a browser, which decodes images" in line

@@ -30,7 +30,8 @@ const number = (low, high, whole = false) => (text) => {
 };
 const choice = (...names) => (text) => (names.includes(text) ? text : expected(names.join(" or "), text));
 const text = (value) => value;
-export const flag = () => true;
+/** On where it is there, but for "false", which Vue and Svelte write of a value that is false. */
+export const flag = (value) => value !== "false";
 
 function cameraOrbit(value) {
   const radius = (word) => length(word) ?? quantity(word, SHARES);

@@ -1,8 +1,12 @@
-// What is behind the asset: the element's background colour.
+// Colours of CSS: that behind the asset, the element's background, and the tint.
 
-/** A colour of CSS, in any form: RGB, linear light of sRGB from 0 to 1; null if it is translucent: the page shows through. */
+/**
+ * A colour of CSS, in any form: RGB, linear light of sRGB from 0 to 1; null if it is translucent, so that the page shows through,
+ * or no colour by itself, as var(--accent).
+ */
 export function linearColour(css) {
   const context = new OffscreenCanvas(1, 1).getContext("2d");
+  context.fillStyle = "transparent";  // stays where the next one is no colour
   context.fillStyle = css;
   context.fillRect(0, 0, 1, 1);
   const [r, g, b, alpha] = [...context.getImageData(0, 0, 1, 1).data].map((value) => value / 255);

@@ -5,6 +5,7 @@ import { listen } from "../ui/pointer.js";
 import { WebGPUEngine } from "../webgpu/engine.js";
 import { compose, sharedFiles, rayKernels } from "../webgpu/sources.js";
 import { actions, isForPicture } from "./gestures.js";
+import { copyForPaper } from "./paper.js";
 import { Viewer } from "./viewer.js";
 
 const MOST_PIXELS = 2.2e6;  // of the picture, whatever the screen: memory of phones
@@ -42,6 +43,7 @@ export class LastingEngine extends EventTarget {
     this.lives += 1;
     this.begun = Promise.resolve(false);
     this.following?.abort();
+    this.living?.abort();
     this.viewer?.stop();
     this.engine?.close();
     Object.assign(this, { viewer: null, engine: null });
@@ -64,7 +66,7 @@ export class LastingEngine extends EventTarget {
     const life = this.lives, canvas = document.createElement("canvas");
     const engine = await WebGPUEngine.open(canvas);
     if (life !== this.lives) return engine.close();
-    Object.assign(this, { engine, canvas });
+    Object.assign(this, { engine, canvas, living: new AbortController() });
     this.place.replaceChildren(canvas);
     engine.onlost = (reason) => this._lost(engine, reason);
     this.viewer = Object.assign(new Viewer(engine, canvas, this.orbit), this.look, { resting: this.isResting });
@@ -72,6 +74,7 @@ export class LastingEngine extends EventTarget {
     this.viewer.addEventListener("failed", ({ error }) => this._lost(engine, lineOf(error)));
     performance.mark("engine");
     listen(canvas, actions(this), (event) => isForPicture(this, event));
+    copyForPaper(canvas, () => this.viewer.show(), this.living.signal);
     this.emit("engine");
     this._followScreen();
     this.resize();

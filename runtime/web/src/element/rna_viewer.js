@@ -170,6 +170,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
   /** What an attribute changes of what is there. */
   _apply(name) {
     const { stage, settings } = this;
+    if (name === "src" && settings.src === null && !stage.scene?.asset) this._clear();
     if (["src", "glass"].includes(name)) this._begin();
     if (name === "poster") this._showImage(settings.poster);
     if (name === "scene") this._openScene();
@@ -215,6 +216,14 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     if (src === null) return;
     this.loaded = false;
     this.stage.open(this.requestedSrc);
+  }
+
+  /** Nothing is to be shown any more, but for a poster. */
+  _clear() {
+    Object.assign(this, { loaded: false, isBegun: false });
+    this.turntable.switch(false);
+    this.stage.clear();
+    this._showImage(this.settings.poster);
   }
 
   async _openScene() {
@@ -369,16 +378,22 @@ const LIVE = {
   tier: ({ stage, settings }) => stage.shown?.name ?? settings.tier,
 };
 
+/** The value of an attribute as its property takes it again: a number, or the text; null where it counts as missing. */
+function written(viewer, name) {
+  const value = viewer.settings[propertyOf(name)], text = viewer.getAttribute(name);
+  return value === null || Number(text) === value ? value : text;
+}
+
 for (const [name, read] of Object.entries(READERS)) {
   const property = propertyOf(name), isFlag = read === flag;
   Object.defineProperty(RnaViewer.prototype, property, {
     get() {
-      return LIVE[property]?.(this) ?? (isFlag ? this.settings[property] === true : this.settings[property]);
+      return LIVE[property]?.(this) ?? (isFlag ? this.settings[property] === true : written(this, name));
     },
     set(value) {
-      if (isFlag) this.toggleAttribute(name, !!value);
-      else if (value === null || value === undefined) this.removeAttribute(name);
-      else this.setAttribute(name, value);
+      const text = isFlag ? (value ? "" : null) : value;
+      if (text === null || text === undefined) this.removeAttribute(name);
+      else this.setAttribute(name, text);
     },
     enumerable: true, configurable: true,
   });

@@ -36,8 +36,8 @@ const STYLE = `
 #tint { position: absolute; background-color: inherit; transition: background-color 1ms; }
 canvas { display: block; }
 canvas:focus-visible { outline: 2px solid #fff; outline-offset: -2px; }
-:host([camera-controls]) canvas { cursor: grab; }
-:host([camera-controls]) canvas.dragging { cursor: grabbing; }
+:host([camera-controls]:not([camera-controls="false"])) canvas { cursor: grab; }
+:host([camera-controls]:not([camera-controls="false"])) canvas.dragging { cursor: grabbing; }
 #hotspots { position: absolute; inset: 0; pointer-events: none; }
 #hotspots slot { display: flex; position: absolute; transform: translate(-50%, -50%); pointer-events: auto; }
 #hotspots .unseen { visibility: hidden; }

@@ -42,6 +42,14 @@ export class Stage extends LastingEngine {
     this.end();
   }
 
+  /** Lets asset and GPU go; begin() starts without an asset. */
+  clear() {
+    this.close();
+    Object.assign(this, { opened: null, shown: null, arrays: null, box: undefined });
+    this.place.replaceChildren();
+    this.notices.say(null, false, "asset");
+  }
+
   /** Shows the package at an address, or in a File. */
   async open(from) {
     this.loading?.abort();

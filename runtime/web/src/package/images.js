@@ -1,6 +1,6 @@
 // Images of base colour (spec, 4.6): decoded by the browser as they are stored, and their levels.
 import { inSteps } from "../steps.js";
-import { fail } from "./errors.js";
+import { fail, NotSupported } from "./errors.js";
 
 const WIDEST = 8192;
 const STARTS = [[0x89, 0x50, 0x4e, 0x47], [0xff, 0xd8, 0xff], [0x52, 0x49, 0x46, 0x46]];  // PNG, JPEG, RIFF
@@ -14,8 +14,13 @@ export async function readImage(bytes, where) {
   const sides = sidesOf(bytes);  // before any memory is taken
   if (!sides) wrong("a file without a size");
   if (!sides.every((side) => side >= 1 && side <= WIDEST)) wrong(`${sides.join(" x ")} pixels`);
+  needBrowser(where);
   const bitmap = await createImageBitmap(new Blob([withoutOrientation(bytes)]), AS_STORED).catch(() => wrong("what cannot be decoded"));
   return pixelsOf(bitmap);
+}
+
+function needBrowser(what) {
+  if (!globalThis.createImageBitmap) throw new NotSupported(`${what}: expected a browser, which decodes images; there is no createImageBitmap here`);
 }
 
 /** [width, height] by the file's header; null where it has none. */
@@ -47,6 +52,7 @@ function sidesOfWebp(view) {
 
 /** The same of a picture of the page's: a Blob, ImageBitmap, canvas, or element of an image. */
 export async function pictureOf(source) {
+  needBrowser("an image");
   const bitmap = source instanceof ImageBitmap ? source : await createImageBitmap(source, AS_STORED);
   if (Math.max(bitmap.width, bitmap.height) > WIDEST) throw new Error(`an image of ${bitmap.width} x ${bitmap.height} pixels; at most ${WIDEST} a side`);
   return pixelsOf(bitmap);
