@@ -281,7 +281,7 @@ class AssetPart(Asset):
 
         Raises:
             QueryError: an array is missing, or is no float32 array of its shape; they differ in n;
-                `out` is not writable or not contiguous.
+                `out` is not writable, not contiguous, or shares memory with another array.
         """
         decoder_form = form_named(form)
         checked = self._checked(arrays, decoder_form.arrays)
@@ -292,7 +292,7 @@ class AssetPart(Asset):
             make = np.empty if evaluators else np.zeros
             result = tuple(make((number, count, COLUMNS), np.float32))
         else:
-            result = _results(out, number, count)
+            result = _results(out, number, count, checked)
         for k, evaluator in enumerate(evaluators):
             rows = result if len(evaluators) == 1 else result[k : k + 1]
             evaluator.run(Batch.of(checked, rows))
@@ -405,8 +405,12 @@ def _shares(visibility: object, count: int) -> Rows:
     return scalars("visibility", visibility, count)[:, None]
 
 
-def _results(value: object, number: int, count: int) -> tuple[NDArray[np.float32], ...]:
+def _results(
+    value: object, number: int, count: int, arrays: Mapping[str, Rows]
+) -> tuple[NDArray[np.float32], ...]:
     """`value`, checked to be a tuple of `number` writable arrays, each (count, COLUMNS).
+
+    They are none of the query's `arrays`, which a second decoder reads when the first has written.
 
     Raises:
         QueryError: it is not.
@@ -420,4 +424,6 @@ def _results(value: object, number: int, count: int) -> tuple[NDArray[np.float32
     for k, array in enumerate(value):
         if any(np.may_share_memory(array, other) for other in value[:k]):
             raise QueryError("out: expected arrays of their own memory, found one memory twice")
+        if any(np.may_share_memory(array, other) for other in arrays.values()):
+            raise QueryError("out: expected arrays of their own memory, found that of the query")
     return value

@@ -229,3 +229,12 @@ def test_results_can_be_written_into_arrays_of_the_caller(asset: Asset) -> None:
 def test_results_that_cannot_be_written_are_refused(asset: Asset, bad: object, actual: str) -> None:
     with pytest.raises(QueryError, match=actual):
         asset.evaluate(*points_for(asset, 7), out=bad)
+
+
+def test_results_in_the_place_of_the_query_are_refused(asset: Asset) -> None:
+    """Of two decoders the second one would read what the first has written."""
+    points = points_for(asset, 7)
+    for array in points:
+        if array.shape == (7, 3):
+            with pytest.raises(QueryError, match="that of the query"):
+                asset.evaluate(*points, out=(array, np.empty((7, 3), np.float32)))
