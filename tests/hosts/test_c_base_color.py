@@ -103,7 +103,7 @@ def png_reader(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A program that writes the pixels of a PNG; under sanitizers."""
     folder = tmp_path_factory.mktemp("png")
     (folder / "probe.c").write_text(PROBE)
-    flags = ["-std=c11", "-g", "-O1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
+    flags = ["-std=c11", "-g", "-O0", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
     sources = [folder / "probe.c", SOURCES / "png.c", SOURCES / "rna.c"]
     command = ["cc", *flags, f"-I{SOURCES}", *map(str, sources), "-o", str(folder / "probe"), "-lm"]
     if subprocess.run(command, capture_output=True).returncode:
