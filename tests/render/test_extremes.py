@@ -57,18 +57,19 @@ def test_a_light_beyond_float32_is_one_line(
 @pytest.mark.parametrize(
     ("size", "scale", "message"),
     [
-        (1e14, 1.0, "its size is 1e+14 m; expected 1e-12 to 1e+12"),
+        (1e14, 1.0, "its size is 1e+14 m; expected 1e-06 to 1e+06"),
         (1e-15, 1.0, "its size is 1e-15 m"),
-        (1e10, 1e10, "its size as placed is 1e+20 m"),
-        (1e-10, 1e-10, "its size as placed is 1e-20 m"),
-        (1.0, 1e13, "transform.scale: expected a number, at most 1e+12"),
-        (1.0, 1e-13, "transform.scale: expected a number, at least 1e-12"),
-        (0.99e12, 1.0, None),
-        (1.01e-12, 1.0, None),
-        (0.99, 1e12, None),
-        (1.01, 1e-12, None),
-        (0.99e12, 1e-12, None),
-        (1.01e-12, 1e12, None),
+        (1e-7, 1.0, "its size is 1e-07 m"),
+        (1e5, 1e5, "its size as placed is 1e+10 m"),
+        (1e-5, 1e-5, "its size as placed is 1e-10 m"),
+        (1.0, 1e7, "transform.scale: expected a number, at most 1e+06"),
+        (1.0, 1e-7, "transform.scale: expected a number, at least 1e-06"),
+        (0.99e6, 1.0, None),
+        (1.01e-6, 1.0, None),
+        (0.99, 1e6, None),
+        (1.01, 1e-6, None),
+        (0.99e6, 1e-6, None),
+        (1.01e-6, 1e6, None),
     ],
 )
 def test_geometry_is_seen_or_refused(
@@ -78,7 +79,7 @@ def test_geometry_is_seen_or_refused(
     scale: float,
     message: str | None,
 ) -> None:
-    """A grey square fills the image, or is an error; nothing vanishes."""
+    """A grey square fills the image, lit from all sides or from nearby, or is an error."""
     corners = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
     lines = [f"v {size / 2 * x:e} {size / 2 * y:e} 0" for x, y in corners]
     (tmp_path / "square.obj").write_text("\n".join([*lines, "f 1 2 3 4", ""]))
@@ -94,7 +95,11 @@ resolution: [8, 8]
 samples: 4
 """
     assert render(tmp_path, text) == (message is not None)
-    if message is None:
-        np.testing.assert_allclose(read_exr(tmp_path / "out.exr")[0]["R"], 0.5, rtol=0.2)  # else 1
-    else:
+    if message is not None:
         assert message in capsys.readouterr().err
+        return
+    np.testing.assert_allclose(read_exr(tmp_path / "out.exr")[0]["R"], 0.5, rtol=0.2)  # else 1
+    near = f"type: point, position: [0, 0, {away:e}], intensity: {3 * [away**2]}"
+    assert render(tmp_path, text.replace("type: environment", near)) == 0
+    centre = read_exr(tmp_path / "out.exr")[0]["R"][3:5, 3:5]
+    np.testing.assert_allclose(centre, 0.5 / np.pi, rtol=0.1)

@@ -13,9 +13,10 @@ MAX_FRAMES = 100_000
 # Of places, lengths and light: light and places are carried in float32, which holds their squares.
 MAX_NUMBER = 1e18
 MIN_LENGTH = 1e-18
-# Of an object's size and scale: Embree's products of three lengths leave float32 from 1e-15 and
-# 1e13 on, and rays miss.
-MIN_SIZE, MAX_SIZE = 1e-12, 1e12
+# Of an object's size and scale. Embree calls a hit's barycentric coordinates 0 where the square of
+# an edge over the scale is below some 1e-18, and rays miss where products of three lengths leave
+# float32.
+MIN_SIZE, MAX_SIZE = 1e-6, 1e6
 
 # Of an image: 16384 x 8192. A few bytes of run-length code may stand for any number of pixels.
 MAX_IMAGE_PIXELS = 1 << 27
