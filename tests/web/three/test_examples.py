@@ -23,7 +23,7 @@ pytestmark = pytest.mark.chromium
 EXAMPLES = REPOSITORY / "examples" / "web"
 SIZE = 64, 40
 ROBOT = Path(__file__).parent / "robot.png"
-"""The Vite example in that size, as three.js 0.187 and SwiftShader draw it: the robot beside the toy."""
+"""The Vite example in that size, by three.js 0.187 and SwiftShader: the robot beside the toy."""
 CELL = 4  # pixels a side
 MOST = 12  # of 255: difference of a cell's mean colour from the picture's
 
@@ -53,7 +53,7 @@ def has_robot(*channels: np.ndarray) -> bool:
 
 
 def shows(folder: Path, has: Callable[..., bool] = has_toy) -> bool:
-    """Whether the folder's page comes to show that: of red, green and blue. Else seen.png has the last picture."""
+    """Whether the folder's page comes to show that: of red, green, blue. If not: see seen.png."""
     end = time.monotonic() + TIMEOUT
     with opened(folder, "index.html", *SIZE) as page:
         while time.monotonic() < end:
