@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import count
 from pathlib import Path
 from typing import ClassVar
 
@@ -25,6 +26,7 @@ PAGE = """<!doctype html>
 BODY
 <div style="height: 3000px"></div>
 """
+NUMBERS = count()
 SMALL = 'samples="1" pixel-ratio="1"'
 
 
@@ -41,9 +43,11 @@ class Static(Plain):
 def show(page: Page, folder: Path, url: str, body: str) -> None:
     """A page with this body, its element defined."""
     (folder / "page.html").write_text(PAGE.replace("BODY", body))
+    number = next(NUMBERS)  # an address of its own: two pages of one second have the same date
     page.call("Page.navigate", url="about:blank")
-    page.call("Page.navigate", url=url + "page.html")
-    page.wait_for("globalThis.customElements?.get('rna-viewer') && globalThis.one", TIMEOUT)
+    page.call("Page.navigate", url=f"{url}page.html?{number}")
+    is_there = f"location.search === '?{number}' && customElements.get('rna-viewer')"
+    page.wait_for(f"{is_there} && globalThis.one", TIMEOUT)
 
 
 def loads(page: Page, element: str, times: int = 1) -> None:
