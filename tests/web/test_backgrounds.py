@@ -72,9 +72,11 @@ def test_the_environment_behind_the_asset(page, folder, url):
     body = f'<rna-viewer id="one" src="tiny.rna" {view} {SMALL}></rna-viewer>'
     show(page, folder, url, body.replace("pixel-ratio", 'exposure="0.5" pixel-ratio'))
     loads(page, "one")
-    for angle in (0.0, 90.0):
-        page.evaluate(f"one.lightRotation = '{angle}deg', 0")
-        page.wait_for("one.stage.viewer.stats.rounds === 1", TIMEOUT)
+    page.wait_for("one.stage.viewer.stats.rounds === 1", TIMEOUT)
+    for angle in (30.0, 90.0):
+        turned = f"one.stage.viewer.stats.rounds = 0, one.lightRotation = '{angle}deg'"
+        page.evaluate(f"{turned}, 0")
+        page.wait_for("one.stage.viewer.stats.rounds === 1", TIMEOUT)  # of the turned light
         camera = page.evaluate("one.stage.viewer.shownCamera")
         shot = np.asarray(Image.open(io.BytesIO(page.screenshot())).convert("RGB"), float)
         turn = np.radians(angle)
