@@ -61,6 +61,14 @@ def split_script_arguments(arguments: Sequence[str] | None) -> tuple[list[str], 
     return given[:end], tuple(given[end + 1 :])
 
 
+def memory_text(error: Exception) -> str | None:
+    """One line for memory that Python or PyTorch was refused; None for other errors."""
+    if isinstance(error, MemoryError):
+        return f"not enough memory: {error}".removesuffix(": ")
+    refused = _REFUSED_BY_TORCH.search(str(error)) if isinstance(error, RuntimeError) else None
+    return f"not enough memory: {refused[0]}" if refused else None
+
+
 def run_command(
     command: Callable[[], int | None], debug: bool, when_stopped: str, extra: str | None = None
 ) -> int:
@@ -89,12 +97,10 @@ def run_command(
             return _fail(f"no module {error.name!r}: {install_hint(extra)}", debug)
         except OSError as error:
             return _fail(_error_text(error), debug)
-        except MemoryError as error:
-            return _fail(f"not enough memory: {error}".removesuffix(": "), debug)
-        except RuntimeError as error:
-            if (refused := _REFUSED_BY_TORCH.search(str(error))) is None:
+        except (MemoryError, RuntimeError) as error:
+            if (text := memory_text(error)) is None:
                 raise
-            return _fail(f"not enough memory: {refused[0]}", debug)
+            return _fail(text, debug)
         except KeyboardInterrupt:
             print(f"stopped; {when_stopped}", file=sys.stderr)
             return INTERRUPTED

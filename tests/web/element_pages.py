@@ -40,14 +40,19 @@ class Static(Plain):
         super().do_GET()
 
 
-def show(page: Page, folder: Path, url: str, body: str) -> None:
-    """A page with this body, its element defined."""
-    (folder / "page.html").write_text(PAGE.replace("BODY", body))
-    number = next(NUMBERS)  # an address of its own: two pages of one second have the same date
+def visit(page: Page, folder: Path, url: str, text: str) -> None:
+    """Shows the page of this text, at an address of its own: two of one second have one date."""
+    number = next(NUMBERS)
+    (folder / "page.html").write_text(text)
     page.call("Page.navigate", url="about:blank")
     page.call("Page.navigate", url=f"{url}page.html?{number}")
-    is_there = f"location.search === '?{number}' && customElements.get('rna-viewer')"
-    page.wait_for(f"{is_there} && globalThis.one", TIMEOUT)
+    page.wait_for(f"location.search === '?{number}'", TIMEOUT)
+
+
+def show(page: Page, folder: Path, url: str, body: str) -> None:
+    """A page with this body, its element defined."""
+    visit(page, folder, url, PAGE.replace("BODY", body))
+    page.wait_for("customElements.get('rna-viewer') && globalThis.one", TIMEOUT)
 
 
 def loads(page: Page, element: str, times: int = 1) -> None:

@@ -16,7 +16,7 @@ from rna_view.site_export import LIGHT
 from rna_view.site_files import ELEMENT, viewer_file
 from tests.conftest import REPOSITORY
 from tests.package.builders import make_tiny_package
-from tests.web.element_pages import SMALL, Static, line, loads, show
+from tests.web.element_pages import SMALL, Static, line, loads, show, visit
 from tests.web.pages import TIMEOUT
 from tests.web.test_page import write_image
 
@@ -153,10 +153,9 @@ def test_the_page_of_the_documentation(page, folder, url):
         ELEMENT,
         "toy.rna",
     }
-    (folder / "page.html").write_text(written)
     make_tiny_package(folder / "toy.rna")
     write_image(folder / "studio.hdr", np.full((4, 8, 3), 0.25, np.float32))
-    page.call("Page.navigate", url=url + "page.html")
+    visit(page, folder, url, written)
     viewer = "document.querySelector('rna-viewer')"
     page.wait_for(f"{viewer}?.loaded", TIMEOUT)
     assert page.evaluate(f"{viewer}.stage.viewer.ground !== null")
@@ -172,8 +171,7 @@ def test_the_line_that_export_prints(page, folder, url, capsys):
     assert rna_view([str(package), "--export", str(folder / "site")]) == 0
     printed = capsys.readouterr().out.split("or as an element: ")[1].splitlines()[0]
     written = printed.replace("https://example.org/site/", "site/")
-    (folder / "page.html").write_text(f"<!doctype html>{written}")
-    page.call("Page.navigate", url=url + "page.html")
+    visit(page, folder, url, f"<!doctype html>{written}")
     viewer = "document.querySelector('rna-viewer')"
     page.wait_for(f"{viewer}?.loaded", TIMEOUT)
     assert page.evaluate(f"[{viewer}.alt, {viewer}.sun]") == [package.stem, "40deg 45deg 2"]

@@ -8,7 +8,7 @@ import sys
 from collections.abc import Sequence
 from dataclasses import asdict
 
-from rna_sdk.console import command_parser, run_command
+from rna_sdk.console import command_parser, memory_text, run_command
 from rna_sdk.package.command.package_info import contents
 from rna_sdk.package.issues import is_valid
 from rna_sdk.package.validator import Inspection, inspect
@@ -31,10 +31,8 @@ def _run(options: argparse.Namespace) -> int:
         except Exception as error:  # say so, in one line, and go on
             if options.debug:
                 raise
-            what = f"internal error, {error!r}; try --debug"  # a defect of the validator
-            if isinstance(error, MemoryError):
-                what = f"not enough memory: {error}".removesuffix(": ")
-            print(f"{path}: {what}", file=sys.stderr)
+            defect = f"internal error, {error!r}; try --debug"  # of the validator
+            print(f"{path}: {memory_text(error) or defect}", file=sys.stderr)
             status = INVALID
             continue
         if not is_valid(inspection.issues):
