@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -49,6 +50,21 @@ def test_an_asset_looks_the_variant_up(path: Path) -> None:
     label = np.full((2, 2, 3), 255, np.uint8)  # by the label of the package's own image
     other = asset.with_base_color({"label": label}).base_color_at(np.uint32([0]), third, third)
     np.testing.assert_allclose(other, [[1.0, 0.5, 0.5]])
+
+
+@pytest.mark.parametrize(
+    ("exchange", "message"),
+    [
+        ({"images": "label.png"}, "images: expected a dict of arrays by label, found 'label.png'"),
+        ({"images": {"label": "label.png"}}, r"label: expected an \(H, W, 3\) uint8 array"),
+        ({"tint": 0.5}, "tint: expected three numbers of at least 0, found 0.5"),
+        ({"tint": ("a", "b", "c")}, "tint: expected three numbers of at least 0"),
+        ({"tint": (1.0, 1.0, -1.0)}, "tint: expected three numbers of at least 0"),
+    ],
+)
+def test_what_cannot_be_exchanged_is_refused(path: Path, exchange: Any, message: str) -> None:
+    with pytest.raises(QueryError, match=message):
+        load(path).with_base_color(**exchange)
 
 
 def test_an_unknown_variant_is_refused_with_the_known_ones(path: Path, tmp_path: Path) -> None:

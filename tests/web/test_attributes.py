@@ -110,7 +110,7 @@ def test_without_an_address_there_is_no_asset(page):
 def test_a_tint_that_is_no_colour_by_itself_is_told(page, folder, url):
     show(page, folder, url, '<rna-viewer id="one" hidden tint="crimson"></rna-viewer>')
     assert page.evaluate("one.settings.tint") == pytest.approx([0.716, 0.007, 0.045], abs=1e-3)
-    for text in ("var(--accent)", "inherit", "transparent", "crimsom"):
+    for text in ("var(--accent)", "inherit", "currentcolor", "transparent", "crimsom"):
         page.evaluate(f"one.tint = '{text}', 0")
         expected = f'expected a colour, or R G B of linear light, as 1 0.5 0.2, found "{text}"'
         assert line(page) == f"tint: {expected}"

@@ -18,14 +18,18 @@ Images = Mapping[str, NDArray[np.uint8]]
 def check_images(images: Images, records: Sequence[BaseColor]) -> Images:
     """The images. Raises QueryError for one that no record has the label of, or that is none."""
     labels = sorted({record.label for record in records if record.image is not None})
+    if not isinstance(images, Mapping):
+        raise QueryError(f"images: expected a dict of arrays by label, found {images!r:.40}")
+    arrays = {}
     for label, image in images.items():
         if label not in labels:
             known = ", ".join(labels) or "none: it has no base colour"
             raise QueryError(f"found the label {label!r}, expected one of: {known}")
-        if image.dtype != np.uint8 or image.ndim != 3 or image.shape[2] != 3 or not image.size:
-            found = f"{image.shape} {image.dtype}"
+        arrays[label] = array = np.asarray(image)
+        if array.dtype != np.uint8 or array.ndim != 3 or array.shape[2] != 3 or not array.size:
+            found = f"{array.shape} {array.dtype}"
             raise QueryError(f"{label}: expected an (H, W, 3) uint8 array, found {found}")
-    return images
+    return arrays
 
 
 def with_images(
@@ -36,8 +40,9 @@ def with_images(
     Raises:
         QueryError: the tint is not three finite numbers of at least 0.
     """
-    if len(tint) != 3 or not all(0.0 <= one < np.inf for one in tint):
-        raise QueryError(f"tint: expected three numbers of at least 0, found {tint}")
+    rgb = np.asarray(tint)
+    if rgb.shape != (3,) or rgb.dtype.kind not in "uif" or not np.all((rgb >= 0) & (rgb < np.inf)):
+        raise QueryError(f"tint: expected three numbers of at least 0, found {tint!r:.40}")
     return tuple(_with(record, images.get(record.label), tint) for record in records)
 
 

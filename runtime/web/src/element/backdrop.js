@@ -2,9 +2,10 @@
 
 /**
  * A colour of CSS, in any form: RGB, linear light of sRGB from 0 to 1; null if it is translucent, so that the page shows through,
- * or no colour by itself, as var(--accent).
+ * or no colour by itself, as var(--accent) and currentcolor.
  */
 export function linearColour(css) {
+  if (/currentcolor/i.test(css)) return null;  // black to a canvas
   const context = new OffscreenCanvas(1, 1).getContext("2d");
   context.fillStyle = "transparent";  // stays where the next one is no colour
   context.fillStyle = css;
