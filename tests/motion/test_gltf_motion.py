@@ -87,7 +87,9 @@ def test_clips_of_a_motion_by_name(tmp_path: Path) -> None:
     [
         ({"animations": []}, "has no animation"),
         ({"meshes": [], "nodes": [{}, {}, {}]}, "has no triangles"),
-        ({"accessors": []}, "is no valid glTF file"),
+        ({"accessors": []}, "is no valid glTF file: accessors has no item 0"),
+        ({"accessors": None}, "is no valid glTF file: a property has another type than glTF gives"),
+        ({"skins": [{}]}, "is no valid glTF file: the property 'joints' is missing"),
         ({"nodes": [{"children": [1]}, {"children": [0]}, {}]}, "is no valid glTF file"),
         ({"asset": {"version": "1.0"}}, "version 1.0, not 2"),
     ],
@@ -188,9 +190,10 @@ def test_a_long_chain_of_joints(tmp_path: Path) -> None:
 )
 def test_a_motion_that_cannot_be_posed(tmp_path: Path, change: Any) -> None:
     path = changed(tmp_path / "a.gltf", change)
-    with pytest.raises(MotionError, match=r"a\.gltf: is no valid glTF file: \w+: ") as caught:
+    with pytest.raises(MotionError, match=r"a\.gltf: is no valid glTF file: \w") as caught:
         GltfMotion(path).positions(1)
     assert "\n" not in str(caught.value) and len(str(caught.value)) < 1000
+    assert "Error" not in str(caught.value)  # no name of Python's
 
 
 def test_data_that_lost_its_scheme_is_not_repeated(tmp_path: Path) -> None:

@@ -24,7 +24,7 @@ from rna_render.motion.gltf_clip import Track, clip_names, duration, read_clip
 from rna_render.scene.limits import MAX_NUMBER
 from rna_sdk.errors import MotionError, SceneError
 
-_LONGEST = 400  # characters of what Python says of a file
+_LONGEST = 400  # characters of a reason, which may quote a whole buffer
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -119,8 +119,7 @@ class GltfMotion:
         except OSError as error:
             raise MotionError(f"{self.path}: {error.strerror or error}") from error
         except Exception as error:
-            what = f"{type(error).__name__}: {error}"[:_LONGEST]  # it may quote a whole buffer
-            raise MotionError(f"{self.path}: is no valid glTF file: {what}") from error
+            raise MotionError(f"{self.path}: is no valid glTF file: {_reason(error)}") from error
 
     def _posed(self, moved: dict[tuple[int, str], np.ndarray], bare: bool = False) -> np.ndarray:
         """The vertices with some properties of nodes moved. bare: no skins and morphs."""
@@ -165,6 +164,17 @@ class GltfMotion:
             local = local_matrix(node)
             world[number] = local if parent is None else world[parent] @ local
         return world
+
+
+def _reason(error: Exception) -> str:
+    """What is wrong with a file, by the error of reading it."""
+    if isinstance(error, KeyError):
+        return f"the property {error} is missing"
+    if isinstance(error, IndexError):
+        return "an index is beyond the last item"
+    if isinstance(error, TypeError | AttributeError):
+        return "a property has another type than glTF gives it"
+    return str(error)[:_LONGEST]
 
 
 def _parents_first(
