@@ -42,6 +42,25 @@ def test_shadowed_samples_leave_the_visible_output_alone(kind: str, preset: str)
     assert lit == 0.0 and shadowed > 0.0
 
 
+@pytest.mark.parametrize("loss", ["log", "unbiased"])
+@pytest.mark.parametrize("preset", ["small", "hq"])
+def test_decoders_that_see_their_own_samples_learn_the_same(preset: str, loss: str) -> None:
+    """As those that see all samples, of whose outputs the loss takes one."""
+    torch.manual_seed(0)
+    fields, lit = SAMPLE_FIELDS["surface"], 23
+    rows = torch.rand(64, sum(fields.values()))
+    rows[:, -1] = (torch.arange(64) < lit).float()
+    results = []
+    for given in (None, lit):
+        torch.manual_seed(1)
+        model = Fitting(tiny(preset, loss=loss), BOUNDS, 9.0, 1.0, fields).model
+        value = sample_loss(model, columns(rows, fields), 1.0, loss, 1.0, given)
+        value.backward()
+        results.append([value, *(p.grad for p in model.parameters())])
+    for one, other in zip(*results, strict=True):
+        torch.testing.assert_close(one, other, rtol=1e-4, atol=1e-7)
+
+
 @pytest.mark.parametrize(("loss", "learnt"), [("log", 5.0**0.25 - 1.0), ("unbiased", 1.0)])
 def test_the_loss_that_a_preset_names_decides_what_noise_does(loss: str, learnt: float) -> None:
     """Light that is 4 in one sample of four and else 0: its logarithm's mean is far below."""

@@ -55,6 +55,32 @@ def test_a_stopped_run_goes_on_where_it_was(done: int) -> None:
     assert all(torch.equal(a, b) for a, b in zip(whole[done:], rest, strict=True))
 
 
+@pytest.mark.parametrize(("share", "lit"), [(0.3, 30), (0.004, 1), (0.999, 99)])
+def test_samples_that_see_the_light_come_first_in_every_batch(share: float, lit: int) -> None:
+    visible = (np.arange(N) >= (1.0 - share) * N).astype(np.uint8)
+    zeros = np.zeros((N, 3), np.float32)
+    table = SampleTable({"position": zeros, "radiance": zeros, "visible": visible}, 100)
+    assert table.lit == lit
+    for rows in islice(iter(table), 25):
+        assert torch.equal(rows[:, -1] > 0.5, torch.arange(100) < lit)
+
+
+@pytest.mark.parametrize(
+    ("fields", "batch"),
+    [
+        ({"visible": np.ones(N)}, 100),
+        ({"visible": np.tile([[1.0, 0.5, 0.0]], (N, 1))}, 100),  # in colours
+        ({"visible": np.arange(N) % 2, "direct": np.zeros((N, 3))}, 100),  # strands
+        ({"visible": np.arange(N) % 2}, 1),
+        ({}, 100),  # of emission
+    ],
+)
+def test_other_samples_are_mixed(fields: dict[str, np.ndarray], batch: int) -> None:
+    zeros = np.zeros((N, 3), np.float32)
+    table = SampleTable({"position": zeros, "radiance": zeros, **fields}, batch)
+    assert table.lit is None
+
+
 def test_fewer_samples_than_a_batch() -> None:
     rows = next(iter(make_table(batch=10 * N)))
     assert len(rows) == N

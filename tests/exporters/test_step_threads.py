@@ -114,7 +114,7 @@ def test_steps_give_the_same_bits_with_any_number_of_threads(loss: str) -> None:
         "position": rng.uniform(-1, 1, (4096, 3)).astype(np.float32),
         **{name: directions() for name in ("normal", "wo", "wi")},
         "radiance": rng.random((4096, 3), np.float32),
-        "visible": np.ones(4096, np.float32),
+        "visible": (np.arange(4096) % 3 == 0).astype(np.float32),
     }
     table = SampleTable(samples)
     preset = PRESETS["surface"]["small"].with_training(loss=loss)
@@ -124,7 +124,7 @@ def test_steps_give_the_same_bits_with_any_number_of_threads(loss: str) -> None:
             use_threads(count)
             torch.manual_seed(0)
             bounds = torch.tensor([[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]])
-            fitting = Fitting(preset, bounds, 1.5, 0.5, table.fields)
+            fitting = Fitting(preset, bounds, 1.5, 0.5, table.fields, lit=table.lit)
             batches = iter(table)
             for k in range(3):
                 fitting.step(next(batches), 0.2 * k)
@@ -156,6 +156,13 @@ def test_products_are_those_of_a_step() -> None:
     products = step_products(model, (2048, 256))
     assert (2048, 128, 128, torch.float32) in products
     assert {p.columns_out for p in products if p.dtype == torch.bfloat16} == {256, 3}
+    of_own = step_products(model, (2048, 256), lit=900)
+    assert {(p.rows, p.columns_out) for p in of_own} == {
+        (900, 256),
+        (900, 3),
+        (1148, 128),
+        (1148, 3),
+    }
 
 
 def test_products_that_differ_are_found(monkeypatch: pytest.MonkeyPatch) -> None:

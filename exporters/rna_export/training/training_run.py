@@ -89,7 +89,7 @@ def train(
     torch.manual_seed(run.seed)
     bounds, emission = padded_bounds(run.dataset), _emission(run, done)
     of_rows = table.fields, emission, run.device, run.model_class
-    fitting = Fitting(run.preset, bounds, ceiling, unit, *of_rows)
+    fitting = Fitting(run.preset, bounds, ceiling, unit, *of_rows, lit=table.lit)
     if saved:
         fitting.load(saved["fitting"])
     elif run.start is not None:

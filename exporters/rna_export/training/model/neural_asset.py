@@ -90,18 +90,40 @@ class NeuralAsset(nn.Module):
     def forward(self, at: Points, blur: float | Tensor = 1.0) -> Tensor:
         """y = log(x / unit + 1) of each colour, (k, 1 to 3, 3)."""
         features, p = self._features(at, blur), self._place(at)
+        colours = [self._colours_of_decoder(features, p, at)]
+        if self.shadow is not None:
+            colours.append(self._shadowed(self.shadow, features, p, at))
+        return torch.cat(colours, dim=1)
+
+    def own_light(self, at: Points, lit: int, blur: float | Tensor = 1.0) -> Tensor:
+        """y (k, 3) of visible light at the first `lit` points, of shadowed light at the others.
+
+        Of a surface's model with a decoder for shadowed light: each decoder sees its points alone.
+        """
+        assert self.shadow is not None
+        count = len(at["position"])
+        sizes = [lit, count - lit]
+        features, p = self._features(at, blur).split(sizes), self._place(at).split(sizes)
+        seeing, others = ({name: x.split(sizes)[k] for name, x in at.items()} for k in range(2))
+        visible = self._colours_of_decoder(features[0], p[0], seeing)
+        shadowed = self._shadowed(self.shadow, features[1], p[1], others)
+        return torch.cat([visible, shadowed]).squeeze(1)
+
+    def _colours_of_decoder(self, features: Tensor, p: Tensor, at: Points) -> Tensor:
+        """y of all colours but the one of `shadow`, (k, colours, 3)."""
         queries = assemble(self.config.inputs, features, p, at)
         y = through(self.decoder, queries, self._in_bfloat16)
         if self.config.material == "gltf":
             radiance = gltf_radiance(gltf_material(y), at["normal"], at["wo"], at["wi"])
             lit = torch.log1p(radiance / self.unit)
             return torch.stack([lit, torch.zeros_like(lit)], dim=1)
-        colours = [self._with_base_color(y, at)]
-        if self.shadow is not None:
-            queries = assemble(self.shadow.inputs, features, p, at)
-            # Much of it is black. What is below 0 costs nothing, so blacks need not be hit exactly.
-            colours.append(self._with_base_color(_cut_off(self.shadow(queries)), at))
-        return torch.cat(colours, dim=1)
+        return self._with_base_color(y, at)
+
+    def _shadowed(self, shadow: ShadowDecoder, features: Tensor, p: Tensor, at: Points) -> Tensor:
+        """y of the colour of `shadow`, (k, 1, 3)."""
+        queries = assemble(shadow.inputs, features, p, at)
+        # Much of it is black. What is below 0 costs nothing, so blacks need not be hit exactly.
+        return self._with_base_color(_cut_off(shadow(queries)), at)
 
     def _with_base_color(self, y: Tensor, at: Points) -> Tensor:
         """y of colours, (k, colours, 3), from outputs of a decoder (k, terms * colours)."""

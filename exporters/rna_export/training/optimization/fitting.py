@@ -28,7 +28,7 @@ class Fitting:
 
     bounds: (2, 3) of the planes. ceiling, unit: see `NeuralAsset`. fields: of the batches' rows,
     see `SampleTable`. emission: batches of what the asset emits, if it does. model_class: of the
-    model.
+    model. lit: see `SampleTable`.
     """
 
     def __init__(
@@ -41,8 +41,10 @@ class Fitting:
         emission: EmissionBatches | None = None,
         device: str = "cpu",
         model_class: type[NeuralAsset] = NeuralAsset,
+        lit: int | None = None,
     ):
         self._config, self._fields, self._emission = preset.training, fields, emission
+        self.lit = lit
         self.model = model_class(preset.model, bounds)
         self.model.ceiling.fill_(ceiling)
         self.model.unit.fill_(unit)
@@ -98,7 +100,8 @@ class Fitting:
         """
         name, is_blurred = kind
         blur, weight = self._footprint if is_blurred else 1.0, self._config.shadow_weight
-        loss = sample_loss(self.model, columns(rows, self._fields), blur, name, weight)
+        at = columns(rows, self._fields)
+        loss = sample_loss(self.model, at, blur, name, weight, self.lit)
         if self._emission is not None and emission_rows is not None:
             loss = loss + self._emission.loss(emission_rows, *self.model.emitting, blur)
         loss.backward()

@@ -26,18 +26,27 @@ def sample_loss(
     blur: float | Tensor,
     loss: str = "log",
     shadow_weight: float = 1.0,
+    lit: int | None = None,
 ) -> Tensor:
     """The loss of a batch of samples, of the outputs alone that match their visibility.
 
     loss: "log" or "unbiased"; of a model with an output for direct light, of that light alone:
     scattered light is next to nothing but noise, and its loss is always the unbiased one.
     shadow_weight: of samples in shadow, for a model without that output; the mean weight is 1.
+    lit: the first samples of the batch that see the light, where all others do not; see
+    `SampleTable`.
     """
-    y, v = model(at, blur), at["visible"]
+    v = at["visible"]
     if not model.config.separates_direct:
         weight = _weights(v, shadow_weight)
-        y, unit = _of_visibility(y, model.units, v)
+        if lit is None or model.shadow is None:
+            y, unit = _of_visibility(model(at, blur), model.units, v)
+        else:
+            y = model.own_light(at, lit, blur)
+            of_visible, of_shadowed = model.units
+            unit = torch.cat([of_visible.expand(lit, 1), of_shadowed.expand(len(v) - lit, 1)])
         return _LOSSES[loss](y, at["radiance"], unit, weight)
+    y = model(at, blur)
     scattered, unit = _of_visibility(y[:, 1:], model.units[1:], v)
     of_light = at["direct"]
     if v.dim() == 1:

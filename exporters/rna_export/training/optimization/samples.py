@@ -26,8 +26,10 @@ class SampleTable(IterableDataset[Tensor]):
     `done` batches are left out at the start: a stopped run saw them.
 
     Yields (batch, columns) float32 on the device, the fields of `samples` side by side, in their
-    order; `columns` finds them again. A table that takes most of a GPU's free memory stays in the
-    host's, and batches are loaded from there while the ones before are used.
+    order; `columns` finds them again. Where each sample of a surface sees the light or does not,
+    all batches have as many that do, `lit`, and these come first. A table that takes most of a
+    GPU's free memory stays in the host's, and batches are loaded from there while the ones before
+    are used.
     """
 
     def __init__(
@@ -47,6 +49,7 @@ class SampleTable(IterableDataset[Tensor]):
             first += width
         self._device = torch.device(device)
         self.rows = _placed(torch.from_numpy(table), self._device)
+        self._kinds = [k.to(self.rows.device) for k in _kinds(samples)]
         self._batch, self._seed, self._done = min(batch, n), seed, done
 
     def shuffled(self, batch: int, seed: int, done: int) -> SampleTable:
@@ -54,6 +57,21 @@ class SampleTable(IterableDataset[Tensor]):
         other = copy.copy(self)
         other._batch, other._seed, other._done = min(batch, len(self)), seed, done
         return other
+
+    @property
+    def lit(self) -> int | None:
+        """The first samples of each batch that see the light; None where they are mixed."""
+        (_, first), *others = self._shares
+        return first if others else None
+
+    @property
+    def _shares(self) -> list[tuple[Tensor, int]]:
+        """Kinds of samples, each the numbers of its rows, and how many of it a batch has."""
+        if len(self._kinds) == 1 or self._batch == 1:
+            return [(torch.cat(self._kinds), self._batch)]
+        lit, others = self._kinds
+        first = min(max(round(self._batch * len(lit) / len(self)), 1), self._batch - 1)
+        return [(lit, first), (others, self._batch - first)]
 
     @cached_property
     def largest_radiance(self) -> float:
@@ -92,17 +110,22 @@ class SampleTable(IterableDataset[Tensor]):
 
     def _orders(self) -> Iterator[Tensor]:
         """Numbers of the rows of the next batches, on the rows' device."""
-        device, count = self.rows.device, len(self.rows)
-        whole = count // self._batch * self._batch  # of an epoch
-        together = max(1, min(_GATHERED, _MOST_GATHERED // self._batch)) * self._batch
-        first, done = divmod(self._done * self._batch, whole)
-        generator = torch.Generator(device)
+        together = max(1, min(_GATHERED, _MOST_GATHERED // self._batch))
+        of_kinds = zip(*(self._orders_of(*share) for share in self._shares), strict=True)
+        while True:
+            yield torch.cat([x for kinds in itertools.islice(of_kinds, together) for x in kinds])
+
+    def _orders_of(self, kind: Tensor, count: int) -> Iterator[Tensor]:
+        """Of a kind's rows alone, `count` in a batch, one batch at a time."""
+        whole = len(kind) // count * count  # of an epoch
+        first, done = divmod(self._done * count, whole)
+        generator = torch.Generator(kind.device)
         for epoch in itertools.count(first):
             (of_epoch,) = np.random.SeedSequence((self._seed, epoch)).generate_state(1)
             generator.manual_seed(int(of_epoch))
-            order = torch.randperm(count, generator=generator, device=device)[done:whole]
+            order = torch.randperm(len(kind), generator=generator, device=kind.device)
+            yield from kind[order[done:whole]].split(count)
             done = 0
-            yield from order.split(together)
 
     def _loaded(self) -> Iterator[Tensor]:
         """Rows of the host's on the device; the next ones are on their way."""
@@ -136,6 +159,20 @@ def without_stray_highlights(samples: dict[str, np.ndarray]) -> dict[str, np.nda
         return samples
     clipped = np.where(shadowed[:, None], np.minimum(radiance, most), radiance)
     return {**samples, "radiance": clipped}
+
+
+def _kinds(samples: dict[str, np.ndarray]) -> list[Tensor]:
+    """Numbers of the rows that see the light and of those that do not; or of all rows.
+
+    They are told apart where a decoder may need the ones alone: on surfaces of no colours of
+    visibility.
+    """
+    visible = samples.get("visible")
+    if visible is not None and visible.ndim == 1 and "direct" not in samples:
+        kinds = [torch.from_numpy(np.flatnonzero(v)) for v in (visible > 0.5, visible <= 0.5)]
+        if all(map(len, kinds)):
+            return kinds
+    return [torch.arange(len(samples["position"]))]
 
 
 def _placed(table: Tensor, device: torch.device) -> Tensor:

@@ -69,7 +69,8 @@ class StepThreads:
         kernels = isinstance(model.triplane, Triplane) and model.ceiling.device.type == "cpu"
         if most == 1 or not kernels:
             return cls(1)
-        repeat = products_repeat(step_products(model, batches), fitting.stacks(), most)
+        products = step_products(model, batches, fitting.lit)
+        repeat = products_repeat(products, fitting.stacks(), most)
         return cls(most if repeat else 1)
 
     def __enter__(self) -> StepThreads:
@@ -149,16 +150,21 @@ class StepThreads:
             self._use(count)
 
 
-def step_products(model: NeuralAsset, batches: tuple[int, int]) -> list[Product]:
+def step_products(
+    model: NeuralAsset, batches: tuple[int, int], lit: int | None = None
+) -> list[Product]:
     """Products of the model's layers in a step: those of visible light alone may be bfloat16.
 
-    batches: rows of a step, of transport and of emission.
+    batches: rows of a step, of transport and of emission. lit: see `SampleTable`.
     """
-    decoders = [(model.decoder, batches[0], torch.float32)]
+    visible = shadowed = batches[0]
+    if lit is not None and model.shadow is not None:
+        visible, shadowed = lit, batches[0] - lit
+    decoders = [(model.decoder, visible, torch.float32)]
     if model.multiplies_in_bfloat16:
-        decoders.append((model.decoder, batches[0], torch.bfloat16))
+        decoders.append((model.decoder, visible, torch.bfloat16))
     if model.shadow is not None:
-        decoders.append((model.shadow.decoder, batches[0], torch.float32))
+        decoders.append((model.shadow.decoder, shadowed, torch.float32))
     if model.emission is not None:
         decoders.append((model.emission.decoder, batches[1], torch.float32))
     return [
