@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 
 import numpy as np
 
@@ -58,7 +59,7 @@ def base_color(
 
 
 def _filtered(record: BaseColor, p: float, q: float, level: float) -> np.ndarray:
-    levels = pyramid(record)
+    levels = pyramid(record.image.tobytes(), record.image.shape, record.color_space)
     k = math.floor(level)
     if k >= len(levels) - 1:
         return linear(_looked_up(levels[-1], p, q, record.wrap), record.color_space)
@@ -68,12 +69,13 @@ def _filtered(record: BaseColor, p: float, q: float, level: float) -> np.ndarray
     return (1 - (level - k)) * near + (level - k) * far
 
 
-def pyramid(record: BaseColor) -> list[np.ndarray]:
+@cache
+def pyramid(data: bytes, shape: tuple[int, ...], space: str) -> list[np.ndarray]:
     """The image, and its means in linear colours down to one texel, encoded as it is."""
-    levels = [linear(record.image.astype(np.float64) / 255, record.color_space)]
+    levels = [linear(np.frombuffer(data, np.uint8).reshape(shape) / 255, space)]
     while levels[-1].shape[0] > 1 or levels[-1].shape[1] > 1:
         levels.append(_narrowed(_narrowed(levels[-1]).swapaxes(0, 1)).swapaxes(0, 1))
-    if record.color_space == "linear":
+    if space == "linear":
         return levels
     return [np.where(v <= 0.0031308, v * 12.92, 1.055 * v ** (1 / 2.4) - 0.055) for v in levels]
 

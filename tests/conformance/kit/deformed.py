@@ -122,16 +122,18 @@ def _deformed_normals(
     mesh: Mesh, rest: np.ndarray, rotations: np.ndarray, whole: np.ndarray
 ) -> np.ndarray:
     """(v, 3): the mean of R n about each vertex, by the angles at rest."""
-    sums: dict[bytes, np.ndarray] = {}
-    keys = [row.tobytes() for row in np.hstack([mesh.positions, mesh.normals]) + np.float32(0)]
-    for t in np.flatnonzero(whole):
-        for k, vertex in enumerate(mesh.triangles[t]):
-            a, b = unit(np.stack([rest[t, (k + s) % 3] - rest[t, k] for s in (1, 2)]))
-            angle = np.arccos(np.clip(a @ b, -1, 1))
-            turned = angle * (rotations[t] @ mesh.normals[vertex].astype(np.float64))
-            sums[keys[vertex]] = sums.get(keys[vertex], 0) + turned
-    normals = mesh.normals.astype(np.float64)
-    return unit(np.array([sums.get(key, normals[v]) for v, key in enumerate(keys)]))
+    alike = np.hstack([mesh.positions, mesh.normals]) + np.float32(0)
+    _, number = np.unique(alike.view(np.uint32), axis=0, return_inverse=True)
+    number = number.ravel()  # numpy 2.0 has it as a column
+    at = rest[whole]
+    edges = [unit((np.roll(at, -s, axis=1) - at).reshape(-1, 3)) for s in (1, 2)]
+    angles = np.arccos(np.clip(dot(*edges), -1, 1)).reshape(-1, 3)
+    normals, corners = mesh.normals.astype(np.float64), mesh.triangles[whole]
+    turned = np.einsum("tij,tkj->tki", rotations[whole], normals[corners])
+    sums, seen = np.zeros_like(normals), np.zeros(len(normals), bool)
+    np.add.at(sums, number[corners], angles[..., None] * turned)
+    seen[number[corners]] = True
+    return unit(np.where(seen[number][:, None], sums[number], normals))
 
 
 def _smallest(a: np.ndarray, b: np.ndarray) -> np.ndarray:

@@ -180,11 +180,15 @@ def _enters_strands(curves: Curves, rays: Rays, start_strand: np.ndarray | None)
     t = entries(curves, rays.origin, rays.wi)  # (n, m)
     if start_strand is not None:
         t[strand == start_strand[:, None]] = np.inf
+    row, segment = np.nonzero(np.isfinite(t))
+    at = depths(curves, rays.origin[row] + t[row, segment][:, None] * rays.wi[row])
+    inside_others = np.zeros(len(row), bool)
+    for beside in (segment - 1, segment + 1):
+        near = np.clip(beside, 0, len(strand) - 1)
+        of_strand = (near == beside) & (strand[near] == strand[segment])
+        inside_others |= of_strand & (at[np.arange(len(row)), near] > 0)
     result = np.zeros(len(t), bool)
-    for row, segment in zip(*np.nonzero(np.isfinite(t)), strict=True):
-        at = depths(curves, (rays.origin[row] + t[row, segment] * rays.wi[row])[None])[0]
-        near = [k for k in (segment - 1, segment + 1) if 0 <= k < len(strand)]
-        result[row] |= not any(at[k] > 0 for k in near if strand[k] == strand[segment])
+    result[row[~inside_others]] = True
     return result
 
 
