@@ -1,11 +1,14 @@
-"""The whole road by its commands, from a scene to a relit image that is like Cycles'."""
+"""The whole road by its commands, from a scene to a relit image that is like Cycles'.
+
+They run in this process: a new one imports for seconds.
+"""
 
 from __future__ import annotations
 
 import json
-import subprocess
-import sys
 from dataclasses import dataclass
+from functools import partial
+from importlib.metadata import entry_points
 from pathlib import Path
 
 import numpy as np
@@ -60,12 +63,11 @@ samples: 16
 """
 
 
-def command(name: str, *arguments: object) -> str:
-    """Run one of the project's commands; returns what it printed."""
-    path = Path(sys.executable).parent / name
-    done = subprocess.run([path, *map(str, arguments)], capture_output=True, text=True)
-    assert done.returncode == 0, f"{name} failed:\n{done.stdout}\n{done.stderr}"
-    return done.stdout
+def run_command(capsys: pytest.CaptureFixture[str], name: str, *arguments: object) -> str:
+    """Run one of the project's commands as installed; returns what it printed."""
+    (script,) = entry_points(group="console_scripts", name=name)
+    assert script.load()([*map(str, arguments)]) == 0, f"{name} failed"
+    return capsys.readouterr().out
 
 
 def camera_to_world() -> np.ndarray:
@@ -83,8 +85,10 @@ def read_rgba(path: Path) -> np.ndarray:
 
 
 @pytest.mark.parametrize("kind", ASSETS)
-def test_from_a_scene_to_a_relit_image(kind: str, tmp_path: Path, blender_python: Path) -> None:
-    asset = ASSETS[kind]
+def test_from_a_scene_to_a_relit_image(
+    kind: str, tmp_path: Path, blender_python: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    asset, command = ASSETS[kind], partial(run_command, capsys)
     source = write_scene(tmp_path, "thing", asset.scene)
     rays, run, package = tmp_path / "thing.rays", tmp_path / "run", tmp_path / "thing.rna"
     assert "next: rna-train" in command(
@@ -111,15 +115,12 @@ def test_from_a_scene_to_a_relit_image(kind: str, tmp_path: Path, blender_python
     assert psnr(ours[inside][:, :3], cycles[inside][:, :3]) > asset.psnr
     assert correlation > asset.correlation
     assert (tmp_path / "out.png").stat().st_size > 1000
-    compare(package, source, tmp_path / "compare", asset.pictures)
 
-
-def compare(package: Path, source: Path, page: Path, pictures: int) -> None:
-    """The standard pictures agree, too; the camera below the hemisphere is not among them."""
-    small = ["--resolution", 40, "--samples", 4, "--cycles-samples", 16]
+    # The standard pictures agree, too; the camera below the hemisphere is not among them.
+    page, small = tmp_path / "compare", ["--resolution", 40, "--samples", 4, "--cycles-samples", 16]
     assert "index.html" in command("rna-compare", package, source, "--out", page, *small)
     results = json.loads((page / "results.json").read_text())
-    assert len(results["pictures"]) == pictures
+    assert len(results["pictures"]) == asset.pictures
     # At the exposure of an asset that is not dark, which the differences have a part of.
     assert results["psnr"] + 20.0 * np.log10(results["exposure"]) > 22.0
     assert (page / "sheet.png").is_file()

@@ -14,6 +14,7 @@ import pytest
 
 from rna_export.capture.blender_process.blender_env import VARIABLE
 from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.rna_capture import main
 from tests.exporters.scenes import write_scene
 
 pytestmark = pytest.mark.blender
@@ -36,11 +37,20 @@ def source(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="module")
 def uninterrupted(source: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     out = tmp_path_factory.mktemp("whole") / "ball.rays"
-    assert capture(source, out, workers=2).wait() == 0
+    capture(source, out, workers=2)
     return out
 
 
-def capture(
+def arguments(source: Path, out: Path, workers: int) -> list[str]:
+    return [str(source), "--out", str(out), "--workers", str(workers), *SETTINGS]
+
+
+def capture(source: Path, out: Path, workers: int) -> None:
+    """`rna-capture` to its end, in this process."""
+    assert main(arguments(source, out, workers)) == 0
+
+
+def started(
     source: Path, out: Path, workers: int, python: Path | None = None
 ) -> subprocess.Popen[str]:
     """`rna-capture` in a session of its own, as from a terminal; output goes to a file.
@@ -48,17 +58,10 @@ def capture(
     python: Blender's interpreter; None takes the usual one.
     """
     environment = {**os.environ, **({VARIABLE: str(python)} if python else {})}
-    command = [
-        sys.executable,
-        "-m",
-        "rna_export.capture.rna_capture",
-        str(source),
-        "--out",
-        str(out),
-    ]
+    command = [sys.executable, "-m", "rna_export.capture.rna_capture"]
     with out.with_suffix(".log").open("w") as log:
         return subprocess.Popen(
-            [*command, "--workers", str(workers), *SETTINGS],
+            [*command, *arguments(source, out, workers)],
             stdout=log,
             stderr=log,
             text=True,
@@ -104,7 +107,7 @@ def test_kill_minus_9_keeps_finished_shards(
     source: Path, uninterrupted: Path, tmp_path: Path
 ) -> None:
     out = tmp_path / "ball.rays"
-    process = capture(source, out, workers=2)
+    process = started(source, out, workers=2)
     wait_for_shards(process, out, 3)
     workers = children(process.pid)
     os.kill(workers[0], signal.SIGSTOP)  # one that hangs, and reads no end of its input
@@ -120,7 +123,7 @@ def test_kill_minus_9_keeps_finished_shards(
 
     half_written = out / "train" / f"{SHARDS - 1:05d}.safetensors.1.part"
     half_written.write_bytes(b"as kill -9 may leave it")
-    assert capture(source, out, workers=1).wait() == 0
+    capture(source, out, workers=1)
     resumed = state(out)
     assert {name: resumed[name] for name in killed} == killed
     whole = {name: data for name, (_, data) in state(uninterrupted).items()}
@@ -141,7 +144,7 @@ def test_ctrl_c_stops_soon_and_can_be_continued(
 ) -> None:
     out = tmp_path / "ball.rays"
     python, starts = counted(blender_python, tmp_path)
-    process = capture(source, out, workers=2, python=python)
+    process = started(source, out, workers=2, python=python)
     wait_for_shards(process, out, 2)
     before = starts.read_text()
     os.killpg(process.pid, signal.SIGINT)  # a terminal sends it to the whole group
@@ -152,18 +155,20 @@ def test_ctrl_c_stops_soon_and_can_be_continued(
     stopped = state(out)
     assert sum(name.startswith("train/") for name in stopped) < SHARDS
 
-    assert capture(source, out, workers=2).wait() == 0
+    capture(source, out, workers=2)
     resumed = state(out)
     assert {name: resumed[name] for name in stopped} == stopped
     assert resumed.keys() == state(uninterrupted).keys()
 
 
-def test_a_finished_capture_says_what_is_next(source: Path, uninterrupted: Path) -> None:
+def test_a_finished_capture_says_what_is_next(
+    source: Path, uninterrupted: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     before = state(uninterrupted)
-    assert capture(source, uninterrupted, workers=1).wait() == 0
+    capture(source, uninterrupted, workers=1)
     assert state(uninterrupted) == before
-    log = uninterrupted.with_suffix(".log").read_text()
-    assert f"wrote {uninterrupted}" in log and "next: rna-train" in log
+    said = capsys.readouterr().out
+    assert f"wrote {uninterrupted}" in said and "next: rna-train" in said
 
 
 def test_what_a_capture_holds(uninterrupted: Path) -> None:
