@@ -74,6 +74,8 @@ def test_our_readers_are_programs(module: str, kit: Kit, tmp_path: Path) -> None
         evaluate=kit.evaluate[:1],
         environment=kit.environment[:1],
         visibility=(),
+        geometry=kit.geometry[:1],
+        deformed=kit.deformed[:1],
         validate=kit.validate[:1],
     )
     assert failures(program, one, *had) == []

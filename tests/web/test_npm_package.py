@@ -39,14 +39,14 @@ PAGE = '<script type="module" src="main.js"></script><rna-viewer id="one"></rna-
 
 
 @pytest.fixture(scope="module")
-def tarball(tmp_path_factory) -> Path:
-    return packed("rna-viewer", tmp_path_factory.mktemp("npm"))
+def tarball() -> Path:
+    return packed("rna-viewer")
 
 
 @pytest.fixture(scope="module")
-def package(tarball) -> Path:
+def package(tarball, tmp_path_factory) -> Path:
     """The package installed from it."""
-    modules = tarball.parent / "node_modules"
+    modules = tmp_path_factory.mktemp("npm") / "node_modules"
     modules.mkdir()
     with tarfile.open(tarball) as archive:
         archive.extractall(modules, filter="data")

@@ -5,8 +5,10 @@ from __future__ import annotations
 import shutil
 import subprocess
 import tarfile
+import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -22,19 +24,24 @@ PAGE = Path(__file__).parent / "page.html"
 MODULES = REPOSITORY / "runtime" / "web" / "node_modules"
 
 
-def packed(name: str, folder: Path) -> Path:
-    """The tarball of an npm package of ours."""
+_TARBALLS = tempfile.TemporaryDirectory(prefix="rna-npm-")
+
+
+@cache
+def packed(name: str) -> Path:
+    """The tarball of an npm package of ours, packed once; do not change it."""
     if shutil.which("npm") is None:
         pytest.skip("no Node; on Debian: apt-get install nodejs npm")
     script = REPOSITORY / "scripts" / "npm-package"
-    subprocess.run([script, name, folder], check=True, capture_output=True, timeout=300)
-    (tarball,) = folder.glob(f"{name}-*.tgz")
+    command = [script, name, _TARBALLS.name]
+    subprocess.run(command, check=True, capture_output=True, timeout=300)
+    (tarball,) = Path(_TARBALLS.name).glob(f"{name}-*.tgz")
     return tarball
 
 
 def installed(folder: Path, three: str = "three") -> Path:
     """The packed package and a release of three.js below `folder`/node_modules; the tarball."""
-    tarball = packed("rna-three", folder)
+    tarball = packed("rna-three")
     modules = folder / "node_modules"
     modules.mkdir()
     with tarfile.open(tarball) as archive:

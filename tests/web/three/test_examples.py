@@ -16,7 +16,7 @@ from PIL import Image
 
 from tests.render.gltf_text import box_glb
 from tests.web.pages import TIMEOUT
-from tests.web.three.pages import REPOSITORY, TOY, installed, opened
+from tests.web.three.pages import REPOSITORY, TOY, installed, opened, packed
 
 pytestmark = pytest.mark.chromium
 
@@ -103,11 +103,9 @@ def test_bundled_example(example, tmp_path):
         pytest.skip("the npm registry does not answer")
     folder = tmp_path / example
     shutil.copytree(EXAMPLES / example, folder)
-    tarball = installed(tmp_path)
-    shutil.rmtree(tmp_path / "node_modules")
     (folder / "public").mkdir(exist_ok=True)
     shutil.copy(TOY, folder / "public")
-    install = ["npm", "install", "--no-audit", "--no-fund", "--loglevel=error", tarball]
+    install = ["npm", "install", "--no-audit", "--no-fund", "--loglevel=error", packed("rna-three")]
     subprocess.run(install, cwd=folder, check=True, timeout=600)
     subprocess.run(["npx", "vite", "build"], cwd=folder, check=True, timeout=600)
     assert (folder / "dist" / "index.html").is_file()
