@@ -10,7 +10,6 @@ ALLOWED, with the clause of the format that allows it.
 from __future__ import annotations
 
 import ast
-import copy
 import json
 import sys
 from collections.abc import Iterator
@@ -125,46 +124,47 @@ def mutants(host: str) -> list[Mutant]:
     """All mutants of a program but of its last statement, the command line."""
     source = source_of(host)
     tree, lines = ast.parse(source), source.splitlines()
-    nodes = list(ast.walk(tree))
-    protocol = set(ast.walk(tree.body[-1]))
+    pieces = [ast.unparse(statement) for statement in tree.body]
+    within = {n: k for k, piece in enumerate(tree.body[:-1]) for n in ast.walk(piece)}
     result = {}
-    for number, node in enumerate(nodes):
-        if node in protocol or not hasattr(node, "lineno"):
+    for node in ast.walk(tree):
+        if node not in within or not hasattr(node, "lineno"):
             continue
-        for change in range(len(list(_changes(copy.copy(node))))):
-            changed = copy.deepcopy(tree)
-            copied = list(ast.walk(changed))[number]
-            before = ast.unparse(copied)
-            list(_changes(copied))[change]()
-            after = ast.unparse(changed)
+        number = within[node]
+        for values in list(_changes(node)):
+            before, old = ast.unparse(node), {key: getattr(node, key) for key in values}
+            _put(node, values)
+            after, changed = ast.unparse(node), ast.unparse(tree.body[number])
+            _put(node, old)
             line = lines[node.lineno - 1].strip()
-            name = f"{host}:{node.lineno}:{node.col_offset} in {line}: {before}"
-            name += f" -> {ast.unparse(copied)}"
-            if after != ast.unparse(tree):
-                result[name] = Mutant(host, name, after)
+            name = f"{host}:{node.lineno}:{node.col_offset} in {line}: {before} -> {after}"
+            if changed != pieces[number]:
+                whole = [*pieces[:number], changed, *pieces[number + 1 :]]
+                result[name] = Mutant(host, name, "\n".join(whole))
     return list(result.values())
 
 
-def _changes(node: ast.AST) -> Iterator[Any]:
-    """Functions that each change the node in place."""
+def _put(node: ast.AST, values: dict[str, Any]) -> None:
+    for key, value in values.items():
+        setattr(node, key, value)
 
-    def put(**values: Any) -> Any:
-        return lambda: [setattr(node, key, value) for key, value in values.items()]
 
+def _changes(node: ast.AST) -> Iterator[dict[str, Any]]:
+    """Values of the node's fields, one change after the other."""
     if isinstance(node, ast.Constant) and type(node.value) in (int, float):
-        yield put(value=node.value + 1 if isinstance(node.value, int) else node.value * 1.5)
+        yield {"value": node.value + 1 if isinstance(node.value, int) else node.value * 1.5}
         if isinstance(node.value, float) and node.value < 0.01:  # thresholds
-            yield put(value=node.value * 100)
-            yield put(value=node.value / 100)
+            yield {"value": node.value * 100}
+            yield {"value": node.value / 100}
     if other := _OPERATORS.get(type(getattr(node, "op", None))):
-        yield put(op=other())
+        yield {"op": other()}
     if isinstance(node, ast.Compare) and (other := _OPERATORS.get(type(node.ops[0]))):
-        yield put(ops=[other(), *node.ops[1:]])
+        yield {"ops": [other(), *node.ops[1:]]}
     if isinstance(node, ast.Attribute) and node.attr in _FUNCTIONS:
-        yield put(attr=_FUNCTIONS[node.attr])
+        yield {"attr": _FUNCTIONS[node.attr]}
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "unit":
-        yield put(func=ast.Name("abs", ast.Load()))
-        yield put(func=ast.Name("np.array", ast.Load()))
+        yield {"func": ast.Name("abs", ast.Load())}
+        yield {"func": ast.Name("np.array", ast.Load())}
 
 
 def reason(mutant: Mutant) -> str:

@@ -18,19 +18,23 @@ from tests.conformance.mutants import (
     verdict,
 )
 
-ALL = [mutant for host in LEVELS for mutant in mutants(host)]
+
+@pytest.fixture(scope="module")
+def every() -> list[Mutant]:
+    return [mutant for host in LEVELS for mutant in mutants(host)]
 
 
-def test_all_are_on_record_and_caught_or_allowed() -> None:
+def test_all_are_on_record_and_caught_or_allowed(every: list[Mutant]) -> None:
     """Stale after a change of the host: run python -m tests.conformance.mutants."""
     record = json.loads(RECORD.read_text())
-    assert list(record) == [mutant.name for mutant in ALL]
-    assert all(record[m.name] in (CAUGHT, reason(m) or None) for m in ALL)
+    assert list(record) == [mutant.name for mutant in every]
+    assert all(record[m.name] in (CAUGHT, reason(m) or None) for m in every)
 
 
-def test_there_are_many_and_they_differ() -> None:
-    assert len(ALL) >= 100
-    assert len({mutant.source for mutant in ALL} - set(map(source_of, LEVELS))) > 0.9 * len(ALL)
+def test_there_are_many_and_they_differ(every: list[Mutant]) -> None:
+    assert len(every) >= 100
+    sources = {mutant.source for mutant in every}
+    assert len(sources - set(map(source_of, LEVELS))) > 0.9 * len(every)
 
 
 @pytest.mark.parametrize(
@@ -44,8 +48,8 @@ def test_there_are_many_and_they_differ() -> None:
         "angle * turned -> angle / turned",
     ],
 )
-def test_a_change_is_caught(change: str, kit: Kit) -> None:
-    mutant = next(mutant for mutant in ALL if mutant.name.endswith(change))
+def test_a_change_is_caught(change: str, kit: Kit, every: list[Mutant]) -> None:
+    mutant = next(mutant for mutant in every if mutant.name.endswith(change))
     assert verdict(mutant, kit) == CAUGHT
 
 
