@@ -65,10 +65,12 @@ def difference(scene: Any, key: str, value: Callable[[Any], Any], step: float) -
     import mitsuba as mi
 
     parameters, images = mi.traverse(scene), []
-    for x in (step, -step, 0.0):
+    for x in (step, -step):
         parameters[key] = value(mi.Float(x))
         parameters.update()
         images.append(np.array(mi.render(scene, spp=1, seed=SEED)).astype(np.float64))
+    parameters[key] = value(mi.Float(0))
+    parameters.update()
     return (images[0] - images[1]) / (2 * step)
 
 

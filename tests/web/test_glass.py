@@ -61,7 +61,7 @@ def test_the_picture_is_that_of_rna_run(scene: Path) -> None:
     np.testing.assert_allclose(actual[..., 3], expected[..., 3], atol=0.02)
     np.testing.assert_allclose(np.mean(actual, (0, 1)), np.mean(expected, (0, 1)), rtol=0.01)
     scene.write_text(SCENE.replace("objects: [{path: tiny.glass.glb}]\n", ""))
-    assert psnr(by_viewer(scene), expected) < 20.0
+    assert psnr(by_rna_run(scene), expected) < 20.0
 
 
 def test_a_ground_is_seen_through_the_glass(scene: Path) -> None:

@@ -78,8 +78,9 @@ def by_rna_run(path: Path) -> np.ndarray:
 
 
 def by_viewer(path: Path, more: str = "") -> np.ndarray:
+    """Without the first look, whose kernels would be compiled, too."""
     scene = read_scene(path).scene
-    query = f"samples={scene.samples}&pixel-ratio=1&ui=0{more}"
+    query = f"samples={scene.samples}&pixel-ratio=1&ui=0&first-look=off{more}"
     with viewer(site_for(path), query, *scene.resolution) as page:
         wait_for_picture(page, scene.samples)
         return picture(page)
