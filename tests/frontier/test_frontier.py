@@ -17,7 +17,9 @@ from rna_bench.frontier.findings import findings, sentences
 from rna_bench.frontier.frontier_chart import draw
 from rna_bench.frontier.trials.grid import full_grid
 from rna_bench.frontier.trials.trial import Trial
+from rna_bench.frontier.trials.trial_pool import TrialWorkers
 from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_work.threads import Threads
 from tests.exporters.synthetic import hurried_packages, make_dataset, tiny
 
 
@@ -48,10 +50,11 @@ def dataset(tmp_path_factory: pytest.TempPathFactory) -> Dataset:
 
 @pytest.fixture(scope="module")
 def out(dataset: Dataset, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The folder of a finished study."""
+    """The folder of a finished study, whose worker is in this process: as `hurried` as it."""
     folder = tmp_path_factory.mktemp("study")
     with pytest.MonkeyPatch.context() as patched:
         patched.setattr(study_module, "short_grid", grid)
+        patched.setattr(TrialWorkers, "backend", lambda _: Threads(1))
         command = ["frontier", str(dataset.folder), "--out", str(folder)]
         assert main([*command, "--short", "--steps", "12", "--workers", "1"]) == 0
     return folder
