@@ -7,7 +7,7 @@ import re
 import shutil
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -68,11 +68,38 @@ print(numbers[0], sum(fill.stats.cache_hits.values()), told._cache_hits)
 NUMBERS = {"constant": 1.0, "called": 2.0, "called_by_name_of_the_module": 4.0, "generated": 8.0}
 
 
-class Program:
-    """KERNEL, which the folder may have already, and HELPERS; run in a process of its own."""
+FORKING = """
+import os, runpy, sys
+import numba, numpy
+import rna_sdk.compiled
 
-    def __init__(self, folder: Path, options: str = "") -> None:
-        self._folder = folder
+for line in iter(sys.stdin.readline, ""):
+    folder = line.rstrip("\\n")
+    child = os.fork()
+    if child == 0:
+        os.chdir(folder)
+        sys.path.insert(0, folder)
+        runpy.run_path(os.path.join(folder, "kernel.py"), run_name="__main__")
+        sys.stdout.flush()
+        os._exit(0)
+    print("ended", os.waitpid(child, 0)[1], flush=True)
+"""
+"""Imports what all programs do once, before any thread, and runs each in a process of its own."""
+
+
+@pytest.fixture(scope="module")
+def forking() -> Iterator[subprocess.Popen[str]]:
+    command, pipe = [sys.executable, "-c", FORKING], subprocess.PIPE
+    with subprocess.Popen(command, stdin=pipe, stdout=pipe, text=True) as process:
+        yield process
+        process.stdin.close()
+
+
+class Program:
+    """KERNEL, which the folder may have already, and HELPERS; each run is a new process."""
+
+    def __init__(self, forking: subprocess.Popen[str], folder: Path, options: str = "") -> None:
+        self._forking, self._folder = forking, folder
         folder.mkdir(exist_ok=True)
         if not (folder / "kernel.py").exists():
             (folder / "kernel.py").write_text(KERNEL.format(options=options))
@@ -80,7 +107,11 @@ class Program:
     def run(self, **numbers: float) -> list[float]:
         """What `fill` gives, and whether it and `told` came from disk."""
         (self._folder / "helpers.py").write_text(HELPERS.format(**{**NUMBERS, **numbers}))
-        return [float(word) for word in run([sys.executable, "kernel.py"], self._folder).split()]
+        self._forking.stdin.write(f"{self._folder}\n")
+        self._forking.stdin.flush()
+        said = self._forking.stdout.readline()
+        assert self._forking.stdout.readline() == "ended 0\n", said
+        return [float(word) for word in said.split()]
 
 
 def run(command: list[str], folder: Path, **environment: str) -> str:
@@ -92,12 +123,14 @@ def run(command: list[str], folder: Path, **environment: str) -> str:
 
 
 @pytest.fixture(scope="module")
-def compiled_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def compiled_folder(
+    forking: subprocess.Popen[str], tmp_path_factory: pytest.TempPathFactory
+) -> Path:
     """Folder of a program whose code is on disk, and counts in a copy, too."""
     folder = tmp_path_factory.mktemp("compiled")
-    Program(folder / "first").run()
+    Program(forking, folder / "first").run()
     shutil.copytree(folder / "first", folder / "copy")
-    assert Program(folder / "copy").run() == [15.0, 1, 1]
+    assert Program(forking, folder / "copy").run() == [15.0, 1, 1]
     return folder / "copy"
 
 
@@ -108,8 +141,10 @@ def compiled_copy(compiled_folder: Path, tmp_path: Path) -> Path:
 
 
 @pytest.mark.parametrize("options", ["", "parallel=True", "numba.types.float64[::1]"])
-def test_code_comes_from_disk_until_a_helper_changes(tmp_path: Path, options: str) -> None:
-    program = Program(tmp_path, options)
+def test_code_comes_from_disk_until_a_helper_changes(
+    forking: subprocess.Popen[str], tmp_path: Path, options: str
+) -> None:
+    program = Program(forking, tmp_path, options)
     assert [program.run(), program.run()] == [[15.0, 0, 0], [15.0, 1, 1]]
     assert [program.run(called=3.0), program.run(called=3.0)] == [[16.0, 0, 1], [16.0, 1, 1]]
 
@@ -124,10 +159,10 @@ def test_code_comes_from_disk_until_a_helper_changes(tmp_path: Path, options: st
     ids=["empty", "cut", "changed"],
 )
 def test_damaged_code_is_compiled_again(
-    compiled_copy: Path, damage: Callable[[bytes], bytes]
+    forking: subprocess.Popen[str], compiled_copy: Path, damage: Callable[[bytes], bytes]
 ) -> None:
     """As a power cut leaves it, or a bad disk."""
-    program = Program(compiled_copy)
+    program = Program(forking, compiled_copy)
     for suffix in (".nbi", ".nbc"):
         for path in compiled_copy.rglob(f"*{suffix}"):
             path.write_bytes(damage(path.read_bytes()))
@@ -136,8 +171,10 @@ def test_damaged_code_is_compiled_again(
 
 
 @pytest.mark.parametrize("changed", NUMBERS)
-def test_a_change_of_anything_compiled_in_is_seen(compiled_copy: Path, changed: str) -> None:
-    result, from_disk, _ = Program(compiled_copy).run(**{changed: 100.0})
+def test_a_change_of_anything_compiled_in_is_seen(
+    forking: subprocess.Popen[str], compiled_copy: Path, changed: str
+) -> None:
+    result, from_disk, _ = Program(forking, compiled_copy).run(**{changed: 100.0})
     assert (result, from_disk) == (115.0 - NUMBERS[changed], 0)
 
 
