@@ -70,8 +70,8 @@ def test_a_ground_is_seen_through_the_glass(scene: Path) -> None:
     light = (
         "sun=0deg 90deg 3&environment=white&environment-intensity=0.1&camera-orbit=0deg 60deg 9m"
     )
-    with viewer(site, f"samples=32&pixel-ratio=1&ui=0&{light}", 48, 32) as page:
-        wait_for_picture(page, 32)
+    with viewer(site, f"samples=8&pixel-ratio=1&ui=0&{light}", 48, 32) as page:
+        wait_for_picture(page, 8)
         actual = picture(page)
     assert np.mean(actual[14:18, 22:26, 3]) == 1.0
     shadow, open_ground = actual[20:24, 22:26, :3].mean(), actual[26:, :6, :3].mean()

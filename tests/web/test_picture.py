@@ -104,7 +104,7 @@ def test_suns(asset, tmp_path):
 
 
 def test_environment(tmp_path):
-    path = write_scene(tmp_path, TOY, ENVIRONMENT, [48, 30], 64)
+    path = write_scene(tmp_path, TOY, ENVIRONMENT, [24, 15], 64)
     expected = np.mean(by_rna_run(path)[..., :3])
     assert np.mean(by_viewer(path)[..., :3]) == pytest.approx(expected, rel=0.02)
 
@@ -127,7 +127,7 @@ def test_sun_in_an_image(tmp_path):
     sky = np.repeat(rows[:, None], 64, axis=1)
     sky[9, 40] = [160.0, 140.0, 112.0]
     OpenEXR.File({}, {"RGB": sky}).write(str(tmp_path / "sky.exr"))
-    path = write_scene(tmp_path, TOY, SKY, [32, 20], 320)
+    path = write_scene(tmp_path, TOY, SKY, [16, 10], 320)
     expected = by_rna_run(path)
     actual = by_viewer(path, "&jitter=0")
     assert psnr(actual, expected) >= LEAST_PSNR
@@ -136,6 +136,6 @@ def test_sun_in_an_image(tmp_path):
 
 def test_emission_holes_and_glass(tmp_path):
     """Parts of both kinds, that emit, behind cut-outs and panes."""
-    path = write_scene(tmp_path, LANTERN, SUNS, [48, 30], 32)
+    path = write_scene(tmp_path, LANTERN, SUNS, [32, 20], 32)
     expected = np.mean(by_rna_run(path)[..., :3])
     assert np.mean(by_viewer(path)[..., :3]) == pytest.approx(expected, rel=0.03)
