@@ -86,7 +86,7 @@ def by_three(
         (CURLS, SUN, "sun()", SIZE, 1, 40.0),
         (TOY, POINT, POINT_OF_THREE, SIZE, 1, 40.0),
         (TOY, SPOT, SPOT_OF_THREE, SIZE, 1, 40.0),
-        (TOY, RECTANGLE, RECTANGLE_OF_THREE, SIZE, 256, 35.0),  # of four points of the lamp
+        (TOY, RECTANGLE, RECTANGLE_OF_THREE, [48, 30], 256, 35.0),  # of four points of the lamp
     ],
     ids=["toy-sun", "toy-sun-with-map", "curls-sun", "toy-point", "toy-spot", "toy-rectangle"],
 )
