@@ -61,12 +61,16 @@ def derivative(scene: Any, key: str, value: Callable[[Any], Any]) -> np.ndarray:
 
 
 def difference(scene: Any, key: str, value: Callable[[Any], Any], step: float) -> np.ndarray:
-    """The gradient by a central difference, with the same random numbers."""
+    """The gradient by a central difference, with the same random numbers.
+
+    Opaque: a kernel with numbers in it would be compiled for each.
+    """
+    import drjit as dr
     import mitsuba as mi
 
     parameters, images = mi.traverse(scene), []
     for x in (step, -step):
-        parameters[key] = value(mi.Float(x))
+        parameters[key] = value(dr.opaque(mi.Float, x))
         parameters.update()
         images.append(np.array(mi.render(scene, spp=1, seed=SEED)).astype(np.float64))
     parameters[key] = value(mi.Float(0))
