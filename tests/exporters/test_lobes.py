@@ -8,7 +8,7 @@ import torch
 
 from rna_export.export.package_options import lobe_minutes
 from rna_export.export.rna_export import main
-from rna_export.lobes import environment_training
+from rna_export.lobes import environment_training, lobe_fit
 from rna_export.lobes.directions import even_directions, harmonics, random_rotations
 from rna_export.lobes.environment_training import add_lobes
 from rna_export.lobes.lobe_error import LobePictures, generated_environments, lobe_pictures
@@ -17,6 +17,7 @@ from rna_export.lobes.lobe_loss import EPSILON, LobeLoss, Targets, even_lights
 from rna_export.lobes.lobe_model import LOBES, LobeModel, densities
 from rna_export.lobes.lobe_queries import LobeInputs, QueryRows
 from rna_export.lobes.view_points import Grid, part_views
+from rna_export.training.optimization.muon import Muon
 from rna_export.training.optimization.pace import StepPace
 from rna_render import write_exr
 from rna_sdk.package import Package, Unpacked, validate
@@ -156,6 +157,20 @@ def test_training_comes_nearer_to_the_whole_integral(views, queries, model):
     assert after.psnr > before.psnr + 3.0
     assert after.flip < before.flip
     assert after.brightness == pytest.approx((1.0, 1.0, 1.0), abs=0.3)
+
+
+def test_muon_trains_all_layers_of_the_decoder_but_the_last(views, queries, model, monkeypatch):
+    made, make = [], lobe_fit.optimizers_of_networks
+    monkeypatch.setattr(
+        lobe_fit, "optimizers_of_networks", lambda *a: made.extend(make(*a)) or made
+    )
+    before = [p.detach().clone() for p in model.parameters()]
+    fit_lobes(model, views, queries, [StepPace(2)])
+    adam, muon = ([p for group in one.param_groups for p in group["params"]] for one in made)
+    assert isinstance(made[1], Muon)
+    assert [p.shape for p in muon] == [(64, queries.columns), (64, 64)]
+    assert {id(p) for p in [*adam, *muon]} == {id(p) for p in model.parameters()}
+    assert not any(map(torch.equal, before, model.parameters()))
 
 
 def test_a_package_answers_as_the_trained_lobes(views, queries, model, tmp_path):

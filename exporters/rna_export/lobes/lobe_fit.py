@@ -17,6 +17,8 @@ from rna_export.lobes.lobe_loss import LobeLoss, Targets, even_lights
 from rna_export.lobes.lobe_model import LOBES, LobeModel
 from rna_export.lobes.lobe_queries import LobeInputs, QueryRows
 from rna_export.lobes.view_points import PartViews, Rows, ViewPoints
+from rna_export.training.model.layers import hidden_matrices
+from rna_export.training.optimization.optimizers import optimizers_of_networks, set_rates
 from rna_export.training.optimization.pace import Pace
 from rna_export.training.optimization.product_kernels import threads_in_use, use_threads
 from rna_render.world.neural_sampling import LobeMixture
@@ -29,7 +31,7 @@ _DIRECTIONS = 64  # of a point
 _SURFACE = LobeMixture(uniform=0.6, mirror=0.4, mirror_kappas=(40.0,) * 3)
 _FIBER = LobeMixture(uniform=0.6, cone=0.4, cone_scale=0.08)
 _GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
-_RATE, _WARMUP = 5e-3, 100  # steps
+_RATES, _WARMUP = (5e-3, 0.015), 100  # of Adam and Muon; steps
 
 
 class _RowBuffer:
@@ -99,7 +101,8 @@ def fit_lobes(
     and their order are the same either way.
     """
     rng, draw = np.random.default_rng(seed), np.random.default_rng(seed + 1)
-    optimizer = torch.optim.Adam(model.parameters(), lr=_RATE)
+    matrices = hidden_matrices(model.decoder)
+    optimizers = optimizers_of_networks([*model.parameters()], matrices, _RATES)
     lights, threads = even_lights(), threads_in_use()
     buffer, steps, done = _RowBuffer(make_rows(views, queries, 4 * _ROWS, rng)), 0, 0.0
     use_threads(1)
@@ -112,13 +115,13 @@ def fit_lobes(
                 coming = maker.submit(made).result if threads > 1 else made
                 steps += 1
                 rate = 0.5 * (1.0 + math.cos(math.pi * done)) + 1e-3
-                for group in optimizer.param_groups:
-                    group["lr"] = _RATE * rate * min(1.0, steps / _WARMUP)
-                optimizer.zero_grad()
+                set_rates(optimizers, rate * min(1.0, steps / _WARMUP))
                 inputs, *targets = buffer.some(_ROWS, draw)
                 loss = LobeLoss.apply(*model(inputs), *targets, lights)  # type: ignore[no-untyped-call]
                 loss.backward()
-                optimizer.step()
+                for optimizer in optimizers:
+                    optimizer.step()
+                    optimizer.zero_grad()
                 for pace in paces:
                     pace.advance()
                 before, done = done, max(pace.progress for pace in paces)

@@ -20,6 +20,11 @@ def new_layers(columns: int, width: int, hidden: int, outputs: int) -> nn.Sequen
     return nn.Sequential(*layers, nn.Linear(sizes[-1], outputs))
 
 
+def hidden_matrices(layers: nn.Sequential) -> list[Tensor]:
+    """Matrices of all layers but the last, which reads out."""
+    return [layer.weight for layer in [*layers][:-1] if isinstance(layer, nn.Linear)]
+
+
 def through(layers: nn.Sequential, x: Tensor, bfloat16: bool = False) -> Tensor:
     """layers(x), of linear layers with a ReLU between each two.
 

@@ -8,7 +8,7 @@ from torch import Tensor, nn
 from rna_export.training.model.analytic import GLTF_OUTPUTS, gltf_material, gltf_radiance
 from rna_export.training.model.emission import EmissionDecoder
 from rna_export.training.model.inputs import Points, assemble, in_box
-from rna_export.training.model.layers import new_layers, through
+from rna_export.training.model.layers import hidden_matrices, new_layers, through
 from rna_export.training.model.shadow import ShadowDecoder
 from rna_export.training.model.triplane import Triplane
 from rna_export.training.presets import ModelConfig
@@ -150,8 +150,7 @@ class NeuralAsset(nn.Module):
         """Matrices of all layers of the decoders but the last ones."""
         others = (self.shadow, self.emission)
         decoders = [self.decoder, *(other.decoder for other in others if other is not None)]
-        layers = (layer for decoder in decoders for layer in [*decoder][:-1])
-        return [layer.weight for layer in layers if isinstance(layer, nn.Linear)]
+        return [matrix for decoder in decoders for matrix in hidden_matrices(decoder)]
 
     def _features(self, at: Points, blur: float | Tensor) -> Tensor:
         """Features (k, C) of the points."""

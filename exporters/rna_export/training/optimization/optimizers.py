@@ -58,21 +58,32 @@ def optimizers_of(model: NeuralAsset, config: TrainingConfig) -> list[torch.opti
 
     On a GPU rates are tensors there: a step that reads them can be part of a CUDA graph.
     """
-    device = model.ceiling.device
-    matrices, planes = muon_matrices(model, config), model.triplane.planes
-    taken = {id(p) for p in [*matrices, planes]}
-    others: list[Tensor] = [p for p in model.parameters() if id(p) not in taken]
-    optimizers: list[torch.optim.Optimizer] = [_adam(others, config.learning_rate, device)]
-    if matrices:
-        lr = _rate(config.muon_learning_rate, device)
-        optimizers.append(Muon(matrices, lr, model.multiplies_in_bfloat16))
+    device, planes = model.ceiling.device, model.triplane.planes
+    networks = [p for p in model.parameters() if p is not planes]
+    rates = config.learning_rate, config.muon_learning_rate
+    matrices = muon_matrices(model, config)
+    optimizers = optimizers_of_networks(networks, matrices, rates, model.multiplies_in_bfloat16)
     if device.type == "cpu":
-        optimizers.append(PlaneAdam(planes, config.plane_learning_rate))
+        of_planes: torch.optim.Optimizer = PlaneAdam(planes, config.plane_learning_rate)
     else:
-        optimizers.append(_adam([planes], config.plane_learning_rate, device))
-    for group in _groups(optimizers):
-        group["initial_lr"] = float(group["lr"])
-    return optimizers
+        of_planes = _adam([planes], config.plane_learning_rate, device)
+    return [*optimizers, *_with_initial_rates([of_planes])]
+
+
+def optimizers_of_networks(
+    parameters: Sequence[Tensor],
+    matrices: Sequence[Tensor],
+    rates: tuple[float, float],
+    bfloat16: bool = False,
+) -> list[torch.optim.Optimizer]:
+    """Muon for the matrices among the parameters, Adam for the others; rates: of Adam, of Muon."""
+    (adam_rate, muon_rate), device = rates, parameters[0].device
+    taken = {id(matrix) for matrix in matrices}
+    others = [p for p in parameters if id(p) not in taken]
+    optimizers: list[torch.optim.Optimizer] = [_adam(others, adam_rate, device)]
+    if matrices:
+        optimizers.append(Muon(matrices, _rate(muon_rate, device), bfloat16))
+    return _with_initial_rates(optimizers)
 
 
 def muon_matrices(model: NeuralAsset, config: TrainingConfig) -> list[Tensor]:
@@ -100,6 +111,12 @@ def load_states(optimizers: Sequence[torch.optim.Optimizer], states: Sequence[An
         optimizer.load_state_dict(state)
     for group, rate in zip(_groups(optimizers), rates, strict=True):
         group["lr"] = rate
+
+
+def _with_initial_rates(optimizers: list[torch.optim.Optimizer]) -> list[torch.optim.Optimizer]:
+    for group in _groups(optimizers):
+        group["initial_lr"] = float(group["lr"])
+    return optimizers
 
 
 def _adam(parameters: list[Tensor], rate: float, device: torch.device) -> torch.optim.Adam:
