@@ -28,7 +28,7 @@ class Fitting:
 
     bounds: (2, 3) of the planes. ceiling, unit: see `NeuralAsset`. fields: of the batches' rows,
     see `SampleTable`. emission: batches of what the asset emits, if it does. model_class: of the
-    model. lit: see `SampleTable`.
+    model. lit: see `SampleTable`; read where shadowed light has a decoder of its own.
     """
 
     def __init__(
@@ -44,8 +44,8 @@ class Fitting:
         lit: int | None = None,
     ):
         self._config, self._fields, self._emission = preset.training, fields, emission
-        self.lit = lit
         self.model = model_class(preset.model, bounds)
+        self.lit = None if self.model.shadow is None else lit
         self.model.ceiling.fill_(ceiling)
         self.model.unit.fill_(unit)
         if self.model.shadow is not None:

@@ -33,13 +33,13 @@ def sample_loss(
     loss: "log" or "unbiased"; of a model with an output for direct light, of that light alone:
     scattered light is next to nothing but noise, and its loss is always the unbiased one.
     shadow_weight: of samples in shadow, for a model without that output; the mean weight is 1.
-    lit: the first samples of the batch that see the light, where all others do not; see
-    `SampleTable`.
+    lit: the first samples of the batch that see the light, where all others do not; of a model
+    with a decoder for shadowed light, each of whose decoders then sees its own samples alone.
     """
     v = at["visible"]
     if not model.config.separates_direct:
         weight = _weights(v, shadow_weight)
-        if lit is None or model.shadow is None:
+        if lit is None:
             y, unit = _of_visibility(model(at, blur), model.units, v)
         else:
             y = model.own_light(at, lit, blur)

@@ -67,8 +67,10 @@ class SampleTable(IterableDataset[Tensor]):
     @property
     def _shares(self) -> list[tuple[Tensor, int]]:
         """Kinds of samples, each the numbers of its rows, and how many of it a batch has."""
-        if len(self._kinds) == 1 or self._batch == 1:
-            return [(torch.cat(self._kinds), self._batch)]
+        if len(self._kinds) == 1:
+            return [(self._kinds[0], self._batch)]
+        if self._batch == 1:
+            return [(torch.cat(self._kinds), 1)]
         lit, others = self._kinds
         first = min(max(round(self._batch * len(lit) / len(self)), 1), self._batch - 1)
         return [(lit, first), (others, self._batch - first)]
@@ -124,7 +126,7 @@ class SampleTable(IterableDataset[Tensor]):
             (of_epoch,) = np.random.SeedSequence((self._seed, epoch)).generate_state(1)
             generator.manual_seed(int(of_epoch))
             order = torch.randperm(len(kind), generator=generator, device=kind.device)
-            yield from kind[order[done:whole]].split(count)
+            yield from (kind[rows] for rows in order[done:whole].split(count))
             done = 0
 
     def _loaded(self) -> Iterator[Tensor]:

@@ -155,10 +155,10 @@ def step_products(
 ) -> list[Product]:
     """Products of the model's layers in a step: those of visible light alone may be bfloat16.
 
-    batches: rows of a step, of transport and of emission. lit: see `SampleTable`.
+    batches: rows of a step, of transport and of emission. lit: as `Fitting` has it.
     """
     visible = shadowed = batches[0]
-    if lit is not None and model.shadow is not None:
+    if lit is not None:
         visible, shadowed = lit, batches[0] - lit
     decoders = [(model.decoder, visible, torch.float32)]
     if model.multiplies_in_bfloat16:
