@@ -158,7 +158,7 @@ class CompositeAsset(Asset):
         tint: tuple[float, float, float] = (1.0, 1.0, 1.0),
     ) -> Self:
         """See `Asset`."""
-        images = check_images(images or {}, [c for part in self._parts for c in part.base_colors])
+        images = check_images(images, [c for part in self._parts for c in part.base_colors])
         other, parts = self._twin(), []
         for part in self._parts:
             labels = {record.label for record in part.base_colors}
@@ -253,7 +253,7 @@ class AssetPart(Asset):
     ) -> Self:
         """See `Asset`."""
         other = self._twin()
-        images = check_images(images or {}, self.base_colors)
+        images = check_images(images, self.base_colors)
         other.base_colors = with_images(self.base_colors, images, tint)
         other.__dict__.pop("_base_color_maps", None)  # what is cached is of the old ones
         return other

@@ -15,11 +15,18 @@ Images = Mapping[str, NDArray[np.uint8]]
 """Label of a record -> (H, W, 3) uint8."""
 
 
-def check_images(images: Images, records: Sequence[BaseColor]) -> Images:
-    """The images. Raises QueryError for one that no record has the label of, or that is none."""
+def check_images(images: Images | None, records: Sequence[BaseColor]) -> Images:
+    """The images, none for None.
+
+    Raises:
+        QueryError: no record has the label of one, or it is no image.
+    """
+    if images is None:
+        return {}
     labels = sorted({record.label for record in records if record.image is not None})
     if not isinstance(images, Mapping):
-        raise QueryError(f"images: expected a dict of arrays by label, found {images!r:.40}")
+        found = " ".join(repr(images).split())[:40]
+        raise QueryError(f"images: expected a dict of arrays by label, found {found}")
     arrays = {}
     for label, image in images.items():
         if label not in labels:
