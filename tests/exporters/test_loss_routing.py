@@ -61,6 +61,20 @@ def test_decoders_that_see_their_own_samples_learn_the_same(preset: str, loss: s
         torch.testing.assert_close(one, other, rtol=1e-4, atol=1e-7)
 
 
+@pytest.mark.parametrize("turned", [False, True])
+def test_behind_the_normal_errors_of_light_count_as_in_shadow(turned: bool) -> None:
+    """They are relative above a tenth of the unit, not above the unit."""
+    torch.manual_seed(0)
+    fields = SAMPLE_FIELDS["surface"]
+    model = Fitting(tiny("small", loss="unbiased"), BOUNDS, 9.0, 1.0, fields).model
+    at = columns(torch.rand(64, sum(fields.values())), fields)
+    at["visible"], at["wi"] = torch.ones(64), -at["normal"] if turned else at["normal"]
+    x = torch.expm1(model(at)[:, 0].detach())
+    relative = (x - at["radiance"]) / (x.clamp(min=0.0) + (0.1 if turned else 1.0))
+    loss = sample_loss(model, at, 1.0, "unbiased")
+    assert loss.item() == pytest.approx(relative.square().mean().item(), rel=1e-4)
+
+
 @pytest.mark.parametrize(("loss", "learnt"), [("log", 5.0**0.25 - 1.0), ("unbiased", 1.0)])
 def test_the_loss_that_a_preset_names_decides_what_noise_does(loss: str, learnt: float) -> None:
     """Light that is 4 in one sample of four and else 0: its logarithm's mean is far below."""

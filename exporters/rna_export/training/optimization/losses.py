@@ -45,6 +45,8 @@ def sample_loss(
             y = model.own_light(at, lit, blur)
             of_visible, of_shadowed = model.units
             unit = torch.cat([of_visible.expand(lit, 1), of_shadowed.expand(len(v) - lit, 1)])
+        if model.shadow is not None:
+            weight = weight * _weights_of_glow(at, y, unit, model.shadow.unit)
         return _LOSSES[loss](y, at["radiance"], unit, weight)
     y = model(at, blur)
     scattered, unit = _of_visibility(y[:, 1:], model.units[1:], v)
@@ -64,6 +66,19 @@ def _weights(visible: Tensor, of_shadow: float) -> Tensor | float:
     v = visible[:, None] if visible.dim() == 1 else visible
     weight = v + of_shadow * (1.0 - v)
     return weight / weight.mean()
+
+
+def _weights_of_glow(at: Points, y: Tensor, unit: Tensor, of_shadow: Tensor) -> Tensor:
+    """Weights of samples, (k, 3), which make errors count as in shadow where the normal faces away.
+
+    A normal map turns normals away from light that the surface sees. What is left there is
+    scattered light, as dark as shadow: with the unit of visible light its loss would be nothing.
+    y: (k, 3) of the samples, with their unit (k, 1). of_shadow: unit of shadowed light.
+    """
+    faces_away = torch.einsum("kr,kr->k", at["normal"], at["wi"]) < 0.0
+    x = unit * torch.expm1(y.detach()).clamp(min=0.0)
+    in_shadow = ((x + unit) / (x + of_shadow)).square()
+    return torch.where(faces_away[:, None], in_shadow, 1.0)
 
 
 def _of_visibility(y: Tensor, units: Tensor, v: Tensor) -> tuple[Tensor, Tensor]:
