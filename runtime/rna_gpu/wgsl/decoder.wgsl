@@ -35,18 +35,15 @@ fn rna_block(x: vec4f, at: u32) -> vec4f {
         + x.z * rna_weight(at + 2u) + x.w * rna_weight(at + 3u);
 }
 
-// Biases, scales and what follows of all sums of a layer.
-fn rna_finish(layer: RnaLayer, place: u32) {
-    for (var o = 0u; o < layer.outputs; o++) {
-        var y = rna_values[place + o] + rna_weight(layer.bias + o);
-        if layer.int8_step != 0.0 {
-            y *= rna_weight(layer.units + o);
-        }
-        if layer.relu == 1u {
-            y = max(y, vec4f(0.0));
-        }
-        rna_values[place + o] = y;
+fn rna_finish(layer: RnaLayer, o: u32, sums: vec4f, place: u32) {
+    var y = sums + rna_weight(layer.bias + o);
+    if layer.int8_step != 0.0 {
+        y *= rna_weight(layer.units + o);
     }
+    if layer.relu == 1u {
+        y = max(y, vec4f(0.0));
+    }
+    rna_values[place + o] = y;
 }
 
 // Four output groups at a time: a value is read once for 16 sums. Sums of int8 layers are whole
@@ -71,19 +68,18 @@ fn rna_run_layer(layer: RnaLayer, source: u32, place: u32) {
             d += rna_block(x, at + 3u * stride);
             at += 4u;
         }
-        rna_values[place + o] = a;
-        rna_values[place + o + 1u] = b;
-        rna_values[place + o + 2u] = c;
-        rna_values[place + o + 3u] = d;
+        rna_finish(layer, o, a, place);
+        rna_finish(layer, o + 1u, b, place);
+        rna_finish(layer, o + 2u, c, place);
+        rna_finish(layer, o + 3u, d, place);
     }
     for (; o < layer.outputs; o++) {
         var sums = vec4f(0.0);
         for (var k = 0u; k < layer.inputs; k++) {
             sums += rna_block(rna_values[source + k], layer.weights + o * stride + 4u * k);
         }
-        rna_values[place + o] = sums;
+        rna_finish(layer, o, sums, place);
     }
-    rna_finish(layer, place);
 }
 
 // What the last layer gives, clipped, as radiance.

@@ -58,22 +58,17 @@ fn rna_texels(p: vec3f) -> RnaTexel {
     return RnaTexel(low, high, s - below);
 }
 
-// x: (texel, next) along the columns, y: along the rows. Loops: one call of rna_texel.
+// x: (texel, next) along the columns, y: along the rows.
 fn rna_bilinear(
     plane: u32, group: u32, columns: vec2<u32>, rows: vec2<u32>, a: f32, b: f32,
 ) -> vec4f {
-    let across = vec2f(1.0 - a, a);
-    let along = vec2f(1.0 - b, b);
-    var sum = vec4f(0.0);
-    for (var j = 0u; j < 2u; j++) {
-        var row = vec4f(0.0);
-        for (var i = 0u; i < 2u; i++) {
-            let texel = rows[j] * rna_part.resolution + columns[i];
-            row += across[i] * rna_texel(plane, texel, group);
-        }
-        sum += along[j] * row;
-    }
-    return sum;
+    let lower = rows.x * rna_part.resolution;
+    let upper = rows.y * rna_part.resolution;
+    let at_lower = (1.0 - a) * rna_texel(plane, lower + columns.x, group)
+        + a * rna_texel(plane, lower + columns.y, group);
+    let at_upper = (1.0 - a) * rna_texel(plane, upper + columns.x, group)
+        + a * rna_texel(plane, upper + columns.y, group);
+    return (1.0 - b) * at_lower + b * at_upper;
 }
 
 // Position as a fraction of the bounds, clamped to them.
