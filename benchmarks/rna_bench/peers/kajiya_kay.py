@@ -13,6 +13,8 @@ import torch
 from torch import Tensor
 from torch.nn.functional import softplus
 
+from rna_export.training.model.inputs import dot
+
 HAIR_OUTPUTS = 7
 """Of the network."""
 
@@ -37,11 +39,7 @@ def hair_material(outputs: Tensor) -> HairMaterial:
 
 def hair_radiance(material: HairMaterial, t: Tensor, wo: Tensor, wi: Tensor) -> Tensor:
     """A cylinder's diffuse part, and a highlight about the cone that mirrors the light: (k, 3)."""
-    s_i, s_o = (_dot(t, w).clamp(-1.0, 1.0) for w in (wi, wo))
+    s_i, s_o = (dot(t, w).clamp(-1.0, 1.0) for w in (wi, wo))
     c_i, c_o = (torch.sqrt((1.0 - s**2).clamp(min=1e-6)) for s in (s_i, s_o))
     aside = (c_i * c_o - s_i * s_o).clamp(min=1e-6)  # cosine of the angle to the cone
     return material.diffuse * c_i + material.specular * aside**material.exponent
-
-
-def _dot(a: Tensor, b: Tensor) -> Tensor:
-    return (a * b).sum(dim=1, keepdim=True)

@@ -16,6 +16,7 @@ import torch
 import torch.nn.functional as F
 from torch import Tensor
 
+from rna_export.training.model.inputs import dot
 from rna_render.materials import ALBEDO_MEANS, ALBEDO_TABLE
 
 GLTF_OUTPUTS = 8
@@ -55,10 +56,10 @@ def gltf_material(outputs: Tensor) -> GltfMaterial:
 
 def gltf_radiance(material: GltfMaterial, n: Tensor, wo: Tensor, wi: Tensor) -> Tensor:
     """f(wo, wi) |n.wi| of both sides of a surface alike, (k, 3)."""
-    m = torch.where(_dot(n, wo) < 0.0, -1.0, 1.0) * material.normal(n)
-    cos_i, cos_o = _dot(m, wi).clamp(min=0.0), _dot(m, wo).clamp(min=_LEAST_COSINE)
+    m = torch.where(dot(n, wo) < 0.0, -1.0, 1.0) * material.normal(n)
+    cos_i, cos_o = dot(m, wi).clamp(min=0.0), dot(m, wo).clamp(min=_LEAST_COSINE)
     h = F.normalize(wo + wi, dim=1)
-    cos_h, weight = _dot(m, h), (1.0 - _dot(wo, h).clamp(0.0, 1.0)) ** 5
+    cos_h, weight = dot(m, h), (1.0 - dot(wo, h).clamp(0.0, 1.0)) ** 5
     base, roughness, metallic, _ = material
     square = roughness**4
     spread = (1.0 - cos_h**2) + square * cos_h**2
@@ -90,7 +91,3 @@ def _coat_table(mean: bool, device: torch.device) -> Tensor:
     terms: np.ndarray = ALBEDO_MEANS[:, None] if mean else ALBEDO_TABLE
     albedo = COAT_F0 * terms[..., 0] + terms[..., 1]
     return torch.tensor(albedo[None, None], dtype=torch.float32, device=device)
-
-
-def _dot(a: Tensor, b: Tensor) -> Tensor:
-    return (a * b).sum(dim=1, keepdim=True)

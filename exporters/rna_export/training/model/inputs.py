@@ -18,6 +18,11 @@ Points = dict[str, Tensor]
 """Queries by name: position, wo, wi and normal or tangent, (k, 3) each; for fibers also h, (k,)."""
 
 
+def dot(a: Tensor, b: Tensor) -> Tensor:
+    """Dot products of rows, (k, 1)."""
+    return (a * b).sum(dim=1, keepdim=True)
+
+
 def in_box(position: Tensor, low: Tensor, high: Tensor) -> Tensor:
     """Positions (k, 3) in the box of the planes, from 0 to 1."""
     return ((position - low) / (high - low)).clamp(0.0, 1.0)
@@ -59,12 +64,12 @@ def assembled(blocks: tuple[str, ...], features: Tensor, p: Tensor, at: Points) 
 
 def half_vector(n: Tensor, wo: Tensor, wi: Tensor, m: Tensor) -> Tensor:
     """n.m, log2(1 - n.m + 1e-4) / 6, n.wi, n.wo, wi.m: (k, 5)."""
-    return torch.cat([_along(n, m), _dot(n, wi), _dot(n, wo), _dot(wi, m)], dim=1)
+    return torch.cat([_along(n, m), dot(n, wi), dot(n, wo), dot(wi, m)], dim=1)
 
 
 def _along(n: Tensor, m: Tensor) -> Tensor:
     """n.m and log2(1 - n.m + 1e-4) / 6, (k, 2)."""
-    cosine = _dot(n, m)
+    cosine = dot(n, m)
     sharp = torch.log2(1.0 - cosine.clamp(max=1.0) + 1e-4) / 6.0
     return torch.cat([cosine, sharp], dim=1)
 
@@ -82,7 +87,7 @@ def highlight(n: Tensor, m: Tensor) -> Tensor:
     """log2(|n x m|^2 + 1e-8) / 12, (k, 1): a sine keeps the digits that 1 - n.m loses."""
     aside = torch.cross(n, m, dim=1)
     opposite = (m == 0).all(dim=1, keepdim=True)
-    return torch.log2(torch.where(opposite, 1.0, _dot(aside, aside)) + 1e-8) / 12.0
+    return torch.log2(torch.where(opposite, 1.0, dot(aside, aside)) + 1e-8) / 12.0
 
 
 def halfway(wo: Tensor, wi: Tensor) -> Tensor:
@@ -104,12 +109,12 @@ class FiberFrame(NamedTuple):
 
 def fiber_frame(t: Tensor, wo: Tensor, wi: Tensor) -> FiberFrame:
     """The frame of tangents and directions, (k, 3) each; phi is 0 where there is no azimuth."""
-    s_o, s_i = _dot(t, wo).clamp(-1.0, 1.0), _dot(t, wi).clamp(-1.0, 1.0)
+    s_o, s_i = dot(t, wo).clamp(-1.0, 1.0), dot(t, wi).clamp(-1.0, 1.0)
     c_o, c_i = (torch.sqrt((1.0 - s**2).clamp(min=0.0)) for s in (s_o, s_i))
     d = c_o * c_i
     no_azimuth, safe = d < 1e-6, d.clamp(min=1e-6)
-    cos_phi = torch.where(no_azimuth, 1.0, (_dot(wo, wi) - s_o * s_i) / safe).clamp(-1.0, 1.0)
-    sin_phi = torch.where(no_azimuth, 0.0, _dot(t, torch.cross(wo, wi, dim=1)) / safe)
+    cos_phi = torch.where(no_azimuth, 1.0, (dot(wo, wi) - s_o * s_i) / safe).clamp(-1.0, 1.0)
+    sin_phi = torch.where(no_azimuth, 0.0, dot(t, torch.cross(wo, wi, dim=1)) / safe)
     return FiberFrame(s_o, s_i, c_o, cos_phi, sin_phi.clamp(-1.0, 1.0))
 
 
@@ -143,7 +148,3 @@ def fiber_lobes(h: Tensor, frame: FiberFrame) -> Tensor:
 def _doubled(cos: Tensor, sin: Tensor) -> tuple[Tensor, Tensor]:
     """Cosine and sine of twice the angle."""
     return cos**2 - sin**2, 2.0 * sin * cos
-
-
-def _dot(a: Tensor, b: Tensor) -> Tensor:
-    return (a * b).sum(dim=1, keepdim=True)
