@@ -75,6 +75,16 @@ def test_behind_the_normal_errors_of_light_count_as_in_shadow(turned: bool) -> N
     assert loss.item() == pytest.approx(relative.square().mean().item(), rel=1e-4)
 
 
+def test_behind_the_normal_answers_far_off_have_a_loss() -> None:
+    """Their radiance is beyond float32."""
+    fields = SAMPLE_FIELDS["surface"]
+    model = Fitting(tiny("small", loss="log"), BOUNDS, 9.0, 1.0, fields).model
+    torch.nn.init.constant_(model.decoder[-1].bias, 100.0)
+    at = columns(torch.rand(64, sum(fields.values())), fields)
+    at["visible"], at["wi"] = torch.ones(64), -at["normal"]
+    assert torch.isfinite(sample_loss(model, at, 1.0, "log"))
+
+
 @pytest.mark.parametrize(("loss", "learnt"), [("log", 5.0**0.25 - 1.0), ("unbiased", 1.0)])
 def test_the_loss_that_a_preset_names_decides_what_noise_does(loss: str, learnt: float) -> None:
     """Light that is 4 in one sample of four and else 0: its logarithm's mean is far below."""

@@ -10,7 +10,7 @@ import torch
 from torch import Tensor
 
 from rna_export.capture.dataset.dataset_part import DatasetPart
-from rna_export.training.model.inputs import Points
+from rna_export.training.model.inputs import Points, dot
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.presets import Preset
 
@@ -32,7 +32,8 @@ def sample_loss(
 
     loss: "log" or "unbiased"; of a model with an output for direct light, of that light alone:
     scattered light is next to nothing but noise, and its loss is always the unbiased one.
-    shadow_weight: of samples in shadow, for a model without that output; the mean weight is 1.
+    shadow_weight: of samples in shadow, for a model without that output; the mean weight is 1,
+    before `_weights_of_glow`.
     lit: the first samples of the batch that see the light, where all others do not; of a model
     with a decoder for shadowed light, each of whose decoders then sees its own samples alone.
     """
@@ -75,10 +76,9 @@ def _weights_of_glow(at: Points, y: Tensor, unit: Tensor, of_shadow: Tensor) -> 
     scattered light, as dark as shadow: with the unit of visible light its loss would be nothing.
     y: (k, 3) of the samples, with their unit (k, 1). of_shadow: unit of shadowed light.
     """
-    faces_away = torch.einsum("kr,kr->k", at["normal"], at["wi"]) < 0.0
     x = unit * torch.expm1(y.detach()).clamp(min=0.0)
-    in_shadow = ((x + unit) / (x + of_shadow)).square()
-    return torch.where(faces_away[:, None], in_shadow, 1.0)
+    in_shadow = (1.0 + (unit - of_shadow) / (x + of_shadow)).square()
+    return torch.where(dot(at["normal"], at["wi"]) < 0.0, in_shadow, 1.0)
 
 
 def _of_visibility(y: Tensor, units: Tensor, v: Tensor) -> tuple[Tensor, Tensor]:
