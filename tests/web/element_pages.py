@@ -59,6 +59,12 @@ def loads(page: Page, element: str, times: int = 1) -> None:
     page.wait_for(f"count('load', '{element}') >= {times}", TIMEOUT)
 
 
+def finished(page: Page, element: str = "one") -> None:
+    """Once the picture is no longer a coarse one, whose camera has fewer pixels."""
+    stats = f"{element}.stage.viewer.stats"
+    page.wait_for(f"{stats}.scale === 1 && {stats}.rounds === 1", TIMEOUT)
+
+
 def line(page: Page, element: str = "one") -> str | None:
     return page.evaluate(
         f"(({{ place }}) => place.hidden ? null : place.textContent)({element}.notices)"

@@ -16,7 +16,7 @@ from rna_view.site_export import LIGHT
 from rna_view.site_files import ELEMENT, viewer_file
 from tests.conftest import REPOSITORY
 from tests.package.builders import make_tiny_package
-from tests.web.element_pages import SMALL, Static, line, loads, show, visit
+from tests.web.element_pages import SMALL, Static, finished, line, loads, show, visit
 from tests.web.pages import TIMEOUT
 from tests.web.test_page import write_image
 
@@ -239,8 +239,7 @@ def test_auto_rotate_stops_for_those_who_want_stillness(page, folder, url):
     page.call("Emulation.setEmulatedMedia", features=[])
     page.wait_for("one.turntable.isTurning", TIMEOUT)
     page.evaluate("one.autoRotate = false, 0")
-    stats = "one.stage.viewer.stats"
-    page.wait_for(f"{stats}.scale === 1 && {stats}.rounds === 1", TIMEOUT)
+    finished(page)
 
 
 @pytest.mark.chromium

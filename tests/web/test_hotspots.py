@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from tests.package.builders import make_mesh, make_tiny_package
-from tests.web.element_pages import SMALL, line, loads, show
+from tests.web.element_pages import SMALL, finished, line, loads, show
 from tests.web.pages import TIMEOUT
 
 pytestmark = pytest.mark.chromium
@@ -51,7 +51,7 @@ def nearest(origin: np.ndarray, direction: np.ndarray) -> tuple[float, np.ndarra
 @pytest.mark.usefixtures("shown")
 def test_the_point_under_the_pointer(page):
     page.evaluate("one.cameraOrbit = '25deg 70deg 4m', 0")
-    page.wait_for("one.stage.viewer.stats.rounds === 1", TIMEOUT)
+    finished(page)
     camera: dict[str, Any] = page.evaluate("one.stage.viewer.shownCamera")
     seen = 0
     for x, y in ((32, 20), (28, 24), (38, 18), (30, 10), (40, 27), (2, 2)):
@@ -78,12 +78,12 @@ def test_the_point_under_the_pointer(page):
 @pytest.mark.usefixtures("shown")
 def test_spots_follow_and_are_hidden_by_the_asset(page):
     page.evaluate("one.cameraOrbit = '0deg 90deg 4m', 0")
-    page.wait_for("one.stage.viewer.stats.rounds === 1", TIMEOUT)
+    finished(page)
     front, back = (page.evaluate(BOXES)[name] for name in ("front", "back"))
     assert front == [pytest.approx(32, abs=0.6), pytest.approx(20, abs=0.6), True, True]
     assert back[2:] == [False, False]
     page.evaluate("one.cameraOrbit = '180deg 90deg 4m', 0")
-    page.wait_for("one.stage.viewer.stats.rounds === 1", TIMEOUT)
+    finished(page)
     front, back = (page.evaluate(BOXES)[name] for name in ("front", "back"))
     assert front[2:] == [False, False] and back[2:] == [True, True]
     y = 20 + 20 * 0.2 / ((4 - 0.708) * np.tan(np.radians(15)))

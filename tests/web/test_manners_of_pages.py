@@ -12,7 +12,7 @@ import pytest
 from PIL import Image
 
 from tests.package.builders import make_tiny_package
-from tests.web.element_pages import SMALL, loads, show
+from tests.web.element_pages import SMALL, finished, loads, show
 from tests.web.pages import TIMEOUT
 
 pytestmark = pytest.mark.chromium
@@ -65,7 +65,7 @@ def test_two_elements_of_one_asset_in_a_folder(page, folder, url):
     loads(page, "one")
     loads(page, "two")
     page.evaluate("one.remove(), two.cameraOrbit = '90deg 60deg 4m', 0")
-    page.wait_for("two.stage.viewer.stats.rounds === 1", TIMEOUT)
+    finished(page, "two")
     assert page.evaluate("two.notices.place.hidden && two.stage.engine !== null")
 
 

@@ -7,7 +7,7 @@ import json
 import numpy as np
 import pytest
 
-from tests.web.element_pages import SMALL, Static, loads, show
+from tests.web.element_pages import SMALL, Static, finished, loads, show
 from tests.web.pages import TIMEOUT
 from tests.web.test_page import write_image
 
@@ -81,7 +81,7 @@ def test_taken_out_while_it_loads(page, folder, url, scene, moment, is_put_back_
             )
             page.evaluate("document.body.prepend(kept), 0")
         loads(page, "one")
-        page.wait_for("kept.stage.viewer.stats.rounds === 1", TIMEOUT)
+        finished(page, "kept")
     assert said == []
     assert page.evaluate("devices.filter(({ isLost }) => !isLost).length") == 1
     assert page.evaluate("kept.notices.place.hidden && count('error', 'one') === 0")
