@@ -16,10 +16,13 @@ INSTALL = "pip install pyoidn"
 # Of everything that is hit, since the albedo of a neural asset is not known.
 FLAT_ALBEDO = np.float32(0.5)
 
-# Of `blended`, measured: docs/decisions/renderer.md, "Denoised pixels are blended by their errors".
+# Of `blended`, measured: docs/decisions/renderer.md, "Denoised pixels are blended by their errors"
+# and "A filter's bias counts beyond its standard error".
 _RADIUS = 3  # pixels, of the boxes that errors are averaged over, twice
 _DARK = 0.01  # of the image's mean brightness, below which errors are not relative
-_UNSEEN = 0.09  # of the brightness there: noise that costs little
+_UNSEEN = 0.13  # of the brightness there: noise that costs little
+_INDEPENDENT = 108  # pixels without correlation whose mean scatters as much as `_averaged`
+_CERTAIN = 2.0  # standard errors: a bias within them is taken for noise
 _SPECK = 16.0  # times the variance about it, from where a pixel counts by its own
 _PREFERENCE = 10.0  # squared bias over squared noise that costs as much: lost texture is seen more
 
@@ -123,16 +126,19 @@ def blended(rgb: np.ndarray, filtered: np.ndarray, variance: np.ndarray) -> np.n
 
     The square of their difference is that of the filter's bias, which is lost texture, and the
     image's variance, (height, width, 3). Both are averaged over a few pixels, and relative to the
-    brightness there. The filtered form counts where the variance is large beside the bias, and
-    large enough to be seen. A speck, whose own variance is far above that about it, is taken out
-    by its own.
+    brightness there; a bias that is within the standard error of its mean does not count. The
+    filtered form counts where the variance is large beside the bias, and large enough to be seen. A
+    speck, whose own variance is far above that about it, is taken out by its own.
     """
     brightness = _averaged(filtered.mean(axis=-1, dtype=np.float64))
     scale = 1.0 / (brightness + _DARK * brightness.mean() + np.finfo(np.float32).tiny)[..., None]
-    difference = _averaged(np.square((rgb - filtered) * scale).sum(axis=-1))
     of_pixel = (variance * scale * scale).sum(axis=-1)
     noise = _averaged(of_pixel)
-    bias = _PREFERENCE * np.maximum(difference - noise, 0.0) + 3.0 * _UNSEEN**2
+    beyond = np.square((rgb - filtered) * scale).sum(axis=-1) - of_pixel
+    lost = _averaged(beyond)
+    spread = np.maximum(_averaged(np.square(beyond)) - np.square(lost), 0.0)
+    lost -= _CERTAIN * np.sqrt(spread / _INDEPENDENT)
+    bias = _PREFERENCE * np.maximum(lost, 0.0) + 3.0 * _UNSEEN**2
     noise = np.where(of_pixel > _SPECK * noise, of_pixel, noise)
     share = (noise / (noise + bias))[..., None]  # of the filtered form
     return np.asarray(rgb + share * (filtered - rgb), np.float32)
