@@ -97,7 +97,7 @@ def test_the_picture_is_on_paper(page, folder, url):
     """Chromium leaves canvases of WebGPU out of what it prints."""
     show(page, folder, url, f'<rna-viewer id="one" src="tiny.rna" {SMALL}></rna-viewer>')
     loads(page, "one")
-    page.evaluate("one.stage.viewer.converged().then(() => 0)")
+    finished(page)
     shown = np.asarray(Image.open(io.BytesIO(page.screenshot())).convert("RGB"), int)[:40, :64]
     document = base64.b64decode(page.call("Page.printToPDF")["data"])
     streams = re.findall(rb"/Subtype /Image.*?stream\r?\n(.*?)endstream", document, re.S)

@@ -126,9 +126,9 @@ def blended(rgb: np.ndarray, filtered: np.ndarray, variance: np.ndarray) -> np.n
 
     The square of their difference is that of the filter's bias, which is lost texture, and the
     image's variance, (height, width, 3). Both are averaged over a few pixels, and relative to the
-    brightness there; a bias that is within the standard error of its mean does not count. The
-    filtered form counts where the variance is large beside the bias, and large enough to be seen. A
-    speck, whose own variance is far above that about it, is taken out by its own.
+    brightness there; a bias within two standard errors of its mean does not count. The filtered
+    form counts where the variance is large beside the bias, and large enough to be seen. A speck,
+    whose own variance is far above that about it, is taken out by its own.
     """
     brightness = _averaged(filtered.mean(axis=-1, dtype=np.float64))
     scale = 1.0 / (brightness + _DARK * brightness.mean() + np.finfo(np.float32).tiny)[..., None]
