@@ -15,16 +15,15 @@ from rna_render.local_server import MAX_CONNECTIONS, LocalHandler, LocalServer
 from rna_render.preview.server import PreviewServer
 from rna_view.page_server import PageServer
 from rna_view.site_files import Site
+from tests.answering import answering
 
 SERVERS = {"rna-view": lambda: PageServer(Site()), "rna-run": lambda: PreviewServer(0)}
 
 
 @pytest.fixture(params=SERVERS)
 def server(request) -> Iterator[LocalServer]:
-    with SERVERS[request.param]() as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
+    with answering(SERVERS[request.param]()) as server:
         yield server
-        server.shutdown()
 
 
 def send(server: LocalServer, request: str) -> bytes:

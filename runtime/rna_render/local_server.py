@@ -41,6 +41,7 @@ class LocalServer(ThreadingHTTPServer):
 
     daemon_threads = True
     block_on_close = False
+    request_queue_size = MAX_CONNECTIONS  # a client that finds the queue full tries again after 1 s
 
     def __init__(self, host: str, port: int, handler: type[LocalHandler]) -> None:
         self._free = threading.BoundedSemaphore(MAX_CONNECTIONS)

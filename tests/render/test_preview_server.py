@@ -5,7 +5,6 @@ from __future__ import annotations
 import http.client
 import io
 import json
-import threading
 from collections.abc import Iterator
 
 import numpy as np
@@ -18,6 +17,7 @@ from rna_render.preview.server import MAX_BODY, PreviewServer
 from rna_render.preview.session import Session
 from rna_render.scene.scene_file import read_scene
 from rna_sdk.errors import PreviewError
+from tests.answering import answering
 from tests.render.assets import sphere
 from tests.render.packages import write_lambert_package
 from tests.render.test_preview_session import SCENE
@@ -32,12 +32,10 @@ def server(tmp_path_factory) -> Iterator[PreviewServer]:
     (folder / "scene.yaml").write_text(SCENE)
     scene_file = read_scene(folder / "scene.yaml")
     session = Session(scene_file, load_world(scene_file), lighting_choices(scene_file.path))
-    with PreviewServer(0, session) as server:
+    with answering(PreviewServer(0, session)) as server:
         session.start()
-        threading.Thread(target=server.serve_forever, daemon=True).start()
         yield server
         session.stop()
-        server.shutdown()
 
 
 def ask(server, method, path, body=None, headers=None):
@@ -205,12 +203,8 @@ def test_a_body_of_another_type_or_size_is_refused(server):
 
 
 def test_nothing_is_there_before_the_scene_is_loaded():
-    with PreviewServer(0) as server:
-        thread = threading.Thread(target=server.serve_forever)
-        thread.start()
+    with answering(PreviewServer(0)) as server:
         assert ask(server, "GET", "/state")[0] == 503
-        server.shutdown()
-        thread.join()
 
 
 def test_a_port_that_is_taken_is_one_clear_error(server):

@@ -6,7 +6,6 @@ import base64
 import io
 import json
 import re
-import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import partial
@@ -18,6 +17,7 @@ import numpy as np
 
 from rna_view.page_server import PageServer
 from rna_view.site_files import Site
+from tests.answering import answering
 from tests.render.chromium import SOFTWARE_GPU, Page, find_chromium, open_page
 
 TIMEOUT = 300.0
@@ -27,10 +27,8 @@ TIMEOUT = 300.0
 @contextmanager
 def served(site: Site) -> Iterator[PageServer]:
     """The page's server, answering."""
-    with PageServer(site) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
+    with answering(PageServer(site)) as server:
         yield server
-        server.shutdown()
 
 
 class Plain(SimpleHTTPRequestHandler):
@@ -65,10 +63,8 @@ class Ranges(Plain):
 def served_folder(folder: Path, handler: type[Plain] = Plain) -> Iterator[str]:
     """The address of a folder on a plain server, answering."""
     handler_of_folder = partial(handler, directory=str(folder))
-    with ThreadingHTTPServer(("127.0.0.1", 0), handler_of_folder) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
+    with answering(ThreadingHTTPServer(("127.0.0.1", 0), handler_of_folder)) as server:
         yield f"http://127.0.0.1:{server.server_port}/"
-        server.shutdown()
 
 
 @contextmanager
