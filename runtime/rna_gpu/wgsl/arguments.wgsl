@@ -29,9 +29,10 @@ fn rna_scaled(bits: u32, largest: u32) -> f32 {
 fn rna_unit(bits: vec3<u32>) -> vec3f {
     let exponents = (bits & vec3<u32>(RNA_EXPONENT)) >> vec3<u32>(23u);
     let largest = max(exponents.x, max(exponents.y, exponents.z));
-    let v = vec3f(
-        rna_scaled(bits.x, largest), rna_scaled(bits.y, largest), rna_scaled(bits.z, largest),
-    );
+    var v: vec3f;
+    for (var k = 0u; k < 3u; k++) {
+        v[k] = rna_scaled(bits[k], largest);
+    }
     let square = dot(v, v);
     if square == 0.0 {
         return vec3f(0.0);

@@ -53,8 +53,7 @@ fn rna_run_layer(layer: RnaLayer, source: u32, place: u32) {
         rna_quantize(layer, source);
     }
     let stride = 4u * layer.inputs;
-    var o = 0u;
-    for (; o + 4u <= layer.outputs; o += 4u) {
+    for (var o = 0u; o < layer.outputs; o += 4u) {
         var a = vec4f(0.0);
         var b = vec4f(0.0);
         var c = vec4f(0.0);
@@ -68,17 +67,10 @@ fn rna_run_layer(layer: RnaLayer, source: u32, place: u32) {
             d += rna_block(x, at + 3u * stride);
             at += 4u;
         }
-        rna_finish(layer, o, a, place);
-        rna_finish(layer, o + 1u, b, place);
-        rna_finish(layer, o + 2u, c, place);
-        rna_finish(layer, o + 3u, d, place);
-    }
-    for (; o < layer.outputs; o++) {
-        var sums = vec4f(0.0);
-        for (var k = 0u; k < layer.inputs; k++) {
-            sums += rna_block(rna_values[source + k], layer.weights + o * stride + 4u * k);
+        var sums = array<vec4f, 4>(a, b, c, d); // some of groups that the layer does not have
+        for (var k = 0u; k < min(4u, layer.outputs - o); k++) {
+            rna_finish(layer, o + k, sums[k], place);
         }
-        rna_finish(layer, o, sums, place);
     }
 }
 

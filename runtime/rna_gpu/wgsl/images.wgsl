@@ -56,9 +56,13 @@ fn rna_texels_around(x: f32, size: u32, wrap: u32) -> RnaAround {
 fn rna_image_color(at: RnaImage, place: vec2f) -> vec3f {
     let x = rna_texels_around(place.x, at.size.x, at.form & 3u);
     let y = rna_texels_around(place.y, at.size.y, (at.form >> 2u) & 3u);
-    let upper = mix(rna_texel_of(at, x.first, y.first), rna_texel_of(at, x.second, y.first), x.part);
-    let lower = mix(rna_texel_of(at, x.first, y.second), rna_texel_of(at, x.second, y.second), x.part);
-    let color = mix(upper, lower, y.part);
+    var color = vec3f(0.0);
+    for (var k = 0u; k < 4u; k++) {
+        let right = (k & 1u) == 1u;
+        let below = k > 1u;
+        let weight = select(1.0 - x.part, x.part, right) * select(1.0 - y.part, y.part, below);
+        color += weight * rna_texel_of(at, select(x.first, x.second, right), select(y.first, y.second, below));
+    }
     if (at.form & RNA_MIXES_SRGB) == 0u {
         return color;
     }
@@ -77,12 +81,13 @@ fn rna_image_color_at(at: RnaImage, place: vec2f, level: f32) -> vec3f {
     for (var k = 0u; k < whole && any(finer.size > vec2<u32>(1u)); k++) {
         finer = rna_next_level(finer);
     }
-    let color = rna_image_color(finer, place);
-    let rest = level - f32(whole);
-    if rest == 0.0 || all(finer.size == vec2<u32>(1u)) {
-        return color;
+    let rest = select(level - f32(whole), 0.0, all(finer.size == vec2<u32>(1u)));
+    var color = vec3f(0.0);
+    for (var k = 0u; k < select(2u, 1u, rest == 0.0); k++) {
+        color += select(1.0 - rest, rest, k == 1u) * rna_image_color(finer, place);
+        finer = rna_next_level(finer);
     }
-    return mix(color, rna_image_color(rna_next_level(finer), place), rest);
+    return color;
 }
 
 // The level whose texels are as wide as `width` on a triangle of the corners p. uv: of the corners in the image.

@@ -1,42 +1,36 @@
 // Features of a position: spec/RNA.md, 5 Planes.
 
-// The value of a float16; drivers may take subnormal ones for 0, the format does not.
-fn rna_from_float16(bits: u32) -> f32 {
-    let exponent = (bits >> 10u) & 31u;
-    let mantissa = bits & 1023u;
+// Values of float16; drivers may take subnormal ones for 0, the format does not.
+fn rna_from_float16(bits: vec4<u32>) -> vec4f {
+    let exponent = (bits >> vec4<u32>(10u)) & vec4<u32>(31u);
+    let mantissa = bits & vec4<u32>(1023u);
     let size = select(
-        bitcast<f32>(((exponent + 112u) << 23u) | (mantissa << 13u)),
-        f32(mantissa) * 0x1p-24f,
-        exponent == 0u,
+        bitcast<vec4f>(((exponent + 112u) << vec4<u32>(23u)) | (mantissa << vec4<u32>(13u))),
+        vec4f(mantissa) * 0x1p-24f,
+        exponent == vec4<u32>(0u),
     );
-    return select(size, -size, (bits & 0x8000u) != 0u);
+    return select(size, -size, (bits & vec4<u32>(0x8000u)) != vec4<u32>(0u));
 }
 
 // Channels 4 group to 4 group + 3 of a texel; texel = row * resolution + column.
 fn rna_texel(plane: u32, texel: u32, group: u32) -> vec4f {
-    let at = texel * rna_part.channel_groups + group;
+    let count = 4u >> rna_part.plane_precision;
+    let at = count * (texel * rna_part.channel_groups + group);
+    var words = vec4<u32>(0u);
+    for (var k = 0u; k < count; k++) {
+        words[k] = rna_plane_word(plane, at + k);
+    }
     switch rna_part.plane_precision {
         case RNA_FLOAT32: {
-            return vec4f(
-                bitcast<f32>(rna_plane_word(plane, 4u * at)),
-                bitcast<f32>(rna_plane_word(plane, 4u * at + 1u)),
-                bitcast<f32>(rna_plane_word(plane, 4u * at + 2u)),
-                bitcast<f32>(rna_plane_word(plane, 4u * at + 3u)),
-            );
+            return bitcast<vec4f>(words);
         }
         case RNA_FLOAT16: {
-            let a = rna_plane_word(plane, 2u * at);
-            let b = rna_plane_word(plane, 2u * at + 1u);
-            return vec4f(
-                rna_from_float16(a & 0xffffu),
-                rna_from_float16(a >> 16u),
-                rna_from_float16(b & 0xffffu),
-                rna_from_float16(b >> 16u),
-            );
+            let halves = vec4<u32>(words.x, words.x >> 16u, words.y, words.y >> 16u);
+            return rna_from_float16(halves & vec4<u32>(0xffffu));
         }
         default: {
-            let word = bitcast<i32>(rna_plane_word(plane, at));
-            let integers = vec4<i32>(word << 24u, word << 16u, word << 8u, word) >> vec4<u32>(24u);
+            let high = words.xxxx << vec4<u32>(24u, 16u, 8u, 0u);
+            let integers = bitcast<vec4<i32>>(high) >> vec4<u32>(24u);
             return vec4f(integers) * rna_part.scales[plane * RNA_CHANNEL_GROUPS + group];
         }
     }
@@ -62,13 +56,16 @@ fn rna_texels(p: vec3f) -> RnaTexel {
 fn rna_bilinear(
     plane: u32, group: u32, columns: vec2<u32>, rows: vec2<u32>, a: f32, b: f32,
 ) -> vec4f {
-    let lower = rows.x * rna_part.resolution;
-    let upper = rows.y * rna_part.resolution;
-    let at_lower = (1.0 - a) * rna_texel(plane, lower + columns.x, group)
-        + a * rna_texel(plane, lower + columns.y, group);
-    let at_upper = (1.0 - a) * rna_texel(plane, upper + columns.x, group)
-        + a * rna_texel(plane, upper + columns.y, group);
-    return (1.0 - b) * at_lower + b * at_upper;
+    var sum = vec4f(0.0);
+    for (var row = 0u; row < 2u; row++) {
+        var along = vec4f(0.0);
+        for (var column = 0u; column < 2u; column++) {
+            let texel = rows[row] * rna_part.resolution + columns[column];
+            along += select(1.0 - a, a, column == 1u) * rna_texel(plane, texel, group);
+        }
+        sum += select(1.0 - b, b, row == 1u) * along;
+    }
+    return sum;
 }
 
 // Position as a fraction of the bounds, clamped to them.

@@ -8,24 +8,30 @@ fn corners_in_image(texture: u32, record: RnaPrimitive) -> mat3x2f {
     );
 }
 
+// place: in the image.
+fn base_color_at(surface: u32, place: vec2f, level: f32) -> vec3f {
+    let image = image_of(surface_textures(surface, BASE));
+    return surface_base_color(surface) * rna_image_color_at(image, place, level);
+}
+
 fn base_color_of_level(record: RnaPrimitive, b1: f32, b2: f32, level: f32) -> vec3f {
     let surface = rna_surface(record);
-    let factor = surface_base_color(surface);
     let texture = surface_textures(surface, BASE);
     if texture == NONE {
-        return factor;
+        return surface_base_color(surface);
     }
-    let place = corners_in_image(texture, record) * weights_of(b1, b2);
-    return factor * rna_image_color_at(image_of(texture), place, level);
+    return base_color_at(surface, corners_in_image(texture, record) * weights_of(b1, b2), level);
 }
 
 // width: of a pixel at the hit, object space; 0 for the image as it is.
 fn base_color_on(record: RnaPrimitive, b1: f32, b2: f32, width: f32) -> vec3f {
-    let texture = surface_textures(rna_surface(record), BASE);
-    var level = 0.0;
-    if texture != NONE {
-        let p = mat3x3f(rna_points[record.a].xyz, rna_points[record.b].xyz, rna_points[record.c].xyz);
-        level = rna_level_for(image_of(texture), p, corners_in_image(texture, record), width);
+    let surface = rna_surface(record);
+    let texture = surface_textures(surface, BASE);
+    if texture == NONE {
+        return surface_base_color(surface);
     }
-    return base_color_of_level(record, b1, b2, level);
+    let p = mat3x3f(rna_points[record.a].xyz, rna_points[record.b].xyz, rna_points[record.c].xyz);
+    let uv = corners_in_image(texture, record);
+    let level = rna_level_for(image_of(texture), p, uv, width);
+    return base_color_at(surface, uv * weights_of(b1, b2), level);
 }

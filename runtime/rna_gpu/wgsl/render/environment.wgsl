@@ -29,13 +29,13 @@ fn image_cell(light: u32, row: u32, column: u32) -> Cell {
     let upper = max(row, 1u) - 1u;
     let lower = min(row, size.x - 1u);
     let right = select(0u, column + 1u, column + 1u < size.y);
-    let a = image_texel(light, upper, column);
-    let b = image_texel(light, upper, right);
-    let c = image_texel(light, lower, column);
-    let d = image_texel(light, lower, right);
-    return Cell(
-        mat4x3f(a, b, c, d), vec4f(luminance(a), luminance(b), luminance(c), luminance(d)),
-    );
+    var cell: Cell;
+    for (var k = 0u; k < 4u; k++) {
+        let texel = image_texel(light, select(upper, lower, k > 1u), select(column, right, (k & 1u) == 1u));
+        cell.corners[k] = texel;
+        cell.luminances[k] = luminance(texel);
+    }
+    return cell;
 }
 
 fn in_cell(cell: Cell, x: f32, y: f32) -> vec3f {

@@ -8,9 +8,11 @@ import hit from "./shaders/hit.wgsl";
 import light from "./shaders/light.wgsl";
 import look from "./shaders/look.wgsl";
 import lobes from "./shaders/lobes.wgsl";
+import pastGlass from "./shaders/past_glass.wgsl";
 import queue from "./shaders/queue.wgsl";
 import show from "./shaders/show.wgsl";
 import withoutGlass from "./shaders/without_glass.wgsl";
+import withoutPastGlass from "./shaders/without_past_glass.wgsl";
 import withoutSegments from "./shaders/without_segments.wgsl";
 import withoutBaseColor from "./shaders/without_base_color.wgsl";
 import withoutTextures from "./shaders/without_textures.wgsl";
@@ -36,7 +38,8 @@ export function rayKernels({ hasSegments, hasTextures, hasBaseColor, hasGlass })
   if (!hasTextures) Object.assign(instead, { "normal_maps.wgsl": withoutTextures, "render/transmittance.wgsl": "" });
   if (!hasGlass) instead["render/solid_glass.wgsl"] = withoutGlass;
   if (!hasBaseColor) instead["render/base_color.wgsl"] = withoutBaseColor;
-  return { hit: joined(compositions.hit, instead) + band + hit, light: [`const HAS_GLASS = ${hasGlass};`, joined(compositions.light, instead), band, lightKinds, light].join("\n") };
+  const ofLight = [joined(compositions.light, instead), band, lightKinds, light, hasGlass ? pastGlass : withoutPastGlass];
+  return { hit: joined(compositions.hit, instead) + band + hit, light: ofLight.join("\n") };
 }
 
 export const sources = {

@@ -1,5 +1,7 @@
 // A ray from the camera through each pixel of the band, to the query of its first hit.
 
+const LEAST_BASE_COLOR = 0.02;
+
 fn words(v: vec3f, last: u32) -> vec4<u32> {
     return vec4<u32>(bitcast<vec3<u32>>(v), last);
 }
@@ -40,8 +42,16 @@ fn pixel_of(hit: RnaHit, ray: RnaRay) -> Pixel {
     pixel.b1 = select(hit.b1, along_segment(record, v.x), rna_is_segment(record));
     pixel.b2 = hit.b2;
     pixel.base_color = vec3f(1.0);
+    pixel.detail = vec3f(1.0);
     if !rna_is_segment(record) {
-        pixel.base_color = base_color_on(record, hit.b1, hit.b2, frame.spread * distance(frame.camera, v.x));
+        let width = frame.spread * distance(frame.camera, v.x);
+        var colors = mat2x3f(); // the second where there are lobes
+        for (var k = 0u; k < select(1u, 2u, view.texel > 0.0); k++) {
+            colors[k] = base_color_on(record, hit.b1, hit.b2, select(width, max(view.texel, width), k == 1u));
+        }
+        pixel.base_color = colors[0];
+        // The base colour over that of a texel of the lobes' planes: spec/RNA.md, 12.1, Print.
+        pixel.detail = (colors[0] + LEAST_BASE_COLOR) / (colors[1] + LEAST_BASE_COLOR);
     }
     return pixel;
 }

@@ -15,7 +15,6 @@ struct Surroundings {
 }
 
 const MIRRORED = 1.0 / 3.0;
-const LEAST_BASE_COLOR = 0.02;
 const FROM_ALL_SIDES = 0.25;
 
 fn mirrored_share(at: Surroundings) -> f32 {
@@ -55,9 +54,8 @@ fn surroundings_of(pixel: Pixel) -> Surroundings {
 }
 
 // The direction of queries for lobes. To the ground one by the cosine, with the irradiance in the view's colour.
-fn mirrored(number: u32, pixel: Pixel) -> Arrival {
+fn mirrored(u: vec2f, pixel: Pixel) -> Arrival {
     if pixel.axis.w == 0u {
-        let u = at_point(number, DIRECTION);
         let wi = normalize(along_axis(vec3f(0.0, 1.0, 0.0), 1.0 - 2.0 * u.y, u.x) + vec3f(0.0, 1.0001, 0.0));
         return Arrival(wi, view.colour / max(wi.y, 1e-3));
     }
@@ -65,17 +63,6 @@ fn mirrored(number: u32, pixel: Pixel) -> Arrival {
     let wo = bitcast<vec3f>(pixel.wo.xyz);
     let m = select(reflect(-wo, axis), reflect(wo, axis), rna_is_segment(rna_primitives[pixel.wo.w]));
     return Arrival(m, vec3f(1.0));
-}
-
-// The base colour over that of a texel of the lobes' planes: spec/RNA.md, 12.1, Print.
-fn detail_of(pixel: Pixel) -> vec3f {
-    let record = rna_primitives[pixel.wo.w];
-    if pixel.axis.w == 0u || rna_is_segment(record) {
-        return vec3f(1.0);
-    }
-    let width = max(view.texel, frame.spread * distance(frame.camera, bitcast<vec3f>(pixel.position.xyz)));
-    let blurred = base_color_on(record, pixel.b1, pixel.b2, width);
-    return (pixel.base_color + LEAST_BASE_COLOR) / (blurred + LEAST_BASE_COLOR);
 }
 
 // One sample of both techniques each, as two lights: the balance heuristic (Veach and Guibas 1995).
@@ -86,40 +73,19 @@ fn arrival_at(number: u32, pixel: Pixel) -> Arrival {
     if view.kind == LIGHT_GIVEN {
         return Arrival(bitcast<vec3f>(pixel.wi.xyz), view.colour);
     }
-    let at = surroundings_of(pixel);
+    let is_bright = view.kind == LIGHT_ENVIRONMENT;
+    let u = at_point(number, select(DIRECTION, LIGHT, is_bright));
     if view.kind == LIGHT_MIRROR {
-        return mirrored(number, pixel);
+        return mirrored(u, pixel);
     }
-    if view.kind == LIGHT_ENVIRONMENT {
-        let bright = sample_image(0u, at_point(number, LIGHT));
+    let at = surroundings_of(pixel);
+    if is_bright {
+        let bright = sample_image(0u, u);
         return Arrival(bright.wi, bright.radiance / (bright.pdf + density_about(at, bright.wi)));
     }
-    let wi = direction_about(at, at_point(number, DIRECTION));
+    let wi = direction_about(at, u);
     let sky = look_up_image(0u, wi);
     return Arrival(wi, sky.radiance / (sky.pdf + density_about(at, wi)));
-}
-
-// What comes along wi to x, where glass may be in the way: rays that follow it through find the environment; the other
-// sorts of light do not pass.
-fn past_glass(number: u32, pixel: Pixel, x: vec3f, arrival: Arrival) -> vec3f {
-    if !HAS_GLASS {
-        return arrival.radiance;
-    }
-    let ray = RnaRay(x, 0.0, arrival.wi, RNA_FAR);
-    if view.kind != LIGHT_AROUND_POINT {
-        start_passing(ALL_STOP);
-        let is_hidden = rna_trace(ray, 0u, frame.rays, true).instance != RNA_NOTHING;
-        return select(arrival.radiance, vec3f(0.0), is_hidden);
-    }
-    let followed = follow(ray, 0u, 1u, number);
-    if !followed.bent {
-        return arrival.radiance;
-    }
-    if followed.hit.instance != RNA_NOTHING {
-        return vec3f(0.0);
-    }
-    let sky = look_up_image(0u, followed.ray.direction).radiance;
-    return followed.weight * sky / density_about(surroundings_of(pixel), arrival.wi);
 }
 
 // Where rays of light start, the strand that they pass, and what is sent on of the light; of the ground how much it
@@ -159,14 +125,6 @@ fn start_on_ground(pixel: Pixel, wi: vec3f) -> Start {
     return Start(x + vec3f(0.0, step, 0.0), RNA_NOTHING, weight, fade);
 }
 
-// What a ray that comes out of glass and meets nothing sees: the ground, and beyond it the environment.
-fn seen_behind_glass(pixel: Pixel, ground: vec3f, coverage: f32) -> vec3f {
-    if view.kind != LIGHT_ENVIRONMENT {
-        return ground;
-    }
-    return ground + (1.0 - coverage) * look_up_image(0u, -bitcast<vec3f>(pixel.wo.xyz)).radiance;
-}
-
 @compute @workgroup_size(64)
 fn light_pixels(
     @builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>,
@@ -179,9 +137,6 @@ fn light_pixels(
     let number = view.first + k;
     let arrival = arrival_at(number, pixel);
     pixel.wi = vec4<u32>(bitcast<vec3<u32>>(arrival.wi), 0u);
-    if view.kind == LIGHT_MIRROR {
-        pixel.detail = detail_of(pixel);
-    }
     let is_asset = pixel.axis.w != 0u;
     var start: Start;
     if is_asset {
