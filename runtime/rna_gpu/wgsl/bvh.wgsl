@@ -80,29 +80,21 @@ fn rna_trace_body(
     var node = root;
     var is_hit = false;
     let inverse = rna_inverse(ray.direction);
-    loop {
+    while node != RNA_NOTHING {
         let count = rna_nodes[node].count;
         var next = RNA_NOTHING;
         if count == 0u {
             next = rna_descend(node, ray, inverse, (*hit).t, &top);
         }
         let first = rna_nodes[node].child;
-        for (var k = 0u; k < count; k++) {
-            if rna_meet(first + k, ray, start_strand, hit) {
-                is_hit = true;
-                if any {
-                    return true;
-                }
-            }
+        for (var k = 0u; k < count && !(any && is_hit); k++) {
+            is_hit = rna_meet(first + k, ray, start_strand, hit) || is_hit;
         }
-        if next == RNA_NOTHING {
-            if top == RNA_STACK {
-                break;
-            }
+        if next == RNA_NOTHING && top > RNA_STACK {
             top -= 1u;
             next = rna_stack[top];
         }
-        node = next;
+        node = select(next, RNA_NOTHING, any && is_hit);
     }
     return is_hit;
 }
@@ -132,27 +124,23 @@ fn rna_trace(ray: RnaRay, ignored: u32, rays: u32, any: bool) -> RnaHit {
     var hit = rna_miss(ray.far);
     var top = 0u;
     var node = 0u;
+    var is_hit = false;
     let inverse = rna_inverse(ray.direction);
-    loop {
+    while node != RNA_NOTHING {
         let count = rna_nodes[node].count;
         var next = RNA_NOTHING;
         if count == 0u {
             next = rna_descend(node, ray, inverse, hit.t, &top);
         }
         let first = rna_nodes[node].child;
-        for (var k = 0u; k < count; k++) {
-            if rna_trace_instance(first + k, ray, ignored, rays, any, &hit) && any {
-                return hit;
-            }
+        for (var k = 0u; k < count && !(any && is_hit); k++) {
+            is_hit = rna_trace_instance(first + k, ray, ignored, rays, any, &hit) || is_hit;
         }
-        if next == RNA_NOTHING {
-            if top == 0u {
-                break;
-            }
+        if next == RNA_NOTHING && top > 0u {
             top -= 1u;
             next = rna_stack[top];
         }
-        node = next;
+        node = select(next, RNA_NOTHING, any && is_hit);
     }
     return hit;
 }

@@ -52,12 +52,16 @@ def installed(folder: Path, three: str = "three") -> Path:
 
 
 @contextmanager
-def opened(folder: Path, name: str, width: int = 96, height: int = 60) -> Iterator[Page]:
-    """A page of the folder, served and loaded."""
+def opened(
+    folder: Path, name: str, width: int = 96, height: int = 60, begin: str = ""
+) -> Iterator[Page]:
+    """A page of the folder, served and loaded. begin: JavaScript that runs before its scripts."""
     with (
         served_folder(folder) as url,
         open_page(find_chromium(), width, height, SOFTWARE_GPU) as page,
     ):
+        page.call("Page.enable")
+        page.call("Page.addScriptToEvaluateOnNewDocument", source=begin)
         page.call("Page.navigate", url=url + name)
         page.wait_for("document.readyState === 'complete'", TIMEOUT)
         yield page

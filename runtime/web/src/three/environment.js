@@ -1,24 +1,24 @@
 // Light from all sides: the scene's environment, and lights of three.js that have no place. One function; a decoder of
 // its own for whole environments would take the place of the sum in it.
 import { float, interleavedGradientNoise, isolate, materialEnvIntensity, mix, screenCoordinate, vec3 } from "three/tsl";
+import { eachSample } from "./samples.js";
 import { objectToWorld } from "./spaces.js";
 
 /** Adds what comes from all sides, as `environmentSamples` directions find it. */
-export function environmentLight({ functions, options }, builder) {
+export function environmentLight(material, builder) {
   const radiance = radianceOf(builder);
   if (!radiance.length) return;
-  const count = options.environmentSamples;
+  const { functions, options } = material, count = options.environmentSamples;
   const turn = interleavedGradientNoise(screenCoordinate.xy).toVar(), sum = vec3(0).toVar();
-  // Written out: around the loops of rays, SwiftShader does not come to an end with one more.
-  for (let i = 0; i < count; i++) {
-    const drawn = functions.direction(float(i), float(count), turn).toVar(), wi = drawn.xyz.toVar();
+  eachSample(material, count, (number) => {
+    const drawn = functions.direction(number, float(count), turn).toVar(), wi = drawn.xyz.toVar();
     const world = objectToWorld(wi, builder).toVar();
     // What a sample stands for is as wide as the lobe of this roughness: a blurred image has no noise.
     const roughness = float(1 / (4 * Math.PI * count)).div(drawn.w).pow(0.25).clamp();
     const selfVisibility = functions.selfVisibility(wi, false).x;
     const arriving = radiance.map((of) => of(world, roughness)).reduce((a, b) => a.add(b));
     sum.addAssign(functions.sent(wi, selfVisibility).mul(arriving).div(drawn.w));
-  }
+  });
   builder.context.reflectedLight.indirectDiffuse.addAssign(sum.div(count));
 }
 

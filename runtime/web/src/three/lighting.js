@@ -2,6 +2,7 @@
 import { LightingModel } from "three/webgpu";
 import { cameraViewMatrix, float, positionWorld, property, vec3, vec4 } from "three/tsl";
 import { environmentLight } from "./environment.js";
+import { eachSample } from "./samples.js";
 import { viewToWorld, worldToObject } from "./spaces.js";
 
 /** Where shadow maps are asked. */
@@ -47,13 +48,13 @@ export class RnaLighting extends LightingModel {
     const place = cameraViewMatrix.mul(vec4(positionWorld, 1)).xyz.toVar();
     const normal = corner.normalize().toVar(), area = corner.length().mul(4);
     const sum = vec3(0).toVar();
-    for (let k = 0; k < side * side; k++) {
-      const at = [k % side, Math.floor(k / side)].map((place) => (2 * place + 1) / side - 1);
-      const way = lightPosition.add(halfWidth.mul(at[0])).add(halfHeight.mul(at[1])).sub(place).toVar();
+    eachSample(this.material, side * side, (number) => {
+      const [across, up] = [number.mod(side), number.div(side).floor()].map((k) => k.mul(2).add(1).div(side).sub(1));
+      const way = lightPosition.add(halfWidth.mul(across)).add(halfHeight.mul(up)).sub(place).toVar();
       const distance = way.length().toVar(), direction = way.div(distance).toVar();
       const cosine = direction.dot(normal).max(0);
       sum.addAssign(this.sentOf(direction, null, builder).mul(cosine.div(distance.mul(distance))));
-    }
+    });
     reflectedLight.directDiffuse.addAssign(lightColor.mul(sum).mul(area.div(side * side)));
   }
 
