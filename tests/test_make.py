@@ -126,14 +126,14 @@ def test_lights_and_steps_make_the_package_of_the_three_commands(
         assert one.manifest.provenance == other.manifest.provenance
 
 
-def test_a_minute_is_kept(tmp_path: Path) -> None:
+def test_half_a_minute_is_kept(tmp_path: Path) -> None:
     """What is neither rays nor training may take 33 s, 3 of which are kept for the export.
 
     It takes 9 s on an idle machine, and longer on a slow one beside another test.
     """
     source = write_scene(tmp_path, "ball", SCENE)
-    options = [source, "--out", tmp_path / "b.rna", "--minutes", 1, "--presets", "tiny"]
+    options = [source, "--out", tmp_path / "b.rna", "--minutes", 0.5, "--presets", "tiny"]
     begun = time.monotonic()
     done = subprocess.run(command([*options, "--", 0.4]), capture_output=True, text=True)
     assert done.returncode == 0 and "time is up" in done.stdout, done.stderr
-    assert 0.8 * 60.0 < time.monotonic() - begun < 60.0 + 30.0
+    assert 0.8 * 30.0 < time.monotonic() - begun < 30.0 + 30.0

@@ -179,7 +179,7 @@ def test_the_last_phase_is_longer_than_the_rounds(whole: tuple[Made, Cycles]) ->
 
 @pytest.mark.parametrize(("goal", "rounds"), [(None, 1), (Goal("min_psnr", 90.0), 2)])
 def test_minutes_end_it(make: Any, goal: Goal | None, rounds: int, capsys: Any) -> None:
-    made, _ = make(minutes=0.1, goal=goal)
+    made, _ = make(minutes=0.05, goal=goal)
     assert made.why == "time is up" and made.rounds == rounds
     output = capsys.readouterr().out
     assert " triangles\nplan: " in output
@@ -187,7 +187,7 @@ def test_minutes_end_it(make: Any, goal: Goal | None, rounds: int, capsys: Any) 
     assert made.checkpoints[0].name in ("round-01", "last")
 
 
-@pytest.mark.parametrize("minutes", [None, 0.1])
+@pytest.mark.parametrize("minutes", [None, 0.05])
 def test_trainings_beside_captures_come_to_the_same_end(
     make: Any, monkeypatch: pytest.MonkeyPatch, minutes: float | None
 ) -> None:
@@ -296,13 +296,13 @@ def starts(monkeypatch: pytest.MonkeyPatch) -> list[Path | None]:
 def test_more_minutes_go_on_from_the_rays_and_the_model(
     make: Any, starts: list[Path | None], tmp_path: Path, capsys: Any
 ) -> None:
-    first, cycles = make(minutes=0.1, goal=Goal("min_psnr", 90.0))
+    first, cycles = make(minutes=0.05, goal=Goal("min_psnr", 90.0))
     before = sorted((tmp_path / "work" / "rays" / "train").iterdir())
     assert len(before) == cycles.shards and read_state(tmp_path / "work").is_finished
     assert starts == [None, None]  # of the first round and of the end
-    made, more = make(minutes=0.1, more=0.1)
+    made, more = make(minutes=0.05, more=0.05)
     assert starts[2:] == [tmp_path / "work" / "before" / "small" / "best.ckpt"]
-    assert "0.1 more minutes" in capsys.readouterr().out
+    assert "0.05 more minutes" in capsys.readouterr().out
     assert made.why == "time is up" and made.rounds == first.rounds + 1
     after = sorted((tmp_path / "work" / "rays" / "train").iterdir())
     assert more.shards >= 1 and len(after) == len(before) + more.shards
@@ -311,20 +311,20 @@ def test_more_minutes_go_on_from_the_rays_and_the_model(
 
 
 def test_more_minutes_that_were_stopped_go_on_with_their_own(make: Any, tmp_path: Path) -> None:
-    make(minutes=0.1)
+    make(minutes=0.05)
     with pytest.raises(Stopped):
-        make(minutes=0.1, more=0.1, stop_after=0)
+        make(minutes=0.05, more=0.05, stop_after=0)
     begun = read_state(tmp_path / "work").more
-    made, _ = make(minutes=0.1, more=0.1)
+    made, _ = make(minutes=0.05, more=0.05)
     assert made.rounds == 2 and read_state(tmp_path / "work").more == begun
 
 
 def test_the_better_model_is_kept(make: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     """A few more seconds make a worse one: the package has that of before."""
-    first, _ = make(minutes=0.1)
+    first, _ = make(minutes=0.05)
     expected = load_checkpoint(first.checkpoints[0] / "best.ckpt").model.state_dict()
     monkeypatch.setattr(run_module, "score", lambda *_: Score(psnr=1.0, flip=1.0))
-    made, _ = make(minutes=0.1, more=0.05)
+    made, _ = make(minutes=0.05, more=0.03)
     actual = load_checkpoint(made.checkpoints[0] / "best.ckpt").model.state_dict()
     assert made.checkpoints[0].parent.name == "before"
     for name, weights in expected.items():
@@ -333,39 +333,39 @@ def test_the_better_model_is_kept(make: Any, monkeypatch: pytest.MonkeyPatch) ->
 
 def test_more_needs_rays(make: Any) -> None:
     with pytest.raises(TrainingError, match="found no rays to go on from"):
-        make(more=0.1)
+        make(more=0.05)
 
 
 def test_an_option_of_new_rays_may_change_with_more(make: Any) -> None:
-    make(minutes=0.1)
+    make(minutes=0.05)
     with pytest.raises(TrainingError, match=r"ball\.py has changed since .*: --update captures"):
-        make(minutes=0.1, text="red")
+        make(minutes=0.05, text="red")
     with pytest.raises(TrainingError, match="--sharpest: is for new rays"):
-        make(minutes=0.1, sharpest=0.05)
+        make(minutes=0.05, sharpest=0.05)
     with pytest.raises(TrainingError, match="was started with settings"):
-        make(minutes=0.1, more=0.1, rays=9)
-    made, _ = make(minutes=0.1, more=0.1, sharpest=0.05)
+        make(minutes=0.05, more=0.05, rays=9)
+    made, _ = make(minutes=0.05, more=0.05, sharpest=0.05)
     assert made.dataset.manifest.settings.sharpest == 0.05
 
 
 def test_an_update_starts_from_the_old_model_where_the_geometry_is_the_same(
     make: Any, starts: list[Path | None], tmp_path: Path, capsys: Any
 ) -> None:
-    make(minutes=0.1)
-    make(minutes=0.05, update=True, text="red")
+    make(minutes=0.05)
+    make(minutes=0.03, update=True, text="red")
     assert "asset has the same geometry" in capsys.readouterr().out
     assert starts == [None, tmp_path / "work" / "before" / "small" / "best.ckpt"]
     state = read_state(tmp_path / "work")
     assert state.is_finished and state.starts == ("asset",)
     (tmp_path / "work" / "rays" / "geometry" / "asset.safetensors").write_bytes(b"another")
-    make(minutes=0.05, update=True, text="green")
+    make(minutes=0.03, update=True, text="green")
     assert "asset has another geometry: its training starts anew" in capsys.readouterr().out
     assert starts[2:] == [None] and read_state(tmp_path / "work").starts == ()
 
 
 def test_an_update_needs_something_to_start_from(make: Any) -> None:
     with pytest.raises(TrainingError, match="starts from the rays and models of a finished"):
-        make(minutes=0.05, update=True)
+        make(minutes=0.03, update=True)
 
 
 def test_a_damaged_state_is_one_line(make: Any, tmp_path: Path) -> None:
