@@ -7,6 +7,7 @@ to 4, each JSON with a zero byte at its end.
 
 from __future__ import annotations
 
+import atexit
 import base64
 import fcntl
 import json
@@ -17,7 +18,7 @@ import signal
 import tempfile
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import Any
 
 INSTALL = "no Chromium; on Debian: apt-get install chromium"
@@ -39,29 +40,88 @@ def find_chromium() -> str | None:
     return next((path for name in names if (path := shutil.which(name))), None)
 
 
-class Page:
-    """A page of a running Chromium."""
+class Browser:
+    """A running Chromium with the given flags, which ends with this process."""
 
-    def __init__(self, commands: int, answers: int) -> None:
-        self._commands, self._answers, self._read = commands, answers, b""
-        self._number = 0
+    def __init__(self, flags: tuple[str, ...]) -> None:
+        theirs_in, self._commands = _pipe()
+        self._answers, theirs_out = _pipe()
+        self._read, self._number = b"", 0
+        self._profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
+        options = ["--headless=new", "--remote-debugging-pipe", "--no-first-run", *flags]
+        options += [f"--user-data-dir={self._profile.name}", "--hide-scrollbars"]
+        if os.geteuid() == 0:
+            options += ["--no-sandbox"]  # which root cannot have
+        nowhere = os.open(os.devnull, os.O_RDWR)
+        pairs = [(nowhere, 0), (nowhere, 1), (nowhere, 2), (theirs_in, 3), (theirs_out, 4)]
+        program = find_chromium()
+        assert program is not None, INSTALL
+        self._pid = os.posix_spawn(
+            program,
+            [program, *options],
+            os.environ,
+            file_actions=[(os.POSIX_SPAWN_DUP2, ours, theirs) for ours, theirs in pairs],
+            setpgroup=0,
+        )
+        for descriptor in (theirs_in, theirs_out, nowhere):
+            os.close(descriptor)
+        atexit.register(self._end)
+
+    def send(self, method: str, parameters: dict[str, Any], session: str | None = None) -> int:
+        """The number that the answer will have."""
+        self._number += 1
+        message = {"id": self._number, "method": method, "params": parameters}
+        if session is not None:
+            message["sessionId"] = session
+        os.write(self._commands, json.dumps(message).encode() + b"\0")
+        return self._number
+
+    def next_message(self) -> dict[str, Any]:
+        """An answer or an event, of whatever page."""
+        while b"\0" not in self._read:
+            ready, _, _ = select.select([self._answers], [], [], 300)
+            data = os.read(self._answers, 1 << 20) if ready else b""
+            assert data, "Chromium has ended, or says nothing"
+            self._read += data
+        message, _, self._read = self._read.partition(b"\0")
+        return json.loads(message)
+
+    @property
+    def runs(self) -> bool:
+        return os.waitpid(self._pid, os.WNOHANG) == (0, 0)
+
+    def _end(self) -> None:
+        with suppress(ProcessLookupError):
+            os.killpg(self._pid, signal.SIGKILL)
+        with suppress(ChildProcessError):
+            os.waitpid(self._pid, 0)
+        self._profile.cleanup()
+
+
+class Page:
+    """A page of a browser, which shares nothing with its others: cookies, files, storage."""
+
+    def __init__(self, browser: Browser) -> None:
+        self._browser = browser
         self._session: str | None = None
         self._events: list[dict[str, Any]] = []
-        target = self.call("Target.createTarget", url="about:blank")["targetId"]
+        self._context = self.call("Target.createBrowserContext")["browserContextId"]
+        context = {"browserContextId": self._context}
+        target = self.call("Target.createTarget", url="about:blank", **context)["targetId"]
         attached = self.call("Target.attachToTarget", targetId=target, flatten=True)
         self._session = attached["sessionId"]
 
+    def close(self) -> None:
+        self._session = None
+        self.call("Target.disposeBrowserContext", browserContextId=self._context)
+
     def call(self, method: str, **parameters: Any) -> dict[str, Any]:
         """What the protocol's method returns."""
-        self._number += 1
-        message = {"id": self._number, "method": method, "params": parameters}
-        if self._session is not None:
-            message["sessionId"] = self._session
-        os.write(self._commands, json.dumps(message).encode() + b"\0")
+        number = self._browser.send(method, parameters, self._session)
         while True:
-            answer = self._next_message()
+            answer = self._browser.next_message()
             self._keep(answer)
-            if answer.get("id") == self._number:
+            if answer.get("id") == number:
                 assert "error" not in answer, f"{method}: {answer['error']}"
                 return answer["result"]
 
@@ -95,7 +155,7 @@ class Page:
         self._events.clear()
         self.call("Tracing.end")
         while not any(event["method"] == "Tracing.tracingComplete" for event in self._events):
-            self._keep(self._next_message())
+            self._keep(self._browser.next_message())
         sent = [event for event in self._events if event["method"] == "Tracing.dataCollected"]
         events = [one for event in sent for one in event["params"]["value"]]
         threads = _threads(events, "CrRendererMain")
@@ -123,15 +183,6 @@ class Page:
         """PNG."""
         return base64.b64decode(self.call("Page.captureScreenshot", format="png")["data"])
 
-    def _next_message(self) -> dict[str, Any]:
-        while b"\0" not in self._read:
-            ready, _, _ = select.select([self._answers], [], [], 300)
-            data = os.read(self._answers, 1 << 20) if ready else b""
-            assert data, "Chromium has ended, or says nothing"
-            self._read += data
-        message, _, self._read = self._read.partition(b"\0")
-        return json.loads(message)
-
 
 def _threads(events: list[dict[str, Any]], name: str) -> set[tuple[int, int]]:
     """Process and thread of those with this name."""
@@ -155,45 +206,29 @@ def _complaint(event: dict[str, Any]) -> str | None:
     return None
 
 
+_browsers: dict[tuple[str, ...], Browser] = {}
+
+
 @contextmanager
 def open_page(
-    chromium: str, width: int = 1280, height: int = 720, gpu: tuple[str, ...] = NO_GPU
+    width: int = 1280, height: int = 720, gpu: tuple[str, ...] = NO_GPU
 ) -> Iterator[Page]:
-    """An empty page of that size in a Chromium of its own. gpu: NO_GPU or SOFTWARE_GPU."""
-    theirs_in, commands = _pipe()
-    answers, theirs_out = _pipe()
-    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:
-        options = ["--headless=new", "--remote-debugging-pipe", f"--user-data-dir={profile}"]
-        options += ["--no-first-run", *gpu, "--hide-scrollbars"]
-        options += [f"--window-size={width},{height}"]
-        if os.geteuid() == 0:
-            options += ["--no-sandbox"]  # which root cannot have
-        nowhere = os.open(os.devnull, os.O_RDWR)
-        pairs = [(nowhere, 0), (nowhere, 1), (nowhere, 2), (theirs_in, 3), (theirs_out, 4)]
-        pid = os.posix_spawn(
-            chromium,
-            [chromium, *options],
-            os.environ,
-            file_actions=[(os.POSIX_SPAWN_DUP2, ours, theirs) for ours, theirs in pairs],
-            setpgroup=0,
+    """An empty page of that size, in this process' Chromium. gpu: NO_GPU or SOFTWARE_GPU."""
+    if gpu not in _browsers or not _browsers[gpu].runs:
+        _browsers[gpu] = Browser(gpu)
+    page = Page(_browsers[gpu])
+    try:
+        page.call(
+            "Emulation.setDeviceMetricsOverride",
+            width=width,
+            height=height,
+            deviceScaleFactor=1,
+            mobile=False,
         )
-        try:
-            for descriptor in (theirs_in, theirs_out, nowhere):
-                os.close(descriptor)
-            page = Page(commands, answers)
-            page.call(
-                "Emulation.setDeviceMetricsOverride",
-                width=width,
-                height=height,
-                deviceScaleFactor=1,
-                mobile=False,
-            )
-            yield page
-        finally:
-            os.killpg(pid, signal.SIGKILL)
-            os.waitpid(pid, 0)
-            os.close(commands)
-            os.close(answers)
+        yield page
+    finally:
+        if _browsers[gpu].runs:
+            page.close()
 
 
 def _pipe() -> tuple[int, int]:

@@ -17,7 +17,7 @@ import pytest
 
 from rna_render.command.rna_run import main
 from tests.render.assets import sphere
-from tests.render.chromium import Page, find_chromium, open_page
+from tests.render.chromium import Page, open_page
 from tests.render.packages import write_lambert_package
 from tests.render.test_preview_session import SCENE
 
@@ -60,7 +60,7 @@ def url(scene_path) -> Iterator[str]:
 
 @pytest.fixture
 def page(url) -> Iterator[Page]:
-    with open_page(find_chromium()) as page:
+    with open_page() as page:
         page.call("Page.navigate", url=url)
         page.wait_for(f"{PICTURE}?.dataset.samples == 4")
         yield page
@@ -165,7 +165,7 @@ def end(started: subprocess.Popen) -> None:
 
 @pytest.mark.chromium
 def test_the_page_says_that_the_preview_has_ended(scene_path):
-    with rna_run(scene_path) as (started, url), open_page(find_chromium()) as page:
+    with rna_run(scene_path) as (started, url), open_page() as page:
         page.call("Page.navigate", url=url)
         page.wait_for(f"{PICTURE}?.dataset.samples == 4")
         end(started)

@@ -9,7 +9,7 @@ import pytest
 
 from rna_view.site_files import ELEMENT, viewer_file
 from tests.package.builders import make_tier, make_tiny_fiber_package, make_tiny_package
-from tests.render.chromium import SOFTWARE_GPU, Page, find_chromium, open_page
+from tests.render.chromium import SOFTWARE_GPU, Page, open_page
 from tests.web.element_pages import Static
 from tests.web.pages import served_folder
 
@@ -32,5 +32,5 @@ def url(folder) -> Iterator[str]:
 
 @pytest.fixture(scope="module")
 def page() -> Iterator[Page]:
-    with open_page(find_chromium(), 200, 200, SOFTWARE_GPU) as page:
+    with open_page(200, 200, SOFTWARE_GPU) as page:
         yield page

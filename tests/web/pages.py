@@ -18,7 +18,7 @@ import numpy as np
 from rna_view.page_server import PageServer
 from rna_view.site_files import Site
 from tests.answering import answering
-from tests.render.chromium import SOFTWARE_GPU, Page, find_chromium, open_page
+from tests.render.chromium import SOFTWARE_GPU, Page, open_page
 
 TIMEOUT = 300.0
 """Seconds: SwiftShader compiles shaders for long on a busy machine."""
@@ -76,7 +76,7 @@ def viewer(
     gpu: tuple[str, ...] = SOFTWARE_GPU,
 ) -> Iterator[Page]:
     """The page of a site, its engine begun."""
-    with served(site) as server, open_page(find_chromium(), width, height, gpu) as page:
+    with served(site) as server, open_page(width, height, gpu) as page:
         page.call("Page.navigate", url=f"{server.url}?{query}")
         page.wait_for(
             "globalThis.rnaViewer?.begun && rnaViewer.begun.then(() => true, () => true)", TIMEOUT

@@ -9,7 +9,7 @@ import pytest
 from rna_view.site_export import export_site
 from rna_view.site_source import site_for
 from tests.package.builders import make_tiny_package
-from tests.render.chromium import SOFTWARE_GPU, Page, find_chromium, open_page
+from tests.render.chromium import SOFTWARE_GPU, Page, open_page
 from tests.web.pages import notice, served_folder, wait_for_picture
 
 pytestmark = pytest.mark.chromium
@@ -33,7 +33,7 @@ def site_url(tmp_path_factory) -> Iterator[str]:
 
 @pytest.fixture(scope="module")
 def chromium_page() -> Iterator[Page]:
-    with open_page(find_chromium(), 160, 100, SOFTWARE_GPU) as page:
+    with open_page(160, 100, SOFTWARE_GPU) as page:
         yield page
 
 

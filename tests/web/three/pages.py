@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.render.chromium import SOFTWARE_GPU, Page, find_chromium, open_page
+from tests.render.chromium import SOFTWARE_GPU, Page, open_page
 from tests.web.pages import TIMEOUT, served_folder
 
 REPOSITORY = Path(__file__).parents[3]
@@ -58,7 +58,7 @@ def opened(
     """A page of the folder, served and loaded. begin: JavaScript that runs before its scripts."""
     with (
         served_folder(folder) as url,
-        open_page(find_chromium(), width, height, SOFTWARE_GPU) as page,
+        open_page(width, height, SOFTWARE_GPU) as page,
     ):
         page.call("Page.enable")
         page.call("Page.addScriptToEvaluateOnNewDocument", source=begin)
