@@ -142,7 +142,7 @@ def test_the_prompt_is_for_those_who_have_not_moved_it(page):
 
 @pytest.mark.usefixtures("shown")
 def test_the_camera_glides_to_where_it_is_put(page):
-    page.evaluate("one.interpolationDecay = 1000, one.resetView(), 0")
+    page.evaluate("one.interpolationDecay = 500, one.resetView(), 0")
     page.evaluate("globalThis.turns = [], one.cameraOrbit = '350deg 60deg 4m', 0")
     assert page.evaluate("one.cameraOrbit") == "-10deg 60deg 4m"
     tell = "() => turns.push((one.stage.orbit.azimuth * 180) / Math.PI)"
