@@ -14,7 +14,7 @@ fn rna_from_float16(bits: vec4<u32>) -> vec4f {
 
 // Channels 4 group to 4 group + 3 of a texel; texel = row * resolution + column.
 fn rna_texel(plane: u32, texel: u32, group: u32) -> vec4f {
-    let count = 4u >> rna_part.plane_precision;
+    let count = 4u >> rna_part.plane_precision; // words of four channels
     let at = count * (texel * rna_part.channel_groups + group);
     var words = vec4<u32>(0u);
     for (var k = 0u; k < count; k++) {
