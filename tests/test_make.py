@@ -39,7 +39,7 @@ pane = principled(Roughness=0.4, Alpha=0.5, Base_Color=(0.2, 0.5, 0.8, 1))
 add(*square(1.4, z=1.3), pane)
 """
 SMALL = (
-    "--rays 256 --samples 2 --validation-views 2 --validation-resolution 32 "
+    "--workers 1 --rays 256 --samples 2 --validation-views 2 --validation-resolution 32 "
     "--validation-samples 16 --steps 160 --presets tiny small"
 ).split()
 

@@ -28,7 +28,9 @@ add(*BALL, glossy, smooth=True, matrix=Matrix.Translation((0, 0, 0.3)))
 add(*square(1.5, z=-1), diffuse((0.3, 0.5, 0.7)))
 """
 FIBERS = fur(700, bend=0.25, root=0.04, tip=0.02, melanin=0.4)
-CAPTURE = "--validation-views 2 --validation-resolution 48 --validation-samples 32".split()
+CAPTURE = (
+    "--workers 1 --validation-views 2 --validation-resolution 48 --validation-samples 32"
+).split()
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from PIL import Image
 from rna_export.export.poster_rendering import first_view, render_poster
 from tests.conftest import REPOSITORY
 from tests.package.builders import make_tiny_package
-from tests.web.element_pages import loads, show
+from tests.web.element_pages import finished, loads, show
 from tests.web.pages import TIMEOUT
 
 ELEMENT_SOURCES = REPOSITORY / "runtime" / "web" / "src" / "element"
@@ -47,6 +47,7 @@ def test_nothing_jumps_where_the_poster_gives_way(page, folder, url, width, heig
     poster = 'src="posed.rna" poster="posed.png" loading="eager"'
     show(page, folder, url, f'<rna-viewer id="one" {poster} {style} sun="none"></rna-viewer>')
     loads(page, "one")
+    finished(page)
     seen = {}
     for name, change in (("poster", "showPoster"), ("picture", "dismissPoster")):
         page.evaluate(f"one.{change}(), one.parts.image.decode()")

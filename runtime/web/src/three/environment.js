@@ -11,7 +11,7 @@ export function environmentLight(material, builder) {
   const { functions, options } = material, count = options.environmentSamples;
   const turn = interleavedGradientNoise(screenCoordinate.xy).toVar(), sum = vec3(0).toVar();
   eachSample(material, count, (number) => {
-    const drawn = functions.direction(number, float(count), turn).toVar(), wi = drawn.xyz.toVar();
+    const drawn = functions.direction(float(number), float(count), turn).toVar(), wi = drawn.xyz.toVar();
     const world = objectToWorld(wi, builder).toVar();
     // What a sample stands for is as wide as the lobe of this roughness: a blurred image has no noise.
     const roughness = float(1 / (4 * Math.PI * count)).div(drawn.w).pow(0.25).clamp();

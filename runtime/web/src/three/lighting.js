@@ -1,6 +1,6 @@
 // What the lights of a scene bring to a fragment: for each a query of the decoder, and what hides it.
 import { LightingModel } from "three/webgpu";
-import { cameraViewMatrix, float, positionWorld, property, vec3, vec4 } from "three/tsl";
+import { cameraViewMatrix, float, int, positionWorld, property, vec3, vec4 } from "three/tsl";
 import { environmentLight } from "./environment.js";
 import { eachSample } from "./samples.js";
 import { viewToWorld, worldToObject } from "./spaces.js";
@@ -49,7 +49,8 @@ export class RnaLighting extends LightingModel {
     const normal = corner.normalize().toVar(), area = corner.length().mul(4);
     const sum = vec3(0).toVar();
     eachSample(this.material, side * side, (number) => {
-      const [across, up] = [number.mod(side), number.div(side).floor()].map((k) => k.mul(2).add(1).div(side).sub(1));
+      const row = number.div(int(side)).toVar(), column = number.sub(row.mul(int(side)));
+      const [across, up] = [column, row].map((k) => float(k).mul(2).add(1).div(side).sub(1));
       const way = lightPosition.add(halfWidth.mul(across)).add(halfHeight.mul(up)).sub(place).toVar();
       const distance = way.length().toVar(), direction = way.div(distance).toVar();
       const cosine = direction.dot(normal).max(0);

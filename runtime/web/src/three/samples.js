@@ -1,11 +1,11 @@
 // What is done for each sample of a light that has many.
-import { float, Loop } from "three/tsl";
+import { int, Loop } from "three/tsl";
 
 /**
- * body(number), a node, for each below `count`. A loop, since drivers inline all that is written out; but about strands
- * SwiftShader does not come to an end with a loop around those of rays.
+ * body(number), an integer node, for each below `count`. A loop, since drivers inline all that is written out; but about
+ * strands SwiftShader does not come to an end with a loop around those of rays.
  */
 export function eachSample({ kind }, count, body) {
-  if (kind === "fiber") for (let k = 0; k < count; k++) body(float(k));
-  else Loop({ start: 0, end: count, type: "int", condition: "<" }, ({ i }) => body(float(i)));
+  if (kind === "fiber") for (let k = 0; k < count; k++) body(int(k));
+  else Loop({ start: 0, end: count, type: "int", condition: "<" }, ({ i }) => body(i));
 }
