@@ -108,7 +108,10 @@ def run_command(
 
 @contextmanager
 def _terminated_as_interrupted() -> Iterator[None]:
-    """SIGTERM does what Ctrl-C does, so that workers are ended and temporary files removed."""
+    """SIGTERM does what Ctrl-C does, so that workers are ended and temporary files removed.
+
+    One whose exception Python ignores, as in a destructor, comes again soon after.
+    """
 
     def interrupt(_: int, frame: Any) -> None:
         handler = signal.getsignal(signal.SIGINT)
@@ -116,13 +119,22 @@ def _terminated_as_interrupted() -> Iterator[None]:
             raise KeyboardInterrupt
         handler(signal.SIGINT, frame)
 
+    def interrupt_again(ignored: Any) -> None:
+        if ignored.exc_type is KeyboardInterrupt and sys.platform != "win32":
+            main = threading.main_thread().ident
+            threading.Timer(0.05, signal.pthread_kill, (main, signal.SIGTERM)).start()
+        else:
+            hook(ignored)
+
     if threading.current_thread() is not threading.main_thread():
         yield
         return
-    before = signal.signal(signal.SIGTERM, interrupt)
+    before, hook = signal.signal(signal.SIGTERM, interrupt), sys.unraisablehook
+    sys.unraisablehook = interrupt_again
     try:
         yield
     finally:
+        sys.unraisablehook = hook
         signal.signal(signal.SIGTERM, before)
 
 

@@ -116,3 +116,30 @@ def test_a_command_that_is_stopped_tidies(number: int, background: bool) -> None
     out, err = process.communicate(timeout=30)
     assert (out, err) == ("tidied\n", "stopped; the same command resumes\n")
     assert process.returncode == 130
+
+
+DELETING = """
+import sys, time
+from rna_sdk.console import run_command
+class Bar:
+    def __del__(self):
+        print("runs", flush=True)
+        time.sleep(60)
+def command():
+    Bar()
+    time.sleep(60)
+sys.exit(run_command(command, False, "the same command resumes"))
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="there is no SIGTERM to handle")
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_ctrl_c_in_a_destructor_stops_too(number: int) -> None:
+    """Python ignores exceptions there."""
+    process = subprocess.Popen(
+        [sys.executable, "-c", DELETING], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
+    assert process.stdout is not None and process.stdout.readline() == "runs\n"
+    process.send_signal(number)
+    _, err = process.communicate(timeout=30)
+    assert err == "stopped; the same command resumes\n" and process.returncode == 130

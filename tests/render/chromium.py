@@ -88,7 +88,9 @@ class Browser:
 
     @property
     def runs(self) -> bool:
-        return os.waitpid(self._pid, os.WNOHANG) == (0, 0)
+        with suppress(ChildProcessError):  # seen to have ended before
+            return os.waitpid(self._pid, os.WNOHANG) == (0, 0)
+        return False
 
     def _end(self) -> None:
         with suppress(ProcessLookupError):
