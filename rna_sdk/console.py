@@ -113,6 +113,8 @@ def _terminated_as_interrupted() -> Iterator[None]:
     One whose exception Python ignores, as in a destructor, comes again soon after.
     """
 
+    timers: list[threading.Timer] = []
+
     def interrupt(_: int, frame: Any) -> None:
         handler = signal.getsignal(signal.SIGINT)
         if not callable(handler):  # ignored, as in the background of a shell script
@@ -122,7 +124,8 @@ def _terminated_as_interrupted() -> Iterator[None]:
     def interrupt_again(ignored: Any) -> None:
         if ignored.exc_type is KeyboardInterrupt and sys.platform != "win32":
             main = threading.main_thread().ident
-            threading.Timer(0.05, signal.pthread_kill, (main, signal.SIGTERM)).start()
+            timers.append(threading.Timer(0.05, signal.pthread_kill, (main, signal.SIGTERM)))
+            timers[-1].start()
         else:
             hook(ignored)
 
@@ -134,6 +137,8 @@ def _terminated_as_interrupted() -> Iterator[None]:
     try:
         yield
     finally:
+        for timer in timers:  # SIGTERM ends what comes after this block
+            timer.cancel()
         sys.unraisablehook = hook
         signal.signal(signal.SIGTERM, before)
 
