@@ -84,6 +84,14 @@ def test_an_export_says_it_again_with_the_notes_of_the_capture(tmp_path: Path) -
         assert sheet.width == 4 * 6 * 24  # enlarged
 
 
+def test_a_cut_of_direct_light_is_a_note(tmp_path: Path) -> None:
+    manifest = make_dataset(tmp_path / "ball.rays").dataset.manifest
+    assert manifest.all_notes == manifest.notes == ()
+    settings = manifest.settings.model_copy(update={"clamp_direct": 20.0})
+    (note,) = manifest.model_copy(update={"settings": settings}).all_notes
+    assert "cut at a radiance of 20" in note and "capture the source again" in note
+
+
 def test_strands_are_told_in_pixels_of_several_rays(tmp_path: Path) -> None:
     dataset = make(tmp_path / "spikes.rays", {"asset": spikes(400, radius=0.05)})
     preset = tiny(kind="fiber")

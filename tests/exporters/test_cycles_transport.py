@@ -87,3 +87,18 @@ def test_more_paths_keep_the_mean(open_worker: OpenWorker) -> None:
     few, many = (trace(worker, LIGHTS[1], 1024, samples).radiance.mean() for samples in (8, 64))
     assert few == pytest.approx(many, rel=0.05)
     assert many > 0.05
+
+
+def test_the_highlight_of_a_smooth_metal_is_whole(open_worker: OpenWorker) -> None:
+    """T = D F G / (4 n.wo) of GGX, hundreds at roughness 0.1; Walter et al. 2007."""
+    wi, alpha, metal = LIGHTS[1], 0.1**2, (1.0, 1.0, 1.0, 1.0)
+    scene = f"add(*square(1), principled(Base_Color={metal}, Metallic=1.0, Roughness=0.1))"
+    traced = trace(open_worker(scene), wi)
+    n, wo = traced.points.n[traced.front], -traced.rays.directions[traced.front]
+    h = (wi + wo) / np.linalg.norm(wi + wo, axis=1, keepdims=True)
+    ratio = np.sum(np.cross(n, h) ** 2, axis=1) + alpha**2 * np.sum(n * h, axis=1) ** 2
+    expected = alpha**2 / np.pi / ratio**2 / (4.0 * np.sum(n * wo, axis=1))
+    bright = expected > 20.0
+    assert bright.sum() > 30 and expected.max() > 200.0
+    found = traced.radiance[traced.front][bright, 0] / expected[bright]
+    assert np.median(found) == pytest.approx(1.0, abs=0.02) and found.min() > 0.9

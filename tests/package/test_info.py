@@ -136,6 +136,13 @@ def test_what_is_not_recorded_is_said_and_nothing_reaches_the_terminal(tmp_path:
     assert "poster      none" in lines and "extensions  none" in lines
 
 
+def test_a_cut_of_direct_light_is_said(tmp_path: Path) -> None:
+    record = Provenance(source="s", tool="t", capture={"lights": 40, "clampDirect": 20.0})
+    make_tiny_package(tmp_path / "cut.rna", provenance=record)
+    lines = info_lines(package_info(tmp_path / "cut.rna"))
+    assert "captured    40 lights, direct light cut at a radiance of 20" in lines
+
+
 @pytest.mark.parametrize(
     ("name", "message"),
     [

@@ -193,7 +193,7 @@ def begin(
         processors=(processor_key(),),
         scene_domain=asset.limited,
     )
-    for note in manifest.notes:
+    for note in manifest.all_notes:
         say(f"note: {note}")
     if (marked := _write_picture(list(checks.values()), out / PICTURE)) is not None:
         say(marked)

@@ -13,7 +13,8 @@ MAX_FRAME = 1_048_574
 _MAX_POSES = 32
 _SHARDS = 32  # at least, where there are as many lights
 _MAX_RAYS, _MAX_SAMPLES, _MAX_VIEWS, _MAX_SIDE = 1 << 24, 1 << 20, 1000, 8192
-CLAMP_DIRECT, CLAMP_INDIRECT = 20.0, 10.0  # of radiance; the paper, section 4.1
+CLAMP_DIRECT, CLAMP_INDIRECT = 0.0, 10.0
+"""Of radiance, 0: none. The paper, section 4.1, cuts direct light at 20: docs/decisions/capture.md."""
 
 
 class DatasetModel(BaseModel):
@@ -63,9 +64,11 @@ class CaptureSettings(DatasetModel):
         description="lowest roughness whose highlights view rays importance-sample",
     )
     clamp_direct: float = Field(
-        CLAMP_DIRECT, description="Cycles' direct clamp (the paper's value)"
+        CLAMP_DIRECT, ge=0.0, description="Cycles' clamp on direct radiance; 0: none"
     )
-    clamp_indirect: float = Field(CLAMP_INDIRECT, description="Cycles' indirect clamp")
+    clamp_indirect: float = Field(
+        CLAMP_INDIRECT, ge=0.0, description="Cycles' clamp on indirect radiance; 0: none"
+    )
     glass: str = Field(
         "leave",
         pattern="^(keep|leave)$",
@@ -120,6 +123,16 @@ class CaptureSettings(DatasetModel):
         """
         shard = max(1, min(self.lights_per_shard, self.lights // _SHARDS))
         return self.model_copy(update={"lights_per_shard": shard})
+
+    @property
+    def cut(self) -> str | None:
+        """The warning of a capture whose highlights are cut; None of one without a direct clamp."""
+        if not self.clamp_direct:
+            return None
+        return (
+            f"Cycles' direct light is cut at a radiance of {self.clamp_direct:g}: smooth materials "
+            "reflect too little of environments and area lights; capture the source again"
+        )
 
     @property
     def validation_paths(self) -> int:

@@ -46,7 +46,7 @@ def closing_lines(
         lines.append(f"{name}: the smooth glass, an ordinary mesh that a scene places with it")
     lines += reference_warnings(views)
     lines += dict.fromkeys(line for effort in efforts.values() for line in effort.warnings)
-    return [*lines, *(f"note: {note}" for note in dataset.manifest.notes)]
+    return [*lines, *(f"note: {note}" for note in dataset.manifest.all_notes)]
 
 
 def _error_text(tier: Tier) -> str:

@@ -73,7 +73,7 @@ class Make:
         self._trainer = Trainer(options.overlaps)
         self._seconds = dict.fromkeys(("capture", "training"), 0.0)
         dataset = Dataset(rays_folder(options))
-        for note in dataset.manifest.notes:
+        for note in dataset.manifest.all_notes:
             say(f"note: {note}")
         self._rays = Rays(options, dataset)
         self._goal = options.goal or Goal("min_psnr", math.inf)

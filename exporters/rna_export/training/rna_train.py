@@ -153,7 +153,7 @@ def _run(args: argparse.Namespace) -> None:
             print("\n".join(closing_lines(best, part)))
             written.append(f"wrote {best}, {out / 'curves.png'}, {out / 'sheet.png'}")
             begun = monotonic()
-    print("\n".join([*(f"note: {note}" for note in dataset.manifest.notes), *written]))
+    print("\n".join([*(f"note: {note}" for note in dataset.manifest.all_notes), *written]))
     if args.preset == ANALYTIC_NAME:
         return
     package = f"{dataset.manifest.name}.rna"

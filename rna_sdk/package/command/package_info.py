@@ -237,6 +237,8 @@ def _capture_text(capture: Info) -> str:
         counts.append(f"rest frame {frame}")
     if isinstance(poses := capture.get(POSES), list) and poses:
         counts.append(f"poses at frames {', '.join(map(str, poses))}")
+    if isinstance(clamp := capture.get("clampDirect"), int | float) and clamp > 0.0:
+        counts.append(f"direct light cut at a radiance of {clamp:g}")
     return ", ".join(counts) or "not recorded"
 
 

@@ -115,6 +115,12 @@ class CaptureManifest(DatasetModel):
         return self.scene_domain or Domain(wo=everywhere, wi=everywhere)
 
     @property
+    def all_notes(self) -> tuple[str, ...]:
+        """The notes of the capture, and those that follow from its settings."""
+        cut = self.settings.cut
+        return self.notes if cut is None else (*self.notes, cut)
+
+    @property
     def pose_count(self) -> int:
         """Of poses that rays are captured in: rays, and images, take turns."""
         return max(len(self.poses), 1)
