@@ -82,17 +82,10 @@ def open_worker(blender_python: Path, tmp_path: Path, lent_workers: None) -> Ite
     """Opens a worker on a file, or on the text of a script; closes it after the test."""
     opened = count()
 
-    def open_(
-        scene: Path | str,
-        *arguments: str,
-        front: str | None = None,
-        up: str | None = None,
-        parts: str = "kinds",
-        rest_frame: int | None = None,
-    ) -> BlenderWorker:
+    def open_(scene: Path | str, *arguments: str, **how: Any) -> BlenderWorker:
+        """how: of `Source`."""
         name = f"scene{next(opened)}"
         path = write_scene(tmp_path, name, scene) if isinstance(scene, str) else scene
-        how = {"front": front, "up": up, "parts": parts, "rest_frame": rest_frame}
         source = Source(path, arguments, **how)
         worker = LentWorker(blender_python, source, tmp_path / "scratch", 1, name)
         return workers.enter_context(worker)

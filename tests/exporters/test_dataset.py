@@ -8,11 +8,14 @@ import numpy as np
 import pytest
 from safetensors.numpy import load_file
 
+from rna_export.capture.blender_process.capture_worker import scene_of
+from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.sample_files import write_arrays
 from rna_sdk.errors import CaptureError
-from tests.exporters.meshes import sphere
-from tests.exporters.synthetic import LIGHTS_A_SHARD, RAYS, make_dataset
+from rna_sdk.package import Mesh, quantise
+from tests.exporters.meshes import merged, moved, sphere
+from tests.exporters.synthetic import BALL_PART, LIGHTS_A_SHARD, RAYS, make_dataset, manifest_of
 
 
 @pytest.fixture
@@ -174,3 +177,28 @@ def test_damaged_geometry_is_named(dataset: Dataset) -> None:
     _cut(dataset.folder / "geometry" / "asset.safetensors")
     with pytest.raises(CaptureError, match=r"asset\.safetensors: damaged"):
         dataset.only.geometry()
+
+
+def test_rays_meet_the_mesh_as_it_was_before_its_package_rounds_it(tmp_path: Path) -> None:
+    exact = moved(sphere(3, radius=1e-3), (1.0, 2.0, 3.0))
+    wide = merged(exact, moved(sphere(1), (50.0, 0.0, 0.0)))
+    low, high = wide.box()
+    part = BALL_PART.model_copy(update={"bounds": (tuple(low.tolist()), tuple(high.tolist()))})
+    manifest = manifest_of(CaptureSettings(), parts=(part,))
+    dataset = Dataset.create(
+        tmp_path / "exact.rays", manifest, {"asset": quantise(wide)}, exact={"asset": wide}
+    )
+    met = dataset.only.met_by_rays()
+    assert isinstance(met, Mesh) and met.quantised is None
+    for name in ("positions", "normals", "triangles"):
+        assert np.array_equal(getattr(met, name), getattr(wide, name))
+    rounded = dataset.only.geometry()
+    assert isinstance(rounded, Mesh) and rounded.quantised is not None
+    hits = scene_of(dataset).shade_points(np.float32([[1, 2.1, 3]]), np.float32([[0, -1, 0]]))
+    assert hits.position[0, 1] == pytest.approx(2.001, abs=2e-6)
+    assert np.abs(rounded.positions - wide.positions).max() > 2e-4
+
+
+def test_a_dataset_without_rounding_has_one_mesh(tmp_path: Path) -> None:
+    part = make_dataset(tmp_path / "ball.rays")
+    assert np.array_equal(part.met_by_rays().positions, part.geometry().positions)

@@ -197,8 +197,16 @@ def begin(
         say(f"note: {note}")
     if (marked := _write_picture(list(checks.values()), out / PICTURE)) is not None:
         say(marked)
-    stored = exported.textures, poses, exported.sources, exported.glass
-    dataset = Dataset.create(out, manifest, geometries, *stored)
+    dataset = Dataset.create(
+        out,
+        manifest,
+        geometries,
+        textures=exported.textures,
+        poses=poses,
+        sources=exported.sources,
+        glass=exported.glass,
+        exact=exported.exact,
+    )
     say(plan_lines(dataset, geometries, rate))
     return dataset
 

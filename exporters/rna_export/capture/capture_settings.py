@@ -6,6 +6,8 @@ from pydantic import BaseModel, ConfigDict, Field, field_validator
 from pydantic.alias_generators import to_camel
 
 SHARPEST = 0.14  # roughness
+LEAST_ROUGHNESS = 0.035
+"""Cycles lights sharper lobes wrongly, and mirrors not at all (docs/decisions/capture.md)."""
 MAX_LIGHTS = 1_000_000
 """Far above what is useful: a manifest with more would take forever to look through."""
 MAX_FRAME = 1_048_574
@@ -14,7 +16,7 @@ _MAX_POSES = 32
 _SHARDS = 32  # at least, where there are as many lights
 _MAX_RAYS, _MAX_SAMPLES, _MAX_VIEWS, _MAX_SIDE = 1 << 24, 1 << 20, 1000, 8192
 CLAMP_DIRECT, CLAMP_INDIRECT = 0.0, 10.0
-"""Of radiance, 0: none. The paper, section 4.1, cuts direct light at 20: docs/decisions/capture.md."""
+"""Of radiance, 0: none. The paper, section 4.1, has 20 and 10 (docs/decisions/capture.md)."""
 
 
 class DatasetModel(BaseModel):
@@ -62,6 +64,9 @@ class CaptureSettings(DatasetModel):
         gt=0,
         le=0.8,
         description="lowest roughness whose highlights view rays importance-sample",
+    )
+    least_roughness: float = Field(
+        LEAST_ROUGHNESS, ge=0.0, le=1.0, description="smoother reflecting lobes get this roughness"
     )
     clamp_direct: float = Field(
         CLAMP_DIRECT, ge=0.0, description="Cycles' clamp on direct radiance; 0: none"

@@ -154,7 +154,7 @@ def _usual(name: str) -> str:
     default = CaptureSettings.model_fields[name].default
     hair, both = (getattr(CaptureSettings.usual(kind), name) for kind in ("fiber", "both"))
     if name == "sharpest":
-        return "float, default: that of the smoothest material, within 0.02 to 0.14"
+        return "float, default: that of the smoothest material, within 0.035 to 0.14"
     text = f"{type(default).__name__}, default {default}"
     text += f", for hair {hair}" if hair != default else ""
     return text + (f", with a surface {both}" if both != hair else "")

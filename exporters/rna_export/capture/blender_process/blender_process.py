@@ -29,14 +29,23 @@ class Source:
     parts: str = "kinds"  # see CaptureSettings
     rest_frame: int | None = None  # that is shown; None for the one that the file opens with
     glass: str = "leave"  # smooth glass: see CaptureSettings
+    least_roughness: float = 0.0  # of reflecting lobes: see CaptureSettings
 
     @classmethod
     def captured(cls, path: Path, arguments: tuple[str, ...], settings: CaptureSettings) -> Source:
         """The source as a capture of these settings opens it."""
-        clamps = settings.clamp_direct, settings.clamp_indirect
-        axes = settings.front, settings.up
-        frame, glass = settings.rest_frame, settings.glass
-        return cls(path, arguments, *clamps, *axes, settings.parts, frame, glass)
+        return cls(
+            path,
+            arguments,
+            clamp_direct=settings.clamp_direct,
+            clamp_indirect=settings.clamp_indirect,
+            front=settings.front,
+            up=settings.up,
+            parts=settings.parts,
+            rest_frame=settings.rest_frame,
+            glass=settings.glass,
+            least_roughness=settings.least_roughness,
+        )
 
 
 _LINES = 5  # of Blender's output, in an error
@@ -94,6 +103,7 @@ class BlenderProcess:
                 parts=self.source.parts,
                 frame=self._frame,
                 glass=self.source.glass,
+                leastRoughness=self.source.least_roughness,
             )
             self._frame = self.opened["frame"]
             self.parts = tuple(ScenePart(**part) for part in self.opened["parts"])

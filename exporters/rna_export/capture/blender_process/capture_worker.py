@@ -116,7 +116,7 @@ def opened(folder: Path, manifest: str) -> tuple[Dataset, AssetScene]:
 
 def scene_of(dataset: Dataset) -> AssetScene:
     """All parts of a dataset, ready for rays, and its poses and prints."""
-    geometries = [part.geometry() for part in dataset.parts]
+    geometries = [part.met_by_rays() for part in dataset.parts]
     transmittances = [part.transmittance() for part in dataset.parts]
     maps = [part.normal_maps() for part in dataset.parts]
     arguments = geometries, dataset.manifest.settings.sharpest, transmittances, maps

@@ -68,6 +68,7 @@ class Dataset:
         poses: Mapping[int, Mapping[str, np.ndarray]] | None = None,
         sources: Mapping[str, SourceVertices] | None = None,
         glass: bytes | None = None,
+        exact: Mapping[str, Mesh] | None = None,
     ) -> Dataset:
         """Write geometry and textures, and the manifest, that last: with one it is a dataset.
 
@@ -75,7 +76,7 @@ class Dataset:
         transmittance and normal maps, and the files of images of base colour.
         poses: by frame, but for the rest frame: positions of each part, (v, 3) float32.
         sources: vertices of the source, of those parts that have any. glass: a .glb of the glass
-        that is left to hosts.
+        that is left to hosts. exact: meshes before they were quantised, of parts that were.
         """
         folder = Path(folder)
         for inner in _FOLDERS:
@@ -87,7 +88,9 @@ class Dataset:
             (folder / name).parent.mkdir(parents=True, exist_ok=True)  # of variants
             write_atomically(folder / name, texture)
         for name, geometry in geometries.items():
-            arrays = geometry_arrays(geometry, (sources or {}).get(name))
+            arrays = geometry_arrays(
+                geometry, source=(sources or {}).get(name), exact=(exact or {}).get(name)
+            )
             write_arrays(_geometry_path(folder, name), arrays)
         for frame, parts in (poses or {}).items():
             (folder / "poses").mkdir(exist_ok=True)

@@ -32,11 +32,11 @@ from rna_sdk.package.textures.transmittance import Transmittance
 class ExportedParts:
     """The parts of an opened source, by name, in order.
 
-    geometries: the mesh or strands of each. records: what lets light through, of each surface.
-    maps: its normal maps. colors: its base colour. variants: by name, what is in the place of these
-    records, of parts that have any. textures: of all, by name: the texels of the former two, and
-    the files of images. sources: the source's vertices of each
-    surface. notes: what of the materials is unknown. has_opaque_cutouts: whether some of it
+    geometries: the mesh or strands of each. exact: meshes before they were quantised. records:
+    what lets light through, of each surface. maps: its normal maps. colors: its base colour.
+    variants: by name, what is in the place of these records, of parts that have any. textures: of
+    all, by name: the texels of the former two, and the files of images. sources: the source's
+    vertices of each surface. notes: what of the materials is unknown. has_opaque_cutouts: whether some of it
     lets light through. has_learnt_relief: whether some relief is in no map. mapped, coloured: full
     names of the materials that have a normal map, and a base colour. glass: a .glb of what is left
     to hosts; None for nothing.
@@ -44,6 +44,7 @@ class ExportedParts:
 
     parts: tuple[ScenePart, ...]
     geometries: dict[str, Mesh | Curves] = field(default_factory=dict)
+    exact: dict[str, Mesh] = field(default_factory=dict)
     records: dict[str, list[TransmittanceRecord]] = field(default_factory=dict)
     maps: dict[str, list[NormalMapRecord]] = field(default_factory=dict)
     colors: dict[str, list[BaseColorRecord]] = field(default_factory=dict)
@@ -140,10 +141,12 @@ def _check_not_empty(exported: ExportedParts, worker: BlenderWorker) -> None:
 def _quantise(exported: ExportedParts) -> None:
     """Geometry in the package's steps, but for surfaces whose details are too small for them."""
     for name, geometry in exported.geometries.items():
-        if isinstance(geometry, Mesh) and (note := too_coarse(name, geometry)):
-            exported.notes.append(note)
-        else:
-            exported.geometries[name] = quantise(geometry)
+        if isinstance(geometry, Mesh):
+            if note := too_coarse(name, geometry):
+                exported.notes.append(note)
+                continue
+            exported.exact[name] = geometry
+        exported.geometries[name] = quantise(geometry)
 
 
 def _add_surface(

@@ -4,15 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from rna_export.capture.capture_settings import SHARPEST
+from rna_export.capture.capture_settings import LEAST_ROUGHNESS, SHARPEST
 from rna_export.capture.preflight.material_record import MaterialFacts
-
-LEAST = 0.02
-"""The narrowest that was measured."""
 
 
 def sharpest_of(materials: Iterable[MaterialFacts]) -> tuple[float, str | None]:
     """That of a capture, and the name of the material that it is for; None for the usual one."""
     rough = [(each.roughness, each.name) for each in materials if each.roughness is not None]
     least, name = min(rough, default=(SHARPEST, None))
-    return (max(least, LEAST), name) if least < SHARPEST else (SHARPEST, None)
+    return (max(least, LEAST_ROUGHNESS), name) if least < SHARPEST else (SHARPEST, None)

@@ -6,15 +6,15 @@ from collections.abc import Collection, Iterable, Iterator
 from typing import Literal, NamedTuple
 
 from rna_export.blender.listing import listed
-from rna_export.capture.capture_settings import DatasetModel
+from rna_export.capture.capture_settings import LEAST_ROUGHNESS, DatasetModel
 from rna_export.capture.preflight.material_record import Detail, Glass, MaterialFacts
-from rna_export.capture.preflight.sharpest import LEAST
 
 Learnt = Literal["well", "roughly", "not", "left to the host"]
 _WORSE: dict[Learnt, int] = {"well": 0, "left to the host": 0, "roughly": 1, "not": 2}
 
 _TEXELS = 2.0  # of a plane, from one detail to the next, at the least
 _MIRROR = 0.05  # roughness that an artist calls a mirror's
+_SOFTENED = 0.02  # roughness below which the floor of captures shows
 _WORDS = {
     "coat": "clear coat",
     "thin": "thin, lit from behind",
@@ -142,11 +142,11 @@ def _of_kinds(facts: MaterialFacts) -> Iterator[_Reason]:
             "the light that leaves its surface is learnt; what stands behind it in a scene is not "
             "seen through it",
         )
-    if facts.roughness is not None and facts.roughness < LEAST and "glass" not in kinds:
+    if facts.roughness is not None and facts.roughness < _SOFTENED and "glass" not in kinds:
         yield _Reason(
             "roughly",
-            "reflections of small lamps come out softer than in the original; views look for "
-            f"highlights of a roughness of {LEAST:g} at the least",
+            "reflections come out softer than in the original: smoother lobes are captured with a "
+            f"roughness of {LEAST_ROUGHNESS:g}",
         )
 
 
