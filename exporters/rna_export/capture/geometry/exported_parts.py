@@ -36,10 +36,10 @@ class ExportedParts:
     what lets light through, of each surface. maps: its normal maps. colors: its base colour.
     variants: by name, what is in the place of these records, of parts that have any. textures: of
     all, by name: the texels of the former two, and the files of images. sources: the source's
-    vertices of each surface. notes: what of the materials is unknown. has_opaque_cutouts: whether some of it
-    lets light through. has_learnt_relief: whether some relief is in no map. mapped, coloured: full
-    names of the materials that have a normal map, and a base colour. glass: a .glb of what is left
-    to hosts; None for nothing.
+    vertices of each surface. notes: what of the materials is unknown. has_opaque_cutouts: whether
+    some of it lets light through. has_learnt_relief: whether some relief is in no map. mapped,
+    coloured: full names of the materials that have a normal map, and a base colour. glass: a .glb
+    of what is left to hosts; None for nothing.
     """
 
     parts: tuple[ScenePart, ...]
