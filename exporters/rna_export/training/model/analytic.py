@@ -62,7 +62,8 @@ def gltf_radiance(material: GltfMaterial, n: Tensor, wo: Tensor, wi: Tensor) -> 
     cos_h, weight = dot(m, h), (1.0 - dot(wo, h).clamp(0.0, 1.0)) ** 5
     base, roughness, metallic, _ = material
     square = roughness**4
-    spread = (1.0 - cos_h**2) + square * cos_h**2
+    across = torch.cross(m, h, dim=1)  # a sine keeps the digits that 1 - cos_h**2 loses
+    spread = dot(across, across) + square * cos_h**2
     roots = (torch.sqrt(square + (1.0 - square) * c**2) for c in (cos_o, cos_i))
     # Smith's height-correlated masking; no light comes where cos_i is 0.
     masked = cos_i * next(roots) + cos_o * next(roots)
