@@ -12,11 +12,15 @@ _BACKDROP = 12.0  # times as long as all else
 
 
 def unrendered() -> str | None:
-    """Names of meshes and hair of the scene that renders do not show; within `as_rendered`.
+    """Names of meshes, texts and hair of the scene that renders do not show; within `as_rendered`.
 
     Emitters of hair that are hidden themselves do not count.
     """
-    shown = {instance.object.original.name_full for instance in shown_objects.instances()}
+    shown = set()
+    for instance in shown_objects.instances():
+        shown.add(instance.object.original.name_full)
+        if instance.is_instance:
+            shown.add(instance.parent.original.name_full)
     names = [
         item.name
         for item in bpy.context.scene.objects
@@ -41,7 +45,8 @@ def notes() -> list[str]:
 
 
 def _has_shape(item: bpy.types.Object) -> bool:
-    return bool(item.type == HAIR or (item.type == "MESH" and len(item.data.polygons)))
+    solid = item.type in (HAIR, "FONT", "SURFACE")
+    return bool(solid or (item.type == "MESH" and len(item.data.polygons)))
 
 
 def _much_the_longest() -> tuple[str, float] | None:
