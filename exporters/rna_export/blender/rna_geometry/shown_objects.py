@@ -93,12 +93,14 @@ def instances() -> Iterator[bpy.types.DepsgraphObjectInstance]:
 
 
 def _is_rendered(item: bpy.types.Object) -> bool:
-    """Whether Cycles renders the data of an evaluated object: no surface but meshes with faces.
+    """Whether Cycles renders the data of an evaluated object: no surface but meshes, none empty.
 
     The mesh of a text, curve, NURBS surface or metaball is listed beside it, as an instance.
     """
     if item.type == "MESH":
         return len(item.data.polygons) > 0
+    if item.type in (HAIR, "POINTCLOUD"):
+        return len(item.data.points) > 0
     return item.type not in SURFACES
 
 

@@ -182,8 +182,7 @@ def _held_by_none() -> dict[str, tuple[bpy.types.Object, str]]:
     result = {}
     for instance in shown_objects.instances():
         item = instance.object
-        is_empty = item.type == "POINTCLOUD" and not len(item.data.points)
-        if item.type in _HELD_BY_NONE and not is_empty:
+        if item.type in _HELD_BY_NONE:
             result[item.original.name_full] = item.original, _HELD_BY_NONE[item.type]
     return result
 
