@@ -30,7 +30,8 @@ class Clock:
         """Time left, in words: of the limit, or of a stage of which a share is done."""
         now = self.spent()
         if self.limit is not None:
-            return f", {_in_words(max(self.limit - now, 0.0))} left"
+            over = now - self.limit
+            return f", {_in_words(-over)} left" if over < 0.0 else f", {_in_words(over)} over time"
         if done < _ENOUGH:
             return ""
         return f", {_in_words((now - self.stage) * (1.0 - done) / done)} left of this step"

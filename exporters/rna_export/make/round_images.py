@@ -12,6 +12,7 @@ from rna_export.make.make_progress import Stage
 from rna_export.make.state import State
 
 _A_REST = IMAGE_SHARE / (1.0 - IMAGE_SHARE)  # time of images over that of all else, at most
+_ROUND = 1.5  # time of a first round over that of its rays, at least
 _WORTH = 2.0  # times as many paths, from which new images are worth their time
 _CHANGED = "validation_resolution", "validation_samples"
 
@@ -28,8 +29,7 @@ class RoundImages:
     def shrink(self, lights: int) -> None:
         """Plan images that fit to a first round of so many lights, if those planned are larger."""
         settings = self._settings()
-        # The training of a round takes about as long as its rays.
-        round_ = 2.0 * lights * settings.rays * settings.samples
+        round_ = _ROUND * lights * settings.rays * settings.samples
         small = with_smaller_images(settings, _A_REST * round_, self._given)
         if small != settings:
             self._state.images = settings.validation_resolution, settings.validation_samples
