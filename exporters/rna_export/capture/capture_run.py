@@ -40,6 +40,7 @@ from rna_sdk.atomic_file import write_atomically
 from rna_sdk.cpu import processor_key
 from rna_sdk.errors import CaptureError
 from rna_work.backend import Backend, Needs
+from rna_work.bar import Bar
 from rna_work.cluster.store import Store
 from rna_work.executors import Executor, this_machine
 from rna_work.pool import Pool
@@ -122,7 +123,7 @@ def no_gain(opened: OpenedSource) -> str | None:
 
 def _trial(renders: int) -> tqdm:
     """A bar for the renders before a capture."""
-    return tqdm(total=renders, desc="first renders in Cycles", unit=" render", leave=False)
+    return Bar(total=renders, desc="first renders in Cycles", unit=" render", leave=False)
 
 
 def begin(
@@ -216,7 +217,7 @@ def finish(
     limit: TimeLimit | None = None,
     say: Callable[[str], None] = print,
     tasks: Sequence[Task] | None = None,
-    bars: Callable[..., tqdm] = tqdm,
+    bars: Callable[..., tqdm] = Bar,
 ) -> None:
     """Render every task whose file is missing. Ctrl-C loses only the tasks under way.
 

@@ -35,7 +35,7 @@ def unrendered() -> str | None:
 def _is_shaped(user: bpy.types.ID, item: bpy.types.Object) -> bool:
     """Whether a data-block that names an object is shaped by it, or is made of it."""
     if isinstance(user, bpy.types.Object):
-        return user != item and user.parent != item
+        return bool(user != item and user.parent != item)
     return isinstance(user, bpy.types.GeometryNodeTree | bpy.types.ParticleSettings)
 
 
