@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from tqdm import tqdm
-
+from rna_work.bar import Bar
 from rna_work.pool import Pool
 from rna_work.workers import Outcome
 
@@ -18,7 +17,7 @@ class Progress:
     """
 
     def __init__(
-        self, total: float, unit: str, what: str, done: float = 0.0, bars: Callable[..., Any] = tqdm
+        self, total: float, unit: str, what: str, done: float = 0.0, bars: Callable[..., Any] = Bar
     ) -> None:
         scaled = {"unit_scale": total >= 1000, "smoothing": 0.05}
         self._is_spread = False  # over nodes, or was

@@ -77,7 +77,7 @@ def make_dataset(
         wi = np.repeat(unit_vectors(rng, LIGHTS_A_SHARD), RAYS, axis=0)
         write_parts(dataset.train_path(shard), {"asset": samples_of_light(rng, wi)})
     for view in range(views):
-        _write_view(dataset, view, rng)
+        write_view(dataset, view, rng)
     return dataset.only
 
 
@@ -117,7 +117,8 @@ def _samples(n: np.ndarray, wo: np.ndarray, wi: np.ndarray) -> dict[str, np.ndar
     }
 
 
-def _write_view(dataset: Dataset, view: int, rng: np.random.Generator) -> None:
+def write_view(dataset: Dataset, view: int, rng: np.random.Generator) -> None:
+    """Both halves of a validation image, under another light each time."""
     size = dataset.manifest.settings.validation_resolution
     at = (np.arange(size) + 0.5) / size * 2.0 - 1.0
     x, y = (values.reshape(-1) for values in np.meshgrid(at, -at))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from threading import Event
 from typing import Any
@@ -22,6 +22,7 @@ from rna_export.make import capture_rounds as rays_module
 from rna_export.make import make_run as run_module
 from rna_export.make import phases as phases_module
 from rna_export.make import plan as plan_module
+from rna_export.make import training_floor
 from rna_export.make.goal import Goal
 from rna_export.make.make_options import MakeOptions
 from rna_export.make.make_run import Made, Make
@@ -32,7 +33,7 @@ from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.presets import PRESETS
 from rna_export.training.report import Curves
 from rna_sdk.errors import TrainingError
-from tests.exporters.synthetic import RAYS, make_dataset, samples_of_light, tiny
+from tests.exporters.synthetic import RAYS, make_dataset, samples_of_light, tiny, write_view
 from tests.runtime.points import unit_vectors
 
 SHARD = 4  # lights
@@ -46,15 +47,18 @@ class Stopped(BaseException):
 class Cycles:
     """What renders: writes shards of the ball, and knows what it was asked.
 
-    stop_after: raises `Stopped` in the place of the shard with this number in all.
+    stop_after: raises `Stopped` in the place of the shard with this number in all. images: paths a
+    pixel of each validation image.
     """
 
     stop_after: float = math.inf
     shards: int = 0
+    images: list[int] = field(default_factory=list)
 
     def begin(self, source: Source, requested: dict[str, Any], out: Path, *_: Any) -> Dataset:
         dataset = make_dataset(out, shards=1).dataset
-        dataset.train_path(0).unlink()
+        for path in (dataset.train_path(0), *(out / "validation").iterdir()):
+            path.unlink()
         settings = dataset.manifest.settings
         settings = settings.model_copy(update={"lights": 64, "lights_per_shard": SHARD})
         dataset.manifest = dataset.manifest.model_copy(update={"settings": settings})
@@ -72,7 +76,11 @@ class Cycles:
         bars: object = None,
     ) -> None:
         for task in tasks:
-            if task.path(dataset).is_file() or not isinstance(task, TrainingShard):
+            if task.path(dataset).is_file():
+                continue
+            if not isinstance(task, TrainingShard):
+                self.images.append(dataset.manifest.settings.validation_samples)
+                write_view(dataset, task.view, np.random.default_rng([8, task.view]))
                 continue
             if self.shards >= self.stop_after:
                 raise Stopped
@@ -162,6 +170,17 @@ def test_each_round_adds_rays(whole: tuple[Made, Cycles]) -> None:
     assert cycles.shards > 4
     samples = made.dataset.only.training_samples()
     assert len(samples["visible"]) == cycles.shards * SHARD * RAYS
+
+
+def test_images_are_small_in_rounds_and_as_large_as_there_was_time_for_at_the_end(
+    whole: tuple[Made, Cycles],
+) -> None:
+    made, cycles = whole
+    first, *_, last = cycles.images
+    assert len(cycles.images) == 4 and first < 256 and last == 512  # two, each rendered twice
+    assert made.dataset.manifest.settings.validation_samples == 512
+    state = read_state(made.dataset.folder.parent)
+    assert state.images is None and all(round_.score is not None for round_ in state.rounds)
 
 
 def test_a_goal_that_is_met_ends_the_rounds_and_spares_the_last_phase(make: Any) -> None:
@@ -308,6 +327,19 @@ def test_more_minutes_go_on_from_the_rays_and_the_model(
     assert more.shards >= 1 and len(after) == len(before) + more.shards
     state = read_state(tmp_path / "work")
     assert state.is_finished and state.before["small"].psnr >= state.last["small"].score.psnr
+
+
+def test_a_model_of_too_few_steps_is_no_package_and_its_rays_are_kept(
+    make: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    with monkeypatch.context() as patch, pytest.raises(TrainingError) as error:
+        patch.setattr(training_floor, "_FLOOR", 1e6)
+        make(minutes=0.05)
+    lights = read_state(tmp_path / "work").rounds[-1].lights
+    assert "expected 80,000,000 at least for a package" in str(error.value)
+    assert f"{lights} lights are kept: --more " in str(error.value)
+    made, _ = make(minutes=0.05, more=0.05)
+    assert made.why == "time is up" and made.rounds == 2
 
 
 def test_more_minutes_that_were_stopped_go_on_with_their_own(make: Any, tmp_path: Path) -> None:

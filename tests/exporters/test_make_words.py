@@ -25,7 +25,7 @@ from tests.render.packages import write_lambert_package
     [
         (60.0, 1200.0, 0.0, ", 19 min left"),
         (1190.0, 1200.0, 0.5, ", 10 s left"),
-        (1300.0, 1200.0, 0.5, ", 0 s left"),
+        (1300.0, 1200.0, 0.5, ", 2 min over time"),
         (110.0, None, 0.25, ", 30 s left of this step"),
         (110.0, None, 0.0, ""),
     ],

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_export.capture.geometry.source_notes import size_notes, too_coarse
+from rna_export.capture.geometry.source_notes import doubled, size_notes, too_coarse
 from rna_sdk.package import Mesh
 from tests.exporters.meshes import merged, moved, sphere, square
 
@@ -42,3 +42,14 @@ def test_what_looks_like_centimetres_is_named() -> None:
     (note,) = size_notes({"asset": scaled(sphere(2), 90.0)})
     assert "180 m" in note and "are read as centimetres, -- --unit 0.0001" in note
     assert size_notes({"asset": scaled(sphere(2), 5.0)}) == []
+
+
+def test_triangles_on_others_are_named_with_their_material() -> None:
+    ball = sphere(1)
+    back = Mesh(ball.positions, -ball.normals, None, ball.triangles[:3, ::-1])
+    mesh = merged(ball, back)
+    materials = np.array(["skin"] * len(ball.triangles) + ["film"] * 3)
+    note = doubled("asset", mesh, materials)
+    assert note is not None and "3 triangles that lie exactly on others" in note
+    assert "most of material 'film'" in note
+    assert doubled("asset", ball, materials) is None

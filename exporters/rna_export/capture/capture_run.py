@@ -18,7 +18,7 @@ from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.capture.blender_process.capture_worker import CaptureJob, CaptureWorker, opened
 from rna_export.capture.capture_plan import parts_lines, plan_lines
-from rna_export.capture.capture_tasks import Task, TrainingShard, all_tasks
+from rna_export.capture.capture_tasks import Task, TrainingShard, ValidationHalf, all_tasks
 from rna_export.capture.check.self_check import PICTURE, WORTH_A_NOTE, SelfCheck
 from rna_export.capture.dataset.collect import Collector
 from rna_export.capture.dataset.dataset_folder import Dataset
@@ -28,12 +28,19 @@ from rna_export.capture.estimate.pilot import LIGHTS, Pilot, pilot_paths
 from rna_export.capture.geometry.followed_source import captured_poses
 from rna_export.capture.opened_source import CHECK_RENDERS, OpenedSource
 from rna_export.capture.preflight.verdicts import not_learnt
-from rna_export.capture.time_plan import LEAST_LIGHTS, TimeLimit, planned, shrunk
+from rna_export.capture.time_plan import (
+    LEAST_IMAGES,
+    LEAST_LIGHTS,
+    TimeLimit,
+    planned,
+    shrunk,
+)
 from rna_render.scene import SceneFile
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.cpu import processor_key
 from rna_sdk.errors import CaptureError
 from rna_work.backend import Backend, Needs
+from rna_work.bar import Bar
 from rna_work.cluster.store import Store
 from rna_work.executors import Executor, this_machine
 from rna_work.pool import Pool
@@ -116,7 +123,7 @@ def no_gain(opened: OpenedSource) -> str | None:
 
 def _trial(renders: int) -> tqdm:
     """A bar for the renders before a capture."""
-    return tqdm(total=renders, desc="first renders in Cycles", unit=" render", leave=False)
+    return Bar(total=renders, desc="first renders in Cycles", unit=" render", leave=False)
 
 
 def begin(
@@ -218,13 +225,13 @@ def finish(
     limit: TimeLimit | None = None,
     say: Callable[[str], None] = print,
     tasks: Sequence[Task] | None = None,
-    bars: Callable[..., tqdm] = tqdm,
+    bars: Callable[..., tqdm] = Bar,
 ) -> None:
     """Render every task whose file is missing. Ctrl-C loses only the tasks under way.
 
-    When the time of `limit` is up, the lights that are left are taken out of the plan. tasks: of
-    the plan; None: all of it. bars: makes the progress bar. Raises CaptureError where a task fails
-    twice, WorkError where a cluster cannot do the work.
+    When the time of `limit` is up, the images and lights that are left are taken out of the plan,
+    except two images and 16 lights. tasks: of the plan; None: all of it. bars: makes the progress
+    bar. Raises CaptureError where a task fails twice, WorkError where a cluster cannot do the work.
     """
     dataset.remove_unfinished()
     every = all_tasks(dataset) if tasks is None else tasks
@@ -250,11 +257,25 @@ def finish(
             collector.finished(outcome.item)
             clock.took = outcome.seconds
     opened.cache_clear()
-    lights, there = dataset.manifest.settings.lights, dataset.lights_finished()
-    if limit is not None and there < lights:
+    if limit is not None:
+        _drop_late(dataset, every, say)
+    say_dropped(dataset, say)
+
+
+def _drop_late(dataset: Dataset, tasks: Sequence[Task], say: Callable[[str], None]) -> None:
+    """Take out of the plan what a time limit left undone of the tasks."""
+    settings = dataset.manifest.settings
+    lights, there = settings.lights, dataset.lights_finished()
+    if there < lights and any(isinstance(task, TrainingShard) for task in tasks):
         dataset.plan_lights(there)
         say(f"time limit reached: {there:,} of {lights:,} lights; the dataset is complete")
-    say_dropped(dataset, say)
+    images, there = settings.validation_views, len(dataset.finished_views())
+    if there < images:
+        dataset.change_settings({"validation_views": there})
+        say(
+            f"this machine renders more slowly than it was measured to: {there} of {images} "
+            "validation images, which leaves the time to rays and training"
+        )
 
 
 def say_dropped(dataset: Dataset, say: Callable[[str], None]) -> None:
@@ -290,18 +311,22 @@ class _TaskClock:
     took: float = 0.0
 
     def in_time(self, tasks: list[Task]) -> Iterator[Task]:
-        """The tasks, up to the first for which it is too late."""
+        """The tasks, of each kind up to the first for which it is too late."""
+        late: set[type[Task]] = set()
         for task in tasks:
-            if self._is_too_late(task):
-                return
-            yield task
+            if type(task) not in late and not self._is_too_late(task):
+                yield task
+            else:
+                late.add(type(task))
 
     def _is_too_late(self, task: Task) -> bool:
         """Whether there is no time for half of the task, if it takes as long as the last one."""
-        if self.limit is None or not isinstance(task, TrainingShard):
+        if self.limit is None or self.limit.left() >= self.took / 2.0:
             return False
-        first = task.index * self.dataset.manifest.settings.lights_per_shard
-        return first >= LEAST_LIGHTS and self.limit.left() < self.took / 2.0
+        if isinstance(task, ValidationHalf):
+            return task.view >= LEAST_IMAGES and not task.emission
+        first = self.dataset.manifest.settings.lights_per_shard * task.index
+        return isinstance(task, TrainingShard) and first >= LEAST_LIGHTS
 
 
 def _write_picture(checks: Sequence[SelfCheck], path: Path) -> str | None:

@@ -9,9 +9,11 @@ from time import monotonic
 from rna_export.capture.capture_settings import MAX_LIGHTS, CaptureSettings
 from rna_sdk.errors import CaptureError
 
-LEAST_LIGHTS = 16
+LEAST_LIGHTS, LEAST_IMAGES = 16, 2
 
-_SHARE = 0.25  # of the time, for the validation images
+IMAGE_SHARE = 0.15
+"""Of the time, for validation images at most."""
+_PLANNED_SHARE = 0.12  # so that a machine that slows down stays below
 _LEAST_RESOLUTION, _LEAST_SAMPLES = 48, 16
 _LEAST_RAYS = 1024  # of a light, of surfaces
 _DAY = 24 * 60  # minutes
@@ -40,7 +42,7 @@ def planned(
 ) -> CaptureSettings:
     """The settings with as many lights as there is time for at `rate` paths a second.
 
-    Validation images that took more than a quarter of it are made smaller, but for what was
+    Validation images that took more than 12% of all minutes are made smaller, except what was
     `given`. Where there is time for fewer lights than `settings` have, those of surfaces have fewer
     rays (docs/decisions/capture.md).
 
@@ -48,7 +50,8 @@ def planned(
     `CaptureError` when fewer than 16 lights are left.
     """
     left = limit.left()
-    usual, (settings, lights) = settings, _fitting(settings, left - opening, rate, given)
+    usual, images = settings, 60.0 * _PLANNED_SHARE * limit.minutes * rate
+    settings, lights = _fitting(settings, (left - opening) * rate, images, given)
     if lights < LEAST_LIGHTS:
         start = 60.0 * limit.minutes * limit.share - left + opening  # seconds without rays
         enough = _enough_minutes(usual, start, limit.share, rate, given)
@@ -65,12 +68,14 @@ def planned(
 
 
 def _fitting(
-    settings: CaptureSettings, seconds: float, rate: float, given: Collection[str]
+    settings: CaptureSettings, paths: float, images: float, given: Collection[str]
 ) -> tuple[CaptureSettings, int]:
-    """Settings with validation images that fit, and the lights that the rest of the time is for."""
-    paths = max(seconds, 0.0) * rate
-    settings = _with_smaller_images(settings, _SHARE * paths, given)
-    left = paths - settings.validation_views * settings.validation_paths
+    """Settings with validation images that fit, and the lights that the rest of the paths are for.
+
+    images: paths of validation images at most.
+    """
+    settings = with_smaller_images(settings, images, given)
+    left = max(paths, 0.0) - settings.validation_views * settings.validation_paths
     return settings, min(int(left / (settings.rays * settings.samples)), MAX_LIGHTS)
 
 
@@ -78,14 +83,12 @@ def _enough_minutes(
     settings: CaptureSettings, start: float, share: float, rate: float, given: Collection[str]
 ) -> int | None:
     """The least whole minutes with time for enough lights; None for more than a day."""
-    return next(
-        (
-            minutes
-            for minutes in range(1, _DAY)
-            if _fitting(settings, 60.0 * minutes * share - start, rate, given)[1] >= LEAST_LIGHTS
-        ),
-        None,
-    )
+    for minutes in range(1, _DAY):
+        seconds = 60.0 * minutes
+        paths, images = (seconds * share - start) * rate, seconds * _PLANNED_SHARE * rate
+        if _fitting(settings, paths, images, given)[1] >= LEAST_LIGHTS:
+            return minutes
+    return None
 
 
 def shrunk(before: CaptureSettings, after: CaptureSettings) -> str | None:
@@ -94,7 +97,7 @@ def shrunk(before: CaptureSettings, after: CaptureSettings) -> str | None:
         return None
     return (
         f"validation images of {_image(after)} instead of {_image(before)}, "
-        f"to leave {1.0 - _SHARE:.0%} of the minutes to training"
+        f"to leave {1.0 - IMAGE_SHARE:.0%} of the minutes to rays and training"
     )
 
 
@@ -103,10 +106,14 @@ def _image(settings: CaptureSettings) -> str:
     return f"{side}x{side} with {settings.validation_samples} paths a pixel"
 
 
-def _with_smaller_images(
+def with_smaller_images(
     settings: CaptureSettings, most_paths: float, given: Collection[str]
 ) -> CaptureSettings:
-    """Fewer pixels and fewer paths a pixel, each by the same factor as far as both may shrink."""
+    """Settings with validation images of at most so many paths, all together.
+
+    They have fewer pixels and fewer paths a pixel, each by the same factor as far as both may
+    shrink; settings by name that were `given` stay.
+    """
     factor = most_paths / (settings.validation_views * settings.validation_paths)
     if factor >= 1.0:
         return settings

@@ -24,6 +24,7 @@ from rna_sdk.package import EnvironmentValidation, Lobes, Package, Unpacked
 from rna_sdk.package.geometry.vertex_visibility import Harmonics
 from rna_sdk.package.manifest.extensions import Deflate
 from rna_sdk.runtime import Asset, FiberAsset, SurfaceAsset, load
+from rna_work.bar import Bar
 
 STEPS = 10_000
 """Of training, all parts together."""
@@ -51,7 +52,7 @@ def add_lobes(package: Path, out: Path, minutes: float, files: Sequence[Path]) -
         is_deflated = Deflate.NAME in opened.manifest.extensions_required
     unpacked = Unpacked.read(package)
     lines: list[str] = []
-    with tqdm(total=1.0, desc="environment", bar_format=BAR, mininterval=0.5) as bar:
+    with Bar(total=1.0, desc="environment", bar_format=BAR, mininterval=0.5) as bar:
         asset = load(package, threads=1)
         views = part_views(asset)
         lobes = _trained(

@@ -49,16 +49,18 @@ class Rays:
     def __init__(self, options: MakeOptions, dataset: Dataset):
         self._options, self.dataset = options, dataset
 
-    def capture_images(self, stage: Stage) -> None:
-        """The validation images."""
-        tasks = [t for t in all_tasks(self.dataset) if isinstance(t, ValidationHalf)]
-        self._finish(tasks, None, stage)
+    def images(self) -> list[ValidationHalf]:
+        """The tasks of all validation images."""
+        return [task for task in all_tasks(self.dataset) if isinstance(task, ValidationHalf)]
+
+    def capture_images(self, seconds: float | None, stage: Stage) -> None:
+        """The validation images, or as many as the time allows."""
+        self._finish(self.images(), _limit(seconds), stage)
 
     def capture(self, round_: Round, seconds: float | None, stage: Stage) -> None:
         """Capture the rays of a round, or as many as the time allows; sets the round's lights."""
         self.dataset.plan_lights(round_.lights)
-        limit = None if seconds is None else TimeLimit(seconds / 60.0)
-        self._finish(all_tasks(self.dataset), limit, stage)
+        self._finish(all_tasks(self.dataset), _limit(seconds), stage)
         round_.lights = self.dataset.manifest.settings.lights
         round_.is_captured = True
 
@@ -66,3 +68,7 @@ class Rays:
         bars = stage.part(0.0, 1.0)
         options = self._options
         finish(self.dataset, options.source, options.workers, limit, quiet, tasks, bars)
+
+
+def _limit(seconds: float | None) -> TimeLimit | None:
+    return None if seconds is None else TimeLimit(seconds / 60.0)

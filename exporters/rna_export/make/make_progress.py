@@ -8,6 +8,8 @@ from typing import Any
 
 from tqdm import tqdm
 
+from rna_work.bar import Bar
+
 _FORMAT = "{desc}: {percentage:3.0f}%|{bar}| {elapsed}{left}{postfix}"
 _UNITS = 1000  # of the bar for a stage of weight 1
 
@@ -30,7 +32,8 @@ class Clock:
         """Time left, in words: of the limit, or of a stage of which a share is done."""
         now = self.spent()
         if self.limit is not None:
-            return f", {_in_words(max(self.limit - now, 0.0))} left"
+            over = now - self.limit
+            return f", {_in_words(-over)} left" if over < 0.0 else f", {_in_words(over)} over time"
         if done < _ENOUGH:
             return ""
         return f", {_in_words((now - self.stage) * (1.0 - done) / done)} left of this step"
@@ -40,7 +43,7 @@ def _in_words(seconds: float) -> str:
     return f"{seconds:.0f} s" if seconds < 100 else f"{seconds / 60:.0f} min"
 
 
-class _Bar(tqdm):  # type: ignore[misc]
+class _Bar(Bar):
     """A bar whose time is that of a clock, and which says how much of it is left."""
 
     def __init__(self, clock: Clock, **options: Any):

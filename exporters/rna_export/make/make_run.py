@@ -32,7 +32,9 @@ from rna_export.make.make_options import MakeOptions
 from rna_export.make.make_progress import Clock, Progress, Stage, quiet
 from rna_export.make.phases import Phase, Trainer, phase_folder, score, trained_in
 from rna_export.make.plan import Length, Verdict, verdict
+from rna_export.make.round_images import RoundImages
 from rna_export.make.state import Last, Round, Score, State, check_same, read_state
+from rna_export.make.training_floor import too_few_steps
 from rna_export.training.checkpoint import Trained
 from rna_export.training.training_options import device_name
 from rna_export.training.validation import reference_warnings
@@ -79,6 +81,9 @@ class Make:
         self._goal = options.goal or Goal("min_psnr", math.inf)
         self._end = end_of(options, self._state)
         self._plan = chosen_plan(options, self._state, dataset)
+        self._images = RoundImages(self._rays, self._state, options.settings)
+        if self._plan.rounds is None and not self._state.rounds:
+            self._images.shrink(self._plan.lights_of(0, 0))
         geometries = {part.name: part.geometry() for part in dataset.parts}
         plan = plan_text(self._plan, options, self._state, dataset)
         say(f"{parts_lines(dataset.manifest.name, geometries)}{plan}")
@@ -88,17 +93,14 @@ class Make:
         clock = Clock(self._spent, None if math.isinf(self._end) else self._end)
         self._progress = Progress(self._known_weight(), clock, self._finished_weight())
         try:
-            stage = self._progress.stage("rendering validation images in Cycles", _RAYS)
-            self._rays.capture_images(stage)
-            stage.done()
-            for line in reference_warnings(self._rays.dataset.whole_views()):
-                self._progress.say(line)
+            self._capture_images()
             with self._trainer:
                 for number, round_ in enumerate(self._state.rounds):
                     if round_.is_captured and round_.score is None:
                         self._train(number, round_)
-                while (why := self._verdict()) is None:
-                    self._round()
+                while (why := self._verdict()) is None or self._grow_images():
+                    if why is None:
+                        self._round()
                 self._trainer.wait()
             self._progress.say(f"{why} after round {len(self._state.rounds)}")
             say_dropped(self._rays.dataset, self._progress.say)
@@ -110,9 +112,16 @@ class Make:
             self._progress.close()
             self._save()
         best = {preset: self._best(preset) for preset in self._options.presets}
+        folders = {preset: folder for preset, (folder, _) in best.items()}
+        few = None
+        if why == "time is up":
+            seconds = self._state.seconds - self._state.capture_seconds
+            few = too_few_steps(self._options.work, folders, self._rays.dataset, seconds)
         finish(self._state, self._options.work, best)
-        folders = tuple(folder for folder, _ in best.values())
-        return Made(self._rays.dataset, why, len(self._state.rounds), folders, self._lead)
+        if few is not None:
+            raise TrainingError(few)
+        dataset, rounds = self._rays.dataset, len(self._state.rounds)
+        return Made(dataset, why, rounds, tuple(folders.values()), self._lead)
 
     def _opened_state(self, say: Callable[[str], None]) -> State:
         """That of the work folder, with what is requested now; a new one if there is none."""
@@ -166,6 +175,31 @@ class Make:
         state.save(options.work)
         self._begun = monotonic()
         return state
+
+    def _capture_images(self) -> None:
+        stage = self._progress.stage("rendering validation images in Cycles", _RAYS)
+        with self._timed("capture"):
+            self._images.capture(self._plan.image_seconds, stage)
+        self._save()
+        stage.done()
+        for line in reference_warnings(self._rays.dataset.whole_views()):
+            self._progress.say(line)
+
+    def _grow_images(self) -> bool:
+        """Replace small images by larger ones, if it is due, and score the rounds anew."""
+        self._trainer.wait()
+        if not self._images.grow(self._spent()):
+            return False
+        rounds = self._state.rounds
+        for round_ in rounds:
+            round_.score = None
+        self._save()
+        self._progress.more(_RAYS + _PHASE * len(rounds))
+        self._capture_images()
+        for number, round_ in enumerate(rounds):
+            self._train(number, round_)
+        self._trainer.wait()
+        return True
 
     def _round(self) -> None:
         """The round that is not captured, or a new one, and its training."""
@@ -286,10 +320,11 @@ class Make:
         """What this run used, how long, and what took longest."""
         capture, training = self._seconds["capture"] / 60, self._seconds["training"] / 60
         workers, device = self._options.workers, device_name(self._options.device)
+        images = self._state.image_seconds / max(self._spent(), 1e-3)
         return (
             f"time: {capture:.1f} min of Cycles with {workers.backend().width()} workers, "
-            f"{training:.1f} min of training on {device}; the bottleneck is "
-            + ("Cycles" if capture > training else "training")
+            f"{training:.1f} min of training on {device}; validation images took {images:.0%} of "
+            "all; the bottleneck is " + ("Cycles" if capture > training else "training")
         )
 
     def _save(self) -> None:

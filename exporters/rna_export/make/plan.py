@@ -8,6 +8,8 @@ from typing import ClassVar, Literal
 
 from pydantic import BaseModel
 
+from rna_export.capture.time_plan import IMAGE_SHARE
+
 Verdict = Literal["goal met", "stopped falling", "time is up", "lights used up"]
 
 LEAST_GAIN_DB = 0.3
@@ -79,6 +81,7 @@ class OpenPlan:
     shard: int
     steps: int
     rounds = None
+    image_seconds = None
 
     def lights_of(self, round_: int, before: int) -> int:
         """Lights after a round, with `before` of the rounds before it."""
@@ -107,6 +110,7 @@ class FixedPlan:
     lights: int
     steps: int | None
     rounds = 1
+    image_seconds = None
     end: ClassVar[Verdict] = "lights used up"
 
     def lights_of(self, round_: int, before: int) -> int:
@@ -141,6 +145,11 @@ class TimedPlan:
     capture: float = CAPTURE
     overlaps: bool = False
     end: ClassVar[Verdict] = "time is up"
+
+    @property
+    def image_seconds(self) -> float:
+        """Time limit of the validation images."""
+        return IMAGE_SHARE * self.seconds
 
     @property
     def rounds(self) -> int:
@@ -201,6 +210,7 @@ class MorePlan:
     share: float
     whole: float
     tiers: int = 1
+    image_seconds = None
     end: ClassVar[Verdict] = "time is up"
 
     @property

@@ -80,11 +80,10 @@ def _frames(text: str) -> tuple[int, int]:
 
 
 def _run(options: argparse.Namespace, script: tuple[str, ...]) -> None:
-    from tqdm import tqdm
-
     from rna_sdk.motion import write_motion
     from rna_sdk.outputs import check_outputs
     from rna_sdk.package import Package
+    from rna_work.bar import Bar
 
     check_outputs([options.out], [options.source, options.package])
     with Package.open(options.package) as package:
@@ -99,7 +98,7 @@ def _run(options: argparse.Namespace, script: tuple[str, ...]) -> None:
             if is_gltf(options.source)
             else _of_blender(options, script, geometries, numbers, stack)
         )
-        bar = tqdm(frames, total=count, unit="frame", leave=False)
+        bar = Bar(frames, total=count, unit="frame", leave=False)
         write_motion(options.out, geometries, bar, count=count, rate=rate)
     size = options.out.stat().st_size
     print(

@@ -32,6 +32,7 @@ from rna_export.training.report import Curves, Report
 from rna_export.training.training_options import device_name
 from rna_sdk.errors import TrainingError
 from rna_sdk.memory import check_memory
+from rna_work.bar import Bar
 
 _SO_FAR = "best-so-far.ckpt"  # until the run is finished
 _ROUNDING = 1e-9
@@ -60,7 +61,7 @@ def train(
     run: Run,
     table: SampleTable | None = None,
     say: Callable[[str], None] = print,
-    bars: Callable[..., tqdm] = tqdm,
+    bars: Callable[..., tqdm] = Bar,
 ) -> Path:
     """Train to the end; returns the best checkpoint, `best.ckpt`.
 

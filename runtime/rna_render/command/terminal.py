@@ -9,8 +9,6 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
-from tqdm import tqdm
-
 from rna_render.image.film import Film
 from rna_render.paths.bands import BandRenderer
 from rna_render.paths.render import render
@@ -21,6 +19,7 @@ from rna_sdk.file_kinds import kind_of
 from rna_sdk.package import Package
 from rna_sdk.runtime import Asset, is_no_worse, load
 from rna_sdk.size_note import size_note
+from rna_work.bar import Bar
 
 _FASTER = 0.9
 """Largest relative cost of another tier that is worth a note."""
@@ -88,7 +87,7 @@ def render_with_bar(
     on_sample: given the film after every sample but the last.
     """
     total = scene.resolution[0] * scene.resolution[1] * scene.samples
-    bar = tqdm(total=total, unit="ray", unit_scale=True, desc=what, leave=False, position=0)
+    bar = Bar(total=total, unit="ray", unit_scale=True, desc=what, leave=False, position=0)
 
     def advance(pixels: int) -> None:
         if first_band is not None and not bar.n:

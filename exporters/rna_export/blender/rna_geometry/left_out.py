@@ -12,17 +12,31 @@ _BACKDROP = 12.0  # times as long as all else
 
 
 def unrendered() -> str | None:
-    """Names of meshes and hair of the scene that renders do not show; within `as_rendered`.
+    """Names of meshes, texts and hair of the scene that renders do not show; within `as_rendered`.
 
-    Emitters of hair that are hidden themselves do not count.
+    Emitters of hair that are hidden themselves do not count, nor what shapes something else, as
+    cutters and the sources of instances do.
     """
-    shown = {instance.object.original.name_full for instance in shown_objects.instances()}
-    names = [
-        item.name
+    shown = set()
+    for instance in shown_objects.instances():
+        shown.add(instance.object.original.name_full)
+        if instance.is_instance:
+            shown.add(instance.parent.original.name_full)
+    hidden = [
+        item
         for item in bpy.context.scene.objects
         if item.name_full not in shown and _has_shape(item) and item.show_instancer_for_render
     ]
+    users = bpy.data.user_map(subset=hidden)
+    names = [item.name for item in hidden if not any(_is_shaped(u, item) for u in users[item])]
     return listed([*map(repr, names)]) or None
+
+
+def _is_shaped(user: bpy.types.ID, item: bpy.types.Object) -> bool:
+    """Whether a data-block that names an object is shaped by it, or is made of it."""
+    if isinstance(user, bpy.types.Object):
+        return bool(user != item and user.parent != item)
+    return isinstance(user, bpy.types.GeometryNodeTree | bpy.types.ParticleSettings)
 
 
 def notes() -> list[str]:
@@ -41,7 +55,8 @@ def notes() -> list[str]:
 
 
 def _has_shape(item: bpy.types.Object) -> bool:
-    return bool(item.type == HAIR or (item.type == "MESH" and len(item.data.polygons)))
+    solid = item.type in (HAIR, "FONT", "SURFACE")
+    return bool(solid or (item.type == "MESH" and len(item.data.polygons)))
 
 
 def _much_the_longest() -> tuple[str, float] | None:

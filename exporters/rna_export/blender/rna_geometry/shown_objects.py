@@ -69,7 +69,7 @@ def depsgraph() -> bpy.types.Depsgraph:
 
 
 SURFACES = ("MESH", "CURVE", "SURFACE", "FONT", "META")
-"""Types of objects that renders show as surfaces."""
+"""Types of objects that renders show as surfaces, each as a mesh."""
 
 HAIR = "CURVES"
 
@@ -88,8 +88,20 @@ def top_object(instance: bpy.types.DepsgraphObjectInstance) -> str:
 def instances() -> Iterator[bpy.types.DepsgraphObjectInstance]:
     """Depsgraph instances that renders show; each is valid until the next one is requested."""
     for instance in _not_hidden():
-        if not is_bare_curve(instance.object):
+        if _is_rendered(instance.object):
             yield instance
+
+
+def _is_rendered(item: bpy.types.Object) -> bool:
+    """Whether Cycles renders the data of an evaluated object: no surface but meshes, none empty.
+
+    The mesh of a text, curve, NURBS surface or metaball is listed beside it, as an instance.
+    """
+    if item.type == "MESH":
+        return len(item.data.polygons) > 0
+    if item.type in (HAIR, "POINTCLOUD"):
+        return len(item.data.points) > 0
+    return item.type not in SURFACES
 
 
 def bare_curves() -> list[str]:
@@ -98,12 +110,12 @@ def bare_curves() -> list[str]:
         dict.fromkeys(
             str(instance.object.original.name)
             for instance in _not_hidden()
-            if is_bare_curve(instance.object)
+            if _is_bare_curve(instance.object)
         )
     )
 
 
-def is_bare_curve(item: bpy.types.Object) -> bool:
+def _is_bare_curve(item: bpy.types.Object) -> bool:
     """Whether an evaluated object is curves of geometry nodes beside a mesh: renders show none."""
     return item.type == "CURVE" and item.original.type != "CURVE" and item.to_mesh() is None
 
@@ -111,9 +123,11 @@ def is_bare_curve(item: bpy.types.Object) -> bool:
 def _not_hidden() -> Iterator[bpy.types.DepsgraphObjectInstance]:
     for instance in depsgraph().object_instances:
         item = instance.object.original
-        if instance.show_self and not item.hide_render:
-            if instance.is_instance or not _is_pattern(item):
-                yield instance
+        # Geometry nodes and particles show instances of objects that are hidden themselves.
+        if instance.show_self and (
+            instance.is_instance or not (item.hide_render or _is_pattern(item))
+        ):
+            yield instance
 
 
 def seen() -> Iterator[bpy.types.DepsgraphObjectInstance]:

@@ -48,9 +48,9 @@ class Emission:
                 socket.default_value = 0.0
 
 
-def nodes_of(tree: bpy.types.NodeTree) -> Iterator[bpy.types.Node]:
-    """All nodes of a shader, those inside groups too."""
-    for node in tree.nodes:
+def nodes_of(tree: bpy.types.NodeTree | None) -> Iterator[bpy.types.Node]:
+    """All nodes of a shader, those inside groups too; grease pencil materials have no tree."""
+    for node in () if tree is None else tree.nodes:
         if node.type == "GROUP" and node.node_tree is not None:
             yield from nodes_of(node.node_tree)
         yield node

@@ -150,12 +150,19 @@ def _what_surprises() -> list[str]:
     return [*left_out.notes(), *missing_uvs.problems(), *material_check.problems()]
 
 
+_HELD_BY_NONE = {
+    "VOLUME": "a volume",
+    "POINTCLOUD": "a point cloud",
+    "GREASEPENCIL": "a grease pencil drawing",
+}
+"""Types of objects that no package holds. Those that Cycles renders would shade the rest."""
+
+
 def _hide_what_no_package_holds() -> list[str]:
-    """Points and volumes, which would shade the rest; a note for each."""
+    """A note for each such object."""
     notes = []
-    for item in as_rendered(_points_and_volumes).values():
+    for item, kind in as_rendered(_held_by_none).values():
         item.hide_render = item.hide_viewport = True
-        kind = "a volume" if item.type == "VOLUME" else "a point cloud"
         notes.append(f"object {item.name!r} is {kind}, which no package holds, and was hidden")
     return notes
 
@@ -170,12 +177,13 @@ def _refuse_volumes() -> None:
         )
 
 
-def _points_and_volumes() -> dict[str, bpy.types.Object]:
+def _held_by_none() -> dict[str, tuple[bpy.types.Object, str]]:
+    """Such objects by name, and what each is."""
     result = {}
     for instance in shown_objects.instances():
         item = instance.object
-        if item.type == "VOLUME" or (item.type == "POINTCLOUD" and len(item.data.points)):
-            result[item.original.name_full] = item.original
+        if item.type in _HELD_BY_NONE:
+            result[item.original.name_full] = item.original, _HELD_BY_NONE[item.type]
     return result
 
 

@@ -14,7 +14,7 @@ from rna_export.capture.geometry.base_colors import BaseColors, Ranges
 from rna_export.capture.geometry.blurred_textures import blurred_note
 from rna_export.capture.geometry.glass_mesh import glass_glb
 from rna_export.capture.geometry.mesh_cleanup import welded, with_last
-from rna_export.capture.geometry.source_notes import size_notes, too_coarse
+from rna_export.capture.geometry.source_notes import doubled, size_notes, too_coarse
 from rna_export.capture.preflight.material_record import Glass
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Mesh, SourceVertices, quantise
@@ -188,6 +188,8 @@ def _add_surface(
             mapped = NormalMapRecord(triangles=triangles, texture=texture)
             exported.maps.setdefault(part.name, []).append(mapped)
     _add_colors(exported, part, colors, colors.fitted(worker, largest, pieces))
+    if note := doubled(part.name, mesh, corners["material"]):
+        exported.notes.append(note)
     if note := blurred_note(part.name, corners, colors.others):
         exported.notes.append(note)
 

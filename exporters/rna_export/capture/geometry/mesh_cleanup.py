@@ -53,6 +53,19 @@ def _whole_normals(positions: np.ndarray, normals: np.ndarray) -> np.ndarray:
     return np.asarray(chosen / np.maximum(lengths, 1e-30))
 
 
+def repeated(mesh: Mesh) -> np.ndarray:
+    """(t,) bool, triangles at whose three positions there is another one before, either way round.
+
+    Normals and texture coordinates may differ.
+    """
+    _, place = np.unique(mesh.positions, axis=0, return_inverse=True)
+    corners = np.sort(place.reshape(-1)[mesh.triangles], axis=1)
+    _, first = np.unique(corners, axis=0, return_index=True)
+    result = np.ones(len(corners), bool)
+    result[first] = False
+    return result
+
+
 def vertex_islands(mesh: Mesh) -> np.ndarray:
     """(v,) a number for each vertex, the same for all of a connected piece.
 

@@ -1,4 +1,4 @@
-"""Notes on a source: sizes that its numbers cannot hold, wrong units."""
+"""Notes on a source: sizes that its numbers cannot hold, wrong units, doubled surfaces."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from rna_export.capture.geometry.mesh_cleanup import connected
+from rna_export.capture.geometry.mesh_cleanup import connected, repeated
 from rna_sdk.package import Curves, Mesh
 from rna_sdk.package.geometry.quantised_mesh import POSITION_STEPS
 from rna_sdk.size_note import metres
@@ -37,6 +37,21 @@ def size_notes(geometries: Mapping[str, Mesh | Curves]) -> list[str]:
             "centimetres, -- --unit 0.0001)"
         )
     return notes
+
+
+def doubled(name: str, mesh: Mesh, materials: np.ndarray) -> str | None:
+    """A note if triangles lie exactly on others, or None; materials: (t,) their full names."""
+    rows = repeated(mesh)
+    if not rows.any():
+        return None
+    names, counts = np.unique(materials[rows], return_counts=True)
+    most = names[counts.argmax()]
+    of_material = f", most of material {str(most)!r}" if most else ""
+    return (
+        f"part {name!r} has {rows.sum():,} triangles that lie exactly on others{of_material}: "
+        "renders show either of the two; delete one (Merge by Distance in Edit Mode, or an object "
+        "that is there twice)"
+    )
 
 
 def too_coarse(name: str, mesh: Mesh) -> str | None:
