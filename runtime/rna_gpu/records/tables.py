@@ -12,7 +12,6 @@ OBJECT = Record(
     "Object",
     Field("number", "<f4", (), "of the asset or object in the scene file"),
     Field("catches", "<u4", (), "1: a shadow catcher"),
-    Field("step", "<f4", (), "off the surface, where rays start"),
     Field("passes", "<u4", (), "1: rays that leave it pass through it"),
 )
 
