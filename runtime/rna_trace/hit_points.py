@@ -28,6 +28,10 @@ from rna_trace.vectors import Vector, cross, dot, minus, plus, unit, vector_at
 # met its triangle again from 6 on.
 ROUNDING = 16.0 * 2.0**-24
 
+# A point may lie so far beyond its triangle's edges, in barycentrics, which are right to some 2^-24
+# where rays decide between the two triangles of a floor.
+_BEYOND = 2.0**-20
+
 
 class Frames(NamedTuple):
     """Where k instances stand: x_world = scale rotation x + place, float64.
@@ -78,7 +82,8 @@ def hit_points(
     v: np.ndarray,
     lines: Lines,
 ) -> HitPoints:
-    """Where the lines meet the planes of the triangles that they have hit, and not beyond these.
+    """Where the lines meet the planes of the triangles that they have hit, no more than a rounding
+    error beyond these.
 
     positions: (v, 3) float32. triangles: (t, 3) uint32. triangle: (m,) int32, each within [0, t).
     u, v: (m,) float32, barycentrics as Embree has them, for a line along the plane.
@@ -143,15 +148,15 @@ def _meet(
 def _barycentrics(
     e1: Vector, e2: Vector, way: Vector, d: Vector, u: float, v: float
 ) -> tuple[float, float]:
-    """Where way + t d meets the plane of the edges, moved into the triangle; else u and v."""
+    """Where way + t d meets the plane of the edges, moved to the triangle; else u and v."""
     n = cross(e1, e2)
     along = dot(n, d)
     if along != 0.0:
         at = plus(way, -dot(n, way) / along, d)
         area = dot(n, n)
         u, v = dot(cross(at, e2), n) / area, dot(cross(e1, at), n) / area
-    u = min(max(u, 0.0), 1.0)
-    return u, min(max(v, 0.0), 1.0 - u)
+    u = min(max(u, -_BEYOND), 1.0 + _BEYOND)
+    return u, min(max(v, -_BEYOND), 1.0 - u + _BEYOND)
 
 
 @compiled(fastmath=())

@@ -20,12 +20,6 @@ fn rna_largest_axis(d: vec3f) -> u32 {
     return select(2u, 1u, size.y > size.z);
 }
 
-// The size of a triangle's box, from its edges from the first corner.
-fn rna_box_size(e1: vec3f, e2: vec3f) -> vec3f {
-    let zero = vec3f(0.0);
-    return max(max(e1, e2), zero) - min(min(e1, e2), zero);
-}
-
 // t by the triangle's plane, or `t` where that is nearer to the truth: a plane across an axis is exact however wide
 // it is, and the other loses 2^-24 of the corners' distance; of slivers the plane is uncertain.
 fn rna_distance(ray: RnaRay, way: vec3f, e1: vec3f, e2: vec3f, t: f32, depth: f32) -> f32 {

@@ -32,13 +32,16 @@ const TRIANGLES: u32 = 8u;
 const UNIFORM: u32 = 9u;
 
 fn object_number(k: u32) -> f32 {
-    return table[frame.objects + 0u * k + 0u].x;
+    return table[frame.objects + 1u * k + 0u].x;
 }
 fn object_catches(k: u32) -> u32 {
-    return bitcast<u32>(table[frame.objects + 0u * k + 0u].y);
+    return bitcast<u32>(table[frame.objects + 1u * k + 0u].y);
 }
 fn object_passes(k: u32) -> u32 {
-    return bitcast<u32>(table[frame.objects + 0u * k + 0u].z);
+    return bitcast<u32>(table[frame.objects + 1u * k + 0u].z);
+}
+fn object_free(k: u32) -> u32 {
+    return bitcast<u32>(table[frame.objects + 1u * k + 0u].w);
 }
 
 fn surface_kind(k: u32) -> u32 {
