@@ -46,8 +46,9 @@ def preferences():
 
 def default_folder():
     """Default folder of the SDK's environment."""
-    cache = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache"))
-    return cache / "rna-sdk" / "sdk"
+    # As rna_sdk.cache_folder, which is not installed yet.
+    named = Path(os.environ.get("XDG_CACHE_HOME", ""))
+    return (named if named.is_absolute() else Path.home() / ".cache") / "rna-sdk" / "sdk"
 
 
 def is_set_up():

@@ -69,7 +69,6 @@ class Geometry:
             last numbers are the radius of curves' points, and u and v of meshes'.
         instances: (k,) of dtype INSTANCE.
         order: (k,) number of each stored instance in what was given.
-        extents: largest coordinate of each body.
         places: of each body the place in `primitives` of each of its primitives, (m,), in the order
             of its shapes.
         first_points: of each body, in `points`.
@@ -81,7 +80,6 @@ class Geometry:
     normals: NDArray[np.float32]
     instances: NDArray[Any]
     order: NDArray[np.int64]
-    extents: list[float]
     places: list[NDArray[np.int64]]
     first_points: list[int]
 
@@ -116,7 +114,6 @@ def build_geometry(bodies: Sequence[Sequence[Shape]], placed: Sequence[Placed]) 
         np.concatenate([piece.normals for piece in pieces]),
         instances,
         order,
-        [piece.extent for piece in pieces],
         places,
         first_points,
     )

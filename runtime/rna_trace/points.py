@@ -9,19 +9,22 @@ from typing import Protocol
 import numpy as np
 
 from rna_trace.embree.tracing import ClosestHits, GeometryScene
+from rna_trace.hit_points import HitPoints, Lines
 
 
 class Points(ABC):
     """Points of a part of a body that are seen, and directions wo to the viewer; object space.
 
     x, n: (m, 3) float32, points and unit normals. gives_lobes: whether they know `lobes`.
-    on_strands: whether they are on strands, many of which may share a pixel.
+    on_strands: whether they are on strands, many of which may share a pixel. found: where they are
+    in the world, and the step of rays from there; None where rays pass through the body.
     """
 
     x: np.ndarray
     n: np.ndarray
     gives_lobes = False
     on_strands = False
+    found: HitPoints | None = None
 
     def lobes(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Lobes of the transport of all points: amplitudes and axes, (m, L, 3) float32 each.
@@ -91,10 +94,11 @@ class Body(Protocol):
         wo: np.ndarray,
         seen: bool,
         widths: np.ndarray,
+        lines: Lines,
     ) -> Points:
         """The points of a part that the given rays, (m,), have hit. A body that shines has none.
 
         wo: (m, 3) float32, object space. seen: whether they are camera rays. widths: (m,) float32,
-        of a pixel at each hit, object space.
+        of a pixel at each hit, object space. lines: the rays.
         """
         ...

@@ -18,8 +18,9 @@ from rna_sdk.errors import QueryError
 from rna_trace.normal_maps import NormalMaps
 from rna_trace.vectors import Vector, cross, dot, unit, vector_at
 
-# An origin moves off the surface by this part of the largest coordinate in its space: some thirty
-# times the rounding of the point and of Embree's robust test, which are a few 2^-24 each.
+# Within an asset an origin moves off the surface by this part of its largest coordinate: some
+# thirty times the rounding of the point and of Embree's robust test, which are a few 2^-24 each.
+# spec/RNA.md, 7.1.
 OFFSET = 2.0**-18
 
 # Cosine of a direction to the triangle's normal below which rays begin to start from the smooth
@@ -46,7 +47,8 @@ def interpolate_positions(
     """The points at barycentrics (u, v) of the given triangles: (n, 3) float32.
 
     positions: (v, 3) float32. triangles: (t, 3) uint32. triangle: (n,) int32, each within
-    [0, t). u, v: (n,) float32. Raises QueryError for other shapes, or a triangle out of range.
+    [0, t). u, v: (n,) float32 or float64. Raises QueryError for other shapes, or a triangle out of
+    range.
     """
     return _at_hits(positions, triangles, triangle, u, v, normalise=False)
 
@@ -158,7 +160,8 @@ def _at_hits(
 ) -> np.ndarray:
     _check_hits(triangles, triangle, u, v)
     result = np.empty((len(triangle), 3), np.float32)
-    _interpolate(values, triangles, triangle, u, v, normalise, result)
+    exact = np.asarray(u, np.float64), np.asarray(v, np.float64)  # one kernel for both dtypes
+    _interpolate(values, triangles, triangle, *exact, normalise, result)
     return result
 
 
@@ -225,7 +228,7 @@ def _interpolate(
     result: np.ndarray,
 ) -> None:
     for i in prange(len(triangle)):
-        value = mixed_at(values, triangles[triangle[i]], np.float64(u[i]), np.float64(v[i]))
+        value = mixed_at(values, triangles[triangle[i]], u[i], v[i])
         value = unit(value) if normalise else value
         result[i, 0], result[i, 1], result[i, 2] = value
 

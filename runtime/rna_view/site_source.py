@@ -35,5 +35,8 @@ def site_for(source: Path, environment: Path | None = None) -> Site:
     if environment is not None:
         if not environment.is_file():
             raise ViewError(f"{environment}: no such file")
+        from rna_render import read_environment
+
+        read_environment(environment)  # the whole file, as a visitor's browser will
         site.attributes["environment"] = site.add_image(environment)
     return site

@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 import hashlib
-import os
 import shutil
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from uuid import uuid4
 
+from rna_sdk.cache_folder import cache_folder
 from rna_sdk.errors import WorkError
 
 
 def cached(name: str, write: Callable[[Path], None]) -> Path:
     """The folder named by its contents; `write` fills it if it is missing."""
-    folder = cache_folder() / name
+    folder = sources_folder() / name
     if not folder.is_dir():
         with locked(folder.with_name(f"{name}.lock")):
             if not folder.is_dir():
@@ -33,17 +33,16 @@ def _make(folder: Path, write: Callable[[Path], None]) -> None:
         shutil.rmtree(temporary, ignore_errors=True)
 
 
-def cache_folder() -> Path:
+def sources_folder() -> Path:
     """Folder in which a machine keeps sources and datasets.
 
     Raises:
         WorkError: the user has no home, and XDG_CACHE_HOME names no other folder.
     """
     try:
-        cache = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
+        return cache_folder() / "sources"
     except RuntimeError as error:
         raise WorkError(f"no folder for caches: {error} Set XDG_CACHE_HOME") from error
-    return cache / "rna-sdk" / "sources"
 
 
 def content_hash(path: Path) -> str:

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
+from rna_render.motion.asset_motion import bound_gltf
 from rna_render.motion.gltf_motion import GltfMotion
 from rna_sdk.errors import MotionError
 from tests.motion.gltf_files import GltfFile, bending_arm, moving_node, quaternion
@@ -80,6 +82,32 @@ def test_clips_of_a_motion_by_name(tmp_path: Path) -> None:
     assert GltfMotion(path, "Run").frames == 25
     with pytest.raises(MotionError, match=r"a\.gltf: has no clip 'Fly'; it has clip, Run"):
         GltfMotion(path, "Fly")
+
+
+def test_the_last_key_of_a_clip_between_two_frames_is_shown(tmp_path: Path) -> None:
+    track = ("translation", [0, 0.99], [[0, 0, 0], [1, 0, 0]])
+    motion = GltfMotion(moving_node(tmp_path / "a.gltf", MESH, [track]))
+    assert motion.frames == 25
+    moved = motion.positions(24)[:, 0] - MESH.positions[:, 0]
+    np.testing.assert_allclose(moved, 1.0, atol=1e-6)
+    whole = ("translation", [0, 1], [[0, 0, 0], [1, 0, 0]])
+    assert GltfMotion(moving_node(tmp_path / "b.gltf", MESH, [whole])).frames == 25
+
+
+def test_a_clip_moves_a_package_that_was_made_from_another_one(tmp_path: Path) -> None:
+    """The package has the shape of the walk's first key, in which the run never is."""
+    path, turns = tmp_path / "walk.gltf", [quaternion((0, 1, 0), angle) for angle in (30, 60, 90)]
+    moving_node(path, MESH, [("rotation", [0, 1], turns[:2])])
+    moving_node(tmp_path / "run.gltf", MESH, [("rotation", [0, 1], turns[1:])])
+    walk, run = GltfMotion(path), GltfMotion(tmp_path / "run.gltf")
+    shape = replace(MESH, positions=walk.positions(0).astype(np.float32))
+    with pytest.raises(MotionError, match="has not the rest shape of fox"):
+        bound_gltf(run, [shape], "fox", rest_frame=0)
+    bound = bound_gltf(run, [shape], "fox", rest_frame=0, made_from=walk)
+    np.testing.assert_allclose(bound.positions(24)[0], run.positions(24), atol=1e-5)
+    moving_node(tmp_path / "other.gltf", grid(4), [("rotation", [0, 1], turns[1:])])
+    with pytest.raises(MotionError, match="not of the same triangles"):
+        bound_gltf(GltfMotion(tmp_path / "other.gltf"), [shape], "fox", made_from=walk)
 
 
 @pytest.mark.parametrize(

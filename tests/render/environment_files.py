@@ -210,13 +210,15 @@ def _exr_cases(folder: Path) -> list[Case]:
     uint = {name: plane.astype(np.uint32) for name, plane in plain.items()}
     exr("whole numbers", uint, "colours of type uint32")
     exr("two types", half | {"G": plain["G"]}, "colours of type float16, float32")
-    for name, value in {"nan": np.nan, "inf": np.inf, "-inf": -np.inf, "1e20": 1e20}.items():
+    for name, value in {"nan": np.nan, "-inf": -np.inf, "1e20": 1e20}.items():
         bad = texels.copy()
         bad[3, 5, 1] = value
         exr(name, _rgb(bad), "has 1 texels that are not finite")
     sun = half["R"].copy()
     sun[3, 5] = np.inf  # as 1e5 becomes in float16
-    exr("overflow of the sun", half | {"R": sun}, "has 1 texels that are not finite")
+    cut = texels.copy()
+    cut[3, 5, 0] = 65504
+    exr("overflow of the sun", half | {"R": sun}, cut)
 
     case("deep", _write_deep, "is a deep image")
     case("several parts", lambda path: _write_parts(path, plain), texels)

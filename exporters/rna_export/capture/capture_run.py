@@ -21,6 +21,7 @@ from rna_export.capture.capture_plan import parts_lines, plan_lines
 from rna_export.capture.capture_tasks import Task, TrainingShard, ValidationHalf, all_tasks
 from rna_export.capture.check.self_check import PICTURE, WORTH_A_NOTE, SelfCheck
 from rna_export.capture.dataset.collect import Collector
+from rna_export.capture.dataset.completeness import record_files
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_manifest import CaptureManifest
 from rna_export.capture.estimate.gain import gain_text, table_of
@@ -237,6 +238,7 @@ def finish(
     every = all_tasks(dataset) if tasks is None else tasks
     missing = [task for task in every if not task.path(dataset).is_file()]
     if not missing:
+        record_files(dataset)
         return
     collector = Collector.of(dataset, workers.executor, workers.store)
     missing = collector.fetch(missing)
@@ -259,6 +261,7 @@ def finish(
     opened.cache_clear()
     if limit is not None:
         _drop_late(dataset, every, say)
+    record_files(dataset)
     say_dropped(dataset, say)
 
 

@@ -18,8 +18,8 @@ def add_frames(p: argparse.ArgumentParser) -> None:
         type=int,
         metavar="N",
         help=f"{about}: modifiers, armatures, caches and hair are evaluated there (int, default: "
-        "the frame that a .blend or a script ends with, the first one of Alembic and USD, frame 1 "
-        "of glTF)",
+        "the frame that a .blend or a script ends with, the first one of Alembic and USD, frame 0 "
+        "of an animated glTF)",
     )
     p.add_argument(
         "--poses",

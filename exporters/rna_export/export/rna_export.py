@@ -8,6 +8,7 @@ from pathlib import Path
 
 from rna_export.export.package_options import add_credit, add_environment, check_environment
 from rna_export.export.precision import MAX_LOSS, add_precision, precisions_of
+from rna_export.training.training_options import add_incomplete
 from rna_sdk.console import command_line, command_parser, run_command
 from rna_sdk.outputs import check_outputs, check_package_name
 
@@ -78,6 +79,7 @@ def parser() -> argparse.ArgumentParser:
         help="deflate: lossless compression by RNA_deflate; readers without this extension reject "
         "the package (default: %(default)s)",
     )
+    add_incomplete(p)
     add_credit(p)
     add_environment(p)
     return p
@@ -126,6 +128,7 @@ def _add_lobes(args: argparse.Namespace) -> None:
 
 
 def _run(args: argparse.Namespace) -> None:
+    from rna_export.capture.dataset.completeness import check_complete
     from rna_export.capture.dataset.dataset_folder import Dataset
     from rna_export.capture.geometry.cut import as_cut
     from rna_export.export.export_summary import closing_lines
@@ -143,7 +146,9 @@ def _run(args: argparse.Namespace) -> None:
     trained = [load_checkpoint(path) for path in checkpoints]
     of_standin = checkpoint_paths([args.standin]) if args.standin else []
     analytic = [load_checkpoint(path) for path in of_standin]
-    dataset = as_cut(Dataset(args.dataset or trained[0].dataset), trained[0].cut)
+    whole = Dataset(args.dataset or trained[0].dataset)
+    check_complete(whole, args.incomplete)
+    dataset = as_cut(whole, trained[0].cut)
     check_analytic(analytic, dataset)
     presets = dict.fromkeys(one.preset_name for one in trained)
     precisions = precisions_of(args.precision, presets)

@@ -35,6 +35,13 @@ def parser() -> argparse.ArgumentParser:
     add("source", type=Path, help="animated model (path): glTF, .blend, Alembic, USD or a script")
     add("package", type=Path, help="package of the same model (path)")
     add("--out", type=Path, required=True, metavar="FILE", help="motion file (path, required)")
+    add(
+        "--made-from",
+        type=Path,
+        metavar="FILE",
+        help="glTF of the same character that the package was made from, whose rest pose the "
+        "animated one need not have (path, default: the animated one)",
+    )
     add("--clip", metavar="NAME", help="name of a glTF's animation (text, default: the first)")
     add(
         "--rate",
@@ -65,8 +72,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     options = p.parse_args(joined_axes(given))
     if options.rate is not None and not options.rate > 0:
         p.error(f"--rate: expected more than 0, found {options.rate:g}")
-    if options.clip is not None and not is_gltf(options.source):
-        p.error("--clip is for glTF")
+    for name in ("clip", "made_from"):
+        if getattr(options, name) is not None and not is_gltf(options.source):
+            p.error(f"--{name.replace('_', '-')} is for glTF")
     run = lambda: _run(options, tuple(script))  # noqa: E731
     return run_command(run, options.debug, "nothing was written", "capture")
 
@@ -85,7 +93,8 @@ def _run(options: argparse.Namespace, script: tuple[str, ...]) -> None:
     from rna_sdk.package import Package
     from rna_work.bar import Bar
 
-    check_outputs([options.out], [options.source, options.package])
+    made_from = [] if options.made_from is None else [options.made_from]
+    check_outputs([options.out], [options.source, options.package, *made_from])
     with Package.open(options.package) as package:
         parts = range(len(package.manifest.parts))
         geometries = [package.geometry(k) for k in parts]
@@ -126,8 +135,15 @@ def _of_gltf(options: argparse.Namespace, geometries: Sequence[Mesh | Curves]) -
     from rna_render import open_asset_motion
 
     rate = options.rate or 24.0
-    at = options.package.name, options.clip, rate, options.rest_frame
-    motion = open_asset_motion(options.source, geometries, *at)
+    motion = open_asset_motion(
+        options.source,
+        geometries,
+        options.package.name,
+        clip=options.clip,
+        rate=rate,
+        rest_frame=options.rest_frame,
+        made_from=options.made_from,
+    )
     first, last = options.frames or (0, motion.frames - 1)
     return map(motion.positions, range(first, last + 1)), last + 1 - first, rate
 

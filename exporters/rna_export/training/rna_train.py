@@ -18,7 +18,7 @@ from rna_export.training.presets import (
     Preset,
     named_preset,
 )
-from rna_export.training.training_options import add_device, chosen_device
+from rna_export.training.training_options import add_device, add_incomplete, chosen_device
 from rna_sdk.console import command_line, command_parser, run_command
 from rna_sdk.errors import TrainingError
 from rna_sdk.owned_folder import owned
@@ -106,6 +106,7 @@ def parser() -> argparse.ArgumentParser:
         default=0,
         help="random seed; with --steps, CPU runs are reproducible (int, default: %(default)s)",
     )
+    add_incomplete(p)
     add_device(p, "the training")
     return p
 
@@ -127,6 +128,7 @@ def main(argv: list[str] | None = None) -> int:
 
 def _run(args: argparse.Namespace) -> None:
     begun = monotonic()  # the imports take seconds
+    from rna_export.capture.dataset.completeness import check_complete
     from rna_export.capture.dataset.dataset_folder import Dataset
     from rna_export.capture.geometry.cut import as_cut
     from rna_export.machine import keep_freed_memory
@@ -136,7 +138,9 @@ def _run(args: argparse.Namespace) -> None:
 
     keep_freed_memory()
     device = chosen_device(args.device)
-    dataset = as_cut(Dataset(args.dataset), args.cut)
+    whole = Dataset(args.dataset)
+    check_complete(whole, args.incomplete)
+    dataset = as_cut(whole, args.cut)
     parts = dataset.parts if args.part is None else (dataset.part(args.part),)
     minutes = shared_minutes(args.minutes, parts)
     folders = {part.name: part_folder(args.out, dataset, part.name) for part in dataset.parts}

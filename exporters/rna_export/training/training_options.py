@@ -35,3 +35,12 @@ def chosen_device(device: str) -> str:
     if device == "auto":
         return "cuda" if torch.cuda.is_available() else "cpu"
     return device
+
+
+def add_incomplete(parser: argparse.ArgumentParser) -> None:
+    """The option to use a dataset that is not whole."""
+    parser.add_argument(
+        "--incomplete",
+        action="store_true",
+        help="accept a dataset with missing, replaced or uncaptured files, and use what is there",
+    )

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import time
 from collections.abc import Callable
 from hashlib import sha256
@@ -13,6 +12,7 @@ import numpy as np
 
 import rna_sdk
 from rna_sdk.atomic_file import write_atomically
+from rna_sdk.cache_folder import cache_folder
 from rna_sdk.cpu import processor_key
 
 _REPEATS = 5
@@ -49,8 +49,7 @@ def median_seconds(
 
 
 def _file() -> Path:
-    cache = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
-    return cache / "rna-sdk" / "costs.json"
+    return cache_folder() / "costs.json"
 
 
 def _read() -> dict[str, float]:

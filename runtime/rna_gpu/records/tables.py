@@ -12,8 +12,8 @@ OBJECT = Record(
     "Object",
     Field("number", "<f4", (), "of the asset or object in the scene file"),
     Field("catches", "<u4", (), "1: a shadow catcher"),
-    Field("step", "<f4", (), "off the surface, where rays start"),
     Field("passes", "<u4", (), "1: rays that leave it pass through it"),
+    Field("free", "<u4", (), "0, to fill a row of the table"),
 )
 
 OF_MATERIAL, OF_NEURAL, OF_FIBERS = range(3)

@@ -18,7 +18,7 @@ from rna_gpu.scene.scene_tables import asset_at, scene_tables
 from rna_gpu.scene.wavefront import Wavefront
 from rna_render import Camera, Layers, Sampler, World
 from rna_render.paths.integrator_factory import all_lights, indirect_clamp
-from rna_render.scene import CameraModel, Scene
+from rna_render.scene import CameraModel, Scene, from_origin
 from rna_render.world.domain_watch import WatchedAsset
 from rna_sdk.errors import DeviceLostError
 
@@ -54,8 +54,9 @@ class GpuRenderer:
         Raises:
             GpuError: there is no GPU, or the scene does not fit on it.
         """
-        self._scene, self._world = scene, world
-        models = scene.camera, next_camera or scene.camera
+        camera = from_origin(scene.camera, world.origin)
+        self._scene, self._world = scene.model_copy(update={"camera": camera}), world
+        models = camera, from_origin(next_camera or scene.camera, world.origin)
         moves = models[0] != models[1]
         self._cameras = [Camera(model, scene.resolution) for model in models if moves]
         self._open = open_it or _DEVICE.get
@@ -84,6 +85,8 @@ class GpuRenderer:
             row = np.flatnonzero(layers.hit)
             at = layers.position_world[row]
             layers.motion[row] = now.motion_to(after, at, at)
+        from_file = layers.hit[:, None] * self._world.origin
+        layers.position_world = (layers.position_world + from_file).astype(np.float32)
         return layers
 
     def _rendered(self, pixels: NDArray[np.uint32], sampler: Sampler) -> Layers:

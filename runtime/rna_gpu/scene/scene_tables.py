@@ -20,7 +20,6 @@ from rna_render import MeshObject, World
 from rna_render.lights import Light, PlacedLight
 from rna_render.materials import ALBEDO_MEANS, ALBEDO_TABLE
 from rna_sdk.runtime import Asset
-from rna_trace import OFFSET
 
 _ROUNDING = 1e-6  # that of rna_sdk.runtime.in_region
 
@@ -72,7 +71,7 @@ def scene_tables(world: World, lights: Sequence[Light]) -> SceneTables:
     shining = np.where(world.light[ordered] < 0, NONE, world.light[ordered]).astype(np.uint32)
     geometry.instances["host_data"] = shining
     stored = {k: at for at, k in enumerate(ordered)}
-    return _joined(world, lights, surfaces, geometry, stored, numbers, placed)
+    return _joined(world, lights, surfaces, geometry, stored, numbers)
 
 
 def _joined(
@@ -82,11 +81,10 @@ def _joined(
     geometry: Geometry,
     stored: dict[int, int],
     bodies: dict[int, int],
-    placed: Sequence[Placed],
 ) -> SceneTables:
     images = surfaces.images
     rows = {
-        "objects": _scene_objects(world, list(stored), geometry, placed),
+        "objects": _scene_objects(world, list(stored)),
         "surfaces": surfaces.with_points(geometry.first_points),
         "lights": light_rows(lights, world, images, geometry, stored, bodies),
         "albedo": _albedo() if surfaces.has_coat else np.zeros((1, 4), np.float32),
@@ -105,19 +103,12 @@ def asset_at(world: World, place: int) -> Asset:
     return cast(Asset, world.objects[place])
 
 
-def _scene_objects(
-    world: World, visible: Sequence[int], geometry: Geometry, placed: Sequence[Placed]
-) -> NDArray[np.float32]:
+def _scene_objects(world: World, visible: Sequence[int]) -> NDArray[np.float32]:
     """(k, 4): a row of OBJECT an instance."""
     rows = np.zeros(len(visible), OBJECT.dtype)
-    for row, k, stored in zip(rows, visible, geometry.order, strict=True):
-        scene_object = world.placements[k].object
-        is_object = isinstance(scene_object, MeshObject)
-        matrix = world.placements[k].world_from_object
-        size = world.scale[k] * np.sqrt(3.0) * geometry.extents[placed[stored].body]
-        reach = np.abs(matrix[:3, 3]).max() + size
-        step = OFFSET * reach if is_object else 0.0
-        row["number"], row["step"] = world.number[k], step
+    for row, k in zip(rows, visible, strict=True):
+        is_object = isinstance(world.placements[k].object, MeshObject)
+        row["number"] = world.number[k]
         row["catches"], row["passes"] = world.catches_shadows[k], not is_object
     return rows.view(np.float32).reshape(-1, 4)
 

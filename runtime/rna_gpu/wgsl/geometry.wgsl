@@ -47,6 +47,12 @@ fn rna_strand(primitive: RnaPrimitive) -> u32 {
     return primitive.c;
 }
 
+// The size of a triangle's box, from its edges from the first corner.
+fn rna_box_size(e1: vec3f, e2: vec3f) -> vec3f {
+    let zero = vec3f(0.0);
+    return max(max(e1, e2), zero) - min(min(e1, e2), zero);
+}
+
 // The ray in an instance's object space, where its direction is unit as well.
 fn rna_to_object(ray: RnaRay, instance: u32) -> RnaRay {
     let scale = rna_instances[instance].scale;

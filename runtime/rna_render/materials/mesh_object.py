@@ -72,8 +72,8 @@ class MeshObject:
     def scattering(self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray) -> Scattering:
         """The material at barycentrics (u, v) of the given triangles.
 
-        triangle: (n,) int32, each within [0, t). u, v: (n,) float32. glTF 2.0, section 3.9.2:
-        textures multiply the factors.
+        triangle: (n,) int32, each within [0, t). u, v: (n,) float32 or float64. glTF 2.0, section
+        3.9.2: textures multiply the factors.
         """
         number = self.material_numbers[triangle]
         at = number, triangle, u, v
@@ -123,7 +123,7 @@ class MeshObject:
         row = np.flatnonzero(self._factors["transmission"][self.material_numbers[triangle]])
         facing = np.sum(ng[row] * wo[row], axis=1) > 0
         result = np.ones((len(triangle), 3), np.float32)
-        at = triangle[row], u[row], v[row], wo[row], facing
+        at = triangle[row], np.float32(u[row]), np.float32(v[row]), wo[row], facing
         result[row] = np.maximum(1 - self.transmittance.at(*at), np.float32(1e-6))
         return result
 
@@ -237,7 +237,8 @@ class MeshObject:
                 if (texture := textures[place]) is not None:
                     row = np.flatnonzero(number == place)
                     uv = np.empty((len(row), 2), np.float32)
-                    at = self.triangles, triangle[row], u[row], v[row]
+                    where = (np.asarray(b[row], np.float64) for b in (u, v))
+                    at = self.triangles, triangle[row], *where
                     _interpolate(self.uv_set(texture.uv_set), *at, uv)
                     yield row, texture.lookup(uv)
 
@@ -278,7 +279,6 @@ def _interpolate(
     for i in prange(len(triangle)):
         row = triangle[i]
         a, b, c = triangles[row, 0], triangles[row, 1], triangles[row, 2]
-        fu, fv = np.float64(u[i]), np.float64(v[i])
         for axis in range(2):
-            value = (1.0 - fu - fv) * uvs[a, axis] + fu * uvs[b, axis] + fv * uvs[c, axis]
+            value = (1.0 - u[i] - v[i]) * uvs[a, axis] + u[i] * uvs[b, axis] + v[i] * uvs[c, axis]
             result[i, axis] = value

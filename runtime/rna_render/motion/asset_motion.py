@@ -36,17 +36,21 @@ def open_asset_motion(
     clip: str | None = None,
     rate: float = 24.0,
     rest_frame: int | None = None,
+    made_from: Path | None = None,
 ) -> Motion:
     """The motion in a file for the parts of a package.
 
     geometries: of the parts, in order. package: its name, for errors. clip, rate: of a glTF, as for
-    GltfMotion. rest_frame: of the package's provenance, for a glTF that is bent at rest.
+    GltfMotion. rest_frame: of the package's provenance, for a glTF that is bent at rest. made_from:
+    the glTF that the package was made from, of whose clip it has the shape; None for `path`.
 
     Raises:
         MotionError: the file is no motion, or not one of this package.
     """
     if is_gltf(path):
-        return bound_gltf(GltfMotion(path, clip, rate), geometries, package, rest_frame)
+        source = GltfMotion(path, clip, rate)
+        made = None if made_from is None else GltfMotion(made_from)
+        return bound_gltf(source, geometries, package, rest_frame, made)
     if kind_of(path) == "model":
         out = path.with_suffix(".rnam").name
         made = command_line("rna-motion", path, package, "--out", out)
@@ -59,14 +63,20 @@ def bound_gltf(
     geometries: Sequence[Mesh | Curves],
     package: str,
     rest_frame: int | None = None,
+    made_from: GltfMotion | None = None,
 ) -> BoundMotion:
-    """A package that follows a glTF, in whose rest pose it was made.
+    """A package that follows a glTF, in whose rest pose it was made, or in that of another one of
+    the same character.
 
     Raises:
-        MotionError: in none of the poses that it may have been made in, it has the package's shape.
+        MotionError: in none of the poses that it may have been made in, it has the package's shape,
+            or the two are not of the same triangles.
     """
     first: MotionError | None = None
-    for pose in source.rest_poses(rest_frame):
+    made = made_from or source
+    if not np.array_equal(made.triangles, source.triangles):
+        raise MotionError(f"{made.path} and {source.path} are not of the same triangles")
+    for pose in made.rest_poses(rest_frame):
         try:
             names = source.path.name, package
             return BoundMotion(source, bind(geometries, pose, source.triangles, names))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -50,7 +51,7 @@ class GltfMotion:
     path: the file. clip: name of the animation; None for the first. rate: frames a second.
 
     Attributes:
-        frames: how many there are from time 0 to the last key, both included.
+        frames: how many there are from time 0 to the first at or after the last key.
         triangles: (t, 3) int64, of all the primitives' vertices.
 
     Raises MotionError where the file cannot be read or is not valid, or has no such animation.
@@ -61,7 +62,7 @@ class GltfMotion:
         with self._valid():
             self._container = open_gltf(path)
             self._tracks = self._read(clip)
-            self.frames = int(duration(self._tracks) * rate + 1e-6) + 1
+            self.frames = math.ceil(duration(self._tracks) * rate - 1e-6) + 1
 
     def positions(self, frame: float) -> np.ndarray:
         """All vertices in the scene's space: (w, 3) float64. Raises MotionError as the class."""
@@ -74,7 +75,7 @@ class GltfMotion:
         """Poses that a package may have been made from, the likeliest first: (w, 3) each.
 
         As the nodes stand; without skins and morphs; the animation's start, and 1/24 s later, where
-        Blender's first frame is; the frame of Blender's at which the package was captured.
+        captures of earlier versions were; the frame of Blender's at which the package was captured.
         """
         yield self._posed({})
         yield self._posed({}, bare=True)

@@ -189,13 +189,14 @@ class Integrator:
 
     def _vertices(self, role: Role, rays: Rays) -> Vertices:
         spread = self._camera.spread
-        return self._world.vertices(role, rays.hits, rays.direction, rays.pdf is None, spread)
+        lines = rays.hits, rays.origin, rays.direction
+        return self._world.vertices(role, *lines, rays.pdf is None, spread)
 
     def _describe(self, band: Layers, vertices: Vertices) -> None:
         """Write the AOVs of the first hits."""
         band.beauty[vertices.ray, 3] = band.hit[vertices.ray] = 1.0
         band.normal_world[vertices.ray] = vertices.n_world
-        band.position_world[vertices.ray] = vertices.x_world
+        band.position_world[vertices.ray] = vertices.x_world + self._world.origin
         at = vertices.x_world, vertices.next_world
         if self._next_camera is not self._camera or at[0] is not at[1]:
             band.motion[vertices.ray] = self._camera.motion_to(self._next_camera, *at)

@@ -13,6 +13,7 @@ from rna_render.paths.lobe_lighting import LobeLighting, lobed_objects
 from rna_render.paths.solid_glass import SolidGlass
 from rna_render.scene.light_models import AreaModel, EnvironmentModel
 from rna_render.scene.scene_model import CameraModel, QualityModel, Scene
+from rna_render.scene.transforms import from_origin
 from rna_render.world.camera import Camera
 from rna_render.world.world import World
 
@@ -29,10 +30,10 @@ def make_integrator(
     Raises SceneError for an environment's image that cannot be used.
     """
     lights = all_lights(scene, world)
-    camera = Camera(scene.camera, scene.resolution, scene.samples)
+    camera = Camera(from_origin(scene.camera, world.origin), scene.resolution, scene.samples)
     after = None
     if next_camera is not None and next_camera != scene.camera:
-        after = Camera(next_camera, scene.resolution)
+        after = Camera(from_origin(next_camera, world.origin), scene.resolution)
     clamp = indirect_clamp(scene.clamp_indirect, lights, world.radius)
     by_lobes = scene.quality is not None and scene.quality.by_lobes
     # What lobes carry of an environment knows nothing of glass that is in the way.
@@ -65,7 +66,8 @@ def make_first_look(scene: Scene, world: World) -> Integrator | None:
 def all_lights(scene: Scene, world: World) -> list[Light]:
     """Lights of the world, then those without a shape; errors: see `make_integrator`."""
     without_shape = [model for model in scene.lights if not isinstance(model, AreaModel)]
-    return [*world.lights, *(make_light(model) for model in without_shape)]
+    places = (from_origin(model, world.origin) for model in without_shape)
+    return [*world.lights, *map(make_light, places)]
 
 
 def indirect_clamp(

@@ -14,9 +14,10 @@ from rna_render.materials import MeshObject
 from rna_render.materials.refraction import fresnel, reflected, refracted
 from rna_render.paths.sampling import Sampler
 from rna_render.world.world import World
-from rna_trace import surface
 from rna_trace.embree.instances import INDIRECT_RAY
 from rna_trace.embree.tracing import ClosestHits
+from rna_trace.hit_points import hit_points, stepped
+from rna_trace.surface import interpolate_normals
 
 MOST_INTERFACES = 24
 _DIMENSION = 1 << 20  # of random numbers: beyond those of the points of any path
@@ -46,7 +47,7 @@ class _Interfaces:
     """Where k rays meet glass: points, shading and geometric normals, (k, 3), world space.
 
     ior: (k,). tint: (k, 3), of each passage. absorption: (k, 3), of the inside, per world unit.
-    instance: (k,) int32.
+    step: (k,) float32, off the interface, where rays start.
     """
 
     x: np.ndarray
@@ -55,7 +56,7 @@ class _Interfaces:
     ior: np.ndarray
     tint: np.ndarray
     absorption: np.ndarray
-    instance: np.ndarray
+    step: np.ndarray
 
 
 class SolidGlass:
@@ -95,7 +96,7 @@ class SolidGlass:
             if not len(row):
                 break
             bent[row] = True
-            at = self._interfaces(hits, row)
+            at = self._interfaces(hits, origin, direction, row)
             dimension = _DIMENSION + depth * MOST_INTERFACES + k
             u = sampler.square(pixels[row], dimension, number=number[row])[:, 0]
             self._pass(at, row, u, origin, direction, hits, weight, inside)
@@ -136,7 +137,7 @@ class SolidGlass:
         change = np.where(enters, 1.0, -1.0)[:, None] * at.absorption
         inside[row] = np.where(passes[:, None], np.maximum(medium + change, 0.0), medium)
         direction[row] = out
-        origin[row] = self._world.stepped(at.x, at.ng, at.instance, direction[row])
+        origin[row] = stepped(at.x, at.ng, at.step, direction[row])
         self._trace(row, origin, direction, hits, weight)
 
     def _trace(
@@ -161,25 +162,28 @@ class SolidGlass:
             met[here] = mesh.solid_ior[mesh.material_numbers[hits.primitive[row[here]]]] > 0.0
         return row[met]
 
-    def _interfaces(self, hits: ClosestHits, row: np.ndarray) -> _Interfaces:
+    def _interfaces(
+        self, hits: ClosestHits, origin: np.ndarray, direction: np.ndarray, row: np.ndarray
+    ) -> _Interfaces:
         world, count = self._world, len(row)
         x, n = np.empty((count, 3), np.float32), np.empty((count, 3), np.float32)
         ior, tint, absorption = np.empty(count), np.empty((count, 3)), np.empty((count, 3))
-        instance = hits.instance[row]
+        step, instance = np.empty(count, np.float32), hits.instance[row]
+        lines = world.lines(instance, origin[row], direction[row])
         for number, mesh in self._meshes.items():
             here = np.flatnonzero(instance == number)
             where = (values[row[here]] for values in (hits.primitive, hits.u, hits.v))
             triangle, u, v = where
-            x[here] = surface.interpolate_positions(mesh.positions, mesh.triangles, triangle, u, v)
-            n[here] = surface.interpolate_normals(mesh.normals, mesh.triangles, triangle, u, v)
+            at = hit_points(mesh.positions, mesh.triangles, triangle, u, v, lines.rows(here))
+            x[here], step[here] = at.x_world, at.step
+            n[here] = interpolate_normals(mesh.normals, mesh.triangles, triangle, at.u, at.v)
             material = mesh.material_numbers[triangle]
             ior[here], tint[here] = mesh.solid_ior[material], mesh.solid_tint[material]
             absorption[here] = mesh.solid_absorption[material] / world.scale[number]
         ng = world.to_world_directions(instance, hits.ng[row])
         n = world.to_world_directions(instance, n)
         n = np.where(np.sum(n * ng, axis=1, keepdims=True) <= 0.0, ng, n)
-        points = world.to_world_points(instance, x)
-        return _Interfaces(points, n, ng, ior, tint, absorption, instance)
+        return _Interfaces(x, n, ng, ior, tint, absorption, step)
 
 
 def _on_its_side(out: np.ndarray, otherwise: np.ndarray, ng: np.ndarray) -> np.ndarray:

@@ -5,8 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-import yaml
-
+from rna_render.scene.core_yaml import dump_yaml
 from rna_render.scene.scene_model import Scene
 
 _DIGITS = 6
@@ -30,9 +29,7 @@ def scene_text(scene: Scene, folder: Path) -> str:
         "view": scene.view,
         "lights": lights,
     }
-    return str(
-        yaml.safe_dump(_rounded(record), sort_keys=False, default_flow_style=None, width=100)
-    )
+    return dump_yaml(_rounded(record))
 
 
 def _rounded(value: Any) -> Any:

@@ -165,8 +165,9 @@ class EnvironmentModel(_LightModel):
     path: FilePath | None = Field(
         default=None,
         description="Equirectangular image, EXR or HDR, relative to the scene file. Its centre is "
-        "direction -z, its top edge +y, its right half +x. Negative values are clamped to 0; "
-        "non-finite values and values above 1e18 are rejected.",
+        "direction -z, its top edge +y, its right half +x. Negative values are clamped to 0. "
+        "Infinite ones, as a sun above 65,504 is in half floats, are cut to 65,504 with a warning; "
+        "what is no number or above 1e18 is rejected.",
     )
     rotation_deg: Number = Field(
         default=0.0,

@@ -30,10 +30,19 @@ def _repeated(count: int) -> BeforeValidator:
     """One number stands for so many equal ones."""
 
     def repeat(value: object) -> object:
-        is_number = isinstance(value, int | float) and not isinstance(value, bool)
-        return [value] * count if is_number else value
+        return [value] * count if _is_number(value) else value
 
     return BeforeValidator(repeat)
+
+
+def _is_number(value: object) -> bool:
+    """Whether a key of one number would take it: quoted numbers are numbers there, too."""
+    if isinstance(value, bool) or not isinstance(value, int | float | str):
+        return False
+    try:
+        return math.isfinite(float(value))
+    except (ValueError, OverflowError):
+        return False
 
 
 Number = Annotated[float, Field(ge=-MAX_NUMBER, le=MAX_NUMBER)]

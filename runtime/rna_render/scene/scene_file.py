@@ -11,6 +11,7 @@ import yaml
 from pydantic import BaseModel, ValidationError
 
 from rna_render.scene.animation import frame_scene
+from rna_render.scene.core_yaml import CoreLoader, load_yaml
 from rna_render.scene.limits import MAX_SCENE_BYTES
 from rna_render.scene.scene_messages import Key, Mistake, mistakes
 from rna_render.scene.scene_model import CameraModel, Scene
@@ -32,17 +33,24 @@ class SceneFile:
 
     path: the file. scene: what it says. lines: from key to line, counted from 1; none for the
     default scene of a package. next_camera: of the next frame, where `scene` is one of several.
+    first_camera: of the file, where `scene` is one frame of it.
     """
 
     path: Path
     scene: Scene
     lines: dict[Key, int]
     next_camera: CameraModel | None = None
+    first_camera: CameraModel | None = None
 
     def at(self, frame: float) -> SceneFile:
         """The file with the scene of one frame of its animation; this one if it has none."""
         scene, after = frame_scene(self.scene, frame), frame_scene(self.scene, frame + 1.0)
-        return replace(self, scene=scene, next_camera=after.camera)
+        return replace(self, scene=scene, next_camera=after.camera, first_camera=self.viewpoint)
+
+    @property
+    def viewpoint(self) -> CameraModel:
+        """The camera of the file, about which all its frames are rendered, on every machine."""
+        return self.first_camera or self.scene.camera
 
     @property
     def camera_after(self) -> CameraModel:
@@ -102,7 +110,7 @@ def read_scene(path: Path) -> SceneFile:
     except OSError as error:
         raise SceneError(error.strerror or str(error), file=path) from error
     if kind_of(path) == "package":
-        scene = Scene.model_validate(yaml.safe_load(default_scene(path)))
+        scene = Scene.model_validate(load_yaml(default_scene(path)))
         return SceneFile(path, scene, {})  # no lines: the person has no file with them
     if (wrong := not_a("scene", path)) is not None:
         raise SceneError(wrong, file=path)
@@ -138,7 +146,7 @@ def _with_paths(part: Any, resolve: Callable[[Path], Path]) -> Any:
 def _parse(path: Path, text: str) -> tuple[object, dict[Key, int]]:
     lines: dict[Key, int] = {}
     try:
-        loader = yaml.SafeLoader(text)
+        loader = CoreLoader(text)
         node = loader.get_single_node()
         if node is None:
             raise SceneError("the file is empty", file=path)
@@ -149,7 +157,7 @@ def _parse(path: Path, text: str) -> tuple[object, dict[Key, int]]:
         raise SceneError(f"not YAML: {error.problem}", file=path, line=line) from error
     except RecursionError as error:
         raise SceneError("too deep for a scene", file=path) from error
-    except (yaml.YAMLError, ValueError) as error:
+    except yaml.YAMLError as error:
         raise SceneError(f"not YAML: {' '.join(str(error).split())}", file=path) from error
 
 

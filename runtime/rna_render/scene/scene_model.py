@@ -140,7 +140,7 @@ class GroundModel(Model):
     height: Number = Field(default=0.0, description="Its y coordinate, metres.")
     size: Length | None = Field(
         default=None,
-        description="Side length, metres; 100 if omitted, or 20 times the largest x or z of the "
+        description="Side length, metres; 100 if omitted, or 400 times the largest x or z of the "
         "assets and objects where that is more.",
     )
     material: MaterialModel = Field(

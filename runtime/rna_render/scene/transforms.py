@@ -2,17 +2,38 @@
 
 from __future__ import annotations
 
+from typing import TypeVar
+
 import numpy as np
+from pydantic import BaseModel
 
 from rna_render.scene.model_base import Quaternion, TransformModel, Vector
 
+_Model = TypeVar("_Model", bound=BaseModel)
+_PLACES = ("position", "look_at")
 
-def world_from_object(model: TransformModel) -> np.ndarray:
-    """Scale, then rotation, then translation: (4, 4) float64."""
+
+def world_from_object(model: TransformModel, origin: np.ndarray | None = None) -> np.ndarray:
+    """Scale, then rotation, then translation: (4, 4) float64.
+
+    origin: of the world, (3,) float64, in the scene file's space; None for that of the file.
+    """
     matrix = np.eye(4)
     matrix[:3, :3] = model.scale * _rotation(model)
     matrix[:3, 3] = model.translation
+    if origin is not None:
+        matrix[:3, 3] -= origin
     return matrix
+
+
+def from_origin(model: _Model, origin: np.ndarray) -> _Model:
+    """A camera or a light, with its places from `origin`, (3,) float64, on."""
+    places = {
+        name: tuple(np.subtract(getattr(model, name), origin).tolist())
+        for name in _PLACES
+        if name in type(model).model_fields
+    }
+    return model.model_copy(update=places)
 
 
 def _rotation(model: TransformModel) -> np.ndarray:

@@ -25,7 +25,6 @@ from rna_sdk.runtime import (
     SurfaceAsset,
     offset_across,
 )
-from rna_trace import surface
 from rna_trace.asset_parts import (
     Shape,
     part_geometry,
@@ -36,6 +35,7 @@ from rna_trace.asset_parts import (
 from rna_trace.embree import TriangleScene
 from rna_trace.embree.tracing import ClosestHits
 from rna_trace.fiber import FiberPoints
+from rna_trace.hit_points import Lines, hit_points
 from rna_trace.normal_maps import NormalMaps
 from rna_trace.parts_scene import PartPoints, PartsScene
 from rna_trace.points import Body, Points, Role
@@ -90,6 +90,7 @@ class AssetBody:
         wo: np.ndarray,
         seen: bool,
         widths: np.ndarray,
+        lines: Lines,
     ) -> Points:
         where = hits.primitive[ray], hits.u[ray], hits.v[ray], hits.ng[ray]
         points = self.scene.points(part, *where)
@@ -260,16 +261,19 @@ class ObjectBody:
         wo: np.ndarray,
         seen: bool,
         widths: np.ndarray,
+        lines: Lines,
     ) -> Points:
-        return _ObjectPoints(self.mesh, hits, ray, wo)
+        return _ObjectPoints(self.mesh, hits, ray, wo, lines)
 
 
 class _ObjectPoints(Points):
     def __init__(
-        self, mesh: MeshObject, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray
+        self, mesh: MeshObject, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray, lines: Lines
     ) -> None:
-        where = hits.primitive[ray], hits.u[ray], hits.v[ray]
-        self.x = surface.interpolate_positions(mesh.positions, mesh.triangles, *where)
+        triangle = hits.primitive[ray]
+        at = hit_points(mesh.positions, mesh.triangles, triangle, hits.u[ray], hits.v[ray], lines)
+        self.x, self.found = at.x, at
+        where = triangle, at.u, at.v
         ng = hits.ng.take(ray, axis=0)
         self.n = mesh.shading_normals(*where, ng, wo)
         self._directions = self.n, ng, wo
@@ -315,6 +319,7 @@ class LightBody:
         wo: np.ndarray,
         seen: bool,
         widths: np.ndarray,
+        lines: Lines,
     ) -> Points:
         raise NotImplementedError("a light scatters nothing")
 

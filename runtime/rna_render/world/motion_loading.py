@@ -12,6 +12,7 @@ from rna_render.motion.asset_motion import open_asset_motion
 from rna_render.scene.scene_model import MotionModel
 from rna_render.world.next_frame import NextFrame
 from rna_render.world.placements import emission_of
+from rna_sdk.errors import MotionError
 from rna_sdk.motion import Motion
 from rna_sdk.package import Package
 from rna_sdk.runtime import Asset
@@ -19,12 +20,15 @@ from rna_trace.asset_parts import Shape, part_geometry
 
 Shapes = Sequence[Shape]
 
+_CLOSED = 0.01  # of an asset's size, how far the ends of a loop may be apart
+
 
 class MotionLoader:
     """Opens each motion once, and makes each shape once a frame; those of one frame are cached."""
 
     def __init__(self) -> None:
         self._motions: dict[tuple[object, ...], Motion] = {}
+        self._closed: set[tuple[object, ...]] = set()  # motions whose ends meet
         self._shapes: dict[tuple[object, ...], Shapes] = {}
         self._emissions: dict[int, AssetEmission | None] = {}
         self._after: dict[tuple[object, ...], tuple[float, list[np.ndarray]]] = {}
@@ -47,6 +51,9 @@ class MotionLoader:
             at = model.clip, model.rate, rest_frame
             self._motions[key] = open_asset_motion(model.path, geometries, package.name, *at)
         motion = self._motions[key]
+        if model.loop and key not in self._closed:
+            _check_closed(motion)
+            self._closed.add(key)
         frame = _frame(model, motion.frames)
         shape = id(asset), *key, frame
         if shape not in self._shapes:
@@ -83,6 +90,18 @@ class MotionLoader:
 def _key(model: MotionModel, package: Path) -> tuple[object, ...]:
     """What an asset has its motion by: all tiers of a package have its vertices."""
     return package, model.path, model.clip, model.rate
+
+
+def _check_closed(motion: Motion) -> None:
+    """Raises MotionError where the last frame is not the first: a loop would jump there."""
+    last = motion.frames - 1
+    first, end = (np.concatenate(motion.positions(frame)) for frame in (0, last))
+    apart = float(np.linalg.norm(end - first, axis=1).max())
+    if apart > _CLOSED * float(np.linalg.norm(np.ptp(first, axis=0))):
+        raise MotionError(
+            f"{motion.path}: loop: frame {last} is up to {apart:.3g} m from frame 0; expected the "
+            "same shape"
+        )
 
 
 def _frame(model: MotionModel, frames: int, later: float = 0.0) -> float:

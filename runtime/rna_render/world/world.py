@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -17,8 +18,8 @@ from rna_sdk.compiled import compiled
 from rna_sdk.runtime import Asset, Transform
 from rna_trace.embree.instances import ALL_RAYS, CAMERA_RAY, NO_INSTANCE, Instance, InstanceScene
 from rna_trace.embree.tracing import ClosestHits
+from rna_trace.hit_points import Frames, Lines, stepped
 from rna_trace.points import Body, Points, Role
-from rna_trace.surface import OFFSET
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,6 +31,7 @@ class Vertices:
     x_world, n_world: (m, 3) float32, points and shading normals.
     ng_world: (m, 3) float32, geometric normals.
     wo_world: (m, 3) float32, unit, towards where the rays came from.
+    step: (m,) float32, how far off the surface rays from here start; 0 where they pass through it.
     start_instance: (m,) int32, the instance that rays from here pass through, or NO_INSTANCE.
     next_world: (m, 3) float32, where the points are in the next frame; of camera rays alone.
     """
@@ -41,6 +43,7 @@ class Vertices:
     n_world: np.ndarray
     ng_world: np.ndarray
     wo_world: np.ndarray
+    step: np.ndarray
     start_instance: np.ndarray
     next_world: np.ndarray
 
@@ -62,9 +65,13 @@ class World:
 
     placements: the scene's objects, in the order of its file; the same object twice is one body
     with two instances. bodies: those of an earlier world, to take what does not move from.
+    origin: (3,) float64, of the world's space, in which placements, rays and lights are, in that of
+    the scene file: float32 is finest where it is looked from. reach: what extends further than this
+    from there says nothing about the size of the scene, as a ground does, unless all does.
     Raises QueryError for a transform that is not a similarity.
 
     Attributes:
+        origin: as given.
         objects: those of `placements`.
         indirect: those of `placements`, without None.
         placements: those given, in the order of the instances.
@@ -79,11 +86,18 @@ class World:
         catches_shadows: (k,) bool, for each instance whether it shows nothing but shadows on it.
         one_sided: (k,) bool, for each instance whether it sends to the viewer nothing of light that
             comes from the other side of its surface than the viewer is on.
-        radius: of a sphere about the scene, without what is boundless; world units.
+        radius: of a sphere about the scene, without what is boundless or out of reach.
         scatters: whether light can go from one object to another, or to another part of the same.
     """
 
-    def __init__(self, placements: Sequence[Placement], bodies: BodyCache | None = None) -> None:
+    def __init__(
+        self,
+        placements: Sequence[Placement],
+        bodies: BodyCache | None = None,
+        origin: np.ndarray | None = None,
+        reach: float = math.inf,
+    ) -> None:
+        self.origin = np.zeros(3) if origin is None else origin
         groups: dict[tuple[int, int, int], list[int]] = {}
         for index, placement in enumerate(placements):
             groups.setdefault(body_key(placement), []).append(index)
@@ -102,6 +116,8 @@ class World:
         self.scale = scale.astype(np.float32)
         self._matrices = np.array([transform.matrix for transform in transforms])
         self._rotations = self._matrices[:, :3, :3] / scale[:, None, None]
+        places = np.ascontiguousarray(self._matrices[:, :3, 3])
+        self._frames = Frames(self._rotations, scale, places)
         self._turned = not (self._rotations == np.eye(3)).all()
         self._placed = not (self._matrices == np.eye(4)).all()
         placed_bodies = [self._bodies[b] for b in self._order.body]
@@ -121,18 +137,24 @@ class World:
         self.catches_shadows = self._has_role[Role.CATCH_SHADOWS]
         self._passes = passes
         size = scale * np.sqrt(3.0) * [body.scene.extent for body in placed_bodies]
-        reach = np.abs(self._matrices[:, :3, 3]).max(axis=1) + size
-        self._step = np.where(self._passes, 0.0, OFFSET * reach).astype(np.float32)
-        self.radius = _radius(self._matrices[:, :3, 3], size, [not p.boundless for p in ordered])
+        bounded = np.array([not p.boundless for p in ordered])
+        near = bounded & (np.linalg.norm(places, axis=1) + size <= reach)
+        self.radius = _radius(places, size, near if near.any() else bounded)
         scattering = self._has_role[Role.SCATTER]
         self.scatters = scattering.sum() > 1 or bool((scattering & ~self._passes).any())
 
     def vertices(
-        self, role: Role, hits: ClosestHits, d_world: np.ndarray, seen: bool, spread: float = 0.0
+        self,
+        role: Role,
+        hits: ClosestHits,
+        origin: np.ndarray,
+        d_world: np.ndarray,
+        seen: bool,
+        spread: float = 0.0,
     ) -> Vertices:
         """The hits on bodies of that role, which is not SHINE.
 
-        hits: of n rays. d_world: (n, 3) float32, their directions. seen: whether they are camera
+        hits: of n rays. origin, d_world: (n, 3) float32, these. seen: whether they are camera
         rays. spread: width of a pixel over the distance to it; textures are averaged over it.
         """
         ray = np.flatnonzero(hits.instance >= 0)
@@ -141,17 +163,23 @@ class World:
         instance = hits.instance[ray]
         wo_world = -d_world.take(ray, axis=0)
         wo = self.to_object_directions(instance, wo_world)
+        lines = self.lines(instance, origin.take(ray, axis=0), d_world.take(ray, axis=0))
         x, n, x_next = (np.empty((len(ray), 3), np.float32) for _ in range(3))
         parts = []
         for body, part, rows in groups:
             widths = np.float32(spread) * hits.t[ray[rows]] / self.scale[instance[rows]]
-            points = self._bodies[body].points(part, hits, ray[rows], wo[rows], seen, widths)
+            points = self._bodies[body].points(
+                part, hits, ray[rows], wo[rows], seen, widths, lines.rows(rows)
+            )
             x[rows], n[rows] = points.x, points.n
             parts.append((rows, points))
             after = self._after[body] if seen else None
             moved = points.x if after is None else after.points(part, hits, ray[rows], points.x)
             x_next[rows] = moved
-        x_world = self.to_world_points(instance, x)
+        x_world, step = self.to_world_points(instance, x), np.zeros(len(ray), np.float32)
+        for rows, points in parts:
+            if points.found is not None:
+                x_world[rows], step[rows] = points.found.x_world, points.found.step
         bends = seen and any(self._after)
         return Vertices(
             ray=ray,
@@ -161,6 +189,7 @@ class World:
             n_world=self.to_world_directions(instance, n),
             ng_world=self.to_world_directions(instance, hits.ng.take(ray, axis=0)),
             wo_world=wo_world,
+            step=step,
             start_instance=np.where(self._passes[instance], instance, NO_INSTANCE).astype(np.int32),
             next_world=self.to_world_points(instance, x_next) if bends else x_world,
         )
@@ -168,21 +197,13 @@ class World:
     def origins(self, vertices: Vertices, row: np.ndarray, wi_world: np.ndarray) -> np.ndarray:
         """Origins of rays from the given rows along wi: (k, 3) float32.
 
-        On bodies that they must not hit at once, a step off the surface towards wi; see
-        surface.leaving_origins for how long it is.
+        On bodies that they must not hit at once, a step off the surface towards wi.
         """
-        result = np.empty_like(wi_world)
-        at = vertices.x_world, vertices.ng_world, vertices.instance
-        _step_off(*at, self._step, row, wi_world, result)
-        return result
+        return stepped(vertices.x_world, vertices.ng_world, vertices.step, wi_world, row)
 
-    def stepped(
-        self, x_world: np.ndarray, ng_world: np.ndarray, instance: np.ndarray, d_world: np.ndarray
-    ) -> np.ndarray:
-        """Points of surfaces, (n, 3) float32, a step off them towards d."""
-        result = np.empty_like(x_world)
-        _step_off(x_world, ng_world, instance, self._step, np.arange(len(x_world)), d_world, result)
-        return result
+    def lines(self, instance: np.ndarray, origin: np.ndarray, d_world: np.ndarray) -> Lines:
+        """Rays that have hit the given instances, for `rna_trace.hit_points`."""
+        return Lines(origin, d_world, instance, self._frames)
 
     def to_world_directions(self, instance: np.ndarray, directions: np.ndarray) -> np.ndarray:
         """Object-space directions (n, 3) float32 of the given instances, in the world.
@@ -262,9 +283,9 @@ def _met_by(scene_object: SceneObject) -> int:
     return ALL_RAYS
 
 
-def _radius(centres: np.ndarray, sizes: np.ndarray, counts: list[bool]) -> float:
+def _radius(centres: np.ndarray, sizes: np.ndarray, counts: np.ndarray) -> float:
     """Radius of a sphere about the counted balls, or about all if none counts; approximate."""
-    chosen = np.array(counts) if any(counts) else np.ones(len(counts), bool)
+    chosen = counts if counts.any() else np.ones(len(counts), bool)
     centre = centres[chosen].mean(axis=0)
     return float((np.linalg.norm(centres[chosen] - centre, axis=1) + sizes[chosen]).max())
 
@@ -292,24 +313,3 @@ def _transform(
             for column in range(3):
                 value += linear[k, row, column] * vectors[i, column]
             result[i, row] = value
-
-
-@compiled(parallel=True, fastmath=())
-def _step_off(
-    points: np.ndarray,
-    normals: np.ndarray,
-    instance: np.ndarray,
-    step: np.ndarray,
-    row: np.ndarray,
-    directions: np.ndarray,
-    result: np.ndarray,
-) -> None:
-    for i in prange(len(row)):
-        at = row[i]
-        toward = np.float64(0.0)
-        for axis in range(3):
-            toward += np.float64(normals[at, axis]) * directions[i, axis]
-        length = step[instance[at]]
-        signed = -length if toward < 0.0 else length
-        for axis in range(3):
-            result[i, axis] = points[at, axis] + signed * normals[at, axis]

@@ -15,7 +15,7 @@ from rna_render.scene.light_models import AreaModel, LightModel
 from rna_render.scene.limits import MAX_SIZE, MIN_SIZE
 from rna_render.scene.scene_file import SceneFile
 from rna_render.scene.scene_model import AssetModel, GroundModel
-from rna_render.scene.transforms import world_from_object
+from rna_render.scene.transforms import from_origin, world_from_object
 from rna_render.world.body_cache import BodyCache
 from rna_render.world.domain_watch import watched
 from rna_render.world.motion_loading import MotionLoader
@@ -24,6 +24,10 @@ from rna_render.world.tier_choice import Tiers
 from rna_render.world.world import World
 from rna_sdk.errors import MotionError, QueryError, SceneError
 from rna_sdk.runtime import Asset
+
+# What extends further than this many times the distance of `look_at` says nothing of the size of
+# the scene, which lights are weighed by: a hill on the horizon, or the terrain.
+_REACH = 100.0
 
 
 class Loaded:
@@ -51,15 +55,21 @@ def placed_world(scene_file: SceneFile, tiers: Tiers, loaded: Loaded | None = No
     loaded = loaded or Loaded()
     loaded.tiers = tiers
     loaded.motions.begin_frame()
-    placed = _placed_assets(scene_file, tiers, loaded), _placed_objects(scene_file, loaded.objects)
+    view = scene_file.viewpoint
+    origin = np.array(view.position, np.float64)
+    placed = (
+        _placed_assets(scene_file, tiers, loaded, origin),
+        _placed_objects(scene_file, loaded.objects, origin),
+    )
     _check_sizes(scene_file, "assets", placed[0])
     _check_sizes(scene_file, "objects", placed[1])
     standing = [*placed[0], *placed[1]]
     still = [
-        *_placed_ground(scene_file.resolved.ground, standing),
-        *_placed_lights(scene_file.scene.lights),
+        *_placed_ground(scene_file.resolved.ground, standing, origin),
+        *_placed_lights(scene_file.scene.lights, origin),
     ]
-    return World([*standing, *still], loaded.bodies)
+    reach = _REACH * float(np.linalg.norm(np.subtract(view.look_at, view.position)))
+    return World([*standing, *still], loaded.bodies, origin, reach)
 
 
 def _check_sizes(scene_file: SceneFile, key: str, placements: Sequence[Placement]) -> None:
@@ -80,7 +90,9 @@ def _check_sizes(scene_file: SceneFile, key: str, placements: Sequence[Placement
                 raise scene_file.error((key, index), message)
 
 
-def _placed_assets(scene_file: SceneFile, tiers: Tiers, loaded: Loaded) -> list[Placement]:
+def _placed_assets(
+    scene_file: SceneFile, tiers: Tiers, loaded: Loaded, origin: np.ndarray
+) -> list[Placement]:
     load, motions = loaded.assets, loaded.motions
     placements = []
     for index, (model, chosen) in enumerate(zip(scene_file.resolved.assets, tiers, strict=True)):
@@ -109,8 +121,10 @@ def _placed_assets(scene_file: SceneFile, tiers: Tiers, loaded: Loaded) -> list[
             except (MotionError, QueryError) as error:
                 raise scene_file.error(("assets", index, "motion"), str(error)) from error
         emission = load.emission(asset) if shapes is None else motions.emission(asset, shapes)
-        at = world_from_object(model.transform), emission, model.emission
-        placements.append(place_asset(asset, *at, other, shapes, after))
+        matrix = world_from_object(model.transform, origin)
+        placements.append(
+            place_asset(asset, matrix, emission, model.emission, other, shapes, after)
+        )
     return placements
 
 
@@ -152,7 +166,7 @@ class _AssetLoader:
 
 
 def _placed_objects(
-    scene_file: SceneFile, loaded: dict[tuple[Path, str], MeshObject]
+    scene_file: SceneFile, loaded: dict[tuple[Path, str], MeshObject], origin: np.ndarray
 ) -> list[Placement]:
     placements = []
     for index, model in enumerate(scene_file.resolved.objects):
@@ -162,20 +176,23 @@ def _placed_objects(
                 loaded[key] = read_mesh_object(model.path, model.material)
             except SceneError as error:
                 raise scene_file.error(("objects", index), str(error)) from error
-        matrix = world_from_object(model.transform)
+        matrix = world_from_object(model.transform, origin)
         placements.append(Placement(loaded[key], matrix, mesh_light(loaded[key], matrix)))
     return placements
 
 
-def _placed_ground(model: GroundModel | None, standing: Sequence[Placement]) -> list[Placement]:
+def _placed_ground(
+    model: GroundModel | None, standing: Sequence[Placement], origin: np.ndarray
+) -> list[Placement]:
     if model is None:
         return []
-    mesh = ground(model, (placement.box() for placement in standing))
+    mesh = ground(model, (placement.box() for placement in standing), origin)
     return [Placement(mesh, np.eye(4), mesh_light(mesh, np.eye(4)), boundless=True)]
 
 
-def _placed_lights(models: Sequence[LightModel]) -> list[Placement]:
-    lights = [make_light(model) for model in models if isinstance(model, AreaModel)]
+def _placed_lights(models: Sequence[LightModel], origin: np.ndarray) -> list[Placement]:
+    areas = (model for model in models if isinstance(model, AreaModel))
+    lights = [make_light(from_origin(model, origin)) for model in areas]
     return [
         Placement(light, light.world_from_object, light, boundless=True)
         for light in lights

@@ -30,6 +30,9 @@ def load(source: str) -> list[str]:
         bpy.ops.import_scene.gltf(filepath=source)
     finally:
         glTFImporter.checks = checks
+    if bpy.data.actions:  # at their first keys, which clips of one character may share; 1 is later
+        bpy.context.scene.frame_start = 0
+        bpy.context.scene.frame_set(0)
     return [*notes, *gltf_variants.read(*read)]
 
 

@@ -11,6 +11,7 @@ import sys
 import venv
 from pathlib import Path
 
+from rna_sdk.cache_folder import cache_folder
 from rna_sdk.errors import CaptureError
 from rna_work.cached import locked
 
@@ -20,8 +21,7 @@ VARIABLE = "RNA_BLENDER_PYTHON"
 
 def default_folder() -> Path:
     """Default folder of the environment of `--setup-blender`."""
-    cache = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache"))
-    return cache / "rna-sdk" / f"blender-{BPY_VERSION}"
+    return cache_folder() / f"blender-{BPY_VERSION}"
 
 
 def find_python() -> Path:

@@ -33,10 +33,9 @@ from rna_sdk.package import Curves, Mesh, SourceVertices
 from rna_sdk.package.textures.normal_maps import NORMALS
 from rna_sdk.package.textures.transmittance import TRANSMITTANCE
 
-_FOLDERS = (
-    *("geometry", "transmittance", "normals", "base_color"),
-    *("train", "emission", "validation"),
-)
+_MADE = ("geometry", "transmittance", "normals", "base_color", "train", "emission", "validation")
+FOLDERS = (*_MADE, "poses")
+"""Folders of a dataset, of which some have no poses."""
 
 
 class Dataset:
@@ -79,7 +78,7 @@ class Dataset:
         that is left to hosts. exact: meshes before they were quantised, of parts that were.
         """
         folder = Path(folder)
-        for inner in _FOLDERS:
+        for inner in _MADE:
             (folder / inner).mkdir(parents=True, exist_ok=True)
         for name, texture in (textures or {}).items():
             if not isinstance(texture, bytes):
@@ -160,13 +159,16 @@ class Dataset:
 
     def change_settings(self, changes: Mapping[str, int | float]) -> None:
         """Change settings of what is not captured yet."""
-        settings = self.manifest.settings.model_copy(update=dict(changes))
-        self.manifest = self.manifest.model_copy(update={"settings": settings})
+        self.change_manifest(settings=self.manifest.settings.model_copy(update=dict(changes)))
+
+    def change_manifest(self, **changes: object) -> None:
+        """Write the manifest with other values for some members."""
+        self.manifest = self.manifest.model_copy(update=changes)
         self.manifest.write(self.folder / "manifest.json")
 
     def remove_unfinished(self) -> None:
         """Delete what a killed capture left: files with temporary names of finished ones."""
-        for folder in _FOLDERS:
+        for folder in FOLDERS:
             for path in (self.folder / folder).glob("*.safetensors.*.part"):
                 path.unlink(missing_ok=True)
 
@@ -174,8 +176,7 @@ class Dataset:
         """Note in the manifest which processors rendered, by `rna_sdk.cpu.processor_key`."""
         processors = tuple(sorted({*self.manifest.processors, *keys}))
         if processors != self.manifest.processors:
-            self.manifest = self.manifest.model_copy(update={"processors": processors})
-            self.manifest.write(self.folder / "manifest.json")
+            self.change_manifest(processors=processors)
 
     def geometry_path(self, part: str) -> Path:
         return _geometry_path(self.folder, part)
@@ -194,6 +195,17 @@ class Dataset:
 
     def emission_image_path(self, view: int, half: int) -> Path:
         return self.folder / "validation" / f"emission-{view:02d}-{half}.safetensors"
+
+    def planned_files(self) -> list[Path]:
+        """Files of samples and images that a finished capture has made."""
+        manifest, halves = self.manifest, (0, 1)
+        views, glowing = range(manifest.settings.validation_views), range(manifest.emission_images)
+        return [
+            *map(self.train_path, range(manifest.shards)),
+            *map(self.emission_path, range(manifest.emission_shards)),
+            *(self.validation_path(view, half) for view in views for half in halves),
+            *(self.emission_image_path(view, half) for view in glowing for half in halves),
+        ]
 
     def finished_emission(self) -> list[Path]:
         """Paths of the shards of emission that are there. Raises `CaptureError` if none is."""

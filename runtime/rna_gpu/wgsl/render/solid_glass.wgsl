@@ -42,13 +42,12 @@ fn is_solid(hit: RnaHit) -> bool {
     return !rna_is_segment(record) && surface_has(rna_surface(record), IS_SOLID);
 }
 
-fn glass_vertex(hit: RnaHit) -> Vertex {
+fn glass_vertex(hit: RnaHit, ray: RnaRay) -> Vertex {
     let record = rna_primitives[hit.primitive];
     var v = triangle_vertex(record, hit.b1, hit.b2);
     v.surface = rna_surface(record);
     v.instance = hit.instance;
-    v.x_world = rna_world_point(v.x, hit.instance);
-    v.ng_world = rna_world_direction(v.ng, hit.instance);
+    place_vertex(&v, record, ray, hit.t);
     v.n_world = rna_world_direction(v.n, hit.instance);
     if dot(v.n_world, v.ng_world) <= 0.0 {
         v.n_world = v.ng_world;
@@ -58,7 +57,7 @@ fn glass_vertex(hit: RnaHit) -> Vertex {
 
 // Takes a ray that met glass on from there. inside: absorption where it is. u: in [0, 1).
 fn pass_interface(f: ptr<function, Followed>, inside: ptr<function, vec3f>, u: f32) {
-    let v = glass_vertex((*f).hit);
+    let v = glass_vertex((*f).hit, (*f).ray);
     let d = (*f).ray.direction;
     let enters = dot(d, v.ng_world) < 0.0;
     let absorption = surface_absorption(v.surface) / rna_instances[v.instance].scale;

@@ -37,10 +37,10 @@ fn object_number(k: u32) -> f32 {
 fn object_catches(k: u32) -> u32 {
     return bitcast<u32>(table[frame.objects + 1u * k + 0u].y);
 }
-fn object_step(k: u32) -> f32 {
-    return table[frame.objects + 1u * k + 0u].z;
-}
 fn object_passes(k: u32) -> u32 {
+    return bitcast<u32>(table[frame.objects + 1u * k + 0u].z);
+}
+fn object_free(k: u32) -> u32 {
     return bitcast<u32>(table[frame.objects + 1u * k + 0u].w);
 }
 

@@ -1,5 +1,8 @@
 // The point that a path has come to, from its hit.
 
+// Of a rounding error, 2^-24, the times that it may come in: rna_trace/hit_points.py has half of it, in float64.
+const ROUNDING: f32 = 32.0 * 0x1p-24f;
+
 struct Vertex {
     x: vec3f, // object space, as all that is not said otherwise
     kind: u32,
@@ -20,6 +23,7 @@ struct Vertex {
     ng_world: vec3f,
     b2: f32,
     record: RnaPrimitive, // of its primitive
+    step: f32, // of materials: how far along ng_world rays from here start
 }
 
 // Of a normal map: a u32 a texel, whose first two bytes are its numbers.
@@ -89,6 +93,32 @@ fn on_cone(cone: RnaCone, x: vec3f, n: vec3f) -> vec3f {
     return mix(cone.a, cone.b, u) + mix(cone.ra, cone.rb, u) * n;
 }
 
+// Of a triangle's point: its place in the world, and the step of rays from there, both as right where the triangle is
+// wide as where it is small: rna_trace/hit_points.py. The ray has hit it at t, world units.
+fn place_vertex(v: ptr<function, Vertex>, record: RnaPrimitive, ray: RnaRay, t: f32) {
+    let instance = (*v).instance;
+    let p = rna_points[record.a].xyz;
+    let e1 = rna_points[record.b].xyz - p;
+    let e2 = rna_points[record.c].xyz - p;
+    let size = rna_box_size(e1, e2);
+    let far = t / rna_instances[instance].scale;
+    if max(size.x, max(size.y, size.z)) > far {
+        let x = rna_object_point(ray.origin, instance) + far * rna_object_direction(ray.direction, instance);
+        (*v).x = x - dot(x - p, (*v).ng) * (*v).ng;
+    }
+    (*v).x_world = rna_world_point((*v).x, instance);
+    (*v).ng_world = rna_world_direction((*v).ng, instance);
+    let reach = abs((*v).x_world) + abs(rna_instances[instance].place);
+    let rounded = reach.x * abs(rna_instances[instance].rotation[0].xyz)
+        + reach.y * abs(rna_instances[instance].rotation[1].xyz)
+        + reach.z * abs(rna_instances[instance].rotation[2].xyz);
+    // The volume of the box over twice the area; the latter by the largest component, whose square stays in float32.
+    let n = cross(e1, e2);
+    let largest = max(abs(n.x), max(abs(n.y), abs(n.z)));
+    let uncertain = select(0.0, size.x / largest * size.y * size.z, largest > 0.0);
+    (*v).step = ROUNDING * (dot(abs((*v).ng), rounded) + rna_instances[instance].scale * uncertain);
+}
+
 fn vertex_of(path: Path) -> Vertex {
     let record = rna_primitives[path.primitive];
     let wo = rna_object_direction(-path.direction, path.instance);
@@ -107,9 +137,13 @@ fn vertex_of(path: Path) -> Vertex {
     }
     v.wo = wo;
     v.instance = path.instance;
-    v.x_world = rna_world_point(v.x, path.instance);
+    if v.kind == OF_MATERIAL {
+        place_vertex(&v, record, RnaRay(path.origin, 0.0, path.direction, RNA_FAR), path.t);
+    } else {
+        v.x_world = rna_world_point(v.x, path.instance);
+        v.ng_world = rna_world_direction(v.ng, path.instance);
+    }
     v.n_world = rna_world_direction(v.shading, path.instance);
-    v.ng_world = rna_world_direction(v.ng, path.instance);
     return v;
 }
 
@@ -124,8 +158,7 @@ fn base_color_of(path: Path, v: Vertex) -> vec3f {
 
 // Where rays along wi start in the world: on materials a step off the surface.
 fn origin_of(v: Vertex, wi_world: vec3f) -> vec3f {
-    let step = object_step(v.instance);
-    return v.x_world + select(step, -step, dot(v.ng_world, wi_world) < 0.0) * v.ng_world;
+    return v.x_world + select(v.step, -v.step, dot(v.ng_world, wi_world) < 0.0) * v.ng_world;
 }
 
 // Origin of the visibility ray along wi against the asset itself; object space.

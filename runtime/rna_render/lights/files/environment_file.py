@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from functools import lru_cache
 from pathlib import Path
 
@@ -16,6 +17,13 @@ from rna_sdk.regular_file import check_regular
 
 # First bytes of the file: OpenEXR file layout, "Magic Number".
 EXR_MAGIC = bytes([0x76, 0x2F, 0x31, 0x01])
+
+# The largest half float: a sun above it is infinite in a file of these.
+BRIGHTEST = 65504.0
+
+
+class EnvironmentWarning(UserWarning):
+    """An environment is darker than its file means."""
 
 
 def environment_image(path: Path) -> EquirectangularImage:
@@ -40,7 +48,7 @@ def read_environment(path: Path) -> np.ndarray:
 
     The file's first bytes say what it is. Raises SceneError if it cannot be read, is neither EXR
     nor HDR, has no picture that `read_exr_environment` or `read_hdr` know, or has texels that are
-    not finite.
+    not numbers. Infinite ones are BRIGHTEST, of which it warns (EnvironmentWarning).
     """
     try:
         check_regular(path)
@@ -54,6 +62,12 @@ def read_environment(path: Path) -> np.ndarray:
         texels = read_hdr(path)
     else:
         raise SceneError("is neither an EXR nor a Radiance HDR image", file=path)
+    infinite = np.isposinf(texels)
+    if infinite.any():
+        texels[infinite] = BRIGHTEST
+        count = np.count_nonzero(infinite.any(axis=2))
+        message = f"infinite radiance in {count} texels is cut to {BRIGHTEST:,.0f}: the sun is darker"
+        warnings.warn(f"{path}: {message}", EnvironmentWarning, stacklevel=2)
     usable = np.isfinite(texels) & (texels <= MAX_NUMBER)
     bad = np.count_nonzero(~usable.all(axis=2))
     if bad:

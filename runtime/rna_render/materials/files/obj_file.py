@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 
 from rna_render.materials.files.mesh_parts import MeshFile, Part, fans
+from rna_render.materials.files.obj_indices import with_plain_indices
 from rna_render.materials.material import Material, reflectance_of_ior
 from rna_render.materials.textures import SRGB, Texture, read_texels
 from rna_render.scene.limits import MAX_NUMBER
@@ -33,6 +34,7 @@ LEFT_OUT = {"bump", "norm", "disp", "decal"}
 def read_obj(path: Path, with_materials: bool) -> MeshFile:
     """The parts of an OBJ file; arguments and errors as in `read_gltf`."""
     text = path.read_text(encoding="utf-8", errors="replace")
+    text = with_plain_indices(path, text.replace("\\\n", " "))  # lines that go on
     used = set(_names(text, "usemtl"))
     geometry = _geometry(text, used)
     left_out: set[str] = set()

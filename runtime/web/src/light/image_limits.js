@@ -4,6 +4,8 @@ import { NotSupported } from "../package/errors.js";
 const MAX_PIXELS_A_SIDE = 32768, MAX_IMAGE_PIXELS = 2 ** 27, MAX_FREE_BYTES = 2 ** 28, MAX_EXPANSION = 1024;
 const BYTES_A_TEXEL = 12;
 export const MAX_IMAGE_VALUES = 2 ** 29, MAX_NUMBER = 1e18;
+// The largest half float: a sun above it is infinite in a file of these.
+export const BRIGHTEST = 65504;
 
 /** NotSupported if an image of that size is empty, too large, or too large for its file's bytes. */
 export function checkImageSize(width, height, stored) {

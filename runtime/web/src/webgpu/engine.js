@@ -9,8 +9,6 @@ import { rayKernels, sources } from "./sources.js";
 
 const BAND_PIXELS = 1 << 17;
 const FORMS = ["transport", "visible", "shadowed", "emission", "environment"];  // FORM_TRANSPORT and so on of band.wgsl
-const OBJECTS = 2;      // the asset and the glass: instances
-const STEP = 2 ** -18;  // of the largest coordinate, off a surface, where rays start
 const LIT = ["transport", "visible", "shadowed"];
 
 export class WebGPUEngine {
@@ -130,11 +128,9 @@ export class WebGPUEngine {
   _storeSurfaces(arrays) {
     const { device } = this, { table } = arrays;
     this.table?.destroy();
-    const objects = packed("Object", { step: STEP * arrays.extent });
-    this.table = buffer(device, 4 * table.length + bytesOf("Light") + OBJECTS * bytesOf("Object"));
+    this.table = buffer(device, 4 * table.length + bytesOf("Light"));
     device.queue.writeBuffer(this.table, 0, table);
-    Object.assign(this, { arrays, lightsAt: table.length / 4, objectsAt: table.length / 4 + bytesOf("Light") / 16 });
-    for (let k = 0; k < OBJECTS; k++) device.queue.writeBuffer(this.table, 16 * this.objectsAt + k * bytesOf("Object"), objects);
+    Object.assign(this, { arrays, lightsAt: table.length / 4 });
     this._storeImages();
   }
 
@@ -285,10 +281,10 @@ export class WebGPUEngine {
 
   /** rna_gpu's Frame: render/frame.wgsl. Images are averaged over what a sample stands for, so that print becomes sharper. */
   _writeFrame({ position, corner, stepX, stepY }, sample, width) {
-    const { lightsAt, objectsAt, arrays, span } = this;
+    const { lightsAt, arrays, span } = this;
     this.device.queue.writeBuffer(this.frameRecord, 0, packed("Frame", {
       camera: position, corner, step_x: stepX, step_y: stepY, width, paths: span.pixels, sample, branches: 1, depth: 1, rays: constants.CAMERA_RAY,
-      flags: arrays.transmits ? constants.TRANSMITS : 0, textures: arrays.texturesAt, lights: lightsAt, objects: objectsAt, spread: Math.hypot(...stepY) / Math.sqrt(span.jitter > 0 ? sample + 1 : 1),
+      flags: arrays.transmits ? constants.TRANSMITS : 0, textures: arrays.texturesAt, lights: lightsAt, spread: Math.hypot(...stepY) / Math.sqrt(span.jitter > 0 ? sample + 1 : 1),
     }));
   }
 

@@ -1,0 +1,62 @@
+"""Compares the files of a dataset with its manifest, which knows what was planned and captured."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+
+from rna_export.capture.dataset.dataset_folder import FOLDERS, Dataset
+from rna_sdk.errors import CaptureError
+from rna_work.cached import content_hash
+
+_SHOWN = 3  # names of files
+
+
+def check_complete(dataset: Dataset, accepts: bool) -> None:
+    """Raises CaptureError for a dataset whose files are not those that its manifest names.
+
+    accepts: says so on stderr instead.
+    """
+    found = differences(dataset)
+    if not found:
+        return
+    said = f"{dataset.folder}: {'; '.join(found)}"
+    if not accepts:
+        raise CaptureError(
+            f"{said}: delete what was replaced and run the same rna-capture again, or add "
+            "--incomplete to use what is there"
+        )
+    print(f"warning: {said}", file=sys.stderr)
+
+
+def differences(dataset: Dataset) -> list[str]:
+    """What is uncaptured, missing or replaced, a phrase each with numbers and names of files."""
+    folder, recorded = dataset.folder, dataset.manifest.files
+    planned = [path.relative_to(folder).as_posix() for path in dataset.planned_files()]
+    absent = {name for name in {*planned, *recorded} if not (folder / name).is_file()}
+    groups = {
+        "not captured yet": [name for name in planned if name in absent and name not in recorded],
+        "missing": [name for name in recorded if name in absent],
+        "replaced since the capture": [
+            name
+            for name in recorded
+            if name not in absent and content_hash(folder / name) != recorded[name]
+        ],
+    }
+    total = len({*planned, *recorded})
+    return [_phrase(names, total, what) for what, names in groups.items() if names]
+
+
+def _phrase(names: Sequence[str], total: int, what: str) -> str:
+    more = ", ..." if len(names) > _SHOWN else ""
+    return f"{len(names)} of {total} files are {what} ({', '.join(names[:_SHOWN])}{more})"
+
+
+def record_files(dataset: Dataset) -> None:
+    """Note in the manifest the contents of all files that are there, once."""
+    folder, recorded = dataset.folder, dataset.manifest.files
+    paths = [path for inner in FOLDERS for path in sorted((folder / inner).rglob("*"))]
+    names = (path.relative_to(folder).as_posix() for path in paths if path.is_file())
+    new = {name: content_hash(folder / name) for name in names if name not in recorded}
+    if new:
+        dataset.change_manifest(files=dict(sorted({**recorded, **new}.items())))
