@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numba import prange
 
 from rna_render.lights.base import PlacedLight
 from rna_render.materials import MeshObject
@@ -277,7 +276,7 @@ def _transformed(
     return result
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="instance vectors result", fastmath=())
 def _transform(
     linear: np.ndarray,
     shift: np.ndarray,
@@ -285,7 +284,7 @@ def _transform(
     vectors: np.ndarray,
     result: np.ndarray,
 ) -> None:
-    for i in prange(len(instance)):
+    for i in range(len(instance)):
         k = instance[i]
         for row in range(3):
             value = shift[k, row]
@@ -294,7 +293,7 @@ def _transform(
             result[i, row] = value
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="row directions result", fastmath=())
 def _step_off(
     points: np.ndarray,
     normals: np.ndarray,
@@ -304,7 +303,7 @@ def _step_off(
     directions: np.ndarray,
     result: np.ndarray,
 ) -> None:
-    for i in prange(len(row)):
+    for i in range(len(row)):
         at = row[i]
         toward = np.float64(0.0)
         for axis in range(3):
