@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import inspect
+import os
 import pickle
 import sys
 import warnings
@@ -12,18 +14,42 @@ from hashlib import sha256
 from inspect import unwrap
 from pathlib import Path
 from types import CodeType, FunctionType
-from typing import Any, TypeVar
+from typing import Any, TypeVar, cast
 
 import numba
 import numpy as np
+from llvmlite.binding import ffi
 from numba.core.caching import FunctionCache, IndexDataCacheFile
 from numba.core.ccallback import CFunc
+from numba.core.compiler_lock import global_compiler_lock
 
-from rna_sdk.kernel_threads import launch_kernel_threads
+from rna_sdk.kernel_threads import kernel_threads, share
+from rna_sdk.numba_threads import launch_numba_threads
 
 Kernel = TypeVar("Kernel", bound=Callable[..., object])
 
 _watchers: list[Callable[[], None]] = []
+
+
+def _hold_compiler() -> None:
+    """A fork waits for what another thread compiles or frees: the locks would stay locked in it."""
+    _compiler_lock.acquire()
+    _llvm_lock.__enter__()
+
+
+def _release_compiler() -> None:
+    _llvm_lock.__exit__()
+    _compiler_lock.release()
+
+
+_compiler_lock: Any = global_compiler_lock
+_llvm_lock: Any = ffi.lib._lock
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(
+        before=_hold_compiler,
+        after_in_parent=_release_compiler,
+        after_in_child=_release_compiler,
+    )
 
 
 @contextmanager
@@ -41,13 +67,18 @@ def watched_compilations(watcher: Callable[[], None]) -> Iterator[None]:
 
 def compiled(
     *signature: numba.types.Type,
+    rows: str = "",
+    step: int = 1024,
     parallel: bool = False,
     inline: bool = False,
     fastmath: tuple[str, ...] = ("contract",),
 ) -> Callable[[Kernel], Kernel]:
     """Decorator: compile for these argument types, or for whatever comes where none are given.
 
-    parallel: share loops over `prange` among numba's threads. inline: copy it into the kernels
+    rows: names of arguments, divided by blanks, whose rows are independent of one another; what
+    Python calls is then a `RowKernel`, whose threads share them, a multiple of `step` at a time.
+    parallel: share loops over `prange` among numba's threads, for what no host calls: they cannot
+    be used in a forked process. inline: copy it into the kernels
     that call it; a call takes 10 to 20 ns if it passes tuples or arrays. fastmath: liberties of
     LLVM's; by default fused multiply-add alone, so NaN and infinity keep their meaning.
 
@@ -71,10 +102,49 @@ def compiled(
         if signature:
             kernel.compile(numba.void(*signature))
             kernel.disable_compile()
-        result: Kernel = kernel
-        return result
+        result: Any = RowKernel(kernel, rows.split(), step) if rows else kernel
+        return cast(Kernel, result)
 
     return compile_kernel
+
+
+class RowKernel:
+    """A kernel whose rows the threads that the caller may take share: `kernel_threads`."""
+
+    def __init__(self, kernel: Any, rows: list[str], step: int) -> None:
+        """rows: names of arguments with a row each. step: rows that are not worth a division."""
+        names = list(inspect.signature(kernel.py_func).parameters)
+        self._places, self._step = [names.index(name) for name in rows], step
+        self.kernel, self.__wrapped__ = kernel, kernel.py_func
+
+    def __call__(self, *arguments: Any) -> None:
+        first = arguments[self._places[0]]
+        count = len(first[0] if isinstance(first, tuple) else first)
+        threads = kernel_threads()
+        if threads == 1 or count <= self._step:
+            self.kernel(*arguments)
+            return
+        size = -(-count // (_PIECES * threads * self._step)) * self._step
+
+        def run(starts: Iterator[int]) -> None:
+            piece = list(arguments)
+            for start in starts:
+                for k in self._places:
+                    piece[k] = _cut(arguments[k], slice(start, start + size), count)
+                self.kernel(*piece)
+
+        share(run, range(0, count, size), threads)
+
+
+_PIECES = 4
+"""Of the rows for each thread: the last ones then leave few threads idle."""
+
+
+def _cut(argument: Any, rows: slice, count: int) -> Any:
+    """The rows of an array of `count`, or of those in a named tuple; others are of all rows."""
+    if isinstance(argument, tuple):
+        return type(argument)(*(_cut(array, rows, count) for array in argument))
+    return argument[rows] if len(argument) == count else argument
 
 
 def callback(*signature: numba.types.Type) -> Callable[[Kernel], Any]:
@@ -176,7 +246,7 @@ class _ParallelCache(_SourcesCache):
     """Launches numba's threads before numba itself would, and in a safe way."""
 
     def load_overload(self, signature: Any, target_context: Any) -> Any:
-        launch_kernel_threads()
+        launch_numba_threads()
         return super().load_overload(signature, target_context)
 
 

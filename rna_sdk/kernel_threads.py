@@ -1,75 +1,89 @@
-"""Threads of parallel kernels: numba's, callable from several Python threads at once."""
+"""Threads of kernels and of decoders: this process' own, in any of which a call may begin.
+
+They are Python's, not OpenMP's: they wait without spinning, are as many as each caller wants, and
+a forked process makes its own.
+"""
 
 from __future__ import annotations
 
 import os
-from typing import Any
-
-import numba
-from numba.np.ufunc import get_num_threads, set_num_threads, threading_layer
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+from functools import cache
 
 from rna_sdk.cores import core_count
-from rna_sdk.errors import RnaError
 
-_SAFE_LAYERS = ("tbb", "omp", "safe", "threadsafe")
-"""Settings of numba's threading layer with which kernels may run side by side. With the others
-numba may choose its `workqueue`, which ends the process when a second thread comes."""
-
-_config: Any = numba.config
+_caller = threading.local()
+"""Of each thread: `count`, how many threads a call of it may take, where that is limited."""
 
 
-def launch_kernel_threads() -> None:
-    """Start numba's threads, if nobody has, in a layer that is safe.
+class _Helpers:
+    """The threads beside those that call."""
 
-    Raises:
-        RnaError: no such layer can be loaded, or an unsafe one is running already.
+    def __init__(self) -> None:
+        self.renew()
+
+    def renew(self) -> None:
+        """Others: in a forked process there are none, and a lock may be held by one of them."""
+        self.pool = ThreadPoolExecutor(most_threads(), thread_name_prefix="rna-kernel")
+
+
+@cache
+def most_threads() -> int:
+    """Number of threads of a call without a limit: all cores that this process may use.
+
+    NUMBA_NUM_THREADS in the environment is another number.
     """
-    if str(_config.THREADING_LAYER).lower() not in _SAFE_LAYERS:
-        _config.THREADING_LAYER = "threadsafe"
-    if not _is_launched() and "NUMBA_NUM_THREADS" not in os.environ:
-        _config.NUMBA_NUM_THREADS = core_count()  # numba's own number knows no container's quota
-    try:
-        get_num_threads()
-    except ValueError:
-        raise RnaError(
-            "numba found no thread-safe threading layer (setting: "
-            f"{_config.THREADING_LAYER}); install one with: pip install tbb"
-        ) from None
-    if threading_layer() == "workqueue":
-        raise RnaError(
-            "numba already runs its 'workqueue' threads, which are not thread-safe; set the "
-            "environment variable NUMBA_THREADING_LAYER=threadsafe before the program starts"
-        )
-
-
-def _is_launched() -> bool:
-    try:
-        threading_layer()
-    except ValueError:
-        return False
-    return True
+    wanted = os.environ.get("NUMBA_NUM_THREADS", "")
+    return int(wanted) if wanted.isdecimal() and int(wanted) > 0 else core_count()
 
 
 def kernel_threads() -> int:
-    """Number of threads of a parallel kernel that is called from this thread.
-
-    Raises:
-        RnaError: as `launch_kernel_threads`.
-    """
-    launch_kernel_threads()
-    return int(get_num_threads())
+    """Number of threads of a kernel that is called from this thread."""
+    return int(getattr(_caller, "count", most_threads()))
 
 
 def limit_kernel_threads(count: int | None) -> int:
-    """Let parallel kernels called from this thread take `count` threads, and return how many.
+    """Let kernels called from this thread take `count` threads, and return how many.
 
-    count: at least 1; no more are taken than numba has, and None takes those.
-
-    Raises:
-        RnaError: as `launch_kernel_threads`.
+    count: at least 1; no more are taken than `most_threads`, and None takes those.
     """
-    launch_kernel_threads()
-    most = int(_config.NUMBA_NUM_THREADS)
-    threads = min(count or most, most)
-    set_num_threads(threads)
-    return threads
+    _caller.count = min(count or most_threads(), most_threads())
+    return int(_caller.count)
+
+
+@contextmanager
+def at_most(count: int | None) -> Iterator[None]:
+    """A context whose kernels, called from this thread, take no more than `count` threads."""
+    before = kernel_threads()
+    _caller.count = min(count or before, before)
+    try:
+        yield
+    finally:
+        _caller.count = before
+
+
+def share(run: Callable[[Iterator[int]], None], starts: Sequence[int], threads: int) -> None:
+    """Call `run` in this thread and in up to `threads` - 1 others, and wait for all.
+
+    starts: of pieces of work. Each call of `run` is given the iterator of those that are left, and
+    takes from it until it is empty. After an error or Ctrl-C no piece is begun.
+    """
+    left = iter(starts)
+    others = min(threads, len(starts)) - 1
+    running = [_helpers.pool.submit(run, left) for _ in range(others)]
+    try:
+        run(left)
+    finally:
+        for _ in left:
+            pass
+        for helper in running:
+            if not helper.cancel():  # busy threads may not have come to it; none is needed
+                helper.result()
+
+
+_helpers = _Helpers()
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_helpers.renew)

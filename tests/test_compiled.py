@@ -217,6 +217,24 @@ def test_parallel_kernels_may_run_side_by_side(tmp_path: Path, layer: str) -> No
     assert output.strip() in ("omp", "tbb")
 
 
+QUOTA = """
+import os
+from rna_sdk import kernel_threads
+kernel_threads.core_count = lambda: 1
+from rna_sdk.numba_threads import launch_numba_threads
+import numba
+launch_numba_threads()
+print(numba.get_num_threads(), os.environ["OMP_WAIT_POLICY"])
+"""
+
+
+def test_numba_has_no_more_threads_than_a_quota_and_they_sleep(tmp_path: Path) -> None:
+    """Numba's own number is that of the affinity."""
+    names = "OMP_WAIT_POLICY", "NUMBA_NUM_THREADS"
+    program = f"import os\nfor name in {names}:\n    os.environ.pop(name, None)\n"
+    assert run([sys.executable, "-c", program + QUOTA], tmp_path) == "1 passive\n"
+
+
 NO_SAFE_LAYER = """
 for module in ("tbbpool", "omppool"):
     sys.modules["numba.np.ufunc." + module] = None

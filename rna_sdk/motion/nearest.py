@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numba import prange
 from numpy.typing import NDArray
 
 from rna_sdk.compiled import compiled
@@ -142,7 +141,7 @@ def _place(p: Vector, a: Vector, b: Vector, c: Vector) -> Vector:
     return va / total, vb / total, vc / total
 
 
-@compiled(parallel=True)
+@compiled(rows="points normals result weights distance", step=64)
 def _search(
     points: NDArray[np.float32],
     normals: NDArray[np.float32],
@@ -155,7 +154,7 @@ def _search(
     distance: Float64,
 ) -> None:
     low, cell, shape, starts, members = grid
-    for row in prange(len(points)):
+    for row in range(len(points)):
         p = np.float64(points[row, 0]), np.float64(points[row, 1]), np.float64(points[row, 2])
         n = np.float64(normals[row, 0]), np.float64(normals[row, 1]), np.float64(normals[row, 2])
         best = np.inf

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from rna_sdk.arrays import first_not_finite, indices, scalars, vectors
 from rna_sdk.errors import QueryError
+from rna_sdk.kernel_threads import at_most
 from rna_sdk.package import Curves, Mesh
 
 Float32 = NDArray[np.float32]
@@ -30,7 +31,8 @@ class RestPoints:
 
     positions: (n, 3) float32, at rest, object space, metres. axes: (n, 3) float32, unit, at rest:
     normals of a mesh, before normal maps, or tangents of strands. rotations: (n, 3, 3) float32,
-    from the deformed shape to rest.
+    from the deformed shape to rest. threads: that a
+    call takes at most; None for as many as its caller may.
 
     Examples:
         >>> asset = load("toy.rna")
@@ -45,6 +47,7 @@ class RestPoints:
     positions: Float32
     axes: Float32
     rotations: Float32
+    threads: int | None = None
 
     def __len__(self) -> int:
         return len(self.positions)
@@ -71,15 +74,16 @@ class RestPoints:
         at = np.arange(len(self)) if row is None else indices("row", row, len(self))
         values = vectors("directions", directions, len(at))
         result = np.empty_like(values)
-        turn_rows(self.rotations, inverse, values, at, result)
+        with at_most(self.threads):
+            turn_rows(self.rotations, inverse, values, at, result)
         return result
 
 
 class RestMesh:
     """The mesh of a part at rest, and what all its deformed shapes share."""
 
-    def __init__(self, mesh: Mesh) -> None:
-        self.mesh = mesh
+    def __init__(self, mesh: Mesh, threads: int | None = None) -> None:
+        self.mesh, self.threads = mesh, threads
         p = mesh.positions[mesh.triangles].astype(np.float64)
         self.weights = _corner_angles(p)
         places = np.column_stack([mesh.positions, mesh.normals]) + np.float32(0)  # no -0
@@ -109,7 +113,7 @@ class DeformedMesh:
     def __init__(self, rest: RestMesh, positions: Float32) -> None:
         from rna_sdk.runtime.kernels.rest_kernels import deformed_normals
 
-        mesh, self._rest = rest.mesh, rest.mesh
+        mesh, self._rest, self._threads = rest.mesh, rest.mesh, rest.threads
         moved = _checked("positions", positions, len(mesh.positions))
         normals, sums = np.empty_like(moved), np.zeros((len(mesh.positions), 3))
         at_rest = mesh.positions, mesh.normals, mesh.triangles
@@ -134,20 +138,20 @@ class DeformedMesh:
         number = indices("triangle", triangle, len(self._rest.triangles)).astype(np.int32)
         count = len(number)
         place = scalars("u", u, count), scalars("v", v, count)
-        result = _empty(count)
+        result = _empty(count, self._threads)
         rest = self._rest.positions, self._rest.normals, self._rest.triangles
         moved = self.mesh.positions, self.mesh.normals
-        surface_rest_points(
-            rest, moved, number, *place, result.positions, result.axes, result.rotations
-        )
+        written = result.positions, result.axes, result.rotations
+        with at_most(self._threads):
+            surface_rest_points(rest, moved, number, *place, *written)
         return result
 
 
 class RestCurves:
     """The strands of a part at rest, and what all their deformed shapes share."""
 
-    def __init__(self, curves: Curves) -> None:
-        self.curves = curves
+    def __init__(self, curves: Curves, threads: int | None = None) -> None:
+        self.curves, self.threads = curves, threads
         self.segments = curves.segments()
         self.offsets = curves.offsets.astype(np.int64)
         self.order = _curve_order(curves.points[self.offsets[:-1]])
@@ -175,12 +179,15 @@ class DeformedCurves:
 
         curves, self._rest = rest.curves, rest
         moved = _checked("points", points, len(curves.points))
-        sums = np.zeros((len(rest.offsets) - 1, 3, 3))
-        lines, counts = (curves.points, moved), np.diff(rest.offsets)
-        root_covariances(*lines, rest.offsets[:-1], counts, rest.order, _NEIGHBOURS, sums)
+        first, stop = rest.offsets[:-1], rest.offsets[1:]
+        strands = np.arange(len(first))
+        sums = np.zeros((len(strands), 3, 3))
+        lines = curves.points, moved
         self._quaternions = np.empty((len(rest.segments), 4), np.float32)
-        roots = _quaternions(_nearest_rotations(sums))
-        strand_rotations(*lines, rest.offsets, roots, self._quaternions)
+        with at_most(rest.threads):
+            root_covariances(*lines, first, stop - first, rest.order, strands, _NEIGHBOURS, sums)
+            roots = _quaternions(_nearest_rotations(sums))
+            strand_rotations(*lines, first, stop, first - strands, roots, self._quaternions)
         self.curves = Curves(_parted(moved, curves, rest.segments), curves.radii, curves.offsets)
 
     def rest_points(self, segment: NDArray[np.integer], u: Float32, normals: Float32) -> RestPoints:
@@ -202,23 +209,17 @@ class DeformedCurves:
         number = indices("segment", segment, len(self._rest.segments)).astype(np.int32)
         count = len(number)
         place = scalars("u", u, count), vectors("normals", normals, count)
-        result = _empty(count)
+        result = _empty(count, self._rest.threads)
         curves = rest.points, rest.radii, self._rest.segments
-        fiber_rest_points(
-            curves,
-            self._quaternions,
-            number,
-            *place,
-            result.positions,
-            result.axes,
-            result.rotations,
-        )
+        written = result.positions, result.axes, result.rotations
+        with at_most(self._rest.threads):
+            fiber_rest_points(curves, self._quaternions, number, *place, *written)
         return result
 
 
-def _empty(count: int) -> RestPoints:
+def _empty(count: int, threads: int | None) -> RestPoints:
     positions, axes = np.empty((2, count, 3), np.float32)
-    return RestPoints(positions, axes, np.empty((count, 3, 3), np.float32))
+    return RestPoints(positions, axes, np.empty((count, 3, 3), np.float32), threads)
 
 
 def _checked(name: str, value: object, count: int) -> Float32:

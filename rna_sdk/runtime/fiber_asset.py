@@ -148,4 +148,4 @@ class FiberAsset(AssetPart):
 
     @cached_property
     def _rest_curves(self) -> RestCurves:
-        return RestCurves(self.curves)
+        return RestCurves(self.curves, self.threads)

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.errors import QueryError
+from rna_sdk.kernel_threads import at_most
 from rna_sdk.package import Mesh
 from rna_sdk.package.decoder.query_arrays import Rows
 from rna_sdk.runtime.asset import AssetPart
@@ -132,7 +133,8 @@ class SurfaceAsset(AssetPart):
         Raises:
             QueryError: an argument is no such array, or a primitive is not there.
         """
-        return self._base_color_maps.at(primitives, u, v, widths)
+        with at_most(self.threads):
+            return self._base_color_maps.at(primitives, u, v, widths)
 
     def print_detail_at(
         self, primitives: NDArray[np.integer], u: Rows, v: Rows, widths: Rows, base_color: Rows
@@ -221,4 +223,4 @@ class SurfaceAsset(AssetPart):
 
     @cached_property
     def _rest_mesh(self) -> RestMesh:
-        return RestMesh(self.mesh)
+        return RestMesh(self.mesh, self.threads)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -47,7 +48,6 @@ class Device:
     Attributes:
         name: readable name of the adapter and its backend.
         is_software: whether it is a driver that computes on the CPU.
-        wgpu: the device of the `wgpu` package.
         limits: limits of the device, by WebGPU's hyphenated names.
     """
 
@@ -57,12 +57,23 @@ class Device:
         self.is_software = adapter.info.get("adapter_type") == "CPU"
         limits = {name: adapter.limits[name] for name in _WANTED}
         try:
-            self.wgpu = adapter.request_device_sync(required_limits=limits)
+            self._device = adapter.request_device_sync(required_limits=limits)
         except Exception as error:  # wgpu's own errors are plain exceptions
             raise GpuError(f"{self.name}: no device: {_one_line(error)}") from error
+        self._process = os.getpid()
         self.limits: dict[str, int] = dict(self.wgpu.limits)
         self._pipelines: dict[tuple[Any, ...], Any] = {}
         self._layouts: dict[tuple[str, ...], Any] = {}
+
+    @property
+    def wgpu(self) -> Any:
+        """The device of the `wgpu` package.
+
+        Raises:
+            GpuError: another process opened it, of which this one is a fork.
+        """
+        _check_process(self._process)
+        return self._device
 
     def pipeline(self, source: str, entry: str, layouts: Sequence[Any] = ()) -> Any:
         """A compute pipeline, compiled once and cached.
@@ -174,12 +185,14 @@ def open_device(prefer: str | None = None) -> Device:
     prefer: part of the name of the adapter to open instead.
 
     Raises:
-        GpuError: no adapter was found.
+        GpuError: no adapter was found, or this process was forked from one that had opened a GPU.
 
     Example:
         >>> device = open_device()
         >>> asset = load("toy.rna", device=device)
     """
+    _process.setdefault("first", os.getpid())
+    _check_process(_process["first"])
     if prefer is None:
         adapter = wgpu.gpu.request_adapter_sync(power_preference="high-performance")
         candidates = [adapter] if adapter else []
@@ -189,6 +202,19 @@ def open_device(prefer: str | None = None) -> Device:
     if not candidates:
         raise GpuError("no GPU found; on Debian `mesa-vulkan-drivers` provides a software one")
     return Device(candidates[0])
+
+
+_process: dict[str, int] = {}
+"""The `first` that opened a GPU, of which this one may be a fork."""
+
+
+def _check_process(opened_by: int) -> None:
+    """Drivers do not live on in a forked process: a call may wait for a thread for ever."""
+    if opened_by != os.getpid():
+        raise GpuError(
+            "this process was forked from one that had opened a GPU; start it anew instead, as "
+            'multiprocessing.get_context("spawn") does, and open the GPU there'
+        )
 
 
 def _rounded(size: int) -> int:

@@ -10,7 +10,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numba import prange
 
 from rna_sdk.arrays import check_numbers
 from rna_sdk.compiled import compiled
@@ -107,7 +106,7 @@ def tangent_at(points: np.ndarray, a: int) -> Vector:
     return unit((q[0] - p[0], q[1] - p[1], q[2] - p[2]))
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="segment u normals result", fastmath=())
 def _hit_points(
     points: np.ndarray,
     radii: np.ndarray,
@@ -117,14 +116,14 @@ def _hit_points(
     normals: np.ndarray,
     result: np.ndarray,
 ) -> None:
-    for i in prange(len(segment)):
+    for i in range(len(segment)):
         at = first[segment[i]], np.float64(u[i]), vector_at(normals, i)
         result[i, 0], result[i, 1], result[i, 2] = point_on_cone(points, radii, at[0], at[1], at[2])
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="segment result", fastmath=())
 def _tangents(
     points: np.ndarray, first: np.ndarray, segment: np.ndarray, result: np.ndarray
 ) -> None:
-    for i in prange(len(segment)):
+    for i in range(len(segment)):
         result[i, 0], result[i, 1], result[i, 2] = tangent_at(points, first[segment[i]])

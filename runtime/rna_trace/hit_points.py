@@ -18,7 +18,6 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numba import prange
 
 from rna_sdk.compiled import compiled
 from rna_trace.vectors import Vector, cross, dot, minus, plus, unit, vector_at
@@ -91,7 +90,8 @@ def hit_points(
     m = len(triangle)
     x, x_world = np.empty((m, 3), np.float32), np.empty((m, 3), np.float32)
     result = HitPoints(x, x_world, np.empty(m), np.empty(m), np.empty(m, np.float32))
-    _meet(positions, triangles, triangle, u, v, lines, result)
+    origins, directions, instance, frames = lines
+    _meet(positions, triangles, triangle, u, v, origins, directions, instance, *frames, *result)
     return result
 
 
@@ -112,20 +112,26 @@ def stepped(
     return result
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="triangle u v origins directions instance x_object x_world us vs step", fastmath=())
 def _meet(
     positions: np.ndarray,
     triangles: np.ndarray,
     triangle: np.ndarray,
     u: np.ndarray,
     v: np.ndarray,
-    lines: Lines,
-    result: HitPoints,
+    origins: np.ndarray,
+    directions: np.ndarray,
+    instance: np.ndarray,
+    rotations: np.ndarray,
+    scales: np.ndarray,
+    places: np.ndarray,
+    x_object: np.ndarray,
+    x_world: np.ndarray,
+    us: np.ndarray,
+    vs: np.ndarray,
+    step: np.ndarray,
 ) -> None:
-    origins, directions, instance, frames = lines
-    rotations, scales, places = frames
-    x_object, x_world, us, vs, step = result
-    for i in prange(len(triangle)):
+    for i in range(len(triangle)):
         k = instance[i]
         rotation, scale, place = rotations[k], scales[k], vector_at(places, k)
         corners = triangles[triangle[i]]
@@ -209,7 +215,7 @@ def _placed(rotation: np.ndarray, scale: float, place: Vector, a: Vector) -> Vec
     )
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="row directions result", fastmath=())
 def _step_off(
     points: np.ndarray,
     normals: np.ndarray,
@@ -218,7 +224,7 @@ def _step_off(
     directions: np.ndarray,
     result: np.ndarray,
 ) -> None:
-    for i in prange(len(row)):
+    for i in range(len(row)):
         at = row[i]
         toward = np.float64(0.0)
         for axis in range(3):

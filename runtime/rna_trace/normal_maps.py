@@ -9,7 +9,6 @@ from collections.abc import Sequence
 from copy import copy
 
 import numpy as np
-from numba import prange
 
 from rna_sdk.compiled import compiled
 from rna_sdk.package import Mesh, NormalMap, Transmittance
@@ -97,7 +96,7 @@ def _looked_up(
     return _decoded(x), _decoded(y)
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="n triangle u v result", fastmath=())
 def _mapped(
     n: np.ndarray,
     triangle: np.ndarray,
@@ -111,7 +110,7 @@ def _mapped(
     sizes: np.ndarray,
     result: np.ndarray,
 ) -> None:
-    for i in prange(len(n)):
+    for i in range(len(n)):
         k, m = number[triangle[i]], vector_at(n, i)
         bent = m
         if k >= 0:

@@ -10,7 +10,6 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
-from numba import prange
 
 from rna_sdk.arrays import check_numbers, vectors
 from rna_sdk.compiled import compiled
@@ -217,7 +216,7 @@ def smooth_share(n: Vector, ng: Vector, d: Vector) -> tuple[float, bool]:
     return 0.0, above >= 0.0
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="triangle u v result", fastmath=())
 def _interpolate(
     values: np.ndarray,
     triangles: np.ndarray,
@@ -227,7 +226,7 @@ def _interpolate(
     normalise: bool,
     result: np.ndarray,
 ) -> None:
-    for i in prange(len(triangle)):
+    for i in range(len(triangle)):
         value = mixed_at(values, triangles[triangle[i]], u[i], v[i])
         value = unit(value) if normalise else value
         result[i, 0], result[i, 1], result[i, 2] = value
@@ -241,16 +240,16 @@ def _geometric_normal(positions: np.ndarray, corners: np.ndarray) -> Vector:
     return unit(cross(e1, e2))
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="triangle result", fastmath=())
 def _geometric_normals(
     positions: np.ndarray, triangles: np.ndarray, triangle: np.ndarray, result: np.ndarray
 ) -> None:
-    for i in prange(len(triangle)):
+    for i in range(len(triangle)):
         normal = _geometric_normal(positions, triangles[triangle[i]])
         result[i, 0], result[i, 1], result[i, 2] = normal
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="triangle u v x n ng lift", fastmath=())
 def _points_at_hits(
     positions: np.ndarray,
     normals: np.ndarray,
@@ -264,7 +263,7 @@ def _points_at_hits(
     lift: np.ndarray,
 ) -> None:
     """Results of the functions above, in one pass over the hits."""
-    for i in prange(len(triangle)):
+    for i in range(len(triangle)):
         corners = triangles[triangle[i]]
         fu, fv = np.float64(u[i]), np.float64(v[i])
         at = mixed_at(positions, corners, fu, fv)
@@ -274,7 +273,7 @@ def _points_at_hits(
         lift[i, 0], lift[i, 1], lift[i, 2] = lift_at(positions, normals, corners, (fu, fv, at))
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="row directions result", fastmath=())
 def _leave(
     x: np.ndarray,
     n: np.ndarray,
@@ -285,7 +284,7 @@ def _leave(
     step: float,
     result: np.ndarray,
 ) -> None:
-    for i in prange(len(row)):
+    for i in range(len(row)):
         at = row[i]
         g = vector_at(ng, at)
         smooth, along = smooth_share(vector_at(n, at), g, vector_at(directions, i))

@@ -12,7 +12,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numba import prange
 
 from rna_sdk.arrays import check_numbers
 from rna_sdk.compiled import compiled
@@ -221,7 +220,7 @@ def transmittance(
     return red, green, blue
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="triangle u v directions facing result", fastmath=())
 def _at(
     table: int,
     triangle: np.ndarray,
@@ -231,7 +230,7 @@ def _at(
     facing: np.ndarray,
     result: np.ndarray,
 ) -> None:
-    for i in prange(len(triangle)):
+    for i in range(len(triangle)):
         d = directions[i]
         direction = np.float64(d[0]), np.float64(d[1]), np.float64(d[2])
         at = triangle[i], np.float64(u[i]), np.float64(v[i])

@@ -21,7 +21,7 @@ Arrays = dict[str, np.ndarray]
 
 
 def test_hits_are_of_every_sort(kit: Kit) -> None:
-    (case,) = kit.base_color
+    (case,) = (case for case in kit.base_color if case.package.stem == "surface-print")
     rows = {c.name: c.rows for c in case.classes}
     assert sum(rows.values()) == len(case.expected) and min(rows.values()) >= 12
     hits = np.fromfile(case.hits, BASE_COLOR_HIT)

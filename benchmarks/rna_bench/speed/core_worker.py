@@ -9,7 +9,6 @@ line of JSON: `rate`, a second. It is warm before the first one counts.
 from __future__ import annotations
 
 import json
-import os
 import sys
 import tempfile
 import time
@@ -119,7 +118,6 @@ def _samples() -> dict[str, np.ndarray]:
 @contextmanager
 def renderer(threads: int) -> Iterator[Task]:
     """The quickstart's scene, a sample of every pixel at a time."""
-    os.environ.setdefault("OMP_WAIT_POLICY", "passive")  # as rna-run does
     from rna_render import load_world, make_integrator, render
     from rna_render.scene import read_scene
     from rna_sdk.kernel_threads import limit_kernel_threads

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import json
 import sys
+from typing import Any
 
+from pydantic import BaseModel
 from pydantic.json_schema import GenerateJsonSchema, JsonSchemaValue
 from pydantic_core import core_schema
 
@@ -38,6 +40,11 @@ class _Generator(GenerateJsonSchema):
         return result
 
 
+def model_schema(model: type[BaseModel]) -> dict[str, Any]:
+    """The schema of the manifest, or of the data of an extension."""
+    return model.model_json_schema(by_alias=True, schema_generator=_Generator)
+
+
 def manifest_schema() -> str:
     """The schema (draft 2020-12), as the text of the file.
 
@@ -49,7 +56,7 @@ def manifest_schema() -> str:
     schema = {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": f"RNA {VERSION} manifest.json",
-        **Manifest.model_json_schema(by_alias=True, schema_generator=_Generator),
+        **model_schema(Manifest),
     }
     schema["required"] = [*REQUIRED_IN_FILE, *schema["required"]]
     for member in REQUIRED_IN_FILE:

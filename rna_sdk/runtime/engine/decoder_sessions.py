@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import warnings
 
 import numpy as np
@@ -77,28 +78,33 @@ class Graph:
 
     def __init__(self, model: bytes, entry: Entry | None = None, optimized: bool = True) -> None:
         """entry: what makes the graph's input of queries, where that is not queries themselves."""
-        self._entry = entry
+        self._entry, self._model, self._optimized = entry, model, optimized
+        self._session, self._process = self._opened(), os.getpid()
+        source = self._session.get_inputs()[0]
+        self._input = source.name
+        self._shape = [size if isinstance(size, int) else -1 for size in source.shape]
+        self.columns = len(entry.gain) if entry else int(self._shape[-1])
+
+    def _opened(self) -> ort.InferenceSession:
         options = ort.SessionOptions()
         options.intra_op_num_threads = 1
         options.inter_op_num_threads = 1
         options.execution_mode = ort.ExecutionMode.ORT_SEQUENTIAL
         levels = ort.GraphOptimizationLevel
         options.graph_optimization_level = (
-            levels.ORT_ENABLE_ALL if optimized else levels.ORT_DISABLE_ALL
+            levels.ORT_ENABLE_ALL if self._optimized else levels.ORT_DISABLE_ALL
         )
         options.add_session_config_entry("session.intra_op.allow_spinning", "0")
         # Layers in int8 that are not rewritten run in float32: onnxruntime's own way to run them
         # in integers can saturate on CPUs without VNNI.
         options.add_session_config_entry("session.disable_quant_qdq", "1")
         options.log_severity_level = 3
-        self._session = ort.InferenceSession(model, options, providers=["CPUExecutionProvider"])
-        source = self._session.get_inputs()[0]
-        self._input = source.name
-        self._shape = [size if isinstance(size, int) else -1 for size in source.shape]
-        self.columns = len(entry.gain) if entry else int(self._shape[-1])
+        return ort.InferenceSession(self._model, options, providers=["CPUExecutionProvider"])
 
     def run(self, queries: NDArray[np.float32]) -> NDArray[np.float32]:
         values = self._entry.quantized(queries) if self._entry else queries
+        if self._process != os.getpid():  # forked, perhaps while a thread held the session's locks
+            self._session, self._process = self._opened(), os.getpid()
         inputs = {self._input: values.reshape(self._shape)}
         output: NDArray[np.float32] = self._session.run(None, inputs)[0]
         return output

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
 from copy import copy
+from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rna_sdk.kernel_threads import share
 from rna_sdk.package import Bounds, Int8Planes, Planes
 from rna_sdk.package.decoder.query_arrays import Rows
 from rna_sdk.package.manifest.manifest_fields import Kind
@@ -119,32 +120,19 @@ class TileEvaluator:
         self._filler = filler
         self._decoder = decoder
         self._threads = threads
-        self._helpers = ThreadPoolExecutor(max(threads - 1, 1), thread_name_prefix="rna-tile")
 
     def run(self, batch: Batch) -> None:
         """Write `batch.results`."""
-        count = len(batch)
-        rows = self._tile_rows(count)
-        starts = iter(range(0, count, rows))  # shared: each tile goes to the next free thread
-        helpers = min(self._threads, -(-count // rows)) - 1
-        running = [
-            self._helpers.submit(self._run_tiles, batch, starts, rows) for _ in range(helpers)
-        ]
-        try:
-            self._run_tiles(batch, starts, rows)
-        finally:
-            for _ in starts:  # after an error or Ctrl-C: leave no tile to begin
-                pass
-            for helper in running:
-                if not helper.cancel():  # busy threads may not have come to it; none is needed
-                    helper.result()
+        rows = self._tile_rows(len(batch))
+        run = partial(self._run_tiles, batch, rows)
+        share(run, range(0, len(batch), rows), self._threads)
 
     def _tile_rows(self, count: int) -> int:
         """Rows a tile: the decoder's best, or less where threads would get fewer than two."""
         share = -(-count // (2 * self._threads if self._threads > 1 else 1))
         return min(self._decoder.tile_rows, max(_SMALLEST_TILE, _rounded_up(share)))
 
-    def _run_tiles(self, batch: Batch, starts: Iterator[int], rows: int) -> None:
+    def _run_tiles(self, batch: Batch, rows: int, starts: Iterator[int]) -> None:
         queries = np.zeros((rows, self._decoder.columns), np.float32)
         valid = np.empty(rows, np.bool_)
         for start in starts:

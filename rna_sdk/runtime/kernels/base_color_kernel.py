@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numba import prange
 from numpy.typing import NDArray
 
 from rna_sdk.compiled import compiled
@@ -64,7 +63,7 @@ def _add_level(
         color[c] += np.float32(weight * value)
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="primitives u v widths result", fastmath=())
 def look_up(
     primitives: NDArray[np.int64],
     u: NDArray[np.float32],
@@ -91,7 +90,7 @@ def look_up(
     is_srgb (r,). counts: (images,) of levels; levels: (images, LEVELS, 3) first texel, height
     and width.
     """
-    for i in prange(len(primitives)):
+    for i in range(len(primitives)):
         triangle = primitives[i]
         r = record[triangle]
         if r < 0:

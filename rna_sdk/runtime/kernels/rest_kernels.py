@@ -7,7 +7,6 @@ filled.
 from __future__ import annotations
 
 import numpy as np
-from numba import prange
 from numpy.typing import NDArray
 
 from rna_sdk.compiled import compiled
@@ -77,7 +76,7 @@ def _store(rotation: Matrix, i: int, result: NDArray[np.float32]) -> None:
         result[i, row, 0], result[i, row, 1], result[i, row, 2] = rotation[row]
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="triangle u v positions normals rotations", fastmath=())
 def surface_rest_points(
     mesh: tuple[Rows, Rows, Corners],
     deformed: tuple[Rows, Rows],
@@ -89,7 +88,7 @@ def surface_rest_points(
     rotations: NDArray[np.float32],
 ) -> None:
     """Fills the last three. mesh: rest positions, normals, triangles; deformed: the first two."""
-    for i in prange(len(triangle)):
+    for i in range(len(triangle)):
         corners = mesh[2][triangle[i]]
         fu, fv = np.float64(u[i]), np.float64(v[i])
         positions[i, 0], positions[i, 1], positions[i, 2] = _mixed(mesh[0], corners, fu, fv)
@@ -103,13 +102,14 @@ def surface_rest_points(
         _store(back, i, rotations)
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="places", step=64, fastmath=())
 def root_covariances(
     rest: Rows,
     deformed: Rows,
     first: NDArray[np.int64],
     count: NDArray[np.int64],
     order: NDArray[np.int64],
+    places: NDArray[np.int64],
     reach: int,
     result: NDArray[np.float64],
 ) -> None:
@@ -120,9 +120,10 @@ def root_covariances(
     the ways to the strand's own middle and tip, for a curved strand that stands alone.
 
     first, count: (s,) roots, and numbers of points. order: (s,) strands, neighbours in space
-    beside each other; `reach` on either side.
+    beside each other; `reach` on either side. places: of `order`, those to do.
     """
-    for place in prange(len(order)):
+    for k in range(len(places)):
+        place = places[k]
         strand = order[place]
         root = first[strand]
         near = np.inf
@@ -156,32 +157,36 @@ def _add(
             total[row, column] += scale * d1[row] * d[column]
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="first stop segment roots", step=64, fastmath=())
 def strand_rotations(
     rest: Rows,
     deformed: Rows,
-    offsets: NDArray[np.int64],
+    first: NDArray[np.int64],
+    stop: NDArray[np.int64],
+    segment: NDArray[np.int64],
     roots: NDArray[np.float64],
     result: NDArray[np.float32],
 ) -> None:
     """result: (m, 4) float32, the rotation of each segment from rest, as a quaternion.
 
-    roots: (s, 4) float64, of each strand's root. From there on the rotation of a segment is that
-    of the one before it, turned by the smallest angle that takes tangent to tangent.
+    first, stop, segment: (s,), of each strand the first point, the one behind its last, and the
+    first segment. roots: (s, 4) float64, of each strand's root. From there on the rotation of a
+    segment is that of the one before it, turned by the smallest angle that takes tangent to
+    tangent.
     """
-    for strand in prange(len(offsets) - 1):
+    for strand in range(len(first)):
         q = roots[strand, 0], roots[strand, 1], roots[strand, 2], roots[strand, 3]
-        for a in range(offsets[strand], offsets[strand + 1] - 1):
+        for a in range(first[strand], stop[strand] - 1):
             t = direction(difference(vector(rest, a + 1), vector(rest, a)))
             t1 = direction(difference(vector(deformed, a + 1), vector(deformed, a)))
             if dot(t1, t1) > 0.0:
                 q = quaternion_product(minimal_quaternion(turned_by(matrix_of(q), t), t1), q)
-            segment = a - strand
+            at = segment[strand] + a - first[strand]
             for k in range(4):
-                result[segment, k] = q[k]
+                result[at, k] = q[k]
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="segment u n positions tangents rotations", fastmath=())
 def fiber_rest_points(
     curves: tuple[Rows, NDArray[np.float32], NDArray[np.uint32]],
     quaternions: NDArray[np.float32],
@@ -193,7 +198,7 @@ def fiber_rest_points(
     rotations: NDArray[np.float32],
 ) -> None:
     """Fills the last three. curves: rest points, radii, first points of segments."""
-    for i in prange(len(segment)):
+    for i in range(len(segment)):
         at = curves[2][segment[i]]
         q = quaternions[segment[i]]
         back = transposed(
@@ -208,7 +213,7 @@ def fiber_rest_points(
         _store(back, i, rotations)
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="values row result", fastmath=())
 def turn_rows(
     rotations: NDArray[np.float32],
     inverse: bool,
@@ -217,7 +222,7 @@ def turn_rows(
     result: Rows,
 ) -> None:
     """result[i] = rotations[row[i]] values[i], or the inverse rotation."""
-    for i in prange(len(values)):
+    for i in range(len(values)):
         m = rotations[row[i]]
         for k in range(3):
             total = 0.0

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import sys
 import threading
 import time
@@ -78,7 +77,6 @@ class SceneWorker:
         self.stop = threading.Event()
 
     def __enter__(self) -> Self:
-        os.environ.setdefault("OMP_WAIT_POLICY", "passive")  # see rna_render.command.rna_run
         limit_kernel_threads(self._threads)
         self.scene_file = replace(self.scene_file, path=self._files.here())
         return self

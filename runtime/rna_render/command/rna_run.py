@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import math
-import os
 import re
 import sys
 import time
@@ -268,9 +267,6 @@ def _shown(options: argparse.Namespace) -> int:
 
 
 def _use_threads(count: int | None) -> int:
-    # libgomp's threads spin while they have nothing to do, and take the cores from ONNX Runtime's.
-    # It reads this when numba loads it.
-    os.environ.setdefault("OMP_WAIT_POLICY", "passive")
     from rna_sdk.kernel_threads import limit_kernel_threads
 
     return limit_kernel_threads(count)

@@ -84,7 +84,7 @@ class EquirectangularImage:
         """What directions are chosen with, in proportion to what is brighter than `mean`."""
         h, w, _ = self._texels.shape
         columns = np.empty((h + 1, w + 1))
-        sums_of_cells(self._texels, self._heights, mean, columns)
+        sums_of_cells(self._texels, np.arange(h + 1), self._heights, mean, columns)
         rows = np.concatenate([[0.0], np.cumsum(columns[:, -1])])
         guides = guide_of(rows[None], ROW_FINENESS), guide_of(columns, COLUMN_FINENESS)
         held = self._texels, self._heights, rows, guides[0], columns, guides[1]

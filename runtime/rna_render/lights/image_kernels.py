@@ -7,7 +7,7 @@ do not fit a core's cache, and so a core waits for many numbers at once.
 from __future__ import annotations
 
 import numpy as np
-from numba import carray, prange  # type: ignore[attr-defined]
+from numba import carray  # type: ignore[attr-defined]
 
 from rna_render.lights.directions import LUMINANCE
 from rna_render.lights.intervals import guide_entry, interval_near, place_within
@@ -74,19 +74,26 @@ def _luminances(cell: Cell) -> tuple[float, float, float, float]:
     )
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="numbers heights columns", step=16, fastmath=())
 def sums_of_cells(
-    texels: np.ndarray, heights: np.ndarray, mean: float, columns: np.ndarray
+    texels: np.ndarray,
+    numbers: np.ndarray,
+    heights: np.ndarray,
+    mean: float,
+    columns: np.ndarray,
 ) -> None:
-    """Running sums, along each row, of the cells' weights: luminance times the row's height."""
-    h, w, _ = texels.shape
-    for k in prange(h + 1):
-        row, total = signed(k), 0.0
-        columns[row, 0] = 0.0
+    """Running sums, along each row, of the cells' weights: luminance times the row's height.
+
+    numbers: of the rows of cells whose heights and sums the others are.
+    """
+    w = texels.shape[1]
+    for k in range(len(numbers)):
+        row, total = numbers[k], 0.0
+        columns[k, 0] = 0.0
         for column in range(w):
             a, b, c, d = _luminances(_cell(texels, row, column))
-            total += max((a + b + c + d) / 4.0 - mean, 0.0) * heights[row]
-            columns[row, column + 1] = total
+            total += max((a + b + c + d) / 4.0 - mean, 0.0) * heights[k]
+            columns[k, column + 1] = total
 
 
 @compiled(fastmath=())

@@ -8,7 +8,6 @@ length is never found, unless all that follow have none.
 from __future__ import annotations
 
 import numpy as np
-from numba import prange
 
 from rna_sdk.compiled import compiled
 
@@ -56,10 +55,10 @@ def guide_of(cumulative: np.ndarray, fineness: int) -> np.ndarray:
     return guide
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="cumulative guide", step=16, fastmath=())
 def _fill_guide(cumulative: np.ndarray, guide: np.ndarray) -> None:
     count = guide.shape[1]
-    for row in prange(len(guide)):
+    for row in range(len(guide)):
         interval = 0
         for i in range(count):
             value = i / count * cumulative[row, -1]

@@ -7,7 +7,6 @@ coordinates of each triangle, not from MikkTSpace, which smooths them over the c
 from __future__ import annotations
 
 import numpy as np
-from numba import prange
 
 from rna_sdk.compiled import compiled
 from rna_trace.normal_maps import derived_tangent
@@ -102,7 +101,7 @@ def bumped_normal(
     return facing * bent[0], facing * bent[1], facing * bent[2]
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="texture triangle u v n ng wo result", fastmath=())
 def _bump(
     texture: np.ndarray,
     scale: float,
@@ -118,7 +117,7 @@ def _bump(
     wo: np.ndarray,
     result: np.ndarray,
 ) -> None:
-    for i in prange(len(n)):
+    for i in range(len(n)):
         mesh = positions, uvs, tangents, triangles[triangle[i]]
         m, g, o = vector_at(n, i), vector_at(ng, i), unit(vector_at(wo, i))
         at = np.float64(u[i]), np.float64(v[i])

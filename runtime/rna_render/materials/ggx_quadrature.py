@@ -8,7 +8,6 @@ writes the table anew that `ggx_albedo` reads.
 from __future__ import annotations
 
 import numpy as np
-from numba import prange
 
 from rna_render.materials.ggx import (
     ALBEDO_FILE,
@@ -26,12 +25,16 @@ from rna_sdk.compiled import compiled
 TURN_SAMPLES, OUTWARD_SAMPLES = 24, 48
 
 
-@compiled(parallel=True, fastmath=())
 def fill_albedo(table: np.ndarray) -> None:
     """Entries of `ggx_albedo.ALBEDO_TABLE`, by quadrature, into (n, n, 2) float64."""
-    size = len(table)
-    for row in prange(size):
-        alpha = max(MIN_ALPHA, (row / (size - 1)) ** 2)
+    _fill_rows(np.arange(len(table)), table)
+
+
+@compiled(rows="rows table", step=1, fastmath=())
+def _fill_rows(rows: np.ndarray, table: np.ndarray) -> None:
+    size = table.shape[1]
+    for row in range(len(rows)):
+        alpha = max(MIN_ALPHA, (rows[row] / (size - 1)) ** 2)
         for column in range(size):
             cos_o = (column / (size - 1)) ** 2
             a, b = _quadrature(alpha, cos_o)

@@ -7,7 +7,6 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
-from numba import prange
 
 from rna_render.materials.bumps import bumped_normals
 from rna_render.materials.ggx import MIN_ALPHA
@@ -267,7 +266,7 @@ def _mean_emission(material: Material) -> np.ndarray:
     return np.asarray(material.emission) * (1.0 if texture is None else texture.mean())
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="triangle u v result", fastmath=())
 def _interpolate(
     uvs: np.ndarray,
     triangles: np.ndarray,
@@ -276,7 +275,7 @@ def _interpolate(
     v: np.ndarray,
     result: np.ndarray,
 ) -> None:
-    for i in prange(len(triangle)):
+    for i in range(len(triangle)):
         row = triangle[i]
         a, b, c = triangles[row, 0], triangles[row, 1], triangles[row, 2]
         for axis in range(2):

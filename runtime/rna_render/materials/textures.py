@@ -15,7 +15,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numba import prange
 
 from rna_render.image.view_transform import decode_srgb
 from rna_render.scene.limits import MAX_IMAGE_PIXELS
@@ -156,7 +155,7 @@ def _mixed(
     return float((1.0 - t) * upper + t * lower)
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="uv result", fastmath=())
 def _lookup(
     texels: np.ndarray,
     decode: np.ndarray,
@@ -166,7 +165,7 @@ def _lookup(
     uv: np.ndarray,
     result: np.ndarray,
 ) -> None:
-    for i in prange(len(uv)):
+    for i in range(len(uv)):
         a, b = np.float64(uv[i, 0]), np.float64(uv[i, 1])
         value = texture_value(texels, decode, wrap_u, wrap_v, transform, a, b)
         result[i, 0], result[i, 1], result[i, 2] = value

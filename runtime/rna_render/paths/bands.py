@@ -94,7 +94,7 @@ class _BandWorker:
     name: str
 
     def __enter__(self) -> _BandWorker:
-        limit_kernel_threads(1)  # numba's number of threads is each thread's own
+        limit_kernel_threads(1)  # of calls of this thread
         return self
 
     def __exit__(self, *_: object) -> None:

@@ -9,7 +9,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numba import prange
 
 from rna_render.lights import Light, LightSamples, LightSelection
 from rna_render.paths.sampling import CHOICES, LIGHT, LIGHTS_AT_A_VERTEX, PathNumbers
@@ -127,7 +126,7 @@ class LightSampling:
         ]
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="row wi_world distance origin direction length", fastmath=())
 def _aim(
     x_world: np.ndarray,
     row: np.ndarray,
@@ -142,7 +141,7 @@ def _aim(
     The step off the surface may be longer than SHORTER leaves before a light, so rays go to the
     point of the light from where they start, not from the vertex.
     """
-    for i in prange(len(row)):
+    for i in range(len(row)):
         squared = np.float32(0.0)
         for axis in range(3):
             direction[i, axis] = wi_world[i, axis]

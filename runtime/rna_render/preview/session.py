@@ -203,7 +203,7 @@ class Session:
                 self._changed.notify_all()
 
     def _use_threads(self) -> None:
-        """Numba's number of threads is each thread's own."""
+        """Each thread has a number of its own."""
         from rna_sdk.kernel_threads import limit_kernel_threads
 
         limit_kernel_threads(self._threads)

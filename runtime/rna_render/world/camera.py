@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import prange
 
 from rna_render.scene.scene_model import CameraModel
 from rna_sdk.compiled import compiled
@@ -115,7 +114,7 @@ def _unit(vector: np.ndarray) -> np.ndarray:
     return np.asarray(vector / np.linalg.norm(vector))
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="pixels u result", fastmath=())
 def _directions(
     pixels: np.ndarray,
     u: np.ndarray,
@@ -125,7 +124,7 @@ def _directions(
     step_y: np.ndarray,
     result: np.ndarray,
 ) -> None:
-    for i in prange(len(pixels)):
+    for i in range(len(pixels)):
         x = pixels[i] % width + u[i, 0]
         y = pixels[i] // width + u[i, 1]
         dx = corner[0] + x * step_x[0] + y * step_y[0]

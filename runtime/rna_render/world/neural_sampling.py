@@ -14,7 +14,6 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numba import prange
 
 from rna_sdk.compiled import compiled
 from rna_trace.angles import sine_and_cosine
@@ -224,7 +223,7 @@ def lobe_density(numbers: np.ndarray, frame: Frame, w: Vector) -> float:
     return density
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="row u wi", fastmath=())
 def _sample(
     numbers: np.ndarray,
     n: np.ndarray,
@@ -234,13 +233,13 @@ def _sample(
     u: np.ndarray,
     wi: np.ndarray,
 ) -> None:
-    for i in prange(len(row)):
+    for i in range(len(row)):
         at = row[i]
         frame = lobe_frame(vector_at(n, at), vector_at(tangents, at), vector_at(wo, at))
         wi[i, 0], wi[i, 1], wi[i, 2] = lobe_sample(numbers, frame, u[i, 0], u[i, 1])
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="row wi pdf", fastmath=())
 def _pdf(
     numbers: np.ndarray,
     n: np.ndarray,
@@ -250,7 +249,7 @@ def _pdf(
     wi: np.ndarray,
     pdf: np.ndarray,
 ) -> None:
-    for i in prange(len(row)):
+    for i in range(len(row)):
         at = row[i]
         frame = lobe_frame(vector_at(n, at), vector_at(tangents, at), vector_at(wo, at))
         pdf[i] = lobe_density(numbers, frame, vector_at(wi, i))

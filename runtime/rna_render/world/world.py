@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numba import prange
 
 from rna_render.lights.base import PlacedLight
 from rna_render.materials import MeshObject
@@ -298,7 +297,7 @@ def _transformed(
     return result
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="instance vectors result", fastmath=())
 def _transform(
     linear: np.ndarray,
     shift: np.ndarray,
@@ -306,7 +305,7 @@ def _transform(
     vectors: np.ndarray,
     result: np.ndarray,
 ) -> None:
-    for i in prange(len(instance)):
+    for i in range(len(instance)):
         k = instance[i]
         for row in range(3):
             value = shift[k, row]

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from llvmlite import ir
-from numba import prange, types
+from numba import types
 from numba.extending import intrinsic
 
 from rna_sdk.compiled import compiled
@@ -32,8 +32,6 @@ CONTEXT_SHARE, CONTEXT_WEIGHT, CONTEXT_COLOURED, CONTEXT_LAST = 8, 11, 14, 15
 CONTEXT_WORDS = 17
 ARGUMENT_CONTEXT = 1
 
-# Rays in one unit of parallel work: enough to hide its start, few enough to balance.
-CHUNK = 1024
 # Rays written before the first of them is traced. Embree reads a ray in 16-byte loads, which
 # stall on 4-byte stores that have only just been made.
 BLOCK = 32
@@ -160,7 +158,7 @@ def _store_hits(block: np.ndarray, bits: np.ndarray, start: int, count: int, hit
             ng[i] = 0.0
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="hits rays", fastmath=())
 def intersect(function: int, scene: int, arguments: int, rays: Rays, hits: Hits) -> None:
     """Closest hits.
 
@@ -168,23 +166,22 @@ def intersect(function: int, scene: int, arguments: int, rays: Rays, hits: Hits)
     RTCIntersectArguments, or 0. rays: Rays. hits: Hits, written.
     """
     n = len(hits[0])
-    for chunk in prange((n + CHUNK - 1) // CHUNK):
-        block = _ray_block(RAY_HIT_WORDS)
-        bits = block.view(np.uint32)
-        address = block.ctypes.data
-        for start in range(chunk * CHUNK, min(n, (chunk + 1) * CHUNK), BLOCK):
-            count = min(BLOCK, n - start)
-            for k in range(count):
-                _aim(block[k], bits[k], start + k, rays)
-                bits[k, HIT_GEOMETRY] = INVALID_ID
-                bits[k, HIT_INSTANCE] = INVALID_ID
-            for k in range(count):
-                if block[k, RAY_TNEAR] <= block[k, RAY_TFAR]:
-                    call_embree(function, scene, address + k * RAY_HIT_WORDS * 4, arguments)
-            _store_hits(block, bits, start, count, hits)
+    block = _ray_block(RAY_HIT_WORDS)
+    bits = block.view(np.uint32)
+    address = block.ctypes.data
+    for start in range(0, n, BLOCK):
+        count = min(BLOCK, n - start)
+        for k in range(count):
+            _aim(block[k], bits[k], start + k, rays)
+            bits[k, HIT_GEOMETRY] = INVALID_ID
+            bits[k, HIT_INSTANCE] = INVALID_ID
+        for k in range(count):
+            if block[k, RAY_TNEAR] <= block[k, RAY_TFAR]:
+                call_embree(function, scene, address + k * RAY_HIT_WORDS * 4, arguments)
+        _store_hits(block, bits, start, count, hits)
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="result rays", fastmath=())
 def occluded(function: int, scene: int, arguments: int, rays: Rays, result: np.ndarray) -> None:
     """Whether anything is hit between tnear and tfar.
 
@@ -193,20 +190,19 @@ def occluded(function: int, scene: int, arguments: int, rays: Rays, result: np.n
     not finite or has no direction.
     """
     n = len(result)
-    for chunk in prange((n + CHUNK - 1) // CHUNK):
-        block = _ray_block(RAY_WORDS)
-        bits = block.view(np.uint32)
-        address = block.ctypes.data
-        for start in range(chunk * CHUNK, min(n, (chunk + 1) * CHUNK), BLOCK):
-            count = min(BLOCK, n - start)
-            for k in range(count):
-                _aim(block[k], bits[k], start + k, rays)
-            for k in range(count):
-                if block[k, RAY_TNEAR] <= block[k, RAY_TFAR]:
-                    call_embree(function, scene, address + k * RAY_WORDS * 4, arguments)
-            for k in range(count):
-                # rtcOccluded1 reports a hit by setting tfar to minus infinity.
-                result[start + k] = block[k, RAY_TFAR] == -np.inf
+    block = _ray_block(RAY_WORDS)
+    bits = block.view(np.uint32)
+    address = block.ctypes.data
+    for start in range(0, n, BLOCK):
+        count = min(BLOCK, n - start)
+        for k in range(count):
+            _aim(block[k], bits[k], start + k, rays)
+        for k in range(count):
+            if block[k, RAY_TNEAR] <= block[k, RAY_TFAR]:
+                call_embree(function, scene, address + k * RAY_WORDS * 4, arguments)
+        for k in range(count):
+            # rtcOccluded1 reports a hit by setting tfar to minus infinity.
+            result[start + k] = block[k, RAY_TFAR] == -np.inf
 
 
 @compiled(fastmath=())
@@ -226,7 +222,7 @@ def _start(context: np.ndarray) -> None:
     values[CONTEXT_COLOURED] = 0.0
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="result rays", fastmath=())
 def transmitted(
     function: int, scene: int, arguments: np.ndarray, rays: Rays, result: np.ndarray
 ) -> None:
@@ -236,22 +232,21 @@ def transmitted(
     that is not finite or has no direction. The others are those of `occluded`.
     """
     n = len(result)
-    for chunk in prange((n + CHUNK - 1) // CHUNK):
-        block = _ray_block(RAY_WORDS)
-        ray, bits = block[0], block.view(np.uint32)[0]
-        query, context = _query(arguments)
-        for i in range(chunk * CHUNK, min(n, (chunk + 1) * CHUNK)):
-            result[i] = 1.0
-            if _aim(ray, bits, i, rays):
-                _start(context)
-                call_embree(function, scene, block.ctypes.data, query.ctypes.data)
-                blocked = ray[RAY_TFAR] == -np.inf
-                for channel in range(3):
-                    weight = context.view(np.float64)[CONTEXT_WEIGHT + channel]
-                    result[i, channel] = 0.0 if blocked else weight
+    block = _ray_block(RAY_WORDS)
+    ray, bits = block[0], block.view(np.uint32)[0]
+    query, context = _query(arguments)
+    for i in range(n):
+        result[i] = 1.0
+        if _aim(ray, bits, i, rays):
+            _start(context)
+            call_embree(function, scene, block.ctypes.data, query.ctypes.data)
+            blocked = ray[RAY_TFAR] == -np.inf
+            for channel in range(3):
+                weight = context.view(np.float64)[CONTEXT_WEIGHT + channel]
+                result[i, channel] = 0.0 if blocked else weight
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="hits rays weight", fastmath=())
 def intersect_through(
     functions: tuple[int, int],
     scene: int,
@@ -268,31 +263,30 @@ def intersect_through(
     of `intersect`.
     """
     n = len(hits[0])
-    for chunk in prange((n + CHUNK - 1) // CHUNK):
-        block = _ray_block(RAY_HIT_WORDS)
-        blocks = block.view(np.uint32)
-        ray, bits, address = block[0], blocks[0], block.ctypes.data
-        query, context = _query(arguments[0])
-        weighing, _ = _query(arguments[1])
-        weighing[ARGUMENT_CONTEXT] = context.ctypes.data
-        for i in range(chunk * CHUNK, min(n, (chunk + 1) * CHUNK)):
-            bits[HIT_GEOMETRY] = INVALID_ID
-            bits[HIT_INSTANCE] = INVALID_ID
-            _start(context)
-            traced = _aim(ray, bits, i, rays)
-            if traced:
-                call_embree(functions[0], scene, address, query.ctypes.data)
-            _store_hits(block, blocks, i, 1, hits)
-            if len(weight):
-                values = context.view(np.float64)
-                if traced and values[CONTEXT_COLOURED] > 0.0:
-                    _name_last(context, bits)
-                    _aim(ray, bits, i, rays)
-                    ray[RAY_TFAR] = min(ray[RAY_TFAR], hits[0][i])
-                    call_embree(functions[1], scene, address, weighing.ctypes.data)
-                for channel in range(3):
-                    share = values[CONTEXT_SHARE + channel] if hits[0][i] < np.inf else 1.0
-                    weight[i, channel] = share * values[CONTEXT_WEIGHT + channel]
+    block = _ray_block(RAY_HIT_WORDS)
+    blocks = block.view(np.uint32)
+    ray, bits, address = block[0], blocks[0], block.ctypes.data
+    query, context = _query(arguments[0])
+    weighing, _ = _query(arguments[1])
+    weighing[ARGUMENT_CONTEXT] = context.ctypes.data
+    for i in range(n):
+        bits[HIT_GEOMETRY] = INVALID_ID
+        bits[HIT_INSTANCE] = INVALID_ID
+        _start(context)
+        traced = _aim(ray, bits, i, rays)
+        if traced:
+            call_embree(functions[0], scene, address, query.ctypes.data)
+        _store_hits(block, blocks, i, 1, hits)
+        if len(weight):
+            values = context.view(np.float64)
+            if traced and values[CONTEXT_COLOURED] > 0.0:
+                _name_last(context, bits)
+                _aim(ray, bits, i, rays)
+                ray[RAY_TFAR] = min(ray[RAY_TFAR], hits[0][i])
+                call_embree(functions[1], scene, address, weighing.ctypes.data)
+            for channel in range(3):
+                share = values[CONTEXT_SHARE + channel] if hits[0][i] < np.inf else 1.0
+                weight[i, channel] = share * values[CONTEXT_WEIGHT + channel]
 
 
 @compiled(fastmath=())

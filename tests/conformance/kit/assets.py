@@ -33,7 +33,7 @@ from tests.conformance.kit.decoders import Decoder, Int8Decoder, short
 from tests.conformance.kit.lobes import make_lobes
 from tests.conformance.kit.oddities import make_odd
 from tests.conformance.kit.plans import DecoderPlan, PartPlan, Plan, TierPlan
-from tests.conformance.kit.png import png_bytes
+from tests.conformance.kit.png import KINDS, Kind, png_bytes
 from tests.conformance.kit.queries import ALL, ORDINARY, Maker, columns_of, make_queries, valid_rows
 from tests.package.builders import make_manifest, make_part, make_tier_part
 
@@ -75,7 +75,7 @@ def write_asset(plan: Plan, folder: Path) -> dict[Query, Answers]:
         )
     }
     images = {
-        _image(name): png_bytes(record.image)
+        _image(name): png_bytes(record.image, KINDS.get(name, Kind()))
         for part in plan.parts
         for name, record in part.colors
         if record.image is not None

@@ -65,6 +65,20 @@ def collapsed(points: np.ndarray) -> np.ndarray:
     return shape
 
 
+def unfolded(points: np.ndarray) -> np.ndarray:
+    """Twisted; triangles of the last two points, flat at rest, get an area."""
+    shape = twisted(points)
+    shape[-2:] += np.float32([[0.1, 0.2, 0.3], [-0.2, 0.1, 0.3]])
+    return shape
+
+
+def pinched(points: np.ndarray) -> np.ndarray:
+    """Twisted, with two points of a strand in one place."""
+    shape = twisted(points)
+    shape[3] = shape[2]
+    return shape
+
+
 SHAPES: dict[tuple[str, int], Callable[[np.ndarray], np.ndarray]] = {
     ("surface-float32", 0): twisted,
     ("surface-clip", 0): mirrored,
@@ -75,6 +89,9 @@ SHAPES: dict[tuple[str, int], Callable[[np.ndarray], np.ndarray]] = {
     ("fiber-int8", 0): mirrored,
     ("fiber-one-channel", 0): twisted,
     ("parts-head", 1): twisted,
+    ("surface-folds", 0): unfolded,
+    ("fiber-lone", 0): pinched,
+    ("fiber-straight", 0): twisted,
 }
 """Package and part -> how it is deformed."""
 
@@ -164,8 +181,9 @@ def _along(
     rotation = _root(p, p1, offsets, strand, move)
     result = []
     for k in range(offsets[strand], offsets[strand + 1] - 1):
-        t, t1 = unit(move(np.stack([a[k + 1] - a[k] for a in (p, p1)])))
-        rotation = _smallest((rotation @ t)[None], t1[None])[0] @ rotation
+        if (p1[k + 1] != p1[k]).any():
+            t, t1 = unit(move(np.stack([a[k + 1] - a[k] for a in (p, p1)])))
+            rotation = _smallest((rotation @ t)[None], t1[None])[0] @ rotation
         result.append(rotation.T)
     return np.array(result)
 
@@ -183,6 +201,10 @@ def _root(
     for other, distance in zip(roots, far, strict=True):
         w = (nearest / distance) ** 2 if distance > 0 else 1.0
         ways += [(other, other + 1, w), (root, other, w)]
+    lines = np.array([[p[b] - p[a], p1[b] - p1[a]] for a, b, _ in ways])
+    if all(np.linalg.matrix_rank(vectors, 1e-5) == 1 for vectors in lines.transpose(1, 0, 2)):
+        t, t1 = unit(move(lines[1]))  # of a straight strand alone: the smallest of all that fit
+        return _smallest(t[None], t1[None])[0]
     total = np.zeros((3, 3))
     for a, b, w in ways:
         d, d1 = p[b] - p[a], p1[b] - p1[a]
@@ -231,16 +253,22 @@ def _on_mesh(rng: np.random.Generator, mesh: Mesh, shape: np.ndarray) -> list[tu
     edges[::2, 0], edges[1::4, 1], edges[1::4, 0] = 0, 0, 1
     triangles = [np.resize(rng.permutation(np.flatnonzero(whole)), _ROWS) for _ in range(2)]
     names = zip(("inside triangles", "edges and corners"), triangles, (place, edges), strict=True)
-    return [(name, Hits(triangle, rows)) for name, triangle, rows in names]
+    made = [(name, Hits(triangle, rows)) for name, triangle, rows in names]
+    _, moved = _triangle_rotations(deformed, deformed, lambda v: v)
+    if (unfolded := np.flatnonzero(moved & ~whole)).size:
+        made.append(("flat at rest alone", Hits(np.resize(unfolded, _ROWS), place)))
+    return made
 
 
 def _on_strands(
     rng: np.random.Generator, curves: Curves, shape: np.ndarray
 ) -> list[tuple[str, Hits]]:
     first = curves.segments().astype(int)
-    is_root = np.isin(first, curves.offsets)
-    made = []
-    for name, segments in (("first segments", is_root), ("other segments", ~is_root)):
+    is_root, made = np.isin(first, curves.offsets), []
+    is_long = (shape[first + 1] != shape[first]).any(axis=1)
+    for name, segments in (("first segments", is_root), ("other segments", ~is_root & is_long)):
+        if not segments.any():
+            continue
         segment = np.resize(np.flatnonzero(segments), _ROWS)
         t = shape[first[segment] + 1] - shape[first[segment]].astype(np.float64)
         place = np.zeros((_ROWS, 5), np.float32)

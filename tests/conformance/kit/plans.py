@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -121,6 +121,9 @@ def one_part(
 
 ONE = (-1.0,) * 3, (1.0,) * 3
 HERE = (3.0, -0.7, 0.5), 0.002
+
+LEAST = TierPlan("least", ("normal", "wi"), 1, 1, widths=(4,))
+LEAST_OF_FIBERS = TierPlan("least", ("tangent", "wi"), 1, 1, widths=(4,))
 
 PLANS = (
     one_part(
@@ -298,5 +301,55 @@ PLANS = (
                 others={"shadowed": DecoderPlan(SHADED_FIBERS, widths=(12,))},
             ),
         ),
+    ),
+    one_part(
+        *("surface-sheets", "sheets closer than the step of rays, and a terminator between walls"),
+        *(shapes.close_sheets(4.2, (3.4, 0.3, -0.6)), (2.0, -1.0, -2.0), (4.5, 1.0, 1.0)),
+        (LEAST,),
+    ),
+    Plan(
+        *("parts-pairs", "two parts of strands side by side, one of them as thick as the asset"),
+        (
+            PartPlan(*("sheets", shapes.close_sheets(4.2, rooms=False), *ONE), (LEAST,)),
+            PartPlan(*("left", shapes.pairs_of_strands(0.0), *ONE), (LEAST_OF_FIBERS,)),
+            PartPlan(
+                *("right", shapes.pairs_of_strands(0.15, thick=True), (-1, -4, -2), (3, 1, 2)),
+                (LEAST_OF_FIBERS,),
+            ),
+        ),
+    ),
+    Plan(
+        *("surface-screens", "holes in greys, and coated panes under a normal map"),
+        (
+            PartPlan(
+                *("asset", shapes.panes(), (-1.0, -1.0, -1.2), (1.0, 1.0, 1.2)),
+                *((LEAST,), shapes.screens(), shapes.screen_maps()),
+            ),
+        ),
+    ),
+    Plan(
+        *("surface-pictures", "images in every kind of PNG"),
+        (
+            PartPlan(
+                *("asset", shapes.printed(), *ONE),
+                (replace(LEAST, uses_base_color=True),),
+                colors=shapes.pictures(),
+            ),
+        ),
+    ),
+    one_part(
+        *("surface-folds", "triangles that are flat at rest, not when deformed"),
+        *(shapes.folds(), *ONE),
+        (LEAST,),
+    ),
+    one_part(
+        *("fiber-lone", "one curved strand of an even number of points"),
+        *(shapes.lone(6, 0.3), *ONE),
+        (LEAST_OF_FIBERS,),
+    ),
+    one_part(
+        *("fiber-straight", "one straight strand"),
+        *(shapes.lone(2, 0.0), *ONE),
+        (LEAST_OF_FIBERS,),
     ),
 )

@@ -8,6 +8,7 @@ import numpy as np
 
 from rna_sdk.package import BaseColor, Curves, Mesh, NormalMap, Transmittance
 from tests.conformance.kit.blocks import unit
+from tests.conformance.kit.png import KINDS, fitting
 
 
 def ball(rings: int = 6, sectors: int = 9, radius: float = 0.8) -> Mesh:
@@ -168,6 +169,89 @@ def pane_records() -> tuple[tuple[str, Transmittance], ...]:
         ("clear", Transmittance(4, 2, clear, None, (1.5, 1.5))),
         ("grey", Transmittance(6, 1, grey, None, (1.33, 1 / 1.33))),
     )
+
+
+def close_sheets(
+    size: float, centre: tuple[float, float, float] = (0, 0, 0), rooms: bool = True
+) -> Mesh:
+    """Sheets that hover over a floor below and above the step off it, of an asset of a largest
+    coordinate of `size`; and a bulging sheet between walls that reach into its lift."""
+    e, flats = 2.0**-18 * size, []
+    for k, height in enumerate((0.0, 0.7 * e, 0.0, 1.45 * e)):
+        z = -0.8 + 0.5 * (k // 2)
+        flats.append(((-0.8, height, z), (-0.8, height, z + 0.4), (0.8, height, z + 0.4)))
+        flats[-1] += ((0.8, height, z),)
+    low, high, wall = 0.25, 0.75, 0.06
+    corners = [(-low, low), (-low, high), (low, high), (low, low)]
+    flats.append(tuple((x, 0.0, z) for x, z in corners))
+    for (x, z), (x1, z1) in zip(corners, [*corners[1:], corners[0]], strict=True) if rooms else ():
+        flats.append(((x, 0.0, z), (x, wall, z), (x1, wall, z1), (x1, 0.0, z1)))
+    mesh = flat(*flats)
+    bulging, normals = slice(16, 20), mesh.normals.copy()
+    outward = mesh.positions[bulging] - mesh.positions[bulging].mean(axis=0)
+    normals[bulging] = unit(normals[bulging] + 1.2 * outward)
+    moved = mesh.positions.astype(np.float64) + np.array(centre)
+    return replace(mesh, positions=moved.astype(np.float32), normals=normals)
+
+
+def pairs_of_strands(shift: float, thick: bool = False) -> Curves:
+    """Three upright strands below the sheets; those of two parts stand side by side, number by
+    number. One more is so thick that its radius counts in the asset's largest coordinate."""
+    paths = [
+        [(x + shift, -0.8, z), (x + shift, -0.5, z + 0.03), (x + shift, -0.2, z)]
+        for x, z in ((-0.5, -0.5), (0.0, 0.4), (0.5, -0.2))
+    ]
+    radii = [[0.04, 0.05, 0.03]] * 3
+    if thick:
+        paths.append([(1.1, -2.6, 0.0), (1.2, -2.7, 0.1)])
+        radii = [*radii, [1.5, 1.4]]
+    return joined([np.array(path) for path in paths], [np.array(r) for r in radii])
+
+
+def screens() -> tuple[tuple[str, Transmittance], ...]:
+    """Holes in a picture of greys, and coated panes on which a normal map lies."""
+    grey = np.random.default_rng(11).integers(0, 256, (5, 4, 1)).astype(np.uint8)
+    clear = np.full((1, 1, 1), 255, np.uint8)
+    return (
+        ("greys", Transmittance(0, 4, grey, 0.5, None)),
+        ("clear", Transmittance(4, 4, clear, None, (1.5, 1 / 1.5))),
+    )
+
+
+def screen_maps() -> tuple[tuple[str, NormalMap], ...]:
+    """Far from flat."""
+    texture = np.random.default_rng(12).choice(np.uint8([40, 70, 190, 210]), (4, 4, 2))
+    return (("steep", NormalMap(4, 4, texture)),)
+
+
+def folds() -> Mesh:
+    """A bowl with two more triangles, flat at rest: each on an edge, with a corner of its own."""
+    mesh = bowl()
+    edges = mesh.triangles[[10, 40], :2]
+    positions = np.concatenate([mesh.positions, mesh.positions[edges[:, 0]]])
+    normals = np.concatenate([mesh.normals, np.float32([[0, 0, 1], [1, 0, 0]])])
+    last = np.arange(len(mesh.positions), len(positions), dtype=np.uint32)[:, None]
+    triangles = np.concatenate([mesh.triangles, np.hstack([edges, last])])
+    return Mesh(positions, normals, None, np.ascontiguousarray(triangles))
+
+
+def lone(points: int, bend: float) -> Curves:
+    """One strand, a helix with an even number of points, or straight."""
+    t = np.linspace(0, 1, points)
+    path = np.stack([0.8 * t - 0.4, bend * np.cos(5 * t), bend * np.sin(5 * t)], axis=1)
+    return joined([path], [np.linspace(0.05, 0.02, points)])
+
+
+def pictures() -> tuple[tuple[str, BaseColor], ...]:
+    """An image for each way that a PNG may be written in; see `png.py`."""
+    rng = np.random.default_rng(13)
+    drawn = [rng.choice(np.uint8([0, 30, 90, 160, 255]), (9, 7, 3)) for _ in KINDS]
+    images = [fitting(*one) for one in zip(drawn, KINDS.values(), strict=True)]
+    records = [
+        (kind, BaseColor(6 * k, 6, image))
+        for k, (kind, image) in enumerate(zip(KINDS, images, strict=True))
+    ]
+    return (*records, ("", BaseColor(6 * len(KINDS), 4, None, factor=(0.2, 0.6, 0.9))))
 
 
 def relief() -> Mesh:

@@ -13,7 +13,8 @@ from torch import Tensor
 
 from rna_export.training.optimization.muon import orthogonalised
 from rna_sdk.compiled import compiled
-from rna_sdk.kernel_threads import kernel_threads, limit_kernel_threads
+from rna_sdk.kernel_threads import kernel_threads
+from rna_sdk.numba_threads import limit_all_threads
 
 # MKL, which reads this at its first product, then sums in an order that does not depend on the
 # number of threads: on Intel's processors it would share the rows of a sum among them.
@@ -25,7 +26,7 @@ def use_threads(count: int) -> int:
 
     No more are taken than numba has.
     """
-    count = limit_kernel_threads(count)  # first: numba's start sets OpenMP's number, torch's too
+    count = limit_all_threads(count)  # first: numba's start sets OpenMP's number, torch's too
     torch.set_num_threads(count)
     return count
 

@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numba import prange
 
 from rna_render.scene.limits import check_image_size
 from rna_sdk.compiled import compiled
@@ -196,14 +195,14 @@ def _decode_pixels(data: np.ndarray, at: int, line: np.ndarray) -> tuple[int, in
     return _OK, at
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="rgbe texels", step=16, fastmath=())
 def _from_rgbe(rgbe: np.ndarray, scale: float, texels: np.ndarray) -> None:
     """Mantissas m and exponent e: m 2^(e - 136), and 0 for e = 0.
 
     Without the half step that Real Pixels adds to m, as Blender and most readers have it.
     """
     height, width, _ = rgbe.shape
-    for row in prange(height):
+    for row in range(height):
         for x in range(width):
             exponent = signed(rgbe[row, x, 3])
             step = scale * 2.0 ** (exponent - 136) if exponent > 0 else 0.0

@@ -6,7 +6,6 @@ from abc import abstractmethod
 from collections.abc import Callable
 
 import numpy as np
-from numba import prange
 
 from rna_render.lights.base import LightSamples, ShapeLight, light_numbers
 from rna_render.lights.directions import Axes, flat_pdf
@@ -206,7 +205,7 @@ def _turned(m: np.ndarray, v: Vector) -> Vector:
     )
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="x_world d_world primitive pdf", fastmath=())
 def _mesh_pdf(
     corners: np.ndarray,
     normals: np.ndarray,
@@ -216,5 +215,5 @@ def _mesh_pdf(
     primitive: np.ndarray,
     pdf: np.ndarray,
 ) -> None:
-    for i in prange(len(x_world)):
+    for i in range(len(x_world)):
         pdf[i] = _triangle_pdf(corners, normals, per_area, primitive[i], x_world[i], d_world[i])

@@ -13,7 +13,6 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numba import prange
 
 from rna_render.lights.split.bright_directions import cell_directions
 from rna_sdk.compiled import compiled
@@ -73,7 +72,7 @@ def octahedral_directions(side: int) -> np.ndarray:
     return np.asarray(d / np.linalg.norm(d, axis=1, keepdims=True), np.float32)
 
 
-@compiled(parallel=True)
+@compiled(rows="axes amplitudes result")
 def _light(
     means: np.ndarray,
     amplitudes: np.ndarray,
@@ -83,7 +82,7 @@ def _light(
     result: np.ndarray,
 ) -> None:
     c, s = np.float32(cosine), np.float32(sine)
-    for i in prange(len(axes)):
+    for i in range(len(axes)):
         r, g, b = np.float32(0.0), np.float32(0.0), np.float32(0.0)
         for j in range(axes.shape[1]):
             ax, ay, az = axes[i, j, 0], axes[i, j, 1], axes[i, j, 2]
