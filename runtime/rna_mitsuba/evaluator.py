@@ -5,10 +5,10 @@ from __future__ import annotations
 import drjit as dr
 import mitsuba as mi
 
-from rna_mitsuba.blocks import fiber_columns, surface_columns
+from rna_mitsuba.input_formulas import fiber_blocks, surface_blocks
 from rna_mitsuba.network import Network
 from rna_mitsuba.planes import Triplane
-from rna_mitsuba.vectors import is_zero, unit
+from rna_mitsuba.vectors import is_zero, numbers, unit
 from rna_sdk.package import Package, decoder_from_bytes
 
 Arrays = dict[str, mi.Float | mi.Vector3f]
@@ -89,8 +89,12 @@ class PartEvaluator:
         axis, wo = unit(axis), unit(wo)
         wi = wo if wi is None else unit(wi)  # that no block reads
         if self.is_fiber:
-            return fiber_columns(inputs, features, p, axis, dr.clip(h, -1, 1), wo, wi)
-        return surface_columns(inputs, features, p, axis, wo, wi)
+            blocks = fiber_blocks(inputs, p, axis, dr.clip(h, -1, 1), wo, wi)
+        else:
+            first = mi.Vector3f(*[*features, 0, 0][:3])
+            blocks = surface_blocks(inputs, p, axis, first, wo, wi)
+        blocks["features"] = tuple(features)
+        return [column for name in inputs for value in blocks[name] for column in numbers(value)]
 
 
 def _is_query(position: mi.Point3f, h: mi.Float, **directions: mi.Vector3f) -> mi.Bool:

@@ -12,8 +12,8 @@ from rna_sdk.package.decoder.decoder_form import form_named
 from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS, in_order
 from rna_sdk.reference.base_color import base_color_reference
 from rna_sdk.reference.lobes import lobes_reference, mirror_reference, visibility_reference
-from rna_sdk.reference.queries import fiber_queries_reference, queries_reference
 from rna_sdk.runtime.engine.decoder_sessions import Graph
+from tests.reference_queries import fiber_queries_reference, queries_reference
 
 Rows = NDArray[np.float32]
 

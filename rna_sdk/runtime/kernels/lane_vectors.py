@@ -60,9 +60,20 @@ def largest(v: Any) -> Any:
 
 
 @compiled()
+def length(v: Any) -> Any:
+    return sqrt(dot(v, v))
+
+
+@compiled()
+def at_least(x: Any, low: float) -> Any:
+    """The larger of the two; `low` for NaN."""
+    return where(x > low, x, low)
+
+
+@compiled()
 def between(x: Any, low: float, high: float) -> Any:
     """x, moved into [low, high]; `low` for NaN."""
-    above = where(x > low, x, low)
+    above = at_least(x, low)
     return where(above < high, above, high)
 
 

@@ -1,0 +1,126 @@
+"""The formulas of input blocks, read from spec/RNA.md, 6.3: a table of blocks, and their terms.
+
+Both are expressions in the syntax of Python: `+ - * / < ==`, numbers, names and calls of FUNCTIONS.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator, Set
+from pathlib import Path
+
+SPECIFICATION = Path(__file__).parents[3] / "spec" / "RNA.md"
+
+VECTOR, SCALAR, FLAG = "vector", "scalar", "flag"
+ARGUMENTS = {"p": VECTOR, "n": VECTOR, "t": VECTOR, "h": SCALAR}
+ARGUMENTS |= {"f": VECTOR, "wo": VECTOR, "wi": VECTOR}
+"""Name -> type of what formulas are of."""
+_KINDS = {"n": "surface", "t": "fiber", "h": "fiber"}
+"""Arguments that one kind of part alone has."""
+FUNCTIONS = {
+    "dot": SCALAR,
+    "cross": VECTOR,
+    "length": SCALAR,
+    "largest": SCALAR,
+    "sqrt": SCALAR,
+    "log2": SCALAR,
+    "clamped": SCALAR,
+    "at_least": SCALAR,
+    "where": None,  # the type of its second argument
+}
+
+_ROW = re.compile(r"\| `(\w+)` \| (\w+) \| (\w+) \| (.*) \|")
+
+
+class BlockFormulas:
+    """Attributes:
+    values: block -> the expressions of its values, none of `features`, which are gathered.
+    terms: name -> expression, in an order in which each has what it needs.
+    constants: name in capitals -> number.
+    """
+
+    def __init__(self, text: str) -> None:
+        """text: the specification's. Raises ValueError: the table's width or kind is wrong."""
+        section = text.split("### 6.3 Input blocks")[1].split("\n## ")[0]
+        section, code = section.split("```python\n")[0], section.split("```")[1]
+        self.terms: dict[str, ast.expr] = {}
+        self.constants: dict[str, float] = {}
+        self._types = dict(ARGUMENTS)
+        for line in ast.parse(code.removeprefix("python\n")).body:
+            assert isinstance(line, ast.Assign) and isinstance(line.targets[0], ast.Name)
+            name = line.targets[0].id
+            if name.isupper():
+                self.constants[name] = ast.literal_eval(line.value)
+                continue
+            self._types[name] = self.type_of(line.value)
+            self.terms[name] = line.value
+        self.values: dict[str, tuple[ast.expr, ...]] = {}
+        for name, width, kinds, values in _ROW.findall(section):
+            expressions = re.findall("`([^`]*)`", values) if width != "C" else []
+            self.values[name] = tuple(_parsed(expression) for expression in expressions)
+            expected = str(self.width(name) or "C"), self.kind(name) or "both"
+            if (width, kinds) != expected:
+                raise ValueError(f"{name}: found {width}, {kinds} in 6.3, expected {expected}")
+
+    @classmethod
+    def read(cls) -> BlockFormulas:
+        """Those of the specification in this checkout."""
+        return cls(SPECIFICATION.read_text(encoding="utf-8"))
+
+    def type_of(self, node: ast.expr) -> str:
+        """VECTOR, SCALAR or FLAG. Raises KeyError: a name or function that is not known."""
+        match node:
+            case ast.Name(id=name):
+                return SCALAR if name in self.constants else self._types[name]
+            case ast.Compare():
+                return FLAG
+            case ast.Call(func=ast.Name(id=name)):
+                return FUNCTIONS[name] or self.type_of(node.args[1])
+            case ast.BinOp():
+                return VECTOR if VECTOR in map(self.type_of, (node.left, node.right)) else SCALAR
+        return SCALAR
+
+    def width(self, block: str) -> int | None:
+        """Columns; None of `features`."""
+        widths = [3 if self.type_of(value) == VECTOR else 1 for value in self.values[block]]
+        return sum(widths) or None
+
+    def kind(self, block: str) -> str | None:
+        """The kind of part that alone has it; None of a block for both."""
+        kinds = {_KINDS[name] for name in self.needs(block) if name in _KINDS}
+        return min(kinds, default=None)
+
+    def blocks_of(self, kind: str) -> list[str]:
+        """The blocks that have formulas, for this kind of part."""
+        return [b for b, values in self.values.items() if values and self.kind(b) in (None, kind)]
+
+    def arguments(self, *names: str) -> list[str]:
+        """The arguments that these blocks or terms need."""
+        needed = {argument for name in names for argument in self.needs(name)}
+        return [argument for argument in ARGUMENTS if argument in needed]
+
+    def is_plain(self, block: str) -> bool:
+        """Whether its value is an argument as it is."""
+        values = self.values[block]
+        return all(isinstance(value, ast.Name) and value.id in ARGUMENTS for value in values)
+
+    def needs(self, name: str, given: Set[str] = frozenset()) -> list[str]:
+        """Arguments and terms that a block or a term needs, in order, but not what `given` do."""
+        needed: set[str] = set()
+        waiting = list(self.values[name] if name in self.values else [self.terms[name]])
+        while waiting:
+            for found in _names(waiting.pop()):
+                if found not in needed and found not in self.constants:
+                    needed.add(found)
+                    if found in self.terms and found not in given:
+                        waiting.append(self.terms[found])
+        return [name for name in (*ARGUMENTS, *self.terms) if name in needed]
+
+
+def _parsed(expression: str) -> ast.expr:
+    return ast.parse(expression, mode="eval").body
+
+
+def _names(node: ast.expr) -> Iterator[str]:
+    return (n.id for n in ast.walk(node) if isinstance(n, ast.Name) and n.id not in FUNCTIONS)

@@ -1,0 +1,219 @@
+"""Statements of formulas in other languages: what `write_blocks` puts into the files of readers."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Set
+
+from rna_sdk.package.formulas.block_formulas import FLAG, VECTOR, BlockFormulas
+
+_OF_VECTORS = {"dot", "cross", "length", "largest"}
+
+
+class Language:
+    """Statements of formulas; as it stands, those of Python with an array library.
+
+    Attributes:
+        by_components: whether vectors are written as their three components.
+        divides: whether a division by a number stays one, and is no product with 1 / number.
+        calls: function of formulas -> how a call of it is written, with places for arguments.
+    """
+
+    by_components = False
+    divides = True
+    calls: dict[str, str] = {}  # noqa: RUF012
+    assignment = "{0} = {1}"
+    if_, end_ = "if {}:", ""
+    or_ = " or "
+
+    def __init__(self, formulas: BlockFormulas) -> None:
+        self.formulas = formulas
+
+    def text(self, node: ast.expr) -> str:
+        """An expression."""
+        if self.by_components and self.formulas.type_of(node) == VECTOR:
+            return f"({', '.join(self.scalars(node))})"
+        return ast.unparse(_Rewriting(self).visit(node))
+
+    def scalars(self, node: ast.expr) -> list[str]:
+        """The components of a vector, or a number."""
+        if self.formulas.type_of(node) != VECTOR:
+            return [self.text(node)]
+        return [ast.unparse(_Rewriting(self, k).visit(node)) for k in range(3)]
+
+    def columns(self, block: str) -> list[str]:
+        """The numbers that a block has."""
+        return [column for value in self.formulas.values[block] for column in self.scalars(value)]
+
+    def assigned(self, name: str) -> str:
+        """The statement that gives a term its value."""
+        term = self.formulas.terms[name]
+        return self.assignment.format(name, self.text(term))
+
+    def present(self, block: str) -> str:
+        """Whether the decoder takes a block."""
+        return f'"{block}" in inputs'
+
+    def put(self, block: str) -> list[str]:
+        """Statements that write a block's values."""
+        values = ", ".join(self.text(value) for value in self.formulas.values[block])
+        return [f'blocks["{block}"] = ({values},)']
+
+    def terms(self, name: str) -> list[str]:
+        """The statements that a term needs, and its own."""
+        return [self.assigned(n) for n in self.formulas.needs(name) if n in self.formulas.terms] + [
+            self.assigned(name)
+        ]
+
+    def blocks(self, kind: str, given: Set[str] = frozenset()) -> list[str]:
+        """Statements that write the blocks of a kind of part. given: terms that are known.
+
+        What several blocks need is computed once, and nothing that no block needs.
+        """
+        formulas, blocks = self.formulas, self.formulas.blocks_of(kind)
+        needs = {
+            block: [n for n in formulas.needs(block, given) if n in formulas.terms.keys() - given]
+            for block in blocks
+        }
+        shared = [n for n in formulas.terms if sum(n in needs[block] for block in blocks) > 1]
+        together = [block for block in blocks if not set(shared).isdisjoint(needs[block])]
+        lines, inner = [], [self.assigned(n) for n in shared]
+        for block in blocks:
+            own = [self.assigned(n) for n in needs[block] if n not in shared] + self.put(block)
+            if block in together:
+                inner += self._if([block], own)
+            else:
+                lines += own if formulas.is_plain(block) else self._if([block], own)
+        return lines + self._if(together, inner)
+
+    def _if(self, blocks: list[str], lines: list[str]) -> list[str]:
+        """Statements that run where one of these blocks is present."""
+        condition = self.or_.join(self.present(block) for block in blocks)
+        return [self.if_.format(condition), *indented(lines), *filter(None, [self.end_])]
+
+
+class Lanes(Language):
+    """Python for numba, with a row in each lane; a vector is a tuple."""
+
+    by_components = True
+    divides = False
+
+    def present(self, block: str) -> str:
+        return f"columns[{block.upper()}] >= 0"
+
+    def put(self, block: str) -> list[str]:
+        values = f"({', '.join(self.columns(block))},)"
+        if "p" in self.formulas.needs(block):  # in float64
+            values = f"narrowed({values})"
+        return [f"put(queries, row, columns[{block.upper()}], {values})"]
+
+
+class Wgsl(Language):
+    """WGSL, with the columns of a block in groups of four."""
+
+    calls = {  # noqa: RUF012
+        "where": "select({2}, {1}, {0})",
+        "at_least": "max({0}, {1})",
+        "clamped": "clamp({0}, -1.0, 1.0)",
+        "largest": "rna_largest({0})",
+    }
+    assignment = "let {0} = {1};"
+    if_, end_ = "if {} {{", "}"
+    or_ = " || "
+
+    def present(self, block: str) -> str:
+        return f"at_{block} != RNA_NONE"
+
+    def places(self, kind: str) -> list[str]:
+        """Statements that find where the blocks are."""
+        return [
+            f"let at_{block} = rna_slot(RNA_BLOCK_{block.upper()});"
+            for block in self.formulas.blocks_of(kind)
+        ]
+
+    def put(self, block: str) -> list[str]:
+        values = self.formulas.values[block]
+        columns = [self.text(value) for value in values]
+        if self.formulas.type_of(values[0]) == VECTOR:
+            return [f"rna_put(at_{block}, vec4f({columns[0]}, 0.0));"]
+        columns += ["0.0"] * (-len(columns) % 4)
+        groups = [", ".join(columns[k : k + 4]) for k in range(0, len(columns), 4)]
+        places = [f"at_{block}{f' + {k}u' if k else ''}" for k in range(len(groups))]
+        return [f"rna_put({p}, vec4f({g}));" for p, g in zip(places, groups, strict=True)]
+
+
+class C(Language):
+    """C, in float64, for row r of all blocks of a kind."""
+
+    by_components = True
+    divides = False
+    calls = {"log2": "log2_of((float)({0}))"}  # noqa: RUF012
+
+    def assigned(self, name: str) -> str:
+        kind, value = self.formulas.type_of(ast.Name(name)), self.text(self.formulas.terms[name])
+        if kind == VECTOR:
+            return f"const double {name}[3] = {{{value[1:-1]}}};"
+        return f"const {'bool' if kind == FLAG else 'double'} {name} = {value};"
+
+    def loaded(self, argument: str) -> str:
+        """The statement that gives an argument its value."""
+        if self.formulas.type_of(ast.Name(argument)) != VECTOR:
+            return f"const double {argument} = points->{argument}[r];"
+        member = "axis" if argument in ("n", "t") else argument
+        values = ", ".join(f"points->{member}[{k}][r]" for k in range(3))
+        return f"const double {argument}[3] = {{{values}}};"
+
+
+def indented(lines: list[str]) -> list[str]:
+    return [f"    {line}" for line in lines]
+
+
+class _Rewriting(ast.NodeTransformer):
+    """An expression as a language writes it; with k, that component of a vector's."""
+
+    def __init__(self, language: Language, k: int | None = None) -> None:
+        self._language, self._k = language, k
+
+    def visit_Constant(self, node: ast.Constant) -> ast.expr:
+        return ast.Constant(float(node.value))  # type: ignore[arg-type]
+
+    def visit_Name(self, node: ast.Name) -> ast.expr:
+        formulas = self._language.formulas
+        if node.id in formulas.constants:
+            return ast.Constant(formulas.constants[node.id])
+        if self._k is None or formulas.type_of(node) != VECTOR:
+            return node
+        return ast.Subscript(node, ast.Constant(self._k))
+
+    def visit_Compare(self, node: ast.Compare) -> ast.expr:
+        return ast.Compare(self.visit(node.left), node.ops, [self.visit(node.comparators[0])])
+
+    def visit_BinOp(self, node: ast.BinOp) -> ast.expr:
+        left, operator, right = self.visit(node.left), node.op, self.visit(node.right)
+        by_number = isinstance(operator, ast.Div) and isinstance(right, ast.Constant)
+        if by_number and not self._language.divides:
+            operator, right = ast.Mult(), ast.BinOp(ast.Constant(1.0), ast.Div(), right)
+        return ast.BinOp(left, operator, right)
+
+    def visit_Call(self, node: ast.Call) -> ast.expr:
+        assert isinstance(node.func, ast.Name)
+        name, visitor = node.func.id, self
+        if name == "cross" and self._k is not None:
+            return self._crossed(*node.args)
+        if name in _OF_VECTORS:
+            visitor = _Rewriting(self._language)
+            if self._language.by_components and not all(isinstance(a, ast.Name) for a in node.args):
+                raise ValueError(f"{ast.unparse(node)}: expected named vectors")
+        arguments = [visitor.visit(argument) for argument in node.args]
+        if name not in self._language.calls:
+            return ast.Call(node.func, arguments, [])
+        return ast.Name(self._language.calls[name].format(*map(ast.unparse, arguments)))
+
+    def _crossed(self, a: ast.expr, b: ast.expr) -> ast.expr:
+        """Component k of a x b."""
+        assert self._k is not None
+        i, j = (self._k + 1) % 3, (self._k + 2) % 3
+        a_i, b_i = (_Rewriting(self._language, i).visit(v) for v in (a, b))
+        a_j, b_j = (_Rewriting(self._language, j).visit(v) for v in (a, b))
+        products = ast.BinOp(a_i, ast.Mult(), b_j), ast.BinOp(a_j, ast.Mult(), b_i)
+        return ast.BinOp(products[0], ast.Sub(), products[1])
