@@ -160,7 +160,7 @@ def _add_bending(
     o, l = unit(load_vectors(wo, start)), unit(load_vectors(wi, start))  # noqa: E741
     f = first_three(features, start * channels, channels, features.shape[1])
     q, m = bent_normal(n, f), halfway(o, l)
-    length = dot(n, q) + BEND * dot(f, q)  # of n + BEND f
+    length = dot((n[0] + BEND * f[0], n[1] + BEND * f[1], n[2] + BEND * f[2]), q)
     opposite = dot(m, m) == 0.0
     d = m[0] - q[0], m[1] - q[1], m[2] - q[2]
     # Of q.m and of log2(1 - q.m + 1e-4) / 6, by q.m; then of q.m, by what q is the direction of.
