@@ -204,32 +204,14 @@ def _c_formulas(formulas: BlockFormulas) -> str:
         '#include "block_functions.h"\n#include "block_table.h"\n#include "points.h"\n'
     )
     for kind in _KINDS:
-        text += _lines("", *_c_blocks(C(formulas), kind))
+        text += _lines(
+            "",
+            f"static void put_{kind}(const Points *points, const int column[BLOCKS], "
+            "float *restrict queries) {",
+            *indented(C(formulas).blocks(kind)),
+            "}",
+        )
     return text + "\n#endif\n"
-
-
-def _c_blocks(language: C, kind: str) -> list[str]:
-    """The function that fills the blocks of a kind."""
-    formulas, blocks = language.formulas, language.formulas.blocks_of(kind)
-    needed = {name for block in blocks for name in formulas.needs(block)}
-    row = [language.loaded(argument) for argument in formulas.arguments(*blocks)]
-    row += [language.assigned(term) for term in formulas.terms if term in needed]
-    kept, columns = [], 0
-    for block in blocks:
-        values = language.columns(block)
-        row += [f"values[{columns + k}][r] = (float)({value});" for k, value in enumerate(values)]
-        kept.append(f"keep(values + {columns}, {len(values)}, column[{block.upper()}], queries);")
-        columns += len(values)
-    return [
-        f"static void put_{kind}(const Points *points, const int column[BLOCKS], "
-        "float *queries) {",
-        f"    float values[{columns}][ROWS];",
-        "    for (int r = 0; r < ROWS; r++) {",
-        *indented(indented(row)),
-        "    }",
-        *indented(kept),
-        "}",
-    ]
 
 
 if __name__ == "__main__":

@@ -14,11 +14,15 @@ class Language:
     """Statements of formulas; as it stands, those of Python with an array library.
 
     Attributes:
+        puts_if_present: whether `put` does nothing where the decoder does not take the block.
+        shares: whether what several blocks need is computed once.
         by_components: whether vectors are written as their three components.
         divides: whether a division by a number stays one, and is no product with 1 / number.
         calls: function of formulas -> how a call of it is written, with places for arguments.
     """
 
+    puts_if_present = True
+    shares = True
     by_components = False
     divides = True
     calls: dict[str, str] = {}  # noqa: RUF012
@@ -68,14 +72,15 @@ class Language:
     def blocks(self, kind: str, given: Set[str] = frozenset()) -> list[str]:
         """Statements that write the blocks of a kind of part. given: terms that are known.
 
-        What several blocks need is computed once, and nothing that no block needs.
+        Nothing is computed that no block needs.
         """
         formulas, blocks = self.formulas, self.formulas.blocks_of(kind)
         needs = {
             block: [n for n in formulas.needs(block, given) if n in formulas.terms.keys() - given]
             for block in blocks
         }
-        shared = [n for n in formulas.terms if sum(n in needs[block] for block in blocks) > 1]
+        count = {n: sum(n in needs[block] for block in blocks) for n in formulas.terms}
+        shared = [n for n in formulas.terms if count[n] > 1 and self.shares]
         together = [block for block in blocks if not set(shared).isdisjoint(needs[block])]
         lines, inner = [], [self.assigned(n) for n in shared]
         for block in blocks:
@@ -83,8 +88,13 @@ class Language:
             if block in together:
                 inner += self._if([block], own)
             else:
-                lines += own if formulas.is_plain(block) else self._if([block], own)
-        return lines + self._if(together, inner)
+                is_free = self.puts_if_present and formulas.is_plain(block)
+                lines += own if is_free else self._if([block], self.rows(block, own))
+        return lines + (self._if(together, inner) if together else [])
+
+    def rows(self, block: str, lines: list[str]) -> list[str]:
+        """The statements that write a block, for all rows."""
+        return lines
 
     def _if(self, blocks: list[str], lines: list[str]) -> list[str]:
         """Statements that run where one of these blocks is present."""
@@ -143,17 +153,32 @@ class Wgsl(Language):
 
 
 class C(Language):
-    """C, in float64, for row r of all blocks of a kind."""
+    """C, in float64, with a loop over the rows for each block, of which compilers make vectors."""
 
+    puts_if_present = False
+    shares = False
     by_components = True
     divides = False
     calls = {"log2": "log2_of((float)({0}))"}  # noqa: RUF012
+    if_, end_ = "if ({}) {{", "}"
+    or_ = " || "
+
+    def present(self, block: str) -> str:
+        return f"column[{block.upper()}] >= 0"
+
+    def put(self, block: str) -> list[str]:
+        values = enumerate(self.columns(block))
+        return [f"PUT({block.upper()}, {k}, {value});" for k, value in values]
 
     def assigned(self, name: str) -> str:
         kind, value = self.formulas.type_of(ast.Name(name)), self.text(self.formulas.terms[name])
         if kind == VECTOR:
             return f"const double {name}[3] = {{{value[1:-1]}}};"
         return f"const {'bool' if kind == FLAG else 'double'} {name} = {value};"
+
+    def rows(self, block: str, lines: list[str]) -> list[str]:
+        loaded = [self.loaded(argument) for argument in self.formulas.arguments(block)]
+        return ["for (int r = 0; r < ROWS; r++) {", *indented(loaded + lines), "}"]
 
     def loaded(self, argument: str) -> str:
         """The statement that gives an argument its value."""

@@ -6,122 +6,201 @@
 #include "block_table.h"
 #include "points.h"
 
-static void put_surface(const Points *points, const int column[BLOCKS], float *queries) {
-    float values[20][ROWS];
-    for (int r = 0; r < ROWS; r++) {
-        const double p[3] = {points->p[0][r], points->p[1][r], points->p[2][r]};
-        const double n[3] = {points->axis[0][r], points->axis[1][r], points->axis[2][r]};
-        const double f[3] = {points->f[0][r], points->f[1][r], points->f[2][r]};
-        const double wo[3] = {points->wo[0][r], points->wo[1][r], points->wo[2][r]};
-        const double wi[3] = {points->wi[0][r], points->wi[1][r], points->wi[2][r]};
-        const double total[3] = {wi[0] + wo[0], wi[1] + wo[1], wi[2] + wo[2]};
-        const double apart[3] = {wi[0] - wo[0], wi[1] - wo[1], wi[2] - wo[2]};
-        const double square = dot(apart, apart);
-        const double share = where(dot(total, total) < square, dot(total, apart) / at_least(square, 1.0), 0.0);
-        const double middle[3] = {total[0] - apart[0] * share, total[1] - apart[1] * share, total[2] - apart[2] * share};
-        const double size = dot(middle, middle);
-        const double scale = where(size < 1e-12, 0.0, 1.0 / sqrt(at_least(size, 1e-12)));
-        const double m[3] = {middle[0] * scale, middle[1] * scale, middle[2] * scale};
-        const double bent[3] = {n[0] + 0.1 * f[0], n[1] + 0.1 * f[1], n[2] + 0.1 * f[2]};
-        const bool nothing = dot(bent, bent) < 1e-12;
-        const double top = at_least(largest(bent), 1e-06);
-        const double part[3] = {bent[0] / top, bent[1] / top, bent[2] / top};
-        const double norm = sqrt(at_least(dot(part, part), 0.5));
-        const double q[3] = {where(nothing, n[0], part[0] / norm), where(nothing, n[1], part[1] / norm), where(nothing, n[2], part[2] / norm)};
-        const bool across = dot(m, m) == 0.0;
-        const double off_n[3] = {n[0] - m[0], n[1] - m[1], n[2] - m[2]};
-        const double off_q[3] = {q[0] - m[0], q[1] - m[1], q[2] - m[2]};
-        const double n_gap = where(across, 1.0, dot(off_n, off_n) * (1.0 / 2.0));
-        const double q_gap = where(across, 1.0, dot(off_q, off_q) * (1.0 / 2.0));
-        const double aside[3] = {n[1] * m[2] - n[2] * m[1], n[2] * m[0] - n[0] * m[2], n[0] * m[1] - n[1] * m[0]};
-        values[0][r] = (float)(2.0 * p[0] - 1.0);
-        values[1][r] = (float)(2.0 * p[1] - 1.0);
-        values[2][r] = (float)(2.0 * p[2] - 1.0);
-        values[3][r] = (float)(n[0]);
-        values[4][r] = (float)(n[1]);
-        values[5][r] = (float)(n[2]);
-        values[6][r] = (float)(wo[0]);
-        values[7][r] = (float)(wo[1]);
-        values[8][r] = (float)(wo[2]);
-        values[9][r] = (float)(wi[0]);
-        values[10][r] = (float)(wi[1]);
-        values[11][r] = (float)(wi[2]);
-        values[12][r] = (float)(dot(n, m));
-        values[13][r] = (float)(log2_of((float)(n_gap + 0.0001)) * (1.0 / 6.0));
-        values[14][r] = (float)(dot(n, wi));
-        values[15][r] = (float)(dot(n, wo));
-        values[16][r] = (float)(dot(wi, m));
-        values[17][r] = (float)(log2_of((float)(where(across, 1.0, dot(aside, aside)) + 1e-08)) * (1.0 / 12.0));
-        values[18][r] = (float)(dot(q, m));
-        values[19][r] = (float)(log2_of((float)(q_gap + 0.0001)) * (1.0 / 6.0));
+static void put_surface(const Points *points, const int column[BLOCKS], float *restrict queries) {
+    if (column[POSITION] >= 0) {
+        for (int r = 0; r < ROWS; r++) {
+            const double p[3] = {points->p[0][r], points->p[1][r], points->p[2][r]};
+            PUT(POSITION, 0, 2.0 * p[0] - 1.0);
+            PUT(POSITION, 1, 2.0 * p[1] - 1.0);
+            PUT(POSITION, 2, 2.0 * p[2] - 1.0);
+        }
     }
-    keep(values + 0, 3, column[POSITION], queries);
-    keep(values + 3, 3, column[NORMAL], queries);
-    keep(values + 6, 3, column[WO], queries);
-    keep(values + 9, 3, column[WI], queries);
-    keep(values + 12, 5, column[HALF_VECTOR], queries);
-    keep(values + 17, 1, column[HIGHLIGHT], queries);
-    keep(values + 18, 2, column[LEARNED_NORMAL], queries);
+    if (column[NORMAL] >= 0) {
+        for (int r = 0; r < ROWS; r++) {
+            const double n[3] = {points->axis[0][r], points->axis[1][r], points->axis[2][r]};
+            PUT(NORMAL, 0, n[0]);
+            PUT(NORMAL, 1, n[1]);
+            PUT(NORMAL, 2, n[2]);
+        }
+    }
+    if (column[WO] >= 0) {
+        for (int r = 0; r < ROWS; r++) {
+            const double wo[3] = {points->wo[0][r], points->wo[1][r], points->wo[2][r]};
+            PUT(WO, 0, wo[0]);
+            PUT(WO, 1, wo[1]);
+            PUT(WO, 2, wo[2]);
+        }
+    }
+    if (column[WI] >= 0) {
+        for (int r = 0; r < ROWS; r++) {
+            const double wi[3] = {points->wi[0][r], points->wi[1][r], points->wi[2][r]};
+            PUT(WI, 0, wi[0]);
+            PUT(WI, 1, wi[1]);
+            PUT(WI, 2, wi[2]);
+        }
+    }
+    if (column[HALF_VECTOR] >= 0) {
+        for (int r = 0; r < ROWS; r++) {
+            const double n[3] = {points->axis[0][r], points->axis[1][r], points->axis[2][r]};
+            const double wo[3] = {points->wo[0][r], points->wo[1][r], points->wo[2][r]};
+            const double wi[3] = {points->wi[0][r], points->wi[1][r], points->wi[2][r]};
+            const double total[3] = {wi[0] + wo[0], wi[1] + wo[1], wi[2] + wo[2]};
+            const double apart[3] = {wi[0] - wo[0], wi[1] - wo[1], wi[2] - wo[2]};
+            const double square = dot(apart, apart);
+            const double share = where(dot(total, total) < square, dot(total, apart) / at_least(square, 1.0), 0.0);
+            const double middle[3] = {total[0] - apart[0] * share, total[1] - apart[1] * share, total[2] - apart[2] * share};
+            const double size = dot(middle, middle);
+            const double scale = where(size < 1e-12, 0.0, 1.0 / sqrt(at_least(size, 1e-12)));
+            const double m[3] = {middle[0] * scale, middle[1] * scale, middle[2] * scale};
+            const bool across = dot(m, m) == 0.0;
+            const double off_n[3] = {n[0] - m[0], n[1] - m[1], n[2] - m[2]};
+            const double n_gap = where(across, 1.0, dot(off_n, off_n) * (1.0 / 2.0));
+            PUT(HALF_VECTOR, 0, dot(n, m));
+            PUT(HALF_VECTOR, 1, log2_of((float)(n_gap + 0.0001)) * (1.0 / 6.0));
+            PUT(HALF_VECTOR, 2, dot(n, wi));
+            PUT(HALF_VECTOR, 3, dot(n, wo));
+            PUT(HALF_VECTOR, 4, dot(wi, m));
+        }
+    }
+    if (column[HIGHLIGHT] >= 0) {
+        for (int r = 0; r < ROWS; r++) {
+            const double n[3] = {points->axis[0][r], points->axis[1][r], points->axis[2][r]};
+            const double wo[3] = {points->wo[0][r], points->wo[1][r], points->wo[2][r]};
+            const double wi[3] = {points->wi[0][r], points->wi[1][r], points->wi[2][r]};
+            const double total[3] = {wi[0] + wo[0], wi[1] + wo[1], wi[2] + wo[2]};
+            const double apart[3] = {wi[0] - wo[0], wi[1] - wo[1], wi[2] - wo[2]};
+            const double square = dot(apart, apart);
+            const double share = where(dot(total, total) < square, dot(total, apart) / at_least(square, 1.0), 0.0);
+            const double middle[3] = {total[0] - apart[0] * share, total[1] - apart[1] * share, total[2] - apart[2] * share};
+            const double size = dot(middle, middle);
+            const double scale = where(size < 1e-12, 0.0, 1.0 / sqrt(at_least(size, 1e-12)));
+            const double m[3] = {middle[0] * scale, middle[1] * scale, middle[2] * scale};
+            const bool across = dot(m, m) == 0.0;
+            const double aside[3] = {n[1] * m[2] - n[2] * m[1], n[2] * m[0] - n[0] * m[2], n[0] * m[1] - n[1] * m[0]};
+            PUT(HIGHLIGHT, 0, log2_of((float)(where(across, 1.0, dot(aside, aside)) + 1e-08)) * (1.0 / 12.0));
+        }
+    }
+    if (column[LEARNED_NORMAL] >= 0) {
+        for (int r = 0; r < ROWS; r++) {
+            const double n[3] = {points->axis[0][r], points->axis[1][r], points->axis[2][r]};
+            const double f[3] = {points->f[0][r], points->f[1][r], points->f[2][r]};
+            const double wo[3] = {points->wo[0][r], points->wo[1][r], points->wo[2][r]};
+            const double wi[3] = {points->wi[0][r], points->wi[1][r], points->wi[2][r]};
+            const double total[3] = {wi[0] + wo[0], wi[1] + wo[1], wi[2] + wo[2]};
+            const double apart[3] = {wi[0] - wo[0], wi[1] - wo[1], wi[2] - wo[2]};
+            const double square = dot(apart, apart);
+            const double share = where(dot(total, total) < square, dot(total, apart) / at_least(square, 1.0), 0.0);
+            const double middle[3] = {total[0] - apart[0] * share, total[1] - apart[1] * share, total[2] - apart[2] * share};
+            const double size = dot(middle, middle);
+            const double scale = where(size < 1e-12, 0.0, 1.0 / sqrt(at_least(size, 1e-12)));
+            const double m[3] = {middle[0] * scale, middle[1] * scale, middle[2] * scale};
+            const double bent[3] = {n[0] + 0.1 * f[0], n[1] + 0.1 * f[1], n[2] + 0.1 * f[2]};
+            const bool nothing = dot(bent, bent) < 1e-12;
+            const double top = at_least(largest(bent), 1e-06);
+            const double part[3] = {bent[0] / top, bent[1] / top, bent[2] / top};
+            const double norm = sqrt(at_least(dot(part, part), 0.5));
+            const double q[3] = {where(nothing, n[0], part[0] / norm), where(nothing, n[1], part[1] / norm), where(nothing, n[2], part[2] / norm)};
+            const bool across = dot(m, m) == 0.0;
+            const double off_q[3] = {q[0] - m[0], q[1] - m[1], q[2] - m[2]};
+            const double q_gap = where(across, 1.0, dot(off_q, off_q) * (1.0 / 2.0));
+            PUT(LEARNED_NORMAL, 0, dot(q, m));
+            PUT(LEARNED_NORMAL, 1, log2_of((float)(q_gap + 0.0001)) * (1.0 / 6.0));
+        }
+    }
 }
 
-static void put_fiber(const Points *points, const int column[BLOCKS], float *queries) {
-    float values[22][ROWS];
-    for (int r = 0; r < ROWS; r++) {
-        const double p[3] = {points->p[0][r], points->p[1][r], points->p[2][r]};
-        const double t[3] = {points->axis[0][r], points->axis[1][r], points->axis[2][r]};
-        const double h = points->h[r];
-        const double wo[3] = {points->wo[0][r], points->wo[1][r], points->wo[2][r]};
-        const double wi[3] = {points->wi[0][r], points->wi[1][r], points->wi[2][r]};
-        const double s_o = dot(t, wo);
-        const double s_i = dot(t, wi);
-        const double cone = s_i + s_o;
-        const double o[3] = {t[1] * wo[2] - t[2] * wo[1], t[2] * wo[0] - t[0] * wo[2], t[0] * wo[1] - t[1] * wo[0]};
-        const double i[3] = {t[1] * wi[2] - t[2] * wi[1], t[2] * wi[0] - t[0] * wi[2], t[0] * wi[1] - t[1] * wi[0]};
-        const double o_i[3] = {o[1] * i[2] - o[2] * i[1], o[2] * i[0] - o[0] * i[2], o[0] * i[1] - o[1] * i[0]};
-        const double c_o = length(o);
-        const double d = c_o * length(i);
-        const bool along = d < 1e-06;
-        const double cos_phi = where(along, 1.0, clamped(dot(o, i) / at_least(d, 1e-06)));
-        const double sin_phi = where(along, 0.0, clamped(dot(t, o_i) / at_least(d, 1e-06)));
-        const double sin_t = h * c_o / sqrt(1.55 * 1.55 - s_o * s_o);
-        const double segment_cos = 2.0 * sin_t * sin_t - 1.0;
-        const double segment_sin = 2.0 * sin_t * sqrt((1.0 - sin_t) * (1.0 + sin_t));
-        const double r_cos = 1.0 - 2.0 * h * h;
-        const double r_sin = 2.0 * h * sqrt((1.0 - h) * (1.0 + h));
-        const double tt_cos = r_cos * segment_cos - r_sin * segment_sin;
-        const double tt_sin = r_cos * segment_sin + r_sin * segment_cos;
-        const double trt_cos = tt_cos * segment_cos - tt_sin * segment_sin;
-        const double trt_sin = tt_cos * segment_sin + tt_sin * segment_cos;
-        values[0][r] = (float)(2.0 * p[0] - 1.0);
-        values[1][r] = (float)(2.0 * p[1] - 1.0);
-        values[2][r] = (float)(2.0 * p[2] - 1.0);
-        values[3][r] = (float)(t[0]);
-        values[4][r] = (float)(t[1]);
-        values[5][r] = (float)(t[2]);
-        values[6][r] = (float)(h);
-        values[7][r] = (float)(wo[0]);
-        values[8][r] = (float)(wo[1]);
-        values[9][r] = (float)(wo[2]);
-        values[10][r] = (float)(wi[0]);
-        values[11][r] = (float)(wi[1]);
-        values[12][r] = (float)(wi[2]);
-        values[13][r] = (float)(s_i);
-        values[14][r] = (float)(s_o);
-        values[15][r] = (float)(cone);
-        values[16][r] = (float)(log2_of((float)(cone * cone + 0.001)) * (1.0 / 6.0));
-        values[17][r] = (float)(cos_phi);
-        values[18][r] = (float)(sin_phi);
-        values[19][r] = (float)(cos_phi * r_cos + sin_phi * r_sin);
-        values[20][r] = (float)(cos_phi * tt_cos + sin_phi * tt_sin);
-        values[21][r] = (float)(cos_phi * trt_cos + sin_phi * trt_sin);
+static void put_fiber(const Points *points, const int column[BLOCKS], float *restrict queries) {
+    if (column[POSITION] >= 0) {
+        for (int r = 0; r < ROWS; r++) {
+            const double p[3] = {points->p[0][r], points->p[1][r], points->p[2][r]};
+            PUT(POSITION, 0, 2.0 * p[0] - 1.0);
+            PUT(POSITION, 1, 2.0 * p[1] - 1.0);
+            PUT(POSITION, 2, 2.0 * p[2] - 1.0);
+        }
     }
-    keep(values + 0, 3, column[POSITION], queries);
-    keep(values + 3, 3, column[TANGENT], queries);
-    keep(values + 6, 1, column[H], queries);
-    keep(values + 7, 3, column[WO], queries);
-    keep(values + 10, 3, column[WI], queries);
-    keep(values + 13, 6, column[FIBER_ANGLES], queries);
-    keep(values + 19, 3, column[FIBER_LOBES], queries);
+    if (column[TANGENT] >= 0) {
+        for (int r = 0; r < ROWS; r++) {
+            const double t[3] = {points->axis[0][r], points->axis[1][r], points->axis[2][r]};
+            PUT(TANGENT, 0, t[0]);
+            PUT(TANGENT, 1, t[1]);
+            PUT(TANGENT, 2, t[2]);
+        }
+    }
+    if (column[H] >= 0) {
+        for (int r = 0; r < ROWS; r++) {
+            const double h = points->h[r];
+            PUT(H, 0, h);
+        }
+    }
+    if (column[WO] >= 0) {
+        for (int r = 0; r < ROWS; r++) {
+            const double wo[3] = {points->wo[0][r], points->wo[1][r], points->wo[2][r]};
+            PUT(WO, 0, wo[0]);
+            PUT(WO, 1, wo[1]);
+            PUT(WO, 2, wo[2]);
+        }
+    }
+    if (column[WI] >= 0) {
+        for (int r = 0; r < ROWS; r++) {
+            const double wi[3] = {points->wi[0][r], points->wi[1][r], points->wi[2][r]};
+            PUT(WI, 0, wi[0]);
+            PUT(WI, 1, wi[1]);
+            PUT(WI, 2, wi[2]);
+        }
+    }
+    if (column[FIBER_ANGLES] >= 0) {
+        for (int r = 0; r < ROWS; r++) {
+            const double t[3] = {points->axis[0][r], points->axis[1][r], points->axis[2][r]};
+            const double wo[3] = {points->wo[0][r], points->wo[1][r], points->wo[2][r]};
+            const double wi[3] = {points->wi[0][r], points->wi[1][r], points->wi[2][r]};
+            const double s_o = dot(t, wo);
+            const double s_i = dot(t, wi);
+            const double cone = s_i + s_o;
+            const double o[3] = {t[1] * wo[2] - t[2] * wo[1], t[2] * wo[0] - t[0] * wo[2], t[0] * wo[1] - t[1] * wo[0]};
+            const double i[3] = {t[1] * wi[2] - t[2] * wi[1], t[2] * wi[0] - t[0] * wi[2], t[0] * wi[1] - t[1] * wi[0]};
+            const double o_i[3] = {o[1] * i[2] - o[2] * i[1], o[2] * i[0] - o[0] * i[2], o[0] * i[1] - o[1] * i[0]};
+            const double c_o = length(o);
+            const double d = c_o * length(i);
+            const bool along = d < 1e-06;
+            const double cos_phi = where(along, 1.0, clamped(dot(o, i) / at_least(d, 1e-06)));
+            const double sin_phi = where(along, 0.0, clamped(dot(t, o_i) / at_least(d, 1e-06)));
+            PUT(FIBER_ANGLES, 0, s_i);
+            PUT(FIBER_ANGLES, 1, s_o);
+            PUT(FIBER_ANGLES, 2, cone);
+            PUT(FIBER_ANGLES, 3, log2_of((float)(cone * cone + 0.001)) * (1.0 / 6.0));
+            PUT(FIBER_ANGLES, 4, cos_phi);
+            PUT(FIBER_ANGLES, 5, sin_phi);
+        }
+    }
+    if (column[FIBER_LOBES] >= 0) {
+        for (int r = 0; r < ROWS; r++) {
+            const double t[3] = {points->axis[0][r], points->axis[1][r], points->axis[2][r]};
+            const double h = points->h[r];
+            const double wo[3] = {points->wo[0][r], points->wo[1][r], points->wo[2][r]};
+            const double wi[3] = {points->wi[0][r], points->wi[1][r], points->wi[2][r]};
+            const double s_o = dot(t, wo);
+            const double o[3] = {t[1] * wo[2] - t[2] * wo[1], t[2] * wo[0] - t[0] * wo[2], t[0] * wo[1] - t[1] * wo[0]};
+            const double i[3] = {t[1] * wi[2] - t[2] * wi[1], t[2] * wi[0] - t[0] * wi[2], t[0] * wi[1] - t[1] * wi[0]};
+            const double o_i[3] = {o[1] * i[2] - o[2] * i[1], o[2] * i[0] - o[0] * i[2], o[0] * i[1] - o[1] * i[0]};
+            const double c_o = length(o);
+            const double d = c_o * length(i);
+            const bool along = d < 1e-06;
+            const double cos_phi = where(along, 1.0, clamped(dot(o, i) / at_least(d, 1e-06)));
+            const double sin_phi = where(along, 0.0, clamped(dot(t, o_i) / at_least(d, 1e-06)));
+            const double sin_t = h * c_o / sqrt(1.55 * 1.55 - s_o * s_o);
+            const double segment_cos = 2.0 * sin_t * sin_t - 1.0;
+            const double segment_sin = 2.0 * sin_t * sqrt((1.0 - sin_t) * (1.0 + sin_t));
+            const double r_cos = 1.0 - 2.0 * h * h;
+            const double r_sin = 2.0 * h * sqrt((1.0 - h) * (1.0 + h));
+            const double tt_cos = r_cos * segment_cos - r_sin * segment_sin;
+            const double tt_sin = r_cos * segment_sin + r_sin * segment_cos;
+            const double trt_cos = tt_cos * segment_cos - tt_sin * segment_sin;
+            const double trt_sin = tt_cos * segment_sin + tt_sin * segment_cos;
+            PUT(FIBER_LOBES, 0, cos_phi * r_cos + sin_phi * r_sin);
+            PUT(FIBER_LOBES, 1, cos_phi * tt_cos + sin_phi * tt_sin);
+            PUT(FIBER_LOBES, 2, cos_phi * trt_cos + sin_phi * trt_sin);
+        }
+    }
 }
 
 #endif

@@ -7,7 +7,7 @@
 
 /* log2 of a positive normal number to some 1e-7: x = 2^e m with m within sqrt(2) of 1, and
  * log2 m = 2 / ln 2 (s + s^3 / 3 + s^5 / 5 + ...) with s = (m - 1) / (m + 1). */
-static float log2_of(float x) {
+static inline float log2_of(float x) {
     int32_t bits, e;
     memcpy(&bits, &x, sizeof bits);
     e = (bits - 0x3f3504f3) >> 23;
@@ -22,6 +22,7 @@ static float log2_of(float x) {
     return MULTIPLY_ADD(2.88539008f * s, series, (float)e);
 }
 
+/* Of finite numbers: without branches, compilers make vectors of it. */
 static inline double where(bool condition, double a, double b) { return condition ? a : b; }
 
 static inline double at_least(double a, double b) { return a > b ? a : b; }
@@ -34,9 +35,7 @@ static inline double largest(const double v[3]) {
     return at_least(fabs(v[0]), at_least(fabs(v[1]), fabs(v[2])));
 }
 
-/* Copies `width` columns of values to `column` of queries, [columns][ROWS]; none where it is negative. */
-static inline void keep(float (*values)[ROWS], int width, int column, float *queries) {
-    if (column >= 0) memcpy(queries + column * ROWS, values, (size_t)width * sizeof *values);
-}
+/* Writes column k of a block in row r of queries, [columns][ROWS]. */
+#define PUT(block, k, value) (queries[(column[block] + (k)) * ROWS + r] = (float)(value))
 
 #endif
