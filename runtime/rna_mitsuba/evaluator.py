@@ -5,11 +5,11 @@ from __future__ import annotations
 import drjit as dr
 import mitsuba as mi
 
-from rna_mitsuba.input_formulas import fiber_blocks, surface_blocks
+from rna_mitsuba import vectors
 from rna_mitsuba.network import Network
 from rna_mitsuba.planes import Triplane
 from rna_mitsuba.vectors import is_zero, numbers, unit
-from rna_sdk.package import Package, decoder_from_bytes
+from rna_sdk.package import Package, decoder_from_bytes, fiber_blocks, surface_blocks
 
 Arrays = dict[str, mi.Float | mi.Vector3f]
 
@@ -89,10 +89,10 @@ class PartEvaluator:
         axis, wo = unit(axis), unit(wo)
         wi = wo if wi is None else unit(wi)  # that no block reads
         if self.is_fiber:
-            blocks = fiber_blocks(inputs, p, axis, dr.clip(h, -1, 1), wo, wi)
+            blocks = fiber_blocks(vectors, inputs, p, axis, dr.clip(h, -1, 1), wo, wi)
         else:
             first = mi.Vector3f(*[*features, 0, 0][:3])
-            blocks = surface_blocks(inputs, p, axis, first, wo, wi)
+            blocks = surface_blocks(vectors, inputs, p, axis, first, wo, wi)
         blocks["features"] = tuple(features)
         return [column for name in inputs for value in blocks[name] for column in numbers(value)]
 

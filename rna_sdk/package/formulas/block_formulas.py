@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Iterator, Set
+from collections.abc import Iterable
 from pathlib import Path
 
 SPECIFICATION = Path(__file__).parents[3] / "spec" / "RNA.md"
@@ -95,32 +95,28 @@ class BlockFormulas:
         """The blocks that have formulas, for this kind of part."""
         return [b for b, values in self.values.items() if values and self.kind(b) in (None, kind)]
 
-    def arguments(self, *names: str) -> list[str]:
-        """The arguments that these blocks or terms need."""
-        needed = {argument for name in names for argument in self.needs(name)}
-        return [argument for argument in ARGUMENTS if argument in needed]
-
     def is_plain(self, block: str) -> bool:
         """Whether its value is an argument as it is."""
-        values = self.values[block]
-        return all(isinstance(value, ast.Name) and value.id in ARGUMENTS for value in values)
+        return [ast.unparse(value) for value in self.values[block]] in [[a] for a in ARGUMENTS]
 
-    def needs(self, name: str, given: Set[str] = frozenset()) -> list[str]:
-        """Arguments and terms that a block or a term needs, in order, but not what `given` do."""
+    def arguments(self, *names: str) -> list[str]:
+        """The arguments that these blocks or terms need."""
+        return [a for a in ARGUMENTS if any(a in self.needs(name) for name in names)]
+
+    def needs(self, name: str, of: Iterable[str] = (), *given: str) -> list[str]:
+        """What of `of`, or of all arguments and terms, a block or a term needs, in order.
+
+        What is given, and what that alone needs, is left out.
+        """
         needed: set[str] = set()
         waiting = list(self.values[name] if name in self.values else [self.terms[name]])
         while waiting:
-            for found in _names(waiting.pop()):
-                if found not in needed and found not in self.constants:
-                    needed.add(found)
-                    if found in self.terms and found not in given:
-                        waiting.append(self.terms[found])
-        return [name for name in (*ARGUMENTS, *self.terms) if name in needed]
+            for node in ast.walk(waiting.pop()):
+                if isinstance(node, ast.Name) and node.id not in {*needed, *given, *FUNCTIONS}:
+                    needed.add(node.id)
+                    waiting += filter(None, [self.terms.get(node.id)])
+        return [name for name in of or (*ARGUMENTS, *self.terms) if name in needed]
 
 
 def _parsed(expression: str) -> ast.expr:
     return ast.parse(expression, mode="eval").body
-
-
-def _names(node: ast.expr) -> Iterator[str]:
-    return (n.id for n in ast.walk(node) if isinstance(n, ast.Name) and n.id not in FUNCTIONS)

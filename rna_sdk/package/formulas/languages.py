@@ -1,9 +1,8 @@
-"""Statements of formulas in other languages: what `write_blocks` puts into the files of readers."""
+"""Statements of formulas in the languages of readers, of which `write_blocks` makes files."""
 
 from __future__ import annotations
 
 import ast
-from collections.abc import Set
 
 from rna_sdk.package.formulas.block_formulas import FLAG, VECTOR, BlockFormulas
 
@@ -11,24 +10,23 @@ _OF_VECTORS = {"dot", "cross", "length", "largest"}
 
 
 class Language:
-    """Statements of formulas; as it stands, those of Python with an array library.
+    """Statements of formulas; as it stands, those of Python for the arrays of any library.
 
     Attributes:
-        puts_if_present: whether `put` does nothing where the decoder does not take the block.
         shares: whether what several blocks need is computed once.
         by_components: whether vectors are written as their three components.
         divides: whether a division by a number stays one, and is no product with 1 / number.
         calls: function of formulas -> how a call of it is written, with places for arguments.
+        assignment, if_, end_, or_: how statements are written.
     """
 
-    puts_if_present = True
     shares = True
     by_components = False
     divides = True
     calls: dict[str, str] = {}  # noqa: RUF012
+    prefix = "of."
     assignment = "{0} = {1}"
-    if_, end_ = "if {}:", ""
-    or_ = " or "
+    if_, end_, or_ = "if {}:", "", " or "
 
     def __init__(self, formulas: BlockFormulas) -> None:
         self.formulas = formulas
@@ -36,23 +34,21 @@ class Language:
     def text(self, node: ast.expr) -> str:
         """An expression."""
         if self.by_components and self.formulas.type_of(node) == VECTOR:
-            return f"({', '.join(self.scalars(node))})"
+            return f"({', '.join(self.numbers(node))})"
         return ast.unparse(_Rewriting(self).visit(node))
 
-    def scalars(self, node: ast.expr) -> list[str]:
+    def numbers(self, node: ast.expr) -> list[str]:
         """The components of a vector, or a number."""
-        if self.formulas.type_of(node) != VECTOR:
-            return [self.text(node)]
-        return [ast.unparse(_Rewriting(self, k).visit(node)) for k in range(3)]
+        components = range(3) if self.formulas.type_of(node) == VECTOR else [None]
+        return [ast.unparse(_Rewriting(self, k).visit(node)) for k in components]
 
     def columns(self, block: str) -> list[str]:
         """The numbers that a block has."""
-        return [column for value in self.formulas.values[block] for column in self.scalars(value)]
+        return [column for value in self.formulas.values[block] for column in self.numbers(value)]
 
     def assigned(self, name: str) -> str:
         """The statement that gives a term its value."""
-        term = self.formulas.terms[name]
-        return self.assignment.format(name, self.text(term))
+        return self.assignment.format(name, self.text(self.formulas.terms[name]))
 
     def present(self, block: str) -> str:
         """Whether the decoder takes a block."""
@@ -63,42 +59,43 @@ class Language:
         values = ", ".join(self.text(value) for value in self.formulas.values[block])
         return [f'blocks["{block}"] = ({values},)']
 
-    def terms(self, name: str) -> list[str]:
-        """The statements that a term needs, and its own."""
-        return [self.assigned(n) for n in self.formulas.needs(name) if n in self.formulas.terms] + [
-            self.assigned(name)
-        ]
+    def put_plain(self, block: str) -> list[str]:
+        """The same of a block that is an argument, where the decoder takes it."""
+        return self.put(block)
 
-    def blocks(self, kind: str, given: Set[str] = frozenset()) -> list[str]:
+    def rows(self, block: str, lines: list[str]) -> list[str]:
+        """Statements that write a block, for all rows."""
+        return lines
+
+    def term(self, name: str) -> list[str]:
+        """The statements that a term needs, and its own."""
+        needed = self.formulas.needs(name, self.formulas.terms)
+        return [self.assigned(n) for n in [*needed, name]]
+
+    def blocks(self, kind: str, *given: str) -> list[str]:
         """Statements that write the blocks of a kind of part. given: terms that are known.
 
         Nothing is computed that no block needs.
         """
         formulas, blocks = self.formulas, self.formulas.blocks_of(kind)
-        needs = {
-            block: [n for n in formulas.needs(block, given) if n in formulas.terms.keys() - given]
-            for block in blocks
-        }
-        count = {n: sum(n in needs[block] for block in blocks) for n in formulas.terms}
-        shared = [n for n in formulas.terms if count[n] > 1 and self.shares]
+        needs = {block: formulas.needs(block, formulas.terms, *given) for block in blocks}
+        every = [name for names in needs.values() for name in names]
+        shared = [n for n in formulas.terms if self.shares and every.count(n) > 1]
         together = [block for block in blocks if not set(shared).isdisjoint(needs[block])]
         lines, inner = [], [self.assigned(n) for n in shared]
         for block in blocks:
             own = [self.assigned(n) for n in needs[block] if n not in shared] + self.put(block)
             if block in together:
                 inner += self._if([block], own)
+            elif formulas.is_plain(block):
+                lines += self.put_plain(block)
             else:
-                is_free = self.puts_if_present and formulas.is_plain(block)
-                lines += own if is_free else self._if([block], self.rows(block, own))
+                lines += self._if([block], self.rows(block, own))
         return lines + (self._if(together, inner) if together else [])
-
-    def rows(self, block: str, lines: list[str]) -> list[str]:
-        """The statements that write a block, for all rows."""
-        return lines
 
     def _if(self, blocks: list[str], lines: list[str]) -> list[str]:
         """Statements that run where one of these blocks is present."""
-        condition = self.or_.join(self.present(block) for block in blocks)
+        condition = self.or_.join(map(self.present, blocks))
         return [self.if_.format(condition), *indented(lines), *filter(None, [self.end_])]
 
 
@@ -107,6 +104,7 @@ class Lanes(Language):
 
     by_components = True
     divides = False
+    prefix = ""
 
     def present(self, block: str) -> str:
         return f"columns[{block.upper()}] >= 0"
@@ -127,41 +125,41 @@ class Wgsl(Language):
         "clamped": "clamp({0}, -1.0, 1.0)",
         "largest": "rna_largest({0})",
     }
+    prefix = ""
     assignment = "let {0} = {1};"
-    if_, end_ = "if {} {{", "}"
-    or_ = " || "
+    if_, end_, or_ = "if {} {{", "}", " || "
 
     def present(self, block: str) -> str:
-        return f"at_{block} != RNA_NONE"
-
-    def places(self, kind: str) -> list[str]:
-        """Statements that find where the blocks are."""
-        return [
-            f"let at_{block} = rna_slot(RNA_BLOCK_{block.upper()});"
-            for block in self.formulas.blocks_of(kind)
-        ]
+        return f"rna_slot(RNA_BLOCK_{block.upper()}) != RNA_NONE"
 
     def put(self, block: str) -> list[str]:
         values = self.formulas.values[block]
         columns = [self.text(value) for value in values]
-        if self.formulas.type_of(values[0]) == VECTOR:
-            return [f"rna_put(at_{block}, vec4f({columns[0]}, 0.0));"]
-        columns += ["0.0"] * (-len(columns) % 4)
+        is_vector = self.formulas.type_of(values[0]) == VECTOR
+        columns += ["0.0"] * (1 if is_vector else -len(columns) % 4)
         groups = [", ".join(columns[k : k + 4]) for k in range(0, len(columns), 4)]
-        places = [f"at_{block}{f' + {k}u' if k else ''}" for k in range(len(groups))]
-        return [f"rna_put({p}, vec4f({g}));" for p, g in zip(places, groups, strict=True)]
+        slot = f"rna_slot(RNA_BLOCK_{block.upper()})"
+        return [
+            f"rna_put({slot}{f' + {k}u' if k else ''}, vec4f({group}));"
+            for k, group in enumerate(groups)
+        ]
 
 
 class C(Language):
     """C, in float64, with a loop over the rows for each block, of which compilers make vectors."""
 
-    puts_if_present = False
     shares = False
     by_components = True
     divides = False
     calls = {"log2": "log2_of((float)({0}))"}  # noqa: RUF012
-    if_, end_ = "if ({}) {{", "}"
-    or_ = " || "
+    prefix = ""
+    if_, end_, or_ = "if ({}) {{", "}", " || "
+
+    def assigned(self, name: str) -> str:
+        kind, value = self.formulas.type_of(ast.Name(name)), self.text(self.formulas.terms[name])
+        if kind == VECTOR:
+            return f"const double {name}[3] = {{{value[1:-1]}}};"
+        return f"const {'bool' if kind == FLAG else 'double'} {name} = {value};"
 
     def present(self, block: str) -> str:
         return f"column[{block.upper()}] >= 0"
@@ -170,23 +168,26 @@ class C(Language):
         values = enumerate(self.columns(block))
         return [f"PUT({block.upper()}, {k}, {value});" for k, value in values]
 
-    def assigned(self, name: str) -> str:
-        kind, value = self.formulas.type_of(ast.Name(name)), self.text(self.formulas.terms[name])
-        if kind == VECTOR:
-            return f"const double {name}[3] = {{{value[1:-1]}}};"
-        return f"const {'bool' if kind == FLAG else 'double'} {name} = {value};"
+    def put_plain(self, block: str) -> list[str]:
+        width, argument = self.formulas.width(block), ast.unparse(self.formulas.values[block][0])
+        first = "[0]" if width == 3 else ""
+        place = f"points->{_member(argument)}{first}"
+        return [f"put_rows({place}, {width}, column[{block.upper()}], queries);"]
 
     def rows(self, block: str, lines: list[str]) -> list[str]:
-        loaded = [self.loaded(argument) for argument in self.formulas.arguments(block)]
-        return ["for (int r = 0; r < ROWS; r++) {", *indented(loaded + lines), "}"]
+        loads = ", ".join(map(self._load, self.formulas.arguments(block)))
+        start = ["for (int r = 0; r < ROWS; r++) {", f"    const double {loads};"]
+        return [*start, *indented(lines), "}"]
 
-    def loaded(self, argument: str) -> str:
-        """The statement that gives an argument its value."""
-        if self.formulas.type_of(ast.Name(argument)) != VECTOR:
-            return f"const double {argument} = points->{argument}[r];"
-        member = "axis" if argument in ("n", "t") else argument
-        values = ", ".join(f"points->{member}[{k}][r]" for k in range(3))
-        return f"const double {argument}[3] = {{{values}}};"
+    def _load(self, argument: str) -> str:
+        if self.formulas.type_of(ast.Name(argument)) == VECTOR:
+            return f"{argument}[3] = VECTOR({_member(argument)})"
+        return f"{argument} = points->{argument}[r]"
+
+
+def _member(argument: str) -> str:
+    """Where C's points have an argument."""
+    return "axis" if argument in ("n", "t") else argument
 
 
 def indented(lines: list[str]) -> list[str]:
@@ -231,14 +232,12 @@ class _Rewriting(ast.NodeTransformer):
                 raise ValueError(f"{ast.unparse(node)}: expected named vectors")
         arguments = [visitor.visit(argument) for argument in node.args]
         if name not in self._language.calls:
-            return ast.Call(node.func, arguments, [])
+            return ast.Call(ast.Name(self._language.prefix + name), arguments, [])
         return ast.Name(self._language.calls[name].format(*map(ast.unparse, arguments)))
 
     def _crossed(self, a: ast.expr, b: ast.expr) -> ast.expr:
         """Component k of a x b."""
         assert self._k is not None
-        i, j = (self._k + 1) % 3, (self._k + 2) % 3
-        a_i, b_i = (_Rewriting(self._language, i).visit(v) for v in (a, b))
-        a_j, b_j = (_Rewriting(self._language, j).visit(v) for v in (a, b))
-        products = ast.BinOp(a_i, ast.Mult(), b_j), ast.BinOp(a_j, ast.Mult(), b_i)
-        return ast.BinOp(products[0], ast.Sub(), products[1])
+        i, j = (_Rewriting(self._language, (self._k + step) % 3) for step in (1, 2))
+        first = ast.BinOp(i.visit(a), ast.Mult(), j.visit(b))
+        return ast.BinOp(first, ast.Sub(), ast.BinOp(j.visit(a), ast.Mult(), i.visit(b)))

@@ -9,41 +9,18 @@
 static void put_surface(const Points *points, const int column[BLOCKS], float *restrict queries) {
     if (column[POSITION] >= 0) {
         for (int r = 0; r < ROWS; r++) {
-            const double p[3] = {points->p[0][r], points->p[1][r], points->p[2][r]};
+            const double p[3] = VECTOR(p);
             PUT(POSITION, 0, 2.0 * p[0] - 1.0);
             PUT(POSITION, 1, 2.0 * p[1] - 1.0);
             PUT(POSITION, 2, 2.0 * p[2] - 1.0);
         }
     }
-    if (column[NORMAL] >= 0) {
-        for (int r = 0; r < ROWS; r++) {
-            const double n[3] = {points->axis[0][r], points->axis[1][r], points->axis[2][r]};
-            PUT(NORMAL, 0, n[0]);
-            PUT(NORMAL, 1, n[1]);
-            PUT(NORMAL, 2, n[2]);
-        }
-    }
-    if (column[WO] >= 0) {
-        for (int r = 0; r < ROWS; r++) {
-            const double wo[3] = {points->wo[0][r], points->wo[1][r], points->wo[2][r]};
-            PUT(WO, 0, wo[0]);
-            PUT(WO, 1, wo[1]);
-            PUT(WO, 2, wo[2]);
-        }
-    }
-    if (column[WI] >= 0) {
-        for (int r = 0; r < ROWS; r++) {
-            const double wi[3] = {points->wi[0][r], points->wi[1][r], points->wi[2][r]};
-            PUT(WI, 0, wi[0]);
-            PUT(WI, 1, wi[1]);
-            PUT(WI, 2, wi[2]);
-        }
-    }
+    put_rows(points->axis[0], 3, column[NORMAL], queries);
+    put_rows(points->wo[0], 3, column[WO], queries);
+    put_rows(points->wi[0], 3, column[WI], queries);
     if (column[HALF_VECTOR] >= 0) {
         for (int r = 0; r < ROWS; r++) {
-            const double n[3] = {points->axis[0][r], points->axis[1][r], points->axis[2][r]};
-            const double wo[3] = {points->wo[0][r], points->wo[1][r], points->wo[2][r]};
-            const double wi[3] = {points->wi[0][r], points->wi[1][r], points->wi[2][r]};
+            const double n[3] = VECTOR(axis), wo[3] = VECTOR(wo), wi[3] = VECTOR(wi);
             const double total[3] = {wi[0] + wo[0], wi[1] + wo[1], wi[2] + wo[2]};
             const double apart[3] = {wi[0] - wo[0], wi[1] - wo[1], wi[2] - wo[2]};
             const double square = dot(apart, apart);
@@ -64,9 +41,7 @@ static void put_surface(const Points *points, const int column[BLOCKS], float *r
     }
     if (column[HIGHLIGHT] >= 0) {
         for (int r = 0; r < ROWS; r++) {
-            const double n[3] = {points->axis[0][r], points->axis[1][r], points->axis[2][r]};
-            const double wo[3] = {points->wo[0][r], points->wo[1][r], points->wo[2][r]};
-            const double wi[3] = {points->wi[0][r], points->wi[1][r], points->wi[2][r]};
+            const double n[3] = VECTOR(axis), wo[3] = VECTOR(wo), wi[3] = VECTOR(wi);
             const double total[3] = {wi[0] + wo[0], wi[1] + wo[1], wi[2] + wo[2]};
             const double apart[3] = {wi[0] - wo[0], wi[1] - wo[1], wi[2] - wo[2]};
             const double square = dot(apart, apart);
@@ -82,10 +57,7 @@ static void put_surface(const Points *points, const int column[BLOCKS], float *r
     }
     if (column[LEARNED_NORMAL] >= 0) {
         for (int r = 0; r < ROWS; r++) {
-            const double n[3] = {points->axis[0][r], points->axis[1][r], points->axis[2][r]};
-            const double f[3] = {points->f[0][r], points->f[1][r], points->f[2][r]};
-            const double wo[3] = {points->wo[0][r], points->wo[1][r], points->wo[2][r]};
-            const double wi[3] = {points->wi[0][r], points->wi[1][r], points->wi[2][r]};
+            const double n[3] = VECTOR(axis), f[3] = VECTOR(f), wo[3] = VECTOR(wo), wi[3] = VECTOR(wi);
             const double total[3] = {wi[0] + wo[0], wi[1] + wo[1], wi[2] + wo[2]};
             const double apart[3] = {wi[0] - wo[0], wi[1] - wo[1], wi[2] - wo[2]};
             const double square = dot(apart, apart);
@@ -112,47 +84,19 @@ static void put_surface(const Points *points, const int column[BLOCKS], float *r
 static void put_fiber(const Points *points, const int column[BLOCKS], float *restrict queries) {
     if (column[POSITION] >= 0) {
         for (int r = 0; r < ROWS; r++) {
-            const double p[3] = {points->p[0][r], points->p[1][r], points->p[2][r]};
+            const double p[3] = VECTOR(p);
             PUT(POSITION, 0, 2.0 * p[0] - 1.0);
             PUT(POSITION, 1, 2.0 * p[1] - 1.0);
             PUT(POSITION, 2, 2.0 * p[2] - 1.0);
         }
     }
-    if (column[TANGENT] >= 0) {
-        for (int r = 0; r < ROWS; r++) {
-            const double t[3] = {points->axis[0][r], points->axis[1][r], points->axis[2][r]};
-            PUT(TANGENT, 0, t[0]);
-            PUT(TANGENT, 1, t[1]);
-            PUT(TANGENT, 2, t[2]);
-        }
-    }
-    if (column[H] >= 0) {
-        for (int r = 0; r < ROWS; r++) {
-            const double h = points->h[r];
-            PUT(H, 0, h);
-        }
-    }
-    if (column[WO] >= 0) {
-        for (int r = 0; r < ROWS; r++) {
-            const double wo[3] = {points->wo[0][r], points->wo[1][r], points->wo[2][r]};
-            PUT(WO, 0, wo[0]);
-            PUT(WO, 1, wo[1]);
-            PUT(WO, 2, wo[2]);
-        }
-    }
-    if (column[WI] >= 0) {
-        for (int r = 0; r < ROWS; r++) {
-            const double wi[3] = {points->wi[0][r], points->wi[1][r], points->wi[2][r]};
-            PUT(WI, 0, wi[0]);
-            PUT(WI, 1, wi[1]);
-            PUT(WI, 2, wi[2]);
-        }
-    }
+    put_rows(points->axis[0], 3, column[TANGENT], queries);
+    put_rows(points->h, 1, column[H], queries);
+    put_rows(points->wo[0], 3, column[WO], queries);
+    put_rows(points->wi[0], 3, column[WI], queries);
     if (column[FIBER_ANGLES] >= 0) {
         for (int r = 0; r < ROWS; r++) {
-            const double t[3] = {points->axis[0][r], points->axis[1][r], points->axis[2][r]};
-            const double wo[3] = {points->wo[0][r], points->wo[1][r], points->wo[2][r]};
-            const double wi[3] = {points->wi[0][r], points->wi[1][r], points->wi[2][r]};
+            const double t[3] = VECTOR(axis), wo[3] = VECTOR(wo), wi[3] = VECTOR(wi);
             const double s_o = dot(t, wo);
             const double s_i = dot(t, wi);
             const double cone = s_i + s_o;
@@ -174,10 +118,7 @@ static void put_fiber(const Points *points, const int column[BLOCKS], float *res
     }
     if (column[FIBER_LOBES] >= 0) {
         for (int r = 0; r < ROWS; r++) {
-            const double t[3] = {points->axis[0][r], points->axis[1][r], points->axis[2][r]};
-            const double h = points->h[r];
-            const double wo[3] = {points->wo[0][r], points->wo[1][r], points->wo[2][r]};
-            const double wi[3] = {points->wi[0][r], points->wi[1][r], points->wi[2][r]};
+            const double t[3] = VECTOR(axis), h = points->h[r], wo[3] = VECTOR(wo), wi[3] = VECTOR(wi);
             const double s_o = dot(t, wo);
             const double o[3] = {t[1] * wo[2] - t[2] * wo[1], t[2] * wo[0] - t[0] * wo[2], t[0] * wo[1] - t[1] * wo[0]};
             const double i[3] = {t[1] * wi[2] - t[2] * wi[1], t[2] * wi[0] - t[0] * wi[2], t[0] * wi[1] - t[1] * wi[0]};

@@ -22,7 +22,6 @@ static inline float log2_of(float x) {
     return MULTIPLY_ADD(2.88539008f * s, series, (float)e);
 }
 
-/* Of finite numbers: without branches, compilers make vectors of it. */
 static inline double where(bool condition, double a, double b) { return condition ? a : b; }
 
 static inline double at_least(double a, double b) { return a > b ? a : b; }
@@ -35,7 +34,13 @@ static inline double largest(const double v[3]) {
     return at_least(fabs(v[0]), at_least(fabs(v[1]), fabs(v[2])));
 }
 
-/* Writes column k of a block in row r of queries, [columns][ROWS]. */
+/* Columns as they are, [width][ROWS], to `column` of queries; none where it is negative. */
+static void put_rows(const double *values, int width, int column, float *queries) {
+    for (int i = 0; column >= 0 && i < width * ROWS; i++) queries[column * ROWS + i] = (float)values[i];
+}
+
+/* In row r: a vector of the points, and the writing of column k of a block. */
+#define VECTOR(v) {points->v[0][r], points->v[1][r], points->v[2][r]}
 #define PUT(block, k, value) (queries[(column[block] + (k)) * ROWS + r] = (float)(value))
 
 #endif

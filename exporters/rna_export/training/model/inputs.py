@@ -5,8 +5,9 @@ from __future__ import annotations
 import torch
 from torch import Tensor
 
-from rna_export.training.model.input_formulas import fiber_blocks, surface_blocks
+from rna_export.training.model import tensor_vectors
 from rna_export.training.model.input_kernels import Inputs
+from rna_sdk.package import fiber_blocks, surface_blocks
 from rna_sdk.package.blocks import blocks_for
 
 _OF_FIBERS = set(blocks_for("fiber")) - set(blocks_for("surface"))
@@ -38,9 +39,9 @@ def assembled(blocks: tuple[str, ...], features: Tensor, p: Tensor, at: Points) 
     wo, wi = at["wo"], at.get("wi", at["wo"])  # without wi, no block reads it
     if _OF_FIBERS.isdisjoint(blocks):
         f = torch.nn.functional.pad(features[:, :3], (0, max(0, 3 - features.shape[1])))
-        columns = surface_blocks(blocks, p, at["normal"], f, wo, wi)
+        columns = surface_blocks(tensor_vectors, blocks, p, at["normal"], f, wo, wi)
     else:
         h = at["h"].clamp(-1.0, 1.0)[:, None]
-        columns = fiber_blocks(blocks, p, at["tangent"], h, wo, wi)
+        columns = fiber_blocks(tensor_vectors, blocks, p, at["tangent"], h, wo, wi)
     columns["features"] = (features,)
     return torch.cat([values for block in blocks for values in columns[block]], dim=1)
