@@ -122,7 +122,7 @@ def _lanes(formulas: BlockFormulas) -> str:
         ("halfway", "m", "m: the half vector of unit wo and wi; 0 where they are opposite."),
         ("bent_normal", "q", "q: the unit normal n, bent by the first three features f."),
     ):
-        body = [*language.term(term), f"return {term}"]
+        body = [*language.terms(term), f"return {term}"]
         text += function(name, formulas.arguments(term), "Any", what, body)
     for kind, given in (("surface", ["m"]), ("fiber", [])):
         arguments = [*formulas.arguments(*formulas.blocks_of(kind)), *given]
@@ -143,7 +143,7 @@ def _wgsl(formulas: BlockFormulas, kind: str, *given: str) -> str:
 
     text = f"// Input blocks of a {kind}, but `features`. {_NOTE}\n"
     if "m" in given:  # 0 where they are opposite
-        body = [*language.term("m"), "return m;"]
+        body = [*language.terms("m"), "return m;"]
         text += function("rna_halfway", formulas.arguments("m"), " -> vec3f", body)
     arguments = [*formulas.arguments(*formulas.blocks_of(kind)), *given]
     return text + function(f"rna_{kind}_blocks", arguments, "", language.blocks(kind, *given))

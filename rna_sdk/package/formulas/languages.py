@@ -13,14 +13,12 @@ class Language:
     """Statements of formulas; as it stands, those of Python for the arrays of any library.
 
     Attributes:
-        shares: whether what several blocks need is computed once.
         by_components: whether vectors are written as their three components.
         divides: whether a division by a number stays one, and is no product with 1 / number.
         calls: function of formulas -> how a call of it is written, with places for arguments.
         assignment, if_, end_, or_: how statements are written.
     """
 
-    shares = True
     by_components = False
     divides = True
     calls: dict[str, str] = {}  # noqa: RUF012
@@ -59,39 +57,30 @@ class Language:
         values = ", ".join(self.text(value) for value in self.formulas.values[block])
         return [f'blocks["{block}"] = ({values},)']
 
-    def put_plain(self, block: str) -> list[str]:
-        """The same of a block that is an argument, where the decoder takes it."""
-        return self.put(block)
-
-    def rows(self, block: str, lines: list[str]) -> list[str]:
-        """Statements that write a block, for all rows."""
-        return lines
-
-    def term(self, name: str) -> list[str]:
-        """The statements that a term needs, and its own."""
+    def terms(self, name: str) -> list[str]:
+        """Statements of what a block needs, or of a term and what it needs."""
         needed = self.formulas.needs(name, self.formulas.terms)
-        return [self.assigned(n) for n in [*needed, name]]
+        own = [name] if name in self.formulas.terms else []
+        return [self.assigned(n) for n in needed + own]
 
     def blocks(self, kind: str, *given: str) -> list[str]:
         """Statements that write the blocks of a kind of part. given: terms that are known.
 
-        Nothing is computed that no block needs.
+        What several blocks need is computed once, and nothing that no block needs.
         """
         formulas, blocks = self.formulas, self.formulas.blocks_of(kind)
         needs = {block: formulas.needs(block, formulas.terms, *given) for block in blocks}
         every = [name for names in needs.values() for name in names]
-        shared = [n for n in formulas.terms if self.shares and every.count(n) > 1]
+        shared = [n for n in formulas.terms if every.count(n) > 1]
         together = [block for block in blocks if not set(shared).isdisjoint(needs[block])]
         lines, inner = [], [self.assigned(n) for n in shared]
         for block in blocks:
             own = [self.assigned(n) for n in needs[block] if n not in shared] + self.put(block)
             if block in together:
                 inner += self._if([block], own)
-            elif formulas.is_plain(block):
-                lines += self.put_plain(block)
             else:
-                lines += self._if([block], self.rows(block, own))
-        return lines + (self._if(together, inner) if together else [])
+                lines += own if formulas.is_plain(block) else self._if([block], own)
+        return lines + self._if(together, inner)
 
     def _if(self, blocks: list[str], lines: list[str]) -> list[str]:
         """Statements that run where one of these blocks is present."""
@@ -148,12 +137,10 @@ class Wgsl(Language):
 class C(Language):
     """C, in float64, with a loop over the rows for each block, of which compilers make vectors."""
 
-    shares = False
     by_components = True
     divides = False
     calls = {"log2": "log2_of((float)({0}))"}  # noqa: RUF012
     prefix = ""
-    if_, end_, or_ = "if ({}) {{", "}", " || "
 
     def assigned(self, name: str) -> str:
         kind, value = self.formulas.type_of(ast.Name(name)), self.text(self.formulas.terms[name])
@@ -161,33 +148,32 @@ class C(Language):
             return f"const double {name}[3] = {{{value[1:-1]}}};"
         return f"const {'bool' if kind == FLAG else 'double'} {name} = {value};"
 
-    def present(self, block: str) -> str:
-        return f"column[{block.upper()}] >= 0"
+    def blocks(self, kind: str, *given: str) -> list[str]:
+        lines = []
+        for block in self.formulas.blocks_of(kind):
+            place, arguments = f"column[{block.upper()}]", self.formulas.arguments(block)
+            if self.formulas.is_plain(block):
+                (rows,), width = map(self._rows, arguments), self.formulas.width(block)
+                first = f"{rows}[0]" if width == 3 else rows
+                lines.append(f"put_rows({first}, {width}, {place}, queries);")
+                continue
+            loads = ", ".join(map(self._load, arguments))
+            values = enumerate(self.columns(block))
+            row = [f"const double {loads};", *self.terms(block)]
+            row += [f"PUT({block.upper()}, {k}, {value});" for k, value in values]
+            lines += [f"if ({place} >= 0)", "    for (int r = 0; r < ROWS; r++) {"]
+            lines += [*indented(indented(row)), "    }"]
+        return lines
 
-    def put(self, block: str) -> list[str]:
-        values = enumerate(self.columns(block))
-        return [f"PUT({block.upper()}, {k}, {value});" for k, value in values]
-
-    def put_plain(self, block: str) -> list[str]:
-        width, argument = self.formulas.width(block), ast.unparse(self.formulas.values[block][0])
-        first = "[0]" if width == 3 else ""
-        place = f"points->{_member(argument)}{first}"
-        return [f"put_rows({place}, {width}, column[{block.upper()}], queries);"]
-
-    def rows(self, block: str, lines: list[str]) -> list[str]:
-        loads = ", ".join(map(self._load, self.formulas.arguments(block)))
-        start = ["for (int r = 0; r < ROWS; r++) {", f"    const double {loads};"]
-        return [*start, *indented(lines), "}"]
+    def _rows(self, argument: str) -> str:
+        """Where the points have an argument."""
+        return f"points->{'axis' if argument in ('n', 't') else argument}"
 
     def _load(self, argument: str) -> str:
+        rows = self._rows(argument)
         if self.formulas.type_of(ast.Name(argument)) == VECTOR:
-            return f"{argument}[3] = VECTOR({_member(argument)})"
-        return f"{argument} = points->{argument}[r]"
-
-
-def _member(argument: str) -> str:
-    """Where C's points have an argument."""
-    return "axis" if argument in ("n", "t") else argument
+            return f"{argument}[3] = VECTOR({rows})"
+        return f"{argument} = {rows}[r]"
 
 
 def indented(lines: list[str]) -> list[str]:

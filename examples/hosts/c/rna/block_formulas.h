@@ -7,20 +7,19 @@
 #include "points.h"
 
 static void put_surface(const Points *points, const int column[BLOCKS], float *restrict queries) {
-    if (column[POSITION] >= 0) {
+    if (column[POSITION] >= 0)
         for (int r = 0; r < ROWS; r++) {
-            const double p[3] = VECTOR(p);
+            const double p[3] = VECTOR(points->p);
             PUT(POSITION, 0, 2.0 * p[0] - 1.0);
             PUT(POSITION, 1, 2.0 * p[1] - 1.0);
             PUT(POSITION, 2, 2.0 * p[2] - 1.0);
         }
-    }
     put_rows(points->axis[0], 3, column[NORMAL], queries);
     put_rows(points->wo[0], 3, column[WO], queries);
     put_rows(points->wi[0], 3, column[WI], queries);
-    if (column[HALF_VECTOR] >= 0) {
+    if (column[HALF_VECTOR] >= 0)
         for (int r = 0; r < ROWS; r++) {
-            const double n[3] = VECTOR(axis), wo[3] = VECTOR(wo), wi[3] = VECTOR(wi);
+            const double n[3] = VECTOR(points->axis), wo[3] = VECTOR(points->wo), wi[3] = VECTOR(points->wi);
             const double total[3] = {wi[0] + wo[0], wi[1] + wo[1], wi[2] + wo[2]};
             const double apart[3] = {wi[0] - wo[0], wi[1] - wo[1], wi[2] - wo[2]};
             const double square = dot(apart, apart);
@@ -38,10 +37,9 @@ static void put_surface(const Points *points, const int column[BLOCKS], float *r
             PUT(HALF_VECTOR, 3, dot(n, wo));
             PUT(HALF_VECTOR, 4, dot(wi, m));
         }
-    }
-    if (column[HIGHLIGHT] >= 0) {
+    if (column[HIGHLIGHT] >= 0)
         for (int r = 0; r < ROWS; r++) {
-            const double n[3] = VECTOR(axis), wo[3] = VECTOR(wo), wi[3] = VECTOR(wi);
+            const double n[3] = VECTOR(points->axis), wo[3] = VECTOR(points->wo), wi[3] = VECTOR(points->wi);
             const double total[3] = {wi[0] + wo[0], wi[1] + wo[1], wi[2] + wo[2]};
             const double apart[3] = {wi[0] - wo[0], wi[1] - wo[1], wi[2] - wo[2]};
             const double square = dot(apart, apart);
@@ -54,10 +52,9 @@ static void put_surface(const Points *points, const int column[BLOCKS], float *r
             const double aside[3] = {n[1] * m[2] - n[2] * m[1], n[2] * m[0] - n[0] * m[2], n[0] * m[1] - n[1] * m[0]};
             PUT(HIGHLIGHT, 0, log2_of((float)(where(across, 1.0, dot(aside, aside)) + 1e-08)) * (1.0 / 12.0));
         }
-    }
-    if (column[LEARNED_NORMAL] >= 0) {
+    if (column[LEARNED_NORMAL] >= 0)
         for (int r = 0; r < ROWS; r++) {
-            const double n[3] = VECTOR(axis), f[3] = VECTOR(f), wo[3] = VECTOR(wo), wi[3] = VECTOR(wi);
+            const double n[3] = VECTOR(points->axis), f[3] = VECTOR(points->f), wo[3] = VECTOR(points->wo), wi[3] = VECTOR(points->wi);
             const double total[3] = {wi[0] + wo[0], wi[1] + wo[1], wi[2] + wo[2]};
             const double apart[3] = {wi[0] - wo[0], wi[1] - wo[1], wi[2] - wo[2]};
             const double square = dot(apart, apart);
@@ -78,25 +75,23 @@ static void put_surface(const Points *points, const int column[BLOCKS], float *r
             PUT(LEARNED_NORMAL, 0, dot(q, m));
             PUT(LEARNED_NORMAL, 1, log2_of((float)(q_gap + 0.0001)) * (1.0 / 6.0));
         }
-    }
 }
 
 static void put_fiber(const Points *points, const int column[BLOCKS], float *restrict queries) {
-    if (column[POSITION] >= 0) {
+    if (column[POSITION] >= 0)
         for (int r = 0; r < ROWS; r++) {
-            const double p[3] = VECTOR(p);
+            const double p[3] = VECTOR(points->p);
             PUT(POSITION, 0, 2.0 * p[0] - 1.0);
             PUT(POSITION, 1, 2.0 * p[1] - 1.0);
             PUT(POSITION, 2, 2.0 * p[2] - 1.0);
         }
-    }
     put_rows(points->axis[0], 3, column[TANGENT], queries);
     put_rows(points->h, 1, column[H], queries);
     put_rows(points->wo[0], 3, column[WO], queries);
     put_rows(points->wi[0], 3, column[WI], queries);
-    if (column[FIBER_ANGLES] >= 0) {
+    if (column[FIBER_ANGLES] >= 0)
         for (int r = 0; r < ROWS; r++) {
-            const double t[3] = VECTOR(axis), wo[3] = VECTOR(wo), wi[3] = VECTOR(wi);
+            const double t[3] = VECTOR(points->axis), wo[3] = VECTOR(points->wo), wi[3] = VECTOR(points->wi);
             const double s_o = dot(t, wo);
             const double s_i = dot(t, wi);
             const double cone = s_i + s_o;
@@ -115,10 +110,9 @@ static void put_fiber(const Points *points, const int column[BLOCKS], float *res
             PUT(FIBER_ANGLES, 4, cos_phi);
             PUT(FIBER_ANGLES, 5, sin_phi);
         }
-    }
-    if (column[FIBER_LOBES] >= 0) {
+    if (column[FIBER_LOBES] >= 0)
         for (int r = 0; r < ROWS; r++) {
-            const double t[3] = VECTOR(axis), h = points->h[r], wo[3] = VECTOR(wo), wi[3] = VECTOR(wi);
+            const double t[3] = VECTOR(points->axis), h = points->h[r], wo[3] = VECTOR(points->wo), wi[3] = VECTOR(points->wi);
             const double s_o = dot(t, wo);
             const double o[3] = {t[1] * wo[2] - t[2] * wo[1], t[2] * wo[0] - t[0] * wo[2], t[0] * wo[1] - t[1] * wo[0]};
             const double i[3] = {t[1] * wi[2] - t[2] * wi[1], t[2] * wi[0] - t[0] * wi[2], t[0] * wi[1] - t[1] * wi[0]};
@@ -141,7 +135,6 @@ static void put_fiber(const Points *points, const int column[BLOCKS], float *res
             PUT(FIBER_LOBES, 1, cos_phi * tt_cos + sin_phi * tt_sin);
             PUT(FIBER_LOBES, 2, cos_phi * trt_cos + sin_phi * trt_sin);
         }
-    }
 }
 
 #endif

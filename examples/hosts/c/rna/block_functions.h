@@ -40,7 +40,7 @@ static void put_rows(const double *values, int width, int column, float *queries
 }
 
 /* In row r: a vector of the points, and the writing of column k of a block. */
-#define VECTOR(v) {points->v[0][r], points->v[1][r], points->v[2][r]}
+#define VECTOR(v) {(v)[0][r], (v)[1][r], (v)[2][r]}
 #define PUT(block, k, value) (queries[(column[block] + (k)) * ROWS + r] = (float)(value))
 
 #endif
