@@ -107,7 +107,7 @@ def _lanes(formulas: BlockFormulas) -> str:
         + ", ".join(sorted(block.upper() for block, values in formulas.values.items() if values)),
         "from rna_sdk.runtime.kernels.block_columns import put",
         "from rna_sdk.runtime.kernels.lane_vectors import "
-        "at_least, clamped, largest, length, log2, narrowed",
+        "clamped, largest, length, log2, narrowed",
         "from rna_sdk.runtime.kernels.lanes import sqrt, where",
         "from rna_sdk.runtime.kernels.vectors import dot\n",
         *(f"{name} = {value}" for name, value in formulas.constants.items()),

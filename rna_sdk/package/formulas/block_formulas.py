@@ -75,8 +75,9 @@ class BlockFormulas:
                 return SCALAR if name in self.constants else self._types[name]
             case ast.Compare():
                 return FLAG
-            case ast.Call(func=ast.Name(id=name)):
-                return FUNCTIONS[name] or self.type_of(node.args[1])
+            case ast.Call(func=ast.Name(id=name), args=arguments):
+                types = [self.type_of(argument) for argument in arguments]
+                return FUNCTIONS[name] or types[1]
             case ast.BinOp():
                 return VECTOR if VECTOR in map(self.type_of, (node.left, node.right)) else SCALAR
         return SCALAR

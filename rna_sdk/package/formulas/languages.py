@@ -89,10 +89,11 @@ class Language:
 
 
 class Lanes(Language):
-    """Python for numba, with a row in each lane; a vector is a tuple."""
+    """Python for numba, with a row in each lane; a vector is a tuple. No derivative needs a guard."""
 
     by_components = True
     divides = False
+    calls = {"at_least": "{0}"}  # noqa: RUF012
     prefix = ""
 
     def present(self, block: str) -> str:
@@ -219,6 +220,8 @@ class _Rewriting(ast.NodeTransformer):
         arguments = [visitor.visit(argument) for argument in node.args]
         if name not in self._language.calls:
             return ast.Call(ast.Name(self._language.prefix + name), arguments, [])
+        if self._language.calls[name] == "{0}":
+            return arguments[0]
         return ast.Name(self._language.calls[name].format(*map(ast.unparse, arguments)))
 
     def _crossed(self, a: ast.expr, b: ast.expr) -> ast.expr:

@@ -10,7 +10,7 @@ from typing import Any
 from rna_sdk.compiled import compiled
 from rna_sdk.package.block_table import FIBER_ANGLES, FIBER_LOBES, H, HALF_VECTOR, HIGHLIGHT, LEARNED_NORMAL, NORMAL, POSITION, TANGENT, WI, WO
 from rna_sdk.runtime.kernels.block_columns import put
-from rna_sdk.runtime.kernels.lane_vectors import at_least, clamped, largest, length, log2, narrowed
+from rna_sdk.runtime.kernels.lane_vectors import clamped, largest, length, log2, narrowed
 from rna_sdk.runtime.kernels.lanes import sqrt, where
 from rna_sdk.runtime.kernels.vectors import dot
 
@@ -24,10 +24,10 @@ def halfway(wo: Any, wi: Any) -> Any:
     total = (wi[0] + wo[0], wi[1] + wo[1], wi[2] + wo[2])
     apart = (wi[0] - wo[0], wi[1] - wo[1], wi[2] - wo[2])
     square = dot(apart, apart)
-    share = where(dot(total, total) < square, dot(total, apart) / at_least(square, 1.0), 0.0)
+    share = where(dot(total, total) < square, dot(total, apart) / square, 0.0)
     middle = (total[0] - apart[0] * share, total[1] - apart[1] * share, total[2] - apart[2] * share)
     size = dot(middle, middle)
-    scale = where(size < 1e-12, 0.0, 1.0 / sqrt(at_least(size, 1e-12)))
+    scale = where(size < 1e-12, 0.0, 1.0 / sqrt(size))
     m = (middle[0] * scale, middle[1] * scale, middle[2] * scale)
     return m
 
@@ -37,9 +37,9 @@ def bent_normal(n: Any, f: Any) -> Any:
     """q: the unit normal n, bent by the first three features f."""
     bent = (n[0] + 0.1 * f[0], n[1] + 0.1 * f[1], n[2] + 0.1 * f[2])
     nothing = dot(bent, bent) < 1e-12
-    top = at_least(largest(bent), 1e-06)
+    top = largest(bent)
     part = (bent[0] / top, bent[1] / top, bent[2] / top)
-    norm = sqrt(at_least(dot(part, part), 0.5))
+    norm = sqrt(dot(part, part))
     q = (where(nothing, n[0], part[0] / norm), where(nothing, n[1], part[1] / norm), where(nothing, n[2], part[2] / norm))
     return q
 
@@ -64,9 +64,9 @@ def put_surface(queries: Any, row: Any, columns: Any, p: Any, n: Any, f: Any, wo
         if columns[LEARNED_NORMAL] >= 0:
             bent = (n[0] + 0.1 * f[0], n[1] + 0.1 * f[1], n[2] + 0.1 * f[2])
             nothing = dot(bent, bent) < 1e-12
-            top = at_least(largest(bent), 1e-06)
+            top = largest(bent)
             part = (bent[0] / top, bent[1] / top, bent[2] / top)
-            norm = sqrt(at_least(dot(part, part), 0.5))
+            norm = sqrt(dot(part, part))
             q = (where(nothing, n[0], part[0] / norm), where(nothing, n[1], part[1] / norm), where(nothing, n[2], part[2] / norm))
             off_q = (q[0] - m[0], q[1] - m[1], q[2] - m[2])
             q_gap = where(across, 1.0, dot(off_q, off_q) * (1.0 / 2.0))
@@ -90,8 +90,8 @@ def put_fiber(queries: Any, row: Any, columns: Any, p: Any, t: Any, h: Any, wo: 
         c_o = length(o)
         d = c_o * length(i)
         along = d < 1e-06
-        cos_phi = where(along, 1.0, clamped(dot(o, i) / at_least(d, 1e-06)))
-        sin_phi = where(along, 0.0, clamped(dot(t, o_i) / at_least(d, 1e-06)))
+        cos_phi = where(along, 1.0, clamped(dot(o, i) / d))
+        sin_phi = where(along, 0.0, clamped(dot(t, o_i) / d))
         if columns[FIBER_ANGLES] >= 0:
             s_i = dot(t, wi)
             cone = s_i + s_o

@@ -65,15 +65,9 @@ def length(v: Any) -> Any:
 
 
 @compiled()
-def at_least(x: Any, low: float) -> Any:
-    """The larger of the two; `low` for NaN."""
-    return where(x > low, x, low)
-
-
-@compiled()
 def between(x: Any, low: float, high: float) -> Any:
     """x, moved into [low, high]; `low` for NaN."""
-    above = at_least(x, low)
+    above = where(x > low, x, low)
     return where(above < high, above, high)
 
 

@@ -16,7 +16,7 @@ from numba import types
 from numpy.typing import NDArray
 
 from rna_sdk.compiled import compiled
-from rna_sdk.package.block_table import FEATURES, LEARNED_NORMAL, POSITION
+from rna_sdk.package.block_table import FEATURES, LEARNED_NORMAL
 from rna_sdk.package.decoder.query_arrays import INPUT_ARRAYS
 from rna_sdk.runtime.kernels.block_columns import first_three
 from rna_sdk.runtime.kernels.input_blocks import halfway, put_fiber, put_surface
@@ -127,13 +127,13 @@ def query_kernel(kind: str, channels: int, precision: str) -> QueryKernel:
             axis = unit(load_vectors(axes, start))
             o, l = unit(load_vectors(wo, start)), unit(load_vectors(wi, start))  # noqa: E741
             known = both(_finite(total(x)), _finite(total(axis) + total(o) + total(l)))
-            p = relative(x, box) if columns[POSITION] >= 0 else x  # that no block reads
+            p = relative(x, box)
             if is_fiber:
                 offset = load_lanes(h, start)
                 known = both(known, _finite(offset))
                 put_fiber(queries, row, columns, p, axis, clamped(offset), o, l)
             else:
-                f = axis  # likewise
+                f = axis  # where no block reads it
                 if columns[LEARNED_NORMAL] >= 0:
                     f = first_three(gathered, first, stride, channels)
                 m = halfway(axis, axis) if of_lobes else halfway(o, l)
