@@ -12,15 +12,17 @@ from __future__ import annotations
 from typing import Any
 
 
-def surface_blocks(of: Any, inputs: tuple[str, ...], p: Any, n: Any, f: Any, wo: Any, wi: Any) -> dict[str, Any]:
+def input_blocks(of: Any, inputs: tuple[str, ...], *, p: Any = None, n: Any = None, t: Any = None, h: Any = None, f: Any = None, wo: Any = None, wi: Any = None) -> dict[str, Any]:
     """Block -> its vectors and numbers, for `inputs`, but not `features`."""
     blocks: dict[str, Any] = {}
     if "position" in inputs:
         blocks["position"] = (2.0 * p - 1.0,)
     blocks["normal"] = (n,)
+    blocks["tangent"] = (t,)
+    blocks["h"] = (h,)
     blocks["wo"] = (wo,)
     blocks["wi"] = (wi,)
-    if "half_vector" in inputs or "highlight" in inputs or "learned_normal" in inputs:
+    if "half_vector" in inputs or "highlight" in inputs or "learned_normal" in inputs or "fiber_angles" in inputs or "fiber_lobes" in inputs:
         total = wi + wo
         apart = wi - wo
         square = of.dot(apart, apart)
@@ -30,6 +32,15 @@ def surface_blocks(of: Any, inputs: tuple[str, ...], p: Any, n: Any, f: Any, wo:
         scale = of.where(size < 1e-12, 0.0, 1.0 / of.sqrt(of.at_least(size, 1e-12)))
         m = middle * scale
         across = of.dot(m, m) == 0.0
+        s_o = of.dot(t, wo)
+        o = of.cross(t, wo)
+        i = of.cross(t, wi)
+        o_i = of.cross(o, i)
+        c_o = of.length(o)
+        d = c_o * of.length(i)
+        along = d < 1e-06
+        cos_phi = of.where(along, 1.0, of.clamped(of.dot(o, i) / of.at_least(d, 1e-06)))
+        sin_phi = of.where(along, 0.0, of.clamped(of.dot(t, o_i) / of.at_least(d, 1e-06)))
         if "half_vector" in inputs:
             off_n = n - m
             n_gap = of.where(across, 1.0, of.dot(off_n, off_n) / 2.0)
@@ -47,28 +58,6 @@ def surface_blocks(of: Any, inputs: tuple[str, ...], p: Any, n: Any, f: Any, wo:
             off_q = q - m
             q_gap = of.where(across, 1.0, of.dot(off_q, off_q) / 2.0)
             blocks["learned_normal"] = (of.dot(q, m), of.log2(q_gap + 0.0001) / 6.0,)
-    return blocks
-
-
-def fiber_blocks(of: Any, inputs: tuple[str, ...], p: Any, t: Any, h: Any, wo: Any, wi: Any) -> dict[str, Any]:
-    """Block -> its vectors and numbers, for `inputs`, but not `features`."""
-    blocks: dict[str, Any] = {}
-    if "position" in inputs:
-        blocks["position"] = (2.0 * p - 1.0,)
-    blocks["tangent"] = (t,)
-    blocks["h"] = (h,)
-    blocks["wo"] = (wo,)
-    blocks["wi"] = (wi,)
-    if "fiber_angles" in inputs or "fiber_lobes" in inputs:
-        s_o = of.dot(t, wo)
-        o = of.cross(t, wo)
-        i = of.cross(t, wi)
-        o_i = of.cross(o, i)
-        c_o = of.length(o)
-        d = c_o * of.length(i)
-        along = d < 1e-06
-        cos_phi = of.where(along, 1.0, of.clamped(of.dot(o, i) / of.at_least(d, 1e-06)))
-        sin_phi = of.where(along, 0.0, of.clamped(of.dot(t, o_i) / of.at_least(d, 1e-06)))
         if "fiber_angles" in inputs:
             s_i = of.dot(t, wi)
             cone = s_i + s_o

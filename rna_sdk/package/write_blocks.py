@@ -16,7 +16,6 @@ from rna_sdk.package.generated import generate, note
 
 _MODULE = "rna_sdk.package.write_blocks"
 _NOTE = f"{note(_MODULE)} Formulas: RNA.md, 6.3."
-_KINDS = "surface", "fiber"
 _RAW = "# fmt: off\n# isort: skip_file\n# ruff: noqa: E501"
 """A generated statement is one line."""
 
@@ -46,8 +45,8 @@ class _Block(NamedTuple):
 
     @classmethod
     def of(cls, name: str, formulas: BlockFormulas) -> _Block:
-        kinds = [kind for kind in _KINDS if formulas.kind(name) in (None, kind)]
-        return cls(name, formulas.width(name), kinds, "wi" in formulas.needs(name))
+        light = "wi" in formulas.needs(name)
+        return cls(name, formulas.width(name), formulas.kinds(name), light)
 
 
 def _json(blocks: list[_Block]) -> str:
@@ -82,19 +81,17 @@ def _arrays(formulas: BlockFormulas) -> str:
         "length, largest, sqrt, log2, clamped, at_least, where. The others are those of 6.3.",
         f'"""\n\n{_RAW}',
     )
-    text += "from __future__ import annotations\n\nfrom typing import Any\n"
-    for kind in _KINDS:
-        typed = ", ".join(f"{a}: Any" for a in formulas.arguments(*formulas.blocks_of(kind)))
-        text += _lines(
-            "",
-            "",
-            f"def {kind}_blocks(of: Any, inputs: tuple[str, ...], {typed}) -> dict[str, Any]:",
-            '    """Block -> its vectors and numbers, for `inputs`, but not `features`."""',
-            "    blocks: dict[str, Any] = {}",
-            *indented(Language(formulas).blocks(kind)),
-            "    return blocks",
-        )
-    return text
+    typed = ", ".join(
+        f"{argument}: Any = None" for argument in formulas.arguments(*formulas.values)
+    )
+    return text + _lines(
+        "from __future__ import annotations\n\nfrom typing import Any\n\n",
+        f"def input_blocks(of: Any, inputs: tuple[str, ...], *, {typed}) -> dict[str, Any]:",
+        '    """Block -> its vectors and numbers, for `inputs`, but not `features`."""',
+        "    blocks: dict[str, Any] = {}",
+        *indented(Language(formulas, "of.").blocks()),
+        "    return blocks",
+    )
 
 
 def _lanes(formulas: BlockFormulas) -> str:
@@ -106,8 +103,7 @@ def _lanes(formulas: BlockFormulas) -> str:
         "from rna_sdk.package.block_table import "
         + ", ".join(sorted(block.upper() for block, values in formulas.values.items() if values)),
         "from rna_sdk.runtime.kernels.block_columns import put",
-        "from rna_sdk.runtime.kernels.lane_vectors import "
-        "clamped, largest, length, log2, narrowed",
+        "from rna_sdk.runtime.kernels.lane_vectors import clamped, largest, length, log2, narrowed",
         "from rna_sdk.runtime.kernels.lanes import sqrt, where",
         "from rna_sdk.runtime.kernels.vectors import dot\n",
         *(f"{name} = {value}" for name, value in formulas.constants.items()),
@@ -127,7 +123,7 @@ def _lanes(formulas: BlockFormulas) -> str:
     for kind, given in (("surface", ["m"]), ("fiber", [])):
         arguments = [*formulas.arguments(*formulas.blocks_of(kind)), *given]
         what = "All blocks but `features`, in LANES rows from `row` on; p in float64."
-        body = language.blocks(kind, *given)
+        body = language.blocks(kind, given=given)
         arguments = ["queries", "row", "columns", *arguments]
         text += function(f"put_{kind}", arguments, "None", what, body)
     return text
@@ -146,7 +142,7 @@ def _wgsl(formulas: BlockFormulas, kind: str, *given: str) -> str:
         body = [*language.terms("m"), "return m;"]
         text += function("rna_halfway", formulas.arguments("m"), " -> vec3f", body)
     arguments = [*formulas.arguments(*formulas.blocks_of(kind)), *given]
-    return text + function(f"rna_{kind}_blocks", arguments, "", language.blocks(kind, *given))
+    return text + function(f"rna_{kind}_blocks", arguments, "", language.blocks(kind, given=given))
 
 
 def _c_table(blocks: list[_Block]) -> str:
@@ -178,10 +174,8 @@ def _c_formulas(formulas: BlockFormulas) -> str:
         '#include "block_functions.h"\n#include "block_table.h"\n#include "points.h"',
     )
     arguments = "const Points *points, const int column[BLOCKS], float *restrict queries"
-    for kind in _KINDS:
-        body = indented(C(formulas).blocks(kind))
-        text += _lines("", f"static void put_{kind}({arguments}) {{", *body, "}")
-    return text + "\n#endif\n"
+    body = indented(C(formulas).blocks())
+    return text + _lines("", f"static void put_blocks({arguments}) {{", *body, "}", "", "#endif")
 
 
 if __name__ == "__main__":

@@ -9,7 +9,7 @@ from rna_mitsuba import vectors
 from rna_mitsuba.network import Network
 from rna_mitsuba.planes import Triplane
 from rna_mitsuba.vectors import is_zero, numbers, unit
-from rna_sdk.package import Package, decoder_from_bytes, fiber_blocks, surface_blocks
+from rna_sdk.package import Package, decoder_from_bytes, input_blocks
 
 Arrays = dict[str, mi.Float | mi.Vector3f]
 
@@ -88,11 +88,8 @@ class PartEvaluator:
         features = self._triplane.features(p, active)
         axis, wo = unit(axis), unit(wo)
         wi = wo if wi is None else unit(wi)  # that no block reads
-        if self.is_fiber:
-            blocks = fiber_blocks(vectors, inputs, p, axis, dr.clip(h, -1, 1), wo, wi)
-        else:
-            first = mi.Vector3f(*[*features, 0, 0][:3])
-            blocks = surface_blocks(vectors, inputs, p, axis, first, wo, wi)
+        f, h = mi.Vector3f(*[*features, 0, 0][:3]), dr.clip(h, -1, 1)
+        blocks = input_blocks(vectors, inputs, p=p, n=axis, t=axis, h=h, f=f, wo=wo, wi=wi)
         blocks["features"] = tuple(features)
         return [column for name in inputs for value in blocks[name] for column in numbers(value)]
 

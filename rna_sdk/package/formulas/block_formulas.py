@@ -59,7 +59,8 @@ class BlockFormulas:
         for name, width, kinds, values in _ROW.findall(section):
             expressions = re.findall("`([^`]*)`", values) if width != "C" else []
             self.values[name] = tuple(_parsed(expression) for expression in expressions)
-            expected = str(self.width(name) or "C"), self.kind(name) or "both"
+            of = self.kinds(name)
+            expected = str(self.width(name) or "C"), "both" if len(of) == 2 else of[0]
             if (width, kinds) != expected:
                 raise ValueError(f"{name}: found {width}, {kinds} in 6.3, expected {expected}")
 
@@ -87,14 +88,15 @@ class BlockFormulas:
         widths = [3 if self.type_of(value) == VECTOR else 1 for value in self.values[block]]
         return sum(widths) or None
 
-    def kind(self, block: str) -> str | None:
-        """The kind of part that alone has it; None of a block for both."""
-        kinds = {_KINDS[name] for name in self.needs(block) if name in _KINDS}
-        return min(kinds, default=None)
+    def kinds(self, block: str) -> list[str]:
+        """The kinds of parts that have what it needs."""
+        needed = {_KINDS[name] for name in self.needs(block) if name in _KINDS}
+        return [kind for kind in ("surface", "fiber") if needed <= {kind}]
 
-    def blocks_of(self, kind: str) -> list[str]:
-        """The blocks that have formulas, for this kind of part."""
-        return [b for b, values in self.values.items() if values and self.kind(b) in (None, kind)]
+    def blocks_of(self, *kinds: str) -> list[str]:
+        """The blocks that have formulas, for these kinds of parts, or for any."""
+        of = set(kinds or ("surface", "fiber"))
+        return [b for b, values in self.values.items() if values and of & {*self.kinds(b)}]
 
     def is_plain(self, block: str) -> bool:
         """Whether its value is an argument as it is."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+from collections.abc import Sequence
 
 from rna_sdk.package.formulas.block_formulas import FLAG, VECTOR, BlockFormulas
 
@@ -22,12 +23,12 @@ class Language:
     by_components = False
     divides = True
     calls: dict[str, str] = {}  # noqa: RUF012
-    prefix = "of."
     assignment = "{0} = {1}"
     if_, end_, or_ = "if {}:", "", " or "
 
-    def __init__(self, formulas: BlockFormulas) -> None:
-        self.formulas = formulas
+    def __init__(self, formulas: BlockFormulas, prefix: str = "") -> None:
+        """prefix: of names of functions."""
+        self.formulas, self.prefix = formulas, prefix
 
     def text(self, node: ast.expr) -> str:
         """An expression."""
@@ -63,12 +64,12 @@ class Language:
         own = [name] if name in self.formulas.terms else []
         return [self.assigned(n) for n in needed + own]
 
-    def blocks(self, kind: str, *given: str) -> list[str]:
-        """Statements that write the blocks of a kind of part. given: terms that are known.
+    def blocks(self, *kinds: str, given: Sequence[str] = ()) -> list[str]:
+        """Statements that write the blocks of kinds of parts. given: terms that are known.
 
         What several blocks need is computed once, and nothing that no block needs.
         """
-        formulas, blocks = self.formulas, self.formulas.blocks_of(kind)
+        formulas, blocks = self.formulas, self.formulas.blocks_of(*kinds)
         needs = {block: formulas.needs(block, formulas.terms, *given) for block in blocks}
         every = [name for names in needs.values() for name in names]
         shared = [n for n in formulas.terms if every.count(n) > 1]
@@ -89,12 +90,11 @@ class Language:
 
 
 class Lanes(Language):
-    """Python for numba, with a row in each lane; a vector is a tuple. No derivative needs a guard."""
+    """Python for numba, with a row in each lane; a vector is a tuple, and needs no derivative."""
 
     by_components = True
     divides = False
     calls = {"at_least": "{0}"}  # noqa: RUF012
-    prefix = ""
 
     def present(self, block: str) -> str:
         return f"columns[{block.upper()}] >= 0"
@@ -115,7 +115,6 @@ class Wgsl(Language):
         "clamped": "clamp({0}, -1.0, 1.0)",
         "largest": "rna_largest({0})",
     }
-    prefix = ""
     assignment = "let {0} = {1};"
     if_, end_, or_ = "if {} {{", "}", " || "
 
@@ -141,7 +140,6 @@ class C(Language):
     by_components = True
     divides = False
     calls = {"log2": "log2_of((float)({0}))"}  # noqa: RUF012
-    prefix = ""
 
     def assigned(self, name: str) -> str:
         kind, value = self.formulas.type_of(ast.Name(name)), self.text(self.formulas.terms[name])
@@ -149,9 +147,9 @@ class C(Language):
             return f"const double {name}[3] = {{{value[1:-1]}}};"
         return f"const {'bool' if kind == FLAG else 'double'} {name} = {value};"
 
-    def blocks(self, kind: str, *given: str) -> list[str]:
+    def blocks(self, *kinds: str, given: Sequence[str] = ()) -> list[str]:
         lines = []
-        for block in self.formulas.blocks_of(kind):
+        for block in self.formulas.blocks_of(*kinds):
             place, arguments = f"column[{block.upper()}]", self.formulas.arguments(block)
             if self.formulas.is_plain(block):
                 (rows,), width = map(self._rows, arguments), self.formulas.width(block)

@@ -6,7 +6,7 @@
 #include "block_table.h"
 #include "points.h"
 
-static void put_surface(const Points *points, const int column[BLOCKS], float *restrict queries) {
+static void put_blocks(const Points *points, const int column[BLOCKS], float *restrict queries) {
     if (column[POSITION] >= 0)
         for (int r = 0; r < ROWS; r++) {
             const double p[3] = VECTOR(points->p);
@@ -15,6 +15,8 @@ static void put_surface(const Points *points, const int column[BLOCKS], float *r
             PUT(POSITION, 2, 2.0 * p[2] - 1.0);
         }
     put_rows(points->axis[0], 3, column[NORMAL], queries);
+    put_rows(points->axis[0], 3, column[TANGENT], queries);
+    put_rows(points->h, 1, column[H], queries);
     put_rows(points->wo[0], 3, column[WO], queries);
     put_rows(points->wi[0], 3, column[WI], queries);
     if (column[HALF_VECTOR] >= 0)
@@ -75,20 +77,6 @@ static void put_surface(const Points *points, const int column[BLOCKS], float *r
             PUT(LEARNED_NORMAL, 0, dot(q, m));
             PUT(LEARNED_NORMAL, 1, log2_of((float)(q_gap + 0.0001)) * (1.0 / 6.0));
         }
-}
-
-static void put_fiber(const Points *points, const int column[BLOCKS], float *restrict queries) {
-    if (column[POSITION] >= 0)
-        for (int r = 0; r < ROWS; r++) {
-            const double p[3] = VECTOR(points->p);
-            PUT(POSITION, 0, 2.0 * p[0] - 1.0);
-            PUT(POSITION, 1, 2.0 * p[1] - 1.0);
-            PUT(POSITION, 2, 2.0 * p[2] - 1.0);
-        }
-    put_rows(points->axis[0], 3, column[TANGENT], queries);
-    put_rows(points->h, 1, column[H], queries);
-    put_rows(points->wo[0], 3, column[WO], queries);
-    put_rows(points->wi[0], 3, column[WI], queries);
     if (column[FIBER_ANGLES] >= 0)
         for (int r = 0; r < ROWS; r++) {
             const double t[3] = VECTOR(points->axis), wo[3] = VECTOR(points->wo), wi[3] = VECTOR(points->wi);

@@ -6,8 +6,7 @@
 #include "features.h"
 
 /* Fills [columns][ROWS]. */
-static void fill_queries(RnaKind kind, const Planes *planes, const int column[BLOCKS], Points *points,
-                         float *queries) {
+static void fill_queries(const Planes *planes, const int column[BLOCKS], Points *points, float *queries) {
     float aside[MAX_CHANNELS * ROWS];
     float *features = column[FEATURES] >= 0 ? queries + column[FEATURES] * ROWS : aside;
     bool gathers = column[FEATURES] >= 0 || column[LEARNED_NORMAL] >= 0;
@@ -15,10 +14,7 @@ static void fill_queries(RnaKind kind, const Planes *planes, const int column[BL
     for (int k = 0; k < 3; k++)
         for (int r = 0; r < ROWS; r++)
             points->f[k][r] = gathers && k < planes->channels ? features[k * ROWS + r] : 0;
-    if (kind == RNA_FIBER)
-        put_fiber(points, column, queries);
-    else
-        put_surface(points, column, queries);
+    put_blocks(points, column, queries);
 }
 
 #endif

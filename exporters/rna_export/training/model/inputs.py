@@ -7,7 +7,7 @@ from torch import Tensor
 
 from rna_export.training.model import tensor_vectors
 from rna_export.training.model.input_kernels import Inputs
-from rna_sdk.package import fiber_blocks, surface_blocks
+from rna_sdk.package import input_blocks
 from rna_sdk.package.blocks import blocks_for
 
 _OF_FIBERS = set(blocks_for("fiber")) - set(blocks_for("surface"))
@@ -36,12 +36,16 @@ def assemble(blocks: tuple[str, ...], features: Tensor, p: Tensor, at: Points) -
 
 def assembled(blocks: tuple[str, ...], features: Tensor, p: Tensor, at: Points) -> Tensor:
     """`assemble` in plain PyTorch: for GPUs, and the kernels' twin."""
-    wo, wi = at["wo"], at.get("wi", at["wo"])  # without wi, no block reads it
-    if _OF_FIBERS.isdisjoint(blocks):
-        f = torch.nn.functional.pad(features[:, :3], (0, max(0, 3 - features.shape[1])))
-        columns = surface_blocks(tensor_vectors, blocks, p, at["normal"], f, wo, wi)
-    else:
-        h = at["h"].clamp(-1.0, 1.0)[:, None]
-        columns = fiber_blocks(tensor_vectors, blocks, p, at["tangent"], h, wo, wi)
+    columns = input_blocks(
+        tensor_vectors,
+        blocks,
+        p=p,
+        n=at.get("normal"),
+        t=at.get("tangent"),
+        h=at["h"].clamp(-1.0, 1.0)[:, None] if "h" in at else None,
+        f=torch.nn.functional.pad(features[:, :3], (0, max(0, 3 - features.shape[1]))),
+        wo=at["wo"],
+        wi=at.get("wi"),
+    )
     columns["features"] = (features,)
     return torch.cat([values for block in blocks for values in columns[block]], dim=1)
