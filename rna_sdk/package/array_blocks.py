@@ -22,7 +22,7 @@ def input_blocks(of: Any, inputs: tuple[str, ...], *, p: Any = None, n: Any = No
     blocks["h"] = (h,)
     blocks["wo"] = (wo,)
     blocks["wi"] = (wi,)
-    if "half_vector" in inputs or "highlight" in inputs or "learned_normal" in inputs or "fiber_angles" in inputs or "fiber_lobes" in inputs:
+    if "half_vector" in inputs or "highlight" in inputs or "learned_normal" in inputs:
         total = wi + wo
         apart = wi - wo
         square = of.dot(apart, apart)
@@ -32,15 +32,6 @@ def input_blocks(of: Any, inputs: tuple[str, ...], *, p: Any = None, n: Any = No
         scale = of.where(size < 1e-12, 0.0, 1.0 / of.sqrt(of.at_least(size, 1e-12)))
         m = middle * scale
         across = of.dot(m, m) == 0.0
-        s_o = of.dot(t, wo)
-        o = of.cross(t, wo)
-        i = of.cross(t, wi)
-        o_i = of.cross(o, i)
-        c_o = of.length(o)
-        d = c_o * of.length(i)
-        along = d < 1e-06
-        cos_phi = of.where(along, 1.0, of.clamped(of.dot(o, i) / of.at_least(d, 1e-06)))
-        sin_phi = of.where(along, 0.0, of.clamped(of.dot(t, o_i) / of.at_least(d, 1e-06)))
         if "half_vector" in inputs:
             off_n = n - m
             n_gap = of.where(across, 1.0, of.dot(off_n, off_n) / 2.0)
@@ -58,6 +49,16 @@ def input_blocks(of: Any, inputs: tuple[str, ...], *, p: Any = None, n: Any = No
             off_q = q - m
             q_gap = of.where(across, 1.0, of.dot(off_q, off_q) / 2.0)
             blocks["learned_normal"] = (of.dot(q, m), of.log2(q_gap + 0.0001) / 6.0,)
+    if "fiber_angles" in inputs or "fiber_lobes" in inputs:
+        s_o = of.dot(t, wo)
+        o = of.cross(t, wo)
+        i = of.cross(t, wi)
+        o_i = of.cross(o, i)
+        c_o = of.length(o)
+        d = c_o * of.length(i)
+        along = d < 1e-06
+        cos_phi = of.where(along, 1.0, of.clamped(of.dot(o, i) / of.at_least(d, 1e-06)))
+        sin_phi = of.where(along, 0.0, of.clamped(of.dot(t, o_i) / of.at_least(d, 1e-06)))
         if "fiber_angles" in inputs:
             s_i = of.dot(t, wi)
             cone = s_i + s_o

@@ -73,15 +73,19 @@ class Language:
         needs = {block: formulas.needs(block, formulas.terms, *given) for block in blocks}
         every = [name for names in needs.values() for name in names]
         shared = [n for n in formulas.terms if every.count(n) > 1]
-        together = [block for block in blocks if not set(shared).isdisjoint(needs[block])]
-        lines, inner = [], [self.assigned(n) for n in shared]
+        groups: list[list[str]] = []  # of blocks that share terms
         for block in blocks:
-            own = [self.assigned(n) for n in needs[block] if n not in shared] + self.put(block)
-            if block in together:
-                inner += self._if([block], own)
-            else:
-                lines += own if formulas.is_plain(block) else self._if([block], own)
-        return lines + self._if(together, inner)
+            mine = [g for g in groups if any({*needs[block]} & {*needs[b]} for b in g)]
+            groups = [g for g in groups if g not in mine] + [[*sum(mine, []), block]]
+        lines = []
+        for group in groups:
+            inner = [self.assigned(n) for n in shared if any(n in needs[b] for b in group)]
+            for block in group:
+                own = [self.assigned(n) for n in needs[block] if n not in shared] + self.put(block)
+                lone = formulas.is_plain(block) or len(group) == 1
+                inner += own if lone else self._if([block], own)
+            lines += inner if formulas.is_plain(group[0]) else self._if(group, inner)
+        return lines
 
     def _if(self, blocks: list[str], lines: list[str]) -> list[str]:
         """Statements that run where one of these blocks is present."""
@@ -215,7 +219,7 @@ class _Rewriting(ast.NodeTransformer):
             visitor = _Rewriting(self._language)
             if self._language.by_components and not all(isinstance(a, ast.Name) for a in node.args):
                 raise ValueError(f"{ast.unparse(node)}: expected named vectors")
-        arguments = [visitor.visit(argument) for argument in node.args]
+        arguments: list[ast.expr] = [visitor.visit(argument) for argument in node.args]
         if name not in self._language.calls:
             return ast.Call(ast.Name(self._language.prefix + name), arguments, [])
         if self._language.calls[name] == "{0}":
