@@ -76,7 +76,8 @@ class Language:
         groups: list[list[str]] = []  # of blocks that share terms
         for block in blocks:
             mine = [g for g in groups if any({*needs[block]} & {*needs[b]} for b in g)]
-            groups = [g for g in groups if g not in mine] + [[*sum(mine, []), block]]
+            merged = [*(b for g in mine for b in g), block]
+            groups = [g for g in groups if g not in mine] + [merged]
         lines = []
         for group in groups:
             inner = [self.assigned(n) for n in shared if any(n in needs[b] for b in group)]
