@@ -22,7 +22,8 @@ def cross(a: Tensor, b: Tensor) -> Tensor:
 
 def length(v: Tensor) -> Tensor:
     """(k, 1), with a derivative of 0 at 0."""
-    return v.norm(dim=1, keepdim=True)
+    norm: Tensor = v.norm(dim=1, keepdim=True)
+    return norm
 
 
 def largest(v: Tensor) -> Tensor:
