@@ -1,5 +1,6 @@
 """Public names of `rna_sdk.package`."""
 
+from .array_blocks import input_blocks as input_blocks
 from .blocks import INPUT_BLOCKS as INPUT_BLOCKS
 from .blocks import query_width as query_width
 from .decoder.decoder_reader import decoder_from_bytes as decoder_from_bytes

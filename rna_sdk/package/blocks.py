@@ -1,6 +1,6 @@
 """The vocabulary of decoder inputs: blocks of columns of `queries`.
 
-`spec/blocks.json` declares them; `spec/RNA.md`, "Input blocks", gives each one's formula.
+`spec/RNA.md`, 6.3, declares them with their formulas.
 """
 
 from __future__ import annotations

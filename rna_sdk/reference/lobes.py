@@ -8,8 +8,6 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.reference.queries import unit
-
 Float = NDArray[np.float64]
 
 WIDE, NARROW = 2.0, 10.0
@@ -19,6 +17,12 @@ SHIFT = 8.0
 """Of axes in the output, in which nothing is negative."""
 
 SMALLEST_KAPPA = 0.01
+
+
+def unit(vectors: NDArray[np.floating]) -> Float:
+    wide = np.asarray(vectors, np.float64)
+    result: Float = wide / np.linalg.norm(wide, axis=1, keepdims=True)
+    return result
 
 
 def mirror_reference(kind: str, axes: NDArray[np.floating], wo: NDArray[np.floating]) -> Float:

@@ -5,11 +5,11 @@ from __future__ import annotations
 import drjit as dr
 import mitsuba as mi
 
-from rna_mitsuba.blocks import fiber_columns, surface_columns
+from rna_mitsuba import vectors
 from rna_mitsuba.network import Network
 from rna_mitsuba.planes import Triplane
-from rna_mitsuba.vectors import is_zero, unit
-from rna_sdk.package import Package, decoder_from_bytes
+from rna_mitsuba.vectors import is_zero, numbers, unit
+from rna_sdk.package import Package, decoder_from_bytes, input_blocks
 
 Arrays = dict[str, mi.Float | mi.Vector3f]
 
@@ -88,9 +88,10 @@ class PartEvaluator:
         features = self._triplane.features(p, active)
         axis, wo = unit(axis), unit(wo)
         wi = wo if wi is None else unit(wi)  # that no block reads
-        if self.is_fiber:
-            return fiber_columns(inputs, features, p, axis, dr.clip(h, -1, 1), wo, wi)
-        return surface_columns(inputs, features, p, axis, wo, wi)
+        f, h = mi.Vector3f(*[*features, 0, 0][:3]), dr.clip(h, -1, 1)
+        blocks = input_blocks(vectors, inputs, p=p, n=axis, t=axis, h=h, f=f, wo=wo, wi=wi)
+        blocks["features"] = tuple(features)
+        return [column for name in inputs for value in blocks[name] for column in numbers(value)]
 
 
 def _is_query(position: mi.Point3f, h: mi.Float, **directions: mi.Vector3f) -> mi.Bool:

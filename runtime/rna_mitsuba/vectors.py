@@ -1,9 +1,11 @@
-"""Vectors in Dr.Jit, in float32 and without lost digits (spec/RNA.md, 6.3, "In float32")."""
+"""Vectors in Dr.Jit, in float32; among them what formulas of input blocks call (spec, 6.3)."""
 
 from __future__ import annotations
 
 import drjit as dr
 import mitsuba as mi
+
+cross, dot, log2, where, at_least = dr.cross, dr.dot, dr.log2, dr.select, dr.maximum
 
 _TINY = (127 - 60) << 23
 """The bits of 2^-60."""
@@ -41,20 +43,24 @@ def _enlarged(x: mi.Float) -> mi.Float:
 
 def length(v: mi.Vector3f) -> mi.Float:
     """|v|, whose derivative is 0 at 0."""
-    square = dr.dot(v, v)
-    return dr.select(square > 0, dr.sqrt(dr.select(square > 0, square, 1)), 0)
+    return sqrt(dr.dot(v, v))
 
 
-def half_vector(wo: mi.Vector3f, wi: mi.Vector3f) -> mi.Vector3f:
-    """Unit, halfway of wo and wi; 0 where they are opposite."""
-    s, e = wi + wo, wi - wo
-    nearly_opposite = dr.dot(s, s) < dr.dot(e, e)
-    e2 = dr.select(nearly_opposite, dr.dot(e, e), 1)
-    s = dr.select(nearly_opposite, s - e * (dr.dot(s, e) / e2), s)
-    size = length(s)
-    return dr.select(size < 1e-6, 0, s / dr.select(size < 1e-6, 1, size))
+def sqrt(x: mi.Float) -> mi.Float:
+    """The square root, 0 of negative numbers, whose derivative is 0 at 0."""
+    return dr.select(x > 0, dr.sqrt(dr.select(x > 0, x, 1)), 0)
 
 
-def components(*vectors: mi.Vector3f) -> list[mi.Float]:
-    """x, y and z of each."""
-    return [v[k] for v in vectors for k in range(3)]
+def largest(v: mi.Vector3f) -> mi.Float:
+    """The largest absolute component; a constant to derivatives, as a scale."""
+    return dr.detach(dr.max(dr.abs(v)))
+
+
+def clamped(x: mi.Float) -> mi.Float:
+    """x, moved into [-1, 1]."""
+    return dr.clip(x, -1, 1)
+
+
+def numbers(value: mi.Float | mi.Vector3f) -> list[mi.Float]:
+    """The components of a vector, or the number."""
+    return [value] if dr.depth_v(value) == 1 else [value[k] for k in range(3)]

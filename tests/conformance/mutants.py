@@ -40,7 +40,7 @@ _AREA = "8.3: readers may differ up to 1e-4, and no triangle of the kit is thinn
 
 ALLOWED = {
     ("", "v / np.abs(v).max(axis=1, keepdims=True) -> v * np.abs(v).max(axis=1, keepdims=True)"): (
-        "6.3, In float32: float64 holds the squares of all float32, divided or not"
+        "6.3: float64 holds the squares of all float32, divided or not"
     ),
     ("", "2 * g_o - 2 * k * g_t - k * np.pi -> 2 * g_o - 2 * k * g_t + k * np.pi"): (
         "6.3, fiber_lobes: the same angle, a turn further"

@@ -1,4 +1,4 @@
-"""The runtime's numpy twin as a reader, with the decoder's graph as the package has it."""
+"""The references as a reader of base colours and lobes, with the decoder as the package has it."""
 
 from __future__ import annotations
 
@@ -8,49 +8,13 @@ from numpy.typing import NDArray
 from rna_sdk.conformance.lobe_queries import LobeQueries, answer_of
 from rna_sdk.conformance.reader_program import BASE_COLOR_HIT
 from rna_sdk.package import Mesh, Package, Planes, float_planes
-from rna_sdk.package.decoder.decoder_form import form_named
 from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS, in_order
 from rna_sdk.reference.base_color import base_color_reference
 from rna_sdk.reference.lobes import lobes_reference, mirror_reference, visibility_reference
-from rna_sdk.reference.queries import fiber_queries_reference, queries_reference
 from rna_sdk.runtime.engine.decoder_sessions import Graph
+from tests.reference_queries import fiber_queries_reference, queries_reference
 
 Rows = NDArray[np.float32]
-
-
-def evaluate(form: str, package: str, tier: str, part: int, arrays: dict[str, Rows]) -> Rows:
-    """(n, width): the results of the form's decoders, 0 for rows that are no queries."""
-    wanted = form_named(form)
-    result = np.zeros((len(arrays["wo"]), wanted.width(None)), np.float32)
-    with Package.open(package) as opened:
-        tier_part = opened.tier(tier).parts[part]
-        decoders = [
-            one for one in tier_part.decoders if set(one.form.results) <= set(wanted.results)
-        ]
-        if not decoders:
-            return result
-        if not tier_part.uses_base_color:
-            arrays = {name: rows for name, rows in arrays.items() if name != "base_color"}
-        valid = _valid(arrays)
-        arguments = {name: rows[valid] for name, rows in arrays.items()}
-        planes = opened.planes(tier, part)
-        lights = []
-        for decoder in decoders:
-            queries = _queries(opened, part, planes, decoder.inputs, arguments)
-            model = bytes(opened.decoder(tier, part, decoder.form.name))
-            light = Graph(model, optimized=False).run(queries)
-            if decoder.form.has_factors and tier_part.uses_base_color:
-                light = _sum(light, arguments["base_color"])
-            lights.append(light)
-        result[valid] = np.hstack(lights)
-        return result
-
-
-def _sum(output: Rows, base_color: Rows) -> Rows:
-    """(n, width): terms without base colour and those with it, which are behind them, from 0 on."""
-    light, factors = np.hsplit(output, 2)
-    scaled = light + np.tile(base_color, light.shape[1] // 3) * factors
-    return np.maximum(scaled, 0)
 
 
 def base_color(package: str, records: bytes) -> Rows:

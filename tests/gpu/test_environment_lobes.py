@@ -12,9 +12,9 @@ from rna_gpu.part_buffers import part_uniform, upload_planes, upload_weights, we
 from rna_gpu.records.part import ROW
 from rna_gpu.shaders import compose
 from rna_sdk.package import Package, decoder_to_bytes, float_planes, query_width
-from rna_sdk.reference.queries import fiber_queries_reference, queries_reference
 from tests.conftest import REPOSITORY
 from tests.package.builders import random_decoder
+from tests.reference_queries import fiber_queries_reference, queries_reference
 
 ASSETS = {
     "surface": REPOSITORY / "examples" / "quickstart" / "toy.rna",

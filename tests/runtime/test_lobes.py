@@ -17,10 +17,10 @@ from rna_sdk.reference.lobes import (
     radiance_reference,
     visibility_reference,
 )
-from rna_sdk.reference.queries import fiber_queries_reference, queries_reference
 from rna_sdk.runtime import FiberAsset, SurfaceAsset, load
 from tests.package.lantern import make_lantern
 from tests.package.lobes import with_lobes
+from tests.reference_queries import fiber_queries_reference, queries_reference
 from tests.runtime.points import random_fiber_points, random_points
 
 Part = SurfaceAsset | FiberAsset

@@ -11,10 +11,10 @@ import pytest
 
 from rna_sdk.errors import QueryError
 from rna_sdk.package import Package
-from rna_sdk.reference.queries import queries_reference
 from rna_sdk.runtime import CompositeAsset, FiberAsset, SurfaceAsset, load
 from tests.package.builders import make_curves, make_tiny_package
 from tests.package.lantern import make_lantern
+from tests.reference_queries import queries_reference
 from tests.runtime.points import random_fiber_points, random_points
 
 

@@ -13,7 +13,7 @@ import torch
 from torch import Tensor
 from torch.nn.functional import softplus
 
-from rna_export.training.model.inputs import dot
+from rna_export.training.model.tensor_vectors import dot
 
 HAIR_OUTPUTS = 7
 """Of the network."""

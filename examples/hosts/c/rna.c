@@ -172,7 +172,7 @@ static RnaStatus run_network(const RnaPart *of, const TierPart *with, const Netw
     for (size_t first = 0; first < batch->n; first += ROWS) {
         int rows = (int)(batch->n - first < ROWS ? batch->n - first : ROWS);
         load_points(of, batch, first, rows, &points);
-        fill_queries(of->kind, &with->planes, network->column, &points, buffers);
+        fill_queries(&with->planes, network->column, &points, buffers);
         const float *results = run_decoder(network->decoder, buffers, buffers + size);
         for (size_t i = 0; i < count; i++)
             for (size_t r = 0, at = 3 * first; r < (size_t)rows; r++, at += 3)

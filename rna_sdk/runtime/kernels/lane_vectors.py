@@ -60,6 +60,11 @@ def largest(v: Any) -> Any:
 
 
 @compiled()
+def length(v: Any) -> Any:
+    return sqrt(dot(v, v))
+
+
+@compiled()
 def between(x: Any, low: float, high: float) -> Any:
     """x, moved into [low, high]; `low` for NaN."""
     above = where(x > low, x, low)

@@ -1,6 +1,6 @@
 """The compiled kernel that makes decoder inputs: rows of `queries` from points of an asset.
 
-`rna_sdk/reference/queries.py` says the same in numpy and is what tests compare with. LANES rows go
+`examples/hosts/minimal.py` says the same in numpy and is what tests compare with. LANES rows go
 through together; only texels are weighed row by row. Positions and lengths are computed in
 float64, the rest in float32.
 """
@@ -16,11 +16,12 @@ from numba import types
 from numpy.typing import NDArray
 
 from rna_sdk.compiled import compiled
-from rna_sdk.package.block_table import FEATURES, LEARNED_NORMAL, POSITION, WI, WO
+from rna_sdk.package.block_table import FEATURES, LEARNED_NORMAL
 from rna_sdk.package.decoder.query_arrays import INPUT_ARRAYS
-from rna_sdk.runtime.kernels.block_columns import first_three, put, put_fiber, put_surface
+from rna_sdk.runtime.kernels.block_columns import first_three
+from rna_sdk.runtime.kernels.input_blocks import halfway, put_fiber, put_surface
 from rna_sdk.runtime.kernels.lane_memory import load_lanes, load_vectors, store_mask
-from rna_sdk.runtime.kernels.lane_vectors import clamped, narrowed, total, unit
+from rna_sdk.runtime.kernels.lane_vectors import clamped, total, unit
 from rna_sdk.runtime.kernels.lanes import LANES, both, everywhere
 from rna_sdk.runtime.kernels.texels import (
     CORNERS,
@@ -126,21 +127,17 @@ def query_kernel(kind: str, channels: int, precision: str) -> QueryKernel:
             axis = unit(load_vectors(axes, start))
             o, l = unit(load_vectors(wo, start)), unit(load_vectors(wi, start))  # noqa: E741
             known = both(_finite(total(x)), _finite(total(axis) + total(o) + total(l)))
-            if columns[POSITION] >= 0:
-                p = relative(x, box)
-                signed = 2.0 * p[0] - 1.0, 2.0 * p[1] - 1.0, 2.0 * p[2] - 1.0
-                put(queries, row, columns[POSITION], narrowed(signed))
-            put(queries, row, columns[WO], o)
-            put(queries, row, columns[WI], l)
+            p = relative(x, box)
             if is_fiber:
                 offset = load_lanes(h, start)
                 known = both(known, _finite(offset))
-                put_fiber(queries, row, columns, axis, clamped(offset), o, l)
+                put_fiber(queries, row, columns, p, axis, clamped(offset), o, l)
             else:
-                bend = axis  # where no block reads it
+                f = axis  # where no block reads it
                 if columns[LEARNED_NORMAL] >= 0:
-                    bend = first_three(gathered, first, stride, channels)
-                put_surface(queries, row, columns, axis, o, l, bend, of_lobes)
+                    f = first_three(gathered, first, stride, channels)
+                m = halfway(axis, axis) if of_lobes else halfway(o, l)
+                put_surface(queries, row, columns, p, axis, f, o, l, m)
             store_mask(valid, start, known)
             if not everywhere(known):
                 _clear(queries, row, valid)

@@ -1,5 +1,5 @@
-// Input blocks that surfaces and fibers share: spec/RNA.md, 6.3 Input blocks. Each block starts at
-// a group of 4 columns of its own; the packer has spread the rows of the first matrix likewise.
+// Where input blocks are written: spec/RNA.md, 6.3 Input blocks. Each block starts at a group of 4
+// columns of its own; the packer has spread the rows of the first matrix likewise.
 
 // First group of an input block, RNA_NONE where the decoder does not have it.
 fn rna_slot(block: u32) -> u32 {
@@ -12,9 +12,13 @@ fn rna_put(slot: u32, values: vec4f) {
     }
 }
 
-// Writes `features`, `position`, `wo` and `wi`; returns the first three features.
-fn rna_common_blocks(x: vec3f, wo: vec3f, wi: vec3f) -> vec3f {
-    let p = rna_relative(x);
+// The largest absolute component.
+fn rna_largest(v: vec3f) -> f32 {
+    return max(max(abs(v.x), abs(v.y)), abs(v.z));
+}
+
+// Writes `features`; returns the first three. p: of rna_relative.
+fn rna_put_features(p: vec3f) -> vec3f {
     let texels = rna_texels(p);
     let slot = rna_slot(RNA_BLOCK_FEATURES);
     let groups = select(rna_part.channel_groups, 1u, slot == RNA_NONE);
@@ -24,24 +28,5 @@ fn rna_common_blocks(x: vec3f, wo: vec3f, wi: vec3f) -> vec3f {
         first = select(first, features, group == 0u);
         rna_put(select(slot + group, RNA_NONE, slot == RNA_NONE), features);
     }
-    rna_put(rna_slot(RNA_BLOCK_POSITION), vec4f(2.0 * p - 1.0, 0.0));
-    rna_put(rna_slot(RNA_BLOCK_WO), vec4f(wo, 0.0));
-    rna_put(rna_slot(RNA_BLOCK_WI), vec4f(wi, 0.0));
     return first.xyz;
-}
-
-// Halfway between wo and wi, 0 where they are opposite, for a vector across n, q and wi ("In
-// float32": the difference of their lengths goes).
-fn rna_halfway(wo: vec3f, wi: vec3f) -> vec3f {
-    var s = wi + wo;
-    let e = wi - wo;
-    let square = dot(e, e);
-    if dot(s, s) < square {
-        s -= e * (dot(s, e) / square);
-    }
-    let size = length(s);
-    if size < 1e-6 {
-        return vec3f(0.0);
-    }
-    return s / size;
 }

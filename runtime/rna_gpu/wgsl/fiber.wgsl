@@ -9,8 +9,9 @@ fn rna_fiber(x: vec3f, t: vec3f, h: f32, wo: vec3f, wi: vec3f) -> RnaTransport {
 
 // The last argument is the half vector of surfaces.
 fn rna_put_queries(x: vec3f, t: vec3f, h: f32, wo: vec3f, wi: vec3f, m: vec3f) {
-    rna_common_blocks(x, wo, wi);
-    rna_fiber_blocks(t, clamp(h, -1.0, 1.0), wo, wi);
+    let p = rna_relative(x);
+    rna_put_features(p);
+    rna_fiber_blocks(p, t, clamp(h, -1.0, 1.0), wo, wi);
 }
 
 fn rna_query(

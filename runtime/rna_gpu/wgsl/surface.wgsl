@@ -9,8 +9,8 @@ fn rna_surface(x: vec3f, n: vec3f, wo: vec3f, wi: vec3f, base_color: vec3f) -> R
 
 // m: the half vector.
 fn rna_put_queries(x: vec3f, n: vec3f, h: f32, wo: vec3f, wi: vec3f, m: vec3f) {
-    let features = rna_common_blocks(x, wo, wi);
-    rna_surface_blocks(n, features, wo, wi, m);
+    let p = rna_relative(x);
+    rna_surface_blocks(p, n, rna_put_features(p), wo, wi, m);
 }
 
 fn rna_query(

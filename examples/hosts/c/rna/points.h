@@ -9,6 +9,7 @@
 typedef struct Points {
     double p[3][ROWS]; /* position in the bounds, 0 to 1 */
     double axis[3][ROWS], wo[3][ROWS], wi[3][ROWS], h[ROWS];
+    double f[3][ROWS]; /* the first three features */
     bool valid[ROWS];
 } Points;
 

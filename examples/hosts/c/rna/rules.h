@@ -235,7 +235,6 @@ static void check_rule(Schema *schema, const Rule *rule, const Json *value) {
     if (rule->also && schema->issues == before) rule->also(schema, value);
 }
 
-#define MEASURE 0, HUGE_VAL
 #define ANY_NUMBER -HUGE_VAL, HUGE_VAL
 #define ANY_COUNT 0, HUGE_VAL
 

@@ -16,7 +16,7 @@ import torch
 import torch.nn.functional as F
 from torch import Tensor
 
-from rna_export.training.model.inputs import dot
+from rna_export.training.model.tensor_vectors import dot
 from rna_render.materials import ALBEDO_MEANS, ALBEDO_TABLE
 
 GLTF_OUTPUTS = 8

@@ -1,7 +1,4 @@
-"""Compiled CPU kernels of decoder inputs and their gradient; PyTorch reference: `inputs.py`.
-
-The blocks are the runtime's own, LANES rows at a time.
-"""
+"""Compiled CPU kernels of decoder inputs and their gradient; PyTorch reference: `inputs.py`."""
 
 from __future__ import annotations
 
@@ -16,21 +13,23 @@ from torch import Tensor
 
 from rna_sdk.compiled import compiled
 from rna_sdk.package import query_width
-from rna_sdk.package.block_table import FEATURES, LEARNED_NORMAL, POSITION, WI, WO
-from rna_sdk.runtime.kernels.block_columns import (
-    block_columns,
-    first_three,
-    put,
+from rna_sdk.package.block_table import FEATURES, LEARNED_NORMAL
+from rna_sdk.runtime.kernels.block_columns import block_columns, first_three
+from rna_sdk.runtime.kernels.input_blocks import (
+    BEND,
+    bent_normal,
+    halfway,
     put_fiber,
     put_surface,
 )
 from rna_sdk.runtime.kernels.lane_memory import load_column, load_lanes, load_vectors, store_column
-from rna_sdk.runtime.kernels.lane_vectors import clamped, narrowed, unit
+from rna_sdk.runtime.kernels.lane_vectors import clamped, unit
 from rna_sdk.runtime.kernels.lanes import LANES, where
-from rna_sdk.runtime.kernels.surface_blocks import BEND, SHORTEST, bent, halfway
 from rna_sdk.runtime.kernels.vectors import Rows, dot
 
 _OF_LOG = 1.0 / (6.0 * math.log(2.0))
+_SHORTEST = 1e-6
+"""Length of n + BEND f below which q is n, which no feature moves."""
 
 
 class Inputs(torch.autograd.Function):
@@ -115,16 +114,12 @@ def _fill_block(
         for i in range(row, row + LANES):
             for c in range(channels):
                 queries[i, first + c] = features[i, c]
-    x = narrowed(load_vectors(p, start))
-    signed = 2.0 * x[0] - 1.0, 2.0 * x[1] - 1.0, 2.0 * x[2] - 1.0
-    put(queries, row, columns[POSITION], signed)
-    put(queries, row, columns[WO], o)
-    put(queries, row, columns[WI], l)
+    x = load_vectors(p, start)
     if is_fiber:
-        put_fiber(queries, row, columns, axis, clamped(load_lanes(h, start)), o, l)
+        put_fiber(queries, row, columns, x, axis, clamped(load_lanes(h, start)), o, l)
     else:
-        bend = first_three(features, start * np.uintp(channels), np.uintp(channels), channels)
-        put_surface(queries, row, columns, axis, o, l, bend, False)
+        f = first_three(features, start * np.uintp(channels), np.uintp(channels), channels)
+        put_surface(queries, row, columns, x, axis, f, o, l, halfway(o, l))
 
 
 @compiled(parallel=True)
@@ -163,14 +158,15 @@ def _add_bending(
     at = start * width + np.uintp(columns[LEARNED_NORMAL])
     n = unit(load_vectors(axes, start))
     o, l = unit(load_vectors(wo, start)), unit(load_vectors(wi, start))  # noqa: E741
-    bend = first_three(features, start * channels, channels, features.shape[1])
-    q, length = bent(n, bend)
-    m, opposite = halfway(o, l)
+    f = first_three(features, start * channels, channels, features.shape[1])
+    q, m = bent_normal(n, f), halfway(o, l)
+    length = dot((n[0] + BEND * f[0], n[1] + BEND * f[1], n[2] + BEND * f[2]), q)
+    opposite = dot(m, m) == 0.0
     d = m[0] - q[0], m[1] - q[1], m[2] - q[2]
     # Of q.m and of log2(1 - q.m + 1e-4) / 6, by q.m; then of q.m, by what q is the direction of.
     of_gap = load_column(gradient, at + np.uintp(1), width)
     slope = load_column(gradient, at, width) - of_gap * _OF_LOG / (0.5 * dot(d, d) + 1e-4)
-    slope = where(opposite, 0.0, where(length < SHORTEST, 0.0, slope * BEND / length))
+    slope = where(opposite, 0.0, where(length < _SHORTEST, 0.0, slope * BEND / length))
     along = dot(d, q)
     for c in range(min(3, features.shape[1])):
         place = start * channels + np.uintp(c)

@@ -10,8 +10,9 @@ import torch
 from torch import Tensor
 
 from rna_export.capture.dataset.dataset_part import DatasetPart
-from rna_export.training.model.inputs import Points, dot
+from rna_export.training.model.inputs import Points
 from rna_export.training.model.neural_asset import NeuralAsset
+from rna_export.training.model.tensor_vectors import dot
 from rna_export.training.presets import Preset
 
 _LEAST_VISIBLE = 0.05

@@ -1,0 +1,1 @@
+"""The input blocks' formulas of spec/RNA.md, and code in other languages made of them."""
