@@ -74,7 +74,7 @@ def schema_cases(good: dict[Base, Entries], folder: Path) -> dict[str, tuple[byt
     tier = make_tier(inputs=("normal",), resolution=1, channels=1)
     least = read_entries(make_tiny_package(folder / "least.rna", tier))
     bases = [least, *good.values(), *_with_extensions(least), _with_prints(good["print"])]
-    bases.sort(key=lambda entries: sum(map(len, entries.values())))
+    bases.sort(key=_rank)
     found: dict[Constraint, bytes] = {}
     for entries in bases:
         manifest = json.loads(entries[MANIFEST_NAME])
@@ -84,6 +84,12 @@ def schema_cases(good: dict[Base, Entries], folder: Path) -> dict[str, tuple[byt
                 if broken:
                     found[constraint] = _packed(entries, broken)
     return {_name(constraint): (data, constraint) for constraint, data in sorted(found.items())}
+
+
+def _rank(entries: Entries) -> tuple[bool, int]:
+    """Small packages first; one that some readers may refuse for an extension last."""
+    required = json.loads(entries[MANIFEST_NAME])["extensionsRequired"]
+    return bool(required), sum(map(len, entries.values()))
 
 
 def _broken(manifest: Json, node: Node, constraint: Constraint) -> Json | None:
