@@ -24,6 +24,7 @@ import numpy as np
 from rna_sdk.conformance.kit import Kit, ValidateCase, load_kit
 from rna_sdk.conformance.scoring import cases, score
 from rna_sdk.package import Curves, Package
+from rna_sdk.package.container.zip_container import Container
 from tests.conformance.conftest import KIT, InProcess
 from tests.conformance.mutants import CAUGHT, Mutant, mutants_of
 from tests.conftest import REPOSITORY
@@ -92,13 +93,14 @@ def _base_color(module: ModuleType) -> InProcess:
     def answer(package: str, records: bytes) -> np.ndarray:
         words = np.frombuffer(records, "<u4").reshape(-1, 8)
         numbers = words.view("<f4").astype(float)
+        container = Container.open(package)
         with Package.open(package) as opened:
             part = int(words[0, 7])
             mesh, colors = opened.mesh(part), []
             for record, stored in zip(
                 opened.base_color(part), opened.manifest.parts[part].base_color, strict=True
             ):
-                image = stored.image and png.decoded(bytes(opened.view(stored.image)))
+                image = stored.image and png.decoded(bytes(container.view(stored.image)))
                 colors.append(replace(record, image=image if stored.image else None))
         hits = [
             module.Hit(int(word[0]), *row[1:4]) for word, row in zip(words, numbers, strict=True)
@@ -106,6 +108,16 @@ def _base_color(module: ModuleType) -> InProcess:
         return np.float32([module.base_color(mesh, colors, hit) for hit in hits])
 
     return InProcess(base_color=answer)
+
+
+def _deformed(module: ModuleType) -> InProcess:
+    def answer(package: str, part: int, shape: np.ndarray, records: bytes) -> np.ndarray:
+        words = np.frombuffer(records, "<u4").reshape(-1, 8)
+        hits = module.Hits(words[:, 0].astype(int), words.view("<f4")[:, 1:6].astype(np.float32))
+        with Package.open(package) as opened:
+            return np.float32(module.at_rest(opened.geometry(part), shape, hits, lambda v: v))
+
+    return InProcess(deformed=answer)
 
 
 _KIT = "tests.conformance.kit"
@@ -135,6 +147,16 @@ READERS = {
         f"{_KIT}.base_color",
         _base_color,
     ),
+    "deformed": Reader(
+        {
+            f"{_KIT}.deformed": (
+                *("at_rest", "_of_mesh", "_triangle_rotations", "_deformed_normals", "_smallest"),
+                *("_of_strands", "_along", "_root"),
+            )
+        },
+        f"{_KIT}.deformed",
+        _deformed,
+    ),
     "environment": Reader(
         {
             "rna_sdk.reference.lobes": (
@@ -157,7 +179,7 @@ def mutants(level: str) -> list[Mutant]:
         return list(_without_checks())
     made: list[Mutant] = []
     for name, functions in READERS[level].modules.items():
-        source = _source(name)
+        source = source_of(name)
 
         def chosen(tree: ast.Module, functions: tuple[str, ...] = functions) -> list[ast.stmt]:
             return [s for s in tree.body if getattr(s, "name", "") in functions]
@@ -166,7 +188,7 @@ def mutants(level: str) -> list[Mutant]:
     return made
 
 
-def _source(module: str) -> str:
+def source_of(module: str) -> str:
     return Path(str(importlib.import_module(module).__file__)).read_text()
 
 
