@@ -12,7 +12,7 @@ from __future__ import annotations
 import ast
 import json
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
@@ -122,10 +122,17 @@ def source_of(host: str) -> str:
 
 def mutants(host: str) -> list[Mutant]:
     """All mutants of a program but of its last statement, the command line."""
-    source = source_of(host)
+    return mutants_of(host, source_of(host), lambda tree: tree.body[:-1])
+
+
+def mutants_of(
+    host: str, source: str, chosen: Callable[[ast.Module], Sequence[ast.stmt]]
+) -> list[Mutant]:
+    """All mutants of a source. host: its name; chosen: the statements that are changed."""
     tree, lines = ast.parse(source), source.splitlines()
     pieces = [ast.unparse(statement) for statement in tree.body]
-    within = {n: k for k, piece in enumerate(tree.body[:-1]) for n in ast.walk(piece)}
+    places = {statement: k for k, statement in enumerate(tree.body)}
+    within = {n: places[piece] for piece in chosen(tree) for n in ast.walk(piece)}
     result = {}
     for node in ast.walk(tree):
         if node not in within or not hasattr(node, "lineno"):

@@ -86,8 +86,8 @@ def image_of(change: Callable[[np.ndarray], np.ndarray]) -> Callable[[BaseColor]
 def test_readers_that_get_records_wrong_fail(
     change: Callable[[BaseColor], BaseColor | None], kit: Kit
 ) -> None:
-    (failed,) = failures(with_records(change), kit, "base-color")
-    assert failed.package == "surface-print" and "expected" in failed.note
+    notes = {one.package: one.note for one in failures(with_records(change), kit, "base-color")}
+    assert "expected" in notes["surface-print"]
 
 
 def with_levels(change: Callable[[np.ndarray], np.ndarray]) -> InProcess:
@@ -107,7 +107,7 @@ def with_levels(change: Callable[[np.ndarray], np.ndarray]) -> InProcess:
 def test_readers_that_do_not_filter_between_levels_fail(
     change: Callable[[np.ndarray], np.ndarray], kit: Kit
 ) -> None:
-    assert len(failures(with_levels(change), kit, "base-color")) == 1
+    assert failures(with_levels(change), kit, "base-color")
 
 
 def with_reference(name: str, function: Callable[..., object]) -> InProcess:
@@ -147,14 +147,14 @@ LEVELS, LOOKED_UP = reference._levels, reference._looked_up
 def test_readers_that_filter_wrong_fail(
     name: str, function: Callable[..., object], kit: Kit
 ) -> None:
-    assert len(failures(with_reference(name, function), kit, "base-color")) == 1
+    assert failures(with_reference(name, function), kit, "base-color")
 
 
 def test_interpolation_of_linear_colours_fails(kit: Kit) -> None:
     def looked_up(level: np.ndarray, at: np.ndarray, wrap: tuple[str, str]) -> np.ndarray:
         return LOOKED_UP(level**2.4, at, wrap) ** (1 / 2.4)
 
-    assert len(failures(with_reference("_looked_up", looked_up), kit, "base-color")) == 1
+    assert failures(with_reference("_looked_up", looked_up), kit, "base-color")
 
 
 def with_arrays(change: Callable[[Arrays], Arrays]) -> InProcess:

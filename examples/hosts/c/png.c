@@ -151,8 +151,30 @@ static bool inflate(const uint8_t *data, size_t size, uint8_t *out, size_t room)
 typedef struct Header {
     uint32_t width, height;
     int bits, channels;
-    bool has_palette;
+    bool has_palette, interlaced;
 } Header;
+
+/* Pixels of an image that are stored together: from column x and row y on, each dx-th and dy-th. */
+typedef struct Pass {
+    uint32_t x, y, dx, dy;
+} Pass;
+
+static const Pass WHOLE[1] = {{0, 0, 1, 1}};
+static const Pass ADAM7[7] = {{0, 0, 8, 8}, {4, 0, 8, 8}, {0, 4, 4, 8}, {2, 0, 4, 4}, {0, 2, 2, 4}, {1, 0, 2, 2}, {0, 1, 1, 2}};
+
+static uint32_t count_of(uint32_t size, uint32_t first, uint32_t step) {
+    return size > first ? (size - first + step - 1) / step : 0;
+}
+
+/* Of a row of a pass, without the one that names its filter. */
+static size_t row_bytes(const Header *header, const Pass *pass) {
+    return ((size_t)count_of(header->width, pass->x, pass->dx) * (size_t)(header->bits * header->channels) + 7) / 8;
+}
+
+static size_t pass_bytes(const Header *header, const Pass *pass) {
+    const size_t row = row_bytes(header, pass);
+    return row ? (row + 1) * count_of(header->height, pass->y, pass->dy) : 0;
+}
 
 static uint32_t big_u32(const uint8_t *at) {
     return (uint32_t)at[0] << 24 | (uint32_t)at[1] << 16 | (uint32_t)at[2] << 8 | at[3];
@@ -161,10 +183,10 @@ static uint32_t big_u32(const uint8_t *at) {
 static bool take_header(const uint8_t *data, Header *header) {
     static const int CHANNELS[7] = {1, 0, 3, 1, 2, 0, 4};
     const uint8_t bits = data[8], type = data[9];
-    *header = (Header){big_u32(data), big_u32(data + 4), bits, type < 7 ? CHANNELS[type] : 0, type == 3};
+    *header = (Header){big_u32(data), big_u32(data + 4), bits, type < 7 ? CHANNELS[type] : 0, type == 3, data[12] == 1};
     const bool narrow = bits == 1 || bits == 2 || bits == 4;
     return header->channels && (bits == 8 || (bits == 16 && type != 3) || (narrow && header->channels == 1)) &&
-           data[12] == 0; /* not interlaced */
+           data[12] < 2;
 }
 
 static uint8_t paeth(int a, int b, int c) {
@@ -197,16 +219,29 @@ static uint8_t sample(const uint8_t *row, const Header *header, size_t i) {
     return (uint8_t)(header->has_palette ? value : value * 255 / most);
 }
 
-static uint8_t *colours_of(const uint8_t *rows, size_t width, const Header *header, const uint8_t palette[768]) {
-    uint8_t *rgb = malloc(3 * (size_t)header->width * header->height), *at = rgb;
-    for (uint32_t j = 0; rgb && j < header->height; j++)
-        for (size_t i = 0; i < header->width; i++)
+/* Puts the colours of a pass, whose filters are undone, into the image. */
+static void put_colours(const uint8_t *rows, const Pass *pass, const Header *header, const uint8_t palette[768], uint8_t *rgb) {
+    const size_t width = row_bytes(header, pass);
+    for (uint32_t y = pass->y; y < header->height; y += pass->dy, rows += width + 1)
+        for (uint32_t x = pass->x, i = 0; x < header->width; x += pass->dx, i++)
             for (size_t c = 0; c < 3; c++) {
                 const size_t channel = header->channels > 2 ? c : 0;
-                const uint8_t value = sample(rows + j * (width + 1) + 1, header, i * (size_t)header->channels + channel);
-                *at++ = header->has_palette ? palette[3 * value + c] : value;
+                const uint8_t value = sample(rows + 1, header, i * (size_t)header->channels + channel);
+                rgb[3 * ((size_t)y * header->width + x) + c] = header->has_palette ? palette[3 * value + c] : value;
             }
-    return rgb;
+}
+
+static bool put_passes(uint8_t *rows, const Pass *passes, int count, const Header *header, const uint8_t palette[768],
+                       uint8_t *rgb) {
+    const size_t pixel = (size_t)(header->bits * header->channels);
+    for (int k = 0; k < count; k++) {
+        const size_t size = pass_bytes(header, &passes[k]), row = row_bytes(header, &passes[k]);
+        if (!size) continue;
+        if (!unfilter(rows, row, (uint32_t)(size / (row + 1)), pixel < 8 ? 1 : pixel / 8)) return false;
+        put_colours(rows, &passes[k], header, palette, rgb);
+        rows += size;
+    }
+    return true;
 }
 
 /* Gathers the data of all IDAT chunks in `data`, of the file's size; returns how much it is, 0 for a bad file. */
@@ -235,11 +270,17 @@ uint8_t *png_pixels(const uint8_t *file, size_t size, uint32_t width, uint32_t h
     uint8_t *data = malloc(size);
     const size_t filled = data ? take_chunks(file, size, &header, palette, data) : 0;
     if (filled && header.width == width && header.height == height) {
-        const size_t pixel = (size_t)(header.bits * header.channels), row = (width * pixel + 7) / 8;
-        rows = malloc((row + 1) * height);
-        if (rows && inflate(data + 2, filled - 2, rows, (row + 1) * height) &&
-            unfilter(rows, row, height, pixel < 8 ? 1 : pixel / 8))
-            rgb = colours_of(rows, row, &header, palette);
+        const Pass *passes = header.interlaced ? ADAM7 : WHOLE;
+        const int count = header.interlaced ? 7 : 1;
+        size_t total = 0;
+        for (int k = 0; k < count; k++) total += pass_bytes(&header, &passes[k]);
+        rows = malloc(total);
+        rgb = malloc(3 * (size_t)width * height);
+        if (!rows || !rgb || !inflate(data + 2, filled - 2, rows, total) ||
+            !put_passes(rows, passes, count, &header, palette, rgb)) {
+            free(rgb);
+            rgb = NULL;
+        }
     }
     free(data);
     free(rows);

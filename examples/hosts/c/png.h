@@ -5,7 +5,7 @@
 
 #include "rna.h"
 
-/* height x width x 3 of 8 bits of a PNG without interlace, for the caller to free; NULL where it is no such file,
+/* height x width x 3 of 8 bits of a PNG, for the caller to free; NULL where it is no such file,
  * or of another size. */
 uint8_t *png_pixels(const uint8_t *file, size_t size, uint32_t width, uint32_t height);
 

@@ -107,6 +107,7 @@ def _mesh_classes(rng: np.random.Generator, mesh: Mesh) -> list[tuple[str, MeshH
         ("ordinary", points(90)),
         ("terminator", aimed(lambda n, n_g: (n > 0.005) & (abs(n_g) < 0.15))),
         ("behind the facet", aimed(lambda n, n_g: (n > 0.01) & (n_g < -0.005))),
+        ("just above the facet", aimed(lambda n, n_g: (n > 0.05) & (n_g > 0) & (n_g < 0.1))),
         ("backs", aimed(lambda n, n_g: n < -0.05)),
         ("behind the smooth surface", aimed(lambda n, n_g: (n < -0.005) & (n_g > 0.005))),
         ("edges and corners", points(60, edge=True)),

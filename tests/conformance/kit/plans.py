@@ -303,14 +303,22 @@ PLANS = (
         ),
     ),
     one_part(
-        *("surface-sheets", "sheets closer than the step of rays, and a terminator between walls"),
+        *("surface-room", "a floor shaded as a dome, between walls: how far rays are lifted"),
+        *(shapes.room(), *ONE),
+        (LEAST,),
+    ),
+    one_part(
+        *(
+            "surface-sheets",
+            "sheets closer to each other than the step of rays",
+        ),
         *(shapes.close_sheets(4.2, (3.4, 0.3, -0.6)), (2.0, -1.0, -2.0), (4.5, 1.0, 1.0)),
         (LEAST,),
     ),
     Plan(
         *("parts-pairs", "two parts of strands side by side, one of them as thick as the asset"),
         (
-            PartPlan(*("sheets", shapes.close_sheets(4.2, rooms=False), *ONE), (LEAST,)),
+            PartPlan(*("sheets", shapes.close_sheets(4.2), *ONE), (LEAST,)),
             PartPlan(*("left", shapes.pairs_of_strands(0.0), *ONE), (LEAST_OF_FIBERS,)),
             PartPlan(
                 *("right", shapes.pairs_of_strands(0.15, thick=True), (-1, -4, -2), (3, 1, 2)),

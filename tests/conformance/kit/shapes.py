@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -171,27 +172,36 @@ def pane_records() -> tuple[tuple[str, Transmittance], ...]:
     )
 
 
-def close_sheets(
-    size: float, centre: tuple[float, float, float] = (0, 0, 0), rooms: bool = True
-) -> Mesh:
+def close_sheets(size: float, centre: tuple[float, float, float] = (0, 0, 0)) -> Mesh:
     """Sheets that hover over a floor below and above the step off it, of an asset of a largest
-    coordinate of `size`; and a bulging sheet between walls that reach into its lift."""
+    coordinate of `size`."""
     e, flats = 2.0**-18 * size, []
     for k, height in enumerate((0.0, 0.7 * e, 0.0, 1.45 * e)):
         z = -0.8 + 0.5 * (k // 2)
         flats.append(((-0.8, height, z), (-0.8, height, z + 0.4), (0.8, height, z + 0.4)))
         flats[-1] += ((0.8, height, z),)
-    low, high, wall = 0.25, 0.75, 0.06
-    corners = [(-low, low), (-low, high), (low, high), (low, low)]
-    flats.append(tuple((x, 0.0, z) for x, z in corners))
-    for (x, z), (x1, z1) in zip(corners, [*corners[1:], corners[0]], strict=True) if rooms else ():
-        flats.append(((x, 0.0, z), (x, wall, z), (x1, wall, z1), (x1, 0.0, z1)))
     mesh = flat(*flats)
-    bulging, normals = slice(16, 20), mesh.normals.copy()
-    outward = mesh.positions[bulging] - mesh.positions[bulging].mean(axis=0)
-    normals[bulging] = unit(normals[bulging] + 1.2 * outward)
     moved = mesh.positions.astype(np.float64) + np.array(centre)
-    return replace(mesh, positions=moved.astype(np.float32), normals=normals)
+    return replace(mesh, positions=moved.astype(np.float32))
+
+
+def room(bulge: float = 2.0, wall: float = 0.05) -> Mesh:
+    """A floor of nine squares shaded as a dome, between walls lower than rays are lifted."""
+    steps = list(pairwise((-0.6, -0.2, 0.2, 0.6)))
+    floor = [
+        ((x, 0.0, z), (x, 0.0, z1), (x1, 0.0, z1), (x1, 0.0, z))
+        for x, x1 in steps
+        for z, z1 in steps
+    ]
+    rim = [(-0.6, -0.6), (-0.6, 0.6), (0.6, 0.6), (0.6, -0.6), (-0.6, -0.6)]
+    walls = [
+        ((x, 0.0, z), (x, wall, z), (x1, wall, z1), (x1, 0.0, z1))
+        for (x, z), (x1, z1) in pairwise(rim)
+    ]
+    mesh, domed = flat(*floor, *walls), slice(0, 4 * len(floor))
+    normals = mesh.normals.copy()
+    normals[domed] = unit(normals[domed] + bulge * mesh.positions[domed])
+    return replace(mesh, normals=normals)
 
 
 def pairs_of_strands(shift: float, thick: bool = False) -> Curves:
@@ -238,7 +248,8 @@ def folds() -> Mesh:
 def lone(points: int, bend: float) -> Curves:
     """One strand, a helix with an even number of points, or straight."""
     t = np.linspace(0, 1, points)
-    path = np.stack([0.8 * t - 0.4, bend * np.cos(5 * t), bend * np.sin(5 * t)], axis=1)
+    line = np.stack([0.8 * t - 0.4, 0.5 * t - 0.2, 0.1 - 0.3 * t], axis=1)
+    path = line + bend * np.stack([0 * t, np.cos(5 * t), np.sin(5 * t)], axis=1)
     return joined([path], [np.linspace(0.05, 0.02, points)])
 
 
