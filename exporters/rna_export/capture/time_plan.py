@@ -70,7 +70,7 @@ def _fitting(
     """Settings with validation images that fit, and the lights that the rest of the time is for."""
     paths = max(seconds, 0.0) * rate
     settings = _with_smaller_images(settings, _SHARE * paths, given)
-    left = paths - settings.validation_views * settings.validation_paths
+    left = paths - settings.held_out_paths
     return settings, min(int(left / (settings.rays * settings.samples)), MAX_LIGHTS)
 
 
@@ -90,7 +90,7 @@ def _enough_minutes(
 
 def shrunk(before: CaptureSettings, after: CaptureSettings) -> str | None:
     """Note about reduced validation images; None if they are unchanged."""
-    if before.validation_paths == after.validation_paths:
+    if before.held_out_paths == after.held_out_paths:
         return None
     return (
         f"validation images of {_image(after)} instead of {_image(before)}, "
@@ -107,7 +107,7 @@ def _with_smaller_images(
     settings: CaptureSettings, most_paths: float, given: Collection[str]
 ) -> CaptureSettings:
     """Fewer pixels and fewer paths a pixel, each by the same factor as far as both may shrink."""
-    factor = most_paths / (settings.validation_views * settings.validation_paths)
+    factor = most_paths / settings.held_out_paths
     if factor >= 1.0:
         return settings
     side, samples = settings.validation_resolution, settings.validation_samples
@@ -117,7 +117,7 @@ def _with_smaller_images(
         side = min(side, max(_LEAST_RESOLUTION, 8 * int(smaller / 8)))
         settings = settings.model_copy(update={"validation_resolution": side})
     if "validation_samples" not in given:
-        factor = most_paths / (settings.validation_views * settings.validation_paths)
+        factor = most_paths / settings.held_out_paths
         samples = min(samples, max(_LEAST_SAMPLES, 2 * int(samples * factor / 2)))
         settings = settings.model_copy(update={"validation_samples": samples})
     return settings

@@ -32,6 +32,7 @@ from rna_export.training.asset_error import (
 from rna_export.training.model.neural_asset import NeuralAsset
 
 _ROWS = 65536
+_UNLIT = "without light, does not count"
 
 
 @dataclass(frozen=True)
@@ -134,8 +135,9 @@ def write_images(folder: Path, radiance: list[np.ndarray], views: Sequence[Captu
     folder.mkdir(parents=True, exist_ok=True)
     for shaded, view, e in zip(radiance, views, picture_exposures(views), strict=True):
         ours, cycles = view.image(shaded), view.image(view.reference)
-        error = np.clip(255.0 * flip(ours, cycles, e)[1], 0, 255).astype(np.uint8)
-        row = [to_png(ours, e), to_png(cycles, e), np.repeat(error[..., None], 3, axis=2)]
+        error = np.clip(255.0 * flip(ours, cycles, e.factor)[1], 0, 255).astype(np.uint8)
+        pictures = [to_png(picture, e.factor) for picture in (ours, cycles)]
+        row = [*pictures, np.repeat(error[..., None], 3, axis=2)]
         path = folder / f"view-{view.index:02d}.png"
         write_picture(path, np.concatenate([enlarged(picture) for picture in row], axis=1))
 
@@ -152,7 +154,8 @@ def write_sheet(
     """
     rows = []
     for shaded, view, e in zip(radiance, views, picture_exposures(views), strict=True):
-        flip_of_asset = image_flip(shaded, view, e, smallest_factor(views)).mean
-        caption = f"validation image {view.index}: FLIP {flip_of_asset:.3f}"
-        rows.append((pictures_of(view.image(shaded), view.image(view.reference), e), caption))
+        error = f"FLIP {image_flip(shaded, view, e.factor, smallest_factor(views)).mean:.3f}"
+        caption = f"validation image {view.index}: {error if e.is_lit else _UNLIT}"
+        pictures = pictures_of(view.image(shaded), view.image(view.reference), e.factor)
+        rows.append((pictures, caption))
     write_picture(path, comparison_sheet(rows, notes=notes))

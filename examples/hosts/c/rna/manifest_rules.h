@@ -99,6 +99,11 @@ static const Rule FLIP_AT[] = {{"height", INTEGER, REQUIRED, 1, HUGE_VAL},
                                {"flip", NUMBER, REQUIRED, MEASURE},
                                {0}};
 static const Rule A_FLIP_AT = {"", OBJECT, .of = FLIP_AT};
+static const Rule ALBEDO[] = {{"ratio", NUMBER, REQUIRED, MEASURE},
+                              {"facing", NUMBER, 0, MEASURE},
+                              {"at60", NUMBER, 0, MEASURE},
+                              {"at80", NUMBER, 0, MEASURE},
+                              {0}};
 static const Rule VALIDATION[] = {
     {"psnr", NUMBER, REQUIRED, ANY_NUMBER},
     {"flip", NUMBER, REQUIRED, MEASURE},
@@ -107,6 +112,7 @@ static const Rule VALIDATION[] = {
     {"images", INTEGER, REQUIRED, 1, HUGE_VAL},
     {"definition", TEXT, REQUIRED},
     {"flipAtHeight", LIST, 0, ANY_COUNT, &A_FLIP_AT, .also = heights_descend},
+    {"albedo", OBJECT, 0, .of = ALBEDO},
     {0}};
 static const Rule COST[] = {{"multiplyAdds", INTEGER, REQUIRED, MEASURE},
                             {"nsPerQuery", NUMBER, REQUIRED, MEASURE},
