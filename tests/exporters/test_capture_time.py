@@ -45,9 +45,8 @@ def clock(monkeypatch: pytest.MonkeyPatch) -> Clock:
 
 
 def seconds(settings: CaptureSettings, rate: float) -> tuple[float, float]:
-    """Of the validation images, and of training."""
-    images = settings.validation_views * settings.validation_paths
-    return images / rate, settings.lights * settings.rays * settings.samples / rate
+    """Of the validation images and the white world, and of training."""
+    return settings.held_out_paths / rate, settings.lights * settings.rays * settings.samples / rate
 
 
 @pytest.mark.parametrize(

@@ -26,10 +26,11 @@ class Teacher:
     """Answers rays with their direction as radiance; `spoil` changes the answer."""
 
     def __init__(self, spoil=lambda radiance, alpha: None):
-        self.spoil, self.seeds = spoil, []
+        self.spoil, self.seeds, self.lit_by = spoil, [], []
 
     def render_rays(self, origins, directions, wi, samples, seed, reach=None, normals=False):
         self.seeds.append(seed)
+        self.lit_by.append(wi)
         radiance, alpha = np.abs(directions) + np.float32(0.1), np.ones(len(origins), np.float32)
         self.spoil(radiance, alpha)
         return RenderedRays(radiance, alpha, origins, None)

@@ -10,7 +10,7 @@ MAX_LIGHTS = 1_000_000
 """Far above what is useful: a manifest with more would take forever to look through."""
 MAX_FRAME = 1_048_574
 """That Blender knows."""
-WHITE_RAYS = 4096
+WHITE_RAYS = 2048
 """In a white world: what an asset returns of it is known within a percent."""
 _MAX_POSES = 32
 _SHARDS = 32  # at least, where there are as many lights

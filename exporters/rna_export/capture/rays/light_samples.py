@@ -1,7 +1,8 @@
 """Light directions for integrals over all of them at one point and view, with their density.
 
 Three kinds are mixed in fixed numbers: uniform ones, cosines about the normal, and mirrors of wo
-about half vectors of GGX, with every alpha from the narrowest to 0.8 alike on a logarithmic scale.
+about half vectors of GGX, with every alpha from half of the narrowest to 0.8 alike on a logarithmic
+scale.
 The weights of a lobe of any width between them stay small, at grazing views too.
 """
 
@@ -12,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rna_export.capture.rays.capture_directions import around, reflect, sphere
+from rna_export.capture.rays.capture_directions import around, reflect
 from rna_render.world.neural_sampling import LobeMixture
 
 WIDEST = 0.8  # alpha of GGX
@@ -21,6 +22,7 @@ _UNIFORM, _COSINE, _MIRROR = 4, 5, 7
 LIGHTS = _UNIFORM + _COSINE + _MIRROR
 """Directions of a point, which have one density together."""
 
+_GOLDEN = (np.sqrt(5.0) - 1.0) / 2.0  # of a turn, between neighbouring directions
 _FIBER = LobeMixture(uniform=0.4, cone=0.6, cone_scale=0.06)
 
 
@@ -38,14 +40,21 @@ def surface_lights(
 
     n, wo: (k, 3) float32, unit, one space. narrowest: alpha of GGX.
     """
+    narrowest *= 0.5  # a lobe at the end of the scale would have weights that vary
     n, wo = n.astype(np.float64), wo.astype(np.float64)
     n = np.where(np.sum(n * wo, axis=1, keepdims=True) < 0.0, -n, n)
     shift = rng.random((len(n), 2))
-    golden = np.array([0.7548776662466927, 0.5698402909980532])  # R2, as in `spread_point`
-    for number in range(LIGHTS):
-        u, v = ((shift + number * golden) % 1.0).T
-        wi = _direction(n, wo, narrowest, number, np.stack([u, v], axis=1), rng)
-        yield LightSamples(wi.astype(np.float32), _density(n, wo, narrowest, wi))
+    for count in (_UNIFORM, _COSINE, _MIRROR):
+        for number in range(count):
+            u = (number + shift[:, 0]) / count
+            turn = 2.0 * np.pi * ((shift[:, 1] + number * _GOLDEN) % 1.0)
+            if count == _UNIFORM:
+                wi = around(n, 1.0 - 2.0 * u, turn)
+            elif count == _COSINE:
+                wi = around(n, np.sqrt(1.0 - u), turn)
+            else:
+                wi = reflect(wo, around(n, ggx_cosine(u, narrowest), turn))
+            yield LightSamples(wi.astype(np.float32), _density(n, wo, narrowest, wi))
 
 
 def fiber_lights(
@@ -55,32 +64,11 @@ def fiber_lights(
     at = np.zeros_like(tangent), tangent, wo
     shift = rng.random((len(tangent), 2))
     for number in range(LIGHTS):
-        u = shift.copy()
-        u[:, 0] = (number + shift[:, 0]) / LIGHTS
-        u[:, 1] = (shift[:, 1] + number * 0.5698402909980532) % 1.0
+        u = np.stack(
+            [(number + shift[:, 0]) / LIGHTS, (shift[:, 1] + number * _GOLDEN) % 1.0], axis=1
+        )
         wi = _FIBER.sample(*at, u)
         yield LightSamples(wi, _FIBER.pdf(*at, wi).astype(np.float64))
-
-
-def _direction(
-    n: np.ndarray,
-    wo: np.ndarray,
-    narrowest: float,
-    number: int,
-    u: np.ndarray,
-    rng: np.random.Generator,
-) -> np.ndarray:
-    if number < _UNIFORM:
-        u[:, 0] = (number + u[:, 0]) / _UNIFORM
-        return sphere(u)
-    turn = 2.0 * np.pi * u[:, 1]
-    if number < _UNIFORM + _COSINE:
-        u[:, 0] = (number - _UNIFORM + u[:, 0]) / _COSINE
-        return around(n, np.sqrt(1.0 - u[:, 0]), turn)
-    place = (number - _UNIFORM - _COSINE + rng.random(len(n))) / _MIRROR
-    alpha = narrowest * (WIDEST / narrowest) ** place
-    cosine = np.sqrt((1.0 - u[:, 0]) / (1.0 + (alpha**2 - 1.0) * u[:, 0]))
-    return reflect(wo, around(n, cosine, turn))
 
 
 def _density(n: np.ndarray, wo: np.ndarray, narrowest: float, wi: np.ndarray) -> np.ndarray:
@@ -104,6 +92,18 @@ def ggx_of_all_widths(cosine: np.ndarray, sine: np.ndarray, narrowest: float) ->
     so the integral over s = alpha^2 is that of 1 / (cos^2 s + sin^2)^2.
     """
     low, high = narrowest**2, WIDEST**2
-    scale = 2.0 * np.pi * np.log(WIDEST / narrowest)
+    scale = np.pi * np.log(high / low)
     denominator = (cosine**2 * low + sine**2) * (cosine**2 * high + sine**2)
     return np.asarray((high - low) / (scale * denominator))
+
+
+def ggx_cosine(u: np.ndarray, narrowest: float) -> np.ndarray:
+    """Cosine to the normal of half vectors of that density times the cosine; u: (k,) in [0, 1).
+
+    The share within an angle is ln(high (low + q) / (low (high + q))) / ln(high / low), where q is
+    the square of the angle's tangent.
+    """
+    low, high = narrowest**2, WIDEST**2
+    ratio = (high / low) ** u
+    q = low * high * (ratio - 1.0) / np.maximum(high - low * ratio, 1e-300)
+    return np.asarray(1.0 / np.sqrt(1.0 + q))
