@@ -16,7 +16,7 @@ from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.capture_worker import CaptureWorker
 from rna_export.capture.capture_run import CaptureWorkers, finish
 from rna_export.capture.capture_settings import CaptureSettings
-from rna_export.capture.capture_tasks import TrainingShard, ValidationHalf
+from rna_export.capture.capture_tasks import Task, TrainingShard, ValidationHalf, WhiteRays
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.sample_files import write_parts
 from rna_export.capture.time_plan import TimeLimit, planned, shrunk
@@ -142,12 +142,12 @@ class WithoutBlender(CaptureWorker):
 def test_a_slow_capture_ends_in_time(
     a_task: float, shards: int, dataset: Dataset, clock: Clock, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def run(task: TrainingShard | ValidationHalf, dataset: Dataset, *_: object) -> None:
-        clock.now += a_task
+    def run(task: Task, dataset: Dataset, *_: object) -> None:
+        clock.now += 0.0 if isinstance(task, WhiteRays) else a_task
         rays = 32 * dataset.manifest.settings.rays
         write_parts(task.path(dataset), {"asset": {"wo": np.zeros((rays, 3), np.float32)}})
 
-    for kind in (TrainingShard, ValidationHalf):
+    for kind in (TrainingShard, ValidationHalf, WhiteRays):
         monkeypatch.setattr(kind, "run", run)
     monkeypatch.setattr(run_module, "CaptureWorker", WithoutBlender)
     said: list[str] = []

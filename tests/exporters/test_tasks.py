@@ -98,7 +98,7 @@ def test_rays_take_turns_at_the_poses_of_which_rest_points_are_recorded(tmp_path
     for row in wi[2.0]:
         assert np.abs(turned - row).max(axis=1).min() < 0.02
     shown = [view.samples["radiance"][0, 0] for view in part.validation_views()]
-    assert shown == [1, 2, 1, 2, 2, 1, 2, 1]
+    assert shown[:8] == [1, 2, 1, 2, 2, 1, 2, 1]
 
 
 def test_a_plan_is_every_light_once(tmp_path: Path) -> None:
@@ -178,14 +178,14 @@ def test_the_seed_decides_rays_lights_and_noise(tmp_path: Path) -> None:
 def test_no_two_renders_of_a_capture_share_their_noise(tmp_path: Path) -> None:
     teacher = Teacher()
     run_all(make(tmp_path, sphere(3)), teacher)
-    assert len(set(teacher.seeds)) == len(teacher.seeds) == 5 + 2 * 8
+    assert len(set(teacher.seeds)) == len(teacher.seeds) == 5 + 2 * 48 + 1
 
 
 def test_every_fourth_view_is_a_close_up(tmp_path: Path) -> None:
     dataset = make(tmp_path, sphere(4))
     run_all(dataset, Teacher())
-    covered = [len(view.pixel) / 160**2 for view in dataset.validation_views()]
-    assert covered[3] == covered[7] == 1.0
+    covered = [len(view.pixel) / view.resolution**2 for view in dataset.validation_views()]
+    assert set(covered[3::4]) == {1.0}
     assert all(0.5 < share < 0.85 for k, share in enumerate(covered) if k % 4 != 3)
 
 
