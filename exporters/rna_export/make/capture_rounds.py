@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from rna_export.capture.capture_run import begin, finish
-from rna_export.capture.capture_tasks import Task, ValidationHalf, all_tasks
+from rna_export.capture.capture_tasks import Task, ValidationHalf, WhiteRays, all_tasks
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.time_plan import TimeLimit
 from rna_export.make.make_options import MakeOptions
@@ -50,8 +50,9 @@ class Rays:
         self._options, self.dataset = options, dataset
 
     def capture_images(self, stage: Stage) -> None:
-        """The validation images."""
-        tasks = [t for t in all_tasks(self.dataset) if isinstance(t, ValidationHalf)]
+        """The validation images, and rays in a white world."""
+        held_out = ValidationHalf | WhiteRays
+        tasks = [task for task in all_tasks(self.dataset) if isinstance(task, held_out)]
         self._finish(tasks, None, stage)
 
     def capture(self, round_: Round, seconds: float | None, stage: Stage) -> None:

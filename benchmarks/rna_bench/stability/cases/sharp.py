@@ -170,7 +170,9 @@ def returned(answers: Answers, dataset: DatasetPart) -> dict[str, float | None]:
     """Light returned from a white world over Cycles': of all rays, and of grazing ones."""
     view = dataset.white_view()
     found = None if view is None else albedo([(picked(answers, view.samples), view)])
-    return {"albedo": found and found.ratio, "albedo_at80": found and found.at80}
+    if found is None:
+        return {"albedo": None, "albedo_at80": None}
+    return {"albedo": found.ratio, "albedo_at80": found.at80}
 
 
 def in_and_out(
