@@ -178,15 +178,18 @@ def test_the_seed_decides_rays_lights_and_noise(tmp_path: Path) -> None:
 def test_no_two_renders_of_a_capture_share_their_noise(tmp_path: Path) -> None:
     teacher = Teacher()
     run_all(make(tmp_path, sphere(3)), teacher)
-    assert len(set(teacher.seeds)) == len(teacher.seeds) == 5 + 2 * 48 + 1
+    assert len(set(teacher.seeds)) == len(teacher.seeds) == 5 + 2 * 128 + 1
 
 
-def test_every_fourth_view_is_a_close_up(tmp_path: Path) -> None:
-    dataset = make(tmp_path, sphere(4))
+def test_two_of_sixteen_views_are_close_ups_and_six_are_lit_from_behind(tmp_path: Path) -> None:
+    dataset = make(tmp_path, sphere(4), validation_views=32)
     run_all(dataset, Teacher())
-    covered = [len(view.pixel) / view.resolution**2 for view in dataset.validation_views()]
-    assert set(covered[3::4]) == {1.0}
-    assert all(0.5 < share < 0.85 for k, share in enumerate(covered) if k % 4 != 3)
+    views = dataset.validation_views()
+    covered = np.array([len(view.pixel) / view.resolution**2 for view in views])
+    assert list(np.flatnonzero(covered == 1.0)) == [3, 15, 19, 31]
+    assert all(0.5 < share < 0.85 for share in covered[covered < 1.0])
+    behind = [view.samples["wo"].mean(axis=0) @ view.samples["wi"][0] < -0.4 for view in views]
+    assert list(np.flatnonzero(behind)) == [k for k in range(32) if k % 8 in (1, 3, 6)]
 
 
 def test_hemisphere_looks_and_is_lit_from_above(tmp_path: Path) -> None:

@@ -89,13 +89,13 @@ class CaptureSettings(DatasetModel):
         "one model is trained on all of them",
     )
     validation_views: int = Field(
-        48, ge=1, le=_MAX_VIEWS, description="validation images, held out from training"
+        128, ge=1, le=_MAX_VIEWS, description="validation images, held out from training"
     )
     validation_resolution: int = Field(
-        80, gt=0, le=_MAX_SIDE, description="width and height of validation images, pixels"
+        64, gt=0, le=_MAX_SIDE, description="width and height of validation images, pixels"
     )
     validation_samples: int = Field(
-        288,
+        176,
         ge=2,
         le=_MAX_SAMPLES,
         description="paths per pixel of validation images, in two independent halves",
@@ -150,9 +150,9 @@ _FIBERS = {
     "samples": 2,
     "rays": 16384,
     "lights": 1500,
-    "validation_views": 32,
+    "validation_views": 48,
     "validation_resolution": 96,  # a pixel of their pictures is 4 x 4 rays
-    "validation_samples": 104,
+    "validation_samples": 72,
     "lights_per_shard": 8,
 }
 _DEFAULTS = {"fiber": _FIBERS, "both": {**_FIBERS, "samples": 4, "rays": 12288}}

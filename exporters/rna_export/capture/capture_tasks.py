@@ -90,7 +90,7 @@ class ValidationHalf:
 
     def run(self, dataset: Dataset, scene: AssetScene, worker: BlenderWorker) -> None:
         settings = dataset.manifest.settings
-        # Every fourth view is a close-up: in each pose and print at times.
+        # Close-ups are 12 and 4 views apart: they are in each pose and print at times.
         scene = _shown(dataset, scene, worker, self.view + self.view // 4)
         rng = np.random.default_rng([settings.seed, 2, self.view])
         domain = dataset.manifest.domain

@@ -22,9 +22,9 @@ from rna_sdk.errors import CaptureError
 from rna_sdk.package.manifest.manifest_fields import Region
 
 LIT_FROM_BEHIND = (1, 3, 6)
-"""Of eight validation images; the second of them is a close-up."""
-CLOSE_UPS = (3,)
-"""Of four validation images."""
+"""Of eight validation images."""
+CLOSE_UPS = (3, 15)
+"""Of sixteen validation images; the first of them is lit from behind."""
 
 _FOV = np.radians(40.0)
 
@@ -45,7 +45,7 @@ def validation_rays(
 ) -> tuple[ViewRays, np.ndarray]:
     """A view's rays and which of them hit; drawn again while, as through a ring, hardly any do."""
     best: tuple[ViewRays, np.ndarray] | None = None
-    number, close_up = _place(view, 4, CLOSE_UPS)
+    number, close_up = _place(view, 16, CLOSE_UPS)
     u = spread_point(number, [settings.seed, 10, int(close_up)])
     for _ in range(50):
         rays = _camera_rays(scene, settings, wo, close_up, u)
