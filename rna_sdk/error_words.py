@@ -1,4 +1,4 @@
-"""An asset's error in words: the table of docs/error-in-words.md."""
+"""An asset's error and albedo in words: docs/error-in-words.md."""
 
 from __future__ import annotations
 
@@ -20,3 +20,9 @@ def error_in_words(flip: float) -> str:
 def error_text(flip: float, p95: float) -> str:
     """Mean and 95th percentile of the FLIP of an asset's pixels, in figures and words."""
     return f"FLIP {flip:.3f}, 95th percentile {p95:.2f} ({error_in_words(flip)})"
+
+
+def albedo_text(ratio: float, grazing: float | None) -> str:
+    """Light returned from a white world over Cycles', of all and of grazing views, in words."""
+    text = f"reflects {ratio:.0%} of the light that Cycles' asset does"
+    return text if grazing is None else f"{text}; {grazing:.0%} at grazing views"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -14,13 +15,19 @@ from rna_sdk.error_words import error_text
 DEFINITION = (
     "FLIP of the sRGB images over black, the asset's pixels alone, without the references' noise; "
     "mean over images, and 95th percentile of all these pixels; each image is exposed so that 95% "
-    "of the asset's pixels have a luminance below 0.8, at most 3 stops more than the brightest"
+    "of the asset's pixels have a luminance below 0.8, at most 3 stops more than three of four "
+    "images would be; those that would need 5 stops more are without light and do not count"
 )
 SHOWN_AT = 0.8
 """Displayed luminance, linear, of the 95th percentile of the asset's pixels in a picture."""
 
 MOST_STOPS = 3
-"""That a picture is exposed more than the brightest of its set: one lit from behind shows a rim."""
+"""That a picture is exposed more than the typical one of its set: from behind it shows a rim."""
+
+UNLIT_STOPS = 5
+"""That a picture is darker than the typical one of its set and counts as one without light."""
+
+_TYPICAL = 75.0  # percentile of a set's levels: neither bright close-ups nor dark backs rule it
 
 _POWER = 2.0 / 0.7  # FLIP is a colour distance to the power 0.7 (Andersson et al. 2020, q_c)
 _LEAST = 0.25  # of FLIP with noise, which the extrapolation cannot tell from nothing
@@ -34,15 +41,24 @@ class AssetFlip:
     Attributes:
         mean: mean over images of the mean over the asset's pixels.
         p95: 95th percentile of the asset's pixels of all images.
-        images: how many there are.
+        images: how many there are, without those of `unlit`.
+        unlit: images without light, which do not count.
     """
 
     mean: float
     p95: float
     images: int
+    unlit: int = 0
 
     def __str__(self) -> str:
         return error_text(self.mean, self.p95)
+
+
+class Exposure(NamedTuple):
+    """Of one picture of a set: `factor`, for `metrics.display`, and whether the picture is lit."""
+
+    factor: float
+    is_lit: bool = True
 
 
 @dataclass(frozen=True)
@@ -78,15 +94,18 @@ class ImageFlip:
         return without_noise(float(self.errors.mean()), float(self.noisier.mean()))
 
 
-def asset_flip(images: Sequence[ImageFlip]) -> AssetFlip:
-    """The error over images; those without a pixel of the asset are left out."""
+def asset_flip(images: Sequence[ImageFlip], unlit: int = 0) -> AssetFlip:
+    """The error over images; those without a pixel of the asset are left out.
+
+    unlit: how many further images are without light.
+    """
     shown = [image for image in images if len(image.errors)]
     if not shown:
-        return AssetFlip(0.0, 0.0, 0)
+        return AssetFlip(0.0, 0.0, 0, unlit)
     both = [image.errors for image in shown], [image.noisier for image in shown]
     mean = without_noise(*(float(np.mean([rows.mean() for rows in of])) for of in both))
     p95 = without_noise(*(float(np.percentile(np.concatenate(of), 95.0)) for of in both))
-    return AssetFlip(mean, p95, len(shown))
+    return AssetFlip(mean, p95, len(shown), unlit)
 
 
 def without_noise(error: float, noisier: float) -> float:
@@ -104,16 +123,17 @@ def luminance_level(reference: np.ndarray) -> float:
     return float(np.percentile(reference @ LUMINANCE, 95.0)) if len(reference) else 0.0
 
 
-def scene_exposure(level: float, brightest: float) -> float:
-    """Exposure of an image, for `metrics.display`; 1 where all is black.
+def scene_exposures(levels: Sequence[float]) -> list[Exposure]:
+    """Exposures of a set of pictures: see `DEFINITION`; of 1 where all are black.
 
-    level: `luminance_level` of its reference. brightest: the largest of its set of images.
+    levels: `luminance_level` of each picture's reference.
     """
-    level = max(level, brightest / 2.0**MOST_STOPS)
-    return SHOWN_AT / (IRRADIANCE * level) if level > 0.0 else 1.0
-
-
-def scene_exposures(references: Sequence[np.ndarray]) -> list[float]:
-    """Of each image of a set, whose references are (n, 3) radiance of the asset's pixels."""
-    levels = [luminance_level(reference) for reference in references]
-    return [scene_exposure(level, max(levels)) for level in levels]
+    lit = [level for level in levels if level > 0.0]
+    if not lit:
+        return [Exposure(1.0)] * len(levels)
+    typical = float(np.percentile(lit, _TYPICAL))
+    least = typical / 2.0**MOST_STOPS
+    return [
+        Exposure(SHOWN_AT / (IRRADIANCE * max(level, least)), level > typical / 2.0**UNLIT_STOPS)
+        for level in levels
+    ]

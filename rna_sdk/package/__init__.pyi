@@ -27,6 +27,7 @@ from .manifest.manifest_model import Part as Part
 from .manifest.manifest_model import Provenance as Provenance
 from .manifest.manifest_model import TransmittanceRecord as TransmittanceRecord
 from .manifest.manifest_tiers import Agreement as Agreement
+from .manifest.manifest_tiers import Albedo as Albedo
 from .manifest.manifest_tiers import Cost as Cost
 from .manifest.manifest_tiers import FlipAtHeight as FlipAtHeight
 from .manifest.manifest_tiers import Tier as Tier

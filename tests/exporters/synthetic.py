@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -78,6 +79,7 @@ def make_dataset(
         write_parts(dataset.train_path(shard), {"asset": samples_of_light(rng, wi)})
     for view in range(views):
         write_view(dataset, view, rng)
+    write_parts(dataset.white_path, {"asset": white_samples()})
     return dataset.only
 
 
@@ -96,6 +98,19 @@ def transport(n: np.ndarray, wo: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray
 def samples_of_light(rng: np.random.Generator, wi: np.ndarray) -> dict[str, np.ndarray]:
     """Samples at random points, seen from random directions, one for each wi (n, 3)."""
     return _samples(*_seen(rng, len(wi)), wi)
+
+
+@cache
+def white_samples() -> dict[str, np.ndarray]:
+    """Samples of some rays in a white world, with uniform directions."""
+    rng = np.random.default_rng(17)
+    n, wo = _seen(rng, 128)
+    every = [np.tile(wi, (len(n), 1)) for wi in unit_vectors(rng, 2000)]
+    white = 4.0 * np.pi * np.mean([transport(n, wo, wi)[0] for wi in every], axis=0)
+    pieces = [_samples(n, wo, wi) for wi in every[:64]]
+    samples = {name: np.concatenate([piece[name] for piece in pieces]) for name in pieces[0]}
+    weight = np.full(len(samples["wi"]), 4.0 * np.pi, np.float32)
+    return {**samples, "radiance": np.tile(white.astype(np.float32), (64, 1)), "weight": weight}
 
 
 def _seen(rng: np.random.Generator, count: int) -> tuple[np.ndarray, np.ndarray]:

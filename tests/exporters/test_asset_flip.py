@@ -10,8 +10,10 @@ import pytest
 from rna_export.asset_flip import (
     MOST_STOPS,
     SHOWN_AT,
+    UNLIT_STOPS,
     ImageFlip,
     asset_flip,
+    luminance_level,
     scene_exposures,
     without_noise,
 )
@@ -48,14 +50,37 @@ def test_a_dim_picture_of_the_same_scene_has_the_same_error() -> None:
 
 
 def test_each_picture_is_exposed_but_a_rim_of_light_is_not_blown_up() -> None:
-    front, side, behind = 0.2 * texture(), 0.05 * texture(), 1e-3 * texture()
-    exposures = scene_exposures([front, side, behind])
-    for reference, e in zip((front, side), exposures, strict=False):
-        shown = display(reference, e) @ LUMINANCE
-        assert np.percentile(reference @ LUMINANCE * np.pi * e, 95) == pytest.approx(SHOWN_AT)
+    pictures = [k * texture() for k in (0.2, 0.2, 0.2, 0.05, 0.01)]
+    exposures = scene_exposures([luminance_level(picture) for picture in pictures])
+    for reference, e in zip(pictures[:4], exposures, strict=False):
+        shown = display(reference, e.factor) @ LUMINANCE
+        level = np.percentile(reference @ LUMINANCE * np.pi * e.factor, 95)
+        assert level == pytest.approx(SHOWN_AT) and e.is_lit
         assert shown.max() <= 1.0 + 1e-6
-    assert exposures[2] / exposures[0] == pytest.approx(2.0**MOST_STOPS)
-    assert scene_exposures([np.zeros((5, 3))]) == [1.0]
+    assert exposures[4].factor / exposures[0].factor == pytest.approx(2.0**MOST_STOPS)
+    assert exposures[4].is_lit  # within five stops
+    assert scene_exposures([0.0, 0.0]) == [(1.0, True)] * 2
+
+
+def test_one_bright_close_up_does_not_rule_the_others() -> None:
+    """As of the bundled toy: a highlight that fills one picture made all others black."""
+    views = [view_of(k * texture(j)) for j, k in enumerate((1.0, 0.8, 1.2, 0.9, 0.5, 0.7, 0.6))]
+    ours = [1.3 * view.reference for view in views]
+    close_up = view_of(200.0 * texture(9))
+    usual = asset_error(ours, views)
+    beside = asset_error([*ours, close_up.reference], [*views, close_up])
+    of_others = beside.mean * beside.images / usual.images  # the close-up is without error
+    assert (usual.images, beside.images) == (7, 8)
+    assert usual.mean > 0.05 and of_others == pytest.approx(usual.mean, rel=0.01)
+
+
+def test_pictures_without_light_do_not_count_and_are_told() -> None:
+    views = [view_of(texture(k)) for k in range(3)]
+    dark = view_of(0.9 * 2.0**-UNLIT_STOPS * texture(2))
+    ours = [1.3 * view.reference for view in views]
+    error = asset_error([*ours, np.zeros_like(dark.reference)], [*views, dark])
+    assert (error.images, error.unlit) == (3, 1)
+    assert error.mean == pytest.approx(asset_error(ours, views).mean, rel=1e-3)
 
 
 def test_background_does_not_count() -> None:
@@ -82,8 +107,8 @@ def test_noise_of_the_reference_is_not_counted(noise: float, error: float) -> No
 def test_a_perfect_model_is_very_good_under_noise() -> None:
     reference = texture()
     view = view_of(reference, noise=0.15)
-    (e,) = scene_exposures([reference])
-    assert flip(view.image(reference), view.image(view.reference), e)[0] > 0.035
+    (e,) = scene_exposures([luminance_level(reference)])
+    assert flip(view.image(reference), view.image(view.reference), e.factor)[0] > 0.035
     assert error_in_words(asset_error([reference], [view]).mean) == error_in_words(0.0)
 
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import torch
 
-from rna_export.asset_flip import ImageFlip, asset_flip, scene_exposures
+from rna_export.asset_flip import ImageFlip, asset_flip, luminance_level, scene_exposures
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.export.package_build import build_package
 from rna_export.export.rna_export import main
@@ -122,7 +122,8 @@ def test_the_error_of_small_images_is_recorded(exported: Exported, tier: str) ->
     assert (whole.height, half.height) == (24, 12)
     assert whole.flip == record.flip
     # Every second row and column of a picture that is twice as large, block by block.
-    exposures = scene_exposures([v.reference for v in views])
+    exposures = scene_exposures([luminance_level(v.reference) for v in views])
+    assert all(e.is_lit for e in exposures)
     flips = []
     for v, rows, e in zip(views, radiance, exposures, strict=True):
         images = [v.image(of) for of in (rows, np.ones_like(rows), *v.halves)]
@@ -130,7 +131,7 @@ def test_the_error_of_small_images_is_recorded(exported: Exported, tier: str) ->
         ours, covered, *halves = (
             sum(image[y::2, x::2] / 4 for y, x in corners) for image in images
         )
-        flips.append(ImageFlip.of(ours, np.stack(halves), covered[..., 0], e))
+        flips.append(ImageFlip.of(ours, np.stack(halves), covered[..., 0], e.factor))
     assert half.flip == pytest.approx(asset_flip(flips).mean, abs=1e-6)
 
 

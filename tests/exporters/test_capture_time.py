@@ -16,7 +16,13 @@ from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.capture_worker import CaptureWorker
 from rna_export.capture.capture_run import CaptureWorkers, finish
 from rna_export.capture.capture_settings import CaptureSettings
-from rna_export.capture.capture_tasks import TrainingShard, ValidationHalf, all_tasks
+from rna_export.capture.capture_tasks import (
+    Task,
+    TrainingShard,
+    ValidationHalf,
+    WhiteRays,
+    all_tasks,
+)
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.sample_files import write_parts
 from rna_export.capture.time_plan import TimeLimit, planned, shrunk
@@ -45,9 +51,8 @@ def clock(monkeypatch: pytest.MonkeyPatch) -> Clock:
 
 
 def seconds(settings: CaptureSettings, rate: float) -> tuple[float, float]:
-    """Of the validation images, and of training."""
-    images = settings.validation_views * settings.validation_paths
-    return images / rate, settings.lights * settings.rays * settings.samples / rate
+    """Of the validation images and the white world, and of training."""
+    return settings.held_out_paths / rate, settings.lights * settings.rays * settings.samples / rate
 
 
 @pytest.mark.parametrize(
@@ -143,12 +148,12 @@ class WithoutBlender(CaptureWorker):
 def test_a_slow_capture_ends_in_time(
     a_task: float, shards: int, dataset: Dataset, clock: Clock, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def run(task: TrainingShard | ValidationHalf, dataset: Dataset, *_: object) -> None:
-        clock.now += a_task
+    def run(task: Task, dataset: Dataset, *_: object) -> None:
+        clock.now += 0.0 if isinstance(task, WhiteRays) else a_task
         rays = 32 * dataset.manifest.settings.rays
         write_parts(task.path(dataset), {"asset": {"wo": np.zeros((rays, 3), np.float32)}})
 
-    for kind in (TrainingShard, ValidationHalf):
+    for kind in (TrainingShard, ValidationHalf, WhiteRays):
         monkeypatch.setattr(kind, "run", run)
     monkeypatch.setattr(run_module, "CaptureWorker", WithoutBlender)
     said: list[str] = []

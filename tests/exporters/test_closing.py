@@ -43,11 +43,12 @@ def darkened(part: DatasetPart, factor: float) -> DatasetPart:
 def test_little_work_is_told_and_warned_of(tmp_path: Path) -> None:
     part = make_dataset(tmp_path / "ball.rays")
     best = trained(part, tmp_path / "run")
-    score, warning = training_lines(best, part)
+    score, light, warning = training_lines(best, part)
     assert score.startswith("small: FLIP 0.") and score.endswith(
         "; 40 of 20,000 steps, 24 of 2,000 lights"
     )
     assert error_in_words(float(score.split()[2].rstrip(","))) in score
+    assert light.startswith("small: reflects ") and light.endswith("% at grazing views")
     assert warning.startswith(
         "warning: 40 of 20,000 steps and 24 of 2,000 lights, less than a tenth"
     )

@@ -13,7 +13,7 @@ import pytest
 from rna_export.asset_flip import ImageFlip
 from rna_export.capture.orientation import joined_axes, rotation
 from rna_export.compare.comparison_page import error_of, write_page
-from rna_export.compare.comparison_run import Pair, compare
+from rna_export.compare.comparison_run import Pair, Rendered, Timed, compare, judged
 from rna_export.compare.origin import Origin
 from rna_export.compare.views import Shot, shots
 from rna_export.metrics import NoiselessPsnr, psnr
@@ -30,15 +30,19 @@ MESH = Mesh(CORNERS, np.float32([[0, 1, 0]] * 4), None, np.uint32([[0, 1, 2], [0
 STRANDS = Curves(CORNERS, np.full(4, 0.02, np.float32), np.uint32([0, 2, 4]))
 
 
-def test_nine_pictures_three_cameras_by_three_lights() -> None:
+def test_three_cameras_by_three_suns_and_a_white_world() -> None:
     pictures = shots([MESH], 32)
-    assert len(pictures) == 9
+    assert len(pictures) == 12
     assert len({tuple(shot.eye) for shot in pictures}) == 3
-    assert all(abs(np.linalg.norm(shot.wi) - 1.0) < 1e-6 for shot in pictures)
+    assert [shot.is_white for shot in pictures] == 3 * [False, False, False, True]
+    suns = [shot.light for shot in pictures if not shot.is_white]
+    assert np.allclose(np.linalg.norm(suns, axis=1), 1.0, atol=1e-6)
+    assert pictures[3].name == "front, white world"
+    assert pictures[3].scene(TOY, 1).lights[0].type == "environment"
 
 
 def test_every_full_view_holds_the_whole_asset() -> None:
-    for shot in shots([MESH], 32)[:6]:
+    for shot in shots([MESH], 32)[:8]:
         local = np.c_[CORNERS, np.ones(4)] @ np.linalg.inv(shot.to_world).T
         extent = np.abs(local[:, :2]) / -local[:, 2:3]
         assert extent.max() < np.tan(np.radians(15.0))
@@ -46,7 +50,7 @@ def test_every_full_view_holds_the_whole_asset() -> None:
 
 def test_fibers_are_also_seen_so_near_that_a_strand_fills_a_sixteenth() -> None:
     pictures = shots([STRANDS], 32)
-    assert len(pictures) == 12
+    assert len(pictures) == 16
     distance = np.linalg.norm(pictures[-1].eye - pictures[-1].target)
     width = 2.0 * distance * np.tan(np.radians(15.0))
     assert width == pytest.approx(2.0 * 16.0 * 0.02, rel=0.1)
@@ -68,7 +72,8 @@ def test_front_and_up_turn_the_camera_and_keep_it_upright(frame: tuple[str, str]
         expected = np.eye(4)
         expected[:3, :3] = turn
         np.testing.assert_allclose(shot.to_world, expected @ usual.to_world, atol=1e-6)
-        np.testing.assert_allclose(shot.wi, turn @ usual.wi, atol=1e-12)
+        if not shot.is_white:
+            np.testing.assert_allclose(shot.light, turn @ usual.light, atol=1e-12)
 
 
 def test_front_and_up_along_one_axis_are_refused() -> None:
@@ -97,6 +102,37 @@ def test_the_page_holds_every_picture_and_its_numbers(tmp_path: Path) -> None:
     for name in ("0-ours.png", "1-cycles.png", "1-difference.png", "0-flip.png"):
         assert name in page
         assert (tmp_path / name).is_file()
+
+
+def test_the_light_of_a_white_world_is_on_the_page_and_no_part_of_the_error(tmp_path: Path) -> None:
+    sun, *_, white = (_pair(shot, k) for k, shot in enumerate(shots([MESH], 16)[:4]))
+    white = replace(white, ours=white.cycles / 3.0)
+    write_page(tmp_path, "a third", [sun, white], {})
+    results = json.loads((tmp_path / "results.json").read_text())
+    assert results["albedo"] == pytest.approx(1 / 3)
+    assert [p["albedo"] for p in results["pictures"]] == [None, pytest.approx(1 / 3)]
+    assert results["flip"] == pytest.approx(sun.flip.mean)
+    assert results["psnr"] == pytest.approx(sun.psnr)
+    assert "reflects 33% of the light" in (tmp_path / "index.html").read_text()
+    assert white.error.startswith("reflects 33% of the light")
+
+
+def test_one_bright_picture_does_not_rule_the_exposures_of_the_others() -> None:
+    suns = [shot for shot in shots([MESH], 8) if not shot.is_white]
+    rendered = [_rendered(shot, 0.1) for shot in suns]
+    before = judged(rendered[:8])
+    close_up = _rendered(suns[8], 50.0)
+    after = judged([*rendered[:8], close_up], before)
+    assert [pair.exposure for pair in after[:8]] == [pair.exposure for pair in before]
+    assert after[8].exposure == pytest.approx(before[0].exposure / 500.0)
+    dark = _rendered(suns[8], 0.001)
+    assert [pair.is_lit for pair in judged([*rendered[:8], dark], before)] == [True] * 8 + [False]
+
+
+def _rendered(shot: Shot, radiance: float) -> Rendered:
+    """A grey picture, ours a little brighter."""
+    cycles = np.full((2, 8, 8, 4), [radiance, radiance, radiance, 1.0], np.float32)
+    return Rendered(shot, Timed(1.2 * cycles[0], 0.0), Timed(cycles, 0.0))
 
 
 def test_an_error_in_words_is_without_the_noise_of_cycles() -> None:
@@ -148,7 +184,7 @@ def test_images_are_announced_and_handed_over_one_by_one() -> None:
             begin=lambda k, n, shot: messages.append(f"{k} of {n}: {shot.name}"),
             done=lambda pairs: actual.append(len(pairs)),
         )
-    assert messages[0] == "1 of 9: front, key light" and len(messages) == 3
+    assert messages[0] == "1 of 12: front, key light" and len(messages) == 3
     assert actual == [1, 2]  # before Ctrl-C in the third
 
 

@@ -122,6 +122,8 @@ def _more(scale: float) -> Callable[[np.ndarray], np.ndarray]:
         ("validation", "asset/pixel", lambda v: v + 24 * 24),
         ("validation", "asset/pixel", lambda v: v - 1000),
         ("validation", "asset/pixel", lambda v: v.astype(np.float32)),
+        ("validation", "asset/weight", _more(1e30)),
+        ("validation", "asset/weight", lambda v: v[:, None] * np.ones(3)),
         ("geometry", "triangles", lambda v: v + np.uint32(100_000)),
         ("geometry", "positions", _more(1e20)),
         ("geometry", "normals", _more(0.0)),
@@ -134,12 +136,15 @@ def test_arrays_of_strangers_are_refused_in_one_line(
 ) -> None:
     for path in (dataset.folder / folder).iterdir():
         arrays = load_file(path)
-        write_arrays(path, {**arrays, name: change(arrays[name])})
+        if name in arrays:
+            write_arrays(path, {**arrays, name: change(arrays[name])})
     read = {
         "train": dataset.only.training_samples,
         "validation": dataset.only.validation_views,
         "geometry": dataset.only.geometry,
     }[folder]
+    if name == "asset/weight":
+        read = dataset.only.white_view
     with pytest.raises(CaptureError, match=r"\.safetensors: damaged \(") as refused:
         read()
     assert "\n" not in str(refused.value)

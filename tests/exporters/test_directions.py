@@ -3,7 +3,7 @@ import pytest
 
 from rna_export.capture.rays.capture_directions import (
     around,
-    direction_behind,
+    direction_seen_from,
     frame,
     light_direction,
     reflect,
@@ -40,11 +40,25 @@ def test_lights_are_spread_at_any_count(count: int, domain: str) -> None:
 
 def test_a_light_from_behind_is_opposite_or_as_far_as_there_is_one() -> None:
     above = np.array([0.0, 2.0, 0.0])
-    lights = [direction_behind("sphere", above, np.random.default_rng(k)) for k in range(50)]
+    lights = [seen_from("sphere", above, True, k / 50, k) for k in range(50)]
     assert max(light[1] for light in lights) <= -0.5
     assert np.ptp(lights, axis=0).min() > 0.4  # not one and the same
-    horizon = direction_behind("hemisphere", above, np.random.default_rng(0))
+    horizon = seen_from("hemisphere", above, True, 0.5, 0)
     assert 0.0 <= horizon[1] < 0.1
+
+
+def test_lights_seen_from_the_front_have_angles_spread_evenly() -> None:
+    above = np.array([0.0, 2.0, 0.0])
+    height = np.array([seen_from("sphere", above, False, k / 50, k)[1] for k in range(50)])
+    assert height.min() > -0.5
+    expected = np.linspace(-0.5, 1.0, 50)  # equal areas
+    assert np.abs(height - expected).max() < 0.25  # by chance alone it would be up to 1.5
+    assert np.abs(height - expected).mean() < 0.06
+
+
+def seen_from(region: str, eye: np.ndarray, behind: bool, rank: float, seed: int) -> np.ndarray:
+    """A light by its angle to the eye."""
+    return direction_seen_from(region, eye, behind, rank, np.random.default_rng(seed))
 
 
 def test_lights_depend_on_the_seed() -> None:

@@ -48,6 +48,7 @@ HALF_ANGLE = "`halfAngle` from 0 to the binary64 3.141592653589793"
 AXIS = "`axis` of length 1 within 0.001"
 ENTRY = "`digest` the SHA-256 (FIPS 180-4) of the data as 64 lower-case hex digits"
 HEIGHTS = "each height below the one before"
+ALBEDO = "`ratio`, and optionally `facing`, `at60` and `at80`, numbers of 0 or more"
 TABLE_OF_ERRORS = "Where the array is left out or empty, `flip` of `validation` is the error"
 FREE = "and within `extras`, `extensions` and the two free objects"
 CHARACTERS = "and may contain any character, including U+0000"
@@ -90,6 +91,10 @@ VALUES = [
         "*FIELD_VALUE",
         HEIGHTS,
     ),
+    ("/tiers/0/validation", VALIDATION + ', "albedo": {"ratio": 0}}', "", ALBEDO),
+    ("/tiers/0/validation", VALIDATION + ', "albedo": {"ratio": 1, "at80": 2.5}}', "", ALBEDO),
+    ("/tiers/0/validation", VALIDATION + ', "albedo": {"at80": 1}}', "FIELD_MISSING", ALBEDO),
+    ("/tiers/0/validation", VALIDATION + ', "albedo": {"ratio": -1}}', "FIELD_VALUE", ALBEDO),
     ("/version", '"2.0"', "", "This is version 2.0."),
     ("/version", '"2.10"', "VERSION_TOO_NEW", "2.10 is greater than 2.9"),
     ("/version", '"10.0"', "VERSION_TOO_NEW", "Versions compare as two integers"),

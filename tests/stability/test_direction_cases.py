@@ -92,18 +92,37 @@ def test_a_lobe_has_its_peak_and_width() -> None:
 
 
 @pytest.mark.parametrize(
-    ("width", "peak", "passes"), [(1.0, 5.0, True), (2.0, 5.0, False), (1.0, 2.0, False)]
+    ("width", "peak", "albedo", "passes"),
+    [
+        (1.0, 5.0, 1.0, True),
+        (2.0, 5.0, 1.0, False),
+        (1.0, 2.0, 1.0, False),
+        (1.0, 5.0, 0.96, False),
+    ],
 )
-def test_a_wide_or_dim_highlight_fails(width: float, peak: float, passes: bool) -> None:
+def test_a_wide_dim_or_cut_highlight_fails(
+    width: float, peak: float, albedo: float, passes: bool
+) -> None:
     half = np.radians(np.linspace(-20.0, 20.0, 4001))
     row = {
         "material": "coat",
         "inputs": "ours",
         "psnr_in": 30.0,
+        "albedo": albedo,
+        "albedo_at80": None,
         **sharp.lobe_shape(half, lobe(half, width, peak), ""),
         **sharp.lobe_shape(half, lobe(half, 1.0, 5.0), "_cycles"),
     }
     assert sharp.judge([row]).passed == passes
+
+
+def test_a_model_that_cuts_its_highlights_returns_less(dataset: Dataset) -> None:
+    def cut(queries: Queries) -> tuple[np.ndarray, np.ndarray]:
+        return tuple(np.minimum(values, 0.2) for values in exact(queries))
+
+    whole, less = sharp.returned(exact, dataset), sharp.returned(cut, dataset)
+    assert whole["albedo"] == pytest.approx(1.0, abs=0.02)
+    assert less["albedo"] < 0.97
 
 
 def test_error_in_the_highlight_is_told_apart(dataset: Dataset) -> None:

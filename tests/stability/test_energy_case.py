@@ -19,8 +19,15 @@ def test_the_integral_of_a_diffuse_ball_is_its_albedo(albedo: float, passes: boo
     assert len(rows) == 100
     total = np.array([row["integral"] for row in rows])
     np.testing.assert_allclose(total, albedo, atol=0.005)
-    rows = [{"asset": "ball", **row, "integral": row["integral"] - 0.01} for row in rows]
+    of_ball = {"asset": "ball", "albedo": None}
+    rows = [{**of_ball, **row, "integral": row["integral"] - 0.01} for row in rows]
     assert energy.judge(rows).passed == passes
+
+
+@pytest.mark.parametrize(("albedo", "passes"), [(0.98, True), (0.96, False), (0.33, False)])
+def test_light_that_is_missing_fails(albedo: float, passes: bool) -> None:
+    verdict = energy.judge([{"asset": "ball", "albedo": albedo, "integral": 0.9}])
+    assert verdict.passed == passes and f"{albedo:.1%} of Cycles'" in verdict.found
 
 
 def test_visibility_may_have_a_colour(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -18,6 +18,7 @@ import numpy as np
 
 from rna_bench.bench_options import add_out
 from rna_bench.results import write_results
+from rna_export.albedo import albedo, white_views
 from rna_export.asset_flip import DEFINITION, AssetFlip
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.validation_view import WholeView
@@ -26,7 +27,7 @@ from rna_export.training.asset_error import asset_error, worse_error
 from rna_export.training.validation import mean_psnr
 from rna_sdk.error_words import error_in_words
 from rna_sdk.errors import RnaError
-from rna_sdk.package import Package, Tier
+from rna_sdk.package import Albedo, Package, Tier
 from rna_sdk.runtime import Asset, load
 
 Row = dict[str, Any]
@@ -60,12 +61,14 @@ def run(args: argparse.Namespace) -> None:
 
 def table(rows: Sequence[Row]) -> str:
     """Markdown."""
-    heads = ["asset, tier", "FLIP", "95th percentile", "in words", "PSNR", "ns/query"]
+    heads = ["asset, tier", "FLIP", "95th percentile", "in words", "light", "PSNR", "ns/query"]
     lines = [f"| {' | '.join(heads)} |", "| --- " * len(heads) + "|"]
     for row in rows:
         words = error_in_words(row["flip"]).partition(":")[0]
         ns = f"{row['ns_per_query']:.0f}" if row["ns_per_query"] else "not measured"
-        cells = [f"{row['flip']:.3f}", f"{row['flip_p95']:.2f}", words, f"{row['psnr']:.1f} dB", ns]
+        light = "not measured" if row["albedo"] is None else f"{row['albedo']['ratio']:.1%}"
+        error = f"{row['flip']:.3f}", f"{row['flip_p95']:.2f}", words
+        cells = [*error, light, f"{row['psnr']:.1f} dB", ns]
         lines.append(f"| {row['asset']}, `{row['tier']}` | " + " | ".join(cells) + " |")
     return "\n".join(lines)
 
@@ -96,7 +99,8 @@ def _recorded(path: Path, tier: Tier) -> Row:
     if validation is None or validation.flip_p95 is None:
         found = f"{path}: found no FLIP of the asset's pixels of tier {tier.name}"
         raise RnaError(f"{found}; export it again, or give --datasets")
-    return _figures(AssetFlip(validation.flip, validation.flip_p95, validation.images))
+    error = AssetFlip(validation.flip, validation.flip_p95, validation.images)
+    return {**_figures(error), "albedo": _albedo(validation.albedo)}
 
 
 def _measured(path: Path, tier: Tier, dataset: Dataset) -> Row:
@@ -114,7 +118,18 @@ def _measured(path: Path, tier: Tier, dataset: Dataset) -> Row:
             error = asset_error([radiance[k] for k in chosen], [views[k] for k in chosen])
             lit[name] = _figures(error)
     error = worse_error(radiance, views, emitted)
-    return {**_figures(error), "psnr": mean_psnr(radiance, views), **lit}
+    returned = None
+    if (white := white_views(dataset.parts)) is not None:
+        pairs = zip(asset.parts, white, strict=True)
+        returned = albedo((view.shaded_by(part), view) for part, view in pairs)
+    psnr = mean_psnr(radiance, views)
+    return {**_figures(error), "albedo": _albedo(returned), "psnr": psnr, **lit}
+
+
+def _albedo(returned: Albedo | None) -> Row | None:
+    if returned is None:
+        return None
+    return {name: round(ratio, 4) for name, ratio in returned.model_dump().items()}
 
 
 def _figures(error: AssetFlip) -> Row:

@@ -79,7 +79,7 @@ def shown(package: Path, dataset: Dataset) -> list[np.ndarray]:
         parts = zip(view.parts, asset.parts, strict=True)
         ours = np.concatenate([part.shaded_by(part_asset) for part, part_asset in parts])
         for radiance in (ours, view.reference):
-            pictures.append(to_png(view.image(radiance), exposure))
+            pictures.append(to_png(view.image(radiance), exposure.factor))
     return pictures
 
 

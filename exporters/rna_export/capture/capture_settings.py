@@ -12,6 +12,8 @@ MAX_LIGHTS = 1_000_000
 """Far above what is useful: a manifest with more would take forever to look through."""
 MAX_FRAME = 1_048_574
 """That Blender knows."""
+WHITE_RAYS = 2048
+"""In a white world: what an asset returns of it is known within a percent."""
 _MAX_POSES = 32
 _SHARDS = 32  # at least, where there are as many lights
 _MAX_RAYS, _MAX_SAMPLES, _MAX_VIEWS, _MAX_SIDE = 1 << 24, 1 << 20, 1000, 8192
@@ -95,13 +97,13 @@ class CaptureSettings(DatasetModel):
         "one model is trained on all of them",
     )
     validation_views: int = Field(
-        8, ge=1, le=_MAX_VIEWS, description="validation images, held out from training"
+        128, ge=1, le=_MAX_VIEWS, description="validation images, held out from training"
     )
     validation_resolution: int = Field(
-        160, gt=0, le=_MAX_SIDE, description="width and height of validation images, pixels"
+        64, gt=0, le=_MAX_SIDE, description="width and height of validation images, pixels"
     )
     validation_samples: int = Field(
-        512,
+        176,
         ge=2,
         le=_MAX_SAMPLES,
         description="paths per pixel of validation images, in two independent halves",
@@ -144,6 +146,16 @@ class CaptureSettings(DatasetModel):
         """Paths of one validation image, estimated for 40% coverage."""
         return int(0.4 * self.validation_resolution**2 * self.validation_samples)
 
+    @property
+    def white_paths(self) -> int:
+        """Paths of the rays in a white world: of each as many as of half a validation image's."""
+        return WHITE_RAYS * (self.validation_samples // 2)
+
+    @property
+    def held_out_paths(self) -> int:
+        """Paths of all that a training does not see, without emission."""
+        return self.validation_views * self.validation_paths + self.white_paths
+
     @classmethod
     def usual(cls, kind: str, **given: object) -> CaptureSettings:
         """The defaults for "surface", "fiber" or "both", overridden by `given`."""
@@ -156,8 +168,9 @@ _FIBERS = {
     "samples": 2,
     "rays": 16384,
     "lights": 1500,
-    "validation_resolution": 128,
-    "validation_samples": 256,
+    "validation_views": 48,
+    "validation_resolution": 96,  # a pixel of their pictures is 4 x 4 rays
+    "validation_samples": 72,
     "lights_per_shard": 8,
 }
 _DEFAULTS = {"fiber": _FIBERS, "both": {**_FIBERS, "samples": 4, "rays": 12288}}

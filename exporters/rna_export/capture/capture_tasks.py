@@ -10,29 +10,20 @@ from typing import Any
 import numpy as np
 
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
-from rna_export.capture.capture_settings import CaptureSettings
+from rna_export.capture.blender_process.lighting import WhiteWorld
+from rna_export.capture.capture_settings import WHITE_RAYS
 from rna_export.capture.dataset.dataset_folder import Dataset
-from rna_export.capture.dataset.dataset_manifest import emission_fields
+from rna_export.capture.dataset.dataset_manifest import emission_fields, white_fields
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.sample_files import joined, write_parts
 from rna_export.capture.rays.asset_scene import AssetScene, PartRows, ShadePoints
-from rna_export.capture.rays.capture_directions import (
-    direction_behind,
-    directions_in,
-    light_direction,
-)
+from rna_export.capture.rays.capture_directions import light_direction
 from rna_export.capture.rays.traced_rays import TracedRays
-from rna_export.capture.rays.view_rays import ViewRays, sample_view_rays
-from rna_render import Camera
-from rna_render.scene import CameraModel
-from rna_sdk.errors import CaptureError
-from rna_sdk.package.manifest.manifest_fields import Region
+from rna_export.capture.rays.validation_camera import validation_light, validation_rays
+from rna_export.capture.rays.view_rays import ViewRays, hitting_rays, sample_view_rays
+from rna_sdk.runtime import in_region
 
 _RAYS_A_RENDER = 65536  # of a validation image; keeps ray images small
-_VALIDATION_FOV = np.radians(40.0)
-
-LIT_FROM_BEHIND = (1, 3, 6)
-"""Of eight validation images; the second of them is a close-up."""
 
 _DIRECTIONS = ("wo", "wi")
 
@@ -99,17 +90,12 @@ class ValidationHalf:
 
     def run(self, dataset: Dataset, scene: AssetScene, worker: BlenderWorker) -> None:
         settings = dataset.manifest.settings
-        # Every fourth view is a close-up: in each pose and print at times.
+        # Close-ups are 12 and 4 views apart: they are in each pose and print at times.
         scene = _shown(dataset, scene, worker, self.view + self.view // 4)
         rng = np.random.default_rng([settings.seed, 2, self.view])
         domain = dataset.manifest.domain
-        wi = directions_in(domain.wi, rng.random((1, 2)))[0]
-        rays, hit = _validation_rays(scene, settings, domain.wo, self.view, rng)
-        if self.view % 8 in LIT_FROM_BEHIND:
-            turns = np.random.default_rng([settings.seed, 8, self.view])
-            wi = direction_behind(domain.wi, -rays.directions.mean(axis=0), turns)
-        if self.emission:
-            wi = None
+        rays, hit = validation_rays(scene, settings, domain.wo, self.view, rng)
+        wi = None if self.emission else validation_light(settings.seed, domain.wi, self.view, rays)
         samples = settings.validation_samples // 2
         noise = np.random.default_rng([settings.seed, 3 + self.emission, self.view, self.half])
         seed = int(noise.integers(2**31))
@@ -149,7 +135,31 @@ class EmissionShard:
         write_parts(self.path(dataset), _all_rows(pieces))
 
 
-Task = TrainingShard | ValidationHalf | EmissionShard
+@dataclass(frozen=True)
+class WhiteRays:
+    """Rays from outside in a white world, with samples of its light: see `WhiteView`."""
+
+    def __str__(self) -> str:
+        return "rays in a white world"
+
+    def path(self, dataset: Dataset) -> Path:
+        return dataset.white_path
+
+    def paths_to_trace(self, dataset: Dataset) -> int:
+        return dataset.manifest.settings.white_paths
+
+    def run(self, dataset: Dataset, scene: AssetScene, worker: BlenderWorker) -> None:
+        manifest, pieces = dataset.manifest, []
+        looks = manifest.pose_count * len(manifest.prints)
+        for look in range(looks):
+            rng = np.random.default_rng([manifest.settings.seed, 11, look])
+            shown = _shown(dataset, scene, worker, look)
+            rays = hitting_rays(shown, -(-WHITE_RAYS // looks), manifest.domain.wo, rng)
+            pieces += _capture_white(dataset, shown, worker, rays, rng)
+        write_parts(self.path(dataset), _all_rows(pieces))
+
+
+Task = TrainingShard | ValidationHalf | EmissionShard | WhiteRays
 
 
 def all_tasks(dataset: Dataset) -> list[Task]:
@@ -159,6 +169,7 @@ def all_tasks(dataset: Dataset) -> list[Task]:
     glowing = range(manifest.emission_images)
     return [
         *(ValidationHalf(view, half) for view in views for half in (0, 1)),
+        WhiteRays(),  # of as many paths: Blender starts anew for another number
         *(ValidationHalf(view, half, emission=True) for view in glowing for half in (0, 1)),
         *(EmissionShard(k) for k in range(manifest.emission_shards)),
         *(TrainingShard(k) for k in range(manifest.shards)),
@@ -224,6 +235,42 @@ def _capture(
     }
 
 
+def _capture_white(
+    dataset: Dataset,
+    scene: AssetScene,
+    worker: BlenderWorker,
+    rays: ViewRays,
+    rng: np.random.Generator,
+) -> list[Samples]:
+    """The rays' radiance in a white world, once with each of the `LIGHTS` directions of a ray.
+
+    Light from outside of the domain is neither in the world nor, by a weight of 0, in the samples.
+    """
+    region, cutouts = dataset.manifest.domain.wi, dataset.manifest.opaque_cutouts
+    seed, wo = int(rng.integers(2**31)), -rays.directions
+    samples = dataset.manifest.settings.validation_samples // 2
+    traced = TracedRays.of(scene, worker, rays, WhiteWorld(region), samples, seed, rng, cutouts)
+    on_parts, pieces = traced.points.on, []
+    lights = [
+        shape.light_samples(on.points, wo[on.rows], rng)
+        for shape, on in zip(scene.shapes, on_parts, strict=True)
+    ]
+    for of_parts in zip(*lights, strict=True):
+        wi, weight = np.zeros_like(wo), np.zeros(len(wo), np.float32)
+        for on, one in zip(on_parts, of_parts, strict=True):
+            wi[on.rows] = one.wi
+            weight[on.rows] = in_region(region, one.wi) / one.pdf
+        of_ray = {"wo": wo, "radiance": traced.radiance, "weight": weight}
+        of_ray |= {"wi": wi, "visible": _visibility(scene, traced.points, wi)}
+        pieces.append(
+            {
+                part.name: _selected(on, traced.valid, of_ray, white_fields(part.fields))
+                for part, on in zip(dataset.parts, on_parts, strict=True)
+            }
+        )
+    return pieces
+
+
 def _fields(part: DatasetPart, wi: np.ndarray | None) -> Iterable[str]:
     return emission_fields(part.kind) if wi is None else part.fields
 
@@ -235,9 +282,13 @@ def _of_light(
     if wi is None:
         return {}
     rows = np.ascontiguousarray(np.broadcast_to(wi.astype(np.float32), points.position.shape))
-    visible = scene.visible(points, rows)
-    scale = 255 if scene.transmits else 1
-    return {"wi": rows, "visible": np.round(scale * visible.astype(np.float32)).astype(np.uint8)}
+    return {"wi": rows, "visible": _visibility(scene, points, rows)}
+
+
+def _visibility(scene: AssetScene, points: ShadePoints, wi: np.ndarray) -> np.ndarray:
+    """Visibility along wi (n, 3), as samples record it: uint8, 255 times one with colours."""
+    visible = scene.visible(points, wi).astype(np.float32)
+    return np.round((255 if scene.transmits else 1) * visible).astype(np.uint8)
 
 
 def _selected(
@@ -249,52 +300,3 @@ def _selected(
         rows = on.fields[name] if name in on.fields else of_ray[name][on.rows]
         result[name] = (on.at_rest(rows) if name in _DIRECTIONS else rows)[selected]
     return result
-
-
-def _validation_rays(
-    scene: AssetScene, settings: CaptureSettings, wo: Region, view: int, rng: np.random.Generator
-) -> tuple[ViewRays, np.ndarray]:
-    """A view's rays and which of them hit; drawn again while, as through a ring, hardly any do."""
-    best: tuple[ViewRays, np.ndarray] | None = None
-    for _ in range(50):
-        rays = _validation_camera(scene, settings, wo, view, rng)
-        hit = np.flatnonzero(scene.part_hit(rays.origins, rays.directions) >= 0)
-        if len(hit) > 0.01 * len(rays):
-            return rays, hit
-        if len(hit) and (best is None or len(hit) > len(best[1])):
-            best = rays, hit
-    if best is None:
-        raise CaptureError(f"validation view {view}: found no camera position that sees the asset")
-    return best  # of a wire, which is never more than a few pixels
-
-
-def _validation_camera(
-    scene: AssetScene, settings: CaptureSettings, wo: Region, view: int, rng: np.random.Generator
-) -> ViewRays:
-    """Rays through the pixel centres of a pinhole camera; every fourth view is a close-up."""
-    region, fov = _camera_region(wo)
-    axis = directions_in(region, rng.random((1, 2)))[0].astype(np.float64)
-    zoom = 0.35 if view % 4 == 3 else 1.0
-    model = CameraModel(
-        position=tuple(scene.centre + axis * scene.radius / np.sin(fov / 2)),
-        look_at=tuple(scene.centre.astype(np.float64)),
-        vertical_fov_deg=np.degrees(2.0 * np.arctan(zoom * np.tan(fov / 2))),
-    )
-    n = settings.validation_resolution
-    camera = Camera(model, (n, n))
-    d = camera.directions(np.arange(n * n, dtype=np.uint32), np.full((n * n, 2), 0.5))
-    return ViewRays(np.tile(camera.position, (n * n, 1)), d)
-
-
-def _camera_region(wo: Region) -> tuple[Region, float]:
-    """Region of the validation cameras' axes, and their field of view.
-
-    Of cones, so that what the images see of the asset is seen from inside: half of a cone's angle
-    is the axis's, the other half the image's.
-    """
-    if isinstance(wo, str):
-        return wo, _VALIDATION_FOV
-    narrowest = min(cone.half_angle for cone in wo)
-    fov = min(_VALIDATION_FOV, narrowest)
-    inner = (c.model_copy(update={"half_angle": c.half_angle - fov / 2.0}) for c in wo)
-    return tuple(inner), fov

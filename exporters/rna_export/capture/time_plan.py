@@ -14,7 +14,7 @@ LEAST_LIGHTS, LEAST_IMAGES = 16, 2
 IMAGE_SHARE = 0.15
 """Of the time, for validation images at most."""
 _PLANNED_SHARE = 0.12  # so that a machine that slows down stays below
-_LEAST_RESOLUTION, _LEAST_SAMPLES = 48, 16
+_LEAST_RESOLUTION, _LEAST_SAMPLES, _LEAST_VIEWS = 48, 16, 16
 _LEAST_RAYS = 1024  # of a light, of surfaces
 _DAY = 24 * 60  # minutes
 
@@ -75,7 +75,7 @@ def _fitting(
     images: paths of validation images at most.
     """
     settings = with_smaller_images(settings, images, given)
-    left = max(paths, 0.0) - settings.validation_views * settings.validation_paths
+    left = max(paths, 0.0) - settings.held_out_paths
     return settings, min(int(left / (settings.rays * settings.samples)), MAX_LIGHTS)
 
 
@@ -93,17 +93,20 @@ def _enough_minutes(
 
 def shrunk(before: CaptureSettings, after: CaptureSettings) -> str | None:
     """Note about reduced validation images; None if they are unchanged."""
-    if before.validation_paths == after.validation_paths:
+    if before.held_out_paths == after.held_out_paths:
         return None
     return (
-        f"validation images of {_image(after)} instead of {_image(before)}, "
+        f"{_images(after)} instead of {_images(before)}, "
         f"to leave {1.0 - IMAGE_SHARE:.0%} of the minutes to rays and training"
     )
 
 
-def _image(settings: CaptureSettings) -> str:
+def _images(settings: CaptureSettings) -> str:
     side = settings.validation_resolution
-    return f"{side}x{side} with {settings.validation_samples} paths a pixel"
+    return (
+        f"{settings.validation_views} validation images of {side}x{side} with "
+        f"{settings.validation_samples} paths a pixel"
+    )
 
 
 def with_smaller_images(
@@ -112,19 +115,24 @@ def with_smaller_images(
     """Settings with validation images of at most so many paths, all together.
 
     They have fewer pixels and fewer paths a pixel, each by the same factor as far as both may
-    shrink; settings by name that were `given` stay.
+    shrink. Where that is not enough, there are fewer of them: by fewer than 16 an error depends on
+    their luck. Settings by name that were `given` stay.
     """
-    factor = most_paths / (settings.validation_views * settings.validation_paths)
-    if factor >= 1.0:
+
+    def share() -> float:
+        return most_paths / settings.held_out_paths
+
+    def changed(name: str, value: int) -> CaptureSettings:
+        return settings if name in given else settings.model_copy(update={name: value})
+
+    if share() >= 1.0:
         return settings
     side, samples = settings.validation_resolution, settings.validation_samples
-    if "validation_resolution" not in given:
-        both = "validation_samples" not in given
-        smaller = side * factor ** (0.25 if both else 0.5)
-        side = min(side, max(_LEAST_RESOLUTION, 8 * int(smaller / 8)))
-        settings = settings.model_copy(update={"validation_resolution": side})
-    if "validation_samples" not in given:
-        factor = most_paths / (settings.validation_views * settings.validation_paths)
-        samples = min(samples, max(_LEAST_SAMPLES, 2 * int(samples * factor / 2)))
-        settings = settings.model_copy(update={"validation_samples": samples})
-    return settings
+    smaller = side * share() ** (0.5 if "validation_samples" in given else 0.25)
+    least = max(_LEAST_RESOLUTION, 8 * int(smaller / 8))
+    settings = changed("validation_resolution", min(side, least))
+    least = max(_LEAST_SAMPLES, 2 * int(samples * share() / 2))
+    settings = changed("validation_samples", min(samples, least))
+    views = settings.validation_views
+    least = max(_LEAST_VIEWS, 8 * int(views * share() / 8))
+    return changed("validation_views", min(views, least))

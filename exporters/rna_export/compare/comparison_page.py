@@ -10,13 +10,13 @@ from pathlib import Path
 import numpy as np
 
 from rna_export.asset_flip import DEFINITION, AssetFlip, asset_flip
-from rna_export.compare.comparison_run import Pair
+from rna_export.compare.comparison_run import Pair, returned_light
 from rna_export.compare.origin import Origin
 from rna_export.html_pages import write_html
 from rna_export.metrics import PSNR_DEFINITION, WITHOUT_NOISE_DEFINITION, NoiselessPsnr
 from rna_export.pictures import comparison_sheet, pictures_of, write_picture
 from rna_sdk.atomic_file import write_atomically
-from rna_sdk.error_words import error_in_words, error_text
+from rna_sdk.error_words import albedo_text, error_in_words, error_text
 
 _NUMBERS = ("psnr", "coverage", "exposure", "seconds_ours", "seconds_cycles")
 
@@ -43,7 +43,7 @@ def write_page(
 ) -> None:
     """Write `index.html`, `results.json`, `sheet.png` and the single pictures into `folder`.
 
-    To be called again with more pairs: pictures of those before are not written again.
+    To be called again with more pairs, which may have changed the exposures of those before.
     """
     folder.mkdir(parents=True, exist_ok=True)
     shots, strips = [], []
@@ -51,9 +51,8 @@ def write_page(
         images = _images(pair)
         strips.append((list(images.values()), f"{pair.shot.name}: {pair.error}"))
         files = {kind: f"{number}-{kind}.png" for kind in images}
-        if number == len(pairs) - 1 or not all((folder / f).is_file() for f in files.values()):
-            for kind, image in images.items():
-                write_picture(folder / files[kind], image)
+        for kind, image in images.items():
+            write_picture(folder / files[kind], image)
         shots.append({"pair": pair, "files": files})
     summary = _summary(pairs)
     write_html(
@@ -64,11 +63,13 @@ def write_page(
         facts=_facts(made),
         doubt=made[3] if made else None,
         summary=summary,
-        clean=NoiselessPsnr.mean([pair.psnr_without_noise for pair in pairs]),
+        clean=NoiselessPsnr.mean([pair.psnr_without_noise for pair in _under_suns(pairs)]),
+        returned=returned_light(pairs),
         recorded=made[2].validation if made else None,
         error=error_of(pairs),
         recorded_error=_recorded(made),
         words=error_in_words,
+        light_text=albedo_text,
         date=datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC"),
         shots=shots,
         psnr_definition=PSNR_DEFINITION,
@@ -81,8 +82,14 @@ def write_page(
 
 
 def error_of(pairs: list[Pair]) -> AssetFlip:
-    """The asset's error over the pictures."""
-    return asset_flip([pair.flip for pair in pairs])
+    """The asset's error over the pictures under suns."""
+    suns = _under_suns(pairs)
+    lit = [pair.flip for pair in suns if pair.is_lit]
+    return asset_flip(lit, unlit=len(suns) - len(lit))
+
+
+def _under_suns(pairs: list[Pair]) -> list[Pair]:
+    return [pair for pair in pairs if not pair.shot.is_white]
 
 
 def _recorded(made: Made | None) -> str | None:
@@ -122,10 +129,16 @@ def _images(pair: Pair) -> dict[str, np.ndarray]:
 
 
 def _summary(pairs: list[Pair]) -> dict[str, object]:
-    clean = NoiselessPsnr.mean([pair.psnr_without_noise for pair in pairs])
-    means = {name: float(np.mean([getattr(pair, name) for pair in pairs])) for name in _NUMBERS}
-    error = error_of(pairs)
-    return {"flip": error.mean, "flip_p95": error.p95, **means, "psnr_without_noise": asdict(clean)}
+    """Means over the pictures under suns; `albedo` is of those in white worlds."""
+    suns, error = _under_suns(pairs), error_of(pairs)
+    clean = NoiselessPsnr.mean([pair.psnr_without_noise for pair in suns])
+    return {
+        "flip": error.mean,
+        "flip_p95": error.p95,
+        "albedo": returned_light(pairs),
+        **{name: float(np.mean([getattr(pair, name) for pair in suns])) for name in _NUMBERS},
+        "psnr_without_noise": asdict(clean),
+    }
 
 
 def _numbers(pairs: list[Pair]) -> list[dict[str, object]]:
@@ -133,6 +146,8 @@ def _numbers(pairs: list[Pair]) -> list[dict[str, object]]:
         {
             "name": p.shot.name,
             "flip": p.flip.mean,
+            "is_lit": p.is_lit,
+            "albedo": returned_light([p]),
             **{n: getattr(p, n) for n in _NUMBERS},
             "psnr_without_noise": asdict(p.psnr_without_noise),
         }

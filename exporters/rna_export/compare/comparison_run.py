@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 
-from rna_export.asset_flip import ImageFlip, luminance_level, scene_exposure
+from rna_export.asset_flip import Exposure, ImageFlip, luminance_level, scene_exposures
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.compare.views import FOV_Y, Frame, Shot, shots_of
 from rna_export.metrics import NoiselessPsnr, exposure_of, psnr, psnr_without_noise
 from rna_render import World, make_integrator, place_asset, render
+from rna_render.lights import LUMINANCE
+from rna_sdk.error_words import albedo_text
 from rna_sdk.runtime import Asset
 
 
@@ -26,8 +28,23 @@ class Timed:
 
 
 @dataclass(frozen=True)
+class Rendered:
+    """One picture, both ways, not compared yet; see `render_ours` and `render_cycles`."""
+
+    shot: Shot
+    ours: Timed
+    cycles: Timed
+
+    @property
+    def reference(self) -> np.ndarray:
+        """Radiance of the pixels that show the asset in Cycles, (n, 3)."""
+        mean = self.cycles.pixels.mean(axis=0)
+        return np.asarray(mean[mean[..., 3] > 0.0][:, :3])
+
+
+@dataclass(frozen=True)
 class Pair:
-    """One picture, both ways; radiance under irradiance 1."""
+    """One picture, both ways; radiance under irradiance 1, or in a white world."""
 
     shot: Shot
     ours: np.ndarray  # (h, w, 3) float32
@@ -39,13 +56,29 @@ class Pair:
     seconds_ours: float
     seconds_cycles: float
     exposure: float = 1.0  # that FLIP is of, and that it is shown at
+    is_lit: bool = True  # else its FLIP does not count
+
+    @property
+    def light(self) -> tuple[float, float]:
+        """Sums of luminance of both images, ours first; what is not the asset is black."""
+        ours, cycles = (float((image @ LUMINANCE).sum()) for image in (self.ours, self.cycles))
+        return ours, cycles
 
     @property
     def error(self) -> str:
-        """In words: FLIP and PSNR, neither with Cycles' noise."""
+        """In words: FLIP and PSNR, neither with Cycles' noise; of a white world its light, too."""
         clean = self.psnr_without_noise
         bound = "at least " if clean.high is None else ""
-        return f"FLIP {self.flip.mean:.3f}, PSNR {bound}{clean.db:.1f} dB"
+        text = f"FLIP {self.flip.mean:.3f}, PSNR {bound}{clean.db:.1f} dB"
+        if (returned := returned_light([self])) is not None:
+            text = f"{albedo_text(returned, None)}, {text}"
+        return text if self.is_lit else f"{text}; without light, it does not count"
+
+
+def returned_light(pairs: Sequence[Pair]) -> float | None:
+    """Our light over Cycles' in the pictures of white worlds; None of no such light."""
+    ours, cycles = np.sum([pair.light for pair in pairs if pair.shot.is_white] or [(0, 0)], axis=0)
+    return float(ours / cycles) if cycles > 0.0 else None
 
 
 def compare(
@@ -61,30 +94,40 @@ def compare(
 ) -> list[Pair]:
     """The standard shots, one after the other, each program's time its own.
 
-    FLIP is of each at the exposure of a scene, PSNR of all at that of the first. begin: gets the
-    number of an image, from 1, how many there are, and its shot. done: gets the images so far.
+    FLIP is of each at the exposure of a scene, PSNR under suns at that of the first. begin: gets
+    the number of an image, from 1, how many there are, and its shot. done: gets the images so far;
+    a new one may change the exposures of those before.
     """
     world = World([place_asset(asset, np.eye(4))])
     wanted = shots_of(asset, resolution, frame)
+    rendered: list[Rendered] = []
     pairs: list[Pair] = []
-    brightest, of_psnr = 0.0, 1.0
     for number, shot in enumerate(wanted, 1):
         begin(number, len(wanted), shot)
         ours = render_ours(shot, world, package, samples)
         cycles = render_cycles(shot, worker, cycles_samples, asset.emits)
-        reference = _covered(cycles)
-        level = luminance_level(reference)
-        brightest = max(brightest, level)  # the first, whose light is in front, or near it
-        of_psnr = of_psnr if pairs else exposure_of([reference])
-        pairs.append(judge(shot, ours, cycles, scene_exposure(level, brightest), of_psnr))
+        rendered.append(Rendered(shot, ours, cycles))
+        pairs = judged(rendered, pairs)
         done(pairs)
     return pairs
 
 
-def _covered(cycles: Timed) -> np.ndarray:
-    """Radiance of the pixels that show the asset, (n, 3)."""
-    mean = cycles.pixels.mean(axis=0)
-    return np.asarray(mean[mean[..., 3] > 0.0][:, :3])
+def judged(rendered: Sequence[Rendered], before: Sequence[Pair] = ()) -> list[Pair]:
+    """Pairs of all images so far, at the exposures of scenes: of suns, and of white worlds.
+
+    before: pairs of the first of them; those whose exposure stays the same are taken over.
+    """
+    of_suns = exposure_of([rendered[0].reference])
+    pairs: dict[int, Pair] = {}
+    for is_white in (False, True):
+        numbers = [k for k, one in enumerate(rendered) if one.shot.is_white == is_white]
+        levels = [luminance_level(rendered[k].reference) for k in numbers]
+        for k, exposure in zip(numbers, scene_exposures(levels), strict=True):
+            if k < len(before) and before[k].exposure == exposure.factor:
+                pairs[k] = replace(before[k], is_lit=exposure.is_lit)
+            else:
+                pairs[k] = judge(rendered[k], exposure, exposure.factor if is_white else of_suns)
+    return [pairs[k] for k in range(len(rendered))]
 
 
 def render_ours(shot: Shot, world: World, package: Path, samples: int) -> Timed:
@@ -102,7 +145,7 @@ def render_cycles(shot: Shot, worker: BlenderWorker, samples: int, emits: bool) 
     emits: whether its materials emit light.
     """
     start = time.perf_counter()
-    n, view = shot.resolution, (shot.to_world, FOV_Y, shot.wi)
+    n, view = shot.resolution, (shot.to_world, FOV_Y, shot.light)
     seeds = 2 * shot.number, 2 * shot.number + 1
     halves = np.stack(
         [worker.render_view(*view, samples // 2, seed, n, n, emits) for seed in seeds]
@@ -110,16 +153,24 @@ def render_cycles(shot: Shot, worker: BlenderWorker, samples: int, emits: bool) 
     return Timed(halves, time.perf_counter() - start)
 
 
-def judge(shot: Shot, ours: Timed, cycles: Timed, exposure: float, of_psnr: float) -> Pair:
-    """Compares the images of `render_ours` and `render_cycles`; of_psnr: the exposure of PSNRs."""
-    image, halves = ours.pixels, cycles.pixels
+def judge(rendered: Rendered, exposure: Exposure, of_psnr: float) -> Pair:
+    """Compares both images; of_psnr: the exposure of the PSNRs."""
+    image, halves = rendered.ours.pixels, rendered.cycles.pixels
     mean = halves.mean(axis=0, dtype=np.float32)
     covered = (image[..., 3] > 0.0) & (mean[..., 3] > 0.0)
     a, b = np.ascontiguousarray(image[..., :3]), np.ascontiguousarray(mean[..., :3])
     share = np.minimum(image[..., 3], mean[..., 3])
-    error = ImageFlip.of(a, np.ascontiguousarray(halves[..., :3]), share, exposure)
     of_halves = [half[covered][:, :3] for half in halves]
-    clean = psnr_without_noise(a[covered], of_halves[0], of_halves[1], of_psnr)
-    coverage = float(np.abs(image[..., 3] - mean[..., 3]).mean())
-    quality = error, psnr(a[covered], b[covered], of_psnr), clean, coverage
-    return Pair(shot, a, b, *quality, ours.seconds, cycles.seconds, exposure)
+    return Pair(
+        shot=rendered.shot,
+        ours=a,
+        cycles=b,
+        flip=ImageFlip.of(a, np.ascontiguousarray(halves[..., :3]), share, exposure.factor),
+        psnr=psnr(a[covered], b[covered], of_psnr),
+        psnr_without_noise=psnr_without_noise(a[covered], of_halves[0], of_halves[1], of_psnr),
+        coverage=float(np.abs(image[..., 3] - mean[..., 3]).mean()),
+        seconds_ours=rendered.ours.seconds,
+        seconds_cycles=rendered.cycles.seconds,
+        exposure=exposure.factor,
+        is_lit=exposure.is_lit,
+    )

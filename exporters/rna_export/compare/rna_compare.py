@@ -19,7 +19,8 @@ def parser() -> argparse.ArgumentParser:
         "Render a package with rna-run and its original with Cycles; write an HTML comparison.",
         "rna-compare helmet.rna helmet.gltf --out compare/helmet",
         epilog="Renders three cameras, one of them a close-up (hair alone: a fourth, of single "
-        "strands),\nunder three lights each. Arguments after -- are passed to a Python source.",
+        "strands),\nunder three suns and in a white world each. Arguments after -- are passed to a "
+        "Python\nsource.",
     )
     p.add_argument("package", type=Path, help="the package (path)")
     p.add_argument("source", type=Path, help="the model it was captured from (path)")
@@ -80,9 +81,10 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     from rna_export.capture.blender_process.blender_worker import BlenderWorker
     from rna_export.capture.blender_process.source_file import check_source
     from rna_export.compare.comparison_page import error_of, is_report, write_page
-    from rna_export.compare.comparison_run import Pair, compare
+    from rna_export.compare.comparison_run import Pair, compare, returned_light
     from rna_export.compare.origin import Origin
     from rna_sdk.cores import core_count
+    from rna_sdk.error_words import albedo_text
     from rna_sdk.runtime import load
 
     check_source(args.source)
@@ -139,6 +141,8 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     if doubt is not None:
         print(doubt)
     print(f"{origin.tier}: {error_of(pairs)}")
+    if (returned := returned_light(pairs)) is not None:
+        print(f"{origin.tier}: {albedo_text(returned, None)}, in a white world")
     print(f"wrote {args.out / 'index.html'}, {args.out / 'results.json'}, {args.out / 'sheet.png'}")
 
 

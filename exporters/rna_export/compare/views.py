@@ -8,9 +8,10 @@ from pathlib import Path
 
 import numpy as np
 
+from rna_export.capture.blender_process.lighting import WhiteWorld
 from rna_export.capture.orientation import rotation
 from rna_render import Camera
-from rna_render.scene import AssetModel, CameraModel, DirectionalModel, Scene
+from rna_render.scene import AssetModel, CameraModel, DirectionalModel, EnvironmentModel, Scene
 from rna_sdk.package import Curves, Mesh
 from rna_sdk.runtime import Asset, FiberAsset
 
@@ -21,7 +22,7 @@ USUAL: Frame = ("Z", "Y")
 FOV_Y = np.radians(30.0)
 _ORBITS = {"front": (35.0, 20.0, 1.0), "behind": (215.0, 30.0, 1.0), "close-up": (20.0, 25.0, 0.3)}
 """Name -> azimuth and elevation in degrees, and the part of the asset's size that is shown."""
-_LIGHTS = {"key": (40.0, 45.0), "side": (-80.0, 20.0), "back": (170.0, 35.0)}  # from the camera
+_SUNS = {"key": (40.0, 45.0), "side": (-80.0, 20.0), "back": (170.0, 35.0)}  # from the camera
 _STRANDS = 16.0  # radii of the thickest strand from the middle of its picture to the edge
 
 
@@ -31,16 +32,21 @@ class Shot:
 
     number: int  # among all standard ones; Cycles' seeds follow from it
     camera_name: str  # of _ORBITS, or "strands"
-    light_name: str
+    light_name: str  # "key light", ..., "white world"
     eye: np.ndarray  # (3,)
     target: np.ndarray  # (3,)
-    wi: np.ndarray  # (3,) unit, towards the light
+    light: np.ndarray | WhiteWorld  # (3,) unit, towards a sun of irradiance 1; or a world
     resolution: int
     up: np.ndarray  # (3,) unit
 
     @property
     def name(self) -> str:
-        return f"{self.camera_name}, {self.light_name} light"
+        return f"{self.camera_name}, {self.light_name}"
+
+    @property
+    def is_white(self) -> bool:
+        """Whether it is lit by a white world."""
+        return isinstance(self.light, WhiteWorld)
 
     @property
     def camera(self) -> CameraModel:
@@ -59,9 +65,12 @@ class Shot:
 
     def scene(self, package: Path, samples: int) -> Scene:
         """This picture as a scene of the renderer."""
-        light = DirectionalModel(
-            type="directional", direction=tuple(self.wi), irradiance=(1.0, 1.0, 1.0)
-        )
+        light: DirectionalModel | EnvironmentModel
+        if isinstance(self.light, WhiteWorld):
+            light = EnvironmentModel(type="environment", visible_to_camera=False)
+        else:
+            direction, white = tuple(self.light), (1.0, 1.0, 1.0)
+            light = DirectionalModel(type="directional", direction=direction, irradiance=white)
         return Scene(
             assets=(AssetModel(path=package),),
             camera=self.camera,
@@ -100,10 +109,23 @@ def shots(parts: Sequence[Mesh | Curves], resolution: int, frame: Frame = USUAL)
         if zoom < 1.0:  # look at what is nearest
             target = positions[np.argmax((positions - centre) @ wo)]
         eye = target + wo * zoom * 1.02 * radius / np.sin(FOV_Y / 2)
-        for light, (side, height) in _LIGHTS.items():
-            wi = turned @ _direction(azimuth + side, height)
-            up = turned[:, 1]
-            result.append(Shot(len(result), camera, light, eye, target, wi, resolution, up))
+        lights: dict[str, np.ndarray | WhiteWorld] = {
+            f"{light} light": turned @ _direction(azimuth + side, height)
+            for light, (side, height) in _SUNS.items()
+        }
+        for light_name, light in {**lights, "white world": WhiteWorld()}.items():
+            result.append(
+                Shot(
+                    number=len(result),
+                    camera_name=camera,
+                    light_name=light_name,
+                    eye=eye,
+                    target=target,
+                    light=light,
+                    resolution=resolution,
+                    up=turned[:, 1],
+                )
+            )
     return result
 
 

@@ -14,7 +14,7 @@ from rna_export.pictures import sheet_of
 from rna_export.training.checkpoint import Trained
 from rna_export.training.training_summary import Effort
 from rna_export.training.validation import reference_warnings, write_sheet
-from rna_sdk.error_words import error_text
+from rna_sdk.error_words import albedo_text, error_text
 from rna_sdk.glass_beside import glass_of
 from rna_sdk.package import Manifest, Tier
 from rna_sdk.runtime import Asset, load
@@ -23,7 +23,7 @@ from rna_sdk.runtime import Asset, load
 def closing_lines(
     package: Path, manifest: Manifest, trained: Sequence[Trained], dataset: Dataset
 ) -> list[str]:
-    """Error, steps and lights of each tier, warnings, and notes of the capture.
+    """Error, albedo, steps and lights of each tier, warnings, and notes of the capture.
 
     Writes the contact sheet `sheet_of(package)`: validation images of the default tier, and what
     the pre-flight said of each material.
@@ -38,6 +38,8 @@ def closing_lines(
     for tier in manifest.tiers:
         effort = next(e for p, e in efforts.items() if f"{tier.name}-".startswith(f"{p}-"))
         lines.append(f"{tier.name}: {_error_text(tier)}; {effort}")
+        if tier.validation is not None and (returned := tier.validation.albedo) is not None:
+            lines.append(f"{tier.name}: {albedo_text(returned.ratio, returned.at80)}")
     asset = load(package)
     shaded, notes = [_shaded(asset, view) for view in views], dataset.manifest.materials
     write_sheet(sheet_of(package), shaded, views, preflight_lines(notes))

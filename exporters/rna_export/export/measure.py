@@ -6,10 +6,17 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from rna_export.albedo import DEFINITION as ALBEDO_DEFINITION
+from rna_export.albedo import albedo
 from rna_export.asset_flip import DEFINITION
 from rna_export.brightness import brightness
 from rna_export.capture.dataset.asset_arguments import Arguments, rows_of
-from rna_export.capture.dataset.validation_view import EmissionView, WholeView, all_queries
+from rna_export.capture.dataset.validation_view import (
+    EmissionView,
+    WhiteView,
+    WholeView,
+    all_queries,
+)
 from rna_export.export.trained_tiers import TrainedTier
 from rna_export.machine import seconds_of
 from rna_export.metrics import PSNR_DEFINITION, plain, psnr, relative_mse
@@ -18,7 +25,7 @@ from rna_export.training.validation import exposure, mean_psnr, shade
 from rna_sdk.cores import core_count
 from rna_sdk.cpu import processor
 from rna_sdk.errors import ExportError
-from rna_sdk.package import Cost, FlipAtHeight, Tier, Validation
+from rna_sdk.package import Albedo, Cost, FlipAtHeight, Tier, Validation
 from rna_sdk.runtime import Asset, FiberAsset, SurfaceAsset
 
 Emitted = tuple[np.ndarray, EmissionView]
@@ -34,9 +41,13 @@ def measured(
     trained: TrainedTier,
     views: list[WholeView],
     emission: Sequence[Sequence[EmissionView]],
+    white: Sequence[WhiteView] | None,
     say: Callable[[str], None],
 ) -> Tier:
-    """The tier with its error and cost. asset: the tier, loaded. emission: views of each part."""
+    """The tier with its error and cost.
+
+    asset: the tier, loaded. emission: views of each part. white: of each part; None: no albedo.
+    """
     of_parts = [
         [
             part.shaded_by(part_asset)
@@ -53,7 +64,8 @@ def measured(
     ]
     validation = None
     if not plain([v.reference for v in views]):
-        validation = _validation(radiance, views, emitted)
+        returned = None if white is None else _albedo(asset, white)
+        validation = _validation(radiance, views, emitted, returned)
     light = brightness(
         zip(radiance, (v.reference for v in views), (v.visible for v in views), strict=True)
     )
@@ -66,6 +78,11 @@ def measured(
         + f"{tier.name}: {cost.ns_per_query:.0f} ns/query on {cost.threads} threads"
     )
     return tier.model_copy(update={"validation": validation, "cost": cost})
+
+
+def _albedo(asset: Asset, white: Sequence[WhiteView]) -> Albedo | None:
+    pairs = zip(asset.parts, white, strict=True)
+    return albedo((view.shaded_by(part), view) for part, view in pairs)
 
 
 def _validation_text(validation: Validation | None) -> str:
@@ -107,13 +124,17 @@ def _part_lines(
 
 
 def _validation(
-    radiance: list[np.ndarray], views: Sequence[WholeView], emitted: list[Emitted]
+    radiance: list[np.ndarray],
+    views: Sequence[WholeView],
+    emitted: list[Emitted],
+    returned: Albedo | None,
 ) -> Validation:
     brightest = exposure(views)
     brighter = f"; both {brightest:.3g} times as bright, since the asset is dark"
     size = smallest_factor(views)
     pixels = f", in pixels of {size} x {size} rays" if size > 1 else ""
     error = worse_error(radiance, views, emitted)
+    unlit = f"; images without light: {error.unlit}" if error.unlit else ""
     return Validation(
         psnr=mean_psnr(radiance, views),
         flip=error.mean,
@@ -123,7 +144,9 @@ def _validation(
         ),
         images=len(views),
         definition=f"psnr: {PSNR_DEFINITION}{brighter if brightest > 1.0 else ''}; "
-        f"flip: {DEFINITION}{pixels}",
+        f"flip: {DEFINITION}{pixels}{unlit}"
+        f"{'' if returned is None else f'; albedo: {ALBEDO_DEFINITION}'}",
+        albedo=returned,
         flip_at_height=flip_at_heights(radiance, views, emitted),
     )
 

@@ -10,6 +10,7 @@ from typing import Any
 import torch
 
 import rna_sdk
+from rna_export.albedo import white_views
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_manifest import CapturedPart
 from rna_export.compare.origin import SOURCE_SHA256
@@ -123,11 +124,13 @@ def _measure(
     """The manifest with each tier's error and cost, as the runtime gives them."""
     views, tiers = dataset.whole_views(), []
     glowing = [part.emission_views() for part in dataset.parts]
+    white = white_views(dataset.parts)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "measured.rna"
         write_package(path, manifest, *_of_parts(dataset, data))
         for tier, model in zip(manifest.tiers, models, strict=True):
-            tier = measured(tier, load(path, tier=tier.name), model, views, glowing, say)
+            asset = load(path, tier=tier.name)
+            tier = measured(tier, asset, model, views, glowing, white, say)
             check_loss(tier, model, views, max_loss)
             tiers.append(tier)
     return manifest.model_copy(update={"tiers": tuple(tiers)})

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from rna_export.capture.capture_run import begin, finish
-from rna_export.capture.capture_tasks import Task, ValidationHalf, all_tasks
+from rna_export.capture.capture_tasks import Task, ValidationHalf, WhiteRays, all_tasks
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.time_plan import TimeLimit
 from rna_export.make.make_options import MakeOptions
@@ -49,12 +49,13 @@ class Rays:
     def __init__(self, options: MakeOptions, dataset: Dataset):
         self._options, self.dataset = options, dataset
 
-    def images(self) -> list[ValidationHalf]:
-        """The tasks of all validation images."""
-        return [task for task in all_tasks(self.dataset) if isinstance(task, ValidationHalf)]
+    def images(self) -> list[ValidationHalf | WhiteRays]:
+        """The tasks of all validation images, and of the rays in a white world."""
+        held_out = ValidationHalf | WhiteRays
+        return [task for task in all_tasks(self.dataset) if isinstance(task, held_out)]
 
     def capture_images(self, seconds: float | None, stage: Stage) -> None:
-        """The validation images, or as many as the time allows."""
+        """The held-out images, or as many as the time allows."""
         self._finish(self.images(), _limit(seconds), stage)
 
     def capture(self, round_: Round, seconds: float | None, stage: Stage) -> None:

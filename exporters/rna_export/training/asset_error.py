@@ -6,7 +6,14 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from rna_export.asset_flip import AssetFlip, ImageFlip, asset_flip, scene_exposures
+from rna_export.asset_flip import (
+    AssetFlip,
+    Exposure,
+    ImageFlip,
+    asset_flip,
+    luminance_level,
+    scene_exposures,
+)
 from rna_export.capture.dataset.validation_view import CapturedImage, EmissionView
 from rna_export.metrics import RAYS_ALONG_A_PIXEL, display, emission_exposure, reduced
 
@@ -23,11 +30,13 @@ def asset_error(
     one of both.
     """
     factor *= smallest_factor(views)
+    exposures = picture_exposures(views)
     images = [
-        image_flip(rows, view, e, factor)
-        for rows, view, e in zip(radiance, views, picture_exposures(views), strict=True)
+        image_flip(rows, view, e.factor, factor)
+        for rows, view, e in zip(radiance, views, exposures, strict=True)
+        if e.is_lit
     ]
-    return asset_flip(images)
+    return asset_flip(images, unlit=len(views) - len(images))
 
 
 def smallest_factor(views: Sequence[CapturedImage]) -> int:
@@ -35,12 +44,12 @@ def smallest_factor(views: Sequence[CapturedImage]) -> int:
     return RAYS_ALONG_A_PIXEL if all(view.is_of_strands for view in views) else 1
 
 
-def picture_exposures(views: Sequence[CapturedImage]) -> list[float]:
+def picture_exposures(views: Sequence[CapturedImage]) -> list[Exposure]:
     """Exposure of each view: of a scene, or where the 99th percentile of what glows is white."""
     references = [view.reference for view in views]
     if all(isinstance(view, EmissionView) for view in views):
-        return [emission_exposure(references)] * len(views)
-    return scene_exposures(references)
+        return [Exposure(emission_exposure(references))] * len(views)
+    return scene_exposures([luminance_level(reference) for reference in references])
 
 
 def image_flip(rows: np.ndarray, view: CapturedImage, exposure: float, factor: int) -> ImageFlip:

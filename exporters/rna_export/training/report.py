@@ -9,6 +9,7 @@ from math import inf, isnan
 from pathlib import Path
 from time import monotonic
 
+from rna_export.albedo import albedo
 from rna_export.brightness import Brightness, brightness
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.training.asset_error import worse_error
@@ -23,7 +24,7 @@ from rna_export.training.validation import (
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import TrainingError
 
-_COLUMNS = ("step", "loss", "psnr", "flip", "emission_psnr")
+_COLUMNS = ("step", "loss", "psnr", "flip", "albedo", "emission_psnr")
 """step: steps done. loss: the mean since the row before. The others: see `Report`."""
 
 
@@ -93,7 +94,7 @@ class Report:
 
     def __init__(self, dataset: DatasetPart, out: Path):
         self._views, self._out = dataset.validation_views(), out
-        self._emission_views = dataset.emission_views()
+        self._emission_views, self._white = dataset.emission_views(), dataset.white_view()
         self._pictured, self._seconds = monotonic(), _USUAL_SECONDS
         self.brightness: Brightness | None = None  # when the last pictures were made
 
@@ -119,6 +120,9 @@ class Report:
             return row
         glowing = list(zip(emitted, self._emission_views, strict=True))
         row["flip"] = worse_error(radiance, views, glowing).mean
+        if self._white is not None:
+            returned = albedo([(shade(model, self._white), self._white)])
+            row |= {} if returned is None else {"albedo": returned.ratio}
         self.brightness = brightness(
             (r, view.reference, view.visible) for r, view in zip(radiance, views, strict=True)
         )

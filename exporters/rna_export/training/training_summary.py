@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from rna_export.albedo import albedo
 from rna_export.asset_flip import AssetFlip
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.dataset.dataset_folder import Dataset
@@ -16,6 +17,7 @@ from rna_export.training.checkpoint import Trained, load_checkpoint
 from rna_export.training.presets import named_preset
 from rna_export.training.report import read_curves
 from rna_export.training.validation import reference_warnings, shade, shade_emission
+from rna_sdk.error_words import albedo_text
 
 _LITTLE = 0.1  # of what is usual
 
@@ -70,7 +72,7 @@ def _told(done: int, usual: int, what: str) -> str:
 
 
 def closing_lines(best: Path, part: DatasetPart) -> list[str]:
-    """Error, steps and lights of a part's best checkpoint, and warnings."""
+    """Error, albedo, steps and lights of a part's best checkpoint, and warnings."""
     rows, trained = read_curves(best.parent), load_checkpoint(best)
     effort, views = Effort.of([trained], part.dataset), part.validation_views()
     lines = []
@@ -78,6 +80,11 @@ def closing_lines(best: Path, part: DatasetPart) -> list[str]:
         psnr = max(row["psnr"] for row in rows)
         error = _error(trained, part, views)
         lines.append(f"{trained.preset_name}: {error}, PSNR {psnr:.2f} dB; {effort}")
+    if (white := part.white_view()) is not None:
+        returned = albedo([(shade(trained.model, white), white)])
+        if returned is not None:
+            text = albedo_text(returned.ratio, returned.at80)
+            lines.append(f"{trained.preset_name}: {text}")
     return [*lines, *reference_warnings(views), *effort.warnings]
 
 

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import islice
 from pathlib import Path
 
 import numpy as np
 import torch
 from torch import Tensor
 
+from rna_export.asset_flip import Exposure
 from rna_export.capture.dataset.validation_view import CapturedImage, EmissionView, ValidationView
 from rna_export.metrics import (
     NoiselessPsnr,
@@ -32,6 +34,8 @@ from rna_export.training.asset_error import (
 from rna_export.training.model.neural_asset import NeuralAsset
 
 _ROWS = 65536
+_PICTURED = 12
+_UNLIT = "without light, does not count"
 
 
 @dataclass(frozen=True)
@@ -129,13 +133,22 @@ def mean_psnr(radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> flo
     return float(np.mean([psnr(shaded, view.reference, e) for shaded, view in pairs]))
 
 
+def _pictured(
+    radiance: list[np.ndarray], views: Sequence[CapturedImage]
+) -> Iterator[tuple[np.ndarray, CapturedImage, Exposure]]:
+    """The first views, each with what was shaded, and with its exposure among all of them."""
+    every = zip(radiance, views, picture_exposures(views), strict=True)
+    return islice(every, _PICTURED)
+
+
 def write_images(folder: Path, radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> None:
-    """One PNG a view, exposed as in a scene: ours, Cycles, the FLIP map."""
+    """One PNG of each of the first views, exposed as in a scene: ours, Cycles, the FLIP map."""
     folder.mkdir(parents=True, exist_ok=True)
-    for shaded, view, e in zip(radiance, views, picture_exposures(views), strict=True):
+    for shaded, view, e in _pictured(radiance, views):
         ours, cycles = view.image(shaded), view.image(view.reference)
-        error = np.clip(255.0 * flip(ours, cycles, e)[1], 0, 255).astype(np.uint8)
-        row = [to_png(ours, e), to_png(cycles, e), np.repeat(error[..., None], 3, axis=2)]
+        error = np.clip(255.0 * flip(ours, cycles, e.factor)[1], 0, 255).astype(np.uint8)
+        pictures = [to_png(picture, e.factor) for picture in (ours, cycles)]
+        row = [*pictures, np.repeat(error[..., None], 3, axis=2)]
         path = folder / f"view-{view.index:02d}.png"
         write_picture(path, np.concatenate([enlarged(picture) for picture in row], axis=1))
 
@@ -146,13 +159,14 @@ def write_sheet(
     views: Sequence[CapturedImage],
     notes: Sequence[str] = (),
 ) -> None:
-    """A contact sheet of all views, exposed as in a scene: ours, Cycles, their difference, FLIP.
+    """A contact sheet of the first views, exposed as in a scene: ours, Cycles, difference, FLIP.
 
     notes: lines below.
     """
     rows = []
-    for shaded, view, e in zip(radiance, views, picture_exposures(views), strict=True):
-        flip_of_asset = image_flip(shaded, view, e, smallest_factor(views)).mean
-        caption = f"validation image {view.index}: FLIP {flip_of_asset:.3f}"
-        rows.append((pictures_of(view.image(shaded), view.image(view.reference), e), caption))
+    for shaded, view, e in _pictured(radiance, views):
+        error = f"FLIP {image_flip(shaded, view, e.factor, smallest_factor(views)).mean:.3f}"
+        caption = f"validation image {view.index}: {error if e.is_lit else _UNLIT}"
+        pictures = pictures_of(view.image(shaded), view.image(view.reference), e.factor)
+        rows.append((pictures, caption))
     write_picture(path, comparison_sheet(rows, notes=notes))

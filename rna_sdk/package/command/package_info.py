@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from rna_sdk.error_words import error_text
+from rna_sdk.error_words import albedo_text, error_text
 from rna_sdk.package.geometry.curves import Curves
 from rna_sdk.package.manifest.extensions import Environment, Poster, extension, of_part
 from rna_sdk.package.manifest.manifest_model import POSES, REST_FRAME, Manifest, Part
@@ -121,6 +121,9 @@ def _tier(tier: Tier) -> Info:
         "flip": validation and validation.flip,
         "flip_p95": validation and validation.flip_p95,
         "images": validation and validation.images,
+        "albedo": validation
+        and validation.albedo
+        and validation.albedo.model_dump(mode="json", by_alias=False),
         "ns_per_query": cost and cost.ns_per_query,
         "threads": cost and cost.threads,
         "machine": cost and cost.machine,
@@ -201,6 +204,8 @@ def _tier_text(tier: Info) -> str:
         error = f"{error_text(tier['flip'], tier['flip_p95'])}, PSNR {tier['psnr']:.2f} dB"
     elif tier["psnr"] is not None:
         error = f"PSNR {tier['psnr']:.2f} dB"
+    if tier["albedo"] is not None:
+        error += f"; {albedo_text(tier['albedo']['ratio'], tier['albedo'].get('at80'))}"
     cost = "cost not measured"
     if tier["ns_per_query"] is not None:
         threads = "1 thread" if tier["threads"] == 1 else f"{tier['threads']} threads"

@@ -41,6 +41,21 @@ class FlipAtHeight(Record):
     flip: Measure = Field(description="Mean FLIP at that height.")
 
 
+class Albedo(SparseRecord):
+    """Light returned from a uniform white world, over that of the reference; 1 is all of it."""
+
+    ratio: Measure = Field(description="Of rays from all sides.")
+    facing: Annotated[Measure | None, NotNull()] = Field(
+        default=None, description="Of those less than 50 degrees from the normal."
+    )
+    at60: Annotated[Measure | None, NotNull()] = Field(
+        default=None, description="Of those 50 to 70 degrees from the normal."
+    )
+    at80: Annotated[Measure | None, NotNull()] = Field(
+        default=None, description="Of those more than 70 degrees from the normal."
+    )
+
+
 class Validation(SparseRecord):
     """Error against reference images the training never saw."""
 
@@ -56,6 +71,9 @@ class Validation(SparseRecord):
         default=(),
         description="`flip` of the images reduced to other heights, which the bounds fill; "
         "from the largest.",
+    )
+    albedo: Annotated[Albedo | None, NotNull()] = Field(
+        default=None, description="Light returned from a uniform white world."
     )
 
     @field_validator("flip_at_height")

@@ -109,11 +109,17 @@ CASES.add(
 )
 CASES.add(
     "FIELD_UNKNOWN",
+    albedo_at_another_angle=in_manifest(
+        lambda m: m["tiers"][0].update(validation=returning(ratio=1.0, at45=1.0))
+    ),
     unknown_field=in_manifest(lambda m: m["tiers"][0].update(colour="red")),
     python_name_of_a_field=lambda e: with_text(e, '"extensionsUsed"', '"extensions_used"'),
 )
 CASES.add(
     "FIELD_MISSING",
+    albedo_of_no_ratio=in_manifest(
+        lambda m: m["tiers"][0].update(validation=returning(facing=1.0))
+    ),
     missing_field=in_manifest(lambda m: m.pop("license")),
     missing_version=in_manifest(lambda m: m.pop("version")),
     units_without_a_length=in_manifest(lambda m: m.update(units={})),
@@ -125,6 +131,10 @@ CASES.add(
     malformed_version=in_manifest(lambda m: m.update(version="two")),
     resolution_over_the_limit=in_manifest(lambda m: tier_part(m).update(resolution=10**9)),
     heights_that_grow=in_manifest(lambda m: m["tiers"][0].update(validation=validation(20, 40))),
+    albedo_below_black=in_manifest(lambda m: m["tiers"][0].update(validation=returning(ratio=-1))),
+    albedo_that_is_null=in_manifest(
+        lambda m: m["tiers"][0].update(validation={**validation(40), "albedo": None})
+    ),
     unknown_region=in_manifest(lambda m: m["domain"].update(wo="disk")),
     no_cones=in_manifest(lambda m: m["domain"].update(wi=[])),
     too_many_cones=in_manifest(
@@ -156,6 +166,11 @@ def validation(*heights: int) -> dict[str, object]:
     table = [{"height": height, "flip": 0.1} for height in heights]
     measures = {"psnr": 30.0, "flip": 0.1, "relativeMse": 0.1, "images": 1, "definition": "-"}
     return {**measures, "flipAtHeight": table}
+
+
+def returning(**albedo: float) -> dict[str, object]:
+    """A tier's, with this albedo."""
+    return {**validation(40), "albedo": albedo}
 
 
 CASES.add(

@@ -51,14 +51,15 @@ def judge(
     pairs, e = [(r, v.reference, v) for r, v in zip(radiance, views, strict=True)], exposure(views)
     exposures, size = picture_exposures(views), smallest_factor(views)
     errors = [
-        image_flip(r, view, x, size) for (r, _, view), x in zip(pairs, exposures, strict=True)
+        image_flip(r, view, x.factor, size)
+        for (r, _, view), x in zip(pairs, exposures, strict=True)
     ]
     each = [
         ViewScores(psnr=psnr(r, t, e), flip=error.mean, p99=relative_error_p99(r, t))
         for (r, t, _), error in zip(pairs, errors, strict=True)
     ]
     clean = [psnr_without_noise(r, view.halves[0], view.halves[1], e) for r, _, view in pairs]
-    of_asset = asset_flip(errors)
+    of_asset = asset_flip([one for one, x in zip(errors, exposures, strict=True) if x.is_lit])
     scores = ModelScores(
         psnr=float(np.mean([view.psnr for view in each])),
         psnr_without_noise=NoiselessPsnr.mean(clean),
@@ -69,7 +70,7 @@ def judge(
         views=tuple(each),
     )
     shown = zip(pairs, exposures, strict=True)
-    return scores, [flip(view.image(r), view.image(t), x)[1] for (r, t, view), x in shown]
+    return scores, [flip(view.image(r), view.image(t), x.factor)[1] for (r, t, view), x in shown]
 
 
 def write_strips(
@@ -77,7 +78,7 @@ def write_strips(
 ) -> None:
     """`<stem>-render.png` and `<stem>-flip.png` (grey): all views in a row."""
     shown = zip(radiance, views, picture_exposures(views), strict=True)
-    renders = [to_png(view.image(rows), e) for rows, view, e in shown]
+    renders = [to_png(view.image(rows), e.factor) for rows, view, e in shown]
     errors = np.clip(255.0 * np.concatenate(flips, axis=1) + 0.5, 0, 255).astype(np.uint8)
     write_picture(stem.with_name(f"{stem.name}-render.png"), np.concatenate(renders, axis=1))
     write_picture(stem.with_name(f"{stem.name}-flip.png"), errors)

@@ -18,6 +18,7 @@ from rna_bench.scenes.beside_cycles import OurScene
 from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.fixtures import Fixtures
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
+from rna_export.capture.blender_process.lighting import WhiteWorld
 from rna_export.compare.views import shots_of
 from rna_export.metrics import flip, psnr_without_noise, to_png
 from rna_render import Camera
@@ -33,15 +34,16 @@ PIXELS, _SAMPLES, _CYCLES_SAMPLES = 96, 16, 48
 
 def measure(fixtures: Fixtures) -> list[Row]:
     asset = fixtures.asset
-    shots = [s for s in shots_of(asset, PIXELS) if s.camera_name == "close-up"][:2]
+    close_ups = [s for s in shots_of(asset, PIXELS) if s.camera_name == "close-up"]
+    shots = [(s, s.light) for s in close_ups if not isinstance(s.light, WhiteWorld)][:2]
     rows = []
     with fixtures.cycles(fixtures.source) as worker:
-        for number, shot in enumerate(shots):
+        for number, (shot, wi) in enumerate(shots):
             for footprint in FOOTPRINTS:
                 camera = zoomed(shot.eye, shot.target, footprint * texel(asset))
-                scene = _scene(fixtures, camera, shot.wi)
+                scene = _scene(fixtures, camera, wi)
                 name = f"zoom-{fixtures.name}-{number}-{footprint:g}"
-                reference = fixtures.stored(name, partial(_cycles, worker, camera, shot.wi))
+                reference = fixtures.stored(name, partial(_cycles, worker, camera, wi))
                 halves = reference["halves"]
                 ours = OurScene(scene).render(fixtures.some(_SAMPLES)).pixels
                 rows.append({"view": number, "texels": footprint, **_row(ours, halves, footprint)})

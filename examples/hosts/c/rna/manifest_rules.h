@@ -49,12 +49,14 @@ static const Rule TIER_PART[] = { {"planes", PATH, REQUIRED}, {"decoder", PATH, 
     {"emission", OBJECT, 0, .of = TIER_EMISSION}, {0}};
 static const Rule FLIP_AT_HEIGHT[] = { {"height", INTEGER, REQUIRED, 1, 9007199254740991},
     {"flip", NUMBER, REQUIRED, 0, HUGE_VAL}, {0}};
+static const Rule ALBEDO[] = { {"ratio", NUMBER, REQUIRED, 0, HUGE_VAL}, {"facing", NUMBER, 0, 0, HUGE_VAL},
+    {"at60", NUMBER, 0, 0, HUGE_VAL}, {"at80", NUMBER, 0, 0, HUGE_VAL}, {0}};
 static const Rule VALIDATION[] = { {"psnr", NUMBER, REQUIRED, -HUGE_VAL, HUGE_VAL},
     {"flip", NUMBER, REQUIRED, 0, HUGE_VAL}, {"flipP95", NUMBER, 0, 0, HUGE_VAL},
     {"relativeMse", NUMBER, REQUIRED, 0, HUGE_VAL}, {"images", INTEGER, REQUIRED, 1, 9007199254740991},
     {"definition", TEXT, REQUIRED, 0},
     {"flipAtHeight", LIST, 0, 0, HUGE_VAL, &(const Rule){"", OBJECT, 0, .of = FLIP_AT_HEIGHT}, .also = heights_descend},
-    {0}};
+    {"albedo", OBJECT, 0, .of = ALBEDO}, {0}};
 static const Rule COST[] = { {"multiplyAdds", INTEGER, REQUIRED, 0, 9007199254740991},
     {"nsPerQuery", NUMBER, REQUIRED, 0, HUGE_VAL}, {"threads", INTEGER, REQUIRED, 1, 9007199254740991},
     {"machine", TEXT, REQUIRED, 0}, {0}};

@@ -8,6 +8,7 @@ from typing import Any
 import bpy
 import mathutils
 from rna_materials.emission import Emission
+from rna_renders import white_world
 from rna_sources import bundled
 
 _LOBES = ("diffuse", "glossy", "transmission")
@@ -16,7 +17,8 @@ _FAR = 1e12
 
 SUN = "rna sun"
 
-_lighting: dict[str, Any] = {}  # emission: of the materials; clamps: of radiance under the sun
+_lighting: dict[str, Any] = {}
+"""emission: of the materials; clamps: of radiance under the sun; black, white: worlds."""
 
 
 def configure(
@@ -34,7 +36,8 @@ def configure(
         setattr(layer, f"use_pass_{lobe}_color", separate_direct)
     _set_up_lamp(scene)
     emission = Emission()
-    _lighting.update(emission=emission, clamps=(clamp_direct, clamp_indirect))
+    worlds = {"black": scene.world, "white": white_world.new()}
+    _lighting.update(emission=emission, clamps=(clamp_direct, clamp_indirect), **worlds)
     return list(emission.materials)
 
 
@@ -53,7 +56,7 @@ def render_rays(request: dict[str, Any]) -> None:
     camera.cycles_custom["near"] = _NEAR
     camera.clip_end = _FAR if request["reach"] is None else _NEAR + request["reach"]
     camera.update_tag()
-    light(request["wi"])
+    light(request["light"])
     _render(request)
 
 
@@ -62,7 +65,7 @@ def render_view(request: dict[str, Any]) -> None:
 
     `points`: whether pixels are points. `normals`: whether the file has `Normal`.
     """
-    light(request["wi"])
+    light(request["light"])
     emit(request["emits"])
     bpy.context.view_layer.use_pass_normal = request["normals"]
     render_pinhole(request, request["points"])
@@ -90,15 +93,24 @@ def emit(on: bool) -> None:
     _lighting["emission"].switch(on)
 
 
-def light(wi: list[float] | None) -> None:
-    """The sun in direction `wi`, or, for None, the asset's own light alone and unclamped."""
+def light(asked: dict[str, list[Any]]) -> None:
+    """The sun in a direction, a white world, or, of neither, the asset's own light alone.
+
+    Paths of the sun alone are clamped. asked: `sun`: towards it. `white`: cones that the world's
+    light comes from, as [x, y, z, least cosine]; none for all directions.
+    """
     cycles, sun = bpy.context.scene.cycles, bpy.data.objects[SUN]
-    emit(wi is None)
-    sun.hide_render = wi is None
-    clamps = (0.0, 0.0) if wi is None else _lighting["clamps"]
+    emit(not asked)
+    sun.hide_render = "sun" not in asked
+    world = _lighting["white"] if "white" in asked else _lighting["black"]
+    if bpy.context.scene.world != world:
+        bpy.context.scene.world = world
+    clamps = _lighting["clamps"] if "sun" in asked else (0.0, 0.0)
     cycles.sample_clamp_direct, cycles.sample_clamp_indirect = clamps
-    if wi is not None:
-        sun.rotation_quaternion = mathutils.Vector(wi).to_track_quat("Z", "Y")
+    if "sun" in asked:
+        sun.rotation_quaternion = mathutils.Vector(asked["sun"]).to_track_quat("Z", "Y")
+    if "white" in asked:
+        white_world.shine_from(_lighting["white"], asked["white"])
 
 
 def _render(request: dict[str, Any]) -> None:

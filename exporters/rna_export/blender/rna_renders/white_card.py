@@ -16,7 +16,7 @@ def render_card(request: dict[str, Any]) -> None:
 
     It is in a scene of its own, which has the settings and the sun, and is removed again.
     """
-    ray_render.light([0.0, 0.0, 1.0])
+    ray_render.light({"sun": [0.0, 0.0, 1.0]})
     scene = bpy.context.scene.copy()
     card, camera = _card(), _camera()
     try:

@@ -20,6 +20,7 @@ from rna_export.capture.blender_process.exchanged_files import (
     read_render,
     write_rays,
 )
+from rna_export.capture.blender_process.lighting import Light, asked_light
 from rna_export.capture.blender_process.material_colors import MaterialColors, Piece
 from rna_sdk.package import Curves
 
@@ -143,17 +144,17 @@ class BlenderWorker(BlenderProcess):
         self,
         origins: np.ndarray,
         directions: np.ndarray,
-        wi: np.ndarray | None,
+        wi: Light,
         samples: int,
         seed: int,
         reach: float | None = None,
         normals: bool = False,
     ) -> RenderedRays:
-        """Radiance along rays: the asset lit from `wi` with irradiance 1, or its emission alone.
+        """Radiance along rays: the asset lit from `wi` with irradiance 1, or by another `Light`.
 
         `origins`, `directions`: (n, 3) float32, object space, +Y up; `wi`: (3,) towards the light,
-        or None for what the asset emits. `reach`: how far the rays go. `normals`: whether to
-        answer them.
+        a white world, or None for what the asset emits. `reach`: how far the rays go. `normals`:
+        whether to answer them.
         """
         n = len(origins)
         width = min(n, max(1, math.isqrt(n)))
@@ -205,7 +206,7 @@ class BlenderWorker(BlenderProcess):
         self,
         to_world: np.ndarray,
         fov_y: float,
-        wi: np.ndarray,
+        wi: Light,
         samples: int,
         seed: int,
         width: int,
@@ -214,7 +215,8 @@ class BlenderWorker(BlenderProcess):
     ) -> np.ndarray:
         """An ordinary pinhole image, (height, width, 4) float32 premultiplied RGBA.
 
-        `to_world`: (4, 4) camera (looks along -z) to +Y-up world; `fov_y` in radians; `emits`:
+        `to_world`: (4, 4) camera (looks along -z) to +Y-up world; `fov_y` in radians; `wi` as in
+        `render_rays`; `emits`:
         whether the materials emit light.
         """
         out = self._folder / f"view-{self._name}-{self._renders}.exr"
@@ -270,7 +272,7 @@ class BlenderWorker(BlenderProcess):
         self,
         op: str,
         request: dict[str, Any],
-        wi: np.ndarray | None,
+        wi: Light,
         samples: int,
         seed: int,
         width: int,
@@ -282,6 +284,6 @@ class BlenderWorker(BlenderProcess):
             self.restart()
         self._samples = samples
         self._renders += 1
-        towards = None if wi is None else to_blender(np.asarray(wi, np.float64)).tolist()
         size = {"width": width, "height": height}
-        self._ask(op=op, **{**request, **size}, wi=towards, samples=samples, seed=seed)
+        how = {"light": asked_light(wi), "samples": samples, "seed": seed}
+        self._ask(op=op, **{**request, **size, **how})

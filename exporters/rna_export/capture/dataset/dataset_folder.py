@@ -11,6 +11,7 @@ toy.rays/
   train/00000.safetensors     samples of some lights, arrays NAME/FIELD
   emission/00000.safetensors  samples of what the asset emits, if it does
   validation/00-0.safetensors one half (of two seeds) of one whole image, likewise
+  validation/white.safetensors samples in a white world, which albedo is measured with
 """
 
 from __future__ import annotations
@@ -206,6 +207,10 @@ class Dataset:
             *(self.validation_path(view, half) for view in views for half in halves),
             *(self.emission_image_path(view, half) for view in glowing for half in halves),
         ]
+
+    @property
+    def white_path(self) -> Path:
+        return self.folder / "validation" / "white.safetensors"
 
     def finished_emission(self) -> list[Path]:
         """Paths of the shards of emission that are there. Raises `CaptureError` if none is."""

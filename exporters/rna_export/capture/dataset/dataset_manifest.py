@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Literal, Self
 
@@ -50,6 +51,14 @@ _OF_A_LIGHT = ("wi", "direct", "visible")
 def emission_fields(kind: str) -> dict[str, int]:
     """Fields of samples of emission."""
     return {name: n for name, n in SAMPLE_FIELDS[kind].items() if name not in _OF_A_LIGHT}
+
+
+def white_fields(of_part: Mapping[str, int]) -> dict[str, int]:
+    """Fields of samples in a white world, of a part whose samples have those of `of_part`.
+
+    `weight`: 1 over the density of wi, per steradian.
+    """
+    return {**{name: n for name, n in of_part.items() if name != "direct"}, "weight": 1}
 
 
 def what_is_wrong(error: ValidationError) -> str:

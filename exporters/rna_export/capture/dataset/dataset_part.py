@@ -16,9 +16,10 @@ from rna_export.capture.dataset.dataset_manifest import (
     CapturedPart,
     CaptureManifest,
     emission_fields,
+    white_fields,
 )
 from rna_export.capture.dataset.sample_files import DAMAGED, damaged, joined, read_part
-from rna_export.capture.dataset.validation_view import EmissionView, ValidationView
+from rna_export.capture.dataset.validation_view import EmissionView, ValidationView, WhiteView
 from rna_export.capture.geometry.stored_geometry import (
     exact_from_arrays,
     geometry_from_arrays,
@@ -42,7 +43,7 @@ if TYPE_CHECKING:
     from rna_export.capture.dataset.dataset_folder import Dataset
 
 T = TypeVar("T")
-View = TypeVar("View", ValidationView, EmissionView)
+View = TypeVar("View", ValidationView, EmissionView, WhiteView)
 
 _SHARED = 0.95  # of the pixels of a half, at least, that the other one has, too
 _MARGIN = 0.1  # of a part's longest side
@@ -239,6 +240,15 @@ class DatasetPart:
     def view(self, index: int) -> ValidationView:
         """The part in one validation image; it may have no row there."""
         return self._view(ValidationView, index, self.dataset.validation_path, self.fields)
+
+    def white_view(self) -> WhiteView | None:
+        """The part's samples in a white world; None of a dataset that has none."""
+        path = self.dataset.white_path
+        if not path.is_file():
+            return None
+        samples = self._read(path, white_fields(self.fields))
+        rows = np.arange(len(samples["weight"]), dtype=np.int32)
+        return WhiteView(0, len(rows), rows, samples, samples["radiance"][None])
 
     def _view(
         self,

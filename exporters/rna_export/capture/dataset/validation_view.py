@@ -15,7 +15,7 @@ from rna_export.capture.dataset.asset_arguments import (
 )
 from rna_sdk.runtime import FiberAsset, SurfaceAsset
 
-_NO_QUERY = ("radiance", "direct", "visible", "pixel")
+_NO_QUERY = ("radiance", "direct", "visible", "pixel", "weight")
 
 
 class CapturedImage(Protocol):
@@ -96,6 +96,22 @@ class EmissionView(ValidationView):
         """Radiance of the rows, (n, 3) float32, as the runtime answers."""
         emitted: np.ndarray = asset.emission(*emission_arguments(self.samples))
         return emitted
+
+
+@dataclass(frozen=True)
+class WhiteView(ValidationView):
+    """Samples of one part in a white world: rays from outside, each with several directions wi.
+
+    `radiance` is that of the ray in light of radiance 1 from all sides of the domain; `weight`
+    (n,), times what a model has for wi, is an unbiased estimate of it. Rows are no pixels.
+    """
+
+    @property
+    def cosine(self) -> np.ndarray:
+        """Of the angle between wo and the normal, or the plane across the strand: (n,)."""
+        axis = self.samples["tangent" if self.is_of_strands else "normal"]
+        along = np.minimum(np.abs(np.sum(axis * self.samples["wo"], axis=1)), 1.0)
+        return np.asarray(np.sqrt(1.0 - along**2) if self.is_of_strands else along)
 
 
 @dataclass(frozen=True)

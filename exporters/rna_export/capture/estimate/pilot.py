@@ -14,13 +14,12 @@ from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.rays.asset_scene import AssetScene
 from rna_export.capture.rays.capture_directions import frame, light_direction
 from rna_export.capture.rays.traced_rays import TracedRays
-from rna_export.capture.rays.view_rays import ViewRays, outside_rays
+from rna_export.capture.rays.view_rays import ViewRays, hitting_rays
 from rna_export.training.presets import PRESETS
 from rna_sdk.kernel_threads import kernel_threads, limit_kernel_threads
 from rna_sdk.package import Domain
 from rna_sdk.package.blocks import query_width
 from rna_sdk.package.decoder.profile_decoder import ProfileDecoder, ProfileLayer
-from rna_sdk.package.manifest.manifest_fields import Region
 from rna_sdk.runtime.engine.compiled_decoder import CompiledDecoder
 from rna_sdk.runtime.engine.costs import median_seconds
 
@@ -57,7 +56,6 @@ LIGHTS = 8
 """Renders of a pilot, three times: the noise ratio then repeats within about 15%."""
 
 _RAYS = 1024  # of a render
-_TRIES = 8  # at rays that hit
 _PIXELS = 100  # along the asset's diameter
 _LUMINANCE = np.array([0.2126, 0.7152, 0.0722], np.float32)  # Rec. 709
 _SHOWN, _QUANTILE = 0.8, 0.95
@@ -100,7 +98,7 @@ def measure_pilot(
     rng, answers = np.random.default_rng(settings.seed), []
     for k in range(lights):
         wi = light_direction(k, settings.seed, domain.wi)
-        rays = _hitting(scene, count, domain.wo, rng)
+        rays = hitting_rays(scene, count, domain.wo, rng)
         near = _moved(rays, 2.0 * scene.radius / _PIXELS, rng)
         answers.append(
             [
@@ -145,20 +143,6 @@ def variances(luminance: np.ndarray, samples: int) -> tuple[float, float]:
 def _luminance(traced: TracedRays) -> np.ndarray:
     """(n,) float32, of what a pixel shows of points; black where there is no sample."""
     return np.where(traced.valid, traced.rendered.radiance @ _LUMINANCE, np.float32(0.0))
-
-
-def _hitting(scene: AssetScene, count: int, wo: Region, rng: np.random.Generator) -> ViewRays:
-    """Rays from outside that hit the asset, `count` of them if they are found."""
-    origins, directions, count_hit = [], [], 0
-    for _ in range(_TRIES):
-        rays = outside_rays(scene, 4 * count, wo, rng)
-        hit = np.flatnonzero(scene.part_hit(rays.origins, rays.directions) >= 0)
-        origins.append(rays.origins[hit])
-        directions.append(rays.directions[hit])
-        count_hit += len(hit)
-        if count_hit >= count:
-            break
-    return ViewRays(np.concatenate(origins)[:count], np.concatenate(directions)[:count])
 
 
 def _moved(rays: ViewRays, width: float, rng: np.random.Generator) -> ViewRays:

@@ -15,7 +15,7 @@ import trimesh
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_manifest import BASE_COLOR, CapturedPart
 from rna_export.capture.dataset.dataset_part import DatasetPart, View
-from rna_export.capture.dataset.validation_view import EmissionView, ValidationView
+from rna_export.capture.dataset.validation_view import EmissionView, ValidationView, WhiteView
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Mesh
 from rna_sdk.package.geometry.quantised_mesh import QuantisedMesh
@@ -118,6 +118,11 @@ class Piece(DatasetPart):
     def emission_views(self) -> list[EmissionView]:
         """The rows of emission views that lie on the piece itself."""
         return [self._on_piece(view) for view in self._whole.emission_views()]
+
+    def white_view(self) -> WhiteView | None:
+        """The rows of the white world that lie on the piece itself."""
+        view = self._whole.white_view()
+        return None if view is None else self._on_piece(view)
 
     def _on_piece(self, view: View) -> View:
         on = self._seams.piece_at(view.samples["position"], view.samples["wo"]) == self._number

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from rna_sdk.package.manifest.manifest_fields import Region
@@ -13,14 +15,21 @@ _R2 = 1.0 / np.array([1.32471795724474602596, 1.32471795724474602596**2])
 BEHIND = float(np.cos(np.radians(120.0)))
 """Cosine of the least angle between the eye and a light that is behind."""
 
-_TRIED = 64
+_TRIED = 256
+
+
+def spread_point(index: int, key: Sequence[int]) -> np.ndarray:
+    """The `index`-th point of a sequence, (2,) in [0, 1): evenly spread at any count.
+
+    key: seed of the sequence.
+    """
+    shift = np.random.default_rng(key).random(2)
+    return np.asarray((shift + (index + 1) * _R2) % 1.0)
 
 
 def light_direction(index: int, seed: int, region: Region) -> np.ndarray:
     """The `index`-th light direction, (3,) float32: evenly spread over the region at any count."""
-    shift = np.random.default_rng([seed, 7]).random(2)
-    u = (shift + (index + 1) * _R2) % 1.0
-    (direction,) = directions_in(region, u[None])
+    (direction,) = directions_in(region, spread_point(index, [seed, 7])[None])
     return np.asarray(direction)
 
 
@@ -43,15 +52,23 @@ def directions_in(region: Region, u: np.ndarray) -> np.ndarray:
     return around(axes, 1.0 - within * height[chosen], 2.0 * np.pi * u[:, 1])
 
 
-def direction_behind(region: Region, to_eye: np.ndarray, rng: np.random.Generator) -> np.ndarray:
-    """A light direction at least 120 degrees from that to the eye, or as far as the region has.
+def direction_seen_from(
+    region: Region, to_eye: np.ndarray, behind: bool, rank: float, rng: np.random.Generator
+) -> np.ndarray:
+    """A light direction in the region, by its angle to the direction to the eye.
 
-    to_eye: (3,). Returns (3,) float32.
+    to_eye: (3,). behind: whether it is one at 120 degrees or more; where the region has none, the
+    light is as far from the eye as the region has. rank: in [0, 1), from the farthest of them to
+    the nearest. Returns (3,) float32.
     """
     lights = directions_in(region, rng.random((_TRIED, 2)))
     cosine = lights @ (to_eye / np.linalg.norm(to_eye))
-    behind = np.flatnonzero(cosine <= BEHIND)
-    return np.asarray(lights[behind[0] if len(behind) else np.argmin(cosine)])
+    order = np.argsort(cosine)
+    count = int((cosine <= BEHIND).sum())
+    of_kind = order[:count] if behind else order[count:]
+    if not len(of_kind):
+        of_kind = order[:1] if behind else order
+    return np.asarray(lights[of_kind[int(rank * len(of_kind))]])
 
 
 def sphere(u: np.ndarray, domain: str = "sphere") -> np.ndarray:

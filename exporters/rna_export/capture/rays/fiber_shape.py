@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from rna_export.capture.rays.capture_directions import around
+from rna_export.capture.rays.light_samples import LightSamples, fiber_lights
 from rna_sdk.package import Curves
 from rna_sdk.runtime import offset_across
 from rna_trace import FiberPoints, PartPoints, tangents
@@ -69,3 +72,10 @@ class FiberShape:
         spread = 0.02 * 25.0 ** rng.random(len(rows)) * rng.standard_normal(len(rows))
         sine = np.clip(-(points.tangent @ wi) + spread, -0.999, 0.999)
         return rows, around(points.tangent, sine, 2.0 * np.pi * rng.random(len(rows)))
+
+    def light_samples(
+        self, points: PartPoints, wo: np.ndarray, rng: np.random.Generator
+    ) -> Iterator[LightSamples]:
+        """See `fiber_lights`."""
+        assert isinstance(points, FiberPoints)
+        return fiber_lights(points.tangent, wo, rng)

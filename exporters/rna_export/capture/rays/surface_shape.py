@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 import trimesh
 
 from rna_export.capture.capture_settings import SHARPEST
 from rna_export.capture.rays.capture_directions import around, reflect
+from rna_export.capture.rays.light_samples import WIDEST, LightSamples, surface_lights
 from rna_sdk.package import Mesh
 from rna_trace import PartPoints, SurfacePoints, geometric_normals
-
-_WIDEST = 0.8  # alpha of GGX
 
 
 class SurfaceShape:
@@ -59,8 +60,15 @@ class SurfaceShape:
         """Mirrors of wi about half vectors of GGX, alpha from that of the sharpest lobe to 0.8."""
         assert isinstance(points, SurfacePoints)
         lit = np.flatnonzero(points.mapped @ wi > 0.02)
-        width = self._narrowest * (_WIDEST / self._narrowest) ** rng.random(len(lit))
+        width = self._narrowest * (WIDEST / self._narrowest) ** rng.random(len(lit))
         u = rng.random(len(lit))
         cosine = np.sqrt((1.0 - u) / (1.0 + (width**2 - 1.0) * u))
         h = around(points.mapped[lit], cosine, 2.0 * np.pi * rng.random(len(lit)))
         return lit, reflect(np.broadcast_to(wi, h.shape), h)
+
+    def light_samples(
+        self, points: PartPoints, wo: np.ndarray, rng: np.random.Generator
+    ) -> Iterator[LightSamples]:
+        """See `surface_lights`."""
+        assert isinstance(points, SurfacePoints)
+        return surface_lights(points.mapped, wo, self._narrowest, rng)

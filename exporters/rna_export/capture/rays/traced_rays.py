@@ -8,6 +8,7 @@ import numpy as np
 
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.capture.blender_process.exchanged_files import RenderedRays
+from rna_export.capture.blender_process.lighting import Light
 from rna_export.capture.rays.asset_scene import AssetScene, ShadePoints
 from rna_export.capture.rays.view_rays import ViewRays
 
@@ -37,7 +38,7 @@ class TracedRays:
         scene: AssetScene,
         worker: BlenderWorker,
         rays: ViewRays,
-        wi: np.ndarray | None,
+        wi: Light,
         samples: int,
         seed: int,
         rng: np.random.Generator,
@@ -46,9 +47,9 @@ class TracedRays:
     ) -> TracedRays:
         """Trace rays under one light.
 
-        wi: towards the light; None: of what the asset emits, without a light. rng: chooses which
-        rays go on behind what lets light through. opaque_cutouts: whether rays are kept where
-        Cycles' alpha is below 1. normals: whether Cycles answers them.
+        wi: towards the light, or another kind of it. rng: chooses which rays go on behind what lets
+        light through. opaque_cutouts: whether rays are kept where Cycles' alpha is below 1.
+        normals: whether Cycles answers them.
         """
         points = scene.shade_points(rays.origins, rays.directions, rng)
         origins, reach = _starts(scene, points, rays)

@@ -26,7 +26,7 @@ CLOSE, HIGHLIGHT = 0.25, 0.25  # shares of the rays; the rest are outside ones
 ALIKE = 0.5  # share of the rays that all parts get as many of, however little is seen of them
 
 _CHORDS = 4096
-_TRIES_WITHOUT_AIM, _TRIES_AIMED = 4, 16
+_TRIES_WITHOUT_AIM, _TRIES_AIMED, _TRIES_OUTSIDE = 4, 16, 8
 
 
 @dataclass(frozen=True)
@@ -165,6 +165,17 @@ def outside_rays(
     disk = (r * np.cos(phi))[:, None] * s + (r * np.sin(phi))[:, None] * t
     origins = scene.centre + disk + 1.5 * wider * scene.radius * wo
     return ViewRays(origins.astype(np.float32), -wo)
+
+
+def hitting_rays(scene: AssetScene, count: int, wo: Region, rng: np.random.Generator) -> ViewRays:
+    """Uniform chords that hit the asset, `count` of them if they are found."""
+    found: list[ViewRays] = []
+    for _ in range(_TRIES_OUTSIDE):
+        rays = outside_rays(scene, 4 * count, wo, rng)
+        found.append(rays[scene.part_hit(rays.origins, rays.directions) >= 0])
+        if sum(map(len, found)) >= count:
+            break
+    return _joined(found)[np.arange(min(count, sum(map(len, found))))]
 
 
 def _aimed(

@@ -1,0 +1,54 @@
+"""A world of radiance 1 in all directions, or in those of some cones."""
+
+from __future__ import annotations
+
+import bpy
+
+
+def new() -> bpy.types.World:
+    """A world for `shine_from`."""
+    world = bpy.data.worlds.new("rna white")
+    world.use_nodes = True
+    return world
+
+
+def shine_from(world: bpy.types.World, cones: list[list[float]]) -> None:
+    """Let the world shine from cones, [x, y, z, least cosine] each; from everywhere for none."""
+    tree = world.node_tree
+    tree.nodes.clear()
+    background = tree.nodes.new("ShaderNodeBackground")
+    background.inputs["Color"].default_value = (1.0, 1.0, 1.0, 1.0)
+    output = tree.nodes.new("ShaderNodeOutputWorld")
+    tree.links.new(background.outputs[0], output.inputs["Surface"])
+    if cones:
+        tree.links.new(_is_within(tree, cones), background.inputs["Strength"])
+
+
+def _is_within(tree: bpy.types.NodeTree, cones: list[list[float]]) -> bpy.types.NodeSocket:
+    """1 in directions that lie in any of the cones, else 0."""
+    direction = tree.nodes.new("ShaderNodeTexCoord").outputs["Generated"]
+    found = None
+    for *axis, cosine in cones:
+        along = tree.nodes.new("ShaderNodeVectorMath")
+        along.operation = "DOT_PRODUCT"
+        along.inputs[1].default_value = axis
+        tree.links.new(direction, along.inputs[0])
+        within = _math(tree, "GREATER_THAN", along.outputs["Value"], cosine)
+        found = within if found is None else _math(tree, "MAXIMUM", within, found)
+    return found
+
+
+def _math(
+    tree: bpy.types.NodeTree,
+    operation: str,
+    a: bpy.types.NodeSocket,
+    b: bpy.types.NodeSocket | float,
+) -> bpy.types.NodeSocket:
+    node = tree.nodes.new("ShaderNodeMath")
+    node.operation = operation
+    tree.links.new(a, node.inputs[0])
+    if isinstance(b, float):
+        node.inputs[1].default_value = b
+    else:
+        tree.links.new(b, node.inputs[1])
+    return node.outputs[0]
