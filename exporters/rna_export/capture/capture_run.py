@@ -328,8 +328,9 @@ class _TaskClock:
             return False
         if isinstance(task, ValidationHalf):
             return task.view >= LEAST_IMAGES and not task.emission
-        first = self.dataset.manifest.settings.lights_per_shard * task.index
-        return isinstance(task, TrainingShard) and first >= LEAST_LIGHTS
+        if not isinstance(task, TrainingShard):
+            return False
+        return self.dataset.manifest.settings.lights_per_shard * task.index >= LEAST_LIGHTS
 
 
 def _write_picture(checks: Sequence[SelfCheck], path: Path) -> str | None:

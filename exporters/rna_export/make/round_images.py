@@ -14,7 +14,7 @@ from rna_export.make.state import State
 _A_REST = IMAGE_SHARE / (1.0 - IMAGE_SHARE)  # time of images over that of all else, at most
 _ROUND = 1.5  # time of a first round over that of its rays, at least
 _WORTH = 2.0  # times as many paths, from which new images are worth their time
-_CHANGED = "validation_resolution", "validation_samples"
+_CHANGED = "validation_resolution", "validation_samples", "validation_views"
 
 
 class RoundImages:
@@ -32,7 +32,7 @@ class RoundImages:
         round_ = _ROUND * lights * settings.rays * settings.samples
         small = with_smaller_images(settings, _A_REST * round_, self._given)
         if small != settings:
-            self._state.images = settings.validation_resolution, settings.validation_samples
+            self._state.images = tuple(getattr(settings, name) for name in _CHANGED)
             self._change(small)
 
     def capture(self, seconds: float | None, stage: Stage) -> None:
@@ -52,14 +52,13 @@ class RoundImages:
         state, now = self._state, self._settings()
         if state.images is None:
             return False
-        side, samples = state.images
-        state.images = None
+        usual, state.images = state.images, None
         rest = spent - state.image_seconds
         seconds = _A_REST * rest - state.image_seconds
         paths = seconds * state.image_paths / max(state.image_seconds, 1e-3)
-        full = now.model_copy(update=dict(zip(_CHANGED, (side, samples), strict=True)))
+        full = now.model_copy(update=dict(zip(_CHANGED, usual, strict=True)))
         larger = with_smaller_images(full, paths, self._given)
-        if paths <= 0.0 or larger.validation_paths < _WORTH * now.validation_paths:
+        if paths <= 0.0 or larger.held_out_paths < _WORTH * now.held_out_paths:
             return False
         self._change(larger)
         return True

@@ -68,7 +68,8 @@ class More(BaseModel, extra="forbid", frozen=True):
 class State(BaseModel, extra="forbid"):
     """Progress of a run. `save` writes it into the work folder.
 
-    images: side and paths a pixel of the validation images that those of rounds are smaller than.
+    images: side, paths a pixel and number of the validation images that those of rounds are smaller
+    than.
     before: scores of models that earlier minutes ended with, by preset; `before/PRESET` has them.
     starts: parts whose training starts from these models: only their material has changed.
     """
@@ -79,7 +80,7 @@ class State(BaseModel, extra="forbid"):
     capture_seconds: float = 0.0  # of them, for rounds of rays
     image_seconds: float = 0.0  # of them, for validation images
     image_paths: int = 0  # that these took
-    images: tuple[int, int] | None = None
+    images: tuple[int, ...] | None = None
     rounds: list[Round] = []
     last: dict[str, Last] = {}
     more: More | None = None
