@@ -140,8 +140,7 @@ class GroundModel(Model):
     height: Number = Field(default=0.0, description="Its y coordinate, metres.")
     size: Length | None = Field(
         default=None,
-        description="Side length, metres; 100 if omitted, or 400 times the largest x or z of the "
-        "assets and objects where that is more.",
+        description="Side length, metres; without end if omitted.",
     )
     material: MaterialModel = Field(
         default=DiffuseModel(type="diffuse"), description="Its material; diffuse grey if omitted."
