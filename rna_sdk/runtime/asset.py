@@ -403,9 +403,9 @@ def _shares(visibility: object, count: int) -> tuple[Rows, Rows]:
     """
     if isinstance(visibility, np.ndarray) and visibility.ndim == 2:
         v = vectors("visibility", visibility, count)
-    elif isinstance(visibility, np.ndarray) and visibility.dtype == np.bool_:
-        v = visibility.astype(np.float32)[:, None]
     else:
+        if isinstance(visibility, np.ndarray) and visibility.dtype == np.bool_:
+            visibility = visibility.astype(np.float32)
         v = scalars("visibility", visibility, count)[:, None]
     known = np.isfinite(v).all(axis=1, keepdims=True)
     seen = np.clip(np.where(known, v, np.float32(0.0)), np.float32(0.0), np.float32(1.0))

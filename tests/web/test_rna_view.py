@@ -273,6 +273,7 @@ def test_an_environment_that_visitors_cannot_read_is_refused(package, tmp_path, 
     assert main([str(package), "--env", str(tmp_path / "whole.exr"), *export]) == 0
 
 
+@pytest.mark.filterwarnings("default::UserWarning")
 def test_an_infinite_sun_is_cut_and_told(package, tmp_path, capsys):
     sun = np.ones((8, 16), np.float16)
     sun[2, 3] = np.inf

@@ -248,9 +248,9 @@ class Scene(Model):
     clamp_indirect: Positive | Literal["auto"] | None = Field(
         default="auto",
         description="Clamp on per-path indirect radiance. Removes fireflies and their energy. "
-        "`auto` is 10 times the mean radiance of a white sphere as large as the scene, without what "
-        "extends beyond 100 times the distance of `look_at`, under its lights; null disables the "
-        "clamp and its bias.",
+        "`auto` is 10 times the mean radiance of a white sphere as large as the scene, without "
+        "what extends beyond 100 times the distance of `look_at`, under its lights; null disables "
+        "the clamp and its bias.",
     )
     seed: int = Field(
         default=0, ge=0, le=MAX_SEED, description="Random seed; the same seed gives the same image."
