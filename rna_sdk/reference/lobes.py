@@ -53,7 +53,7 @@ def lobes_reference(
     axes: normals or tangents. free: (n,), the asset's own visibility along the mirror direction.
     """
     values = np.asarray(output, np.float64).reshape(len(output), -1, 3, 3)
-    v = np.asarray(free, np.float64)[:, None, None]
+    v = np.clip(np.asarray(free, np.float64), 0.0, 1.0)[:, None, None]
     amplitudes = v * values[:, :, 0] + (1.0 - v) * values[:, :, 1]
     wide = WIDE * unit(axes) if kind == "surface" else -WIDE * unit(wo)
     narrow = NARROW * mirror_reference(kind, axes, wo)

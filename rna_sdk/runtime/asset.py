@@ -302,15 +302,15 @@ class AssetPart(Asset):
         """T, (n, 3) float32: of decoders apart, each row by those that count."""
         checked = self._checked(arrays, TRANSPORT.arrays)
         count = len(checked["wo"])
-        v = _shares(visibility, count)
+        shares = _shares(visibility, count)
         evaluators = self._evaluators[TRANSPORT.name]
         if len(evaluators) == 1:
             visible, shadowed = self.decode(TRANSPORT.name, checked)
             if isinstance(visibility, np.ndarray) and visibility.dtype == np.bool_:
                 return np.where(visibility[:, None], visible, shadowed)
-            return v * visible + (np.float32(1.0) - v) * shadowed
+            return shares[0] * visible + shares[1] * shadowed
         result = np.zeros((count, COLUMNS), np.float32)
-        for evaluator, share in zip(evaluators, (v, np.float32(1.0) - v), strict=True):
+        for evaluator, share in zip(evaluators, shares, strict=True):
             row = np.flatnonzero(share.any(axis=1))
             answer = np.empty((len(row), COLUMNS), np.float32)
             rows = {name: values.take(row, axis=0) for name, values in checked.items()}
@@ -392,17 +392,24 @@ def _by_answer(evaluators: dict[str, Evaluator]) -> dict[str, tuple[Evaluator, .
     return {**answers, **others}
 
 
-def _shares(visibility: object, count: int) -> Rows:
-    """Visibility (n,) of bools, or (n,) or (n, 3) of numbers, as (n, 1) or (n, 3) float32.
+def _shares(visibility: object, count: int) -> tuple[Rows, Rows]:
+    """Shares of visible and of shadowed light, (n, 1) or (n, 3) float32 each.
+
+    visibility: (n,) of bools, or (n,) or (n, 3) of numbers, which are taken into [0, 1]; both
+    shares are 0 in a row with one that is not finite.
 
     Raises:
         QueryError: it is no such array.
     """
     if isinstance(visibility, np.ndarray) and visibility.ndim == 2:
-        return vectors("visibility", visibility, count)
-    if isinstance(visibility, np.ndarray) and visibility.dtype == np.bool_:
-        visibility = visibility.astype(np.float32)
-    return scalars("visibility", visibility, count)[:, None]
+        v = vectors("visibility", visibility, count)
+    else:
+        if isinstance(visibility, np.ndarray) and visibility.dtype == np.bool_:
+            visibility = visibility.astype(np.float32)
+        v = scalars("visibility", visibility, count)[:, None]
+    known = np.isfinite(v).all(axis=1, keepdims=True)
+    seen = np.clip(np.where(known, v, np.float32(0.0)), np.float32(0.0), np.float32(1.0))
+    return seen, known.astype(np.float32) - seen
 
 
 def _results(

@@ -1,4 +1,4 @@
-"""Points of triangles that rays have hit, and how far off them rays have to start.
+"""Points of triangles that rays have hit, and how far off them rays start.
 
 Embree finds hits in float32, with barycentrics that are right to 2^-24 of the triangle: millimetres
 on a floor of 40 km. So the ray is cut with the triangle's plane once more, in float64, and the
@@ -26,6 +26,9 @@ from rna_trace.vectors import Vector, cross, dot, minus, plus, unit, vector_at
 # rays off random triangles, of 1 mm to 10,000 km, level, tilted and slivers, placed anywhere, none
 # met its triangle again from 6 on.
 ROUNDING = 16.0 * 2.0**-24
+
+# What is exact still has a step, this share of another one: a ray that starts in a plane meets it.
+_LEAST = 2.0**-24
 
 # A point may lie so far beyond its triangle's edges, in barycentrics, which are right to some 2^-24
 # where rays decide between the two triangles of a floor.
@@ -173,13 +176,14 @@ def _uncertain(e1: Vector, e2: Vector) -> float:
     component of which is a difference of products of edges: the volume of the triangle's box over
     twice its area. 0 for a triangle across an axis, about its size for another, more for a sliver.
     """
-    volume = 1.0
+    volume, longest = 1.0, 0.0
     for axis in range(3):
         low, high = min(e1[axis], e2[axis], 0.0), max(e1[axis], e2[axis], 0.0)
         volume *= high - low
+        longest = max(longest, high - low)
     n = cross(e1, e2)
     area = np.sqrt(dot(n, n))
-    return volume / area if area > 0.0 else 0.0
+    return _LEAST * longest + (volume / area if area > 0.0 else 0.0)
 
 
 @compiled(fastmath=())
@@ -191,7 +195,7 @@ def _reach(rotation: np.ndarray, place: Vector, x: Vector, n: Vector) -> float:
         size = 0.0
         for axis in range(3):
             size += abs(rotation[axis, row]) * (abs(x[axis]) + abs(place[axis]))
-        result += abs(n[row]) * size
+        result += (abs(n[row]) + _LEAST) * size
     return result
 
 

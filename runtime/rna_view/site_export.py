@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from rna_sdk.atomic_file import atomic_file, is_temporary, remove_leftovers, write_atomically
@@ -33,7 +35,8 @@ MARKER = "rna-view.json"
 def export_site(site: Site, folder: Path) -> list[Path]:
     """Write the page; returns the files. Of an earlier export, what is no longer used is removed.
 
-    So is what an export that was killed left half written.
+    So is what an export that was killed left half written. One that fails, as on a full disk,
+    leaves nothing new.
 
     Raises:
         ViewError: the folder holds something else, or cannot be written.
@@ -52,15 +55,33 @@ def export_site(site: Site, folder: Path) -> list[Path]:
     contents = {**site.contents, **{name: viewer_file(name) for name in VIEWER_FILES}}
     contents["index.html"] = site.index()
     try:
-        folder.mkdir(parents=True, exist_ok=True)
-        remove_leftovers(folder)
-        _mark(folder, used | (earlier or set()))
-        written = [_write(folder / name, content) for name, content in contents.items()]
-        for name in (earlier or set()) - used:
-            (folder / name).unlink(missing_ok=True)
-        return [*written, _mark(folder, used)]
+        with _all_or_nothing_new(folder):
+            folder.mkdir(parents=True, exist_ok=True)
+            remove_leftovers(folder)
+            _mark(folder, used | (earlier or set()))
+            written = [_write(folder / name, content) for name, content in contents.items()]
+            for name in (earlier or set()) - used:
+                (folder / name).unlink(missing_ok=True)
+            return [*written, _mark(folder, used)]
     except OSError as error:
         raise ViewError(f"{folder}: {error.strerror}") from error
+
+
+@contextmanager
+def _all_or_nothing_new(folder: Path) -> Iterator[None]:
+    """Removes the files and the folder that a block has added, if it raises."""
+    was_there = folder.is_dir()
+    before = {path.name for path in folder.iterdir()} if was_there else set()
+    try:
+        yield
+    except BaseException:
+        with suppress(OSError):
+            for path in folder.iterdir():
+                if path.name not in before:
+                    path.unlink()
+            if not was_there:
+                folder.rmdir()
+        raise
 
 
 def _exported(folder: Path) -> set[str] | None:

@@ -158,6 +158,14 @@ def test_a_motion_too_short_for_the_frames_is_refused_at_once(
     load_world(read_scene(looping))
 
 
+def test_a_loop_that_does_not_close_is_refused(tmp_path: Path) -> None:
+    moving_node(tmp_path / "up.gltf", load(TOY).mesh, [("scale", [0, 1], [[1, 1, 1], [1, 2, 1]])])
+    load_world(read_scene(scene(tmp_path, "motion: up.gltf")))
+    looping = scene(tmp_path, "motion: {path: up.gltf, loop: true}")
+    with pytest.raises(SceneError, match=r"loop: frame 24 is up to 0\.\d+ m from frame 0"):
+        load_world(read_scene(looping))
+
+
 def test_an_animation_without_motion_is_refused(tmp_path: Path) -> None:
     with pytest.raises(SceneError, match="nothing moves: give turntable, light_sweep, or"):
         read_scene(scene(tmp_path, "tier: small", "animation: {frames: 2}"))

@@ -115,6 +115,13 @@ def test_transforms_of_nodes_are_finite(key, value, tmp_path):
         assert np.isfinite(mesh.positions).all() and np.isfinite(mesh.normals).all()
 
 
+def test_a_rotation_of_no_length_is_refused_in_one_line(tmp_path):
+    """numpy's warning of a division by 0 was printed."""
+    path = Gltf().square().node(mesh=0, rotation=[0, 0, 0, 0]).write(tmp_path / "a.gltf")
+    with pytest.raises(SceneError, match="a rotation is \\[0, 0, 0, 0\\]; expected a quaternion"):
+        read(path)
+
+
 @pytest.mark.parametrize("ior", [np.nan, np.inf, -1, -1.0001, 1e308])
 def test_refractive_indices(ior, tmp_path):
     gltf = Gltf().square(material=0).node(mesh=0)

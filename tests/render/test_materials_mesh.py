@@ -12,7 +12,7 @@ from rna_render.materials.ggx import MIN_ALPHA
 from rna_render.materials.mesh_object import LUMINANCE
 from rna_render.materials.textures import LINEAR, SRGB, read_texels
 from rna_render.scene.material_models import MaterialModel
-from rna_render.scene.scene_model import GroundModel
+from rna_render.scene.scene_model import CameraModel, GroundModel
 from rna_sdk.errors import SceneError
 from rna_trace.bilinear import CLAMP, MIRROR, REPEAT
 from rna_trace.surface import geometric_normals
@@ -225,8 +225,9 @@ def test_emitted_luminance_of_textures():
 
 
 def test_ground():
+    camera = CameraModel(position=(0, 0, 0), look_at=(0, 0, -1))
     model = GroundModel(height=-0.5, size=4.0)
-    plane = ground(model)
+    plane = ground(model, camera)
     assert plane.positions[:, 1].tolist() == [-0.5] * 4
     assert np.ptp(plane.positions, axis=0).tolist() == [4, 0, 4]
     assert plane.normals.tolist() == [[0, 1, 0]] * 4
@@ -237,4 +238,16 @@ def test_ground():
     np.testing.assert_allclose(actual.base_color, 0.8)
     assert not plane.catches_shadows and not plane.is_emissive
     catcher = GroundModel.model_validate({"material": {"type": "shadow_catcher"}})
-    assert ground(catcher).catches_shadows
+    assert ground(catcher, camera).catches_shadows
+
+
+def test_a_ground_without_a_size_has_no_end_and_no_gaps():
+    camera = CameraModel(position=(100_000.25, 3, -7.5), look_at=(100_002.25, 3, -7.5))
+    plane = ground(GroundModel(height=1), camera)
+    assert np.abs(plane.positions).max() > 1e6 and (plane.positions[:, 1] == -2).all()
+    corners = plane.positions[plane.triangles].astype(np.float64)
+    doubled = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    assert (doubled[:, 1] > 0).all() and not doubled[:, [0, 2]].any()
+    assert doubled[:, 1].sum() / 2 == pytest.approx(np.ptp(plane.positions[:, 0]) ** 2)
+    uvs = plane.uvs - plane.positions[:, [0, 2]]
+    np.testing.assert_allclose(uvs[:4], [[0.25, 0.5]] * 4)

@@ -335,6 +335,16 @@ def write_obj(folder, mtl=MTL, library="some library.mtl") -> Path:
     return folder / "a.obj"
 
 
+def test_relative_indices_of_obj_count_from_their_face(tmp_path):
+    """Not from the end of the file, where other vertices follow."""
+    triangles = ["v 0 0 0\nv 1 0 0\nv 0 1 0\n", "v 5 5 5\nv 6 5 5\nv 5 6 5\n"]
+    (tmp_path / "back.obj").write_text("f -3 -2 -1\n".join([*triangles, ""]))
+    (tmp_path / "plain.obj").write_text("".join(triangles) + "f 1 2 3\nf 4 5 \\\n 6\n")
+    back, plain = (read(tmp_path / name) for name in ("back.obj", "plain.obj"))
+    np.testing.assert_array_equal(back.positions[back.triangles], plain.positions[plain.triangles])
+    assert back.positions[back.triangles].max() == 6 and len(back.triangles) == 2
+
+
 def test_materials_of_obj(tmp_path):
     mesh = read(write_obj(tmp_path))
     assert len(mesh.triangles) == 2
@@ -392,7 +402,17 @@ def errors(folder: Path) -> dict[str, tuple[Path, str, dict | None]]:
     case("words.obj", "v 0 0 zero\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "cannot be read as .obj")
     (case("huge.obj", "v 0 0 1e20\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "at most 1e\\+18"),)
     case("nan.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "positions must be finite")
-    case("far.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "cannot be read|outside")
+    three = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n"
+    case("far.obj", f"{three}f 1 2 9\n", r"far\.obj:6: a face names vertex 9; expected 1 to 3")
+    case("zero.obj", f"{three}f 0 1 2\n", r"zero\.obj:6: a face names vertex 0; expected 1 to 3")
+    case("back.obj", f"{three}f -1 -2 -4\n", "a face names vertex -4; expected 1 to 3, or -1 to -3")
+    case("no uv.obj", f"{three}f 1/1 2/1 3/0\n", "a face names texture coordinate 0")
+    case("far uv.obj", f"{three}f 1/1 2/1 3/2\n", "texture coordinate 2; expected 1 to 1")
+    case("no normal.obj", f"{three}f 1//1 2//1 3//0\n", "a face names normal 0")
+    case(
+        "mixed.obj", f"{three}f 1 2 3\nf 1/1/1 2/1/1 3/1/9\n", r"mixed\.obj:7: a face names normal"
+    )
+    case("half.obj", f"{three}f 1 2 2.5\n", r"the corner '2\.5'; expected integers")
     case("noise.ply", b"\x00\x01\x02", "cannot be read as .ply")
     header = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nend_header\n0\n0\n"
     case("short.ply", header, "cannot be read as .ply")

@@ -47,6 +47,22 @@ def test_transport_blends_by_visibility(tmp_path: Path, kind: str, apart: bool, 
     assert np.abs(visible - shadowed).max() > 0.01
 
 
+@pytest.mark.parametrize("apart", [False, True])
+@pytest.mark.parametrize("columns", [1, 3])
+def test_any_visibility_gives_transport(tmp_path: Path, apart: bool, columns: int) -> None:
+    """spec/RNA.md, 8.1: outside [0, 1] as the nearer of the two; 0 for what is not finite."""
+    asset, rows = load(package(tmp_path, apart, "surface")), arguments("surface")
+    odd = np.float32([0.3, -1, 2, -1e30, 1e30, np.nan, np.inf, -np.inf])
+    v = np.random.default_rng(2).choice(odd, (ROWS, columns))
+    known = np.isfinite(v).all(axis=1)
+    share = np.clip(np.where(known[:, None], v, 0), 0, 1)
+    visible, shadowed = asset.evaluate(*rows)
+    expected = np.where(known[:, None], share * visible + (1 - share) * shadowed, 0)
+    actual = asset.transport(*rows, v[:, 0].copy() if columns == 1 else v)
+    np.testing.assert_allclose(actual, expected, rtol=1e-6, atol=1e-7)
+    assert known.any() and not known.all()
+
+
 def test_no_visibility_is_refused(tmp_path: Path) -> None:
     asset, rows = load(package(tmp_path, True)), arguments("surface")
     for wrong in (None, np.ones(ROWS - 1, bool), np.ones((ROWS, 2), np.float32), np.ones(ROWS)):

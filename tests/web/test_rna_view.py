@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import errno
 import hashlib
 import json
+import os
+import shutil
 import subprocess
 import sys
 import urllib.error
@@ -11,10 +14,12 @@ import urllib.request
 from html import unescape
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+from rna_render import write_exr
 from rna_sdk.atomic_file import remove_leftovers, temporary_path
-from rna_sdk.errors import PackageError, ViewError
+from rna_sdk.errors import PackageError, SceneError, ViewError
 from rna_view.page_server import PageServer
 from rna_view.rna_view_command import main
 from rna_view.scene_page import scene_site
@@ -253,8 +258,47 @@ def test_what_is_no_package_or_image_is_refused(package, tmp_path):
     with pytest.raises(PackageError, match=r"text\.rna"):
         site_for(tmp_path / "text.rna")
     for image in (tmp_path / "text.hdr", tmp_path / "none.hdr", tmp_path):
-        with pytest.raises(ViewError, match=image.name):
+        with pytest.raises((ViewError, SceneError), match=image.name):
             site_for(package, environment=image)
+
+
+def test_an_environment_that_visitors_cannot_read_is_refused(package, tmp_path, capsys):
+    write_exr(tmp_path / "sky.exr", dict.fromkeys("RGB", np.ones((8, 16), np.float32)), {})
+    for name, size in (("whole", None), ("cut", 300)):
+        (tmp_path / f"{name}.exr").write_bytes((tmp_path / "sky.exr").read_bytes()[:size])
+    export = ["--export", str(tmp_path / "site")]
+    assert main([str(package), "--env", str(tmp_path / "cut.exr"), *export]) == 1
+    said = capsys.readouterr().err
+    assert "cut.exr: cannot read the image" in said and not (tmp_path / "site").exists()
+    assert main([str(package), "--env", str(tmp_path / "whole.exr"), *export]) == 0
+
+
+@pytest.mark.filterwarnings("default::UserWarning")
+def test_an_infinite_sun_is_cut_and_told(package, tmp_path, capsys):
+    sun = np.ones((8, 16), np.float16)
+    sun[2, 3] = np.inf
+    write_exr(tmp_path / "sun.exr", dict.fromkeys("RGB", sun), {})
+    export = ["--export", str(tmp_path / "site")]
+    assert main([str(package), "--env", str(tmp_path / "sun.exr"), *export]) == 0
+    assert "infinite radiance in 1 texels is cut to 65,504" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("earlier", [False, True])
+def test_an_export_on_a_full_disk_leaves_nothing_new(
+    package, earlier, tmp_path, capsys, monkeypatch
+):
+    folder, other = tmp_path / "site", make_tiny_package(tmp_path / "other.rna", make_tier("hq"))
+    if earlier:
+        assert main([str(other), "--export", str(folder)]) == 0
+    before = {path.name for path in folder.iterdir()} if earlier else None
+
+    def full(*_: object) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(shutil, "copyfile", full)
+    assert main([str(package), "--export", str(folder)]) == 1
+    assert "No space left on device" in capsys.readouterr().err
+    assert ({path.name for path in folder.iterdir()} if folder.exists() else None) == before
 
 
 def test_attributes_are_escaped(package):

@@ -10,16 +10,14 @@ The description is JSON in the renderer's own space, +Y up:
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from rna_render import MeshObject, ground, placed_box, read_mesh_object
+from rna_render import MeshObject, ground, read_mesh_object
 from rna_render.scene import DiffuseModel, MaterialModel, Scene, world_from_object
 from rna_sdk.errors import SceneError
-from rna_sdk.package import Package
 
 _Placed = tuple[MeshObject, np.ndarray, tuple[float, ...]]
 """A mesh, world from object and its colour."""
@@ -33,7 +31,7 @@ def cycles_scene(scene: Scene, bounces: int | None = None) -> dict[str, Any]:
     scattering), objects and grounds that are not of one diffuse colour, spheres that shine.
     """
     assets, objects = _assets(scene), _objects(scene)
-    meshes = [*objects, *_ground(scene, assets, objects)]
+    meshes = [*objects, *_ground(scene)]
     return {
         "assets": [matrix.tolist() for matrix in assets],
         "meshes": [_described(*mesh) for mesh in meshes],
@@ -64,22 +62,13 @@ def _objects(scene: Scene) -> list[_Placed]:
     return meshes
 
 
-def _ground(
-    scene: Scene, assets: Sequence[np.ndarray], objects: Sequence[_Placed]
-) -> list[_Placed]:
-    """The ground, which without a size reaches as far as `rna-run` lays it."""
+def _ground(scene: Scene) -> list[_Placed]:
+    """The ground as `rna-run` lays it."""
     if scene.ground is None:
         return []
-    boxes = []
-    if scene.ground.size is None:
-        boxes = [
-            placed_box(matrix, mesh.positions.min(axis=0), mesh.positions.max(axis=0))
-            for mesh, matrix, _ in objects
-        ]
-        if assets:
-            with Package.open(scene.assets[0].path) as package:
-                boxes += [placed_box(matrix, *package.box()) for matrix in assets]
-    return [(ground(scene.ground, boxes), np.eye(4), _colour(scene.ground.material))]
+    place = np.eye(4)
+    place[:3, 3] = scene.camera.position
+    return [(ground(scene.ground, scene.camera), place, _colour(scene.ground.material))]
 
 
 def _described(mesh: MeshObject, matrix: np.ndarray, colour: tuple[float, ...]) -> dict[str, Any]:

@@ -36,6 +36,6 @@ fn rna_lobe(place: u32, j: u32, axis: vec3f, wo: vec3f, m: vec3f, free: f32) -> 
         base = RNA_WIDE * select(axis, -wo, RNA_IS_FIBER == 1u);
     }
     let a = rna_three(place, 9u * j + 6u) - RNA_AXIS_SHIFT + base;
-    let amplitude = mix(rna_three(place, 9u * j + 3u), rna_three(place, 9u * j), free);
+    let amplitude = mix(rna_three(place, 9u * j + 3u), rna_three(place, 9u * j), clamp(free, 0.0, 1.0));
     return RnaLobe(amplitude, max(length(a), RNA_LEAST_KAPPA), a);
 }

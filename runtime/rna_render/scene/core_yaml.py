@@ -16,6 +16,11 @@ from yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 from yaml.resolver import BaseResolver
 
 _TAG = "tag:yaml.org,2002:"
+_NAMES: dict[type[Node], str] = {
+    ScalarNode: "a scalar",
+    SequenceNode: "a list",
+    MappingNode: "a mapping",
+}
 _KINDS = {_TAG + "str": ScalarNode, _TAG + "seq": SequenceNode, _TAG + "map": MappingNode}
 
 # YAML 1.2.2, section 10.3.2: what plain scalars are, the characters that they begin with, and what
@@ -66,7 +71,8 @@ class CoreLoader(
             raise ConstructorError(None, None, f"unknown tag {node.tag!r}", node.start_mark)
         if not isinstance(node, kind):
             name = node.tag.removeprefix(_TAG)
-            raise ConstructorError(None, None, f"a {node.id} is no {name}", node.start_mark)
+            message = f"{_NAMES[type(node)]} is no {name}"
+            raise ConstructorError(None, None, message, node.start_mark)
         return super().construct_object(node, deep)
 
 
@@ -92,12 +98,11 @@ def _scalar(name: str) -> Callable[[CoreLoader, ScalarNode], object]:
 
 
 for _name, (_pattern, _first, _) in _SCALARS.items():
-    CoreLoader.add_constructor(_TAG + _name, _scalar(_name))
+    CoreLoader.yaml_constructors[_TAG + _name] = _scalar(_name)
     _starts = [*_first, ""] if _name == "null" else list(_first)
     CoreLoader.add_implicit_resolver(_TAG + _name, re.compile(rf"^{_pattern}$"), _starts)
-CoreLoader.add_constructor(_TAG + "str", SafeConstructor.construct_yaml_str)
-CoreLoader.add_constructor(_TAG + "seq", SafeConstructor.construct_yaml_seq)
-CoreLoader.add_constructor(_TAG + "map", SafeConstructor.construct_yaml_map)
+for _name in ("str", "seq", "map"):
+    CoreLoader.yaml_constructors[_TAG + _name] = getattr(SafeConstructor, f"construct_yaml_{_name}")
 
 
 class _CoreDumper(yaml.SafeDumper):

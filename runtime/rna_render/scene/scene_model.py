@@ -47,7 +47,8 @@ class MotionModel(Model):
     )
     loop: bool = Field(
         default=False,
-        description="Repeats the motion; its last frame must equal the first and is left out.",
+        description="Repeats the motion; its last frame must equal the first, to 1% of the asset's "
+        "size, and is left out.",
     )
 
 
@@ -140,8 +141,7 @@ class GroundModel(Model):
     height: Number = Field(default=0.0, description="Its y coordinate, metres.")
     size: Length | None = Field(
         default=None,
-        description="Side length, metres; 100 if omitted, or 400 times the largest x or z of the "
-        "assets and objects where that is more.",
+        description="Side length, metres; without end if omitted.",
     )
     material: MaterialModel = Field(
         default=DiffuseModel(type="diffuse"), description="Its material; diffuse grey if omitted."
@@ -248,8 +248,9 @@ class Scene(Model):
     clamp_indirect: Positive | Literal["auto"] | None = Field(
         default="auto",
         description="Clamp on per-path indirect radiance. Removes fireflies and their energy. "
-        "`auto` is 10 times the mean radiance of a white sphere under the scene's lights; null "
-        "disables the clamp and its bias.",
+        "`auto` is 10 times the mean radiance of a white sphere as large as the scene, without "
+        "what extends beyond 100 times the distance of `look_at`, under its lights; null disables "
+        "the clamp and its bias.",
     )
     seed: int = Field(
         default=0, ge=0, le=MAX_SEED, description="Random seed; the same seed gives the same image."

@@ -52,11 +52,14 @@ def _from_euler(degrees: Vector) -> np.ndarray:
 
 
 def quaternion_rotation(quaternion: Quaternion) -> np.ndarray:
-    """(3, 3) float64 of (x, y, z, w) of any length but 0.
+    """(3, 3) float64 of (x, y, z, w) of any length but 0, for which it raises ValueError.
 
     Shoemake, Animating Rotation with Quaternion Curves (1985).
     """
-    x, y, z, w = np.asarray(quaternion, np.float64) / np.linalg.norm(quaternion)
+    length = np.linalg.norm(quaternion)
+    if not length > 0.0:
+        raise ValueError(f"a rotation is {list(quaternion)}; expected a quaternion of some length")
+    x, y, z, w = np.asarray(quaternion, np.float64) / length
     return np.array(
         [
             [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],

@@ -14,7 +14,7 @@ from rna_render.materials.textures import read_texels
 from rna_render.scene.light_models import AreaModel, LightModel
 from rna_render.scene.limits import MAX_SIZE, MIN_SIZE
 from rna_render.scene.scene_file import SceneFile
-from rna_render.scene.scene_model import AssetModel, GroundModel
+from rna_render.scene.scene_model import AssetModel, CameraModel, GroundModel
 from rna_render.scene.transforms import from_origin, world_from_object
 from rna_render.world.body_cache import BodyCache
 from rna_render.world.domain_watch import watched
@@ -65,7 +65,7 @@ def placed_world(scene_file: SceneFile, tiers: Tiers, loaded: Loaded | None = No
     _check_sizes(scene_file, "objects", placed[1])
     standing = [*placed[0], *placed[1]]
     still = [
-        *_placed_ground(scene_file.resolved.ground, standing, origin),
+        *_placed_ground(scene_file.resolved.ground, view),
         *_placed_lights(scene_file.scene.lights, origin),
     ]
     reach = _REACH * float(np.linalg.norm(np.subtract(view.look_at, view.position)))
@@ -181,12 +181,10 @@ def _placed_objects(
     return placements
 
 
-def _placed_ground(
-    model: GroundModel | None, standing: Sequence[Placement], origin: np.ndarray
-) -> list[Placement]:
+def _placed_ground(model: GroundModel | None, camera: CameraModel) -> list[Placement]:
     if model is None:
         return []
-    mesh = ground(model, (placement.box() for placement in standing), origin)
+    mesh = ground(model, camera)
     return [Placement(mesh, np.eye(4), mesh_light(mesh, np.eye(4)), boundless=True)]
 
 

@@ -2,6 +2,7 @@
 
 // Of a rounding error, 2^-24, the times that it may come in: rna_trace/hit_points.py has half of it, in float64.
 const ROUNDING: f32 = 32.0 * 0x1p-24f;
+const LEAST_STEP: f32 = 0x1p-24f; // as there
 
 struct Vertex {
     x: vec3f, // object space, as all that is not said otherwise
@@ -102,7 +103,8 @@ fn place_vertex(v: ptr<function, Vertex>, record: RnaPrimitive, ray: RnaRay, t: 
     let e2 = rna_points[record.c].xyz - p;
     let size = rna_box_size(e1, e2);
     let far = t / rna_instances[instance].scale;
-    if max(size.x, max(size.y, size.z)) > far {
+    let longest = max(size.x, max(size.y, size.z));
+    if longest > far {
         let x = rna_object_point(ray.origin, instance) + far * rna_object_direction(ray.direction, instance);
         (*v).x = x - dot(x - p, (*v).ng) * (*v).ng;
     }
@@ -115,8 +117,9 @@ fn place_vertex(v: ptr<function, Vertex>, record: RnaPrimitive, ray: RnaRay, t: 
     // The volume of the box over twice the area; the latter by the largest component, whose square stays in float32.
     let n = cross(e1, e2);
     let largest = max(abs(n.x), max(abs(n.y), abs(n.z)));
-    let uncertain = select(0.0, size.x / largest * size.y * size.z, largest > 0.0);
-    (*v).step = ROUNDING * (dot(abs((*v).ng), rounded) + rna_instances[instance].scale * uncertain);
+    let uncertain = LEAST_STEP * longest + select(0.0, size.x / largest * size.y * size.z, largest > 0.0);
+    let along = abs((*v).ng) + LEAST_STEP;
+    (*v).step = ROUNDING * (dot(along, rounded) + rna_instances[instance].scale * uncertain);
 }
 
 fn vertex_of(path: Path) -> Vertex {

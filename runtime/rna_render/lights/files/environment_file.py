@@ -66,9 +66,8 @@ def read_environment(path: Path) -> np.ndarray:
     if infinite.any():
         texels[infinite] = BRIGHTEST
         count = np.count_nonzero(infinite.any(axis=2))
-        cut = f"infinite radiance in {count} texels is cut to {BRIGHTEST:,.0f}"
-        message = f"{cut}: the sun is darker"
-        warnings.warn(f"{path}: {message}", EnvironmentWarning, stacklevel=2)
+        what = f"infinite radiance in {count} texels is cut to {BRIGHTEST:,.0f}"
+        warnings.warn(f"{path}: {what}: the sun is darker", EnvironmentWarning, stacklevel=2)
     usable = np.isfinite(texels) & (texels <= MAX_NUMBER)
     bad = np.count_nonzero(~usable.all(axis=2))
     if bad:
