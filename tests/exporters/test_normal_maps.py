@@ -9,11 +9,13 @@ import pytest
 
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.capture.blender_process.capture_worker import scene_of
-from rna_export.capture.capture_settings import CaptureSettings
+from rna_export.capture.capture_settings import SHARPEST, CaptureSettings
 from rna_export.capture.capture_tasks import TrainingShard
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.geometry.exported_parts import exported_parts
+from rna_export.capture.rays.asset_scene import AssetScene
 from tests.exporters.conftest import OpenWorker
+from tests.exporters.cycles import unit
 from tests.exporters.synthetic import manifest_of
 
 pytestmark = pytest.mark.blender
@@ -152,17 +154,99 @@ bpy.context.scene.objects["square1"].data.materials[0] = copy
     assert list(exported.textures) == [maps[0].texture]
 
 
+BUMP = """
+import math
+side = 32
+heights = [0.5 + 0.3 * math.sin(2 * math.pi * 3 * (k % side + 0.5) / side)
+           + 0.2 * math.cos(2 * math.pi * 2 * (k // side + 0.5) / side) for k in range(side**2)]
+image = bpy.data.images.new("height", side, side, float_buffer=True)
+image.colorspace_settings.name = "Non-Color"
+image.pixels.foreach_set([value for h in heights for value in (h, h, h, 1.0)])
+image.pack()
+material = bpy.data.materials.new("leather")
+material.use_nodes = True
+tree = material.node_tree
+shader = tree.nodes.new("ShaderNodeBsdfDiffuse")
+end = tree.nodes["Material Output"]
+tree.links.new(shader.outputs[0], end.inputs["Surface"])
+picture = tree.nodes.new("ShaderNodeTexImage")
+picture.image = image
+
+def bump(**values):
+    node = tree.nodes.new("ShaderNodeBump")
+    tree.links.new(picture.outputs[0], node.inputs["Height"])
+    tree.links.new(node.outputs[0], shader.inputs["Normal"])
+    for name, value in values.items():
+        node.inputs[name].default_value = value
+    return node
+
+# A sheet of 4 x 2 units, half as large in the world, whose UV map is square.
+mesh = bpy.data.meshes.new("sheet")
+mesh.from_pydata([(0, 0, 0), (4, 0, 1), (4, 2, 1), (0, 2, 0)], [], [(0, 1, 2, 3)])
+layer = mesh.uv_layers.new(name="UVMap")
+layer.uv.foreach_set("vector", [0, 0, 1, 0, 1, 1, 0, 1])
+mesh.materials.append(material)
+item = bpy.data.objects.new("sheet", mesh)
+item.scale = (0.5, 0.5, 0.5)
+bpy.context.scene.collection.objects.link(item)
+"""
+DISPLACED = """
+node = tree.nodes.new("ShaderNodeDisplacement")
+node.inputs["Scale"].default_value = 0.06
+tree.links.new(picture.outputs[0], node.inputs["Height"])
+tree.links.new(node.outputs[0], end.inputs["Displacement"])
+material.displacement_method = "BUMP"
+"""
+
+
+@pytest.mark.parametrize(
+    "relief",
+    [
+        "bump(Distance=0.06)",
+        "bump(Distance=0.06, Strength=0.4).invert = True",
+        "bump(Distance=0.03, Strength=1.0)",
+        DISPLACED,
+    ],
+)
+def test_heights_become_the_normals_that_cycles_shades_with(
+    open_worker: OpenWorker, relief: str
+) -> None:
+    worker = open_worker(BUMP + relief)
+    exported = exported_parts(worker, CaptureSettings())
+    assert exported.notes == [] and exported.mapped == ("leather",)
+    place = np.random.default_rng(1).uniform([0.1, 0.1], [1.9, 0.9], (1024, 2))
+    origins = np.column_stack([place[:, 0], np.full(1024, 3.0), -place[:, 1]]).astype(np.float32)
+    down = np.tile(np.float32([0, -1, 0]), (1024, 1))
+    rendered = worker.render_rays(origins, down, unit(0, 1, 0), 1, seed=1, normals=True)
+    materials = exported.transmittances(), exported.normal_maps()
+    scene = AssetScene(tuple(exported.geometries.values()), SHARPEST, *materials)
+    points = scene.shade_points(origins, down)
+    (on,) = points.on
+    mapped = on.fields["normal"]
+    flat = unit(-0.25, 1, 0)
+    assert points.hit.all() and rendered.normal is not None
+    bent, off = (
+        np.degrees(np.arccos(np.clip(np.sum(rendered.normal * n, axis=1), -1, 1)))
+        for n in (flat, mapped)
+    )
+    assert np.median(bent) > 3.0
+    assert np.median(off) < 0.2 * np.median(bent)
+    assert np.percentile(off, 95) < 0.5 * np.median(bent)
+
+
 def test_relief_that_no_map_can_have_is_told(open_worker: OpenWorker) -> None:
-    bump = (
-        SQUARES
-        + """
+    bump = """
 bump = tree.nodes.new("ShaderNodeBump")
 tree.links.new(picture.outputs[0], bump.inputs["Height"])
 tree.links.new(bump.outputs[0], shader.inputs["Normal"])
 """
-    )
-    maps, notes = normal_maps(open_worker(bump))
-    assert maps == {} and len(notes) == 1 and "Bump" in notes[0]
+    upon = SQUARES + bump + "tree.links.new(relief.outputs[0], bump.inputs['Normal'])"
+    stretched = SQUARES + bump + "bpy.data.objects['square0'].data.vertices[2].co.x += 9"
+    for scene, why in ((upon, "upon another normal"), (stretched, "uneven scale")):
+        worker = open_worker(scene)
+        textures = worker.export_textures(8)
+        assert textures.normals == {} and why in textures.obstacles["cloth"]
+        assert len(textures.notes) == 1 and why in textures.notes[0]
 
 
 def test_a_flat_map_is_none(open_worker: OpenWorker) -> None:

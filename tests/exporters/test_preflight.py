@@ -23,6 +23,7 @@ from rna_render.materials.material import Inside
 from rna_sdk.errors import CaptureError
 from tests.conftest import REPOSITORY
 from tests.exporters.conftest import OpenWorker
+from tests.exporters.in_blender import answer_of
 from tests.exporters.scenes import fur, write_scene
 
 RECIPE = REPOSITORY / "examples" / "recipes" / "materials.py"
@@ -56,7 +57,9 @@ def test_ten_materials_in_one_scene(open_worker: OpenWorker, tmp_path: Path) -> 
         assert re.fullmatch(words, actual[name].is_)
     assert opened.settings.sharpest == pytest.approx(0.035)
     assert "highlights of roughness 0.035, those of 'paint'" in opened.preflight[-1]
-    assert no_gain(opened) == "gain: none is promised, since 'paint' will not be learnt"
+    assert no_gain(opened) is None  # one of ten that are seen
+    assert re.search(r"not learnt \(\d% of what is seen\)$", actual["paint"].lines[0])
+    assert sum(each.share for each in opened.materials if each.name != "glass") == pytest.approx(1)
     # What is left to the host is in the one file and not in the other.
     assert set(opened.worker.export_corners(of_hosts=True)["material"]) == {"glass"}
     assert "glass" not in opened.worker.export_corners()["material"]
@@ -159,6 +162,8 @@ def test_a_given_sharpest_is_kept(open_worker: OpenWorker) -> None:
     opened = OpenedSource.of(open_worker(RECIPE, "paint"), {"sharpest": 0.1}, "x", None)
     assert opened.settings.sharpest == 0.1
     assert not any("views look for" in line for line in opened.preflight)
+    said = "gain: none is promised, since 'paint' (81% of what is seen) will not be learnt"
+    assert no_gain(opened) == said
 
 
 @pytest.mark.blender
@@ -181,7 +186,8 @@ def test_what_holds_nothing_to_learn_is_refused(
 @pytest.mark.parametrize(
     ("of", "size", "mapped", "learnt"),
     [
-        ("relief", 0.79e-3, False, "not"),
+        ("relief", 0.39e-3, False, "not"),
+        ("relief", 0.79e-3, False, "roughly"),
         ("relief", 0.81e-3, False, "well"),
         ("relief", 0.1e-3, True, "well"),
         ("relief", None, False, "well"),
@@ -228,6 +234,60 @@ def test_highlights_are_looked_for_as_narrow_as_the_smoothest_material(
     roughness: float | None, sharpest: float, named: str | None
 ) -> None:
     assert sharpest_of([facts(roughness=roughness)]) == (sharpest, named)
+
+
+def test_what_keeps_a_detail_from_being_a_texture_is_named() -> None:
+    fine = [Detail(of=of, node="Veins", size=1e-4) for of in ("relief", "colour")]
+    why = {"relief": {"m": "the limit"}, "colour": {"m": "the node 'Object Info'"}}
+    (actual,) = verdicts([facts(details=fine)], [], TEXEL, ["m"], ["m"], why)
+    relief, colour = actual.reasons
+    assert "the limit keeps it from being a normal map: bake it" in relief
+    assert "the node 'Object Info' keeps it from being an image: bake it" in colour
+
+
+@pytest.mark.parametrize(("share", "promised"), [(0.02, True), (0.3, False)])
+def test_a_small_part_of_what_is_seen_withholds_no_gain(share: float, promised: bool) -> None:
+    fine = Detail(of="relief", node="Grain", size=1e-4)
+    materials = verdicts([facts(details=[fine])], [], TEXEL, [], [], None, {"m": share})
+    said = no_gain(SimpleNamespace(materials=materials))  # type: ignore[arg-type]
+    assert (said is None) == promised
+    assert promised or said == (
+        "gain: none is promised, since 'm' (30% of what is seen) will not be learnt"
+    )
+    assert f"not learnt ({share:.0%} of what is seen)" in materials[0].lines[0]
+
+
+DETAILS = """
+import numpy as np
+from rna_preflight.image_detail import finest, period
+y, x = np.mgrid[:512, :512] / 512.0
+waves, noise = 0.5 + 0.4 * np.sin(2.0 * np.pi * 16 * x), np.random.default_rng(0).random(x.shape)
+veins = np.exp(-((x - 0.5) / 0.02) ** 2)
+image = bpy.data.images.new("print", 512, 256)
+image.pixels.foreach_set(np.dstack([waves[:256]] * 4).astype(np.float32).ravel())
+answer({
+    "waves": finest(waves, False),
+    "their slopes": finest(waves, True),
+    "waves with grain": finest(waves + 0.04 * noise, False),
+    "stripes": finest(np.floor(16 * x) % 2, False),
+    "noise": finest(noise, False),
+    "veins": finest(veins, True),
+    "nothing": finest(0.0 * x, True) == np.inf,
+    "an image": period(image, False),
+})
+"""
+
+
+@pytest.mark.blender
+def test_details_are_as_fine_as_most_of_an_image(blender_python: Path) -> None:
+    """And not as its texels: a smooth one of many texels has large details."""
+    found = answer_of(blender_python, DETAILS)
+    for name in ("waves", "their slopes", "waves with grain", "an image"):
+        assert 0.8 / 16 < found[name] < 1.2 / 16, name
+    assert 0.3 / 8 < found["stripes"] < 1.1 / 8
+    assert 1.4 / 512 < found["noise"] < 2.2 / 512
+    assert 0.02 < found["veins"] < 0.12
+    assert found["nothing"]
 
 
 def test_lengths() -> None:

@@ -50,6 +50,7 @@ from rna_work.sources import Carried
 from rna_work.timeouts import Timeouts
 
 _RESOURCE = "rna_blender"  # of a cluster's nodes that have Blender
+_MATTERS = 0.1  # of what is seen
 _ATTEMPTS = 2  # Blender may die of its own; a second failure is ours
 
 
@@ -117,9 +118,11 @@ def measured_pilot(
 
 
 def no_gain(opened: OpenedSource) -> str | None:
-    """Why no gain is promised, or None."""
-    names = ", ".join(map(repr, not_learnt(opened.materials)))
-    return f"gain: none is promised, since {names} will not be learnt" if names else None
+    """Why no gain is promised, or None: where a tenth of what is seen will not be learnt."""
+    names, share = not_learnt(opened.materials)
+    if share < _MATTERS:
+        return None
+    return f"gain: none is promised, since {names} will not be learnt"
 
 
 def _trial(renders: int) -> tqdm:

@@ -18,6 +18,7 @@ from rna_export.capture.geometry.exported_parts import ExportedParts, exported_p
 from rna_export.capture.preflight.material_record import Glass, MaterialFacts
 from rna_export.capture.preflight.sharpest import sharpest_of
 from rna_export.capture.preflight.verdicts import MaterialVerdict, preflight_lines, verdicts
+from rna_export.capture.preflight.visible_share import visible_shares
 from rna_export.capture.rays.asset_scene import AssetScene
 from rna_export.capture.rays.capture_directions import light_direction
 from rna_export.capture.rays.traced_rays import TracedRays
@@ -70,7 +71,15 @@ class OpenedSource:
         scene = _scene(exported, settings)
         limited = None if for_scene is None else scene_domain(for_scene, name, scene)
         glass = [Glass(**each) for each in worker.opened["glass"]]
-        judged = verdicts(facts, glass, _texel(exported), exported.mapped, exported.coloured)
+        judged = verdicts(
+            facts,
+            glass,
+            _texel(exported),
+            exported.mapped,
+            exported.coloured,
+            exported.obstacles,
+            visible_shares(exported, scene, facts),
+        )
         lines = preflight_lines(judged)
         if of is not None and "sharpest" not in given:
             lines += [f"views look for highlights of roughness {sharpest:.2g}, those of {of!r}"]

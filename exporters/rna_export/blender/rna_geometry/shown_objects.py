@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator
 from typing import TypeVar
 
 import bpy
+import numpy as np
 
 Result = TypeVar("Result")
 
@@ -136,6 +137,17 @@ def seen() -> Iterator[bpy.types.DepsgraphObjectInstance]:
         parent = instance.parent.original if instance.is_instance else None
         if instance.object.original.visible_camera and (parent is None or parent.visible_camera):
             yield instance
+
+
+def longest_side() -> float:
+    """Of the box around all that camera rays see, about: around the boxes of the objects."""
+    corners = [
+        np.array([*map(list, instance.object.bound_box)]) @ matrix[:3, :3].T + matrix[:3, 3]
+        for instance in seen()
+        if instance.object.type in (*SURFACES, HAIR)
+        for matrix in [np.array(instance.matrix_world)]
+    ]
+    return float(np.ptp(np.concatenate(corners), axis=0).max()) if corners else 0.0
 
 
 def _is_pattern(item: bpy.types.Object) -> bool:

@@ -89,6 +89,7 @@ class _Exported:
     colors: list[dict[str, Any]] = field(default_factory=list)
     arrays: dict[str, Any] = field(default_factory=dict)
     notes: list[str] = field(default_factory=list)
+    obstacles: dict[str, str] = field(default_factory=dict)
 
 
 def export_base_colors(path: str, charts: dict[str, Any], wish: Wish) -> dict[str, Any]:
@@ -101,7 +102,8 @@ def export_base_colors(path: str, charts: dict[str, Any], wish: Wish) -> dict[st
     coordinates of points and `shown0`, ... (p, 3) float32 linear colours there, before the factor,
     in the .npz. `charts`: as the argument, with those of images, and of tiled ones `tiles` (see
     `udim_tiles.numbers_of`). `others`: by material, what else it has of textures (see
-    `other_textures.py`). `notes`: for the user.
+    `other_textures.py`). `obstacles`: by material, why its base colour is no image. `notes`: for
+    the user.
     """
     exported = _Exported(dict(charts))
     copies = Copies()
@@ -111,11 +113,13 @@ def export_base_colors(path: str, charts: dict[str, Any], wish: Wish) -> dict[st
                 _add(exported, found, wish)
             except NotOfUv as problem:
                 exported.notes += _note(found, problem)
+                exported.obstacles[found.material.name_full] = str(problem)
     finally:
         copies.remove()
     np.savez(path, **exported.arrays)
     answer = {"colors": exported.colors, "charts": exported.charts, "notes": exported.notes}
-    return {**answer, "others": _others(exported.charts)}
+    others = {"others": _others(exported.charts), "obstacles": exported.obstacles}
+    return {**answer, **others}
 
 
 def _others(charts: dict[str, Any]) -> dict[str, dict[str, float]]:

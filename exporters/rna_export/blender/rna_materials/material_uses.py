@@ -26,13 +26,15 @@ _KINDS = {  # data type of an attribute -> property, components
 class Use:
     """All triangles of one mesh that show a material.
 
-    object: the name of one that has the mesh. positions: (3t, 3), object space. layers: UV maps,
+    object: the name of one that has the mesh. positions: (3t, 3), object space. scale: of that in
+    the world, of the first instance. layers: UV maps,
     (3t, 2) each; "" is the one that renders use by default. attributes: (3t, 4) each, 0 beyond
     their own components and 1 for a missing alpha, as Cycles has them; "" is the default colour.
     """
 
     object: str
     positions: np.ndarray
+    scale: float = 1.0
     layers: dict[str, np.ndarray] = field(default_factory=dict)
     attributes: dict[str, np.ndarray] = field(default_factory=dict)
 
@@ -69,7 +71,8 @@ def uses_of(wanted: dict[str, Wanted]) -> dict[str, list[Use]]:
         seen.add(key)
         mesh = instance.object.to_mesh()
         try:
-            _add_uses(result, wanted, instance.object.name, mesh, names)
+            scale = float(np.cbrt(abs(instance.matrix_world.to_3x3().determinant())))
+            _add_uses(result, wanted, Use(instance.object.name, np.empty(0), scale), mesh, names)
         finally:
             instance.object.to_mesh_clear()
     return result
@@ -78,7 +81,7 @@ def uses_of(wanted: dict[str, Wanted]) -> dict[str, list[Use]]:
 def _add_uses(
     result: dict[str, list[Use]],
     wanted: dict[str, Wanted],
-    name: str,
+    of: Use,
     mesh: bpy.types.Mesh,
     materials: list[str | None],
 ) -> None:
@@ -99,7 +102,7 @@ def _add_uses(
         if not rows.any():
             continue
         at = {domain: index[rows].ravel() for domain, index in corners.items()}
-        use = Use(name, points[at["POINT"]])
+        use = Use(of.object, points[at["POINT"]], of.scale)
         for layer in wanted[material].layers | wanted[material].attributes:
             if (uvs := uv_map(mesh, layer)) is not None:
                 use.layers[layer] = uvs[at["CORNER"]]

@@ -26,7 +26,7 @@ def problem_of(source: Source) -> str | None:
     node, _, inside = source
     before = [node, *(each for s in node.inputs for each, _, _ in sources(s, inside))]
     if any(each.type == "BUMP" for each in before):
-        return "a Bump node, whose height needs the size of the surface"
+        return "a Bump node before other nodes"
     if any(each.type == "NORMAL_MAP" and each.space != "TANGENT" for each in before):
         return "a Normal Map node that is not in tangent space"
     return None

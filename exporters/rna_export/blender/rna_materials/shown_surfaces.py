@@ -10,6 +10,7 @@ import bpy
 from rna_geometry.shown_objects import as_rendered
 from rna_materials import normal_maps
 from rna_materials.material_uses import Use, Wanted, shown_materials, uses_of
+from rna_materials.relief import Bump, ReliefOfUv, bump_of
 from rna_materials.transparency import transmittance_of
 from rna_materials.uv_render import ColourOfUv
 from rna_preflight.smooth_glass import is_left
@@ -77,14 +78,22 @@ def shown_surfaces(copies: Copies, folder: Path, with_normals: bool) -> Iterable
                 surface.shown = ColourOfUv(copy, shown.colour, folder)
         if with_normals and name in on_surfaces:
             copy = copies.of(material)
-            source = normal_maps.normal_source(copy)
-            if source is not None and (problem := normal_maps.problem_of(source)):
-                surface.no_normal = problem
-            elif source is not None:
-                colour = normal_maps.as_colour(copy, source)
-                surface.normal = ColourOfUv(copy, colour, folder)
+            surface.normal, surface.no_normal = _normal_of(copy, folder)
         if surface.colours() or surface.no_normal:
             yield surface
+
+
+def _normal_of(copy: bpy.types.Material, folder: Path) -> tuple[ColourOfUv | None, str | None]:
+    """The normal of a material's relief, or why it has no map; neither without relief."""
+    source = normal_maps.normal_source(copy)
+    bump = bump_of(copy, source)
+    if isinstance(bump, Bump):
+        return ReliefOfUv(copy, bump, folder), None
+    if bump is not None or source is None:
+        return None, bump
+    if problem := normal_maps.problem_of(source):
+        return None, problem
+    return ColourOfUv(copy, normal_maps.as_colour(copy, source), folder), None
 
 
 def find_uses(surfaces: list[Surface]) -> None:

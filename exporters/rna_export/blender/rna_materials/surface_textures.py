@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 from rna_materials import normal_maps
+from rna_materials.relief import ReliefOfUv
 from rna_materials.shown_surfaces import Copies, Surface, find_uses, shown_surfaces
 from rna_materials.texture_fit import (
     Fit,
@@ -23,12 +24,13 @@ from rna_materials.texture_fit import (
     is_binary,
     looked_up,
 )
-from rna_materials.uv_charts import Chart, charts
+from rna_materials.uv_charts import LARGEST, Chart, charts
 from rna_materials.uv_points import NotOfUv, UvPoints, joined
 from rna_materials.uv_render import ColourOfUv
 
 _NOTED, _WRONG = 0.01, 0.1  # mean errors of holes: noted, and of no use
 _WRONG_NORMAL = 0.03  # mean error of a normal's x and y
+_KEPT = 0.5  # of the relief's spread, at least, in a map of fewer texels
 _SHARP = 0.025  # error of a sharp outline where Cycles has one as wide as a texel
 
 
@@ -37,13 +39,14 @@ class _Textures:
     """Textures of one material, and notes about it.
 
     captured: whether light that it lets through has no texture. learnt: whether its relief has
-    none.
+    none. obstacle: what it is by then, or what flattens it.
     """
 
     holes: Fit | None = None
     normals: Fit | None = None
     captured: bool = False
     learnt: bool = False
+    obstacle: str | None = None
     notes: list[str] = field(default_factory=list)
 
     def chart(self) -> Chart | None:
@@ -62,12 +65,14 @@ def export_textures(path: str, side: int) -> dict[str, Any]:
 
     Returns `holes`, records of material (its full name), cutoff and ior; `normals`, names of
     materials; `charts`, layer and matrix by material (see `uv_charts.Chart`); `captured`, whether
-    light through some has no texture; `learnt`, whether some relief has none; `notes` for the user.
+    light through some has no texture; `learnt`, whether some relief has none; `obstacles`, by
+    material, what that relief is by; `notes` for the user.
     """
     holes: list[dict[str, Any]] = []
     normals: list[str] = []
     stored, notes, captured, learnt = {}, [], False, side == 0
     textures: dict[str, Any] = {}
+    obstacles: dict[str, str] = {}
     copies = Copies()
     try:
         surfaces = list(shown_surfaces(copies, Path(path).parent, side > 0))
@@ -89,13 +94,16 @@ def export_textures(path: str, side: int) -> dict[str, Any]:
             if surface_textures.normals is not None:
                 textures[f"normals{len(normals)}"] = surface_textures.normals.texture
                 normals.append(name)
+            if surface_textures.obstacle is not None:
+                obstacles[name] = surface_textures.obstacle
             if (chart := surface_textures.chart()) is not None:
                 stored[name] = chart.record()
     finally:
         copies.remove()
     np.savez(path, **textures)
     all_textures = {"holes": holes, "normals": normals, "charts": stored}
-    return {**all_textures, "captured": captured, "learnt": learnt, "notes": notes}
+    others = {"captured": captured, "learnt": learnt, "obstacles": obstacles, "notes": notes}
+    return {**all_textures, **others}
 
 
 def _textures_of(surface: Surface, side: int) -> _Textures:
@@ -109,15 +117,15 @@ def _textures_of(surface: Surface, side: int) -> _Textures:
                 f"is transparent by {problem}, which is no function of its UV coordinates: what is "
                 "seen through it is part of the captured light"
             )
-    reason = surface.no_normal
+    textures.obstacle = surface.no_normal
     if surface.normal is not None and surface.uses:
         try:
             _add_normals(surface, textures, side)
         except NotOfUv as problem:
-            reason = f"what {problem} places, and not its UV coordinates alone"
-    if reason:
+            textures.obstacle = str(problem)
+    if textures.obstacle is not None and textures.normals is None:
         textures.learnt = True
-        textures.notes.append(f"has relief by {reason}: it is learnt, not mapped")
+        textures.notes.append(f"has relief by {textures.obstacle}: it is learnt, not mapped")
     return textures
 
 
@@ -204,6 +212,8 @@ def _add_normals(surface: Surface, textures: _Textures, side: int) -> None:
     normal, taken = surface.normal, textures.chart()
     assert normal is not None  # the caller has checked
     points = UvPoints.of(surface.uses, normal)
+    if isinstance(normal, ReliefOfUv):
+        normal.measure(surface.uses, points.layer)
     truth = 2.0 * normal.values(points.uvs)[:, :2] - 1.0
     if np.abs(truth).max() < normal_maps.FLAT:
         return
@@ -220,7 +230,7 @@ def _add_normals(surface: Surface, textures: _Textures, side: int) -> None:
             if fit is not None:
                 textures.holes = _refitted(surface, textures.holes, fit.chart)
     if fit is None:
-        raise NotOfUv("nodes whose values do not repeat")
+        raise NotOfUv("nodes whose values do not repeat, or are too fine")
     height, width = fit.texture.shape[:2]
     xy = normal_maps.reduced(fit.texture, side)
     if xy.shape[:2] != (height, width):
@@ -228,6 +238,8 @@ def _add_normals(surface: Surface, textures: _Textures, side: int) -> None:
             f"has a normal map of {width} x {height} texels, stored as {xy.shape[1]} x "
             f"{xy.shape[0]}: finer relief blurs (--normal-texels)"
         )
+    if xy.std() < _KEPT * fit.texture.std():
+        textures.obstacle = f"the limit of {side} texels (--normal-texels)"
     fit.texture = np.round(127.0 + 127.0 * np.clip(xy, -1.0, 1.0)).astype(np.uint8)
     textures.normals = fit
 
@@ -243,7 +255,8 @@ def _fit_normals(
     def error(chart: Chart, made: Texture) -> float:
         return float(np.abs(looked_up(made[0], chart, points.uvs) - truth).mean())
 
-    fit = best_fit(normal, [chart for chart in tried if chart.is_upright], make, error)
+    largest = normal.largest if isinstance(normal, ReliefOfUv) else LARGEST
+    fit = best_fit(normal, [chart for chart in tried if chart.is_upright], make, error, largest)
     return None if fit is None or fit.error > _WRONG_NORMAL else fit
 
 

@@ -140,7 +140,8 @@ def _details(
         "emission": [*_of_inputs(others, _GLOW), *_of_inputs(glowing, ("Color", "Strength"))],
     }
     for sort, textures in sorts.items():
-        sized = [(size, t) for t in textures if (size := detail(t, extent)) is not None]
+        sizes = ((detail(t, extent, sort == "relief"), t) for t in textures)
+        sized = [(size, t) for size, t in sizes if size is not None]
         if sized:
             size, (node, _) = min(sized, key=lambda pair: pair[0])
             yield {"of": sort, "node": _called(node), "size": size}

@@ -12,7 +12,7 @@ from rna_geometry.attributes import read, uv_map
 from rna_geometry.shown_objects import SURFACES
 from rna_materials.node_sources import origin
 from rna_materials.object_materials import materials_of
-from rna_materials.udim_tiles import size_of
+from rna_preflight import image_detail
 from rna_preflight.shader_values import Shader, constant
 
 _WAVE = 20.0 / (2.0 * math.pi)  # waves a unit, of Blender's Wave Texture at scale 1
@@ -76,11 +76,14 @@ def _metres_a_uv(mesh: bpy.types.Mesh) -> float:
     return math.sqrt(area / in_uv) if in_uv > 0.0 else math.inf
 
 
-def detail(texture: Shader, extent: Extent) -> float | None:
-    """Metres from one detail of a texture to the next; None where the node does not tell."""
+def detail(texture: Shader, extent: Extent, of_slopes: bool) -> float | None:
+    """Metres from one detail of a texture to the next; None where the node does not tell.
+
+    of_slopes: whether it is the slopes of the texture that show, as those of relief do.
+    """
     node = texture[0]
-    period = _period(texture)
-    if period is None:
+    period = _period(texture, of_slopes)
+    if period is None or math.isinf(period):
         return None
     scale, unit = _placed(texture, extent)
     if unit is None or not math.isfinite(unit) or scale == 0.0:
@@ -88,13 +91,13 @@ def detail(texture: Shader, extent: Extent) -> float | None:
     return 0.0 if node.type == "TEX_WHITE_NOISE" else period * unit / scale
 
 
-def _period(texture: Shader) -> float | None:
+def _period(texture: Shader, of_slopes: bool) -> float | None:
     """Of a texture, in its own coordinates; 0 for white noise."""
     node = texture[0]
     if node.type == "TEX_WHITE_NOISE":
         return 0.0
     if node.type == "TEX_IMAGE":
-        return None if node.image is None else 2.0 / max(size_of(node.image))
+        return None if node.image is None else image_detail.period(node.image, of_slopes)
     if node.type == "TEX_GRADIENT" or "Scale" not in node.inputs:
         return None
     value = constant(texture, "Scale")

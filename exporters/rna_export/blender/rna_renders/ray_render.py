@@ -7,6 +7,8 @@ from typing import Any
 
 import bpy
 import mathutils
+from rna_geometry import shown_objects
+from rna_geometry.shown_objects import as_rendered
 from rna_materials.emission import Emission
 from rna_renders import white_world
 from rna_sources import bundled
@@ -17,8 +19,17 @@ _FAR = 1e12
 
 SUN = "rna sun"
 
+_CLIP_START, _SPREAD = 0.25, 1e-3
+"""Clip start of the ray camera, of the asset's longest side, and the angle between its pixels, rad.
+
+Together they make rays at least as wide as pixels of a usual picture: see `ray_camera.osl`.
+"""
+
 _lighting: dict[str, Any] = {}
-"""emission: of the materials; clamps: of radiance under the sun; black, white: worlds."""
+"""emission: of the materials. clamps: of radiance under the sun. near: the rays' clip start, m.
+
+black, white: worlds.
+"""
 
 
 def configure(
@@ -36,8 +47,14 @@ def configure(
         setattr(layer, f"use_pass_{lobe}_color", separate_direct)
     _set_up_lamp(scene)
     emission = Emission()
-    worlds = {"black": scene.world, "white": white_world.new()}
-    _lighting.update(emission=emission, clamps=(clamp_direct, clamp_indirect), **worlds)
+    near = max(_CLIP_START * as_rendered(shown_objects.longest_side), _NEAR)
+    _lighting.update(
+        emission=emission,
+        clamps=(clamp_direct, clamp_indirect),
+        near=near,
+        black=scene.world,
+        white=white_world.new(),
+    )
     return list(emission.materials)
 
 
@@ -53,8 +70,11 @@ def render_rays(request: dict[str, Any]) -> None:
     camera.cycles_custom["directions"] = request["directions"]
     _sample(centres=True)
     bpy.context.view_layer.use_pass_normal = request["normals"]
-    camera.cycles_custom["near"] = _NEAR
-    camera.clip_end = _FAR if request["reach"] is None else _NEAR + request["reach"]
+    near = camera.clip_start = _lighting["near"]
+    values = {"near": near, "spread": _SPREAD, "columns": request["width"]}
+    for name, value in {**values, "rows": request["height"]}.items():
+        camera.cycles_custom[name] = float(value)
+    camera.clip_end = _FAR if request["reach"] is None else near + request["reach"]
     camera.update_tag()
     light(request["light"])
     _render(request)

@@ -41,7 +41,8 @@ class MaterialTextures:
     see_through: holes and thin glass. normals: normal maps, (h, w, 2) uint8 as in a package.
     charts: the texture coordinates that they are looked up at (see `uv_charts.py`). captured_holes:
     whether light through some material has no texture and is part of its captured light.
-    learnt_relief: whether some relief has none. notes: for the user.
+    learnt_relief: whether some relief has none. obstacles: by material, what that is by. notes: for
+    the user.
     """
 
     see_through: dict[str, SeeThrough]
@@ -49,6 +50,7 @@ class MaterialTextures:
     charts: dict[str, Any]
     captured_holes: bool
     learnt_relief: bool
+    obstacles: dict[str, str]
     notes: list[str]
 
 
@@ -110,8 +112,15 @@ class BlenderWorker(BlenderProcess):
             for k, record in enumerate(answer["holes"])
         }
         normals = {name: textures[f"normals{k}"] for k, name in enumerate(answer["normals"])}
-        flags = answer["captured"], answer["learnt"]
-        return MaterialTextures(holes, normals, answer["charts"], *flags, answer["notes"])
+        return MaterialTextures(
+            see_through=holes,
+            normals=normals,
+            charts=answer["charts"],
+            captured_holes=answer["captured"],
+            learnt_relief=answer["learnt"],
+            obstacles=answer["obstacles"],
+            notes=answer["notes"],
+        )
 
     def export_base_colors(
         self,

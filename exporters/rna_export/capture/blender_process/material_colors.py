@@ -45,12 +45,13 @@ class MaterialColors:
 
     charts: the texture coordinates of all textures (see `uv_charts.py`). others: by material,
     inputs of its shaders with other images -> texels in a unit square of texture coordinates.
-    notes: for the user.
+    obstacles: by material, why its base colour is no image. notes: for the user.
     """
 
     of_piece: dict[Piece, MaterialColor]
     charts: dict[str, Any]
     others: dict[str, dict[str, float]]
+    obstacles: dict[str, str]
     notes: list[str]
 
     @classmethod
@@ -65,4 +66,4 @@ class MaterialColors:
                 image = ColorImage(arrays[f"image{k}"], *members, *points)
             piece = record["material"], record["tile"]
             colors[piece] = MaterialColor(tuple(record["factor"]), image)
-        return cls(colors, answer["charts"], answer["others"], answer["notes"])
+        return cls(colors, answer["charts"], answer["others"], answer["obstacles"], answer["notes"])

@@ -46,7 +46,7 @@ class BaseColors:
     entries: names of the images, by piece. files: of the images, by name. images: decoded. known:
     names by file and tile. charts: the texture coordinates of all textures. others: see
     `MaterialColors`. notes: for the user. folder: where the files lie in a package. variants: by
-    name.
+    name. obstacles: by material, why its base colour is no image.
     """
 
     of_piece: dict[Piece, MaterialColor]
@@ -59,6 +59,7 @@ class BaseColors:
     images: dict[str, np.ndarray] = field(default_factory=dict)
     known: dict[tuple[bytes, int], str] = field(default_factory=dict)
     variants: dict[str, Variant] = field(default_factory=dict)
+    obstacles: dict[str, str] = field(default_factory=dict)
 
     @classmethod
     def of(cls, worker: BlenderWorker, charts: dict[str, Any], largest: int) -> BaseColors:
@@ -87,6 +88,7 @@ class BaseColors:
         self.of_piece |= first.of_piece
         self.charts, self.others = first.charts, first.others
         self.notes += first.notes
+        self.obstacles |= first.obstacles
         wrong = [piece for piece in first.of_piece if not self._add_image(piece)]
         if wrong:
             names = {name for name, _ in wrong}

@@ -38,8 +38,10 @@ class ExportedParts:
     all, by name: the texels of the former two, and the files of images. sources: the source's
     vertices of each surface. notes: what of the materials is unknown. has_opaque_cutouts: whether
     some of it lets light through. has_learnt_relief: whether some relief is in no map. mapped,
-    coloured: full names of the materials that have a normal map, and a base colour. glass: a .glb
-    of what is left to hosts; None for nothing.
+    coloured: full names of the materials that have a normal map, and a base colour. obstacles: of
+    "relief" and "colour", by material, why that is no texture. materials: of each surface, (t,)
+    full names of its triangles' materials. glass: a .glb of what is left to hosts; None for
+    nothing.
     """
 
     parts: tuple[ScenePart, ...]
@@ -55,6 +57,8 @@ class ExportedParts:
     has_learnt_relief: bool = True
     mapped: tuple[str, ...] = ()
     coloured: tuple[str, ...] = ()
+    obstacles: dict[str, dict[str, str]] = field(default_factory=dict)
+    materials: dict[str, np.ndarray] = field(default_factory=dict)
     glass: bytes | None = None
     notes: list[str] = field(default_factory=list)
 
@@ -107,6 +111,7 @@ def exported_parts(worker: BlenderWorker, settings: CaptureSettings) -> Exported
         has_learnt_relief=textures.learnt_relief,
         mapped=tuple(textures.normals),
         coloured=colors.materials,
+        obstacles={"relief": textures.obstacles, "colour": colors.obstacles},
         variants={name: {} for name in colors.variants},
         notes=[*textures.notes],
     )
@@ -164,6 +169,7 @@ def _add_surface(
         return
     mesh, first = welded(corners)
     exported.geometries[part.name] = mesh
+    exported.materials[part.name] = corners["material"]
     numbers = corners["vertex"][first].astype(np.uint32)
     exported.sources[part.name] = SourceVertices(numbers, int(corners["vertices"]))
     pieces: Ranges = {}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import Literal, NamedTuple
 
 from rna_export.blender.listing import listed
@@ -13,6 +13,7 @@ Learnt = Literal["well", "roughly", "not", "left to the host"]
 _WORSE: dict[Learnt, int] = {"well": 0, "left to the host": 0, "roughly": 1, "not": 2}
 
 _TEXELS = 2.0  # of a plane, from one detail to the next, at the least
+_LOST = 0.5  # of that: relief of a plane's texel
 _MIRROR = 0.05  # roughness that an artist calls a mirror's
 _SOFTENED = 0.02  # roughness below which the floor of captures shows
 _WORDS = {
@@ -31,19 +32,23 @@ _WORDS = {
 class MaterialVerdict(DatasetModel):
     """How well a material is learnt.
 
-    is_: what it is, in words. reasons: what is lost, and what to do; none if nothing is.
+    is_: what it is, in words. reasons: what is lost, and what to do; none if nothing is. share: of
+    what is seen of the asset.
     """
 
     name: str
     is_: str
     learnt: Learnt
     reasons: tuple[str, ...] = ()
+    share: float = 1.0
 
     @property
     def lines(self) -> list[str]:
         """The verdict in the terminal and on the contact sheet."""
         learnt = self.learnt if self.learnt == "left to the host" else f"learnt {self.learnt}"
-        first = f"  {self.name!r}: {self.is_}: {'not learnt' if self.learnt == 'not' else learnt}"
+        learnt = "not learnt" if self.learnt == "not" else learnt
+        seen = "" if self.share >= 1.0 else f" ({share_text(self.share)} of what is seen)"
+        first = f"  {self.name!r}: {self.is_}: {learnt}{seen}"
         return [first, *(f"    {reason}" for reason in self.reasons)]
 
 
@@ -58,24 +63,37 @@ def verdicts(
     texel: float,
     mapped: Iterable[str],
     coloured: Iterable[str],
+    obstacles: Mapping[str, Mapping[str, str]] | None = None,
+    shares: Mapping[str, float] | None = None,
 ) -> tuple[MaterialVerdict, ...]:
     """One a material, the worst first.
 
     texel: side of a texel of the planes, m. mapped, coloured: full names of materials whose relief,
-    and whose colour, are textures of the package.
+    and whose colour, are textures of the package. obstacles: of "relief" and "colour", by material,
+    what keeps it from being one. shares: of what is seen, by material; None for 1 each.
     """
     textures = {"relief": set(mapped), "colour": set(coloured)}
-    result = []
+    result, obstacles = [], obstacles or {}
     for each in materials:
-        stored = [sort for sort, names in textures.items() if each.full_name in names]
-        result.append(_verdict(each, texel, stored))
+        why = {sort: of[each.full_name] for sort, of in obstacles.items() if each.full_name in of}
+        stored = [s for s, names in textures.items() if each.full_name in names and s not in why]
+        share = 1.0 if shares is None else shares.get(each.full_name, 0.0)
+        result.append(_verdict(each, texel, stored, why).model_copy(update={"share": share}))
     result += [_of_glass(each) for each in glass]
     return tuple(sorted(result, key=lambda each: -_WORSE[each.learnt]))
 
 
-def not_learnt(of: Iterable[MaterialVerdict]) -> list[str]:
-    """Names of the materials with a part that is not learnt."""
-    return [each.name for each in of if each.learnt == "not"]
+def not_learnt(of: Iterable[MaterialVerdict]) -> tuple[str, float]:
+    """The materials with a part that is not learnt, in words, and their share of what is seen."""
+    those = [each for each in of if each.learnt == "not"]
+    share = sum(each.share for each in those)
+    seen = f" ({share_text(share)} of what is seen)" if share < 1.0 else ""
+    return ", ".join(repr(each.name) for each in those) + seen, share
+
+
+def share_text(share: float) -> str:
+    """A share in words: "12%", "under 1%"."""
+    return "under 1%" if share < 0.01 else f"{share:.0%}"
 
 
 def preflight_lines(of: Iterable[MaterialVerdict]) -> list[str]:
@@ -97,10 +115,14 @@ def length(metres: float) -> str:
     return f"{metres:.2g} m" if metres >= 1.0 else f"{1000.0 * metres:.2g} mm"
 
 
-def _verdict(facts: MaterialFacts, texel: float, stored: Collection[str]) -> MaterialVerdict:
-    """stored: sorts of details that are textures of the package."""
+def _verdict(
+    facts: MaterialFacts, texel: float, stored: Collection[str], obstacles: Mapping[str, str]
+) -> MaterialVerdict:
+    """stored: sorts of details that are textures of the package. obstacles: of others, by sort."""
     learnt_details = (detail for detail in facts.details if detail.of not in stored)
-    of_details = [_of_detail(detail, _TEXELS * texel) for detail in learnt_details]
+    of_details = [
+        _of_detail(detail, _TEXELS * texel, obstacles.get(detail.of)) for detail in learnt_details
+    ]
     reasons = [*_of_kinds(facts), *(reason for reason in of_details if reason is not None)]
     learnt = max((r.learnt for r in reasons), key=_WORSE.__getitem__, default="well")
     reasons.sort(key=lambda reason: -_WORSE[reason.learnt])
@@ -150,8 +172,8 @@ def _of_kinds(facts: MaterialFacts) -> Iterator[_Reason]:
         )
 
 
-def _of_detail(detail: Detail, least: float) -> _Reason | None:
-    """least: metres from one detail to the next that planes can hold."""
+def _of_detail(detail: Detail, least: float, obstacle: str | None) -> _Reason | None:
+    """least: metres from one detail to the next that planes can hold. obstacle: to a texture."""
     coarser = (
         f"make its details at least {length(least)} large, or train in pieces (rna-train --cut)"
     )
@@ -159,10 +181,12 @@ def _of_detail(detail: Detail, least: float) -> _Reason | None:
         return None
     finer = f"({length(detail.size)} from one detail to the next; the planes hold {length(least)})"
     if detail.of == "relief":
+        is_lost = detail.size < _LOST * least
+        becomes = "becomes an even sheen" if is_lost else "comes out softer"
         return _Reason(
-            "not",
-            f"its relief by {detail.node!r} is finer than the planes {finer} and becomes an even "
-            f"sheen: bake it into a normal map of its UVs, {coarser}",
+            "not" if is_lost else "roughly",
+            f"its relief by {detail.node!r} is finer than the planes {finer} and {becomes}: "
+            f"{_remedy(obstacle, 'a normal map')}, {coarser}",
         )
     if detail.of == "gloss":
         return _Reason(
@@ -177,9 +201,15 @@ def _of_detail(detail: Detail, least: float) -> _Reason | None:
         )
     return _Reason(
         "roughly",
-        f"its colour by {detail.node!r} is finer than the planes {finer} and blurred: bake it into "
-        f"an image of its UVs, {coarser}",
+        f"its colour by {detail.node!r} is finer than the planes {finer} and blurred: "
+        f"{_remedy(obstacle, 'an image')}, {coarser}",
     )
+
+
+def _remedy(obstacle: str | None, texture: str) -> str:
+    """What makes a texture of its UVs of a detail; texture: "an image"."""
+    bake = f"bake it into {texture} of its UVs"
+    return bake if obstacle is None else f"{obstacle} keeps it from being {texture}: {bake}"
 
 
 def _of_glass(glass: Glass) -> MaterialVerdict:

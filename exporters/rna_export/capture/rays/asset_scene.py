@@ -123,6 +123,10 @@ class AssetScene:
         """Part hit first by each ray, (n,) int32; -1 for misses."""
         return self._solid_hits(origins, directions)[0].geometry
 
+    def triangle_hit(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
+        """Triangle or segment of the part hit first by each ray, (n,) int32; -1 for misses."""
+        return self._solid_hits(origins, directions)[0].primitive
+
     def meets(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
         """Whether each ray meets a triangle or strand, holes included: (n,) bool."""
         return np.asarray(self._scene.intersect(origins, directions).geometry >= 0)

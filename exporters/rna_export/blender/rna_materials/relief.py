@@ -1,0 +1,154 @@
+"""The normals of a height over texture coordinates: of Bump nodes, and of displacement as bump."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import NamedTuple
+
+import bpy
+import numpy as np
+from rna_materials.material_uses import Use
+from rna_materials.node_sources import Source, lifted, origin, own_value
+from rna_materials.uv_charts import Chart
+from rna_materials.uv_dependence import IDENTITY
+from rna_materials.uv_points import NotOfUv, joined
+from rna_materials.uv_render import ColourOfUv, surface_output
+
+_STEP = 0.5  # texels to either side, over which a slope is measured
+_SHOWN, _ZERO = 0.25, 0.5  # a height as a colour: emission is not negative
+_LARGEST, _LARGEST_PATTERN = 2048, 1024  # texels a side, of images and without them
+_EVEN = 1.5  # times the usual size of a unit of UV, or its inverse
+_MOST = 0.2  # of the area, that may be larger or smaller
+
+
+class Bump(NamedTuple):
+    """height: where it comes from. distance: metres for 1 of it. strength: as a Bump node's.
+
+    scales: whether distances grow with the object.
+    """
+
+    height: Source
+    distance: float
+    strength: float
+    scales: bool = False
+
+
+def bump_of(material: bpy.types.Material, normal: Source | None) -> Bump | str | None:
+    """The relief by a height of a material; None without, else why it is none.
+
+    normal: where its shaders' normal comes from.
+    """
+    if normal is not None:
+        node = normal[0]
+        if node.type != "BUMP":
+            return None
+        bump = _bump(normal, "Strength", "Distance")
+        if isinstance(bump, Bump) and node.invert:
+            return bump._replace(distance=-bump.distance)
+        return bump
+    output = surface_output(material)
+    if output is None or material.displacement_method != "BUMP":
+        return None
+    source = origin(output.inputs["Displacement"], ())
+    if source is None or source[0].type != "DISPLACEMENT":
+        return None
+    bump = _bump(source, None, "Scale")
+    return bump._replace(scales=source[0].space == "OBJECT") if isinstance(bump, Bump) else bump
+
+
+def _bump(source: Source, strength: str | None, distance: str) -> Bump | str | None:
+    """Of a node that has a height; strength, distance: names of its inputs."""
+    node, _, inside = source
+    height = origin(node.inputs["Height"], inside)
+    if height is None:
+        return None
+    if origin(node.inputs["Normal"], inside) is not None:
+        return f"the node {node.bl_label!r} upon another normal"
+    values = [own_value(node.inputs[name], inside) for name in (strength, distance) if name]
+    if any(value is None for value in values):
+        return f"the node {node.bl_label!r} whose strength or distance varies"
+    numbers = [value[0] for value in values if value is not None]
+    return Bump(height, numbers[-1], max(numbers[0], 0.0) if strength else 1.0)
+
+
+class ReliefOfUv(ColourOfUv):  # type: ignore[misc]
+    """(n + 1) / 2 of the normals of a bump, in the tangent frame of UVs, as Cycles bends them.
+
+    `measure` is called before it is rendered.
+
+    Attributes:
+        largest: texels a side, at most; each is rendered four times.
+    """
+
+    def __init__(self, material: bpy.types.Material, bump: Bump, folder: Path) -> None:
+        tree = material.node_tree
+        node = tree.nodes.new("ShaderNodeMath")  # takes a colour as a height, as Bump does
+        node.operation = "MULTIPLY_ADD"
+        tree.links.new(lifted(tree, bump.height), node.inputs[0])
+        node.inputs[1].default_value, node.inputs[2].default_value = _SHOWN, _ZERO
+        super().__init__(material, node.outputs[0], folder)
+        self._bump, self._metres = bump, np.ones(2)
+        self.largest = _LARGEST if self.depends.images else _LARGEST_PATTERN
+
+    def measure(self, uses: list[Use], layer: str) -> None:
+        """Take the size of the UVs on the surfaces that show it. Raises NotOfUv where it varies."""
+        self._metres = _metres_a_uv(uses, layer, by_object=self._bump.scales)
+
+    def texture(self, chart: Chart, size: tuple[int, int]) -> np.ndarray:
+        """As `ColourOfUv`."""
+
+        def heights(shift: np.ndarray) -> np.ndarray:
+            matrix = chart.matrix.copy()
+            matrix[:, 2] -= matrix[:, :2] @ shift
+            return np.asarray(ColourOfUv.texture(self, Chart(chart.layer, matrix), size))
+
+        return self._normals(heights)
+
+    def values(self, uvs: np.ndarray) -> np.ndarray:
+        """As `ColourOfUv`."""
+        return self._normals(lambda shift: ColourOfUv.values(self, uvs + shift))
+
+    def _normals(self, heights: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
+        """heights: colours where all UVs are shifted."""
+        steps = _STEP / np.array(Chart("", IDENTITY).size(self.depends, largest=self.largest))
+        slopes = []
+        for shift, metres in zip(np.diag(steps), self._metres, strict=True):
+            rise = (heights(shift) - heights(-shift))[..., 0] / _SHOWN
+            slopes.append(self._bump.distance * rise / (2.0 * shift.sum() * metres))
+        bent = _unit(np.stack([-slopes[0], -slopes[1], np.ones_like(slopes[0])], axis=-1))
+        flat = np.array([0.0, 0.0, 1.0])
+        share = self._bump.strength
+        return 0.5 + 0.5 * _unit(share * bent + (1.0 - share) * flat)
+
+
+def _metres_a_uv(uses: list[Use], layer: str, by_object: bool) -> np.ndarray:
+    """(2,) of a unit of u and of v, where that is about the same all over. Raises NotOfUv.
+
+    by_object: whether in units of the object instead.
+    """
+    scaled = [use.positions if by_object else use.scale * use.positions for use in uses]
+    positions = np.concatenate(scaled).astype(np.float64)
+    corners, uvs = positions.reshape(-1, 3, 3), joined(uses, layer).reshape(-1, 3, 2)
+    sides, ways = corners[:, 1:] - corners[:, :1], uvs[:, 1:] - uvs[:, :1]
+    area = np.linalg.norm(np.cross(sides[:, 0], sides[:, 1]), axis=1)
+    regular = (np.abs(np.linalg.det(ways)) > 1e-12) & (area > 0.0)
+    if not regular.any():
+        raise NotOfUv("a height over UV coordinates without an area")
+    lengths = np.linalg.norm(np.linalg.solve(ways[regular], sides[regular]), axis=2)  # (t, 2)
+    area = area[regular]
+    result = np.array([_median(each, area) for each in lengths.T])
+    uneven = np.any(np.maximum(lengths / result, result / lengths) > _EVEN, axis=1)
+    if area[uneven].sum() > _MOST * area.sum():
+        raise NotOfUv("a height over UV coordinates of uneven scale")
+    return result
+
+
+def _median(values: np.ndarray, weights: np.ndarray) -> float:
+    order = np.argsort(values)
+    total = np.cumsum(weights[order])
+    return float(values[order[np.searchsorted(total, 0.5 * total[-1])]])
+
+
+def _unit(vectors: np.ndarray) -> np.ndarray:
+    return np.asarray(vectors / np.linalg.norm(vectors, axis=-1, keepdims=True))
