@@ -72,8 +72,9 @@ class Body(Protocol):
     """An object with its geometry in Embree, in its object space.
 
     passes_through: whether rays that start on it pass through it, since its transport holds what
-    happens inside it. counts_nearby: whether transport takes random numbers. one_sided: whether transport is 0 where wi and wo are on different sides of
-    the geometric normal. part_count: of parts, one a geometry of its scene.
+    happens inside it. counts_nearby: whether transport takes random numbers. one_sided: whether
+    transport is 0 where wi and wo are on different sides of the geometric normal. part_count: of
+    parts, one a geometry of its scene.
     """
 
     role: Role
