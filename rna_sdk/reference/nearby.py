@@ -1,4 +1,4 @@
-"""Nearby light word for word as spec/RNA.md, 7.2, has it: in numpy and float64."""
+"""Nearby light word for word as spec/RNA.md, 7.3, has it: in numpy and float64."""
 
 from __future__ import annotations
 

@@ -46,7 +46,7 @@ class FiberAsset(AssetPart):
         Vectors are normalised; positions outside the bounds are clamped to them. out: two
         C-contiguous (n, 3) float32 arrays that receive the result and are returned, which avoids
         allocations. nearby: (n, 3) float32, the nearby light of `nearby_lengths`
-        along wi (spec/RNA.md, 7.2), or an unbiased estimate of it; None for the part's means.
+        along wi (spec/RNA.md, 7.3), or an unbiased estimate of it; None for the part's means.
 
         Returns (visible, shadowed), each (n, 3) float32 linear RGB, finite and non-negative.
         `shadowed` applies where the asset itself blocks the ray from the position along wi,

@@ -53,7 +53,7 @@ class SurfaceAsset(AssetPart):
         linear RGB, from `base_color_at` or any other; required if `uses_base_color`, ignored
         otherwise. out: two C-contiguous (n, 3) float32 arrays that receive the result and are
         returned, which avoids allocations. nearby: (n, 3) float32, the nearby light of
-        `nearby_lengths` along wi (spec/RNA.md, 7.2), or an unbiased estimate of it; None for the
+        `nearby_lengths` along wi (spec/RNA.md, 7.3), or an unbiased estimate of it; None for the
         part's means.
 
         Returns (visible, shadowed), each (n, 3) float32 linear RGB, finite and non-negative.

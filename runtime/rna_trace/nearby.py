@@ -1,4 +1,4 @@
-"""Nearby light (spec/RNA.md, 7.2): the light that enters an asset beside a point, by distance.
+"""Nearby light (spec/RNA.md, 7.3): the light that enters an asset beside a point, by distance.
 
 An estimate takes one ray, along a column of light that stands beside the point in the plane across
 the light's direction. `rna_sdk/reference/nearby.py` says the same in numpy.

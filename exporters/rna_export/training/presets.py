@@ -31,6 +31,10 @@ Loss = Literal["auto", "log", "unbiased"]
 LOSSES: tuple[Loss, ...] = get_args(Loss)
 
 
+NEARBY_MODES = ("off", "auto", "on")
+"""Whether nearby light is counted: never, where an asset gains by it, or always."""
+
+
 Optimizer = Literal["adam", "muon"]
 OPTIMIZERS: tuple[Optimizer, ...] = get_args(Optimizer)
 

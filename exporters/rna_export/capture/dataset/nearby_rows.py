@@ -1,4 +1,4 @@
-"""Nearby light of captured rows (spec/RNA.md, 7.2), traced on the captured geometry and kept.
+"""Nearby light of captured rows (spec/RNA.md, 7.3), traced on the captured geometry and kept.
 
 It depends on points and directions alone, so a capture need not know of it. Blocks of rows are
 files beside the dataset, named for their content: a stopped training goes on with those that are
