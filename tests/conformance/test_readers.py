@@ -45,6 +45,7 @@ def test_the_runtime_passes_every_level(kit: Kit) -> None:
         conformance_reader.normals,
         reader.check,
         reader.environment,
+        reader.evaluate,
         reader.base_color,
         reader.geometry,
         reader.deformed,
@@ -55,7 +56,10 @@ def test_the_runtime_passes_every_level(kit: Kit) -> None:
 
 def test_the_numpy_twin_passes(kit: Kit) -> None:
     twin = InProcess(
-        twin_reader.evaluate, environment=twin_reader.environment, base_color=twin_reader.base_color
+        twin_reader.evaluate,
+        environment=twin_reader.environment,
+        nearby=twin_reader.evaluate,
+        base_color=twin_reader.base_color,
     )
     assert failures(twin, kit, *claimed_levels(twin)) == []
 
@@ -73,6 +77,7 @@ def test_our_readers_are_programs(module: str, kit: Kit, tmp_path: Path) -> None
         kit,
         evaluate=kit.evaluate[:1],
         environment=kit.environment[:1],
+        nearby=kit.nearby[:1],
         visibility=(),
         geometry=kit.geometry[:1],
         deformed=kit.deformed[:1],

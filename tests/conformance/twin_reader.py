@@ -9,7 +9,7 @@ from rna_sdk.conformance.lobe_queries import LobeQueries, answer_of
 from rna_sdk.conformance.reader_program import BASE_COLOR_HIT
 from rna_sdk.package import Mesh, Package, Planes, float_planes
 from rna_sdk.package.decoder.decoder_form import form_named
-from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS, in_order
+from rna_sdk.package.decoder.query_arrays import NEARBY, QUERY_ARRAYS, in_order
 from rna_sdk.reference.base_color import base_color_reference
 from rna_sdk.reference.lobes import lobes_reference, mirror_reference, visibility_reference
 from rna_sdk.reference.queries import fiber_queries_reference, queries_reference
@@ -31,7 +31,7 @@ def evaluate(form: str, package: str, tier: str, part: int, arrays: dict[str, Ro
             return result
         if not tier_part.uses_base_color:
             arrays = {name: rows for name, rows in arrays.items() if name != "base_color"}
-        valid = _valid(arrays)
+        valid = _valid(arrays) & np.isfinite(arrays.get(NEARBY.name, np.zeros((1, 1)))).all(axis=1)
         arguments = {name: rows[valid] for name, rows in arrays.items()}
         planes = opened.planes(tier, part)
         lights = []
@@ -39,11 +39,20 @@ def evaluate(form: str, package: str, tier: str, part: int, arrays: dict[str, Ro
             queries = _queries(opened, part, planes, decoder.inputs, arguments)
             model = bytes(opened.decoder(tier, part, decoder.form.name))
             light = Graph(model, optimized=False).run(queries)
+            if tier_part.nearby:
+                light = _mixed(light, arguments[NEARBY.name])
             if decoder.form.has_factors and tier_part.uses_base_color:
                 light = _sum(light, arguments["base_color"])
             lights.append(light)
         result[valid] = np.hstack(lights)
         return result
+
+
+def _mixed(output: Rows, nearby: Rows) -> Rows:
+    """The first quarter of the columns, and each of the others times nearby light."""
+    own, *of_nearby = np.hsplit(output, 1 + NEARBY.columns)
+    shares = np.maximum(nearby, 0).T
+    return own + sum(s[:, None] * b for s, b in zip(shares, of_nearby, strict=True))
 
 
 def _sum(output: Rows, base_color: Rows) -> Rows:

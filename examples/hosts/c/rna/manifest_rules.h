@@ -123,12 +123,23 @@ static const Rule A_BLOCK = {"", TEXT};
         {"decoderPrecision", CHOICE, REQUIRED, .choices = "float32 int8"},                      \
         {"agreement", OBJECT, NULLABLE, .of = AGREEMENT}
 static const Rule DECODER[] = {DECODER_MEMBERS, {0}}; /* of shadowed light, or of emission */
+static const Rule SHARE = {"", NUMBER, 0, 0, 1};
+static const Rule A_LENGTH = {"", NUMBER, 0, 1e-18, 1e18};
+static void lengths_ascend(Schema *schema, const Json *lengths) {
+    for (const Json *at = lengths->first; at && at->next; at = at->next)
+        if (!(at->next->number > at->number)) break_rule(schema, schema->value, "lengths that ascend", "others");
+}
+static const Rule NEARBY[] = {{"lengths", LIST, REQUIRED, 3, 3, &A_LENGTH, .also = lengths_ascend},
+                              {"visible", LIST, REQUIRED, 3, 3, &SHARE},
+                              {"shadowed", LIST, REQUIRED, 3, 3, &SHARE},
+                              {0}};
 static const Rule TIER_PART[] = {DECODER_MEMBERS,
                                  {"planes", PATH, REQUIRED},
                                  {"resolution", INTEGER, REQUIRED, 1, 4096},
                                  {"channels", INTEGER, REQUIRED, 1, MAX_CHANNELS},
                                  {"planePrecision", CHOICE, REQUIRED, .choices = "int8 float16 float32"},
                                  {"usesBaseColor", BOOLEAN},
+                                 {"nearby", OBJECT, .of = NEARBY},
                                  {"shadowed", OBJECT, .of = DECODER},
                                  {"emission", OBJECT, .of = DECODER},
                                  {0}};
@@ -157,7 +168,6 @@ static const Rule NORMAL_MAP[] = {
     {"texture", PATH, REQUIRED},
     {0}};
 static const Rule A_NORMAL_MAP = {"", OBJECT, .of = NORMAL_MAP};
-static const Rule SHARE = {"", NUMBER, 0, 0, 1};
 static const Rule A_WRAP = {"", CHOICE, .choices = "repeat clamp mirror"};
 static const Rule BASE_COLOR[] = {
     {"triangles", LIST, REQUIRED, 2, 2, &TRIANGLE, .also = counts_triangles},
