@@ -32,8 +32,8 @@ _KEPT = "nearby.json"
 def with_nearby(run: Run, mode: str, say: Callable[[str], None] = print) -> Run:
     """The run, with the part's lengths of nearby light in its model where `mode` says so.
 
-    mode: one of NEARBY_MODES. "auto" decides by two short trainings, once a folder of checkpoints; a
-    stopped run goes on as it began. Raises `TrainingError` for "on" where rays were captured in
+    mode: one of NEARBY_MODES. "auto" decides by two short trainings, once a folder of checkpoints;
+    a stopped run goes on as it began. Raises `TrainingError` for "on" where rays were captured in
     several poses: rows do not say in which.
     """
     if mode == "off":

@@ -217,7 +217,8 @@ class _MeshPoints(_NeuralPoints):
         self, row: np.ndarray, wi: np.ndarray, v: np.ndarray, nearby: np.ndarray | None
     ) -> np.ndarray:
         color = None if self.base_color is None else self.base_color.take(row, axis=0)
-        return self._asset.transport(*self._arguments(self.n, row, wi), v, color, nearby)
+        more = {} if nearby is None else {"nearby": nearby}
+        return self._asset.transport(*self._arguments(self.n, row, wi), v, color, **more)
 
     def lobes(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         free = self._free(self._asset.mirror(self.n, self._wo))
@@ -251,7 +252,8 @@ class _StrandPoints(_NeuralPoints):
         self, row: np.ndarray, wi: np.ndarray, v: np.ndarray, nearby: np.ndarray | None
     ) -> np.ndarray:
         x, tangents, wo, wi = self._arguments(self.tangents, row, wi)
-        return self._asset.transport(x, tangents, self._h[row], wo, wi, v, nearby)
+        more = {} if nearby is None else {"nearby": nearby}
+        return self._asset.transport(x, tangents, self._h[row], wo, wi, v, **more)
 
     def lobes(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         free = self._free(self._asset.mirror(self.tangents, self._wo))
