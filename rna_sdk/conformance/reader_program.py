@@ -73,7 +73,7 @@ def run_reader(
         elif level in forms and evaluate and len(rest) == 5:
             _answer(evaluate, forms[level], *rest)
         elif level == NEARBY.name and nearby and len(rest) == 5:
-            _answer(nearby, TRANSPORT, *rest, more=NEARBY.columns)
+            _answer_nearby(nearby, *rest)
         elif level == COMMAND and environment and len(rest) == 5:
             package, tier, part, queries, results = rest
             rows = np.fromfile(queries, "<f4").reshape(-1, COLUMNS).astype(np.float32)
@@ -108,15 +108,20 @@ def _answer(
     part: str,
     queries: str,
     results: str,
-    more: int = 0,
 ) -> None:
-    """more: columns of nearby light behind those of the form."""
     columns = column_count(form.arrays)
-    rows = np.fromfile(queries, "<f4").reshape(-1, columns + more).astype(np.float32)
-    arrays = arrays_of(rows[:, :columns], form.arrays)
-    if more:
-        arrays[NEARBY.name] = np.ascontiguousarray(rows[:, columns:])
-    _write(results, function(form.name, package, tier, int(part), arrays))
+    rows = np.fromfile(queries, "<f4").reshape(-1, columns).astype(np.float32)
+    _write(results, function(form.name, package, tier, int(part), arrays_of(rows, form.arrays)))
+
+
+def _answer_nearby(
+    function: Evaluate, package: str, tier: str, part: str, queries: str, results: str
+) -> None:
+    columns = column_count(TRANSPORT.arrays)
+    rows = np.fromfile(queries, "<f4").reshape(-1, columns + NEARBY.columns).astype(np.float32)
+    arrays = arrays_of(rows[:, :columns], TRANSPORT.arrays)
+    arrays[NEARBY.name] = np.ascontiguousarray(rows[:, columns:])
+    _write(results, function(TRANSPORT.name, package, tier, int(part), arrays))
 
 
 def _write(path: str, values: NDArray[np.float32]) -> None:

@@ -29,7 +29,8 @@ def gamma_quantile(share: NDArray[np.floating]) -> Float:
         middle = 0.5 * (low + high)
         above = np.log1p(middle) - middle > wanted
         low, high = np.where(above, middle, low), np.where(above, high, middle)
-    return 0.5 * (low + high)
+    result: Float = 0.5 * (low + high)
+    return result
 
 
 def across(wi: NDArray[np.floating]) -> tuple[Float, Float]:

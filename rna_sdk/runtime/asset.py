@@ -245,7 +245,8 @@ class AssetPart(Asset):
     @property
     def nearby_lengths(self) -> tuple[float, float, float] | None:
         """Lengths of the nearby light that `evaluate` counts, metres; None of a part without."""
-        return self.tier_part.nearby and self.tier_part.nearby.lengths
+        record = self.tier_part.nearby
+        return None if record is None else record.lengths
 
     def measured_part_ns(self) -> float:
         """`measured_ns_per_query` of this part."""
@@ -302,10 +303,11 @@ class AssetPart(Asset):
         nearby = self._nearby_light(checked) if decoder_form.has_factors else None
         for k, evaluator in enumerate(evaluators):
             own = slice(None) if len(evaluators) == 1 else slice(k, k + 1)
-            evaluator.run(Batch.of(checked, result[own], nearby and nearby[own]))
+            of_results = None if nearby is None else nearby[own]
+            evaluator.run(Batch.of(checked, result[own], of_results))
         return result
 
-    def _nearby_light(self, checked: Mapping[str, Rows]) -> tuple[Rows, Rows] | None:
+    def _nearby_light(self, checked: Mapping[str, Rows]) -> tuple[Rows, ...] | None:
         """Nearby light for visible and for shadowed results; None of a part without."""
         record = self.tier_part.nearby
         if record is None:
@@ -314,7 +316,7 @@ class AssetPart(Asset):
             return checked[NEARBY.name], checked[NEARBY.name]
         shape = len(checked["wo"]), 1
         visible, shadowed = (
-            np.tile(np.float32(mean), shape) for mean in (record.visible, record.shadowed)
+            np.tile(np.array(mean, np.float32), shape) for mean in (record.visible, record.shadowed)
         )
         return visible, shadowed
 
@@ -335,7 +337,8 @@ class AssetPart(Asset):
             answer = np.empty((len(row), COLUMNS), np.float32)
             rows = {name: values.take(row, axis=0) for name, values in checked.items()}
             nearby = self._nearby_light(rows)
-            evaluators[k].run(Batch.of(rows, (answer,), nearby and nearby[k : k + 1]))
+            own = None if nearby is None else nearby[k : k + 1]
+            evaluators[k].run(Batch.of(rows, (answer,), own))
             result[row] += share.take(row, axis=0) * answer
         return result
 

@@ -82,8 +82,8 @@ def _of_rows(
     """(estimates, n, 3) float32, each with so many rays: kept, or traced and then kept."""
     x, wi = (np.ascontiguousarray(samples[name][rows]) for name in ("position", "wi"))
     digest = hashlib.sha256(f"{part.dataset.geometry_digest} {lengths} {rays}".encode())
-    digest.update(x)
-    digest.update(wi)
+    digest.update(x.data)
+    digest.update(wi.data)
     path = part.folder / "nearby" / f"{digest.hexdigest()[:32]}.safetensors"
     with suppress(OSError, KeyError, SafetensorError):
         kept = load_file(path)["nearby"]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -90,8 +90,9 @@ class ValidationView:
 
     def shaded_by(self, asset: SurfaceAsset | FiberAsset) -> np.ndarray:
         """Radiance of the rows, (n, 3) float32, as the runtime answers."""
+        part: Any = asset  # of either kind, as the arguments are
         nearby = self.nearby(asset.nearby_lengths)
-        return self.pick(*asset.evaluate(*evaluate_arguments(self.samples), nearby=nearby))
+        return self.pick(*part.evaluate(*evaluate_arguments(self.samples), nearby=nearby))
 
     def image(self, values: np.ndarray) -> np.ndarray:
         """See `CapturedImage`."""

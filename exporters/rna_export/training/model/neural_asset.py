@@ -40,6 +40,7 @@ class NeuralAsset(nn.Module):
 
     ceiling: Tensor
     unit: Tensor
+    nearby_means: Tensor
 
     def __init__(self, config: ModelConfig, bounds: Tensor):
         super().__init__()

@@ -40,8 +40,7 @@ def sample_loss(
     """
     v = at["visible"]
     answer = model.answer(at, blur) if lit is None else model.own_answer(at, lit, blur)
-    estimates = [at[name] for name in ESTIMATES if name in at]
-    ys = [model.seen(answer, nearby) for nearby in estimates or [None]]
+    ys = [model.seen(answer, at[name]) for name in ESTIMATES if name in at] or [answer]
     if not model.config.separates_direct:
         weight = _weights(v, shadow_weight)
         if lit is None:
