@@ -13,7 +13,7 @@ from rna_export.capture.dataset import nearby_rows
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.nearby_rows import ESTIMATES, usual_lengths, with_estimates
 from rna_export.export.decoder import decoders_of
-from rna_export.export.rna_export import main
+from rna_export.export.package_build import build_package
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.optimization.fitting import Fitting
@@ -28,7 +28,7 @@ from rna_trace import PartsScene, nearby_light
 from tests.exporters.synthetic import make_dataset, printed_points, tiny
 from tests.runtime.points import unit_vectors
 
-LENGTHS = (0.02, 0.06, 0.2)
+LENGTHS = (0.01, 0.02, 0.06)
 BOUNDS = torch.tensor([[-1.1] * 3, [1.1] * 3])
 PACKAGEABLE = {
     "small": ("surface", {}),
@@ -86,7 +86,10 @@ def error(rows: dict[str, np.ndarray], exact: np.ndarray, lengths: tuple[float, 
 
 def test_light_beside_shadows_is_learnt_from_noisy_estimates() -> None:
     rows, exact = glowing_rows(8000)
-    assert error(rows, exact, LENGTHS) < 0.1 * error(rows, exact, ())
+    with_two = error(rows, exact, LENGTHS)
+    assert with_two < 0.2 * error(rows, exact, ())
+    # The noise of one estimate weakens what it tells; the product of two errors has none of it.
+    assert with_two < 0.9 * error({**rows, ESTIMATES[1]: rows[ESTIMATES[0]]}, exact, LENGTHS)
 
 
 @pytest.mark.parametrize("name", PACKAGEABLE)
@@ -143,8 +146,8 @@ def exported(tmp_path_factory: pytest.TempPathFactory) -> tuple[DatasetPart, Pat
         patch.setattr(Curves, "draw", lambda _: None)
         best = train(Run(part, preset, "small", folder / "run"))
     package = folder / "ball.rna"
-    arguments = [str(best), "--out", str(package), "--license", "CC0-1.0", "--source", "a ball"]
-    assert main(arguments) == 0
+    models = [load_checkpoint(best)]
+    build_package(models, part.dataset, package, "a ball", "CC0-1.0", print, is_measured=False)
     return part, best, package
 
 
