@@ -14,6 +14,7 @@ from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.nearby_rows import ESTIMATES, usual_lengths, with_estimates
 from rna_export.export.decoder import decoders_of
 from rna_export.export.package_build import build_package
+from rna_export.training import nearby_choice
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.optimization.fitting import Fitting
@@ -22,6 +23,7 @@ from rna_export.training.presets import PRESETS
 from rna_export.training.report import Curves
 from rna_export.training.training_run import Run, train
 from rna_export.training.validation import answer, shade
+from rna_sdk.errors import TrainingError
 from rna_sdk.package import Mesh, Package, validate
 from rna_sdk.runtime import load
 from rna_trace import PartsScene, nearby_light
@@ -184,3 +186,48 @@ def test_means_stand_in_for_what_a_host_does_not_trace(
 
 def test_presets_without_it_are_told_as_before() -> None:
     assert "nearby" not in PRESETS["surface"]["small"].model_dump()["model"]
+
+
+@pytest.mark.parametrize(("with_it", "counted"), [(0.097, True), (0.099, False), (0.12, False)])
+def test_an_asset_that_gains_too_little_does_not_get_it(
+    with_it: float, counted: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    part = make_dataset(tmp_path / "ball.rays", shards=1, views=1)
+    run, said = Run(part, tiny(steps=20), "small", tmp_path / "run"), []
+    trials: list[Run] = []
+
+    def flip(trial: Run, samples: dict[str, np.ndarray]) -> float:
+        trials.append(trial)
+        return with_it if trial.preset.model.nearby else 0.1
+
+    monkeypatch.setattr(nearby_choice, "_flip", flip)
+    for _ in range(2):  # the second time by what is kept
+        chosen = nearby_choice.with_nearby(run, "auto", said.append)
+        assert chosen.preset.model.nearby == (usual_lengths(part) if counted else ())
+        assert chosen == run or counted
+    assert len(trials) == 2 and "0.1000 without" in said[0]
+    assert nearby_choice.with_nearby(run, "off") == run
+    assert nearby_choice.with_nearby(run, "on").preset.model.nearby == usual_lengths(part)
+    (run.out / "nearby.json").write_text("[]")
+    with pytest.raises(TrainingError, match="nearby.json: not a verdict of rna-train; delete it"):
+        nearby_choice.with_nearby(run, "auto")
+
+
+def test_short_trainings_leave_nothing_but_their_verdict(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    part = make_dataset(tmp_path / "ball.rays", shards=1, views=1)
+    monkeypatch.setattr(Curves, "draw", lambda _: None)
+    run = Run(part, tiny(steps=20), "small", tmp_path / "run")
+    nearby_choice.with_nearby(run, "auto", lambda _: None)
+    assert [path.name for path in run.out.iterdir()] == ["nearby.json"]
+
+
+def test_several_poses_do_not_get_it(tmp_path: Path) -> None:
+    part = make_dataset(tmp_path / "ball.rays", shards=1, views=1)
+    manifest = part.manifest.model_copy(update={"poses": (1, 2)})
+    part.dataset.manifest = manifest
+    run, said = Run(part, tiny(), "small", tmp_path / "run"), []
+    assert nearby_choice.with_nearby(run, "auto", said.append) == run and "several poses" in said[0]
+    with pytest.raises(TrainingError, match="expected a capture of one pose"):
+        nearby_choice.with_nearby(run, "on")

@@ -1,7 +1,7 @@
 """Whether a model counts nearby light: two short trainings tell what an asset gains by it.
 
 Translucent assets gain; opaque ones lose, since all that it tells them is noise
-(docs/decisions/training.md).
+(docs/decisions/model.md).
 """
 
 from __future__ import annotations

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from rna_export.capture.dataset.dataset_part import DatasetPart
 
 OF_DIAGONAL = {"surface": (0.005, 0.015, 0.045), "fiber": (0.004, 0.015, 0.05)}
-"""Kind of part -> lengths, over the diagonal of the asset's box (docs/decisions/training.md)."""
+"""Kind of part -> lengths, over the diagonal of the asset's box (docs/decisions/model.md)."""
 
 TRAINING_RAYS = 24
 """Of each of two estimates, whose product of errors has no bias of their noise."""
