@@ -37,6 +37,12 @@ def mean(image) -> float:
     return float(np.asarray(image, float).mean())
 
 
+def test_a_shadow_map_has_the_nearby_light_of_rays(names: dict) -> None:
+    by_rays, by_map = names["by_rays"], names["by_map"]
+    assert by_rays == pytest.approx(by_map, abs=0.12) and by_map.std() > 0.1
+    assert by_rays.mean(axis=0) == pytest.approx(by_map.mean(axis=0), abs=0.02)
+
+
 def test_the_toy_is_in_the_picture(names: dict) -> None:
     seen = np.asarray(names["right"]).any(axis=2)
     assert 0.15 < seen.mean() < 0.7

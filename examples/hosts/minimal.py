@@ -14,13 +14,14 @@ import zipfile
 import numpy as np
 
 
-def evaluate(path, tier_name, part, x, axis, h, wo, wi, base_color):
+def evaluate(path, tier_name, part, x, axis, h, wo, wi, base_color, nearby=None):
     """(n, 6) colours: what leaves x towards wo under irradiance 1 from wi, visible and shadowed.
 
     axis: the normal of a surface, or the tangent of a fiber, with h the offset across it.
-    base_color: of the surface (4.6); tiers that do not use it do not look at it.
+    base_color: of the surface (4.6); tiers that do not use it do not look at it. nearby: (n, 3)
+    nearby light (7.3), which tiers that count it need.
     """
-    return answer("transport", path, tier_name, part, x, axis, h, wo, wi, base_color)
+    return answer("transport", path, tier_name, part, x, axis, h, wo, wi, base_color, nearby)
 
 
 def emission(path, tier_name, part, x, axis, h, wo):
@@ -29,7 +30,7 @@ def emission(path, tier_name, part, x, axis, h, wo):
 
 
 @np.errstate(all="ignore")  # blocks that the decoder does not take may be NaN
-def answer(output, path, tier_name, number, x, axis, h, wo, wi, base_color=None):
+def answer(output, path, tier_name, number, x, axis, h, wo, wi, base_color=None, nearby=None):
     """Output of a part's decoder of `output`, or of its two of visible and shadowed light."""
     with zipfile.ZipFile(path) as archive:  # 2: a ZIP of stored entries
         manifest = json.loads(archive.read("manifest.json"))  # 3
@@ -43,7 +44,11 @@ def answer(output, path, tier_name, number, x, axis, h, wo, wi, base_color=None)
     uses_base_color = output == "transport" and tier_part.get("usesBaseColor", False)
     low, high = (np.float32(part["bounds"][corner]).astype(float) for corner in ("min", "max"))
     # 8: what is not finite, or has no direction, gets 0; all else is brought into range.
-    numbers = [x, axis, h, wo, wi, *([base_color] if uses_base_color else [])]
+    counts_nearby = output == "transport" and "nearby" in tier_part
+    if counts_nearby and nearby is None:
+        raise SystemExit(f"error: {path}: tier {tier_name} counts nearby light: pass it")
+    factors = [base_color] * uses_base_color + [nearby] * counts_nearby
+    numbers = [x, axis, h, wo, wi, *factors]
     rows = np.isfinite(np.column_stack(numbers)).all(axis=1)
     rows &= axis.any(axis=1) & wo.any(axis=1) & wi.any(axis=1)
     p = np.clip((x[rows] - low) / (high - low), 0, 1)
@@ -53,6 +58,10 @@ def answer(output, path, tier_name, number, x, axis, h, wo, wi, base_color=None)
     for (name, record), (nodes, constants) in zip(decoders.items(), graphs, strict=True):
         queries = np.hstack([blocks[block] for block in record["inputs"]])
         colour = run(nodes, {**constants, "queries": queries})[name]
+        if counts_nearby:  # 7.3: columns of its own, then as many for each length
+            colour, *of_lengths = np.hsplit(colour, 4)
+            for share, of_length in zip(nearby[rows].T, of_lengths, strict=True):
+                colour = colour + np.maximum(share, 0)[:, None] * of_length
         if uses_base_color:  # 7.1: the second half of the columns are its factors
             colour, factor = np.hsplit(colour, 2)
             colour = np.maximum(
@@ -208,13 +217,14 @@ def run(nodes, values):
 
 if __name__ == "__main__":  # the protocol of spec/conformance/README.md
     if sys.argv[1:] == ["levels"]:
-        print("evaluate")
-    elif sys.argv[1:2] in (["evaluate"], ["emission"]) and len(sys.argv) == 7:
+        print("evaluate\nnearby")
+    elif sys.argv[1:2] in (["evaluate"], ["emission"], ["nearby"]) and len(sys.argv) == 7:
         command, package, tier, part, queries, results = sys.argv[1:]
-        ask, columns = (evaluate, 16) if command == "evaluate" else (emission, 10)
+        columns = {"evaluate": 16, "emission": 10, "nearby": 19}[command]
+        ask = emission if command == "emission" else evaluate
         rows = np.fromfile(queries, "<f4").reshape(-1, columns).astype(float)
-        x, axis, h, *directions = np.split(rows, (3, 6, 7, 10, 13)[: columns // 3], axis=1)
-        found = ask(package, tier, int(part), x, axis, h[:, 0], *directions)
+        x, axis, h, *others = np.split(rows, (3, 6, 7, *range(10, columns, 3)), axis=1)
+        found = ask(package, tier, int(part), x, axis, h[:, 0], *others)
         found.astype("<f4").tofile(results)
     else:
         sys.exit(__doc__)

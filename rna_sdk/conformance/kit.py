@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 from rna_sdk.errors import ConformanceError
 
 INDEX = "kit.json"
-VERSION = 7
+VERSION = 8
 LEVELS = (
-    *("evaluate", "environment", "visibility", "normals", "base-color"),
+    *("evaluate", "environment", "nearby", "visibility", "normals", "base-color"),
     *("geometry", "deformed", "validate"),
 )
 """All but the second are of the format itself; that is of an extension that no reader must know."""
@@ -65,6 +65,13 @@ class LobesCase(EvaluateCase):
     """
 
     level: ClassVar[str] = "environment"
+
+
+@dataclass(frozen=True)
+class NearbyCase(EvaluateCase):
+    """A part that counts nearby light, which stands in three more columns of its queries."""
+
+    level: ClassVar[str] = "nearby"
 
 
 @dataclass(frozen=True)
@@ -150,6 +157,7 @@ class Kit:
     visibility_tolerance: float
     evaluate: tuple[EvaluateCase, ...]
     environment: tuple[LobesCase, ...]
+    nearby: tuple[NearbyCase, ...]
     visibility: tuple[VisibilityCase, ...]
     normals: tuple[NormalsCase, ...]
     base_color: tuple[BaseColorCase, ...]
@@ -194,6 +202,7 @@ def load_kit(folder: Path) -> Kit:
         index["visibilityTolerance"],
         tuple(_evaluate_case(EvaluateCase, folder, record) for record in index["evaluate"]),
         tuple(_evaluate_case(LobesCase, folder, record) for record in index["environment"]),
+        tuple(_evaluate_case(NearbyCase, folder, record) for record in index["nearby"]),
         tuple(_visibility_case(folder, record) for record in index["visibility"]),
         tuple(_part_case(NormalsCase, folder, record) for record in index["normals"]),
         tuple(_part_case(BaseColorCase, folder, record) for record in index["base-color"]),

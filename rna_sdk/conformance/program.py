@@ -15,7 +15,7 @@ from rna_sdk.conformance import lobe_queries
 from rna_sdk.conformance.kit import LEVELS
 from rna_sdk.errors import ConformanceError
 from rna_sdk.package.decoder.decoder_form import TRANSPORT, DecoderForm
-from rna_sdk.package.decoder.query_arrays import column_count
+from rna_sdk.package.decoder.query_arrays import NEARBY, column_count
 
 
 @dataclass(frozen=True)
@@ -87,6 +87,21 @@ def evaluate(
     rows = queries.stat().st_size // (4 * column_count(form.arrays))
     where = str(package), tier, str(part), str(queries)
     return _results(program, rows, width, command_of(form), *where)
+
+
+def nearby(
+    program: Program,
+    form: DecoderForm,
+    width: int,
+    package: Path,
+    tier: str,
+    part: int,
+    queries: Path,
+) -> NDArray[np.float64]:
+    """As `evaluate`, for queries with nearby light in their last columns."""
+    rows = queries.stat().st_size // (4 * (column_count(form.arrays) + NEARBY.columns))
+    where = str(package), tier, str(part), str(queries)
+    return _results(program, rows, width, NEARBY.name, *where)
 
 
 def lobes(

@@ -87,6 +87,7 @@ if __name__ == "__main__":
         run_reader(
             evaluate=evaluate,
             environment=environment,
+            nearby=evaluate,
             base_color=base_color,
             geometry=geometry,
             deformed=deformed,

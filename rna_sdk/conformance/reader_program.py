@@ -17,8 +17,8 @@ from rna_sdk.conformance.kit import LEVELS
 from rna_sdk.conformance.lobe_queries import COLUMNS, COMMAND, LobeQueries
 from rna_sdk.conformance.program import command_of
 from rna_sdk.errors import ConformanceError, RnaError
-from rna_sdk.package.decoder.decoder_form import FORMS, DecoderForm
-from rna_sdk.package.decoder.query_arrays import arrays_of, column_count
+from rna_sdk.package.decoder.decoder_form import FORMS, TRANSPORT, DecoderForm
+from rna_sdk.package.decoder.query_arrays import NEARBY, arrays_of, column_count
 
 Evaluate = Callable[[str, str, str, int, dict[str, NDArray[np.float32]]], NDArray[np.float32]]
 """(name of a decoder form, package, tier, part, query arrays by name) -> its output (n, width).
@@ -53,6 +53,7 @@ def run_reader(
     *,
     evaluate: Evaluate | None = None,
     environment: Environment | None = None,
+    nearby: Evaluate | None = None,
     visibility: OfHits | None = None,
     normals: OfHits | None = None,
     base_color: OfHits | None = None,
@@ -66,10 +67,13 @@ def run_reader(
     level, *rest = list(sys.argv[1:] if arguments is None else arguments) or [""]
     try:
         if level == "levels" and not rest:
-            had = (evaluate, environment, *of_hits.values(), geometry, deformed, validate)
+            asked = evaluate, environment, nearby, *of_hits.values()
+            had = (*asked, geometry, deformed, validate)
             print("\n".join(name for name, function in zip(LEVELS, had, strict=True) if function))
         elif level in forms and evaluate and len(rest) == 5:
             _answer(evaluate, forms[level], *rest)
+        elif level == NEARBY.name and nearby and len(rest) == 5:
+            _answer_nearby(nearby, *rest)
         elif level == COMMAND and environment and len(rest) == 5:
             package, tier, part, queries, results = rest
             rows = np.fromfile(queries, "<f4").reshape(-1, COLUMNS).astype(np.float32)
@@ -108,6 +112,16 @@ def _answer(
     columns = column_count(form.arrays)
     rows = np.fromfile(queries, "<f4").reshape(-1, columns).astype(np.float32)
     _write(results, function(form.name, package, tier, int(part), arrays_of(rows, form.arrays)))
+
+
+def _answer_nearby(
+    function: Evaluate, package: str, tier: str, part: str, queries: str, results: str
+) -> None:
+    columns = column_count(TRANSPORT.arrays)
+    rows = np.fromfile(queries, "<f4").reshape(-1, columns + NEARBY.columns).astype(np.float32)
+    arrays = arrays_of(rows[:, :columns], TRANSPORT.arrays)
+    arrays[NEARBY.name] = np.ascontiguousarray(rows[:, columns:])
+    _write(results, function(TRANSPORT.name, package, tier, int(part), arrays))
 
 
 def _write(path: str, values: NDArray[np.float32]) -> None:

@@ -14,6 +14,7 @@ from rna_sdk.conformance.kit import (
     GeometryCase,
     Kit,
     LobesCase,
+    NearbyCase,
     NormalsCase,
     RowClass,
     ValidateCase,
@@ -82,7 +83,8 @@ def _nothing(case: Case) -> Score:
 def _evaluate(program: Program, case: EvaluateCase, int8_share: float) -> Score:
     form = form_named(case.output)
     where = case.package, case.tier, case.part, case.queries
-    actual = reader.evaluate(program, form, case.expected.shape[1], *where)
+    ask = reader.nearby if isinstance(case, NearbyCase) else reader.evaluate
+    actual = ask(program, form, case.expected.shape[1], *where)
     return _compared(case, actual, allowed(actual), case.step, int8_share)
 
 

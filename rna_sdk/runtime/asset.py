@@ -24,7 +24,7 @@ from rna_sdk.package import (
     decoder_from_bytes,
 )
 from rna_sdk.package.decoder.decoder_form import COLUMNS, SHADOWED, TRANSPORT, VISIBLE, form_named
-from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS, Rows
+from rna_sdk.package.decoder.query_arrays import NEARBY, QUERY_ARRAYS, Rows
 from rna_sdk.package.manifest.manifest_fields import Kind
 from rna_sdk.package.textures.exchanged_images import check_images, with_images
 from rna_sdk.runtime.engine.batch import Batch
@@ -242,6 +242,12 @@ class AssetPart(Asset):
     def parts(self) -> tuple[SurfaceAsset | FiberAsset, ...]:
         return (cast("SurfaceAsset | FiberAsset", self),)
 
+    @property
+    def nearby_lengths(self) -> tuple[float, float, float] | None:
+        """Lengths of the nearby light that `evaluate` counts, metres; None of a part without."""
+        record = self.tier_part.nearby
+        return None if record is None else record.lengths
+
     def measured_part_ns(self) -> float:
         """`measured_ns_per_query` of this part."""
         return cached_cost(self._measure_ns_per_query, *self._digests, self.threads)
@@ -276,8 +282,9 @@ class AssetPart(Asset):
         """The results of a decoder, each (n, 3) float32; 0 if the part has no such decoder.
 
         form: "transport" returns (visible, shadowed), "emission" (radiance,). arrays: the inputs of
-        the form by name: position, axis (normal or tangent), h (fibers only), wo, wi, and
-        base_color where the tier part uses it. out: arrays for the results, as for `evaluate`.
+        the form by name: position, axis (normal or tangent), h (fibers only), wo, wi,
+        base_color where the tier part uses it, and nearby as for `evaluate`. out: arrays for the
+        results, as for `evaluate`.
 
         Raises:
             QueryError: an array is missing, or is no float32 array of its shape; they differ in n;
@@ -293,10 +300,25 @@ class AssetPart(Asset):
             result = tuple(make((number, count, COLUMNS), np.float32))
         else:
             result = _results(out, number, count, checked)
+        nearby = self._nearby_light(checked) if decoder_form.has_factors else None
         for k, evaluator in enumerate(evaluators):
-            rows = result if len(evaluators) == 1 else result[k : k + 1]
-            evaluator.run(Batch.of(checked, rows))
+            own = slice(None) if len(evaluators) == 1 else slice(k, k + 1)
+            of_results = None if nearby is None else nearby[own]
+            evaluator.run(Batch.of(checked, result[own], of_results))
         return result
+
+    def _nearby_light(self, checked: Mapping[str, Rows]) -> tuple[Rows, ...] | None:
+        """Nearby light for visible and for shadowed results; None of a part without."""
+        record = self.tier_part.nearby
+        if record is None:
+            return None
+        if NEARBY.name in checked:
+            return checked[NEARBY.name], checked[NEARBY.name]
+        shape = len(checked["wo"]), 1
+        visible, shadowed = (
+            np.tile(np.array(mean, np.float32), shape) for mean in (record.visible, record.shadowed)
+        )
+        return visible, shadowed
 
     def _transport(self, arrays: Mapping[str, object], visibility: object) -> Rows:
         """T, (n, 3) float32: of decoders apart, each row by those that count."""
@@ -310,11 +332,13 @@ class AssetPart(Asset):
                 return np.where(visibility[:, None], visible, shadowed)
             return shares[0] * visible + shares[1] * shadowed
         result = np.zeros((count, COLUMNS), np.float32)
-        for evaluator, share in zip(evaluators, shares, strict=True):
+        for k, share in enumerate(shares):
             row = np.flatnonzero(share.any(axis=1))
             answer = np.empty((len(row), COLUMNS), np.float32)
             rows = {name: values.take(row, axis=0) for name, values in checked.items()}
-            evaluator.run(Batch.of(rows, (answer,)))
+            nearby = self._nearby_light(rows)
+            own = None if nearby is None else nearby[k : k + 1]
+            evaluators[k].run(Batch.of(rows, (answer,), own))
             result[row] += share.take(row, axis=0) * answer
         return result
 
@@ -381,6 +405,9 @@ class AssetPart(Asset):
                 label = self._labels.get(array.name, array.name)
                 checked[array.name] = check(label, arrays.get(array.name), count)
                 count = len(checked[array.name])
+        nearby = arrays.get(NEARBY.name)
+        if nearby is not None and self.tier_part.nearby is not None:
+            checked[NEARBY.name] = vectors(NEARBY.name, nearby, count)
         return checked
 
 

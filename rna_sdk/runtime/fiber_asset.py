@@ -35,6 +35,7 @@ class FiberAsset(AssetPart):
         wo: Rows,
         wi: Rows,
         out: tuple[Rows, Rows] | None = None,
+        nearby: Rows | None = None,
     ) -> tuple[Rows, Rows]:
         """Transport at points of fibers: radiance towards wo under irradiance 1 from wi.
 
@@ -44,7 +45,8 @@ class FiberAsset(AssetPart):
         light, both away from the fiber. All but h (n, 3) float32, object space; n may be 0.
         Vectors are normalised; positions outside the bounds are clamped to them. out: two
         C-contiguous (n, 3) float32 arrays that receive the result and are returned, which avoids
-        allocations.
+        allocations. nearby: (n, 3) float32, the nearby light of `nearby_lengths`
+        along wi (spec/RNA.md, 7.3), or an unbiased estimate of it; None for the part's means.
 
         Returns (visible, shadowed), each (n, 3) float32 linear RGB, finite and non-negative.
         `shadowed` applies where the asset itself blocks the ray from the position along wi,
@@ -66,7 +68,7 @@ class FiberAsset(AssetPart):
             >>> visible.shape
             (100, 3)
         """
-        arrays = {"position": positions, "axis": tangents, "h": h, "wo": wo, "wi": wi}
+        arrays = self._lit(positions, tangents, h, wo, wi, nearby)
         visible, shadowed = self.decode("transport", arrays, out)
         return visible, shadowed
 
@@ -78,6 +80,7 @@ class FiberAsset(AssetPart):
         wo: Rows,
         wi: Rows,
         visibility: Rows | NDArray[np.bool_],
+        nearby: Rows | None = None,
     ) -> Rows:
         """`evaluate`, for hosts that have traced the visibility v: v visible + (1 - v) shadowed.
 
@@ -91,8 +94,14 @@ class FiberAsset(AssetPart):
         Raises:
             QueryError: as `evaluate`.
         """
+        return self._transport(self._lit(positions, tangents, h, wo, wi, nearby), visibility)
+
+    def _lit(
+        self, positions: Rows, tangents: Rows, h: Rows, wo: Rows, wi: Rows, nearby: Rows | None
+    ) -> dict[str, Rows | None]:
+        """The arrays of transport, by name."""
         arrays = {"position": positions, "axis": tangents, "h": h, "wo": wo, "wi": wi}
-        return self._transport(arrays, visibility)
+        return {**arrays, "nearby": nearby}
 
     def emission(self, positions: Rows, tangents: Rows, h: Rows, wo: Rows) -> Rows:
         """Radiance emitted by points of fibers towards wo, without incident light, W/(m^2 sr).

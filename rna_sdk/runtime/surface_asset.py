@@ -44,6 +44,7 @@ class SurfaceAsset(AssetPart):
         wi: Rows,
         base_color: Rows | None = None,
         out: tuple[Rows, Rows] | None = None,
+        nearby: Rows | None = None,
     ) -> tuple[Rows, Rows]:
         """Transport at surface points: radiance towards wo under irradiance 1 from wi.
 
@@ -52,7 +53,9 @@ class SurfaceAsset(AssetPart):
         are normalised; positions outside the bounds are clamped to them. base_color: (n, 3) float32
         linear RGB, from `base_color_at` or any other; required if `uses_base_color`, ignored
         otherwise. out: two C-contiguous (n, 3) float32 arrays that receive the result and are
-        returned, which avoids allocations.
+        returned, which avoids allocations. nearby: (n, 3) float32, the nearby light of
+        `nearby_lengths` along wi (spec/RNA.md, 7.3), or an unbiased estimate of it; None for the
+        part's means.
 
         Returns (visible, shadowed), each (n, 3) float32 linear RGB, finite and non-negative.
         `shadowed` applies where the asset itself blocks the ray from the position along wi,
@@ -72,7 +75,7 @@ class SurfaceAsset(AssetPart):
             >>> visible.shape
             (100, 3)
         """
-        arrays = self._lit(positions, normals, wo, wi, base_color)
+        arrays = self._lit(positions, normals, wo, wi, base_color, nearby)
         visible, shadowed = self.decode("transport", arrays, out)
         return visible, shadowed
 
@@ -84,6 +87,7 @@ class SurfaceAsset(AssetPart):
         wi: Rows,
         visibility: Rows | NDArray[np.bool_],
         base_color: Rows | None = None,
+        nearby: Rows | None = None,
     ) -> Rows:
         """`evaluate`, for hosts that have traced the visibility v: v visible + (1 - v) shadowed.
 
@@ -103,16 +107,23 @@ class SurfaceAsset(AssetPart):
             >>> asset.transport(x, n, n, n, np.ones(100, bool), np.ones_like(x)).shape
             (100, 3)
         """
-        return self._transport(self._lit(positions, normals, wo, wi, base_color), visibility)
+        arrays = self._lit(positions, normals, wo, wi, base_color, nearby)
+        return self._transport(arrays, visibility)
 
     def _lit(
-        self, positions: Rows, normals: Rows, wo: Rows, wi: Rows, base_color: Rows | None
+        self,
+        positions: Rows,
+        normals: Rows,
+        wo: Rows,
+        wi: Rows,
+        base_color: Rows | None,
+        nearby: Rows | None,
     ) -> dict[str, Rows | None]:
         """The arrays of transport, by name."""
         if base_color is None and self.uses_base_color:
             raise QueryError(f"base_color: {self.name} needs it; base_color_at looks it up")
         arrays = {"position": positions, "axis": normals, "wo": wo, "wi": wi}
-        return {**arrays, "base_color": base_color}
+        return {**arrays, "base_color": base_color, "nearby": nearby}
 
     @property
     def uses_base_color(self) -> bool:

@@ -13,7 +13,7 @@ from rna_gpu.device import Device
 from rna_gpu.evaluator import Evaluator, GpuRows
 from rna_gpu.part_buffers import part_uniform, upload_planes, upload_weights
 from rna_gpu.records.part import ROW
-from rna_sdk.errors import QueryError
+from rna_sdk.errors import GpuError, QueryError
 from rna_sdk.package import Package, Tier, decoder_from_bytes
 from rna_sdk.package.decoder.decoder_form import COLUMNS, EMISSION, TRANSPORT
 from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS
@@ -35,8 +35,13 @@ class GpuPart:
     """
 
     def __init__(self, device: Device, package: Package, tier: Tier, part: int, name: str) -> None:
-        """Raises GpuError: a decoder does not fit."""
+        """Raises GpuError: a decoder does not fit, or the part counts nearby light."""
         record, tier_part = package.manifest.parts[part], tier.parts[part]
+        if tier_part.nearby is not None:
+            raise GpuError(
+                f"{name}, tier {tier.name}: it counts nearby light, which the GPU does not trace; "
+                "render it on the CPU"
+            )
         self.name, self.kind, self.tier_part, self.device = name, record.kind, tier_part, device
         stored = package.planes(tier.name, part)
         planes = upload_planes(device, stored, name)

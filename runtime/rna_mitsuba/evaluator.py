@@ -9,6 +9,7 @@ from rna_mitsuba import vectors
 from rna_mitsuba.network import Network
 from rna_mitsuba.planes import Triplane
 from rna_mitsuba.vectors import is_zero, numbers, unit
+from rna_sdk.errors import QueryError
 from rna_sdk.package import Package, decoder_from_bytes, input_blocks
 
 Arrays = dict[str, mi.Float | mi.Vector3f]
@@ -24,9 +25,11 @@ class PartEvaluator:
     """
 
     def __init__(self, package: Package, tier: str, part: int) -> None:
-        """Raises QueryError: there is no such tier."""
+        """Raises QueryError: there is no such tier, or the part counts nearby light in it."""
         record, tier_part = package.manifest.parts[part], package.tier(tier).parts[part]
         name = f"{record.name} in tier {tier}"
+        if tier_part.nearby is not None:
+            raise QueryError(f"{name}: it counts nearby light, which rna_mitsuba does not trace")
         self.is_fiber = record.kind == "fiber"
         self.uses_base_color = bool(tier_part.uses_base_color)
         self._triplane = Triplane(package.planes(tier, part), record.bounds)

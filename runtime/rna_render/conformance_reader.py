@@ -86,6 +86,7 @@ if __name__ == "__main__":
         run_reader(
             evaluate=evaluate,
             environment=environment,
+            nearby=evaluate,
             visibility=visibility,
             normals=normals,
             base_color=base_color,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cached_property
 
 import numpy as np
 
@@ -26,6 +27,9 @@ from rna_trace.surface import SurfacePoints, leaving_origins
 from rna_trace.transmittance import Transmittance, geometry_table
 
 PartPoints = SurfacePoints | FiberPoints
+
+PASSED = 0.5
+_MOST_LAYERS = 64
 
 
 class PartsScene(GeometryScene):
@@ -95,6 +99,31 @@ class PartsScene(GeometryScene):
                 at = (a[row] for a in (hits.primitive, hits.u, hits.v, directions, facing))
                 result[row] = table.at(*at)
         return result
+
+    @cached_property
+    def diagonal(self) -> float:
+        """Of the box of all parts."""
+        low, high = zip(*(geometry.box() for geometry in self.geometries), strict=True)
+        return float(np.linalg.norm(np.max(high, axis=0) - np.min(low, axis=0)))
+
+    def first_opaque(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
+        """Distance along rays (n, 3) float32 to what stops light: (n,) float32, inf for nothing.
+
+        Rays pass triangles whose transmittance, the mean of its channels, is PASSED or more, and
+        _MOST_LAYERS of them at most.
+        """
+        hits = self.intersect(origins, directions)
+        left = np.flatnonzero(hits.geometry >= 0) if self.transmits else np.zeros(0, int)
+        layer, at = 0, hits.take(left)
+        while len(left) and layer < _MOST_LAYERS:
+            passed = self.hit_transmittance(at, directions[left]).mean(axis=1) >= PASSED
+            left, at = left[passed], at.take(np.flatnonzero(passed))
+            beyond = np.nextafter(at.t, np.float32(np.inf)) * np.float32(1.0 + 1e-6)
+            at = self.intersect(origins[left], directions[left], beyond)
+            hits.t[left] = at.t
+            met = at.geometry >= 0
+            left, at, layer = left[met], at.take(np.flatnonzero(met)), layer + 1
+        return hits.t
 
     def transmitted(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
         """The product of what all that rays from outside meet lets through, (n, 3) float32."""

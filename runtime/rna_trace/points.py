@@ -37,19 +37,20 @@ class Points(ABC):
 
     @abstractmethod
     def transport(
-        self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
+        self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray, u: np.ndarray | None
     ) -> tuple[np.ndarray, np.ndarray]:
         """Radiance towards the viewer under irradiance 1 from wi, and how free wi is.
 
         It contains the cosine. row: (k,) which points. wi: (k, 3) float32, unit. distance: (k,)
-        float32, to where the light comes from. Returns (k, 3) float32, and (k,) from 0 to 1: how
-        much of that place the body itself leaves in sight, if rays that start on it pass through
-        it.
+        float32, to where the light comes from. u: (k, 2) float64 in [0, 1), for an estimate of
+        nearby light; None where no body counts it. Returns (k, 3) float32, and (k,) from 0 to 1:
+        how much of that place the body itself leaves in sight, if rays that start on it pass
+        through it.
         """
 
     @abstractmethod
     def transport_and_pdf(
-        self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
+        self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray, u: np.ndarray | None
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Results of `transport`, and the density of `sample_and_pdf` in wi."""
 
@@ -74,12 +75,14 @@ class Body(Protocol):
     """An object with its geometry in Embree, in its object space.
 
     passes_through: whether rays that start on it pass through it, since its transport holds what
-    happens inside it. one_sided: whether transport is 0 where wi and wo are on different sides of
-    the geometric normal. part_count: of parts, one a geometry of its scene.
+    happens inside it. counts_nearby: whether transport takes random numbers. one_sided: whether
+    transport is 0 where wi and wo are on different sides of the geometric normal. part_count: of
+    parts, one a geometry of its scene.
     """
 
     role: Role
     passes_through: bool
+    counts_nearby: bool
     one_sided: bool
     part_count: int
 

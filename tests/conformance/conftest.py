@@ -69,6 +69,7 @@ class InProcess:
     normals: Callable[[str, bytes], np.ndarray] | None = None
     validate: Callable[[str], tuple[bool, list[str]]] | None = None
     environment: Environment | None = None
+    nearby: Evaluate | None = None
     base_color: Callable[[str, bytes], np.ndarray] | None = None
     geometry: Geometry | None = None
     deformed: Deformed | None = None

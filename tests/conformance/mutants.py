@@ -22,11 +22,11 @@ import numpy as np
 
 from rna_sdk.conformance.kit import Kit, load_kit
 from rna_sdk.conformance.scoring import cases, score
-from rna_sdk.package.decoder.query_arrays import in_order
+from rna_sdk.package.decoder.query_arrays import NEARBY, in_order
 from tests.conformance.conftest import HOSTS, KIT, InProcess, with_geometry
 from tests.time_limit import time_limit
 
-LEVELS = {"minimal.py": ("evaluate",), "deformed.py": ("geometry", "deformed")}
+LEVELS = {"minimal.py": ("evaluate", "nearby"), "deformed.py": ("geometry", "deformed")}
 """File below examples/hosts -> levels that it has."""
 SECONDS = 60
 CAUGHT, FORBIDDEN = "caught", "passes, though the format forbids it"
@@ -185,7 +185,7 @@ def verdict(mutant: Mutant, kit: Kit) -> str:
     host, levels = ModuleType("mutant"), LEVELS[mutant.host]
     try:
         exec(compile(mutant.source, mutant.name, "exec"), host.__dict__)
-        program = _evaluates(host) if levels == ("evaluate",) else with_geometry(host)
+        program = _evaluates(host) if "evaluate" in levels else with_geometry(host)
         with time_limit(SECONDS):
             every = [case for level in levels for case in cases(kit, level)]
             order = sorted(every, key=lambda case: case.package.stem not in FIRST)
@@ -204,9 +204,10 @@ def _evaluates(host: ModuleType) -> InProcess:
         if form == "emission":
             return np.float32(host.emission(*at))
         base_color = np.asarray(arrays.get("base_color", np.ones(x.shape)), float)
-        return np.float32(host.evaluate(*at, wi, base_color))
+        factors = base_color, arrays.get(NEARBY.name)
+        return np.float32(host.evaluate(*at, wi, *factors))
 
-    return InProcess(evaluate)
+    return InProcess(evaluate, nearby=evaluate)
 
 
 def main() -> int:

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import torch
 
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.dataset.dataset_folder import Dataset
@@ -151,3 +152,14 @@ def write_view(dataset: Dataset, view: int, rng: np.random.Generator) -> None:
         arrays = {**samples, "radiance": samples["radiance"] + noise}
         part = {**arrays, "pixel": pixel.astype(np.int32)}
         write_parts(dataset.validation_path(view, half), {"asset": part})
+
+
+def printed_points(count: int, kind: str) -> dict[str, torch.Tensor]:
+    """Queries of either kind at random places, with base colours."""
+    rng = np.random.default_rng(0)
+    samples = samples_of_light(rng, unit_vectors(rng, count))
+    samples["base_color"] = rng.random((count, 3), dtype=np.float32)
+    if kind == "fiber":
+        samples["tangent"] = samples.pop("normal")
+        samples["h"] = rng.uniform(-1, 1, count).astype(np.float32)
+    return {name: torch.from_numpy(np.ascontiguousarray(v)) for name, v in samples.items()}

@@ -29,6 +29,7 @@ class LambertAsset:
     kind: str = "surface"
     emits: bool = False
     environment_form: None = None
+    nearby_lengths: None = None
     transmittance_records: tuple = ()
     normal_maps: tuple = ()
     uses_base_color: bool = False
@@ -90,6 +91,7 @@ class FiberProbe:
     kind: str = "fiber"
     emits: bool = False
     environment_form: None = None
+    nearby_lengths: None = None
 
     @property
     def parts(self):

@@ -3,6 +3,7 @@
  *     conform levels
  *     conform evaluate PACKAGE TIER PART QUERIES RESULTS
  *     conform emission PACKAGE TIER PART QUERIES RESULTS
+ *     conform nearby PACKAGE TIER PART QUERIES RESULTS
  *     conform visibility PACKAGE HITS RESULTS
  *     conform normals PACKAGE HITS RESULTS
  *     conform base-color PACKAGE HITS RESULTS
@@ -61,20 +62,20 @@ static RnaAsset *open_or_tell(const char *path) {
     return asset;
 }
 
-/* Decoder forms: transport takes 16 numbers a row and gives 6, emission takes 10 and gives 3. */
+/* Decoder forms: transport takes 16 numbers a row, with nearby light 19, and gives 6, emission takes 10 and gives 3. */
 typedef struct Question {
     const RnaAsset *asset;
     int tier, part;
-    bool emission;
+    bool emission, nearby;
     size_t columns, results;
 } Question;
 
 /* rows: [n, columns]; results: [n, results], written. */
 static RnaStatus answer_rows(const Question *question, size_t n, const float *rows, float *results) {
-    float *arrays = malloc((n + 1) * 22 * sizeof *arrays);
+    float *arrays = malloc((n + 1) * 25 * sizeof *arrays);
     if (!arrays) return RNA_OUT_OF_MEMORY;
     float *positions = arrays, *axes = positions + 3 * n, *h = axes + 3 * n, *wo = h + n, *wi = wo + 3 * n;
-    float *base_colors = wi + 3 * n, *colours[2] = {wi + 6 * n, wi + 9 * n};
+    float *base_colors = wi + 3 * n, *colours[2] = {wi + 6 * n, wi + 9 * n}, *nearby = wi + 12 * n;
     for (size_t i = 0; i < n; i++, rows += question->columns) {
         memcpy(positions + 3 * i, rows, 3 * sizeof *rows);
         memcpy(axes + 3 * i, rows + 3, 3 * sizeof *rows);
@@ -83,13 +84,14 @@ static RnaStatus answer_rows(const Question *question, size_t n, const float *ro
         if (question->emission) continue;
         memcpy(wi + 3 * i, rows + 10, 3 * sizeof *rows);
         memcpy(base_colors + 3 * i, rows + 13, 3 * sizeof *rows);
+        if (question->nearby) memcpy(nearby + 3 * i, rows + 16, 3 * sizeof *rows);
     }
     const RnaAsset *asset = question->asset;
     const int tier = question->tier, part = question->part;
     RnaStatus status = question->emission
                            ? rna_emission(asset, tier, part, n, positions, axes, h, wo, colours[0])
-                           : rna_evaluate(asset, tier, part, n, positions, axes, h, wo, wi, base_colors,
-                                          colours[0], colours[1]);
+                           : rna_evaluate_nearby(asset, tier, part, n, positions, axes, h, wo, wi, base_colors,
+                                                 question->nearby ? nearby : NULL, colours[0], colours[1]);
     for (size_t i = 0; i < n * question->results; i++)
         results[i] = colours[i % question->results / 3][i / question->results * 3 + i % 3];
     free(arrays);
@@ -279,19 +281,20 @@ static int validate(const char *path) {
 
 int main(int argc, char **argv) {
     const char *level = argc > 1 ? argv[1] : "";
-    if (argc == 2 && strcmp(level, "levels") == 0) return puts("evaluate\nvisibility\nnormals\nbase-color\ngeometry\ndeformed\nvalidate") < 0;
+    if (argc == 2 && strcmp(level, "levels") == 0) return puts("evaluate\nnearby\nvisibility\nnormals\nbase-color\ngeometry\ndeformed\nvalidate") < 0;
     if (argc == 3 && strcmp(level, "validate") == 0) return validate(argv[2]);
     if ((argc == 5 && strcmp(level, "geometry") == 0) || (argc == 7 && strcmp(level, "deformed") == 0))
         return answer_of_part(argv);
     const bool evaluates = strcmp(level, "evaluate") == 0, emits = strcmp(level, "emission") == 0;
+    const bool nearby = strcmp(level, "nearby") == 0;
     Ask *ask = argc != 5                          ? NULL
                : strcmp(level, "visibility") == 0 ? ask_visibility
                : strcmp(level, "normals") == 0    ? ask_normal
                : strcmp(level, "base-color") == 0 ? ask_base_color
                                                   : NULL;
-    if (!ask && !(argc == 7 && (evaluates || emits))) {
+    if (!ask && !(argc == 7 && (evaluates || emits || nearby))) {
         fputs("usage: conform levels | evaluate PACKAGE TIER PART QUERIES RESULTS |\n"
-              "       emission PACKAGE TIER PART QUERIES RESULTS |\n"
+              "       emission PACKAGE TIER PART QUERIES RESULTS | nearby PACKAGE TIER PART QUERIES RESULTS |\n"
               "       visibility PACKAGE HITS RESULTS | normals PACKAGE HITS RESULTS |\n"
               "       base-color PACKAGE HITS RESULTS | geometry PACKAGE PART RESULTS |\n"
               "       deformed PACKAGE PART SHAPE HITS RESULTS | validate PACKAGE\n", stderr);
@@ -303,7 +306,8 @@ int main(int argc, char **argv) {
         rna_close(asset);
         return 2;
     }
-    Question question = {asset, .emission = emits, .columns = emits ? 10 : 16, .results = emits ? 3 : 6};
+    Question question = {asset, .emission = emits, .nearby = nearby, .results = emits ? 3 : 6};
+    question.columns = emits ? 10 : nearby ? 19 : 16;
     int status = ask ? answer_hits(asset, ask, argv[3], argv[4])
                      : answer(question, argv[3], argv[4], argv[5], argv[6]);
     rna_close(asset);

@@ -148,21 +148,45 @@ static const TierPart *queried_part(const RnaAsset *asset, int tier, int part, c
     return &asset->tier[tier].part[part];
 }
 
-/* One colour of row r of the outputs: a term, and where there are base colours another, `factor` columns on, times
- * the base colour a. */
-static void put_light(const float *outputs, size_t column, size_t factor, const float *a, bool valid, size_t r,
+enum { EMISSION = 2 }; /* behind visible and shadowed light */
+
+/* What multiplies outputs of a row; NULL where a tier part has no such factors. */
+typedef struct Factors {
+    const float *base_color, *nearby;
+} Factors;
+
+/* A column of row r of the outputs and, with nearby light, those of each length, `set` columns on, times it. */
+static float with_nearby(const float *outputs, size_t column, size_t set, const float *nearby, size_t r) {
+    float value = outputs[column * ROWS + r];
+    for (size_t k = 0; nearby && k < 3; k++)
+        value += (nearby[k] > 0 ? nearby[k] : 0) * outputs[(column + (k + 1) * set) * ROWS + r];
+    return value;
+}
+
+/* One colour of row r of the outputs, of `count`: a term, and with base colour another, which it multiplies. */
+static void put_light(const float *outputs, size_t i, size_t count, Factors factors, bool valid, size_t r,
                       float *colour) {
-    for (size_t k = 0; k < 3; k++) valid &= !a || a[k] - a[k] == 0;
+    const float *a = factors.base_color, *s = factors.nearby;
+    const size_t set = 3 * count * (a ? 2 : 1);
+    for (size_t k = 0; k < 3; k++) valid &= (!a || a[k] - a[k] == 0) && (!s || s[k] - s[k] == 0);
     for (size_t k = 0; k < 3; k++) {
-        float value = outputs[(column + k) * ROWS + r];
-        if (a) value += a[k] * outputs[(column + factor + k) * ROWS + r];
+        float value = with_nearby(outputs, 3 * i + k, set, s, r);
+        if (a) value += a[k] * with_nearby(outputs, 3 * (i + count) + k, set, s, r);
         colour[k] = light(value, valid);
     }
 }
 
-/* Runs a network of the part on all rows.  colours: `count` arrays of n x 3, for its results. */
+static Factors factors_of(const TierPart *with, Factors given, size_t result, size_t at) {
+    Factors factors = {given.base_color ? given.base_color + at : NULL, NULL};
+    if (with->counts_nearby && result < 2)
+        factors.nearby = given.nearby ? given.nearby + at : with->nearby_means[result];
+    return factors;
+}
+
+/* Runs a network of the part on all rows.  given: of all rows; without nearby light there, the means count.  colours:
+ * `count` arrays of n x 3, for its results, from the part's result `first_result` on. */
 static RnaStatus run_network(const RnaPart *of, const TierPart *with, const Network *network, const Batch *batch,
-                             const float *base_colors, float *const *colours, size_t count) {
+                             Factors given, float *const *colours, size_t first_result, size_t count) {
     if (batch->n == 0) return RNA_OK;
     if (!colours[0] || !colours[count - 1]) return RNA_BAD_ARGUMENT;
     size_t size = (size_t)ROWS * (size_t)rounded_up(network->decoder->widest, ALIGNMENT);
@@ -176,7 +200,7 @@ static RnaStatus run_network(const RnaPart *of, const TierPart *with, const Netw
         const float *results = run_decoder(network->decoder, buffers, buffers + size);
         for (size_t i = 0; i < count; i++)
             for (size_t r = 0, at = 3 * first; r < (size_t)rows; r++, at += 3)
-                put_light(results, 3 * i, 3 * count, base_colors ? base_colors + at : NULL, points.valid[r], r,
+                put_light(results, i, count, factors_of(with, given, first_result + i, at), points.valid[r], r,
                           colours[i] + at);
     }
     free_aligned(buffers);
@@ -186,15 +210,27 @@ static RnaStatus run_network(const RnaPart *of, const TierPart *with, const Netw
 RnaStatus rna_evaluate(const RnaAsset *asset, int tier, int part, size_t n, const float *positions,
                        const float *axes, const float *h, const float *wo, const float *wi,
                        const float *base_colors, float *visible, float *shadowed) {
+    return rna_evaluate_nearby(asset, tier, part, n, positions, axes, h, wo, wi, base_colors, NULL, visible, shadowed);
+}
+
+RnaStatus rna_evaluate_nearby(const RnaAsset *asset, int tier, int part, size_t n, const float *positions,
+                              const float *axes, const float *h, const float *wo, const float *wi,
+                              const float *base_colors, const float *nearby, float *visible, float *shadowed) {
     const Batch batch = {n, positions, axes, h, wo, wi};
     const TierPart *with = queried_part(asset, tier, part, &batch);
     if (!with || (n && !(visible && shadowed && (base_colors || !with->uses_base_color)))) return RNA_BAD_ARGUMENT;
     const RnaPart *of = rna_part(asset, part);
-    const float *a = with->uses_base_color ? base_colors : NULL;
+    const Factors given = {with->uses_base_color ? base_colors : NULL, nearby};
     const bool apart = with->shadowed.decoder != NULL;
     float *const both[] = {visible, shadowed};
-    RnaStatus status = run_network(of, with, &with->transport, &batch, a, both, apart ? 1 : 2);
-    return apart && status == RNA_OK ? run_network(of, with, &with->shadowed, &batch, a, both + 1, 1) : status;
+    RnaStatus status = run_network(of, with, &with->transport, &batch, given, both, 0, apart ? 1 : 2);
+    return apart && status == RNA_OK ? run_network(of, with, &with->shadowed, &batch, given, both + 1, 1, 1) : status;
+}
+
+const double *rna_nearby_lengths(const RnaAsset *asset, int tier, int part) {
+    const bool there = rna_tier(asset, tier) && rna_part(asset, part);
+    const TierPart *with = there ? &asset->tier[tier].part[part] : NULL;
+    return with && with->counts_nearby ? with->nearby_lengths : NULL;
 }
 
 bool rna_uses_base_color(const RnaAsset *asset, int tier, int part) {
@@ -207,7 +243,7 @@ RnaStatus rna_emission(const RnaAsset *asset, int tier, int part, size_t n, cons
     const TierPart *with = queried_part(asset, tier, part, &batch);
     if (!with || (n && !emission)) return RNA_BAD_ARGUMENT;
     if (with->emission.decoder)
-        return run_network(rna_part(asset, part), with, &with->emission, &batch, NULL, &emission, 1);
+        return run_network(rna_part(asset, part), with, &with->emission, &batch, (Factors){0}, &emission, EMISSION, 1);
     for (size_t i = 0; i < 3 * n; i++) emission[i] = 0;
     return RNA_OK;
 }

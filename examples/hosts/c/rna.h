@@ -167,6 +167,15 @@ RnaStatus rna_evaluate(const RnaAsset *asset, int tier, int part, size_t n, cons
                        const float *axes, const float *h, const float *wo, const float *wi,
                        const float *base_colors, float *visible, float *shadowed);
 
+/* The same with nearby light (section 7.3), n x 3, traced by the host or estimated by one ray for each row; NULL, as in
+ * rna_evaluate, for the means of the package: no glow at the edges of shadows, the mean of it everywhere. */
+RnaStatus rna_evaluate_nearby(const RnaAsset *asset, int tier, int part, size_t n, const float *positions,
+                              const float *axes, const float *h, const float *wo, const float *wi,
+                              const float *base_colors, const float *nearby, float *visible, float *shadowed);
+
+/* The three lengths of the nearby light that this tier and part count, metres; NULL where they count none. */
+const double *rna_nearby_lengths(const RnaAsset *asset, int tier, int part);
+
 /* Whether rna_evaluate of this tier and part needs base colours. */
 bool rna_uses_base_color(const RnaAsset *asset, int tier, int part);
 

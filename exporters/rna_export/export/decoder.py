@@ -92,7 +92,10 @@ def decoders_of(model: NeuralAsset) -> list[DecoderModel]:
         output: str, owner: NeuralAsset | ShadowDecoder, sums: Sequence[Sequence[int]]
     ) -> DecoderModel:
         inputs = config.inputs if isinstance(owner, NeuralAsset) else owner.inputs
-        both = tuple(map(tuple, np.kron(terms, np.array(sums)).tolist()))
+        # Of nearby light, those that count it: the last ones.
+        counting = np.array(sums)[:, -min(len(sums), len(sums[0])) :]
+        sets = [np.kron(terms, of_set) for of_set in (sums, *[counting] * len(config.nearby))]
+        both = tuple(map(tuple, torch.block_diag(*map(torch.tensor, sets)).tolist()))
         return DecoderModel(
             output, inputs, triplane, owner.decoder, both, owner.unit, model.ceiling
         )

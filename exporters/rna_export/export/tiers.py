@@ -12,6 +12,7 @@ import torch
 
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_part import DatasetPart
+from rna_export.capture.dataset.nearby_rows import of_image
 from rna_export.capture.dataset.validation_view import queries_of
 from rna_export.export.decoder import (
     DecoderModel,
@@ -25,9 +26,11 @@ from rna_export.export.int8_tuning import Calibration, tuned
 from rna_export.export.precision import Precision, stored_planes
 from rna_export.export.trained_tiers import TrainedTier
 from rna_export.training.checkpoint import Trained
+from rna_export.training.presets import ModelConfig
 from rna_sdk.package import Agreement, Tier, TierData, TierPart
 from rna_sdk.package.decoder.decoder_form import EMISSION, SHADOWED, TRANSPORT, VISIBLE
 from rna_sdk.package.manifest.manifest_fields import DecoderPrecision
+from rna_sdk.package.manifest.manifest_tiers import TierNearby
 
 _CALIBRATION_ROWS = 50_000
 _CALIBRATION_SHARDS = 12
@@ -79,6 +82,7 @@ class _PartExport:
             decoder_precision=precision.decoder,
             agreement=agreement,
             uses_base_color=config.uses_base_color or None,
+            nearby=_nearby(one),
             **records,
         )
         planes = stored_planes(main.triplane.planes.detach().numpy(), precision.planes)
@@ -105,25 +109,38 @@ class _PartExport:
         """The exported decoder, and how far it is from the trained one."""
         key = model.output, precision
         if key not in self._exported:
-            self._exported[key] = _exported(model, precision, self._part)
+            config = self._one.preset.model
+            self._exported[key] = _exported(model, precision, self._part, config)
         return self._exported[key]
 
 
+def _nearby(one: Trained) -> TierNearby | None:
+    """Nearby light that the model counts, as a tier part has it."""
+    lengths = one.preset.model.nearby
+    if not lengths:
+        return None
+    visible, shadowed = (tuple(means) for means in one.model.nearby_means.tolist())
+    return TierNearby(lengths=lengths, visible=visible, shadowed=shadowed)
+
+
 def _exported(
-    model: DecoderModel, precision: DecoderPrecision, part: DatasetPart
+    model: DecoderModel, precision: DecoderPrecision, part: DatasetPart, config: ModelConfig
 ) -> tuple[bytes, Agreement]:
     if precision == "float32":
         exported = export_decoder(model)
         return exported, compare_decoder(exported, model)
-    at = calibration(model, part)
+    at = calibration(model, part, config)
     layers = tuned(int8_decoder(model.decoder, at.queries), model, at)
     exported = export_decoder(model, layers)
     return exported, compare_int8_decoder(exported, model, layers, at.queries)
 
 
 @torch.no_grad()
-def calibration(model: DecoderModel, part: DatasetPart) -> Calibration:
-    """Random samples of the training data, of those whose light the decoder gives."""
+def calibration(model: DecoderModel, part: DatasetPart, config: ModelConfig) -> Calibration:
+    """Random samples of the training data, of those whose light the decoder gives.
+
+    config: of the model that the decoder is of.
+    """
     samples = part.training_samples(_CALIBRATION_SHARDS)
     visible = samples["visible"].astype(np.float32).reshape(len(samples["visible"]), -1)
     share = {VISIBLE.name: visible, SHADOWED.name: 1.0 - visible}
@@ -132,7 +149,12 @@ def calibration(model: DecoderModel, part: DatasetPart) -> Calibration:
     picked = rows[np.random.default_rng(0).permutation(len(rows))[:_CALIBRATION_ROWS]]
     points = {k: torch.from_numpy(v[picked]) for k, v in queries_of(samples).items()}
     of_outputs = np.stack([weight[picked] for weight in weights], axis=1)
-    if len(model.colour_sums) == 2 * len(weights):
+    if config.uses_base_color and model.output != EMISSION.name:
         color = samples["base_color"][picked][:, None].astype(np.float32)
         of_outputs = np.concatenate([of_outputs * np.ones_like(color), of_outputs * color], axis=1)
+    if lengths := config.nearby:
+        some = {name: samples[name][picked] for name in ("position", "wi")}
+        nearby = of_image(some, part, lengths)
+        shares = nearby.T[:, :, None, None]
+        of_outputs = np.concatenate([of_outputs, *(of_outputs * s for s in shares)], axis=1)
     return Calibration(model.queries(points), torch.from_numpy(of_outputs))

@@ -20,6 +20,7 @@ from rna_trace import (
     PartPoints,
     PartsScene,
     SurfacePoints,
+    nearby_light,
     part_geometry,
     part_normal_maps,
     part_transmittance,
@@ -31,6 +32,7 @@ _DISTANCE = 4.0  # of viewers from the asset's middle, in its radii
 _RAYS = 512  # of the visibility of a vertex
 _AT_ONCE = 2000  # vertices
 _NEAR_CORNER = 0.9  # barycentric coordinate: rays do not start on the edges of a triangle
+_NEARBY_RAYS = 4  # of each light direction at a point
 _TRIES = 50_000  # rays that miss a part before it counts as hidden
 
 
@@ -172,11 +174,18 @@ class PartViews:
         """
         free = self._free(points.at, row, wi)
         x, axis = points.position.take(row, axis=0), points.axis.take(row, axis=0)
-        wo = points.wo.take(row, axis=0)
+        wo, nearby = points.wo.take(row, axis=0), self._nearby(points.at.x, row, wi)
         if isinstance(self.part, FiberAsset):
-            return self.part.transport(x, axis, points.h[row], wo, wi, free)
+            return self.part.transport(x, axis, points.h[row], wo, wi, free, nearby)
         color = None if points.base_color is None else points.base_color.take(row, axis=0)
-        return self.part.transport(x, axis, wo, wi, free, color)
+        return self.part.transport(x, axis, wo, wi, free, color, nearby)
+
+    def _nearby(self, x: Rows, row: np.ndarray, wi: Rows) -> Rows | None:
+        """Nearby light of rows, by few rays: lobes are the mean of many; None of a part without."""
+        lengths = self.part.nearby_lengths
+        if lengths is None:
+            return None
+        return nearby_light(self._scene, lengths, x.take(row, axis=0), wi, _NEARBY_RAYS)
 
     def _random_rays(self, count: int, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
         """Origins at random viewers, and random places in the part's sphere."""

@@ -4,7 +4,15 @@ from __future__ import annotations
 
 from typing import Any, Literal, get_args
 
-from pydantic import BaseModel, Field
+from pydantic import (
+    BaseModel,
+    Field,
+    SerializerFunctionWrapHandler,
+    field_validator,
+    model_serializer,
+)
+
+from rna_sdk.package.decoder.decoder_form import NEARBY_LENGTHS
 
 # Kind of asset -> decoder inputs; the paper's are those of its section 3.2.
 _PAPER_INPUTS = {
@@ -21,6 +29,10 @@ _OUR_INPUTS = {
 
 Loss = Literal["auto", "log", "unbiased"]
 LOSSES: tuple[Loss, ...] = get_args(Loss)
+
+
+NEARBY_MODES = ("off", "auto", "on")
+"""Whether nearby light is counted: never, where an asset gains by it, or always."""
 
 
 Optimizer = Literal["adam", "muon"]
@@ -68,6 +80,31 @@ class ModelConfig(BaseModel, extra="forbid", frozen=True):
     emission_inputs: tuple[str, ...] = Field(
         (), description="blocks of the decoder of emission; none where the asset emits nothing"
     )
+
+    nearby: tuple[float, ...] = Field(
+        (),
+        description="lengths of nearby light, metres, which each scattered colour counts linearly; "
+        "none: it does not",
+    )
+
+    @field_validator("nearby")
+    @classmethod
+    def _all_or_none(cls, value: tuple[float, ...]) -> tuple[float, ...]:
+        if value and (len(value) != NEARBY_LENGTHS or not 0.0 < value[0] < value[1] < value[2]):
+            raise ValueError(f"{NEARBY_LENGTHS} ascending lengths, or none")
+        return value
+
+    @model_serializer(mode="wrap")
+    def _without_nothing_nearby(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        members: dict[str, Any] = handler(self)
+        if not self.nearby:
+            del members["nearby"]
+        return members
+
+    @property
+    def counts_nearby(self) -> tuple[bool, ...]:
+        """Whether each colour counts nearby light, if any does: direct light knows none."""
+        return (not self.separates_direct, *[True] * (len(self.colour_sums[0]) - 1))
 
     @property
     def packageable(self) -> bool:

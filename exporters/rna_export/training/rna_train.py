@@ -13,6 +13,7 @@ from rna_export.training.presets import (
     ANALYTIC_NAME,
     BATCH,
     LOSSES,
+    NEARBY_MODES,
     OPTIMIZERS,
     PRESETS,
     Preset,
@@ -77,6 +78,14 @@ def parser() -> argparse.ArgumentParser:
         "shadowed light, else 1)",
     )
     p.add_argument(
+        "--nearby",
+        choices=NEARBY_MODES,
+        default="off",
+        help="count light that enters beside a point, for the edges of shadows on translucent "
+        "assets; the GPU renderer, web pages and Mitsuba refuse such packages; auto: two short "
+        "trainings decide (default: %(default)s)",
+    )
+    p.add_argument(
         "--optimizer",
         choices=OPTIMIZERS,
         help="optimizer of the decoder's matrices; other parameters use Adam (default: the "
@@ -132,6 +141,7 @@ def _run(args: argparse.Namespace) -> None:
     from rna_export.capture.dataset.dataset_folder import Dataset
     from rna_export.capture.geometry.cut import as_cut
     from rna_export.machine import keep_freed_memory
+    from rna_export.training.nearby_choice import with_nearby
     from rna_export.training.part_runs import part_folder, shared_minutes
     from rna_export.training.training_run import Run, is_of_training, train
     from rna_export.training.training_summary import closing_lines
@@ -153,7 +163,8 @@ def _run(args: argparse.Namespace) -> None:
             preset = _chosen(args, part.kind, device)
             part.geometry()  # which export needs, and may refuse
             made = args.seed, minutes[part.name], begun, device
-            best = train(Run(part, preset, args.preset, out, *made))
+            run = Run(part, preset, args.preset, out, *made)
+            best = train(with_nearby(run, args.nearby))
             print("\n".join(closing_lines(best, part)))
             written.append(f"wrote {best}, {out / 'curves.png'}, {out / 'sheet.png'}")
             begun = monotonic()

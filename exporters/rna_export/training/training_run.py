@@ -17,6 +17,7 @@ from tqdm import tqdm
 
 from rna_export.brightness import Brightness
 from rna_export.capture.dataset.dataset_part import DatasetPart
+from rna_export.capture.dataset.nearby_rows import with_estimates
 from rna_export.training.checkpoint import load_checkpoint, load_progress, save_checkpoint
 from rna_export.training.model.emission import INPUTS
 from rna_export.training.model.neural_asset import NeuralAsset
@@ -93,7 +94,9 @@ def train(
     fitting = Fitting(run.preset, bounds, ceiling, unit, *of_rows, lit=table.lit)
     if saved:
         fitting.load(saved["fitting"])
-    elif run.start is not None:
+    elif run.preset.model.nearby:
+        fitting.model.nearby_means.copy_(table.nearby_means)
+    if not saved and run.start is not None:
         fitting.start_from(load_checkpoint(run.start, run.model_class).model)
     best, so_far = run.out / "best.ckpt", run.out / _SO_FAR
     pace = _pace(run, begun, saved)
@@ -120,6 +123,8 @@ def table_of(run: Run, samples: dict[str, np.ndarray]) -> SampleTable:
     """These samples of the run's dataset, with the fields that its model reads, on its device."""
     if not _for_base_color(run).model.uses_base_color:
         samples = {name: values for name, values in samples.items() if name != "base_color"}
+    if lengths := run.preset.model.nearby:
+        samples = with_estimates(samples, run.dataset, lengths)
     return SampleTable(samples, device=run.device)
 
 

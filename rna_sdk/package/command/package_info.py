@@ -104,6 +104,8 @@ def contents(manifest: Manifest) -> list[tuple[Part, list[str]]]:
         }
         has = [name for name, records in named.items() if records]
         has += [_DECODERS[decoder.form.name] for decoder in tier_part.decoders[1:]]
+        if tier_part.nearby:
+            has.append("nearby light")
         if lobes := of_part(manifest, Environment, k):
             has.append(f"{lobes.lobes} lobes")
         result.append((part, has))

@@ -23,6 +23,11 @@ INPUT_NAME = "queries"
 COLUMNS = 3
 """Of each result: RGB, or XYZ."""
 
+NEARBY_LENGTHS = 3
+NEARBY_SETS = 1 + NEARBY_LENGTHS
+"""Sets of columns of a decoder with nearby light: its output is the first, plus each of the others
+times the nearby light of one length."""
+
 
 @dataclass(frozen=True)
 class DecoderForm:
@@ -35,7 +40,8 @@ class DecoderForm:
         member: of a tier part, with the decoder's record; "" for the tier part itself.
         count: name of a member of the record: so many times there are all results; "" for once.
         has_factors: whether a tier part that uses base colour has a factor of each result, in the
-            same order behind them: the result is then `output + base colour * factor`.
+            same order behind them: the result is then `output + base colour * factor`. In a tier
+            part with nearby light all of these columns are there NEARBY_SETS times.
     """
 
     name: str
@@ -59,9 +65,11 @@ class DecoderForm:
         sets = getattr(record, self.count) if self.count and record is not None else 1
         return len(self.results) * int(sets)
 
-    def width(self, record: Any, uses_base_color: bool = False) -> int:
-        """Columns of the output, in a tier part that uses base colour or not."""
-        sets = 2 if self.has_factors and uses_base_color else 1
+    def width(self, record: Any, uses_base_color: bool = False, nearby: bool = False) -> int:
+        """Columns of the output, in a tier part that has base colour and nearby light or not."""
+        sets = 1
+        if self.has_factors:
+            sets *= (2 if uses_base_color else 1) * (NEARBY_SETS if nearby else 1)
         return COLUMNS * self.result_count(record) * sets
 
     def blocks(self, kind: str) -> list[str]:

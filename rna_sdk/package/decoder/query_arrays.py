@@ -42,6 +42,9 @@ QUERY_ARRAYS = (
 )
 """In the order of a file's columns."""
 
+NEARBY = QueryArray("nearby", 3, is_factor=True)
+"""Nearby light, of a tier part that counts it; where a query lacks it, the part's means count."""
+
 INPUT_ARRAYS = tuple(array for array in QUERY_ARRAYS if not array.is_factor)
 """Those that the decoder's blocks are made of, in the order of the kernel's arguments."""
 

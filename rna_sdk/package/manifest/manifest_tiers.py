@@ -18,7 +18,13 @@ from rna_sdk.package.decoder.decoder_form import (
     DecoderForm,
     PartDecoder,
 )
-from rna_sdk.package.limits import MAX_CHANNELS, MAX_PARTS, MAX_RESOLUTION
+from rna_sdk.package.limits import (
+    MAX_CHANNELS,
+    MAX_COORDINATE,
+    MAX_PARTS,
+    MAX_RESOLUTION,
+    MIN_EXTENT,
+)
 from rna_sdk.package.manifest.manifest_fields import (
     Count,
     DecoderPrecision,
@@ -32,6 +38,11 @@ from rna_sdk.package.manifest.manifest_fields import (
     Record,
     SparseRecord,
 )
+
+Length = Annotated[float, Field(ge=MIN_EXTENT, le=MAX_COORDINATE)]
+Lengths = tuple[Length, Length, Length]
+Share = Annotated[float, Field(ge=0, le=1)]
+Shares = tuple[Share, Share, Share]
 
 
 class FlipAtHeight(Record):
@@ -117,6 +128,21 @@ class TierShadowed(TierDecoder):
     """Shadowed light of a part, where its decoder of transport gives visible light alone."""
 
 
+class TierNearby(Record):
+    """Nearby light that the transport of a part counts linearly."""
+
+    lengths: Lengths = Field(description="How far it reaches, metres, ascending.")
+    visible: Shares = Field(description="Its mean where the asset does not block the light.")
+    shadowed: Shares = Field(description="Its mean where the asset blocks the light.")
+
+    @field_validator("lengths")
+    @classmethod
+    def _ascend(cls, value: tuple[float, ...]) -> tuple[float, ...]:
+        if any(a >= b for a, b in pairwise(value)):
+            raise PydanticCustomError("FIELD_VALUE", "each length above the one before")
+        return value
+
+
 class TierPartFields(Record):
     """Fields that a tier part and a record of lobes share."""
 
@@ -138,6 +164,7 @@ class TierPart(TierPartFields, SparseRecord):
     uses_base_color: Annotated[bool | None, NotNull()] = Field(
         default=None, description="Whether transport has a factor of the part's base colour."
     )
+    nearby: Annotated[TierNearby | None, NotNull()] = None
     shadowed: Annotated[TierShadowed | None, NotNull()] = None
     emission: Annotated[TierEmission | None, NotNull()] = None
 
@@ -149,9 +176,9 @@ class TierPart(TierPartFields, SparseRecord):
             (SHADOWED, self.shadowed),
             (EMISSION, self.emission),
         )
-        scaled = bool(self.uses_base_color)
+        factors = bool(self.uses_base_color), self.nearby is not None
         return tuple(
-            part_decoder(form, record, query_width(record.inputs, self.channels), scaled)
+            part_decoder(form, record, query_width(record.inputs, self.channels), *factors)
             for form, record in records
             if record is not None
         )
@@ -167,9 +194,10 @@ def part_decoder(
     record: TierPartFields | TierDecoder,
     columns: int,
     uses_base_color: bool = False,
+    nearby: bool = False,
 ) -> PartDecoder:
     """The decoder that a record declares, with so many columns of `queries`."""
-    width = form.width(record, uses_base_color)
+    width = form.width(record, uses_base_color, nearby)
     return PartDecoder(
         form, record.decoder, columns, width, record.decoder_precision, record.inputs
     )

@@ -36,6 +36,29 @@ def write_results(
             results[i, k] = sanitised(output[i, column + k]) if valid[i] else np.float32(0.0)
 
 
+@compiled(OUTPUT, OUTPUT, numba.types.boolean[::1], numba.types.float32[:, ::1])
+def mix_sets(
+    output: NDArray[np.float32],
+    nearby: NDArray[np.float32],
+    valid: NDArray[np.bool_],
+    mixed: NDArray[np.float32],
+) -> None:
+    """The first of a decoder's sets of columns, plus the others times nearby light.
+
+    output: (m, k) float32, m >= n. nearby: (n, sets - 1), below 0 as 0. valid: (n,) bool, cleared
+    in rows whose nearby light has NaN or infinity. mixed: (n, columns of a set) float32, written.
+    """
+    rows, columns = mixed.shape
+    for i in range(rows):
+        for c in range(columns):
+            mixed[i, c] = output[i, c]
+        for k in range(nearby.shape[1]):
+            share = max(nearby[i, k], np.float32(0.0))
+            valid[i] &= math.isfinite(nearby[i, k])
+            for c in range(columns):
+                mixed[i, c] += share * output[i, columns * (k + 1) + c]
+
+
 @compiled(
     OUTPUT,
     numba.types.intp,

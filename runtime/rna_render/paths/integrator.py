@@ -326,8 +326,9 @@ class Integrator:
         distance = free.distance / world.scale.take(instance)
         radiance, seen = np.empty((len(row), 3), np.float32), np.empty(len(row), np.float32)
         light_pdf = np.zeros(len(row), np.float32)
+        u = None if choice.nearby is None else choice.nearby.take(free.sample, axis=0)
         for part, place, points in vertices.local_rows(row):
-            at = place, wi[part], distance[part]
+            at = place, wi[part], distance[part], None if u is None else u[part]
             if self._rays_meet_lights:
                 radiance[part], seen[part], light_pdf[part] = points.transport_and_pdf(*at)
             else:
@@ -352,7 +353,8 @@ class Integrator:
             survival = np.minimum(largest / share, 1.0)
             row = np.flatnonzero(numbers.square(ROULETTE)[:, 0] < survival)
             beta = beta / np.maximum(survival, np.float32(1e-30))[:, None]
-        u, number = numbers.take(row).of_branches(branches[row])
+        drawn = numbers.take(row).of_branches(branches[row], world.counts_nearby)
+        u, number, of_nearby = drawn
         row = np.repeat(row, branches[row])
         wi, pdf = np.zeros((len(row), 3), np.float32), np.zeros(len(row), np.float32)
         for part, place, points in vertices.local_rows(row):
@@ -376,7 +378,8 @@ class Integrator:
             lit = np.flatnonzero((hits.instance >= 0) | (~lobed & bool(self._infinite)))
         for part, place, points in vertices.local_rows(row[lit]):
             at = part if isinstance(lit, slice) else lit[part]
-            transport[at], _ = points.transport(place, wi[at], distance[at])
+            near = None if of_nearby is None else of_nearby[at]
+            transport[at], _ = points.transport(place, wi[at], distance[at], near)
         unweakened = None
         if lobed.any():
             unweakened = transport.copy()

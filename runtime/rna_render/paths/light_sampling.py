@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from rna_render.lights import Light, LightSamples, LightSelection
-from rna_render.paths.sampling import CHOICES, LIGHT, LIGHTS_AT_A_VERTEX, PathNumbers
+from rna_render.paths.sampling import CHOICES, LIGHT, LIGHTS_AT_A_VERTEX, NEARBY, PathNumbers
 from rna_render.world.world import Vertices, World
 from rna_sdk.compiled import compiled
 
@@ -28,11 +28,13 @@ class LightChoice:
     """Samples of lights to take at points.
 
     row: (n,) which point each is for, ascending. light: (n,) of which light. u: (n, 2) in [0, 1).
+    nearby: likewise, for estimates of nearby light; None where no body counts it.
     """
 
     row: np.ndarray
     light: np.ndarray
     u: np.ndarray
+    nearby: np.ndarray | None = None
 
 
 class LightSampling:
@@ -74,6 +76,7 @@ class LightSampling:
                     np.repeat(row, parts),
                     np.full(len(row) * parts, light),
                     numbers.square(LIGHT + k, parts),
+                    self._of_nearby(numbers, LIGHT + k, parts),
                 )
                 for k, (light, parts) in enumerate(zip(self._only, times.tolist(), strict=True))
             ]
@@ -81,7 +84,13 @@ class LightSampling:
             return every, probability
         chosen = self._only[self._selection.choose(numbers.square(CHOICES)[:, 0])]
         probability[self._only] = self._selection.probability
-        return [LightChoice(row, chosen, numbers.square(LIGHT))], probability
+        of_nearby = self._of_nearby(numbers, LIGHT, 1)
+        return [LightChoice(row, chosen, numbers.square(LIGHT), of_nearby)], probability
+
+    def _of_nearby(self, numbers: PathNumbers, dimension: int, parts: int) -> np.ndarray | None:
+        if not self._world.counts_nearby:
+            return None
+        return numbers.square(NEARBY + dimension, parts)
 
     def sample(self, choice: LightChoice, x_world: np.ndarray) -> LightSamples:
         """The samples at points x, (n, 3) float32, one for each row of the choice."""

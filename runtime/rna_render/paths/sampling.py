@@ -28,6 +28,7 @@ STRAND_SAMPLES = 2
 PIXEL_DIMENSION = 0
 LENS_DIMENSION = 1 << 20  # beyond those of any path
 CHOICES, DIRECTION, ROULETTE, LIGHT = 1, 2, 3, 4
+NEARBY = 1 << 21  # added to that of the light sample or ray whose nearby light it is for
 DIMENSIONS_A_VERTEX = 3 + LIGHTS_AT_A_VERTEX
 
 
@@ -162,16 +163,20 @@ class PathNumbers:
         number = None if self.number is None else self.number[row]
         return PathNumbers(self.sampler, self.pixels[row], self.depth, number)
 
-    def of_branches(self, branches: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def of_branches(
+        self, branches: np.ndarray, nearby: bool = False
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
         """Numbers of the rays that go on, `branches` of each path, (n,) int64: k in all.
 
-        Returns u, (k, 3) float64 in [0, 1), for their directions, and (k,) int64, the number of the
-        path along each. Raises ValueError if the paths have no numbers.
+        Returns u, (k, 3) float64 in [0, 1), for their directions; (k,) int64, the number of the
+        path along each; and (k, 2), for their nearby light if that is asked for. Raises ValueError
+        if the paths have no numbers.
         """
         if self.number is None:
             raise ValueError("paths without numbers have no branches")
         start = np.cumsum(branches) - branches
         u, number = np.empty((branches.sum(), 3)), np.empty(branches.sum(), np.int64)
+        of_nearby = np.empty((len(u), 2)) if nearby else None
         for count in np.flatnonzero(np.bincount(branches)).tolist():
             row, each = np.flatnonzero(branches == count), np.arange(count)
             some = self.take(row)
@@ -179,7 +184,9 @@ class PathNumbers:
             u[at, :2] = some.square(DIRECTION, count)
             u[at, 2] = some.square(CHOICES, count)[:, 1]
             number[at] = (self.number[row, None] * count + each).reshape(-1)
-        return u, number
+            if of_nearby is not None:
+                of_nearby[at] = some.square(NEARBY + DIRECTION, count)
+        return u, number, of_nearby
 
     def square(self, dimension: int, parts: int = 1) -> np.ndarray:
         """(n * parts, 2) float64 in [0, 1), for one of the dimensions above, as Sampler.square."""

@@ -36,6 +36,7 @@ from rna_trace.embree import TriangleScene
 from rna_trace.embree.tracing import ClosestHits
 from rna_trace.fiber import FiberPoints
 from rna_trace.hit_points import Lines, hit_points
+from rna_trace.nearby import nearby_estimate
 from rna_trace.normal_maps import NormalMaps
 from rna_trace.parts_scene import PartPoints, PartsScene
 from rna_trace.points import Body, Points, Role
@@ -74,6 +75,8 @@ class AssetBody:
         self._parts = asset.parts
         self._indirect = asset.parts if indirect is None else indirect.parts
         self.part_count = len(self._parts)
+        every = *self._parts, *self._indirect
+        self.counts_nearby = any(part.nearby_lengths is not None for part in every)
         pairs = shaped_parts(asset, shapes)
         self._shapes = [shape for _, shape in pairs]
         tables = [part_transmittance(*pair) for pair in pairs]
@@ -138,23 +141,34 @@ class _NeuralPoints(Points):
     widths: np.ndarray
 
     def __init__(
-        self, scene: PartsScene, part: int, at: PartPoints, wo: np.ndarray, rest: RestPoints | None
+        self,
+        asset: SurfaceAsset | FiberAsset,
+        scene: PartsScene,
+        part: int,
+        at: PartPoints,
+        wo: np.ndarray,
+        rest: RestPoints | None,
     ) -> None:
         self._scene, self._part, self._at, self._wo, self._rest = scene, part, at, wo, rest
+        self._lengths = asset.nearby_lengths
         self.x, self.n = at.x, at.n
         self._query_wo = wo if rest is None else rest.to_rest(wo)
 
     def transport(
-        self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
+        self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray, u: np.ndarray | None
     ) -> tuple[np.ndarray, np.ndarray]:
         v = self._scene.visible(self._part, self._at, wi, distance, row)
-        return self._sent(row, wi, v), v if v.ndim == 1 else v.mean(axis=1)
+        nearby = None
+        if u is not None and self._lengths is not None:
+            x = self._at.x.take(row, axis=0)
+            nearby = nearby_estimate(self._scene, self._lengths, x, wi, u, distance)
+        return self._sent(row, wi, v, nearby), v if v.ndim == 1 else v.mean(axis=1)
 
     def transport_and_pdf(
-        self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
+        self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray, u: np.ndarray | None
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         frame = self.n, self.tangents, self._wo
-        return *self.transport(row, wi, distance), self._lobes.pdf(*frame, wi, row)
+        return *self.transport(row, wi, distance, u), self._lobes.pdf(*frame, wi, row)
 
     def sample_and_pdf(self, row: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         frame = self.n, self.tangents, self._wo
@@ -177,8 +191,10 @@ class _NeuralPoints(Points):
         return np.asarray(v if v.ndim == 1 else v.mean(axis=1), np.float32)
 
     @abstractmethod
-    def _sent(self, row: np.ndarray, wi: np.ndarray, v: np.ndarray) -> np.ndarray:
-        """Transport of rows along wi, (k, 3) float32, given the visibility."""
+    def _sent(
+        self, row: np.ndarray, wi: np.ndarray, v: np.ndarray, nearby: np.ndarray | None
+    ) -> np.ndarray:
+        """Transport of rows along wi, (k, 3) float32, given visibility and nearby light."""
 
 
 class _MeshPoints(_NeuralPoints):
@@ -194,13 +210,16 @@ class _MeshPoints(_NeuralPoints):
         wo: np.ndarray,
         rest: RestPoints | None,
     ) -> None:
-        super().__init__(scene, part, at, wo, rest)
+        super().__init__(asset, scene, part, at, wo, rest)
         self._asset, self.n = asset, at.mapped
         self.tangents = np.zeros_like(self.n)
 
-    def _sent(self, row: np.ndarray, wi: np.ndarray, v: np.ndarray) -> np.ndarray:
+    def _sent(
+        self, row: np.ndarray, wi: np.ndarray, v: np.ndarray, nearby: np.ndarray | None
+    ) -> np.ndarray:
         color = None if self.base_color is None else self.base_color.take(row, axis=0)
-        return self._asset.transport(*self._arguments(self.n, row, wi), v, color)
+        more = {} if nearby is None else {"nearby": nearby}
+        return self._asset.transport(*self._arguments(self.n, row, wi), v, color, **more)
 
     def lobes(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         free = self._free(self._asset.mirror(self.n, self._wo))
@@ -225,14 +244,17 @@ class _StrandPoints(_NeuralPoints):
         wo: np.ndarray,
         rest: RestPoints | None,
     ) -> None:
-        super().__init__(scene, part, at, wo, rest)
+        super().__init__(asset, scene, part, at, wo, rest)
         self._asset = asset
         self.tangents = at.tangent
         self._h = offset_across(at.n, at.tangent, wo)
 
-    def _sent(self, row: np.ndarray, wi: np.ndarray, v: np.ndarray) -> np.ndarray:
+    def _sent(
+        self, row: np.ndarray, wi: np.ndarray, v: np.ndarray, nearby: np.ndarray | None
+    ) -> np.ndarray:
         x, tangents, wo, wi = self._arguments(self.tangents, row, wi)
-        return self._asset.transport(x, tangents, self._h[row], wo, wi, v)
+        more = {} if nearby is None else {"nearby": nearby}
+        return self._asset.transport(x, tangents, self._h[row], wo, wi, v, **more)
 
     def lobes(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         free = self._free(self._asset.mirror(self.tangents, self._wo))
@@ -244,6 +266,7 @@ class ObjectBody:
     """A mesh with materials. Rays that start on it can hit it again."""
 
     passes_through = False
+    counts_nearby = False
     one_sided = True
     part_count = 1
 
@@ -281,12 +304,12 @@ class _ObjectPoints(Points):
         self._share = mesh.base_share(*where, ng, wo)
 
     def transport(
-        self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
+        self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray, u: np.ndarray | None
     ) -> tuple[np.ndarray, np.ndarray]:
         return self._sent(row, self._scattering.evaluate(*self._directions, wi, row))
 
     def transport_and_pdf(
-        self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
+        self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray, u: np.ndarray | None
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         radiance, pdf = self._scattering.evaluate_and_pdf(*self._directions, wi, row)
         return *self._sent(row, radiance), pdf
@@ -305,6 +328,7 @@ class LightBody:
 
     role = Role.SHINE
     passes_through = False
+    counts_nearby = False
     one_sided = True
     part_count = 1
 

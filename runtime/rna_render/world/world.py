@@ -82,6 +82,7 @@ class World:
         same_light: (k,) int32, the same where what the light throws on the instance itself is part
             of its transport; else -1.
         met_by: for each instance the sorts of rays that meet it, as in Instance.
+        counts_nearby: whether transport of any body takes random numbers for nearby light.
         catches_shadows: (k,) bool, for each instance whether it shows nothing but shadows on it.
         one_sided: (k,) bool, for each instance whether it sends to the viewer nothing of light that
             comes from the other side of its surface than the viewer is on.
@@ -133,6 +134,7 @@ class World:
         self._has_role = {
             role: np.array([body.role is role for body in placed_bodies]) for role in Role
         }
+        self.counts_nearby = any(body.counts_nearby for body in placed_bodies)
         self.catches_shadows = self._has_role[Role.CATCH_SHADOWS]
         self._passes = passes
         size = scale * np.sqrt(3.0) * [body.scene.extent for body in placed_bodies]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -24,13 +25,14 @@ from rna_sdk.package import (
     write_package,
 )
 from rna_sdk.package.decoder.decoder_form import EMISSION, SHADOWED, TRANSPORT, VISIBLE
-from rna_sdk.package.decoder.query_arrays import arrays_of
+from rna_sdk.package.decoder.query_arrays import NEARBY, arrays_of
 from tests.conformance.kit import decoders
 from tests.conformance.kit.answers import PART_OF_SCALE, SIGN_PATTERNS, Answers
 from tests.conformance.kit.base_color_queries import with_base_colors
 from tests.conformance.kit.blocks import Points, decoder_inputs, moved_blocks
 from tests.conformance.kit.decoders import Decoder, Int8Decoder, short
 from tests.conformance.kit.lobes import make_lobes
+from tests.conformance.kit.nearby import NEARBY_RECORD, with_nearby
 from tests.conformance.kit.oddities import make_odd
 from tests.conformance.kit.plans import DecoderPlan, PartPlan, Plan, TierPlan
 from tests.conformance.kit.png import KINDS, Kind, png_bytes
@@ -196,6 +198,7 @@ def _record(tier: TierPlan, end: str, planes: str | None) -> TierPart:
         plane_precision=tier.planes,
         decoder_precision="int8" if tier.int8 else "float32",
         uses_base_color=tier.uses_base_color or None,
+        nearby=NEARBY_RECORD if tier.nearby else None,
         **members,
     )
 
@@ -235,7 +238,7 @@ def _decoder(
     first = None
     if tier.int8 == "saturating":
         first = decoders.saturating_weights(rng, blocks, tier.widths[0])
-    colours = _FORMS[output].width(None, tier.uses_base_color)
+    colours = _FORMS[output].width(None, tier.uses_base_color, tier.nearby)
     sizes = tier.widths, tier.mixing
     decoder = decoders.make_decoder(rng, blocks, *sizes, first, output, colours)
     if not tier.int8:
@@ -254,19 +257,28 @@ def _answers(
         queries, classes = with_base_colors(seed, queries, classes)
     names = _FORMS[form].arrays
     queries = queries[:, columns_of(names)]
+    if tier.nearby:
+        queries, classes = with_nearby(seed, queries, classes)
     arrays = arrays_of(queries, names)
     if not tier.uses_base_color:
         arrays.pop("base_color", None)
+    if tier.nearby:
+        arrays[NEARBY.name] = queries[:, -NEARBY.columns :]
     valid = valid_rows(arrays)
     points = Points.of({name: rows[valid] for name, rows in arrays.items()}, part.bounds)
-    color = arrays["base_color"][valid].astype(np.float64) if "base_color" in arrays else None
+    factors = _Factors(
+        *(
+            arrays[name][valid].astype(np.float64) if name in arrays else None
+            for name in ("base_color", NEARBY.name)
+        )
+    )
     made = [decoder_inputs(points, inputs, planes) for _, inputs in queried]
-    answer, rng = _light(queried, made, color), np.random.default_rng(seed)
+    answer, rng = _light(queried, made, factors), np.random.default_rng(seed)
     change = np.zeros_like(answer)
     for _ in range(SIGN_PATTERNS):
         rounded = points.rounded(rng)
         moved = [moved_blocks(decoder_inputs(rounded, of, planes), rng) for _, of in queried]
-        change = np.maximum(change, np.abs(_light(queried, moved, color) - answer))
+        change = np.maximum(change, np.abs(_light(queried, moved, factors) - answer))
     name, first, count = classes[0]
     assert name == ORDINARY and first == 0
     scale = float(np.sqrt(np.mean(answer[:count] ** 2)))
@@ -275,29 +287,47 @@ def _answers(
     expected, tolerance = np.zeros((2, len(queries), answer.shape[1]))
     blocks[valid], expected[valid] = inputs, answer
     tolerance[valid] = PART_OF_SCALE * scale + change
-    step = _largest_step(queried, made, color)
+    step = _largest_step(queried, made, factors)
     return Answers(queries, blocks, expected, tolerance, classes, scale, step)
 
 
-def _light(
-    queried: list[Queried], blocks: list[np.ndarray], base_color: np.ndarray | None
-) -> np.ndarray:
-    """(n, width): results of the decoders side by side; with a base colour (n, 3), sums."""
+class _Factors(NamedTuple):
+    """What multiplies outputs of the rows, (n, 3) each; None of a tier part without."""
+
+    base_color: np.ndarray | None
+    nearby: np.ndarray | None
+
+    @property
+    def shares(self) -> np.ndarray:
+        assert self.nearby is not None
+        return np.maximum(self.nearby, 0.0)
+
+
+def _light(queried: list[Queried], blocks: list[np.ndarray], factors: _Factors) -> np.ndarray:
+    """(n, width): results of the decoders side by side, summed up."""
     results = []
     for (decoder, _), inputs in zip(queried, blocks, strict=True):
         light = decoder(inputs)
-        if base_color is not None:
-            light, factors = np.hsplit(light, 2)
-            light = np.maximum(light + np.tile(base_color, light.shape[1] // 3) * factors, 0)
+        if factors.nearby is not None:
+            own, *of_nearby = np.hsplit(light, 4)
+            light = own + sum(
+                s[:, None] * b for s, b in zip(factors.shares.T, of_nearby, strict=True)
+            )
+        if factors.base_color is not None:
+            light, of_color = np.hsplit(light, 2)
+            color = np.tile(factors.base_color, light.shape[1] // 3)
+            light = np.maximum(light + color * of_color, 0)
         results.append(light)
     return np.hstack(results)
 
 
-def _largest_step(
-    queried: list[Queried], blocks: list[np.ndarray], base_color: np.ndarray | None
-) -> float:
+def _largest_step(queried: list[Queried], blocks: list[np.ndarray], factors: _Factors) -> float:
     """The most that one step of an int8 activation changes a result; 0 without int8."""
-    terms = 1.0 if base_color is None else 1.0 + np.abs(base_color).max(axis=1)
+    color, terms = factors.base_color, np.float64(1.0)
+    if color is not None:
+        terms = 1.0 + np.abs(color).max(axis=1)
+    if factors.nearby is not None:
+        terms = terms * (1.0 + factors.shares.sum(axis=1))
     return max(
         float((decoder.largest_step(inputs) * terms).max())
         if isinstance(decoder, Int8Decoder)

@@ -49,14 +49,16 @@ def kit_files() -> Files:
             for query, answer in answers.items():
                 if query.tier == LEAST.name:  # of packages for other levels
                     continue
-                level = "environment" if query.output == "environment" else "evaluate"
+                level = _level(plan, query)
                 index[level].append(_evaluate_case(files, plan, package, query, answer))
+            index["validate"].append(_validate_case(package, True, plan.warning))
+            if plan.counts_nearby:  # which readers without it refuse
+                continue
             index["visibility"].append(_visibility_case(files, plan, package))
             index["normals"] += _normals_cases(files, plan, package)
             index["base-color"] += _base_color_cases(files, plan, package)
             index["geometry"] += _geometry_cases(files, plan, package)
             index["deformed"] += _deformed_cases(files, plan, package)
-            index["validate"].append(_validate_case(package, True, plan.warning))
         for name, broken in broken_packages(Path(folder)).items():
             path = f"broken/{name}.rna"
             files[path] = broken.data
@@ -67,6 +69,12 @@ def kit_files() -> Files:
         for name, data in sorted(files.items())
     }
     return {**files, INDEX: (_json(index) + "\n").encode()}
+
+
+def _level(plan: Plan, query: Query) -> str:
+    if query.output == "environment":
+        return query.output
+    return "nearby" if plan.counts_nearby else "evaluate"
 
 
 def _evaluate_case(

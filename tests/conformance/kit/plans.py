@@ -56,6 +56,7 @@ class TierPlan:
     faint: bool = False  # a channel of texels that float16 holds as subnormal numbers
     shares_planes: bool = False  # with the tier before
     uses_base_color: bool = False
+    nearby: bool = False
     others: Mapping[str, DecoderPlan] = field(default_factory=dict)  # by form
 
 
@@ -104,6 +105,10 @@ class Plan:
     what: str
     parts: tuple[PartPlan, ...]
     warning: str | None = None  # the code that the validator gives it
+
+    @property
+    def counts_nearby(self) -> bool:
+        return any(tier.nearby for part in self.parts for tier in part.tiers)
 
 
 def one_part(
@@ -290,6 +295,29 @@ PLANS = (
                 colors=(("", BaseColor(0, 7, None, factor=(0.3, 0.6, 1.0))),),
             ),
         ),
+    ),
+    Plan(
+        *("surface-nearby", "nearby light: of one decoder, of two with base colour, one in int8"),
+        (
+            PartPlan(
+                *("asset", shapes.bowl(), *ONE),
+                (
+                    TierPlan("one", LIT, 6, 3, nearby=True),
+                    TierPlan(
+                        *("print", LIT, 6, 3),
+                        uses_base_color=True,
+                        nearby=True,
+                        others={"shadowed": DecoderPlan(SHADED, int8="plain", mixing=5)},
+                    ),
+                ),
+                colors=(("", BaseColor(0, 7, None, factor=(0.3, 0.6, 1.0))),),
+            ),
+        ),
+    ),
+    one_part(
+        *("fiber-nearby", "fibers with nearby light"),
+        *(shapes.curls(7, 3), *ONE),
+        (TierPlan("small", LIT_FIBERS, 6, 4, mixing=9, nearby=True),),
     ),
     one_part(
         *("fiber-shadowed", "fibers with a decoder for shadowed light, of other inputs"),

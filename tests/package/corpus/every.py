@@ -9,6 +9,7 @@ from tests.package.corpus import (
     curve_cases,
     extension_cases,
     manifest_cases,
+    nearby_cases,
     normal_map_cases,
     part_cases,
     quantised_cases,
@@ -22,6 +23,7 @@ MODULES = (
     part_cases,
     normal_map_cases,
     base_color_cases,
+    nearby_cases,
     quantised_cases,
     extension_cases,
 )

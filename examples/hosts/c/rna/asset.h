@@ -41,6 +41,9 @@ typedef struct TierPart {
     Planes planes;
     Span planes_entry;
     bool uses_base_color;
+    bool counts_nearby;
+    double nearby_lengths[3];
+    float nearby_means[2][3]; /* of visible and of shadowed light */
     Network transport; /* of visible light alone where there is one of shadowed light */
     Network shadowed, emission;
 } TierPart;

@@ -32,6 +32,9 @@ static const Rule DOMAIN[] = { {"wo", REGION, REQUIRED}, {"wi", REGION, REQUIRED
 static const Rule UNITS[] = { {"length", CHOICE, REQUIRED, .choices = "metre"}, {0}};
 static const Rule AGREEMENT[] = { {"maxAbsolute", NUMBER, REQUIRED, 0, HUGE_VAL},
     {"maxRelative", NUMBER, REQUIRED, 0, HUGE_VAL}, {0}};
+static const Rule TIER_NEARBY[] = { {"lengths", LIST, REQUIRED, 3, 3, &(const Rule){"", NUMBER, 0, 1e-18, 1e+18}},
+    {"visible", LIST, REQUIRED, 3, 3, &(const Rule){"", NUMBER, 0, 0, 1}},
+    {"shadowed", LIST, REQUIRED, 3, 3, &(const Rule){"", NUMBER, 0, 0, 1}}, {0}};
 static const Rule TIER_SHADOWED[] = { {"decoder", PATH, REQUIRED},
     {"inputs", LIST, REQUIRED, 1, HUGE_VAL, &(const Rule){"", TEXT, 0, 0}, .also = blocks_are_known},
     {"decoderPrecision", CHOICE, REQUIRED, .choices = "float32 int8"}, {"agreement", OBJECT, NULLABLE, .of = AGREEMENT},
@@ -45,8 +48,8 @@ static const Rule TIER_PART[] = { {"planes", PATH, REQUIRED}, {"decoder", PATH, 
     {"resolution", INTEGER, REQUIRED, 1, 4096}, {"channels", INTEGER, REQUIRED, 1, 64},
     {"planePrecision", CHOICE, REQUIRED, .choices = "int8 float16 float32"},
     {"decoderPrecision", CHOICE, REQUIRED, .choices = "float32 int8"}, {"agreement", OBJECT, NULLABLE, .of = AGREEMENT},
-    {"usesBaseColor", BOOLEAN, 0}, {"shadowed", OBJECT, 0, .of = TIER_SHADOWED},
-    {"emission", OBJECT, 0, .of = TIER_EMISSION}, {0}};
+    {"usesBaseColor", BOOLEAN, 0}, {"nearby", OBJECT, 0, .of = TIER_NEARBY},
+    {"shadowed", OBJECT, 0, .of = TIER_SHADOWED}, {"emission", OBJECT, 0, .of = TIER_EMISSION}, {0}};
 static const Rule FLIP_AT_HEIGHT[] = { {"height", INTEGER, REQUIRED, 1, 9007199254740991},
     {"flip", NUMBER, REQUIRED, 0, HUGE_VAL}, {0}};
 static const Rule ALBEDO[] = { {"ratio", NUMBER, REQUIRED, 0, HUGE_VAL}, {"facing", NUMBER, 0, 0, HUGE_VAL},

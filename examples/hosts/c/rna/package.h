@@ -221,11 +221,25 @@ static void read_network(Container *zip, const Json *json, RnaAsset *asset, int 
     if (entry) network->decoder = load_decoder(asset, entry_data(zip, entry), &interface, entry->name, report);
 }
 
+static void read_nearby(const Json *json, TierPart *part) {
+    static const char *const cases[] = {"visible", "shadowed"};
+    const Json *length = member(json, "lengths")->first;
+    for (int k = 0; length; length = length->next) part->nearby_lengths[k++] = length->number;
+    for (int i = 0; i < 2; i++) {
+        const Json *mean = member(json, cases[i])->first;
+        for (int k = 0; mean; mean = mean->next) part->nearby_means[i][k++] = (float)mean->number;
+    }
+}
+
 static void read_networks(Container *zip, const Json *json, RnaAsset *asset, TierPart *part, RnaReport *report) {
     const Json *shadowed = member(json, "shadowed"), *emission = member(json, "emission");
     const int channels = part->planes.channels;
     part->uses_base_color = is_true(member(json, "usesBaseColor"));
-    const int colours = part->uses_base_color ? 6 : 3; /* of a result and, with base colour, its factor */
+    const Json *nearby = member(json, "nearby");
+    part->counts_nearby = nearby != NULL;
+    if (nearby) read_nearby(nearby, part);
+    /* Of a result and, with base colour, its factor; with nearby light of it and of each length. */
+    const int colours = (part->uses_base_color ? 6 : 3) * (nearby ? 4 : 1);
     if (shadowed) {
         read_network(zip, json, asset, channels, "visible", colours, &part->transport, report);
         read_network(zip, shadowed, asset, channels, "shadowed", colours, &part->shadowed, report);

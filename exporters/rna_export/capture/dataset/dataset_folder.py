@@ -12,10 +12,12 @@ toy.rays/
   emission/00000.safetensors  samples of what the asset emits, if it does
   validation/00-0.safetensors one half (of two seeds) of one whole image, likewise
   validation/white.safetensors samples in a white world, which albedo is measured with
+  nearby/1f0c.safetensors     nearby light of some rows, which trainings trace and keep
 """
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Iterable, Mapping
 from functools import cached_property
 from pathlib import Path
@@ -33,6 +35,7 @@ from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Mesh, SourceVertices
 from rna_sdk.package.textures.normal_maps import NORMALS
 from rna_sdk.package.textures.transmittance import TRANSMITTANCE
+from rna_trace import PartsScene, mesh_transmittance
 
 _MADE = ("geometry", "transmittance", "normals", "base_color", "train", "emission", "validation")
 FOLDERS = (*_MADE, "poses")
@@ -104,6 +107,27 @@ class Dataset:
     def parts(self) -> tuple[DatasetPart, ...]:
         """The parts, in the order that the package has them."""
         return tuple(DatasetPart(self, part) for part in self.manifest.parts)
+
+    @cached_property
+    def scene(self) -> PartsScene:
+        """All parts at rest, for rays."""
+        geometries = [part.geometry() for part in self.parts]
+        tables = [
+            mesh_transmittance(geometry, part.transmittance())
+            if isinstance(geometry, Mesh)
+            else None
+            for geometry, part in zip(geometries, self.parts, strict=True)
+        ]
+        return PartsScene(geometries, tables)
+
+    @cached_property
+    def geometry_digest(self) -> str:
+        """Of the files of all geometry and of what it lets through."""
+        digest = hashlib.sha256()
+        for folder in ("geometry", "transmittance"):
+            for path in sorted((self.folder / folder).glob("*.safetensors")):
+                digest.update(path.name.encode() + path.read_bytes())
+        return digest.hexdigest()
 
     @property
     def only(self) -> DatasetPart:

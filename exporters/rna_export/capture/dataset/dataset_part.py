@@ -18,6 +18,7 @@ from rna_export.capture.dataset.dataset_manifest import (
     emission_fields,
     white_fields,
 )
+from rna_export.capture.dataset.nearby_rows import of_image
 from rna_export.capture.dataset.sample_files import DAMAGED, damaged, joined, read_part
 from rna_export.capture.dataset.validation_view import EmissionView, ValidationView, WhiteView
 from rna_export.capture.geometry.stored_geometry import (
@@ -270,7 +271,12 @@ class DatasetPart:
         halves = np.stack([first["radiance"][rows[0]], second["radiance"][rows[1]]])
         samples = {name: first[name][rows[0]] for name in fields}
         samples["radiance"] = halves.mean(axis=0)
-        return kind(index, resolution, pixel, samples, halves)
+        return kind(index, resolution, pixel, samples, halves, self._trace_nearby)
+
+    def _trace_nearby(
+        self, samples: dict[str, np.ndarray], lengths: tuple[float, ...]
+    ) -> np.ndarray:
+        return of_image(samples, self, lengths)
 
 
 def _image_names(records: Iterable[BaseColorFields]) -> list[str]:

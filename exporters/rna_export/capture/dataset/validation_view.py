@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -54,6 +55,14 @@ class ValidationView:
     pixel: np.ndarray  # (n,) int32, row * resolution + column
     samples: dict[str, np.ndarray]  # fields of SAMPLE_FIELDS; radiance is the mean of both halves
     halves: np.ndarray  # (2, n, 3) float32, two independent estimates of radiance
+    # (samples, lengths) -> nearby light of the rows, (n, 3) float32; None where rows are not traced
+    trace_nearby: Callable[[dict[str, np.ndarray], tuple[float, ...]], np.ndarray] | None = None
+
+    def nearby(self, lengths: tuple[float, ...] | None) -> np.ndarray | None:
+        """Nearby light of the rows for these lengths, (n, 3) float32; None for none."""
+        if not lengths or self.trace_nearby is None:
+            return None
+        return self.trace_nearby(self.samples, lengths)
 
     @property
     def reference(self) -> np.ndarray:
@@ -81,7 +90,9 @@ class ValidationView:
 
     def shaded_by(self, asset: SurfaceAsset | FiberAsset) -> np.ndarray:
         """Radiance of the rows, (n, 3) float32, as the runtime answers."""
-        return self.pick(*asset.evaluate(*evaluate_arguments(self.samples)))
+        part: Any = asset  # of either kind, as the arguments are
+        nearby = self.nearby(asset.nearby_lengths)
+        return self.pick(*part.evaluate(*evaluate_arguments(self.samples), nearby=nearby))
 
     def image(self, values: np.ndarray) -> np.ndarray:
         """See `CapturedImage`."""

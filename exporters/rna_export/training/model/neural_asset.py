@@ -27,8 +27,9 @@ class NeuralAsset(nn.Module):
     to the paper's two. With glTF's
     `material` the decoder gives its parameters, and shadowed light is black. A model that
     `uses_base_color` has a second colour for each, which the base colour of a point multiplies
-    before it is added: print needs no planes. The last colour may come from a decoder of its own,
-    `shadow`.
+    before it is added: print needs no planes. A model with `nearby` lengths has each of these once
+    more for every length, times the nearby light: `seen` sums them up. The last colour may come
+    from a decoder of its own, `shadow`.
 
     `bounds` is (2, 3). `unit` is a radiance: 1 in the paper, what is usual on the asset in our
     presets. `ceiling` bounds what a colour can be: nothing brighter was seen in training.
@@ -39,6 +40,7 @@ class NeuralAsset(nn.Module):
 
     ceiling: Tensor
     unit: Tensor
+    nearby_means: Tensor
 
     def __init__(self, config: ModelConfig, bounds: Tensor):
         super().__init__()
@@ -47,10 +49,16 @@ class NeuralAsset(nn.Module):
         width, columns = config.width, query_width(config.inputs, config.channels)
         terms = 6 if config.uses_base_color else 3
         colours = len(config.colour_sums[0]) - (config.shadow_width > 0)
-        outputs = GLTF_OUTPUTS if config.material == "gltf" else terms * colours
+        sets = sum(1 + len(config.nearby) * counts for counts in config.counts_nearby[:colours])
+        outputs = GLTF_OUTPUTS if config.material == "gltf" else terms * sets
         self.decoder = new_layers(columns, width, config.hidden_layers, outputs)
         self.shadow = (
-            ShadowDecoder(config.shadow_inputs, config.channels, config.shadow_width, terms)
+            ShadowDecoder(
+                config.shadow_inputs,
+                config.channels,
+                config.shadow_width,
+                terms * (1 + len(config.nearby)),
+            )
             if config.shadow_width > 0
             else None
         )
@@ -61,6 +69,8 @@ class NeuralAsset(nn.Module):
         )
         self.register_buffer("ceiling", torch.tensor(100.0))
         self.register_buffer("unit", torch.tensor(1.0))
+        if config.nearby:
+            self.register_buffer("nearby_means", torch.zeros(2, len(config.nearby)))
 
     @property
     def colour_sums(self) -> tuple[tuple[int, ...], ...]:
@@ -89,14 +99,29 @@ class NeuralAsset(nn.Module):
 
     def forward(self, at: Points, blur: float | Tensor = 1.0) -> Tensor:
         """y = log(x / unit + 1) of each colour, (k, 1 to 3, 3)."""
+        return self.seen(self.answer(at, blur), at.get("nearby"))
+
+    def seen(self, answer: Tensor, nearby: Tensor | None) -> Tensor:
+        """y of an `answer`, for nearby light (k, lengths); None for a model without."""
+        if not self.config.nearby or nearby is None:
+            return answer
+        shares = torch.cat([torch.ones_like(nearby[:, :1]), nearby], dim=1)
+        return torch.log1p(torch.einsum("k...sc,ks->k...c", answer, shares).clamp(min=_LEAST - 1.0))
+
+    def answer(self, at: Points, blur: float | Tensor = 1.0) -> Tensor:
+        """y of each colour, (k, 1 to 3, 3).
+
+        Of a model with nearby light x / unit instead, (k, 1 to 3, 1 + lengths, 3): a part of its
+        own, and one for each length that nearby light multiplies; see `seen`.
+        """
         features, p = self._features(at, blur), self._place(at)
         colours = [self._colours_of_decoder(features, p, at)]
         if self.shadow is not None:
             colours.append(self._shadowed(self.shadow, features, p, at))
         return torch.cat(colours, dim=1)
 
-    def own_light(self, at: Points, lit: int, blur: float | Tensor = 1.0) -> Tensor:
-        """y (k, 3) of visible light at the first `lit` points, of shadowed light at the others.
+    def own_answer(self, at: Points, lit: int, blur: float | Tensor = 1.0) -> Tensor:
+        """The `answer`, (k, 3), of visible light at the first `lit` points, of shadowed at others.
 
         Of a surface's model with a decoder for shadowed light: each decoder sees its points alone.
         """
@@ -110,24 +135,50 @@ class NeuralAsset(nn.Module):
         return torch.cat([visible, shadowed]).squeeze(1)
 
     def _colours_of_decoder(self, features: Tensor, p: Tensor, at: Points) -> Tensor:
-        """y of all colours but the one of `shadow`, (k, colours, 3)."""
+        """The answer of all colours but the one of `shadow`."""
         queries = assemble(self.config.inputs, features, p, at)
         y = through(self.decoder, queries, self._in_bfloat16)
         if self.config.material == "gltf":
             radiance = gltf_radiance(gltf_material(y), at["normal"], at["wo"], at["wi"])
             lit = torch.log1p(radiance / self.unit)
             return torch.stack([lit, torch.zeros_like(lit)], dim=1)
-        return self._with_base_color(y, at)
+        counts = self.config.counts_nearby
+        return self._colours(y, at, counts if self.shadow is None else counts[:-1])
 
     def _shadowed(self, shadow: ShadowDecoder, features: Tensor, p: Tensor, at: Points) -> Tensor:
-        """y of the colour of `shadow`, (k, 1, 3)."""
+        """The answer of the colour of `shadow`."""
         queries = assemble(shadow.inputs, features, p, at)
         # Much of it is black. What is below 0 costs nothing, so blacks need not be hit exactly.
-        return self._with_base_color(_cut_off(shadow(queries)), at)
+        return self._colours(_cut_off(shadow(queries)), at, (True,))
+
+    def _colours(self, y: Tensor, at: Points, counts_nearby: tuple[bool, ...]) -> Tensor:
+        """The answer of colours from outputs of a decoder.
+
+        These are those of each colour, of two terms where base colour is a factor; then those for
+        each length of nearby light, of the colours that count it, the last ones.
+        """
+        y = y.reshape(len(y), -1, 3)
+        if not self.config.nearby:
+            return self._with_base_color(y, at)
+        terms, lengths = 2 if self.config.uses_base_color else 1, len(self.config.nearby)
+        x, every = _cut_off(y), len(counts_nearby)
+        own = self._terms_summed(x[:, : terms * every], at)[:, :, None]
+        counting = x[:, terms * every :].unflatten(1, (lengths, -1))
+        of_nearby = self._terms_summed(counting, at).transpose(1, 2)
+        silent = every - of_nearby.shape[1]
+        return torch.cat([own, nn.functional.pad(of_nearby, (0, 0, 0, 0, silent, 0))], dim=2)
+
+    def _terms_summed(self, y: Tensor, at: Points) -> Tensor:
+        """x / unit of colours, (k, ..., colours, 3), of y of their terms."""
+        x = torch.expm1(y)
+        if not self.config.uses_base_color:
+            return x
+        rest, factor = x.chunk(2, dim=-2)
+        color = at["base_color"].reshape(len(x), *[1] * (x.dim() - 2), 3)
+        return rest + color * factor
 
     def _with_base_color(self, y: Tensor, at: Points) -> Tensor:
-        """y of colours, (k, colours, 3), from outputs of a decoder (k, terms * colours)."""
-        y = y.reshape(len(y), -1, 3)
+        """y of colours, (k, colours, 3), from outputs of a decoder (k, terms * colours, 3)."""
         if not self.config.uses_base_color:
             return y
         rest, factor = _cut_off(y).chunk(2, dim=1)

@@ -13,6 +13,8 @@ import torch
 from torch import Tensor
 from torch.utils.data import IterableDataset
 
+from rna_export.capture.dataset.nearby_rows import ESTIMATES
+
 _DIM = 0.02  # of the mean of what an asset emits
 _STRAY = 8.0  # times the 99th percentile of shadowed radiance
 _GATHERED = 32  # batches at once: random rows of a large table come from memory one by one
@@ -79,6 +81,14 @@ class SampleTable(IterableDataset[Tensor]):
     def largest_radiance(self) -> float:
         """Maximum over all samples and channels."""
         return float(columns(self.rows, self.fields)["radiance"].max())
+
+    @property
+    def nearby_means(self) -> Tensor:
+        """Mean nearby light where samples see the light and where they do not, (2, lengths)."""
+        samples = columns(self.rows, self.fields)
+        lit = samples["visible"].reshape(len(self), -1).mean(dim=1) > 0.5
+        means = [samples[ESTIMATES[0]][k].mean(dim=0) for k in (lit, ~lit)]
+        return torch.stack(means).nan_to_num().clamp(max=1.0)
 
     @cached_property
     def usual_radiance(self) -> float:

@@ -5,7 +5,7 @@ import { readCurves } from "./curves.js";
 import { readDecoder } from "./decoder.js";
 import { decodeEntry } from "./deflate.js";
 import { entriesOf, environmentOf, readHarmonics, VISIBILITY_COLUMNS } from "./environment_form.js";
-import { fail } from "./errors.js";
+import { fail, NotSupported } from "./errors.js";
 import { variantsOf } from "./extensions.js";
 import { readImage } from "./images.js";
 import { checkEntries, readManifest } from "./manifest.js";
@@ -129,6 +129,7 @@ export class Package {
 
   /** By the name of their form, with their colours and the column where factors of base colour begin: of transport, or of visible and of shadowed light; and of emission. */
   _decoders(tierPart, data) {
+    if (tierPart.nearby) throw new NotSupported("The asset counts nearby light, which this viewer does not trace.");
     const sets = tierPart.usesBaseColor ? 2 : 1, { shadowed, emission } = tierPart;
     const make = (record, form, colours, sets) => {
       const columns = 3 * colours, decoder = decoderOf(data, tierPart, record, form, columns * sets);
