@@ -53,8 +53,8 @@ def open_asset_motion(
         return bound_gltf(source, geometries, package, rest_frame, made)
     if kind_of(path) == "model":
         out = path.with_suffix(".rnam").name
-        made = command_line("rna-motion", path, package, "--out", out)
-        raise MotionError(f"{path}: is not read here; {made} writes a motion file of it")
+        command = command_line("rna-motion", path, package, "--out", out)
+        raise MotionError(f"{path}: is not read here; {command} writes a motion file of it")
     return open_motion(path, geometries, package)
 
 
