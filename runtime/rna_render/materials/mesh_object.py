@@ -123,7 +123,8 @@ class MeshObject:
         row = np.flatnonzero(self._factors["transmission"][self.material_numbers[triangle]])
         facing = np.sum(ng[row] * wo[row], axis=1) > 0
         result = np.ones((len(triangle), 3), np.float32)
-        at = triangle[row], np.float32(u[row]), np.float32(v[row]), wo[row], facing
+        where = (b[row].astype(np.float32) for b in (u, v))  # as its kernel takes them
+        at = triangle[row], *where, wo[row], facing
         result[row] = np.maximum(1 - self.transmittance.at(*at), np.float32(1e-6))
         return result
 
@@ -237,9 +238,14 @@ class MeshObject:
                 if (texture := textures[place]) is not None:
                     row = np.flatnonzero(number == place)
                     uv = np.empty((len(row), 2), np.float32)
-                    where = (np.asarray(b[row], np.float64) for b in (u, v))
-                    at = self.triangles, triangle[row], *where
-                    _interpolate(self.uv_set(texture.uv_set), *at, uv)
+                    _interpolate(
+                        self.uv_set(texture.uv_set),
+                        self.triangles,
+                        triangle[row],
+                        np.asarray(u[row], np.float64),
+                        np.asarray(v[row], np.float64),
+                        uv,
+                    )
                     yield row, texture.lookup(uv)
 
 
