@@ -4,6 +4,8 @@ A command marks its folder with an empty file that is named for it, `.rna-captur
 folder only if that is new, empty or marked so, which keeps the files of the user and of other
 commands safe. While it runs it holds a lock on the marker, whose text then says who that is; the
 system releases the lock of a process that ends in any way. Names that start with `.rna-` are ours.
+
+So is the folder of the user's caches, which all commands share.
 """
 
 from __future__ import annotations
@@ -182,3 +184,13 @@ def _lock(file: TextIOWrapper, folder: Path) -> None:
         raise RnaError(f"{folder}: in use by {who}; wait until it ends, or end it") from error
     except OSError as error:  # a file system without locks
         warnings.warn(f"{folder}: cannot be locked: {error.strerror}", stacklevel=2)
+
+
+def cache_folder() -> Path:
+    """The SDK's folder for what can be made again; it need not exist.
+
+    That of the XDG Base Directory Specification: `$XDG_CACHE_HOME` where it is an absolute path,
+    else `~/.cache`. Raises RuntimeError where neither is there, since the user has no home.
+    """
+    named = Path(os.environ.get("XDG_CACHE_HOME", ""))
+    return (named if named.is_absolute() else Path.home() / ".cache") / "rna-sdk"

@@ -11,7 +11,7 @@ from types import ModuleType
 import pytest
 
 from rna_export.capture.blender_process import blender_env
-from rna_sdk.cache_folder import cache_folder
+from rna_sdk.owned_folder import cache_folder
 from rna_sdk.runtime.engine import costs
 from rna_work.cached import sources_folder
 from tests.conftest import REPOSITORY
@@ -63,4 +63,4 @@ def test_no_other_file_reads_the_variable() -> None:
     folders = ("rna_sdk", "runtime", "exporters", "benchmarks")
     files = (path for name in folders for path in (REPOSITORY / name).rglob("*.py"))
     found = {path.name for path in files if 'get("XDG_CACHE_HOME' in path.read_text("utf-8")}
-    assert found == {"cache_folder.py", "sdk.py"}
+    assert found == {"owned_folder.py", "sdk.py"}

@@ -12,8 +12,8 @@ import numpy as np
 
 import rna_sdk
 from rna_sdk.atomic_file import write_atomically
-from rna_sdk.cache_folder import cache_folder
 from rna_sdk.cpu import processor_key
+from rna_sdk.owned_folder import cache_folder
 
 _REPEATS = 5
 

@@ -49,8 +49,8 @@ def open_asset_motion(
     """
     if is_gltf(path):
         source = GltfMotion(path, clip, rate)
-        made = None if made_from is None else GltfMotion(made_from)
-        return bound_gltf(source, geometries, package, rest_frame, made)
+        other = None if made_from is None else GltfMotion(made_from)
+        return bound_gltf(source, geometries, package, rest_frame, other)
     if kind_of(path) == "model":
         out = path.with_suffix(".rnam").name
         command = command_line("rna-motion", path, package, "--out", out)
