@@ -31,6 +31,12 @@ MAX_CONES = 16
 MAX_PROXIES = 8
 MAX_LOBES = 32
 MAX_VARIANTS = 64
+MAX_NARROW_LOBES = 3
+"""Mirror lobes, or cones, of a mixture of RNA_sampling."""
+
+MAX_MIXTURES = 16
+"""Of a part."""
+
 MAX_VALIDATIONS = 64
 """Environments under which the error of lobes is recorded."""
 

@@ -25,6 +25,7 @@ from rna_sdk.package import (
 )
 from rna_sdk.package.decoder.decoder_form import COLUMNS, SHADOWED, TRANSPORT, VISIBLE, form_named
 from rna_sdk.package.decoder.query_arrays import NEARBY, QUERY_ARRAYS, Rows
+from rna_sdk.package.manifest.extensions import USUAL_SAMPLING, Mixture, part_sampling
 from rna_sdk.package.manifest.manifest_fields import Kind
 from rna_sdk.package.textures.exchanged_images import check_images, with_images
 from rna_sdk.runtime.engine.batch import Batch
@@ -179,6 +180,8 @@ class AssetPart(Asset):
         base_colors: base colour of a surface whose tier uses it; see `base_color_at`.
         environment_form: the manifest's record of the part's lobes, `lobes` of them; see `mirror`.
             None if the package has none for the part, or the geometry is that of a proxy.
+        sampling: lobes for rays that leave the part, by triangles; the usual ones if the package
+            has none, or the geometry is that of a proxy.
     """
 
     _labels: ClassVar[Mapping[str, str]]
@@ -237,6 +240,9 @@ class AssetPart(Asset):
         lobes = None if proxied else package.environment(part)
         self._lobes = None if lobes is None else PartLobes(lobes, record, threads)
         self.environment_form: EnvironmentPart | None = lobes.record if lobes else None
+        self.sampling: tuple[Mixture, ...] = (
+            (USUAL_SAMPLING[self.kind],) if proxied else part_sampling(package.manifest, part)
+        )
 
     @property
     def parts(self) -> tuple[SurfaceAsset | FiberAsset, ...]:

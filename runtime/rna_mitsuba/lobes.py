@@ -1,21 +1,48 @@
 """Directions for rays that leave assets, with their density: the lobes of rna-run in Dr.Jit.
 
-A decoder cannot be sampled itself. Surfaces: all directions, the cosine lobe on the viewer's side,
-and a lobe about the mirror direction. Fibers: all directions, the cone about the tangent that
-specular reflection and transmission lie on, and a lobe about -wo.
+Surfaces: the cosine lobe on the viewer's side, and half vectors of GGX. Fibers: a lobe about -wo,
+and cones about the tangent that specular reflection and transmission lie on. All directions alike
+have the share that these leave; see rna_render.world.neural_sampling.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import drjit as dr
 import mitsuba as mi
 
-UNIFORM, COSINE, MIRROR = 0.2, 0.35, 0.45  # shares on surfaces
-MIRROR_PARTS, MIRROR_KAPPAS = (0.5, 0.3, 0.2), (20.0, 400.0, 8000.0)
-FIBER_UNIFORM, CONE, FORWARD = 0.3, 0.45, 0.25  # shares on fibers
-CONE_SCALE, FORWARD_KAPPA = 0.06, 5.0
+from rna_sdk.package.limits import MAX_NARROW_LOBES
+from rna_sdk.package.manifest.extensions import Mixture
+from rna_sdk.package.manifest.manifest_fields import Kind
+
+LOBES = 1 + MAX_NARROW_LOBES
+
+
+class PointMixture:
+    """Shares and widths of the lobes at points: those of the triangle that each is on."""
+
+    DRJIT_STRUCT: ClassVar = {
+        "is_fiber": mi.Bool,
+        **{f"share_{k}": mi.Float for k in range(LOBES)},
+        **{f"width_{k}": mi.Float for k in range(LOBES)},
+    }
+
+    @classmethod
+    def of(cls, mixture: Mixture, kind: Kind) -> PointMixture:
+        """The same at all points."""
+        result = cls()
+        result.is_fiber = mi.Bool(kind == "fiber")
+        for k, (share, width) in enumerate(mixture.lobes):
+            setattr(result, f"share_{k}", mi.Float(share))
+            setattr(result, f"width_{k}", mi.Float(width))
+        return result
+
+    @property
+    def lobes(self) -> list[tuple[mi.Float, mi.Float]]:
+        """Share and width of each."""
+        return [(getattr(self, f"share_{k}"), getattr(self, f"width_{k}")) for k in range(LOBES)]
 
 
 @dataclass
@@ -25,89 +52,105 @@ class Lobes:
     axis: normal of surfaces, tangent of fibers; zero counts as some direction.
     """
 
-    is_fiber: mi.Bool
+    mixture: PointMixture
     axis: mi.Vector3f
     wo: mi.Vector3f
 
     def __post_init__(self) -> None:
+        self.is_fiber = self.mixture.is_fiber
+        self.axis = _some(self.axis)
         cosine = dr.dot(self.axis, self.wo)
         turned = dr.select(cosine < 0, -self.axis, self.axis)
         self.axis = dr.select(self.is_fiber, self.axis, turned)
-        self.mirror = 2 * dr.abs(cosine) * turned - self.wo
         self.middle = -cosine  # sine of inclination of the cone
+        self.up = dr.clip(dr.abs(cosine), 0, 1)
 
     def sample(self, choice: mi.Float, u: mi.Point2f) -> mi.Vector3f:
         """Unit directions from three numbers in [0, 1)."""
-        uniform = 1 - 2 * u.x
-        on_surface = dr.select(choice < UNIFORM + COSINE, dr.sqrt(1 - u.x), _mirror(u.x))
-        on_surface = dr.select(choice < UNIFORM, uniform, on_surface)
-        surface_axis = dr.select(choice < UNIFORM + COSINE, self.axis, self.mirror)
-        sine = self._cone_sine(u.x)
-        on_fiber = dr.select(choice < FIBER_UNIFORM + CONE, sine, _fisher(u.x, FORWARD_KAPPA))
-        on_fiber = dr.select(choice < FIBER_UNIFORM, uniform, on_fiber)
-        fiber_axis = dr.select(choice < FIBER_UNIFORM + CONE, self.axis, -self.wo)
-        axis = dr.select(self.is_fiber, fiber_axis, surface_axis)
-        cosine = dr.select(self.is_fiber, on_fiber, on_surface)
+        axis, cosine = mi.Vector3f(self.axis), mi.Float(1 - 2 * u.x)
+        mirrored, alpha, below = mi.Bool(False), mi.Float(1), mi.Float(0)
+        for k, (share, width) in enumerate(self.mixture.lobes):
+            here = (choice >= below) & (choice < below + share)
+            below = below + share
+            if k == 0:
+                forward = here & self.is_fiber
+                straight = _fisher(u.x, 1 / dr.square(width))
+                cosine = dr.select(
+                    here, dr.select(self.is_fiber, straight, dr.sqrt(1 - u.x)), cosine
+                )
+                axis = dr.select(forward, -self.wo, axis)
+            else:
+                cosine = dr.select(here & self.is_fiber, self._cone_sine(u.x, width), cosine)
+                mirrored |= here & ~self.is_fiber
+                alpha = dr.select(here, width, alpha)
         sine = dr.sqrt(dr.maximum(0, 1 - cosine * cosine))
         s, c = dr.sincos(2 * dr.pi * u.y)
-        local = mi.Vector3f(sine * c, sine * s, cosine)
-        return dr.normalize(mi.Frame3f(_some(axis)).to_world(local))
+        wi = mi.Frame3f(axis).to_world(mi.Vector3f(sine * c, sine * s, cosine))
+        return dr.normalize(dr.select(mirrored, self._mirrored(alpha, u), wi))
 
     def pdf(self, wi: mi.Vector3f) -> mi.Float:
         """Density of `sample` in unit wi, per steradian."""
-        surface = UNIFORM / (4 * dr.pi)
-        surface += COSINE * dr.maximum(0, dr.dot(self.axis, wi)) / dr.pi
-        surface += MIRROR * _mirror_pdf(dr.dot(self.mirror, wi))
-        fiber = FIBER_UNIFORM / (4 * dr.pi)
-        fiber += CONE * self._cone_pdf(dr.dot(self.axis, wi))
-        fiber += FORWARD * _fisher_pdf(-dr.dot(self.wo, wi), FORWARD_KAPPA)
-        return dr.select(self.is_fiber, fiber, surface)
+        pdf, rest = mi.Float(0), mi.Float(1)
+        for k, (share, width) in enumerate(self.mixture.lobes):
+            rest = rest - share
+            if k == 0:
+                surface = dr.maximum(0, dr.dot(self.axis, wi)) / dr.pi
+                fiber = _fisher_pdf(-dr.dot(self.wo, wi), 1 / dr.square(width))
+            else:
+                surface = self._mirrored_pdf(wi, width)
+                fiber = self._cone_pdf(dr.dot(self.axis, wi), width)
+            pdf += dr.select(share > 0, share * dr.select(self.is_fiber, fiber, surface), 0)
+        return pdf + dr.maximum(rest, 0) / (4 * dr.pi)
 
-    def _cone_limits(self) -> tuple[mi.Float, mi.Float]:
-        return (
-            _logistic((-1 - self.middle) / CONE_SCALE),
-            _logistic((1 - self.middle) / CONE_SCALE),
-        )
+    def _mirrored(self, alpha: mi.Float, u: mi.Point2f) -> mi.Vector3f:
+        """Reflected at a half vector of GGX that wo sees; Dupuy and Benyoub, Sampling Visible GGX
+        Normals with Spherical Caps (HPG 2023)."""
+        frame = mi.Frame3f(self.axis)
+        o = frame.to_local(self.wo)
+        stretched = dr.normalize(mi.Vector3f(alpha * o.x, alpha * o.y, o.z))
+        height = u.x * (1 + stretched.z)
+        z = height - stretched.z
+        radius = dr.sqrt(dr.maximum(0, 1 - z * z))
+        s, c = dr.sincos(2 * dr.pi * u.y)
+        across = mi.Vector2f(radius * c + stretched.x, radius * s + stretched.y)
+        h = dr.normalize(mi.Vector3f(alpha * across.x, alpha * across.y, dr.maximum(height, 1e-20)))
+        return frame.to_world(2 * dr.dot(o, h) * h - o)
 
-    def _cone_sine(self, u: mi.Float) -> mi.Float:
+    def _mirrored_pdf(self, wi: mi.Vector3f, alpha: mi.Float) -> mi.Float:
+        h = self.wo + wi
+        size, cosine = dr.squared_norm(h), dr.dot(self.axis, h)
+        a2 = dr.square(alpha)
+        spread = dr.squared_norm(h - cosine * self.axis) + a2 * dr.square(cosine)
+        root = dr.sqrt(a2 + (1 - a2) * dr.square(self.up))
+        pdf = a2 * dr.square(size) / (2 * dr.pi * dr.square(spread) * (self.up + root))
+        return dr.select((cosine > 0) & (size > 1e-12), pdf, 0)
+
+    def _cone_limits(self, scale: mi.Float) -> tuple[mi.Float, mi.Float]:
+        return _logistic((-1 - self.middle) / scale), _logistic((1 - self.middle) / scale)
+
+    def _cone_sine(self, u: mi.Float, scale: mi.Float) -> mi.Float:
         """Sine of inclination: logistic about the middle, cut off at -1 and 1."""
-        low, high = self._cone_limits()
+        low, high = self._cone_limits(scale)
         p = dr.clip(low + u * (high - low), 1e-7, 1 - 1e-7)
-        return dr.clip(self.middle + CONE_SCALE * dr.log(p / (1 - p)), -1, 1)
+        return dr.clip(self.middle + scale * dr.log(p / (1 - p)), -1, 1)
 
-    def _cone_pdf(self, sine: mi.Float) -> mi.Float:
-        low, high = self._cone_limits()
-        p = _logistic((sine - self.middle) / CONE_SCALE)
-        return p * (1 - p) / (CONE_SCALE * (high - low) * 2 * dr.pi)
+    def _cone_pdf(self, sine: mi.Float, scale: mi.Float) -> mi.Float:
+        low, high = self._cone_limits(scale)
+        p = _logistic((sine - self.middle) / scale)
+        return p * (1 - p) / (scale * (high - low) * 2 * dr.pi)
 
 
 def _some(axis: mi.Vector3f) -> mi.Vector3f:
     return dr.select(dr.dot(axis, axis) > 0.25, axis, mi.Vector3f(0, 1, 0))
 
 
-def _mirror(u: mi.Float) -> mi.Float:
-    """Cosine to the mirror direction; u chooses the width, too."""
-    first, second, third = MIRROR_PARTS
-    broad, last = u < first, u >= first + second
-    low = dr.select(broad, 0.0, dr.select(last, first + second, first))
-    left = (u - low) / dr.select(broad, first, dr.select(last, third, second))
-    kappas = [mi.Float(kappa) for kappa in MIRROR_KAPPAS]
-    kappa = dr.select(broad, kappas[0], dr.select(last, kappas[2], kappas[1]))
-    return _fisher(dr.minimum(left, 1 - 2**-24), kappa)
-
-
-def _mirror_pdf(cosine: mi.Float) -> mi.Float:
-    parts = zip(MIRROR_PARTS, MIRROR_KAPPAS, strict=True)
-    return sum((part * _fisher_pdf(cosine, kappa) for part, kappa in parts), mi.Float(0))
-
-
-def _fisher(u: mi.Float, kappa: float | mi.Float) -> mi.Float:
+def _fisher(u: mi.Float, kappa: mi.Float) -> mi.Float:
     """Cosine to the axis of a von Mises-Fisher direction; Jakob, Numerically stable sampling of
     the von Mises-Fisher distribution on S2 (2012)."""
     return dr.maximum(-1, 1 + dr.log(u + (1 - u) * dr.exp(-2 * kappa)) / kappa)
 
 
-def _fisher_pdf(cosine: mi.Float, kappa: float) -> mi.Float:
+def _fisher_pdf(cosine: mi.Float, kappa: mi.Float) -> mi.Float:
     scale = kappa / (2 * dr.pi * (1 - dr.exp(-2 * kappa)))
     return scale * dr.exp(kappa * (cosine - 1))
 

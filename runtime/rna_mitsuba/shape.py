@@ -12,10 +12,12 @@ import mitsuba as mi
 import numpy as np
 
 from rna_mitsuba.evaluator import PartEvaluator
+from rna_mitsuba.lobes import PointMixture
 from rna_mitsuba.tracing import PackageScene, Shape, geometry_of
 from rna_sdk.errors import QueryError
 from rna_sdk.motion import open_motion
 from rna_sdk.package import Package
+from rna_sdk.package.manifest.extensions import part_sampling
 from rna_sdk.runtime import Transform, choose_tier, load
 
 
@@ -28,6 +30,7 @@ class LoadedPackage:
     Attributes:
         scene: the geometry for ray queries.
         evaluators: decoders of the parts.
+        mixtures: of each part, lobes that rays leave its triangles in, from the first one on.
         bounds: (2, 3), box of all parts in object space.
     """
 
@@ -44,6 +47,13 @@ class LoadedPackage:
             self.scene = PackageScene(package, shapes, variant)
             parts = range(len(package.manifest.parts))
             self.evaluators = [PartEvaluator(package, record.name, part) for part in parts]
+            self.mixtures = [
+                [
+                    (mixture.first, PointMixture.of(mixture, part.kind))
+                    for mixture in part_sampling(package.manifest, k)
+                ]
+                for k, part in enumerate(package.manifest.parts)
+            ]
             boxes = np.array([part.bounds.corners() for part in package.manifest.parts])
             if shapes is not None:
                 boxes = np.array([geometry_of(s).box() for s in shapes])

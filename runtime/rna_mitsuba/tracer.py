@@ -48,9 +48,9 @@ class Vertex:
         self.on_asset = state.active & (state.hits.instance != NOBODY)
         self.on_plain = state.active & ~self.on_asset
         self.si = state.pi.compute_surface_interaction(state.ray, mi.RayFlags.All, self.on_plain)
-        self.points, self.wo, is_fiber = world.points(state.hits, state.ray, self.on_asset)
+        self.points, self.wo, mixture = world.points(state.hits, state.ray, self.on_asset)
         points: Points = dr.detach(self.points)
-        self.lobes = Lobes(is_fiber, points.axis, dr.detach(self.wo))
+        self.lobes = Lobes(mixture, points.axis, dr.detach(self.wo))
         self.start_instance = dr.select(self.on_asset, state.hits.instance, NOBODY)
         place = world.to_world_points(state.hits.instance, self.points.x)
         self.place = dr.zeros(mi.Interaction3f)

@@ -7,6 +7,7 @@ from typing import Any, ClassVar
 import drjit as dr
 import mitsuba as mi
 
+from rna_mitsuba.lobes import PointMixture
 from rna_mitsuba.points import Points
 from rna_mitsuba.shape import RnaShape
 from rna_mitsuba.tracing import NO_STRAND, Hits
@@ -93,9 +94,9 @@ class World:
 
     def points(
         self, hits: AssetHits, ray: mi.Ray3f, active: mi.Bool
-    ) -> tuple[Points, mi.Vector3f, mi.Bool]:
-        """Points of hits and wo, both in object space; whether they are on fibers."""
-        points, wo, fiber = dr.zeros(Points), mi.Vector3f(0, 0, 1), mi.Bool(False)
+    ) -> tuple[Points, mi.Vector3f, PointMixture]:
+        """Points of hits and wo, both in object space; the lobes that rays leave them in."""
+        points, wo, mixture = dr.zeros(Points), mi.Vector3f(0, 0, 1), dr.zeros(PointMixture)
         for k, (shape, place) in enumerate(zip(self._shapes, self._places, strict=True)):
             o, d = place.object_point(ray.o), place.object_direction(ray.d)
             wo = dr.select(hits.instance == k, -d, wo)
@@ -104,8 +105,9 @@ class World:
                 way = d * (hits.t / dr.detach(place.scale)) if geometry.is_fiber else d
                 at = geometry.points(hits.primitive, hits.u, hits.v, o, way, here)
                 points = dr.select(here, at, points)
-                fiber |= here & geometry.is_fiber
-        return points, wo, fiber
+                for first, lobes in shape.loaded.mixtures[part]:
+                    mixture = dr.select(here & (hits.primitive >= first), lobes, mixture)
+        return points, wo, mixture
 
     def to_world_points(self, instance: mi.UInt32, x: mi.Point3f) -> mi.Point3f:
         """Points from the object space of their instances to world space."""

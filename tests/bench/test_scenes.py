@@ -52,9 +52,7 @@ def test_waits_of_results_are_told_and_drawn(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     result, chart = ROOT / "benchmarks/results/scenes-curls.json", tmp_path / "chart.svg"
-    assert (
-        main(["time-to-flip", str(result), "--targets", "0.15", "0.1", "--out", str(chart)]) == 0
-    )
+    assert main(["time-to-flip", str(result), "--targets", "0.15", "0.1", "--out", str(chart)]) == 0
     output = capsys.readouterr().out
     assert "| curly ball, forest | 12.00 s | 21.23 s | not reached, 0.131 |" in output
     assert "until FLIP 0.1, raw or denoised" in chart.read_text()

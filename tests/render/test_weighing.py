@@ -126,9 +126,11 @@ def test_weights_of_rays(coloured: bool) -> None:
 
 def test_the_clamp_keeps_hues() -> None:
     radiance = np.float32([[0.5, 2.0, 1.0], [0.0, 0.0, 0.0], [0.9, 0.1, 0.0], [0.9, 0.0, 0.3]])
-    clamp_paths(radiance, np.float32([1.0, 1.0, 1.0, 0.3]))
+    taken = np.zeros(3, np.float32)
+    clamp_paths(radiance, np.float32([1.0, 1.0, 1.0, 0.3]), np.array([2, 1, 0, 2]), taken)
     expected = [[0.25, 1.0, 0.5], [0, 0, 0], [0.9, 0.1, 0.0], [0.3, 0.0, 0.1]]
     assert radiance == pytest.approx(np.float32(expected))
+    assert taken == pytest.approx([0.0, 0.0, (3.5 + 1.2) / 3 - (1.75 + 0.4) / 3])
 
 
 @pytest.mark.parametrize("count", [1, 100, SMALL_BAND + 1, BAND + 1, 640 * 360, 1_000_001])

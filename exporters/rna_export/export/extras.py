@@ -8,6 +8,7 @@ from pathlib import Path
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.export.poster_rendering import render_poster
 from rna_export.export.proxy import proxy_of
+from rna_export.export.sampling_fit import fitted_sampling
 from rna_export.export.standin_textures import standin_material, textures_of
 from rna_export.training.checkpoint import Trained
 from rna_sdk.errors import ExportError
@@ -30,7 +31,7 @@ def add_extras(
     source: bool = False,
     analytic: Sequence[Trained] = (),
 ) -> None:
-    """Add poster, stand-ins and proxies to the package, and code its entries if `deflate`.
+    """Add poster, stand-ins, lobes for rays and proxies to the package; code it if `deflate`.
 
     poster: a PNG; None: one is rendered. proxies: their heights in pixels, each below the one
     before. source: whether to add the source's vertices. analytic: trainings that the stand-ins'
@@ -41,6 +42,8 @@ def add_extras(
     materials = [standin_material(part.training_samples(_SHARDS)) for part in dataset.parts]
     standin = Standin(parts=tuple(materials))
     unpacked = Unpacked.read(package).with_poster(png).with_extension(standin, {})
+    if (sampling := fitted_sampling(package, say)) is not None:
+        unpacked = unpacked.with_extension(sampling, {})
     if analytic:
         textures, lines = textures_of(analytic, dataset)
         say("\n".join([*lines, f"stand-in: textures of {sum(map(bool, textures))} parts"]))

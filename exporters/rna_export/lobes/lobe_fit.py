@@ -21,15 +21,15 @@ from rna_export.training.model.layers import hidden_matrices
 from rna_export.training.optimization.optimizers import optimizers_of_networks, set_rates
 from rna_export.training.optimization.pace import Pace
 from rna_export.training.optimization.product_kernels import threads_in_use, use_threads
-from rna_render.world.neural_sampling import LobeMixture
+from rna_render.world.neural_sampling import Lobe, LobeMixture
 from rna_sdk.package import Lobes
 from rna_trace import FiberPoints
 
 _ROWS, _NEW = 2048, 32  # points of a step, and those of them that no step has had
 _BUFFERED = 100_000  # points
 _DIRECTIONS = 64  # of a point
-_SURFACE = LobeMixture(uniform=0.6, mirror=0.4, mirror_kappas=(40.0,) * 3)
-_FIBER = LobeMixture(uniform=0.6, cone=0.4, cone_scale=0.08)
+_SURFACE = LobeMixture(mirror=(Lobe(0.4, 0.11),)).everywhere
+_FIBER = LobeMixture(cone=(Lobe(0.4, 0.08),)).everywhere
 _GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
 _RATES, _WARMUP = (5e-3, 0.015), 100  # of Adam and Muon; steps
 

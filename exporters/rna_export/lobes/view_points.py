@@ -42,6 +42,7 @@ class ViewPoints:
 
     Attributes:
         at: where they are, for rays.
+        primitive: (n,), numbers of the triangles or segments that they are on.
         position, axis, wo: (n, 3) float32, object space: metres; mapped normals or tangents; to
             the viewer.
         h: (n,) float32, offsets across fibers; 0 for surfaces.
@@ -55,6 +56,7 @@ class ViewPoints:
     """
 
     at: PartPoints
+    primitive: np.ndarray
     position: Rows
     axis: Rows
     h: Rows
@@ -219,7 +221,19 @@ class PartViews:
         part, color = self.part, None
         if isinstance(part, SurfaceAsset) and part.uses_base_color:
             color = part.base_color_at(primitive, u, v)
-        return ViewPoints(at, at.x, axis, h, wo, wide, mirror, free, visibility, color)
+        return ViewPoints(
+            at=at,
+            primitive=primitive,
+            position=at.x,
+            axis=axis,
+            h=h,
+            wo=wo,
+            wide=wide,
+            mirror=mirror,
+            free=free,
+            visibility=visibility,
+            base_color=color,
+        )
 
     def _free(self, at: PartPoints, row: np.ndarray, wi: Rows) -> Rows:
         """How much of the light along wi the asset leaves: (k,) float32, the mean of RGB."""

@@ -8,7 +8,13 @@ from typing import Any
 
 from rna_sdk.error_words import albedo_text, error_text
 from rna_sdk.package.geometry.curves import Curves
-from rna_sdk.package.manifest.extensions import Environment, Poster, extension, of_part
+from rna_sdk.package.manifest.extensions import (
+    Environment,
+    Poster,
+    Sampling,
+    extension,
+    of_part,
+)
 from rna_sdk.package.manifest.manifest_model import POSES, REST_FRAME, Manifest, Part
 from rna_sdk.package.manifest.manifest_tiers import Tier, TierPart
 from rna_sdk.package.package import Package
@@ -108,6 +114,8 @@ def contents(manifest: Manifest) -> list[tuple[Part, list[str]]]:
             has.append("nearby light")
         if lobes := of_part(manifest, Environment, k):
             has.append(f"{lobes.lobes} lobes")
+        if mixtures := of_part(manifest, Sampling, k):
+            has.append(f"rays in {len(mixtures)} mixtures of lobes")
         result.append((part, has))
     return result
 

@@ -13,11 +13,14 @@ from rna_sdk.package.limits import MAX_FILE_BYTES
 from rna_sdk.package.manifest.deflate import largest_decoded
 from rna_sdk.package.manifest.extensions import (
     EXTENSIONS,
+    LARGEST_SHARE,
     Deflate,
     Environment,
     EnvironmentPart,
     Extension,
+    Mixture,
     Proxy,
+    Sampling,
     Source,
     Standin,
     StandinTextures,
@@ -62,7 +65,7 @@ def input_issues(decoder: PartDecoder, kind: Kind, what: str, where: str) -> Ite
 def _data_issues(data: Extension, manifest: Manifest) -> Iterator[Issue]:
     if isinstance(data, Deflate):
         yield from _deflate_issues(data, manifest)
-    by_part = Standin | StandinTextures | Proxy | Environment | Source
+    by_part = Standin | StandinTextures | Proxy | Environment | Source | Sampling
     if isinstance(data, by_part) and len(data.parts) != len(manifest.parts):
         where, expected = pointer("extensions", data.NAME, "parts"), f"{len(manifest.parts)}"
         yield Issue.of(Code.PARTS_DIFFER, where, f"{len(data.parts)} parts", expected)
@@ -77,15 +80,20 @@ def _data_issues(data: Extension, manifest: Manifest) -> Iterator[Issue]:
         for k, (part, item) in enumerate(zip(manifest.parts, data.parts, strict=True)):
             if item is not None:
                 yield from _part_issues(
-                    data, part, item, pointer("extensions", data.NAME, "parts", k)
+                    data, part, k, item, pointer("extensions", data.NAME, "parts", k)
                 )
 
 
-def _part_issues(data: Extension, part: Part, item: object, where: str) -> Iterator[Issue]:
-    """Whether an extension may have this item of a part; where: its JSON pointer."""
+def _part_issues(
+    data: Extension, part: Part, index: int, item: object, where: str
+) -> Iterator[Issue]:
+    """Whether an extension may have this item of a part, by its index; where: its JSON pointer."""
     if isinstance(item, EnvironmentPart):
         what = f"environment of {part.kind}"
         yield from input_issues(item.optional_decoder, part.kind, what, f"{where}/inputs")
+    if isinstance(data, Sampling):
+        for j, mixture in enumerate(data.parts[index] or ()):
+            yield from _mixture_issues(mixture, part.kind, f"{where}/{j}")
     textured = part.transmittance or part.normal_maps
     if (isinstance(data, Proxy) and (textured or part.base_color)) or (
         isinstance(data, StandinTextures) and textured
@@ -94,6 +102,20 @@ def _part_issues(data: Extension, part: Part, item: object, where: str) -> Itera
         yield Issue.of(Code.FIELD_VALUE, where, found, "null")
     if isinstance(data, Source | StandinTextures) and part.kind != "surface":
         yield Issue.of(Code.FIELD_VALUE, where, f"{data.NAME} of a {part.kind}", "null")
+
+
+def _mixture_issues(item: Mixture, kind: Kind, where: str) -> Iterator[Issue]:
+    """Whether the lobes are those of a kind, and leave a share to all directions."""
+    known = ("cosine", "mirror") if kind == "surface" else ("forward", "cone")
+    for name in sorted(item.model_fields_set - {"first", *known}):
+        expected = f"of a {kind}: {' and '.join(known)}"
+        yield Issue.of(Code.FIELD_VALUE, f"{where}/{name}", name, expected)
+    if kind == "fiber" and item.first:
+        yield Issue.of(Code.FIELD_VALUE, f"{where}/first", f"{item.first} of strands", "0")
+    total = sum(share for share, _ in item.lobes)
+    if total > LARGEST_SHARE:
+        found = f"shares that add up to {total:.6g}"
+        yield Issue.of(Code.FIELD_VALUE, where, found, f"at most {LARGEST_SHARE}")
 
 
 def _variant_issues(data: Variants, manifest: Manifest) -> Iterator[Issue]:

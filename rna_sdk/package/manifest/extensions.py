@@ -15,6 +15,8 @@ from rna_sdk.package.limits import (
     MAX_FILE_BYTES,
     MAX_INTEGER,
     MAX_LOBES,
+    MAX_MIXTURES,
+    MAX_NARROW_LOBES,
     MAX_PARTS,
     MAX_PROXIES,
     MAX_TEXTURE_RECORDS,
@@ -22,9 +24,12 @@ from rna_sdk.package.limits import (
     MAX_VARIANTS,
 )
 from rna_sdk.package.manifest.manifest_fields import (
+    Count,
     EntryPath,
+    Kind,
     Measure,
     Name,
+    NotEmpty,
     NotNull,
     Positive,
     Record,
@@ -185,6 +190,86 @@ class Environment(Extension):
     validation: tuple[EnvironmentValidation, ...] = Field(default=(), max_length=MAX_VALIDATIONS)
 
 
+class MirrorLobe(Record):
+    """Half vectors of GGX."""
+
+    share: Share = Field(description="Of all rays.")
+    width: float = Field(ge=1e-4, le=1, description="The distribution's alpha.")
+
+
+class FiberLobe(Record):
+    """Directions about the cone of specular reflection from a fiber, or about -wo."""
+
+    share: Share = Field(description="Of all rays.")
+    width: float = Field(ge=0.01, le=4, description="Of the cone the sine's scale, else radians.")
+
+
+LARGEST_SHARE = 0.99
+"""Of all lobes of a mixture together; all directions alike have the rest."""
+
+
+class Mixture(SparseRecord):
+    """Mixture of lobes in which rays that leave triangles, or strands, fit what they scatter."""
+
+    first: Count = Field(default=0, description="Number of the first triangle; 0 for strands.")
+    cosine: Annotated[Share | None, NotNull()] = Field(
+        default=None, description="Share of the cosine lobe of a surface."
+    )
+    mirror: Annotated[tuple[MirrorLobe, ...], Field(max_length=MAX_NARROW_LOBES), NotEmpty()] = (
+        Field(default=(), description="About the mirror direction of a surface.")
+    )
+    forward: Annotated[FiberLobe | None, NotNull()] = Field(
+        default=None, description="Straight through a fiber."
+    )
+    cone: Annotated[tuple[FiberLobe, ...], Field(max_length=MAX_NARROW_LOBES), NotEmpty()] = Field(
+        default=(), description="About the cones of a fiber."
+    )
+
+    @property
+    def lobes(self) -> list[tuple[float, float]]:
+        """Shares and widths: of the cosine lobe, or the forward one, then of the narrow ones.
+
+        A lobe that is not there has no share; there is always one, and MAX_NARROW_LOBES behind it.
+        """
+        broad = self.forward or FiberLobe(share=self.cosine or 0.0, width=1.0)
+        lobes = [(lobe.share, lobe.width) for lobe in (broad, *self.mirror, *self.cone)]
+        return [*lobes, *[(0.0, 1.0)] * (1 + MAX_NARROW_LOBES - len(lobes))]
+
+
+def _covers(value: tuple[Mixture, ...]) -> tuple[Mixture, ...]:
+    firsts = [mixture.first for mixture in value]
+    if firsts[0] or any(a >= b for a, b in pairwise(firsts)):
+        raise PydanticCustomError("FIELD_VALUE", "first: 0, then each above the one before")
+    return value
+
+
+Mixtures = Annotated[
+    tuple[Mixture, ...], Field(min_length=1, max_length=MAX_MIXTURES), AfterValidator(_covers)
+]
+USUAL_SAMPLING: dict[Kind, Mixture] = {
+    "surface": Mixture(
+        cosine=0.5,
+        mirror=(
+            MirrorLobe(share=0.22, width=0.1),
+            MirrorLobe(share=0.07, width=0.025),
+            MirrorLobe(share=0.04, width=0.004),
+        ),
+    ),
+    "fiber": Mixture(
+        forward=FiberLobe(share=0.25, width=0.45), cone=(FiberLobe(share=0.45, width=0.06),)
+    ),
+}
+"""Of parts without a mixture of their own: docs/decisions/renderer.md, "Rays leave assets in a
+mixture of lobes"."""
+
+
+class Sampling(Extension):
+    """Lobes that rays leave the parts in; null for a part that has none."""
+
+    NAME: ClassVar[str] = "RNA_sampling"
+    parts: Annotated[_ByPart[Mixtures], _not_all_null("lobes of some part")]
+
+
 class Source(Extension):
     """Vertices of the source, for hosts that move the asset with it; null for a part without."""
 
@@ -246,6 +331,7 @@ EXTENSIONS: tuple[type[Extension], ...] = (
     Source,
     StandinTextures,
     Variants,
+    Sampling,
 )
 
 
@@ -253,6 +339,11 @@ def extension(manifest: Manifest, of: type[T]) -> T | None:
     """The data of the extension in a manifest that was checked; None if it is not used."""
     data = manifest.extensions.get(of.NAME)
     return None if data is None else model_of(of, data)
+
+
+def part_sampling(manifest: Manifest, part: int) -> tuple[Mixture, ...]:
+    """Mixtures of lobes for rays that leave a part: its own, or the usual one of its kind."""
+    return of_part(manifest, Sampling, part) or (USUAL_SAMPLING[manifest.parts[part].kind],)
 
 
 class _ByPartExtension(Protocol[Item]):

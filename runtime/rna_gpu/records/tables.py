@@ -6,7 +6,7 @@ from math import prod
 
 from rna_gpu.records.record import Field, Record
 from rna_render.lights import kinds_of_lights, number_places
-from rna_render.world.bodies import FIBER_LOBES, SURFACE_LOBES
+from rna_sdk.package.manifest.extensions import USUAL_SAMPLING, Mixture
 
 OBJECT = Record(
     "Object",
@@ -55,6 +55,8 @@ SURFACE = Record(
     Field("ior", "<f4", (2,), "of its pane, in front and behind; of solid glass, and 0"),
     Field("absorption", "<f4", (3,), "of solid glass, object space"),
     Field("f0", "<f4", (), "of its pane by Schlick"),
+    Field("lobe_shares", "<f4", (4,), "of an asset, for rays: of the broad lobe and narrow ones"),
+    Field("lobe_widths", "<f4", (4,), "likewise"),
 )
 
 TEXTURE = Record(
@@ -110,14 +112,15 @@ TABLE_CONSTANTS = {
     **{kind.upper(): k for k, kind in enumerate(LIGHT_KINDS)},
 }
 
-LOBE_CONSTANTS = {
-    "SURFACE_SHARES": (SURFACE_LOBES.uniform, SURFACE_LOBES.cosine, SURFACE_LOBES.mirror),
-    "FIBER_SHARES": (FIBER_LOBES.uniform, FIBER_LOBES.cone, FIBER_LOBES.forward),
-    "MIRROR_PARTS": SURFACE_LOBES.mirror_parts,
-    "MIRROR_KAPPAS": SURFACE_LOBES.mirror_kappas,
-    "CONE_SCALE": FIBER_LOBES.cone_scale,
-    "FORWARD_KAPPA": FIBER_LOBES.forward_kappa,
-}
+
+def lobe_fields(mixture: Mixture) -> dict[str, tuple[float, ...]]:
+    """Members of a surface: the mixture of rays that leave it."""
+    shares, widths = zip(*mixture.lobes, strict=True)
+    return {"lobe_shares": shares, "lobe_widths": widths}
+
+
+USUAL_LOBES = {kind: lobe_fields(mixture) for kind, mixture in USUAL_SAMPLING.items()}
+"""Of packages without lobes for rays."""
 
 
 def light_accessors() -> str:

@@ -43,6 +43,7 @@ def files() -> dict[str, str]:
         | tables.TABLE_CONSTANTS,
         "records": {record.name: record.layout() for record in records},
         "lights": {kind: number_places(numbers) for kind, numbers in kinds_of_lights().items()},
+        "usualLobes": tables.USUAL_LOBES,
         "viewerLights": {kind: k for k, kind in enumerate(tables.VIEWER_LIGHTS)},
     }
     return {
@@ -51,7 +52,6 @@ def files() -> dict[str, str]:
         f"{_SHADERS}/geometry_records.wgsl": _wgsl(geometry.GEOMETRY_CONSTANTS, *of_bodies),
         f"{_SHADERS}/render/scene_records.wgsl": _wgsl(scene.SCENE_CONSTANTS, *of_scenes),
         f"{_SHADERS}/render/table_records.wgsl": _tables(),
-        f"{_SHADERS}/render/lobe_constants.wgsl": _wgsl(tables.LOBE_CONSTANTS),
         f"{_SHADERS}/records.json": _json(result),
     }
 

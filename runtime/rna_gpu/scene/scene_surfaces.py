@@ -21,6 +21,7 @@ from rna_gpu.records.tables import (
     OF_MATERIAL,
     OF_NEURAL,
     SURFACE,
+    lobe_fields,
 )
 from rna_gpu.scene.scene_images import NONE, Images
 from rna_render import MeshObject
@@ -116,21 +117,29 @@ class Surfaces:
     def _part(self, place: int, number: int, part: Any) -> Shape:
         self.parts.append((place, number))
         if part.kind == "fiber":
-            row = _surface(OF_FIBERS, len(self.parts) - 1, part.emits)
+            row = self._neural(OF_FIBERS, part, 0)
             return Strands(part.curves, self._add(row))
         mesh = part.mesh
         maps = texture_numbers(mesh, part.normal_maps)
         panes = texture_numbers(mesh, part.transmittance_records)
         colors = texture_numbers(mesh, part.base_colors)
-        numbers = np.stack([maps, panes, colors])
+        firsts = [mixture.first for mixture in part.sampling]
+        mixtures = np.searchsorted(firsts, np.arange(len(mesh.triangles)), side="right") - 1
+        numbers = np.stack([maps, panes, colors, mixtures])
         kinds, kind_of_triangle = np.unique(numbers, axis=1, return_inverse=True)
         surfaces = np.array([self._part_surface(part, *kind) for kind in kinds.T.tolist()])
         arrays = mesh.positions, mesh.normals, mesh.triangles
         return Triangles(*arrays, surfaces[kind_of_triangle.reshape(-1)], mesh.uvs)
 
-    def _part_surface(self, part: Any, normal_map: int, pane: int, color: int) -> int:
+    def _neural(self, kind: int, part: Any, mixture: int) -> Row:
+        row = _surface(kind, len(self.parts) - 1, part.emits)
+        for name, numbers in lobe_fields(part.sampling[mixture]).items():
+            row[name] = numbers
+        return row
+
+    def _part_surface(self, part: Any, normal_map: int, pane: int, color: int, mixture: int) -> int:
         """Number of the surface of triangles with these records of the part; -1 for none."""
-        row = _surface(OF_NEURAL, len(self.parts) - 1, part.emits)
+        row = self._neural(OF_NEURAL, part, mixture)
         if normal_map >= 0:
             row["normal_map"] = self.images.add_texels(part.normal_maps[normal_map].texture)
         if pane >= 0:

@@ -225,6 +225,7 @@ def _layers(film: NDArray[Any]) -> Layers:
         behind_catcher=sums["behind"],
         groups_behind=by_group[:, 1::2],
         catcher=direct["catcher"],
+        clamped=np.zeros(len(film), np.float32),
         squares=direct["squares"],
         asset=sums["number"].astype(np.uint32),
     )

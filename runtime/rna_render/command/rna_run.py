@@ -279,6 +279,7 @@ def _render_still(scene_file: SceneFile, output: Output, options: argparse.Names
         Interrupt,
         cost_lines,
         render_with_bar,
+        tell_clamp,
         tell_tiers,
     )
     from rna_render.paths.world_in_time import load_world
@@ -313,6 +314,7 @@ def _render_still(scene_file: SceneFile, output: Output, options: argparse.Names
             file=sys.stderr,
         )
     output.write(scene, film)
+    tell_clamp(resolved, film)
     for path in output.paths():
         print(f"wrote {path}")
     return INTERRUPTED if stopped else 0
@@ -321,6 +323,7 @@ def _render_still(scene_file: SceneFile, output: Output, options: argparse.Names
 def _render_in_pieces(scene_file: SceneFile, output: Output, options: argparse.Namespace) -> int:
     from rna_render.command.finished_pieces import finished_pixels, is_of_pieces
     from rna_render.command.pieces import render_pieces
+    from rna_render.command.terminal import tell_clamp
     from rna_render.world.scene_sources import files_of
     from rna_sdk.owned_folder import owned
     from rna_work.executors import open_executor
@@ -337,6 +340,7 @@ def _render_in_pieces(scene_file: SceneFile, output: Output, options: argparse.N
                 scene_file, executor, options.threads, folder, options.device
             )
             output.write(scene_file.scene, film)
+            tell_clamp(scene_file.scene, film)
             finished.remove()
             work_folder.dissolve()
     except KeyboardInterrupt:

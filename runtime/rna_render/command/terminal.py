@@ -25,6 +25,10 @@ _FASTER = 0.9
 """Largest relative cost of another tier that is worth a note."""
 
 
+_SEEN = 1e-3
+"""Smallest share of the light that is told when a clamp takes it."""
+
+
 class Interrupt:
     """While entered, the first Ctrl-C requests a stop and the second one ends the program."""
 
@@ -65,6 +69,17 @@ def tell_tiers(quality: QualityModel | None, world: World) -> None:
         if world.indirect:
             tiers += f"; of indirect radiance: {_counted(world.indirect)}"
         print(f"tiers of {len(assets)} assets: {tiers}", file=sys.stderr)
+
+
+def tell_clamp(scene: Scene, film: Film) -> None:
+    """Print how much light the clamp on indirect radiance took, if that can be seen."""
+    share = film.clamped_share
+    if share > _SEEN:
+        print(
+            f"clamp_indirect: {scene.clamp_indirect} took {share:.2%} of the image's light; null "
+            "keeps it, with its noise",
+            file=sys.stderr,
+        )
 
 
 def _counted(assets: Sequence[Asset]) -> str:

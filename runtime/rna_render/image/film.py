@@ -32,6 +32,7 @@ class Layers:
     behind_catcher: (n, 4) float, as beauty, the visible background where a catcher is hit.
     groups_behind: (n, g, 3) float, as groups, the same.
     catcher: (n,) float, coverage by shadow catchers.
+    clamped: (n,) float, mean of RGB of the radiance that the clamp on indirect light took.
     squares: (n, 3) float64, squares of the RGB of beauty, of each sample by itself.
     asset: (n,) uint32, number of the object, from 1; 0 for none. Of several samples that of the
         first that hit one.
@@ -48,6 +49,7 @@ class Layers:
     behind_catcher: np.ndarray
     groups_behind: np.ndarray
     catcher: np.ndarray
+    clamped: np.ndarray
     squares: np.ndarray
     asset: np.ndarray
 
@@ -66,6 +68,7 @@ class Layers:
             "behind_catcher": (4,),
             "groups_behind": (groups, 3),
             "catcher": (),
+            "clamped": (),
         }
         floats: dict[str, np.ndarray] = {
             name: np.zeros((count, *shape), dtype) for name, shape in shapes.items()
@@ -149,6 +152,13 @@ class Film:
             return None
         variance = self._halves.variance * (self._halves.samples / self.samples)
         return _float32(variance.reshape(self.height, self.width, 3))
+
+    @property
+    def clamped_share(self) -> float:
+        """What the clamp on indirect light took, as a share of the light of the whole image."""
+        taken = float(self._sum.clamped.sum())
+        kept = float(self._sum.beauty[:, :3].sum()) / 3.0
+        return taken / (taken + kept) if taken > 0.0 else 0.0
 
     def not_finite(self) -> np.ndarray:
         """Pixels with a value that is NaN or infinite, in row-major order: (k,) int64."""

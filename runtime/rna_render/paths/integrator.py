@@ -281,7 +281,7 @@ class Integrator:
     ) -> None:
         """Add radiance of lights to paths; not above the clamp if it left more than one object."""
         if self._clamp is not None and depth >= 2:
-            clamp_paths(radiance, self._clamp * share)
+            clamp_paths(radiance, self._clamp * share, path, band.clamped)
         add_rows(band.beauty, path, radiance)
         for k, group in enumerate(self._group):
             if group is not None:

@@ -174,16 +174,22 @@ def weigh_rays(
 
 
 @compiled(fastmath=())
-def clamp_paths(radiance: np.ndarray, limit: np.ndarray) -> None:
+def clamp_paths(
+    radiance: np.ndarray, limit: np.ndarray, path: np.ndarray, taken: np.ndarray
+) -> None:
     """Scale the rows of radiance, (n, 3) float32, whose largest channel is above their limit.
 
-    limit: (n,) float32.
+    limit: (n,) float32. path: (n,) which rows of taken, (m,) float32, get the mean of RGB of what
+    is taken away.
     """
     for i in range(len(radiance)):
         largest = max(radiance[i, 0], radiance[i, 1], radiance[i, 2])
         if largest > limit[i]:
+            kept = limit[i] / largest
+            mean = (radiance[i, 0] + radiance[i, 1] + radiance[i, 2]) / np.float32(3.0)
+            taken[path[i]] += mean * (np.float32(1.0) - kept)
             for channel in range(3):
-                radiance[i, channel] *= limit[i] / largest
+                radiance[i, channel] *= kept
 
 
 @compiled(fastmath=())

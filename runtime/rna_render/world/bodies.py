@@ -14,7 +14,7 @@ import numpy as np
 
 from rna_render.lights.base import PlacedLight
 from rna_render.materials import MeshObject
-from rna_render.world.neural_sampling import LobeMixture
+from rna_render.world.neural_sampling import PlacedLobes
 from rna_render.world.placements import SceneObject
 from rna_sdk.runtime import (
     Asset,
@@ -44,10 +44,6 @@ from rna_trace.surface import SurfacePoints
 
 RestMaps = Sequence[NormalMaps | None]
 """The relief of an asset's parts at rest; None of those without."""
-
-# The lobes that rays leave assets in, by kind; see docs/decisions/renderer.md.
-SURFACE_LOBES = LobeMixture(uniform=0.2, cosine=0.35, mirror=0.45)
-FIBER_LOBES = LobeMixture(uniform=0.3, cone=0.45, cone_scale=0.06, forward=0.25, forward_kappa=5.0)
 
 
 class AssetBody:
@@ -108,6 +104,7 @@ class AssetBody:
             if asset.uses_base_color:
                 result.base_color = asset.base_color_at(*where[:3], widths)
         result.where, result.widths = where[:3], widths
+        result.leaving = PlacedLobes.on_triangles(asset.sampling, where[0])
         # Lobes know the visibility of the asset at rest, and are trained for what viewers see.
         result.gives_lobes = seen and rest is None and asset.environment_form is not None
         return result
@@ -132,10 +129,11 @@ class _NeuralPoints(Points):
     """Points of a part of an asset: its decoder evaluates scattering, given visibility along wi.
 
     rest: what the decoder takes instead of the points, where the part is in motion.
-    where: primitives and barycentric coordinates of the hits. widths: of a pixel there.
+    where: primitives and barycentric coordinates of the hits. widths: of a pixel there. leaving:
+    lobes of rays that leave the points.
     """
 
-    _lobes: LobeMixture
+    leaving: PlacedLobes
     tangents: np.ndarray
     where: tuple[np.ndarray, np.ndarray, np.ndarray]
     widths: np.ndarray
@@ -168,12 +166,12 @@ class _NeuralPoints(Points):
         self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray, u: np.ndarray | None
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         frame = self.n, self.tangents, self._wo
-        return *self.transport(row, wi, distance, u), self._lobes.pdf(*frame, wi, row)
+        return *self.transport(row, wi, distance, u), self.leaving.pdf(*frame, wi, row)
 
     def sample_and_pdf(self, row: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         frame = self.n, self.tangents, self._wo
-        wi = self._lobes.sample(*frame, u, row)
-        return wi, self._lobes.pdf(*frame, wi, row)
+        wi = self.leaving.sample(*frame, u, row)
+        return wi, self.leaving.pdf(*frame, wi, row)
 
     def _arguments(
         self, axes: np.ndarray, row: np.ndarray, wi: np.ndarray
@@ -198,7 +196,6 @@ class _NeuralPoints(Points):
 
 
 class _MeshPoints(_NeuralPoints):
-    _lobes = SURFACE_LOBES
     base_color: np.ndarray | None = None
 
     def __init__(
@@ -232,7 +229,6 @@ class _MeshPoints(_NeuralPoints):
 
 
 class _StrandPoints(_NeuralPoints):
-    _lobes = FIBER_LOBES
     on_strands = True
 
     def __init__(

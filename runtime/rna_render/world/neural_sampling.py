@@ -2,53 +2,107 @@
 
 The decoder cannot be sampled itself, but most of what it sends comes from a few places: from all
 around (light that is scattered inside), from the side of the normal (diffuse reflection), from
-the mirror direction (highlights), for fibers from the cone about the tangent that specular
+about the mirror direction (highlights), for fibers from the cone about the tangent that specular
 reflection and transmission both lie on, and from straight behind (light that goes through).
-Weights and widths of the lobes: docs/decisions/renderer.md,
+Packages say which lobes fit them (`RNA_sampling`): docs/decisions/renderer.md,
 "Rays leave assets in a mixture of lobes".
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
+from rna_render.materials.ggx import reflected_density, sample_reflection
 from rna_sdk.compiled import compiled
+from rna_sdk.package.limits import MAX_NARROW_LOBES
+from rna_sdk.package.manifest.extensions import Mixture
 from rna_trace.angles import sine_and_cosine
-from rna_trace.vectors import Vector, along, dot, unit, vector_at
+from rna_trace.vectors import Vector, along, dot, tangents_of, unit, vector_at
 
-# Places in a mixture's numbers: shares of the lobes, then their widths.
-UNIFORM, COSINE, MIRROR, CONE, FORWARD, CONE_SCALE, FORWARD_KAPPA, MIRROR_PARTS = range(8)
-LOBES = 5
-WIDTHS = 3  # of the mirror lobe
-MIRROR_KAPPAS = MIRROR_PARTS + WIDTHS
+# Places in a mixture's numbers. Shares: of the broad lobe, which is the cosine lobe of surfaces
+# and the forward lobe of fibers, and of the narrow ones; the uniform lobe has what they leave.
+LOBES = 1 + MAX_NARROW_LOBES
+IS_FIBER, SHARES, WIDTHS = 0, 1, 1 + LOBES
 
 BELOW_ONE = 1.0 - 2.0**-53
 
 
+class Lobe(NamedTuple):
+    """A lobe of a mixture: how often it is chosen, and how wide it is."""
+
+    share: float
+    width: float
+
+
+NO_LOBE = Lobe(0.0, 1.0)
+
+
 @dataclass(frozen=True)
 class LobeMixture:
-    """Shares and widths of the lobes; shares add up to 1.
+    """Shares and widths of the lobes; all directions alike have the share that these leave.
 
-    uniform: all directions alike. cosine: about the normal, turned to the viewer. mirror: about
-    the mirror direction, a mixture of von Mises-Fisher lobes with concentrations mirror_kappas, of
-    which each is the given part: highlights of rough and of smooth materials. cone: about the cone
-    of specular reflection from a fiber, sine of inclination logistic with scale cone_scale
-    about its value there, all azimuths alike. forward: about -wo, von Mises-Fisher with
-    concentration forward_kappa.
+    Surfaces. cosine: about the normal, turned to the viewer. mirror: half vectors of GGX, those
+    that the viewer sees; width: its alpha.
+    Fibers. forward: about -wo, von Mises-Fisher with concentration 1 / width^2. cone: about the
+    cone of specular reflection from a fiber, sine of inclination logistic with scale width about
+    its value there, all azimuths alike.
     """
 
-    uniform: float = 0.0
     cosine: float = 0.0
-    mirror: float = 0.0
-    cone: float = 0.0
-    forward: float = 0.0
-    mirror_kappas: tuple[float, float, float] = (20.0, 400.0, 8000.0)
-    mirror_parts: tuple[float, float, float] = (0.5, 0.3, 0.2)
-    cone_scale: float = 0.1
-    forward_kappa: float = 20.0
+    mirror: tuple[Lobe, ...] = ()
+    forward: Lobe = NO_LOBE
+    cone: tuple[Lobe, ...] = ()
+
+    @classmethod
+    def of(cls, record: Mixture) -> LobeMixture:
+        """The mixture that a package has of a part."""
+        forward = record.forward
+        return cls(
+            cosine=record.cosine or 0.0,
+            mirror=tuple(Lobe(lobe.share, lobe.width) for lobe in record.mirror),
+            forward=Lobe(forward.share, forward.width) if forward else NO_LOBE,
+            cone=tuple(Lobe(lobe.share, lobe.width) for lobe in record.cone),
+        )
+
+    @cached_property
+    def numbers(self) -> np.ndarray:
+        """For compiled code, (1 + 2 LOBES,) float64: is it of fibers, then shares, then widths."""
+        is_fiber = bool(self.cone) or self.forward.share > 0.0
+        broad = self.forward if is_fiber else Lobe(self.cosine, 1.0)
+        narrow = self.cone if is_fiber else self.mirror
+        lobes = [broad, *narrow, *[NO_LOBE] * (MAX_NARROW_LOBES - len(narrow))]
+        shares, widths = zip(*lobes, strict=True)
+        return np.array([is_fiber, *shares, *widths], np.float64)
+
+    @property
+    def everywhere(self) -> PlacedLobes:
+        """This mixture at any points."""
+        return PlacedLobes(self.numbers[None], None)
+
+
+class PlacedLobes(NamedTuple):
+    """The mixtures at points.
+
+    numbers: (k, 1 + 2 LOBES) float64, of the mixtures. which: (m,) int64, of each point; None for
+    the first one at all of them.
+    """
+
+    numbers: np.ndarray
+    which: np.ndarray | None
+
+    @classmethod
+    def on_triangles(cls, mixtures: Sequence[Mixture], triangle: np.ndarray) -> PlacedLobes:
+        """Those of a part at points on triangles, (m,) of their numbers."""
+        numbers = np.stack([LobeMixture.of(mixture).numbers for mixture in mixtures])
+        if len(mixtures) == 1:
+            return cls(numbers, None)
+        firsts = [mixture.first for mixture in mixtures]
+        return cls(numbers, np.searchsorted(firsts, triangle, side="right") - 1)
 
     def sample(
         self,
@@ -66,7 +120,7 @@ class LobeMixture:
         row: (k,) which points the numbers are for; None for all, in order.
         """
         wi = np.empty((len(u), 3), np.float32)
-        _sample(self.numbers, n, tangents, wo, _rows(row, n), u, wi)
+        _sample(self.numbers, self._which(n), n, tangents, wo, _rows(row, n), u, wi)
         return wi
 
     def pdf(
@@ -79,22 +133,18 @@ class LobeMixture:
     ) -> np.ndarray:
         """Density of `sample` in wi, per steradian: (k,) float32; all but u as there."""
         pdf = np.empty(len(wi), np.float32)
-        _pdf(self.numbers, n, tangents, wo, _rows(row, n), wi, pdf)
+        _pdf(self.numbers, self._which(n), n, tangents, wo, _rows(row, n), wi, pdf)
         return pdf
 
-    @cached_property
-    def numbers(self) -> np.ndarray:
-        """Shares and widths for compiled code, (13,) float64."""
-        shares = np.array([self.uniform, self.cosine, self.mirror, self.cone, self.forward])
-        mirrors = *self.mirror_parts, *self.mirror_kappas
-        return np.append(shares / shares.sum(), [self.cone_scale, self.forward_kappa, *mirrors])
+    def _which(self, points: np.ndarray) -> np.ndarray:
+        return np.zeros(len(points), np.int64) if self.which is None else self.which
 
 
 def _rows(row: np.ndarray | None, points: np.ndarray) -> np.ndarray:
     return np.arange(len(points)) if row is None else row
 
 
-Frame = tuple[Vector, Vector, Vector, Vector]
+Frame = tuple[Vector, Vector, Vector]
 """What `lobe_frame` returns."""
 
 
@@ -128,22 +178,19 @@ def _fisher_pdf(cosine: float, kappa: float) -> float:
 
 
 @compiled(inline=True, fastmath=())
-def _mirror_cosine(numbers: np.ndarray, u: float) -> float:
-    """Cosine to the mirror direction; u chooses the width, too."""
-    k, left = 0, u
-    while k < WIDTHS - 1 and left >= numbers[MIRROR_PARTS + k]:
-        left -= numbers[MIRROR_PARTS + k]
-        k += 1
-    left = min(left / numbers[MIRROR_PARTS + k], BELOW_ONE)
-    return _fisher_cosine(left, numbers[MIRROR_KAPPAS + k])
+def _mirrored(o: Vector, normal: Vector, alpha: float, u1: float, u2: float) -> Vector:
+    """wo mirrored at a half vector that is seen from there."""
+    s, t = tangents_of(normal)
+    local = sample_reflection(alpha, dot(s, o), dot(t, o), dot(normal, o), u2, u1)
+    return along(normal, local[0], local[1], local[2])
 
 
 @compiled(inline=True, fastmath=())
-def _mirror_pdf(numbers: np.ndarray, cosine: float) -> float:
-    density = 0.0
-    for k in range(WIDTHS):
-        density += numbers[MIRROR_PARTS + k] * _fisher_pdf(cosine, numbers[MIRROR_KAPPAS + k])
-    return density
+def _mirrored_pdf(o: Vector, normal: Vector, alpha: float, w: Vector) -> float:
+    """Density of `_mirrored` in w."""
+    h = (o[0] + w[0], o[1] + w[1], o[2] + w[2])
+    nh = dot(normal, unit(h))
+    return reflected_density(alpha, dot(normal, o), min(nh, 1.0)) if nh > 0.0 else 0.0
 
 
 @compiled(inline=True, fastmath=())
@@ -169,63 +216,66 @@ def _cone_pdf(sine: float, middle: float, scale: float) -> float:
 
 @compiled(inline=True, fastmath=())
 def lobe_frame(n: Vector, tangent: Vector, o: Vector) -> Frame:
-    """Frame of a point for the functions below: viewer, normal turned to it, tangent, and mirror
-    direction."""
+    """Frame of a point for the functions below: viewer, normal turned to it, and tangent."""
     up = (0.0, 1.0, 0.0)
-    normal = _unit_or(n[0], n[1], n[2], up)
-    cosine = dot(normal, o)
-    if cosine < 0.0:
-        cosine, normal = -cosine, (-normal[0], -normal[1], -normal[2])
-    tangent = _unit_or(tangent[0], tangent[1], tangent[2], up)
-    twice = 2.0 * cosine
-    mirror = (twice * normal[0] - o[0], twice * normal[1] - o[1], twice * normal[2] - o[2])
-    return o, normal, tangent, mirror
+    o, normal = unit(o), _unit_or(n[0], n[1], n[2], up)
+    if dot(normal, o) < 0.0:
+        normal = (-normal[0], -normal[1], -normal[2])
+    return o, normal, _unit_or(tangent[0], tangent[1], tangent[2], up)
 
 
 @compiled(inline=True, fastmath=())
 def lobe_sample(numbers: np.ndarray, frame: Frame, u1: float, u2: float) -> Vector:
     """A direction, as often as `lobe_density` says: three float64. u1 chooses the lobe, too."""
-    o, normal, tangent, mirror = frame
-    lobe, choice = UNIFORM, u1
-    for k in range(LOBES):
-        if numbers[k] > 0.0:
-            lobe = k
-            u1 = min(choice / numbers[k], BELOW_ONE)
-            if choice < numbers[k]:
-                break
-        choice -= numbers[k]
-    if lobe == UNIFORM:
-        direction = _about(normal, 1.0 - 2.0 * u1, u2)
-    elif lobe == COSINE:
-        direction = _about(normal, np.sqrt(1.0 - u1), u2)
-    elif lobe == MIRROR:
-        direction = _about(mirror, _mirror_cosine(numbers, u1), u2)
-    elif lobe == CONE:
-        direction = _about(tangent, _cone_sine(u1, -dot(tangent, o), numbers[CONE_SCALE]), u2)
-    else:
+    o, normal, tangent = frame
+    lobe, left = 0, u1
+    while lobe < LOBES and left >= numbers[SHARES + lobe]:
+        left -= numbers[SHARES + lobe]
+        lobe += 1
+    if lobe == LOBES:
+        rest = max(u1 - left, 0.0)  # the shares before
+        direction = _about(normal, 1.0 - 2.0 * min(left / (1.0 - rest), BELOW_ONE), u2)
+        return unit(direction)
+    u1, width = min(left / numbers[SHARES + lobe], BELOW_ONE), numbers[WIDTHS + lobe]
+    if numbers[IS_FIBER] == 0.0:
+        if lobe == 0:
+            direction = _about(normal, np.sqrt(1.0 - u1), u2)
+        else:
+            direction = _mirrored(o, normal, width, u1, u2)
+    elif lobe == 0:
         backward = (-o[0], -o[1], -o[2])
-        direction = _about(backward, _fisher_cosine(u1, numbers[FORWARD_KAPPA]), u2)
+        direction = _about(backward, _fisher_cosine(u1, 1.0 / (width * width)), u2)
+    else:
+        direction = _about(tangent, _cone_sine(u1, -dot(tangent, o), width), u2)
     return unit(direction)
 
 
 @compiled(inline=True, fastmath=())
 def lobe_density(numbers: np.ndarray, frame: Frame, w: Vector) -> float:
     """Density per steradian in w."""
-    o, normal, tangent, mirror = frame
-    density: float = numbers[UNIFORM] / (4.0 * np.pi)
-    density += numbers[COSINE] * max(0.0, dot(normal, w)) / np.pi
-    if numbers[MIRROR] > 0.0:
-        density += numbers[MIRROR] * _mirror_pdf(numbers, dot(mirror, w))
-    if numbers[CONE] > 0.0:
-        density += numbers[CONE] * _cone_pdf(dot(tangent, w), -dot(tangent, o), numbers[CONE_SCALE])
-    if numbers[FORWARD] > 0.0:
-        density += numbers[FORWARD] * _fisher_pdf(-dot(o, w), numbers[FORWARD_KAPPA])
-    return density
+    o, normal, tangent = frame
+    density, rest = 0.0, 1.0
+    for lobe in range(LOBES):
+        share, width = numbers[SHARES + lobe], numbers[WIDTHS + lobe]
+        rest -= share
+        if share == 0.0:
+            continue
+        if numbers[IS_FIBER] == 0.0:
+            if lobe == 0:
+                density += share * max(0.0, dot(normal, w)) / np.pi
+            else:
+                density += share * _mirrored_pdf(o, normal, width, w)
+        elif lobe == 0:
+            density += share * _fisher_pdf(-dot(o, w), 1.0 / (width * width))
+        else:
+            density += share * _cone_pdf(dot(tangent, w), -dot(tangent, o), width)
+    return density + max(rest, 0.0) / (4.0 * np.pi)
 
 
 @compiled(rows="row u wi", fastmath=())
 def _sample(
     numbers: np.ndarray,
+    which: np.ndarray,
     n: np.ndarray,
     tangents: np.ndarray,
     wo: np.ndarray,
@@ -236,12 +286,13 @@ def _sample(
     for i in range(len(row)):
         at = row[i]
         frame = lobe_frame(vector_at(n, at), vector_at(tangents, at), vector_at(wo, at))
-        wi[i, 0], wi[i, 1], wi[i, 2] = lobe_sample(numbers, frame, u[i, 0], u[i, 1])
+        wi[i, 0], wi[i, 1], wi[i, 2] = lobe_sample(numbers[which[at]], frame, u[i, 0], u[i, 1])
 
 
 @compiled(rows="row wi pdf", fastmath=())
 def _pdf(
     numbers: np.ndarray,
+    which: np.ndarray,
     n: np.ndarray,
     tangents: np.ndarray,
     wo: np.ndarray,
@@ -252,4 +303,4 @@ def _pdf(
     for i in range(len(row)):
         at = row[i]
         frame = lobe_frame(vector_at(n, at), vector_at(tangents, at), vector_at(wo, at))
-        pdf[i] = lobe_density(numbers, frame, vector_at(wi, i))
+        pdf[i] = lobe_density(numbers[which[at]], frame, vector_at(wi, i))

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from rna_export.capture.rays.capture_directions import around, reflect
-from rna_render.world.neural_sampling import LobeMixture
+from rna_render.world.neural_sampling import Lobe, LobeMixture
 
 WIDEST = 0.8  # alpha of GGX
 
@@ -23,7 +23,7 @@ LIGHTS = _UNIFORM + _COSINE + _MIRROR
 """Directions of a point, which have one density together."""
 
 _GOLDEN = (np.sqrt(5.0) - 1.0) / 2.0  # of a turn, between neighbouring directions
-_FIBER = LobeMixture(uniform=0.4, cone=0.6, cone_scale=0.06)
+_FIBER = LobeMixture(cone=(Lobe(0.6, 0.06),)).everywhere
 
 
 class LightSamples(NamedTuple):

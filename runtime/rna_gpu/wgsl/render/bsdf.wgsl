@@ -84,37 +84,9 @@ fn mean_passed(b: Bsdf) -> f32 {
     return result;
 }
 
-// D, of the squared sine and the cosine of the half vector to the normal.
-fn distribution(alpha: f32, sine2: f32, nh: f32) -> f32 {
-    let a2 = alpha * alpha;
-    let spread = sine2 + a2 * nh * nh;
-    return a2 / (PI * spread * spread);
-}
-
-fn smith_root(alpha: f32, cosine: f32) -> f32 {
-    return sqrt(alpha * alpha + (1.0 - alpha * alpha) * cosine * cosine);
-}
-
 fn schlick(cosine: f32) -> f32 {
     let x = 1.0 - clamp(cosine, 0.0, 1.0);
     return x * x * x * x * x;
-}
-
-struct Half {
-    sine2: f32,
-    nh: f32,
-    oh: f32,
-}
-
-fn half_of(m: vec3f, o: vec3f, i: vec3f) -> Half {
-    let sum = o + i;
-    let size = length(sum);
-    if size < 1e-6 {
-        return Half(1.0, 0.0, 0.0);
-    }
-    let h = sum / size;
-    let aside = cross(m, h);
-    return Half(dot(aside, aside), min(dot(m, h), 1.0), dot(o, h));
 }
 
 // V D about the normal m, and Schlick's weight.
@@ -183,18 +155,6 @@ fn lobe_parts(b: Bsdf, o: vec3f) -> vec2f {
     return select(vec2f(0.0), vec2f(top, specular) / max(total, 1e-30), total > 0.0);
 }
 
-// Dupuy and Benyoub, Sampling Visible GGX Normals with Spherical Caps (HPG 2023).
-fn sample_reflection(alpha: f32, o: vec3f, u: vec2f) -> vec3f {
-    let s = normalize(vec3f(alpha * o.x, alpha * o.y, o.z));
-    let phi = 2.0 * PI * u.x;
-    let z = (1.0 - u.y) * (1.0 + s.z) - s.z;
-    let radius = sqrt(max(0.0, 1.0 - z * z));
-    let h = vec3f(alpha * (radius * cos(phi) + s.x), alpha * (radius * sin(phi) + s.y), z + s.z);
-    let size = length(h);
-    let n = select(vec3f(0.0, 0.0, 1.0), h / max(size, 1e-30), size > 0.0);
-    return 2.0 * dot(o, n) * n - o;
-}
-
 fn bsdf_sample(b: Bsdf, o: vec3f, u: vec3f) -> vec3f {
     let parts = lobe_parts(b, o);
     let on_clear = u.z < parts.x;
@@ -211,16 +171,6 @@ fn bsdf_sample(b: Bsdf, o: vec3f, u: vec3f) -> vec3f {
         i = vec3f(radius * cos(phi), radius * sin(phi), sqrt(1.0 - u.x));
     }
     return i.x * local.s + i.y * local.t + i.z * axis;
-}
-
-// Of sample_reflection about m.
-fn reflected_density(alpha: f32, m: vec3f, o: vec3f, i: vec3f) -> f32 {
-    let h = half_of(m, o, i);
-    if h.nh <= 0.0 {
-        return 0.0;
-    }
-    let cos_o = dot(m, o);
-    return distribution(alpha, h.sine2, h.nh) / (2.0 * (cos_o + smith_root(alpha, cos_o)));
 }
 
 fn bsdf_density(b: Bsdf, o: vec3f, i: vec3f) -> f32 {

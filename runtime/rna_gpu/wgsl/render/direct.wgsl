@@ -112,7 +112,7 @@ fn direct_neural(k: u32, path: Path, v: Vertex, light: u32, sampled: LightSample
     let visible = start_visibility(v.instance, way, v.strand);
     let is_fiber = v.kind == OF_FIBERS;
     let tangent = select(vec3f(0.0), v.axis, is_fiber);
-    let pdf_of_ray = lobe_density(lobe_frame(v.shading, tangent, v.wo), is_fiber, wi);
+    let pdf_of_ray = lobe_density(lobe_frame(v.shading, tangent, v.wo), surface_lobes(v.surface), wi);
     let weight = path.beta * sampled.radiance * light_share(light, sampled.pdf, pdf_of_ray) * tau;
     queries[k].at_point = Query(
         v.x, v.h, v.axis, v.part, v.wo, light, wi, v.strand, weight, 0.0, visible, 0u,

@@ -1,11 +1,18 @@
 // Directions for rays that leave a neural asset: the mixtures of rna_render.world.neural_sampling, which
-// says why. Shares: uniform, cosine, mirror, cone, forward.
+// says why.
+
+// shares: of the broad lobe (cosine of surfaces, forward of fibers) and of narrow ones (mirror, cone); all
+// directions alike have what they leave.
+struct Lobes {
+    is_fiber: bool,
+    shares: vec4f,
+    widths: vec4f,
+}
 
 struct LobeFrame {
     o: vec3f,
     normal: vec3f, // turned to the viewer
     tangent: vec3f,
-    mirror: vec3f,
 }
 
 fn unit_or_up(v: vec3f) -> vec3f {
@@ -21,62 +28,78 @@ fn lobe_frame(n: vec3f, tangent: vec3f, o: vec3f) -> LobeFrame {
     if dot(normal, o) < 0.0 {
         normal = -normal;
     }
-    return LobeFrame(o, normal, unit_or_up(tangent), 2.0 * dot(normal, o) * normal - o);
+    return LobeFrame(o, normal, unit_or_up(tangent));
 }
 
 fn logistic(x: f32) -> f32 {
     return 1.0 / (1.0 + exp(-x));
 }
 
-fn lobe_cone_sine(u: f32, middle: f32) -> f32 {
-    let low = logistic((-1.0 - middle) / CONE_SCALE);
-    let high = logistic((1.0 - middle) / CONE_SCALE);
+fn lobe_cone_sine(u: f32, middle: f32, scale: f32) -> f32 {
+    let low = logistic((-1.0 - middle) / scale);
+    let high = logistic((1.0 - middle) / scale);
     let p = clamp(low + u * (high - low), 1e-7, 1.0 - 1e-7);
-    return clamp(middle + CONE_SCALE * log(p / (1.0 - p)), -1.0, 1.0);
+    return clamp(middle + scale * log(p / (1.0 - p)), -1.0, 1.0);
 }
 
-fn lobe_cone_pdf(sine: f32, middle: f32) -> f32 {
-    let low = logistic((-1.0 - middle) / CONE_SCALE);
-    let high = logistic((1.0 - middle) / CONE_SCALE);
-    let p = logistic((sine - middle) / CONE_SCALE);
-    return p * (1.0 - p) / (CONE_SCALE * (high - low) * 2.0 * PI);
+fn lobe_cone_pdf(sine: f32, middle: f32, scale: f32) -> f32 {
+    let low = logistic((-1.0 - middle) / scale);
+    let high = logistic((1.0 - middle) / scale);
+    let p = logistic((sine - middle) / scale);
+    return p * (1.0 - p) / (scale * (high - low) * 2.0 * PI);
+}
+
+fn lobe_mirrored(at: LobeFrame, alpha: f32, u: vec2f) -> vec3f {
+    let local = tangents_of(at.normal);
+    let o = vec3f(dot(local.s, at.o), dot(local.t, at.o), dot(at.normal, at.o));
+    let i = sample_reflection(alpha, o, u.yx);
+    return i.x * local.s + i.y * local.t + i.z * at.normal;
 }
 
 // u.x chooses the lobe, and what is left of it the direction there.
-fn lobe_sample(at: LobeFrame, is_fiber: bool, u: vec2f) -> vec3f {
-    let shares = lobe_shares(is_fiber);
-    if u.x < shares.x {
-        return normalize(along_axis(at.normal, 1.0 - 2.0 * u.x / shares.x, u.y));
-    }
-    if u.x < shares.x + shares.y {
-        let left = min((u.x - shares.x) / shares.y, 1.0);
-        if is_fiber {
-            let sine = lobe_cone_sine(left, -dot(at.tangent, at.o));
-            return normalize(along_axis(at.tangent, sine, u.y));
+fn lobe_sample(at: LobeFrame, lobes: Lobes, u: vec2f) -> vec3f {
+    var left = u.x;
+    for (var k = 0u; k < 4u; k++) {
+        let share = lobes.shares[k];
+        if left < share {
+            return normalize(lobe_direction(at, lobes, k, vec2f(left / share, u.y)));
         }
-        return normalize(along_axis(at.normal, sqrt(1.0 - left), u.y));
+        left -= share;
     }
-    let left = min((u.x - shares.x - shares.y) / shares.z, 1.0);
-    if is_fiber {
-        return normalize(along_axis(-at.o, fisher_cosine(left, FORWARD_KAPPA), u.y));
-    }
-    return normalize(along_axis(at.mirror, mirror_cosine(left), u.y));
+    let rest = max(1.0 - dot(lobes.shares, vec4f(1.0)), 1e-6);
+    return normalize(along_axis(at.normal, 1.0 - 2.0 * min(left / rest, 1.0), u.y));
 }
 
-// Of surfaces: uniform, cosine, mirror; of fibers: uniform, cone, forward.
-fn lobe_shares(is_fiber: bool) -> vec3f {
-    return select(SURFACE_SHARES, FIBER_SHARES, is_fiber);
+fn lobe_direction(at: LobeFrame, lobes: Lobes, k: u32, u: vec2f) -> vec3f {
+    let width = lobes.widths[k];
+    if !lobes.is_fiber {
+        if k == 0u {
+            return along_axis(at.normal, sqrt(1.0 - u.x), u.y);
+        }
+        return lobe_mirrored(at, width, u);
+    }
+    if k == 0u {
+        return along_axis(-at.o, fisher_cosine(u.x, 1.0 / (width * width)), u.y);
+    }
+    return along_axis(at.tangent, lobe_cone_sine(u.x, -dot(at.tangent, at.o), width), u.y);
 }
 
-fn lobe_density(at: LobeFrame, is_fiber: bool, w: vec3f) -> f32 {
-    let shares = lobe_shares(is_fiber);
-    var second = max(0.0, dot(at.normal, w)) / PI;
-    var third = 0.0;
-    if is_fiber {
-        second = lobe_cone_pdf(dot(at.tangent, w), -dot(at.tangent, at.o));
-        third = fisher_pdf(-dot(at.o, w), FORWARD_KAPPA);
+fn lobe_density(at: LobeFrame, lobes: Lobes, w: vec3f) -> f32 {
+    var density = max(1.0 - dot(lobes.shares, vec4f(1.0)), 0.0) * SPHERE_PDF;
+    if lobes.is_fiber {
+        let width = lobes.widths.x;
+        density += lobes.shares.x * fisher_pdf(-dot(at.o, w), 1.0 / (width * width));
     } else {
-        third = mirror_pdf(dot(at.mirror, w));
+        density += lobes.shares.x * max(0.0, dot(at.normal, w)) / PI;
     }
-    return shares.x * SPHERE_PDF + shares.y * second + shares.z * third;
+    for (var k = 1u; k < 4u; k++) {
+        let share = lobes.shares[k];
+        let width = lobes.widths[k];
+        if share > 0.0 && lobes.is_fiber {
+            density += share * lobe_cone_pdf(dot(at.tangent, w), -dot(at.tangent, at.o), width);
+        } else if share > 0.0 {
+            density += share * reflected_density(width, at.normal, at.o, w);
+        }
+    }
+    return density;
 }

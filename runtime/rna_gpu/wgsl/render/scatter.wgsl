@@ -40,8 +40,9 @@ fn scatter(@builtin(global_invocation_id) id: vec3<u32>) {
     } else {
         let is_fiber = v.kind == OF_FIBERS;
         let at = lobe_frame(v.shading, select(vec3f(0.0), v.axis, is_fiber), v.wo);
-        wi = lobe_sample(at, is_fiber, u.xy);
-        pdf = lobe_density(at, is_fiber, wi);
+        let lobes = surface_lobes(v.surface);
+        wi = lobe_sample(at, lobes, u.xy);
+        pdf = lobe_density(at, lobes, wi);
         let weight = beta / max(pdf, 1e-30);
         queries[k].at_point = Query(
             v.x, v.h, v.axis, v.part, v.wo, NONE, wi, v.strand, weight, 0.0, vec3f(0.0), 0u,

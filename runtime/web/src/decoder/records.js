@@ -1,7 +1,7 @@
 // Records of buffers by the names of their members: rna_gpu/records declares them, records.json has their places.
 import layouts from "../../../rna_gpu/wgsl/records.json";
 
-export const { constants, records, viewerLights } = layouts;
+export const { constants, records, usualLobes, viewerLights } = layouts;
 
 /** Takes the structs of a WGSL text, of numbers and vectors, to the records. */
 export function declare(wgsl) {

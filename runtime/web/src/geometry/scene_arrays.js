@@ -33,7 +33,7 @@ function* arraysOf(parts, glass) {
   for (const k of order) {
     const part = parts[k];
     arrays.parts[k] = { first: at.primitive, point: at.point, fiber: part.kind === "fiber" };
-    if (part.kind === "fiber") yield* addCurves(arrays, part.curves, k, at);
+    if (part.kind === "fiber") yield* addCurves(arrays, part, k, at);
     else yield* addMesh(arrays, part.mesh, yield* arrays.surfaces.ofTriangles(part, k), at);
     at = { primitive: at.primitive + counts[k].primitives, point: at.point + counts[k].points };
   }
@@ -95,8 +95,8 @@ function* addMesh(arrays, { positions, normals, uvs, indices }, surfaces, { prim
   });
 }
 
-function* addCurves(arrays, curves, part, { primitive, point }) {
-  const { boxes, primitives } = arrays, { radii, offsets } = curves, surface = arrays.surfaces.ofFibers(part);
+function* addCurves(arrays, part, k, { primitive, point }) {
+  const { boxes, primitives } = arrays, { curves } = part, { radii, offsets } = curves, surface = arrays.surfaces.ofFibers(part, k);
   yield* inSteps(0, radii.length, (from, to) => {
     for (let k = from; k < to; k++) {
       const [x, y, z] = curves.points.subarray(3 * k, 3 * k + 3);

@@ -16,8 +16,8 @@ export class SurfaceTable {
     Object.assign(this, { surfaces: [], textures: [], pieces: [], tint: WHITE }, given);
   }
 
-  ofFibers(part) {
-    return this._add({ kind: OF_FIBERS, part });
+  ofFibers({ sampling }, part) {
+    return this._add({ kind: OF_FIBERS, part, ...sampling[0].lobes });
   }
 
   /** materials: of readGlass. */
@@ -26,8 +26,8 @@ export class SurfaceTable {
   }
 
   /** In steps, the surface of each triangle of a mesh: those of the same records share it. */
-  *ofTriangles({ mesh, normalMaps, transmittance, baseColor }, part) {
-    const count = mesh.indices.length / 3, lists = [normalMaps, transmittance, baseColor];
+  *ofTriangles({ mesh, normalMaps, transmittance, baseColor, sampling }, part) {
+    const count = mesh.indices.length / 3, lists = [normalMaps, transmittance, baseColor, untilNext(sampling, count)];
     const numbers = lists.map((list) => recordOf(list, count)), known = new Map(), result = new Uint32Array(count);
     for (let k = 0; k < count; k++) {
       const row = numbers.map((list) => list[k]), key = row.join();
@@ -92,8 +92,8 @@ export class SurfaceTable {
     return this.surfaces.push({ normal_map: NONE, base_color: WHITE, textures: Array(TEXTURES).fill(NONE), ...surface }) - 1;
   }
 
-  *_ofRecords(part, map, pane, color) {
-    const number = this._add({ kind: OF_NEURAL, part }), surface = this.surfaces[number];
+  *_ofRecords(part, map, pane, color, { lobes }) {
+    const number = this._add({ kind: OF_NEURAL, part, ...lobes }), surface = this.surfaces[number];
     if (map) surface.normal_map = this._texture(map.texture);
     if (pane) {
       surface.flags = LETS_THROUGH | (pane.cutoff == null ? 0 : HAS_CUTOFF);
@@ -125,6 +125,11 @@ export class SurfaceTable {
       row_u: transform.slice(0, 3), row_v: transform.slice(3), label, colorSpace,
     }) - 1;
   }
+}
+
+/** Mixtures with the triangles that have them, up to the first ones of the next. */
+function untilNext(sampling, count) {
+  return sampling.map(({ first, lobes }, k) => ({ triangles: [first, (sampling[k + 1]?.first ?? count) - first], lobes }));
 }
 
 /** Of each triangle the number of its record, -1 for none. */

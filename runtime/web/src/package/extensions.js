@@ -2,6 +2,7 @@
 import published from "../../../../spec/schema/manifest.schema.json";
 import { checkEnvironment, ENVIRONMENT_SCHEMA } from "./environment_form.js";
 import { fail } from "./errors.js";
+import { checkSampling, SAMPLING_SCHEMA } from "./sampling.js";
 import { checkSchema } from "./schema.js";
 
 const path = { type: "string", pattern: "^[A-Za-z0-9_-][A-Za-z0-9._-]*(/[A-Za-z0-9_-][A-Za-z0-9._-]*)*$", maxLength: 200 };
@@ -58,6 +59,7 @@ const SCHEMAS = {
     }),
   },
   RNA_environment: ENVIRONMENT_SCHEMA,
+  RNA_sampling: SAMPLING_SCHEMA,
 };
 /** The prints that a manifest names, with what they have in the place of base colour. */
 export const variantsOf = ({ extensions }) => extensions?.RNA_variants?.variants ?? [];
@@ -133,5 +135,9 @@ const CHECKS = {
   RNA_environment(data, manifest, where) {
     checkCount(data.parts, manifest, where);
     checkEnvironment(data, manifest, where);
+  },
+  RNA_sampling(data, manifest, where) {
+    checkCount(data.parts, manifest, where);
+    checkSampling(data, manifest, where);
   },
 };

@@ -11,6 +11,7 @@ import { readImage } from "./images.js";
 import { checkEntries, readManifest } from "./manifest.js";
 import { readMesh } from "./mesh.js";
 import { readPlanes } from "./planes.js";
+import { samplingOf } from "./sampling.js";
 import { checkRecord, readNormalMap, readTransmittance } from "./textures.js";
 
 // A gap up to this is fetched with its neighbours: one request less.
@@ -108,7 +109,7 @@ export class Package {
   _part(part, tierPart, k, data) {
     const { kind, bounds, geometry } = part, where = `/parts/${k}`;
     const bytes = data.get(geometry);
-    const result = { name: part.name, kind, bounds: roundedBounds(bounds), inputs: tierPart.inputs };
+    const result = { name: part.name, kind, bounds: roundedBounds(bounds), inputs: tierPart.inputs, sampling: samplingOf(this.manifest, k) };
     if (kind === "surface") result.mesh = readMesh(bytes, geometry);
     else result.curves = readCurves(bytes, geometry);
     result.transmittance = (part.transmittance ?? []).map((record) => {

@@ -15,7 +15,7 @@ export const MARK = "rna_three_";
 /** Buffers of all parts and tiers of an asset. */
 export class SharedBuffers {
   constructor({ nodes, primitives, points, surfaces, ...facts }) {
-    this.facts = facts;
+    this.facts = { ...facts, mixtures: surfaces.surfaces };
     this.surfaces = new SurfaceTable(surfaces);
     const { hasBaseColor, texturesAt, table } = this.surfaces.arrays();
     this.facts.printed = hasBaseColor ? { texturesAt: 4 * texturesAt, imagesAt: table.length } : null;

@@ -17,22 +17,25 @@ export const LETTERS = { transport: "", visible: "", shadowed: "s", emission: "e
 // Buffers of three.js are members `value` of structs; it declares them itself.
 const BUFFER = /\brna([se]?)_(nodes|primitives|points|weights|planes|images)\[/g;
 const WITHOUT_BASE_COLOR = "fn base_color_on(record: RnaPrimitive, p: mat3x3f, b: vec3f, width: f32) -> vec3f { return vec3f(1.0); }";
+const SAMPLING = ["render/directions.wgsl", "render/ggx.wgsl", "render/lobes.wgsl"];
 const filesOf = (name) => (name in sharedFiles ? [name] : compositions[name].flatMap(filesOf));
 
 /**
- * groups: RNA_GROUPS. forms: of the decoders. planeWords: of a plane. normalsAt: place of the first normal among the points.
+ * mixtures: of all surfaces, by their number. groups: RNA_GROUPS. forms: of the decoders. planeWords: of a plane. normalsAt: place of the first normal among the points.
  * hasSegments: some part is of strands. printed: { texturesAt, imagesAt } of the words of base colour, or null.
  */
-export function partSource({ kind, groups, forms, planeWords, normalsAt, extent, hasSegments, printed }) {
+export function partSource({ kind, mixtures, groups, forms, planeWords, normalsAt, extent, hasSegments, printed }) {
   // The name of a query is that of a triangle's surface in geometry.wgsl; what part.wgsl has is below.
   const instead = { "surface.wgsl": sharedFiles["surface.wgsl"].replace(/\brna_surface\(/g, "rna_surface_query("), "part.wgsl": "" };
   if (!hasSegments) instead["segment.wgsl"] = withoutSegments;
-  const names = [...new Set([...filesOf(kind), ...filesOf("trace"), "visibility.wgsl", ...(printed ? ["images.wgsl"] : [])])];
+  const names = [...new Set([...filesOf(kind), ...filesOf("trace"), "visibility.wgsl", ...SAMPLING, ...(printed ? ["images.wgsl"] : [])])];
   const shared = names.map((name) => instead[name] ?? sharedFiles[name]).join("\n")
     .replace(/^@group.*;.*$/gm, "");
   const declarations = `
     const RNA_GROUPS: u32 = ${groups}u;
     const EXTENT: f32 = ${float(extent)};
+    const PI: f32 = ${Math.PI};
+    const MIXTURES = array<Lobes, ${mixtures.length}>(${mixtures.map(lobesText).join(", ")});
     const NORMALS_AT: u32 = ${normalsAt}u;
     var<private> rna_values: array<vec4f, 2u * RNA_GROUPS>;
     var<private> rna_instances: array<RnaInstance, 1>; // one body, in its own space
@@ -72,4 +75,6 @@ function placesOf({ texturesAt, imagesAt }) {
   return Object.entries(places).map(([name, value]) => `const ${name}: u32 = ${value}u;\n`).join("");
 }
 
+const lobesText = ({ kind, lobe_shares, lobe_widths }) => `Lobes(${kind === constants.OF_FIBERS}, ${vector(lobe_shares)}, ${vector(lobe_widths)})`;
+const vector = (values) => `vec4f(${values.map(float).join(", ")})`;
 const float = (value) => (Number.isInteger(value) ? `${value}.0` : String(value));

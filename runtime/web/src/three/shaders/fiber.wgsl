@@ -10,6 +10,7 @@ fn begin(primitive: u32, x: vec3f, wo: vec3f, width: f32) -> f32 {
     vertex.ng = entry.normal;
     vertex.wo = wo;
     vertex.strand = rna_strand(record);
+    vertex.surface = rna_surface(record);
     let way = cone.b - cone.a;
     let size = max(abs(way.x), max(abs(way.y), abs(way.z)));
     vertex.axis = normalize(way / size);

@@ -24,43 +24,13 @@ fn self_visibility(wi: vec3f, wants_entry: bool) -> vec2f {
     return vec2f(0.0, far - entry.t + MAP_MARGIN * EXTENT);
 }
 
-const MIRRORED = 1.0 / 3.0;
-const FROM_ALL_SIDES = 0.25;
-const MIRROR_KAPPA = 60.0;
-
-fn about(axis: vec3f, cosine: f32, turn: f32) -> vec3f {
-    let side = select(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 1.0, 0.0), abs(axis.x) > 0.7);
-    let u = normalize(cross(side, axis));
-    let angle = 6.2831853 * turn;
-    let radius = sqrt(max(0.0, 1.0 - cosine * cosine));
-    return radius * (cos(angle) * u + sin(angle) * cross(axis, u)) + cosine * axis;
-}
-
-// One of `count` directions about a point, and its density, as the viewer draws them: some about the mirror direction,
-// some by the cosine about the normal, some from all sides, since light comes through; about strands all of these.
+// One of `count` directions about a point, and its density: those of the rays that leave the asset.
 fn direction_about(number: f32, count: f32, turn: f32) -> vec4f {
-    let v = vertex;
-    let wo = v.wo;
-    let n = select(v.n, -v.n, dot(v.n, wo) < 0.0);
-    let mirror = reflect(-wo, n);
-    let share = select(MIRRORED, 0.0, v.strand != RNA_NOTHING);
-    let all = select(FROM_ALL_SIDES, 1.0, v.strand != RNA_NOTHING);
+    let at = lobe_frame(vertex.n, vertex.axis, vertex.wo);
     let place = (number + fract(12.9898 * turn + 0.7548777 * number)) / count;
     let angle = fract(turn + number * 0.61803399);
-    var wi: vec3f;
-    if place < share {
-        let u = place / share;
-        wi = about(mirror, 1.0 + log(u + (1.0 - u) * exp(-2.0 * MIRROR_KAPPA)) / MIRROR_KAPPA, angle);
-    } else {
-        let rest = (place - share) / (1.0 - share);
-        if rest < all {
-            wi = about(n, 1.0 - 2.0 * rest / all, angle);
-        } else {
-            wi = about(n, sqrt((rest - all) / (1.0 - all)), angle);
-        }
-    }
-    let scale = MIRROR_KAPPA / (6.2831853 * (1.0 - exp(-2.0 * MIRROR_KAPPA)));
-    let in_lobe = scale * exp(MIRROR_KAPPA * (dot(mirror, wi) - 1.0));
-    let in_rest = mix(max(0.0, dot(n, wi)) / 3.14159265, 1.0 / 12.5663706, all);
-    return vec4f(wi, mix(in_rest, in_lobe, share));
+    var mixtures = MIXTURES;
+    let lobes = mixtures[vertex.surface];
+    let wi = lobe_sample(at, lobes, vec2f(place, angle));
+    return vec4f(wi, lobe_density(at, lobes, wi));
 }

@@ -28,6 +28,7 @@ fn triangle_vertex(record: RnaPrimitive, x: vec3f, width: f32) -> Vertex {
     v.lift = rna_lift(v.x, b, p, n);
     v.axis = v.n;
     v.strand = RNA_NOTHING;
+    v.surface = rna_surface(record);
     v.base_color = base_color_on(record, p, b, width);
     return v;
 }

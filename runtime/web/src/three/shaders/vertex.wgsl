@@ -8,6 +8,7 @@ struct Vertex {
     axis: vec3f, // what the decoder is asked with: normal or tangent
     h: f32,
     strand: u32,
+    surface: u32, // number of it
     wo: vec3f,
     base_color: vec3f,
 }

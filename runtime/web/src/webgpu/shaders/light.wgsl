@@ -6,51 +6,23 @@ struct Arrival {
     radiance: vec3f, // over the density
 }
 
-// Directions about a point: some about the mirror direction, where highlights lie; of the others some from all sides,
-// since light comes through, and the rest by the cosine about the normal. A vector of zero stands for none: the ground
-// has no highlights, and about a strand all come from all sides.
+// Directions about a point: of an asset those of the rays that leave it, of the ground by the cosine.
 struct Surroundings {
-    n: vec3f, // turned to the viewer
-    mirror: vec3f,
+    at: LobeFrame,
+    lobes: Lobes,
 }
 
-const MIRRORED = 1.0 / 3.0;
-const FROM_ALL_SIDES = 0.25;
-
-fn mirrored_share(at: Surroundings) -> f32 {
-    return select(MIRRORED, 0.0, all(at.mirror == vec3f(0.0)));
-}
-
-fn direction_about(at: Surroundings, u: vec2f) -> vec3f {
-    let share = mirrored_share(at);
-    if u.y < share {
-        return normalize(along_axis(at.mirror, mirror_cosine(u.y / share), u.x));
-    }
-    let rest = (u.y - share) / (1.0 - share);
-    let all_sides = rest < FROM_ALL_SIDES;
-    let v = select((rest - FROM_ALL_SIDES) / (1.0 - FROM_ALL_SIDES), rest / FROM_ALL_SIDES, all_sides);
-    let ball = along_axis(vec3f(0.0, 0.0, 1.0), 1.0 - 2.0 * v, u.x);
-    return normalize(ball + select(at.n * 1.0001, vec3f(0.0), all_sides));
-}
-
-fn density_about(at: Surroundings, wi: vec3f) -> f32 {
-    if all(at.n == vec3f(0.0)) {
-        return SPHERE_PDF;
-    }
-    let rest = mix(max(0.0, dot(at.n, wi)) / PI, SPHERE_PDF, FROM_ALL_SIDES);
-    return mix(rest, mirror_pdf(dot(at.mirror, wi)), mirrored_share(at));
-}
+const GROUND_SHARE = 0.75; // of the cosine lobe; light that is low comes from all sides
 
 fn surroundings_of(pixel: Pixel) -> Surroundings {
+    let up = vec3f(0.0, 1.0, 0.0);
     if pixel.axis.w == 0u {
-        return Surroundings(vec3f(0.0, 1.0, 0.0), vec3f(0.0)); // of the ground
+        let lobes = Lobes(false, vec4f(GROUND_SHARE, 0.0, 0.0, 0.0), vec4f(1.0));
+        return Surroundings(LobeFrame(up, up, up), lobes);
     }
-    if rna_is_segment(rna_primitives[pixel.wo.w]) {
-        return Surroundings(vec3f(0.0), vec3f(0.0));
-    }
-    let n = bitcast<vec3f>(pixel.axis.xyz);
-    let wo = bitcast<vec3f>(pixel.wo.xyz);
-    return Surroundings(select(n, -n, dot(n, wo) < 0.0), reflect(-wo, n));
+    let axis = bitcast<vec3f>(pixel.axis.xyz); // the normal, or the tangent
+    let lobes = surface_lobes(rna_surface(rna_primitives[pixel.wo.w]));
+    return Surroundings(lobe_frame(axis, axis, bitcast<vec3f>(pixel.wo.xyz)), lobes);
 }
 
 // The direction of queries for lobes. To the ground one by the cosine, with the irradiance in the view's colour.
@@ -78,14 +50,16 @@ fn arrival_at(number: u32, pixel: Pixel) -> Arrival {
     if view.kind == LIGHT_MIRROR {
         return mirrored(u, pixel);
     }
-    let at = surroundings_of(pixel);
+    let about_point = surroundings_of(pixel);
     if is_bright {
         let bright = sample_image(0u, u);
-        return Arrival(bright.wi, bright.radiance / (bright.pdf + density_about(at, bright.wi)));
+        let pdf = lobe_density(about_point.at, about_point.lobes, bright.wi);
+        return Arrival(bright.wi, bright.radiance / (bright.pdf + pdf));
     }
-    let wi = direction_about(at, u);
+    let wi = lobe_sample(about_point.at, about_point.lobes, u.yx);
     let sky = look_up_image(0u, wi);
-    return Arrival(wi, sky.radiance / (sky.pdf + density_about(at, wi)));
+    let pdf = lobe_density(about_point.at, about_point.lobes, wi);
+    return Arrival(wi, sky.radiance / (sky.pdf + pdf));
 }
 
 // Where rays of light start, the strand that they pass, and what is sent on of the light; of the ground how much it
