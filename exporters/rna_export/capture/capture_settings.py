@@ -17,7 +17,7 @@ WHITE_RAYS = 2048
 _MAX_POSES = 32
 _SHARDS = 32  # at least, where there are as many lights
 _MAX_RAYS, _MAX_SAMPLES, _MAX_VIEWS, _MAX_SIDE = 1 << 24, 1 << 20, 1000, 8192
-CLAMP_DIRECT, CLAMP_INDIRECT = 0.0, 100.0
+CLAMP_DIRECT, CLAMP_INDIRECT = 0.0, 30.0
 """Of radiance, 0: none. The paper, section 4.1, has 20 and 10 (docs/decisions/capture.md)."""
 
 
