@@ -215,16 +215,18 @@ def test_heights_become_the_normals_that_cycles_shades_with(
     exported = exported_parts(worker, CaptureSettings())
     assert exported.notes == [] and exported.mapped == ("leather",)
     place = np.random.default_rng(1).uniform([0.1, 0.1], [1.9, 0.9], (1024, 2))
-    origins = np.column_stack([place[:, 0], np.full(1024, 3.0), -place[:, 1]]).astype(np.float32)
-    down = np.tile(np.float32([0, -1, 0]), (1024, 1))
-    rendered = worker.render_rays(origins, down, unit(0, 1, 0), 1, seed=1, normals=True)
+    points = np.column_stack([place[:, 0], 0.25 * place[:, 0], -place[:, 1]])
+    origins = np.tile(np.float32([1.0, 3.0, -0.5]), (1024, 1))
+    directions = (points - origins) / np.linalg.norm(points - origins, axis=1, keepdims=True)
+    rays = origins, directions.astype(np.float32)
+    rendered = worker.render_rays(*rays, unit(0, 1, 0), 1, seed=1, normals=True)
     materials = exported.transmittances(), exported.normal_maps()
     scene = AssetScene(tuple(exported.geometries.values()), SHARPEST, *materials)
-    points = scene.shade_points(origins, down)
-    (on,) = points.on
+    hits = scene.shade_points(*rays)
+    (on,) = hits.on
     mapped = on.fields["normal"]
     flat = unit(-0.25, 1, 0)
-    assert points.hit.all() and rendered.normal is not None
+    assert hits.hit.all() and rendered.normal is not None
     bent, off = (
         np.degrees(np.arccos(np.clip(np.sum(rendered.normal * n, axis=1), -1, 1)))
         for n in (flat, mapped)
