@@ -72,7 +72,7 @@ def _plain(corner: str, counts: dict[str, int], so_far: dict[str, int]) -> str:
     parts = corner.split("/")
     if len(parts) > len(_KINDS):
         raise ValueError(f"a face has the corner {corner!r}; expected vertex/texture/normal")
-    plain = []
+    plain: list[str] = []
     for part, (kind, name) in zip(parts, _KINDS.items(), strict=False):
         if not part and plain:
             plain.append("")
