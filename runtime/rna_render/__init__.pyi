@@ -18,5 +18,4 @@ from .paths.sampling import Sampler as Sampler
 from .paths.world_in_time import load_world as load_world
 from .world.camera import Camera as Camera
 from .world.placements import place_asset as place_asset
-from .world.placements import placed_box as placed_box
 from .world.world import World as World

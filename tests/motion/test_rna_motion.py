@@ -15,6 +15,8 @@ from rna_export.capture.geometry.followed_source import captured_poses
 from rna_export.capture.geometry.mesh_cleanup import welded
 from rna_export.motion.rna_motion import main
 from rna_render import open_asset_motion
+from rna_render.motion.asset_motion import bound_gltf
+from rna_render.motion.gltf_motion import GltfMotion
 from rna_sdk.errors import CaptureError
 from rna_sdk.motion import open_motion
 from rna_sdk.package import Curves, Mesh, Provenance, SourceVertices, Tier, write_package
@@ -22,7 +24,7 @@ from rna_sdk.package.manifest.manifest_model import REST_FRAME
 from rna_sdk.package.packing import Unpacked
 from rna_sdk.runtime import load
 from tests.conftest import REPOSITORY
-from tests.motion.gltf_files import bending_arm, moving_node
+from tests.motion.gltf_files import bending_arm, moving_node, quaternion
 from tests.package.builders import (
     FIBER_INPUTS,
     make_manifest,
@@ -117,6 +119,21 @@ def test_sources_of_no_motion_are_one_line(
     assert main([str(fits), str(TOY), "--out", str(out), "--frames", "0-99"]) == 1
     assert "has frames 0 to 24, and no frame 25" in capsys.readouterr().err
     assert not out.exists()
+
+
+@pytest.mark.blender
+def test_an_animated_gltf_is_captured_at_its_first_keys(
+    tmp_path: Path, blender_python: Path
+) -> None:
+    """Where the next clip of the character may begin, and not 1/24 s into this one."""
+    turns = [quaternion((0, 1, 0), angle) for angle in (30, 80)]
+    path = moving_node(tmp_path / "walk.gltf", load(TOY).mesh, [("rotation", [0, 0.5], turns)])
+    with BlenderWorker(blender_python, Source(path), tmp_path / "worker", 1) as worker:
+        assert worker.opened["frame"] == 0
+        mesh, _ = welded(worker.export_corners())
+    motion = GltfMotion(path)
+    bound_gltf(motion, [mesh], "walk.rna", rest_frame=0)
+    assert np.ptp(motion.positions(0) - motion.positions(1), axis=0).max() > 0.01
 
 
 @pytest.mark.blender

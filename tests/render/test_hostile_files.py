@@ -185,7 +185,9 @@ def test_meshes_of_uneven_lines(name, tmp_path):
     try:
         assert read(tmp_path / name).positions.shape[1] == 3
     except SceneError as error:
-        assert f"{name}: it cannot be read as" in str(error)
+        said = str(error)
+        assert f"{name}: it cannot be read as" in said or f"{name}:6: a face has the corner" in said
+        assert said.isprintable()
 
 
 def png(width: int, height: int) -> bytes:
@@ -245,7 +247,8 @@ def test_a_pipe_is_no_scene_nor_environment_nor_buffer(tmp_path):
 
 YAML = {
     "assets: " + "[" * 600: "too deep for a scene",
-    "seed: " + "1:" * 20000 + "1\n" + CAMERA + "ground: {}\n": "a number of thousands of digits",
+    "seed: " + "1:" * 20000 + "1\n" + CAMERA + "ground: {}\n": "seed: expected a whole number",
+    "seed: " + "1" * 5000 + "\n" + CAMERA + "ground: {}\n": "too many digits",
     "seed: 0x" + "f" * 5000 + "\n" + CAMERA + "ground: {}\n": "a number of thousands of digits",
     'assets: [{path: "a\\0b.rna"}]\n' + CAMERA: r"assets\[0\].path: must not contain a NUL",
     f"assets: [{{path: {'a' * 300}.rna}}]\n" + CAMERA: r"assets\[0\].path: is too long",

@@ -36,23 +36,10 @@ class Placement:
     shapes: Sequence[Shape] | None = None
     after: NextFrame | None = None
 
-    def box(self) -> tuple[np.ndarray, np.ndarray]:
-        """Lower and upper corner of the asset's or the object's box in the world, each (3,)."""
-        return placed_box(self.world_from_object, *self.own_box)
-
     @cached_property
     def own_box(self) -> tuple[np.ndarray, np.ndarray]:
-        """The same in the asset's or the object's own space."""
+        """Lower and upper corner, each (3,), of its box in its own space."""
         return _box(self.object, self.shapes)
-
-
-def placed_box(
-    world_from_object: np.ndarray, low: np.ndarray, high: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
-    """Lower and upper corner, each (3,), of a box in the world about an object's box."""
-    corners = np.array(np.meshgrid(*np.stack([low, high], axis=1))).reshape(3, -1)
-    placed = world_from_object[:3, :3] @ corners + world_from_object[:3, 3:]
-    return placed.min(axis=1), placed.max(axis=1)
 
 
 def _box(

@@ -1,14 +1,20 @@
-"""Compares the files of a dataset with its manifest, which knows what was planned and captured."""
+"""Compares the files of a dataset with what its manifest plans, and with what captures recorded."""
 
 from __future__ import annotations
 
+import json
 import sys
 from collections.abc import Sequence
+from pathlib import Path
+
+from pydantic import TypeAdapter, ValidationError
 
 from rna_export.capture.dataset.dataset_folder import FOLDERS, Dataset
+from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import CaptureError
 from rna_work.cached import content_hash
 
+_RECORD = "files.json"
 _SHOWN = 3  # names of files
 
 
@@ -31,7 +37,7 @@ def check_complete(dataset: Dataset, accepts: bool) -> None:
 
 def differences(dataset: Dataset) -> list[str]:
     """What is uncaptured, missing or replaced, a phrase each with numbers and names of files."""
-    folder, recorded = dataset.folder, dataset.manifest.files
+    folder, recorded = dataset.folder, _recorded(dataset.folder)
     planned = [path.relative_to(folder).as_posix() for path in dataset.planned_files()]
     absent = {name for name in {*planned, *recorded} if not (folder / name).is_file()}
     groups = {
@@ -53,10 +59,22 @@ def _phrase(names: Sequence[str], total: int, what: str) -> str:
 
 
 def record_files(dataset: Dataset) -> None:
-    """Note in the manifest the contents of all files that are there, once."""
-    folder, recorded = dataset.folder, dataset.manifest.files
+    """Note the contents of all files that are there, once."""
+    folder, recorded = dataset.folder, _recorded(dataset.folder)
     paths = [path for inner in FOLDERS for path in sorted((folder / inner).rglob("*"))]
     names = (path.relative_to(folder).as_posix() for path in paths if path.is_file())
     new = {name: content_hash(folder / name) for name in names if name not in recorded}
     if new:
-        dataset.change_manifest(files=dict(sorted({**recorded, **new}.items())))
+        text = json.dumps(dict(sorted({**recorded, **new}.items())), indent=1)
+        write_atomically(folder / _RECORD, f"{text}\n".encode())
+
+
+def _recorded(folder: Path) -> dict[str, str]:
+    """SHA-256 by name, of the files that were there when a capture had finished."""
+    path = folder / _RECORD
+    try:
+        return TypeAdapter(dict[str, str]).validate_json(path.read_bytes())
+    except FileNotFoundError:
+        return {}
+    except ValidationError as error:
+        raise CaptureError(f"{path}: expected SHA-256 by names of files") from error

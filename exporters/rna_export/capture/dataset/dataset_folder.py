@@ -2,6 +2,7 @@
 
 toy.rays/
   manifest.json               parts, settings, source, what is planned
+  files.json                  SHA-256 of the files below, once a capture has finished
   geometry/NAME.safetensors   the mesh or the strands of a part, object space
   poses/00012.safetensors     positions of the parts at a frame of the source, arrays NAME
   transmittance/0.safetensors texture of a material that lets light through, as in a package
@@ -184,11 +185,8 @@ class Dataset:
 
     def change_settings(self, changes: Mapping[str, int | float]) -> None:
         """Change settings of what is not captured yet."""
-        self.change_manifest(settings=self.manifest.settings.model_copy(update=dict(changes)))
-
-    def change_manifest(self, **changes: object) -> None:
-        """Write the manifest with other values for some members."""
-        self.manifest = self.manifest.model_copy(update=changes)
+        settings = self.manifest.settings.model_copy(update=dict(changes))
+        self.manifest = self.manifest.model_copy(update={"settings": settings})
         self.manifest.write(self.folder / "manifest.json")
 
     def remove_unfinished(self) -> None:
@@ -201,7 +199,8 @@ class Dataset:
         """Note in the manifest which processors rendered, by `rna_sdk.cpu.processor_key`."""
         processors = tuple(sorted({*self.manifest.processors, *keys}))
         if processors != self.manifest.processors:
-            self.change_manifest(processors=processors)
+            self.manifest = self.manifest.model_copy(update={"processors": processors})
+            self.manifest.write(self.folder / "manifest.json")
 
     def geometry_path(self, part: str) -> Path:
         return _geometry_path(self.folder, part)

@@ -116,7 +116,6 @@ class CaptureManifest(DatasetModel):
     notes: tuple[str, ...] = ()
     processors: tuple[str, ...] = ()  # that rendered: where one is another, bits may differ
     scene_domain: Domain | None = None  # of --for; in the place of settings.domain
-    files: dict[str, str] = Field({})  # SHA-256 of those that were there when a capture finished
 
     @property
     def domain(self) -> Domain:

@@ -18,6 +18,7 @@ from rna_sdk.errors import SceneError
 
 _KINDS = {"v": "vertex", "vt": "texture coordinate", "vn": "normal"}
 _FACE = re.compile(r"^[ \t]*f[ \t]+([^#\r\n]*)", re.MULTILINE)
+_SHOWN = 40  # characters of a corner
 # Columns of a corner, by how many of its parts there are and how many slashes.
 _FORMS = {(1, 0): ["v"], (2, 1): ["v", "vt"], (2, 2): ["v", "vn"], (3, 2): ["v", "vt", "vn"]}
 
@@ -71,14 +72,16 @@ def _plain(corner: str, counts: dict[str, int], so_far: dict[str, int]) -> str:
     """A corner with all indices from 1 on. so_far: what there is before its face."""
     parts = corner.split("/")
     if len(parts) > len(_KINDS):
-        raise ValueError(f"a face has the corner {corner!r}; expected vertex/texture/normal")
+        raise ValueError(
+            f"a face has the corner {corner[:_SHOWN]!r}; expected vertex/texture/normal"
+        )
     plain: list[str] = []
     for part, (kind, name) in zip(parts, _KINDS.items(), strict=False):
         if not part and plain:
             plain.append("")
             continue
         if not re.fullmatch(r"[-+]?[0-9]{1,18}", part):
-            raise ValueError(f"a face has the corner {corner!r}; expected integers")
+            raise ValueError(f"a face has the corner {corner[:_SHOWN]!r}; expected integers")
         index = int(part) + (so_far[kind] + 1 if part.startswith("-") else 0)
         if not 1 <= index <= counts[kind] or int(part) == 0:
             raise ValueError(
