@@ -15,8 +15,8 @@ from rna_sdk.error_words import error_text
 DEFINITION = (
     "FLIP of the sRGB images over black, the asset's pixels alone, without the references' noise; "
     "mean over images, and 95th percentile of all these pixels; each image is exposed so that 95% "
-    "of the asset's pixels have a luminance below 0.8, at most 3 stops more than three of four "
-    "images would be; those that would need 5 stops more are without light and do not count"
+    "of the asset's pixels have a luminance below 0.8, at most 3 stops more than the image at the "
+    "upper quartile; images 5 stops darker than that one are without light and do not count"
 )
 SHOWN_AT = 0.8
 """Displayed luminance, linear, of the 95th percentile of the asset's pixels in a picture."""

@@ -15,7 +15,7 @@ from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.capture_tasks import TrainingShard, ValidationHalf, all_tasks
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_part import DatasetPart
-from rna_export.capture.rays.capture_directions import light_direction
+from rna_export.capture.rays.capture_directions import BEHIND, light_direction
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Mesh
 from tests.exporters.meshes import ring, sphere
@@ -188,7 +188,9 @@ def test_two_of_sixteen_views_are_close_ups_and_six_are_lit_from_behind(tmp_path
     covered = np.array([len(view.pixel) / view.resolution**2 for view in views])
     assert list(np.flatnonzero(covered == 1.0)) == [3, 15, 19, 31]
     assert all(0.5 < share < 0.85 for share in covered[covered < 1.0])
-    behind = [view.samples["wo"].mean(axis=0) @ view.samples["wi"][0] < -0.4 for view in views]
+    eyes = [view.samples["wo"].mean(axis=0) for view in views]
+    cosine = [e @ v.samples["wi"][0] / np.linalg.norm(e) for e, v in zip(eyes, views, strict=True)]
+    behind = np.array(cosine) <= BEHIND
     assert list(np.flatnonzero(behind)) == [k for k in range(32) if k % 8 in (1, 3, 6)]
 
 

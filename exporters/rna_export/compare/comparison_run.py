@@ -66,12 +66,15 @@ class Pair:
 
     @property
     def error(self) -> str:
-        """In words: FLIP and PSNR, neither with Cycles' noise; of a white world its light, too."""
+        """In words: FLIP and PSNR, neither with Cycles' noise; in a white world the light alone.
+
+        FLIP there is mostly that of our own noise, which suns do not make.
+        """
+        if (returned := returned_light([self])) is not None:
+            return albedo_text(returned, None)
         clean = self.psnr_without_noise
         bound = "at least " if clean.high is None else ""
         text = f"FLIP {self.flip.mean:.3f}, PSNR {bound}{clean.db:.1f} dB"
-        if (returned := returned_light([self])) is not None:
-            text = f"{albedo_text(returned, None)}, {text}"
         return text if self.is_lit else f"{text}; without light, it does not count"
 
 

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rna_export.capture.rays.capture_directions import around, reflect
+from rna_export.capture.rays.capture_directions import GOLDEN, around, reflect
 from rna_render.world.neural_sampling import Lobe, LobeMixture
 
 WIDEST = 0.8  # alpha of GGX
@@ -22,7 +22,6 @@ _UNIFORM, _COSINE, _MIRROR = 4, 5, 7
 LIGHTS = _UNIFORM + _COSINE + _MIRROR
 """Directions of a point, which have one density together."""
 
-_GOLDEN = (np.sqrt(5.0) - 1.0) / 2.0  # of a turn, between neighbouring directions
 _FIBER = LobeMixture(cone=(Lobe(0.6, 0.06),)).everywhere
 
 
@@ -47,7 +46,7 @@ def surface_lights(
     for count in (_UNIFORM, _COSINE, _MIRROR):
         for number in range(count):
             u = (number + shift[:, 0]) / count
-            turn = 2.0 * np.pi * ((shift[:, 1] + number * _GOLDEN) % 1.0)
+            turn = 2.0 * np.pi * ((shift[:, 1] + number * GOLDEN) % 1.0)
             if count == _UNIFORM:
                 wi = around(n, 1.0 - 2.0 * u, turn)
             elif count == _COSINE:
@@ -65,7 +64,7 @@ def fiber_lights(
     shift = rng.random((len(tangent), 2))
     for number in range(LIGHTS):
         u = np.stack(
-            [(number + shift[:, 0]) / LIGHTS, (shift[:, 1] + number * _GOLDEN) % 1.0], axis=1
+            [(number + shift[:, 0]) / LIGHTS, (shift[:, 1] + number * GOLDEN) % 1.0], axis=1
         )
         wi = _FIBER.sample(*at, u)
         yield LightSamples(wi, _FIBER.pdf(*at, wi).astype(np.float64))

@@ -11,6 +11,7 @@ import numpy as np
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.rays.asset_scene import AssetScene
 from rna_export.capture.rays.capture_directions import (
+    GOLDEN,
     direction_seen_from,
     directions_in,
     spread_point,
@@ -35,7 +36,7 @@ def validation_light(seed: int, region: Region, view: int, rays: ViewRays) -> np
     Angles to the eye are spread evenly over the views lit from behind, and over the others.
     """
     number, behind = _place(view, 8, LIT_FROM_BEHIND)
-    rank = spread_point(number, [seed, 8, int(behind)])[0]
+    rank = (np.random.default_rng([seed, 8, int(behind)]).random() + number * GOLDEN) % 1.0
     rng = np.random.default_rng([seed, 9, view])
     return direction_seen_from(region, -rays.directions.mean(axis=0), behind, rank, rng)
 
