@@ -209,7 +209,7 @@ def test_an_asset_that_gains_too_little_does_not_get_it(
     assert nearby_choice.with_nearby(run, "off") == run
     assert nearby_choice.with_nearby(run, "on").preset.model.nearby == usual_lengths(part)
     (run.out / "nearby.json").write_text("[]")
-    with pytest.raises(TrainingError, match="nearby.json: not a verdict of rna-train; delete it"):
+    with pytest.raises(TrainingError, match=r"nearby\.json: not a verdict of rna-train; delete it"):
         nearby_choice.with_nearby(run, "auto")
 
 
