@@ -9,30 +9,22 @@ import pytest
 
 from rna_sdk.conformance.kit import load_kit
 from rna_sdk.conformance.rna_conform import run_levels
-from rna_sdk.errors import QueryError
-from rna_sdk.package import Package
 from tests.conformance.conftest import KIT, InProcess
 
 
-@pytest.mark.parametrize("level", ["evaluate", "visibility", "normals", "base-color"])
+@pytest.mark.parametrize("level", ["evaluate", "nearby", "visibility", "normals", "base-color"])
 def test_it_passes(level: str) -> None:
     from rna_mitsuba import conformance_reader as reader
 
     program = InProcess(
-        reader.evaluate, reader.visibility, reader.normals, base_color=reader.base_color
+        reader.evaluate,
+        reader.visibility,
+        reader.normals,
+        nearby=reader.evaluate,
+        base_color=reader.base_color,
     )
     scores = list(run_levels(program, load_kit(KIT), [level]))
     assert scores and [score for score in scores if not score.passed] == []
-
-
-def test_nearby_light_is_refused() -> None:
-    from rna_mitsuba.evaluator import PartEvaluator
-
-    with (
-        Package.open(KIT / "packages" / "fiber-nearby.rna") as package,
-        pytest.raises(QueryError, match="it counts nearby light, which rna_mitsuba does not trace"),
-    ):
-        PartEvaluator(package, "small", 0)
 
 
 def test_rays_without_a_lift_fail() -> None:
