@@ -44,8 +44,8 @@ class PartEvaluator:
 
         form: "transport" gives (visible, shadowed), "emission" the one radiance, 0 of a part that
         does not emit. arrays: position, axis (normal or tangent), h (of fibers the offset across),
-        wo, and of transport wi, base_color and nearby, for which the part's means stand in. Lanes that are not active cost nothing where a whole
-        vector of them is not, and get 0.
+        wo, and of transport wi, base_color and nearby, for which the part's means stand in. Lanes
+        that are not active cost nothing where a whole vector of them is not, and get 0.
         """
         names = ("visible", "shadowed") if form not in self._decoders else (form,)
         if form == "emission" and not self.emits:

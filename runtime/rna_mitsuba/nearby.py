@@ -1,4 +1,4 @@
-"""Nearby light in Dr.Jit (spec/RNA.md, 7.3); `rna_sdk/reference/nearby.py` says the same in numpy."""
+"""Nearby light (spec/RNA.md, 7.3) in Dr.Jit; `rna_sdk/reference/nearby.py` has it in numpy."""
 
 from __future__ import annotations
 
