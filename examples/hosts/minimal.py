@@ -2,6 +2,7 @@
 
     python examples/hosts/minimal.py evaluate PACKAGE TIER PART QUERIES RESULTS
     python examples/hosts/minimal.py emission PACKAGE TIER PART QUERIES RESULTS
+    python examples/hosts/minimal.py nearby PACKAGE TIER PART QUERIES RESULTS
 
 Numbers in comments are the sections of spec/RNA.md. This reader trusts its file: a host that
 takes packages from anywhere makes the checks of section 10 first.
@@ -46,7 +47,7 @@ def answer(output, path, tier_name, number, x, axis, h, wo, wi, base_color=None,
     # 8: what is not finite, or has no direction, gets 0; all else is brought into range.
     counts_nearby = output == "transport" and "nearby" in tier_part
     if counts_nearby and nearby is None:
-        raise SystemExit(f"error: {path}: tier {tier_name} counts nearby light: pass it")
+        raise ValueError(f"{path}: tier {tier_name} counts nearby light: pass it")
     factors = [base_color] * uses_base_color + [nearby] * counts_nearby
     numbers = [x, axis, h, wo, wi, *factors]
     rows = np.isfinite(np.column_stack(numbers)).all(axis=1)

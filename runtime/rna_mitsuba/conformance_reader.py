@@ -100,5 +100,11 @@ def _rows(colour: mi.Color3f, count: int) -> np.ndarray:
 
 if __name__ == "__main__":
     sys.exit(
-        run_reader(evaluate=evaluate, visibility=visibility, normals=normals, base_color=base_color)
+        run_reader(
+            evaluate=evaluate,
+            nearby=evaluate,
+            visibility=visibility,
+            normals=normals,
+            base_color=base_color,
+        )
     )

@@ -9,7 +9,6 @@ from rna_mitsuba import vectors
 from rna_mitsuba.network import Network
 from rna_mitsuba.planes import Triplane
 from rna_mitsuba.vectors import is_zero, numbers, unit
-from rna_sdk.errors import QueryError
 from rna_sdk.package import Package, decoder_from_bytes, input_blocks
 
 Arrays = dict[str, mi.Float | mi.Vector3f]
@@ -22,16 +21,16 @@ class PartEvaluator:
         is_fiber: whether its axis is a tangent.
         uses_base_color: whether transport has a factor of the base colour.
         emits: whether it has emission.
+        nearby: the record of the nearby light that transport counts; None for none.
     """
 
     def __init__(self, package: Package, tier: str, part: int) -> None:
-        """Raises QueryError: there is no such tier, or the part counts nearby light in it."""
+        """Raises QueryError: there is no such tier."""
         record, tier_part = package.manifest.parts[part], package.tier(tier).parts[part]
         name = f"{record.name} in tier {tier}"
-        if tier_part.nearby is not None:
-            raise QueryError(f"{name}: it counts nearby light, which rna_mitsuba does not trace")
         self.is_fiber = record.kind == "fiber"
         self.uses_base_color = bool(tier_part.uses_base_color)
+        self.nearby = tier_part.nearby
         self._triplane = Triplane(package.planes(tier, part), record.bounds)
         self._decoders = {}
         for one in tier_part.decoders:
@@ -45,8 +44,8 @@ class PartEvaluator:
 
         form: "transport" gives (visible, shadowed), "emission" the one radiance, 0 of a part that
         does not emit. arrays: position, axis (normal or tangent), h (of fibers the offset across),
-        wo, and wi and base_color of transport. Lanes that are not active cost nothing where a whole
-        vector of them is not, and get 0.
+        wo, and of transport wi, base_color and nearby, for which the part's means stand in. Lanes
+        that are not active cost nothing where a whole vector of them is not, and get 0.
         """
         names = ("visible", "shadowed") if form not in self._decoders else (form,)
         if form == "emission" and not self.emits:
@@ -67,14 +66,21 @@ class PartEvaluator:
         inputs, network, colours = self._decoders[name]
         arrays = dict(arrays)
         color = mi.Color3f(arrays.pop("base_color", 1))
+        counted = arrays.pop("nearby", None)
+        counts_nearby = self.nearby is not None and name != "emission"
+        shares = self._shares(name, counted) if counts_nearby else []
         valid = active & _is_query(**arrays)
         scaled = self.uses_base_color and name != "emission"
         if scaled:
             valid &= dr.all(dr.isfinite(color))
+        for share in shares:
+            valid &= dr.all(dr.isfinite(share))
 
-        def ask(arrays, color, valid):  # type: ignore[no-untyped-def]
+        def ask(arrays, color, shares, valid):  # type: ignore[no-untyped-def]
             result = network(self._columns(inputs, valid, **arrays))
             light = [mi.Color3f(*result[3 * k : 3 * k + 3]) for k in range(len(result) // 3)]
+            if counts_nearby:
+                light = _with_nearby(light, shares, colours)
             if not scaled:
                 return tuple(light)
             pairs = zip(light[:colours], light[colours:], strict=True)
@@ -83,8 +89,18 @@ class PartEvaluator:
         def nothing(*_):  # type: ignore[no-untyped-def]
             return tuple(mi.Color3f(0) for _ in range(colours))
 
-        result: tuple[mi.Color3f, ...] = dr.if_stmt((arrays, color, valid), valid, ask, nothing)
+        state = arrays, color, shares, valid
+        result: tuple[mi.Color3f, ...] = dr.if_stmt(state, valid, ask, nothing)
         return result
+
+    def _shares(self, name: str, counted: mi.Vector3f | None) -> list[mi.Vector3f]:
+        """Nearby light for each result of a decoder."""
+        assert self.nearby is not None
+        means = {"visible": self.nearby.visible, "shadowed": self.nearby.shadowed}
+        names = [name] if name in means else list(means)
+        if counted is not None:
+            return [mi.Vector3f(counted)] * len(names)
+        return [mi.Vector3f(*means[of]) for of in names]
 
     def _columns(self, inputs, active, position, axis, h, wo, wi=None):  # type: ignore[no-untyped-def]
         p = self._triplane.place(position)
@@ -95,6 +111,20 @@ class PartEvaluator:
         blocks = input_blocks(vectors, inputs, p=p, n=axis, t=axis, h=h, f=f, wo=wo, wi=wi)
         blocks["features"] = tuple(features)
         return [column for name in inputs for value in blocks[name] for column in numbers(value)]
+
+
+def _with_nearby(
+    light: list[mi.Color3f], shares: list[mi.Vector3f], colours: int
+) -> list[mi.Color3f]:
+    """The first quarter of the colours, and each of the others times nearby light."""
+    count, mixed = len(light) // 4, []
+    for i in range(count):
+        share = dr.maximum(shares[i % colours], 0)
+        total = light[i]
+        for k in range(3):
+            total = total + share[k] * light[(k + 1) * count + i]
+        mixed.append(total)
+    return mixed
 
 
 def _is_query(position: mi.Point3f, h: mi.Float, **directions: mi.Vector3f) -> mi.Bool:

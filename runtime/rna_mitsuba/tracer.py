@@ -132,7 +132,7 @@ class Tracer:
         # Assets: the cosine is in the transport.
         on_asset = active & at.on_asset
         transport = self._world.transport(
-            at.hits, at.points, at.wo, wi, ds.dist * _SHADOW_END, on_asset
+            at.hits, at.points, at.wo, wi, ds.dist * _SHADOW_END, on_asset, state.sampler
         )
         value = dr.select(on_asset, transport, value)
         pdf = dr.select(on_asset, at.lobes.pdf(dr.detach(wi)), pdf)
@@ -166,7 +166,8 @@ class Tracer:
         if not self._has_environment:
             alive &= dr.isfinite(far)  # a ray into nothing brings nothing
         on_asset &= alive
-        transport = self._world.transport(at.hits, at.points, at.wo, wi, far, on_asset)
+        on_the_way = at.hits, at.points, at.wo, wi, far, on_asset
+        transport = self._world.transport(*on_the_way, state.sampler)
         weight = dr.select(at.on_asset, transport / pdf, weight)
         beta = state.beta * weight * passed
         state.eta = dr.select(on_plain, state.eta * bs.eta, state.eta)

@@ -16,6 +16,7 @@ from rna_sdk.runtime import DeformedCurves, DeformedMesh
 Shape = DeformedMesh | DeformedCurves
 
 NO_STRAND = 0xFFFFFFFF
+_PASSED = 0.5  # transmittance, the mean of its channels, from which columns of light go on
 _STEP = 2.0**-18  # of the largest coordinate: how far beyond a hit a ray goes on
 
 
@@ -43,6 +44,7 @@ class PackageScene:
 
     Attributes:
         geometries: of the parts.
+        diagonal: of the box of all parts.
         step: how far rays start off a surface, 2^-18 of the largest coordinate.
         is_plain: opaque meshes alone: a ray that meets one is blocked.
     """
@@ -65,6 +67,7 @@ class PackageScene:
         )
         self._pointers = [mi.ShapePtr(part) for part in parts.values()]
         self.step = _STEP * max(g.extent for g in self.geometries)
+        self.diagonal = float(dr.norm(self._scene.bbox().extents()))
         self.transmits = any(g.transmits for g in self.geometries)
         self.is_plain = not (self.transmits or any(g.is_fiber for g in self.geometries))
 
@@ -111,6 +114,28 @@ class PackageScene:
             label="visibility",
         )  # fmt: skip
         return state[0]
+
+    def first_opaque(self, o: mi.Point3f, d: mi.Vector3f, active: mi.Bool) -> mi.Float:
+        """Distance along rays to what stops a column of light; infinity for nothing."""
+        if not self.transmits:
+            return self.closest(o, d, mi.Float(dr.inf), active).t
+        state = dr.while_loop(
+            (mi.Float(0), mi.Float(dr.inf), mi.Bool(active), d, o),
+            lambda near, t, going, d, o: going,
+            lambda near, t, going, d, o: (*self._passed(near, t, going, d, o), d, o),
+            label="column",
+        )
+        return state[1]
+
+    def _passed(self, near, t, going, d, o):  # type: ignore[no-untyped-def]
+        """Go on to the next hit of a column."""
+        hits = self.closest(o + near * d, d, mi.Float(dr.inf), going)
+        going = going & dr.isfinite(hits.t)
+        near = near + hits.t
+        nobody = mi.UInt32(NO_STRAND), mi.UInt32(NO_STRAND)
+        passes = dr.mean(self.hit_transmittance(hits, o + near * d, d, *nobody, going)) >= _PASSED
+        t = dr.select(going & ~passes, near, t)
+        return near + self.step, t, going & passes
 
     def _met(self, v, near, last, going, d, o, far, part, strand):  # type: ignore[no-untyped-def]
         """Go on to the next hit."""

@@ -8,6 +8,7 @@ import drjit as dr
 import mitsuba as mi
 
 from rna_mitsuba.lobes import PointMixture
+from rna_mitsuba.nearby import nearby_estimate
 from rna_mitsuba.points import Points
 from rna_mitsuba.shape import RnaShape
 from rna_mitsuba.tracing import NO_STRAND, Hits
@@ -61,6 +62,8 @@ class World:
         self._shapes = shapes
         self._places = [Placement(shape) for shape in shapes]
         self.has_fibers = any(g.is_fiber for shape in shapes for g in shape.loaded.scene.geometries)
+        every = [part for shape in shapes for part in shape.loaded.evaluators]
+        self.counts_nearby = any(part.nearby is not None for part in every)
         self.emits = any(shape.loaded.emits for shape in shapes)
         self.transmits = any(shape.loaded.scene.transmits for shape in shapes)
 
@@ -151,8 +154,10 @@ class World:
         wi: mi.Vector3f,
         distance: mi.Float,
         active: mi.Bool,
+        sampler: mi.Sampler,
     ) -> mi.Color3f:
         """T of the contract, wo and wi in object space; distance: to the light, in the world."""
+        u = sampler.next_2d(active) if self.counts_nearby else None
         total = mi.Color3f(0)
         origin, _ = self.origins(hits, points, dr.detach(wi))
         for k, (shape, place) in enumerate(zip(self._shapes, self._places, strict=True)):
@@ -164,6 +169,9 @@ class World:
                 here = mine & (hits.part == part)
                 at = points.query(wo) | {"wi": wi}
                 at = scene.query(part, hits, points, at, here)
+                if evaluator.nearby is not None:
+                    column = points.x, wi, far, u, here
+                    at["nearby"] = nearby_estimate(scene, evaluator.nearby.lengths, *column)
                 total = dr.select(here, evaluator.transport(v, at, here), total)
         return total
 

@@ -11,7 +11,6 @@ from .embree.scenes import TriangleScene as TriangleScene
 from .embree.tracing import ClosestHits as ClosestHits
 from .fiber import FiberPoints as FiberPoints
 from .fiber import tangents as tangents
-from .nearby import nearby_estimate as nearby_estimate
 from .nearby import nearby_light as nearby_light
 from .normal_maps import NormalMaps as NormalMaps
 from .normal_maps import texture_numbers as texture_numbers

@@ -12,12 +12,16 @@ from rna_sdk.conformance.rna_conform import run_levels
 from tests.conformance.conftest import KIT, InProcess
 
 
-@pytest.mark.parametrize("level", ["evaluate", "visibility", "normals", "base-color"])
+@pytest.mark.parametrize("level", ["evaluate", "nearby", "visibility", "normals", "base-color"])
 def test_it_passes(level: str) -> None:
     from rna_mitsuba import conformance_reader as reader
 
     program = InProcess(
-        reader.evaluate, reader.visibility, reader.normals, base_color=reader.base_color
+        reader.evaluate,
+        reader.visibility,
+        reader.normals,
+        nearby=reader.evaluate,
+        base_color=reader.base_color,
     )
     scores = list(run_levels(program, load_kit(KIT), [level]))
     assert scores and [score for score in scores if not score.passed] == []

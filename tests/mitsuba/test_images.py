@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
+from tests.conformance.conftest import KIT
 from tests.render.studio import one_thread
 from tests.render.test_second_opinion import LEVEL, coarser, student_limit, welch
 
@@ -52,6 +53,24 @@ def test_assets_whose_boxes_overlap_shadow_each_other_alone(tmp_path: Path) -> N
         2,
     )
     assert_both_alike(pair, 48, tmp_path)
+
+
+@pytest.mark.parametrize("name", ["surface", "fiber"])
+def test_nearby_light_of_one_ray_a_sample_is_the_same(name: str, tmp_path: Path) -> None:
+    import rna_mitsuba
+    from tests.mitsuba.scene_pairs import Pair, sun
+
+    package, light = KIT / "packages" / f"{name}-nearby.rna", ((-0.6, 0.5, 0.7), (0.5, 0.4, 0.3))
+    pair = Pair(
+        {
+            "assets": [{"path": str(package)}],
+            "lights": [{"type": "directional", "direction": light[0], "irradiance": light[1]}],
+        },
+        {"asset": rna_mitsuba.asset(package), "sun": sun(*light)},
+        {"position": (1.9, 2.2, 1.8), "look_at": (0.0, 0.0, 0.0), "vertical_fov_deg": 35},
+        1,
+    )
+    assert_both_alike(pair, 16, tmp_path)
 
 
 def assert_both_alike(pair: Pair, samples: int, tmp_path: Path) -> None:

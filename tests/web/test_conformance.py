@@ -63,3 +63,9 @@ def test_page_gives_the_answers_of_the_kit(page, level):
         f"{s.package} {s.tier}: {s.in_tolerances:.3g} {s.note}" for s in scores if not s.passed
     ]
     assert not wrong, "\n".join(wrong)
+
+
+def test_nearby_light_is_refused(page):
+    package = base64_of(find_kit() / "packages" / "surface-nearby.rna")
+    with pytest.raises(Exception, match="counts nearby light, which this viewer does not trace"):
+        call_reader(page, "load", package, "one")

@@ -19,8 +19,8 @@ def with_nearby(entries: Entries, **changes: Any) -> bytes:
 CASES.add("FIELD_UNKNOWN", nearby_light_of_a_name=lambda e: with_nearby(e, name="glow"))
 CASES.add(
     "FIELD_MISSING",
-    nearby_light_without_means=in_manifest(
-        lambda m: tier_part(m).update(nearby={"lengths": GOOD["lengths"]})
+    nearby_light_without_a_mean=in_manifest(
+        lambda m: tier_part(m).update(nearby={k: v for k, v in GOOD.items() if k != "shadowed"})
     ),
 )
 CASES.add(
