@@ -177,7 +177,11 @@ def mutants(level: str) -> list[Mutant]:
             return [s for s in tree.body if getattr(s, "name", "") in functions]
 
         made += mutants_of(name, source, chosen)
-    return made
+    return [one for one in made if not any(word in one.name for word in _NOT_OF_READERS)]
+
+
+_NOT_OF_READERS = ("moves", "rounding", "Sequence[", "assert ")
+"""Words in lines that tell tolerances or types."""
 
 
 def source_of(module: str) -> str:

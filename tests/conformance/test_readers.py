@@ -368,10 +368,7 @@ MESHES = {
     *("surface-float32", "surface-clip", "surface-quantised", "surface-relief", "surface-tiny"),
     "surface-folds",
 }
-STRANDS = {
-    *("fiber-float16", "fiber-int8", "fiber-one-channel", "parts-head", "fiber-lone"),
-    "fiber-straight",
-}
+STRANDS = {"fiber-float16", "fiber-int8", "fiber-one-channel", "parts-head", "fiber-lone"}
 
 
 @pytest.mark.filterwarnings("ignore:invalid value:RuntimeWarning")  # a half turn has many axes
