@@ -219,8 +219,8 @@ def test_parallel_kernels_may_run_side_by_side(tmp_path: Path, layer: str) -> No
 
 QUOTA = """
 import os
-from rna_sdk import kernel_threads
-kernel_threads.core_count = lambda: 1
+from rna_sdk import cores
+cores.core_count = lambda: 1
 from rna_sdk.numba_threads import launch_numba_threads
 import numba
 launch_numba_threads()

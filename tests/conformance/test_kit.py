@@ -117,10 +117,13 @@ def test_every_row_has_a_class_and_a_tolerance(kit: Kit) -> None:
 def test_light_and_shadow_are_on_every_geometry(kit: Kit) -> None:
     for case in kit.visibility:
         clear, dark = (case.expected == v for v in (1, 0))
+        if clear.all():  # around a strand that stands alone
+            assert case.package.stem in ("fiber-lone", "fiber-straight")
+            continue
         assert 0.1 < clear.mean() < 0.9 and 0.1 < dark.mean() < 0.9, case.package
         between = ~(clear | dark)
-        assert between.any() == ("lantern" in case.package.stem)
-        assert not between.any() or between.mean() > 0.1
+        assert between.any() == case.package.stem.endswith(("lantern", "screens"))
+        assert not between.any() or between.mean() > 0.05
 
 
 def test_facets_that_face_light_behind_the_smooth_surface_block_it(kit: Kit) -> None:

@@ -211,8 +211,9 @@ def by_its_own_part(package: str, records: bytes) -> np.ndarray:
 
 def test_a_reader_in_which_parts_do_not_block_each_other_fails(kit: Kit) -> None:
     failed = failures(InProcess(visibility=by_its_own_part), kit, "visibility")
-    assert [score.package for score in failed] == ["parts-head", "parts-lantern"]
-    assert all("towards another part" in score.note for score in failed)
+    notes = {score.package: score.note for score in failed}
+    assert set(notes) == {"parts-head", "parts-lantern", "parts-pairs"}
+    assert "towards another part" in notes["parts-head"] and notes["parts-lantern"]
 
 
 def with_records(change: Callable[[Transmittance], Transmittance | None]):  # type: ignore[no-untyped-def]
@@ -244,8 +245,10 @@ def with_records(change: Callable[[Transmittance], Transmittance | None]):  # ty
     ids=["opaque", "cutoff", "fresnel", "sides", "upside down", "grey", "triangles"],
 )
 def test_readers_that_get_transmittance_wrong_fail(change, kit: Kit) -> None:  # type: ignore[no-untyped-def]
-    (failed,) = failures(InProcess(visibility=with_records(change)), kit, "visibility")
-    assert failed.package == "parts-lantern" and failed.right > 0.5 * failed.rows
+    failed = failures(InProcess(visibility=with_records(change)), kit, "visibility")
+    by_name = {score.package: score for score in failed}
+    assert set(by_name) <= {"parts-lantern", "surface-screens"}
+    assert by_name["parts-lantern"].right > 0.5 * by_name["parts-lantern"].rows
 
 
 def test_a_reader_that_asks_the_first_part_alone_fails(kit: Kit) -> None:
@@ -334,8 +337,10 @@ def turned(texture: np.ndarray, *factors: int) -> np.ndarray:
     ids=["plain", "y down", "x back", "y first", "upside down", "triangles"],
 )
 def test_readers_that_get_normal_maps_wrong_fail(change, kit: Kit) -> None:  # type: ignore[no-untyped-def]
-    (failed,) = failures(InProcess(normals=with_maps(change)), kit, "normals")
-    assert failed.package == "surface-relief" and "expected" in failed.note
+    notes = {
+        s.package: s.note for s in failures(InProcess(normals=with_maps(change)), kit, "normals")
+    }
+    assert "expected" in notes["surface-relief"]
 
 
 def angles_of_the_shape(host: ModuleType) -> None:
@@ -360,9 +365,10 @@ def unturned_roots(host: ModuleType) -> None:
 
 
 MESHES = {
-    *("surface-float32", "surface-clip", "surface-quantised", "surface-relief", "surface-tiny")
+    *("surface-float32", "surface-clip", "surface-quantised", "surface-relief", "surface-tiny"),
+    "surface-folds",
 }
-STRANDS = {"fiber-float16", "fiber-int8", "fiber-one-channel", "parts-head"}
+STRANDS = {"fiber-float16", "fiber-int8", "fiber-one-channel", "parts-head", "fiber-lone"}
 
 
 @pytest.mark.filterwarnings("ignore:invalid value:RuntimeWarning")  # a half turn has many axes

@@ -7,6 +7,7 @@ import subprocess
 import sys
 import threading
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 import pytest
@@ -109,7 +110,7 @@ def test_all_ways_to_start_processes_give_the_parents_bits(tmp_path: Path) -> No
 @forks
 @pytest.mark.parametrize(
     ("before", "count"),
-    [(KERNELS.format(path=str(TOY)), 40), (SESSION, 150), (COMPILER, 8)],
+    [(KERNELS.format(path=str(TOY)), 40), (SESSION, 150), (COMPILER, 5)],
     ids=["kernels", "onnxruntime", "compiler"],
 )
 def test_a_fork_at_any_moment_does_not_hang(before: str, count: int) -> None:
@@ -137,12 +138,15 @@ def test_threads_share_every_row_once(
     np.testing.assert_array_equal(results, 2 * numbers)
 
 
-def test_arrays_for_all_rows_and_named_tuples_are_cut_as_they_should() -> None:
-    from rna_trace.embree.kernels import Rays
+class Rays(NamedTuple):
+    mask: np.ndarray
+    origins: np.ndarray
 
-    rays = Rays(*(np.arange(n) for n in (1, 6, 6, 6, 1, 6)))
+
+def test_arrays_for_all_rows_and_named_tuples_are_cut_as_they_should() -> None:
+    rays = Rays(np.arange(1), np.arange(6))
     cut = compiled_module._cut(rays, slice(2, 4), 6)
-    assert [len(array) for array in cut] == [1, 2, 2, 2, 1, 2] and type(cut) is Rays
+    assert [len(array) for array in cut] == [1, 2] and type(cut) is Rays
 
 
 def test_no_more_threads_take_part_than_the_caller_may(monkeypatch: pytest.MonkeyPatch) -> None:

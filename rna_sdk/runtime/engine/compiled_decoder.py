@@ -93,7 +93,9 @@ def decoder_kernel(lanes: int) -> Callable[..., None]:
         result: Numbers,
     ) -> None:
         layers = sizes.shape[1]
-        widest = sizes.max()
+        widest = 0
+        for k in range(layers):
+            widest = max(widest, sizes[0, k], sizes[1, k])
         x, y = np.zeros(widest * PANEL, np.float32), np.zeros(widest * PANEL, np.float32)
         for row in range(0, len(queries), PANEL):
             rows = min(PANEL, len(queries) - row)

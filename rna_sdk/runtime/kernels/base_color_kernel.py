@@ -93,12 +93,10 @@ def look_up(
     for i in range(len(primitives)):
         triangle = primitives[i]
         r = record[triangle]
-        if r < 0:
-            result[i] = 1.0
-            continue
-        k = image[r]
+        k = image[r] if r >= 0 else -1
         if k < 0:
-            result[i] = factor[r]
+            for c in range(3):  # statements of whole arrays take seconds to compile
+                result[i, c] = factor[r, c] if r >= 0 else np.float32(1.0)
             continue
         corner, s, t = triangles[triangle], np.float64(u[i]), np.float64(v[i])
         first = 1.0 - s - t
@@ -111,8 +109,10 @@ def look_up(
         level = min(level, counts[k] - 1.0)
         lower = int(level)
         rest, color = level - lower, result[i]
-        color[:] = 0.0
+        for c in range(3):
+            color[c] = 0.0
         _add_level(texels, is_srgb[r], levels[k, lower], wrap[r], place, 1.0 - rest, color)
         if rest > 0.0:
             _add_level(texels, is_srgb[r], levels[k, lower + 1], wrap[r], place, rest, color)
-        color *= factor[r]
+        for c in range(3):
+            color[c] *= factor[r, c]
