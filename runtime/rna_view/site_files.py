@@ -83,7 +83,7 @@ class Site:
     def index(self) -> bytes:
         """index.html, which opens the site's scene or package."""
         labels = escape(json.dumps(self.labels))
-        tag = f'<rna-viewer{self.written_attributes()} data-labels="{labels}"'
+        tag = f'<rna-viewer{self.written_attributes()} data-rna-labels="{labels}"'
         return viewer_file("index.html").replace(b"<rna-viewer", tag.encode(), 1)
 
     def written_attributes(self, address: str = "") -> str:

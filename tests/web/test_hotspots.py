@@ -92,10 +92,10 @@ def test_spots_follow_and_are_hidden_by_the_asset(page):
     page.evaluate("back.dataset.normal = '0m 0m 1m', 0")
     page.wait_for("!('visible' in back.dataset)", TIMEOUT)
     page.evaluate("back.dataset.position = 'there', 0")
-    page.wait_for("!one.notices.place.hidden", TIMEOUT)
+    page.wait_for("one.notices.whole", TIMEOUT)
     assert line(page).startswith("hotspot-back: expected X Y Z")
     page.evaluate("back.remove(), 0")
-    page.wait_for("one.notices.place.hidden", TIMEOUT)
+    page.wait_for("one.notices.whole === null", TIMEOUT)
 
 
 @pytest.mark.usefixtures("shown")

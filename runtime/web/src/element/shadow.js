@@ -1,8 +1,5 @@
 // What is inside the element: canvas, poster, progress, a line for what goes wrong; and how it looks.
 
-const KEYS = "Arrow keys or one finger orbit. Plus, minus or a pinch go nearer and farther. W, A, S, D or two fingers pan. Square " +
-  "brackets, Shift and arrow keys, or three fingers turn the light. Home resets.";
-
 /** An element with attributes and what is in it; made so, since a policy may refuse HTML as text (Trusted Types). */
 function make(name, attributes, ...inside) {
   const made = document.createElement(name);
@@ -19,10 +16,10 @@ const content = () => [
   make("div", { id: "poster" }, make("slot", { name: "poster" }, make("img", { part: "poster", alt: "", hidden: "" }))),
   make("div", { id: "over" },
     make("div", { id: "loading", hidden: "" }, make("slot", { name: "progress-bar" },
-      make("progress", { id: "bar", part: "progress-bar", "aria-label": "Loading" }), make("span", { id: "bytes" }))),
-    make("p", { id: "prompt", part: "prompt", "aria-hidden": "true", hidden: "" }, "Drag to turn"),
-    make("p", { id: "notice", part: "notice", role: "alert", hidden: "" })),
-  make("p", { id: "keys", class: "spoken" }, KEYS),
+      make("progress", { id: "bar", part: "progress-bar" }), make("span", { id: "bytes" }))),
+    make("p", { id: "prompt", part: "prompt", "aria-hidden": "true", hidden: "" }),
+    make("p", { id: "notice", part: "notice", role: "status", hidden: "" })),
+  make("p", { id: "keys", class: "spoken" }),
   make("p", { id: "status", class: "spoken", role: "status" }),
 ];
 
