@@ -109,13 +109,20 @@ def test_two_fingers_and_keys_pan_and_limits_hold(page):
     assert target == pytest.approx(expected, abs=1e-4)
     page.evaluate("one.resetView(), 0")
     at = [[20, 34], [44, 34]]  # beside the spots
-    for kind, shift in (("touchStart", 0), ("touchMove", 4), ("touchEnd", None)):
+    # The first movement tells what the two mean.
+    for kind, shift in (("touchStart", 0), ("touchMove", 12), ("touchMove", 16), ("touchEnd", None)):
         moved = [] if shift is None else [(x + shift, y) for x, y in at]
         points = [{"x": x, "y": y, "id": k} for k, (x, y) in enumerate(moved)]
         page.call("Input.dispatchTouchEvent", type=kind, touchPoints=points)
     x, y, _ = (float(word[:-1]) for word in page.evaluate("one.cameraTarget").split())
     assert x == pytest.approx(-0.1 * height, rel=0.1) and abs(y) < 0.02
-    page.evaluate("one.resetView(), one.maxCameraOrbit = 'auto auto 3m', 0")
+    page.evaluate("one.resetView(), 0")
+    before = page.evaluate("one.cameraOrbit")
+    for kind, shift in (("touchStart", 0), *(("touchMove", 4 * k) for k in range(8)), ("touchEnd", None)):
+        points = [] if shift is None else [{"x": 20, "y": 36 - shift}]
+        page.call("Input.dispatchTouchEvent", type=kind, touchPoints=points)
+    assert page.evaluate("one.cameraOrbit") == before  # the page scrolled
+    page.evaluate("scrollTo(0, 0), one.maxCameraOrbit = 'auto auto 3m', 0")
     assert page.evaluate("one.cameraOrbit") == "0deg 90deg 3m"
     page.evaluate("one.maxCameraOrbit = null, 0")
 

@@ -16,7 +16,17 @@ pytestmark = pytest.mark.chromium
 RENDERERS = {
     "WebGL 2 backend": "new THREE.WebGPURenderer({ forceWebGL: true })",
     "WebGLRenderer": "new classic.WebGLRenderer()",
+    "compatibility level": "compatible()",
 }
+COMPATIBLE = """() => {
+    const { requestDevice } = GPUAdapter.prototype, core = "core-features-and-limits";
+    GPUAdapter.prototype.requestDevice = function ({ requiredFeatures = [], ...more }) {
+        const features = [...requiredFeatures].filter((name) => name !== core);
+        return requestDevice.call(this, { ...more, requiredFeatures: features });
+    };
+    return new THREE.WebGPURenderer();
+}"""
+"""Makes a renderer whose device has four storage buffers for fragments."""
 
 
 @pytest.fixture(scope="module")
@@ -37,6 +47,7 @@ def test_grey_shape_and_one_line(page, renderer):
         f"""(async () => {{
             const {{ THREE, rna }} = test;
             const classic = await import("./node_modules/three/build/three.module.js");
+            const compatible = {COMPATIBLE};
             const renderer = {RENDERERS[renderer]};
             const told = [], warn = console.warn;
             console.warn = (...words) => told.push(words.join(" "));

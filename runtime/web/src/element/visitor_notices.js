@@ -6,10 +6,13 @@ const SHOWN_MS = 6000;
 const MISSED = { engine: "unavailable", asset: "failed", scene: "failed" };  // by what a failure is about: the text
 
 export class VisitorNotices extends Notices {
+  #element;
+
   /** element: has the words, and knows whether anything is seen of the asset. */
   constructor(place, element) {
     super(place);
-    Object.assign(this, { element, missed: null });
+    this.#element = element;
+    this.missed = null;
   }
 
   say(text, calm = false, about = "page") {
@@ -18,14 +21,14 @@ export class VisitorNotices extends Notices {
   }
 
   show() {
-    if (this.element.settings.messages === "whole") return this._showWhole();
+    if (this.#element.settings.messages === "whole") return this._showWhole();
     const about = Object.keys(MISSED).find((one) => this.lines.get(one)?.calm === false), missed = about ? MISSED[about] : null;
     if (missed === this.missed) return;
     this.missed = missed;
     clearTimeout(this.timer);
-    this.put(missed ? [textOf(this.element, missed)] : [], true);
+    this.put(missed ? [textOf(this.#element, missed)] : [], true);
     // What stands in an empty place stays.
-    if (missed) this.timer = setTimeout(() => { this.place.hidden = this.element.isSeen; }, SHOWN_MS);
+    if (missed) this.timer = setTimeout(() => { this.place.hidden = this.#element.isSeen; }, SHOWN_MS);
   }
 
   _showWhole() {

@@ -7,7 +7,7 @@ import { fragmentOf, towardsViewer } from "./fragment.js";
 import { RnaLighting, shadowPosition } from "./lighting.js";
 import { LETTERS, partSource } from "./shader_source.js";
 import { instanceColumns } from "./spaces.js";
-import { hasWebGPU, STAND_IN, standInNode } from "./stand_in.js";
+import { canShow, STAND_IN, standInNode } from "./stand_in.js";
 
 /** What the name of each function that three.js calls begins with. */
 export const MARK = "rna_three_";
@@ -61,12 +61,13 @@ export class RnaMaterial extends NodeMaterial {
     Object.assign(this, STAND_IN);
     this.receivedShadowPositionNode = shadowPosition;
     this.stored = [];
-    // With the weights of three decoders, eight storage buffers, which every device has.
+    // With the weights of three decoders, eight storage buffers: what WebGPU's core level has.
     const buffers = [
       named(shared.nodes, "RnaNode", "rna_nodes"), named(shared.primitives, "RnaPrimitive", "rna_primitives"),
       named(shared.points, "vec4", "rna_points"), named(this._store(planes, 1), "uint", "rna_planes"),
       ...(shared.images ? [shared.images] : []), ...forms.flatMap((form) => this._decoder(decoders[form], `rna${LETTERS[form]}_`)),
     ];
+    this.storageBuffers = buffers.filter(({ isStorageBufferNode }) => isStorageBufferNode).length;
     const groups = Math.max(...Object.values(decoders).map((decoder) => decoder.groups));
     const source = partSource({ kind, groups, forms, planeWords: planes.length / 3, ...shared.facts });
     this.functions = functionsOf(source, buffers, "emission" in decoders);
@@ -96,7 +97,7 @@ export class RnaMaterial extends NodeMaterial {
 
   setup(builder) {
     const { fragmentNode } = this;
-    if (!hasWebGPU(builder.renderer)) this.fragmentNode = standInNode();
+    if (!canShow(builder.renderer, this.storageBuffers)) this.fragmentNode = standInNode();
     super.setup(builder);
     this.fragmentNode = fragmentNode;
   }
