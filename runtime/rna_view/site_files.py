@@ -147,7 +147,7 @@ class Gallery(Site):
         attributes = site.written_attributes() + LIGHT
         if "environment" in self.attributes:
             attributes += f' environment="{self.attributes["environment"]}"'
-        viewer = f'<rna-viewer{attributes} alt="{name}" messages="whole" camera-controls>'
+        viewer = f'<rna-viewer{attributes} alt="{name}" camera-controls>'
         return f"<figure>{viewer}</rna-viewer><figcaption>{name}</figcaption></figure>"
 
 

@@ -98,6 +98,9 @@ def test_spots_follow_and_are_hidden_by_the_asset(page):
     page.wait_for("one.notices.whole === null", TIMEOUT)
 
 
+TOUCHES = "touchStart", "touchMove", "touchMove", "touchEnd"
+
+
 @pytest.mark.usefixtures("shown")
 def test_two_fingers_and_keys_pan_and_limits_hold(page):
     page.evaluate("one.cameraOrbit = '0deg 90deg 4m', one.stage.canvas.focus(), 0")
@@ -110,7 +113,7 @@ def test_two_fingers_and_keys_pan_and_limits_hold(page):
     page.evaluate("one.resetView(), 0")
     at = [[20, 34], [44, 34]]  # beside the spots
     # The first movement tells what the two mean.
-    for kind, shift in (("touchStart", 0), ("touchMove", 12), ("touchMove", 16), ("touchEnd", None)):
+    for kind, shift in zip(TOUCHES, (0, 12, 16, None), strict=True):
         moved = [] if shift is None else [(x + shift, y) for x, y in at]
         points = [{"x": x, "y": y, "id": k} for k, (x, y) in enumerate(moved)]
         page.call("Input.dispatchTouchEvent", type=kind, touchPoints=points)
@@ -118,9 +121,10 @@ def test_two_fingers_and_keys_pan_and_limits_hold(page):
     assert x == pytest.approx(-0.1 * height, rel=0.1) and abs(y) < 0.02
     page.evaluate("one.resetView(), 0")
     before = page.evaluate("one.cameraOrbit")
-    for kind, shift in (("touchStart", 0), *(("touchMove", 4 * k) for k in range(8)), ("touchEnd", None)):
-        points = [] if shift is None else [{"x": 20, "y": 36 - shift}]
-        page.call("Input.dispatchTouchEvent", type=kind, touchPoints=points)
+    page.call("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": 20, "y": 36}])
+    for y in range(36, 4, -4):
+        page.call("Input.dispatchTouchEvent", type="touchMove", touchPoints=[{"x": 20, "y": y}])
+    page.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
     assert page.evaluate("one.cameraOrbit") == before  # the page scrolled
     page.evaluate("scrollTo(0, 0), one.maxCameraOrbit = 'auto auto 3m', 0")
     assert page.evaluate("one.cameraOrbit") == "0deg 90deg 3m"

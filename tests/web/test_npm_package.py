@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import shutil
 import subprocess
 import tarfile
 from pathlib import Path
@@ -30,10 +29,15 @@ export function listen(viewer: RnaViewer): () => void {
   document.querySelector("rna-viewer")?.dismissPoster();
   return () => viewer.removeEventListener("camera-change", turned);
 }
-export const tag = <rna-viewer onload={({ detail }) => console.log(detail.url)} onerror={({ detail }) =>
-  console.log(detail.message)} oncamera-change={({ detail }) => console.log(detail.cameraOrbit)} />;
-export const component = <Viewer src="toy.rna" camera-controls={true} onLoad={({ detail }) => console.log(detail.url)}
-  onCameraChange={({ detail }) => console.log(detail.cameraOrbit)} onClick={() => {}} />;
+export const tag = (
+  <rna-viewer onload={({ detail }) => console.log(detail.url)}
+    onerror={({ detail }) => console.log(detail.message)}
+    oncamera-change={({ detail }) => console.log(detail.cameraOrbit)} />
+);
+export const component = (
+  <Viewer src="toy.rna" camera-controls={true} onLoad={({ detail }) => console.log(detail.url)}
+    onCameraChange={({ detail }) => console.log(detail.cameraOrbit)} onClick={() => {}} />
+);
 // @ts-expect-error: no such value
 export const wrong = <rna-viewer loading="soon" />;
 // @ts-expect-error: React never calls it

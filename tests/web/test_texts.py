@@ -1,4 +1,4 @@
-"""What the element says, and to whom: visitors in their language, makers of the page in the console."""
+"""What the element says: to visitors in their language, to makers of pages in the console."""
 
 from __future__ import annotations
 

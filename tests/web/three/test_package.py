@@ -85,8 +85,11 @@ HITS = """
     const words = (...values) => new Uint32Array(new Float32Array(values).buffer);
     const box = [...words(0, 0, 0), 0, ...words(1, 1, 0), 1];
     const geometry = {
-      nodes: new Uint32Array([...box, ...box]), primitives: new Uint32Array([0, 1, 2, 0]), normalsAt: 3,
-      points: new Float32Array([0, 0, 0, 0, 1, 0, 0, 1, 0, 1, 0, 0.5, ...[0.25, 0.25, 0.75].flatMap((v) => [0, 0, 1, v])]),
+      nodes: new Uint32Array([...box, ...box]), primitives: new Uint32Array([0, 1, 2, 0]),
+      normalsAt: 3,
+      points: new Float32Array([
+        0, 0, 0, 0, 1, 0, 0, 1, 0, 1, 0, 0.5, 0, 0, 1, 0.25, 0, 0, 1, 0.25, 0, 0, 1, 0.75,
+      ]),
     };
     const ray = new Raycaster(new Vector3(0.25, 0.5, 1), new Vector3(0, 0, -1));
     for (const hasUVs of [true, false]) {
