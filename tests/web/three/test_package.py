@@ -111,3 +111,32 @@ def test_hits_have_the_place_in_the_texture():
         [[1, 0.5, 0.5]],
         [[1, None, None]],
     ]
+
+
+EXPORT = """
+    import fs from "node:fs";
+    import { GLTFExporter } from "THREE";
+    import { RnaLoader } from "rna-three";
+    globalThis.FileReader = class {
+      readAsDataURL(blob) {
+        blob.arrayBuffer().then((bytes) => {
+          this.result = `data:;base64,${Buffer.from(bytes).toString("base64")}`;
+          this.onloadend();
+        });
+      }
+    };
+    const bytes = new Uint8Array(fs.readFileSync(process.argv[1])).buffer;
+    const asset = await new RnaLoader().parseAsync(bytes);
+    const { meshes, materials } = await new GLTFExporter().parseAsync(asset);
+    console.log(JSON.stringify([meshes.length, materials.length]));
+"""
+
+
+def test_exporters_write_the_shape(package):
+    three = package[1].parent / "three" / "examples" / "jsm" / "exporters" / "GLTFExporter.js"
+    program = EXPORT.replace("THREE", three.as_uri())
+    command = ["node", "--input-type=module", "-e", program, str(KIT / "surface-tiny.rna")]
+    folder = package[1].parents[1]
+    done = subprocess.run(command, capture_output=True, text=True, cwd=folder, timeout=300)
+    assert done.stdout.splitlines()[-1] == "[1,1]", done.stderr
+    assert "GLTFExporter: Use MeshStandardMaterial" in done.stderr

@@ -1,7 +1,7 @@
 // The node material of a part in one tier: rna_gpu's WGSL with the buffers that three.js binds.
-import { DoubleSide, Euler, FrontSide, InstancedInterleavedBuffer, LightingNode, NodeMaterial, StorageBufferAttribute } from "three/webgpu";
+import { Color, DoubleSide, Euler, FrontSide, InstancedInterleavedBuffer, LightingNode, NodeMaterial, StorageBufferAttribute } from "three/webgpu";
 import * as tsl from "three/tsl";
-import { attribute, bool, buffer, Fn, pmremTexture, positionGeometry, storage, wgsl, wgslFn } from "three/tsl";
+import { attribute, bool, buffer, Fn, pmremTexture, positionGeometry, storage, vec4, wgsl, wgslFn } from "three/tsl";
 import { SurfaceTable } from "../geometry/surface_table.js";
 import { fragmentOf, towardsViewer } from "./fragment.js";
 import { RnaLighting, shadowPosition } from "./lighting.js";
@@ -58,6 +58,8 @@ export class RnaMaterial extends NodeMaterial {
     Object.assign(this, { lights: true, side: kind === "fiber" ? FrontSide : DoubleSide, isRnaMaterial: true, options, kind });
     // As three.js' own have it: without a `null` here it leaves scene.environmentRotation out.
     Object.assign(this, { envMap: null, envMapIntensity: 1, envMapRotation: new Euler() });
+    // For exporters, which read a colour of every material: they write the shape in white. Here nothing depends on it.
+    Object.assign(this, { color: new Color(), colorNode: vec4(1) });
     Object.assign(this, STAND_IN);
     this.receivedShadowPositionNode = shadowPosition;
     this.stored = [];
