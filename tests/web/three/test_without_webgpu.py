@@ -13,6 +13,9 @@ from tests.web.three.pages import PAGE, TINY, installed, opened
 
 pytestmark = pytest.mark.chromium
 
+PRINT = TINY.with_name("surface-print.rna")
+"""Base colour is a fifth storage buffer of a material."""
+
 RENDERERS = {
     "WebGL 2 backend": "new THREE.WebGPURenderer({ forceWebGL: true })",
     "WebGLRenderer": "new classic.WebGLRenderer()",
@@ -33,7 +36,7 @@ COMPATIBLE = """() => {
 def page(tmp_path_factory) -> Iterator[Page]:
     folder = tmp_path_factory.mktemp("without")
     installed(folder)
-    for path in (TINY, PAGE):
+    for path in (PRINT, PAGE):
         shutil.copy(path, folder)
     with opened(folder, PAGE.name, 64, 64) as page:
         page.wait_for("!!globalThis.test", TIMEOUT)
@@ -53,7 +56,7 @@ def test_grey_shape_and_one_line(page, renderer):
             console.warn = (...words) => told.push(words.join(" "));
             await renderer.init?.();
             renderer.setSize(64, 64, false);
-            const asset = await new rna.RnaLoader().loadAsync("surface-tiny.rna");
+            const asset = await new rna.RnaLoader().loadAsync("{PRINT.name}");
             const {{ center, radius }} = asset.content.sphere;
             const red = new THREE.MeshBasicMaterial({{ color: "red" }});
             const box = new THREE.Mesh(new THREE.BoxGeometry(20, 20, 1), red);
