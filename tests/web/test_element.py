@@ -12,8 +12,7 @@ import numpy as np
 import pytest
 
 from rna_view.rna_view_command import main as rna_view
-from rna_view.site_export import LIGHT
-from rna_view.site_files import ELEMENT, viewer_file
+from rna_view.site_files import ELEMENT, LIGHT, viewer_file
 from tests.conftest import REPOSITORY
 from tests.package.builders import make_tiny_package
 from tests.web.element_pages import SMALL, Static, finished, line, loads, show, visit

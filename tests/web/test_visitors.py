@@ -49,3 +49,15 @@ def test_without_webgpu(page, folder, url):
     # The line goes where there is a poster, and stays where there is nothing.
     page.wait_for(f"{SHOWN % 'one'} === null", TIMEOUT)
     assert page.evaluate(SHOWN % "three") == "Sorry"
+
+
+def test_an_element_that_comes_into_an_iframe_keeps_its_style(page, folder, url):
+    show(page, folder, url, '<rna-viewer id="one"></rna-viewer><iframe id="frame"></iframe>')
+    position = page.evaluate(
+        """(() => {
+            const { view } = one.parts;
+            frame.contentDocument.body.append(one);
+            return frame.contentWindow.getComputedStyle(view).position;
+        })()"""
+    )
+    assert position == "absolute"

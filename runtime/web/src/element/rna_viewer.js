@@ -6,7 +6,7 @@ import { cameraText, flag, lightText, propertyOf, READERS } from "./attributes.j
 import { linearColour } from "./backdrop.js";
 import { Hotspots } from "./hotspots.js";
 import { isModelViewers, linesOnNames } from "./model_viewer_names.js";
-import { attach } from "./shadow.js";
+import { attach, dress } from "./shadow.js";
 import { spokenView } from "./spoken.js";
 import { Stage } from "./stage.js";
 import { textOf } from "./texts.js";
@@ -68,6 +68,11 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     this._still();
     this._tint();
     this._begin();
+  }
+
+  /** It has come to another document, as that of an iframe. */
+  adoptedCallback() {
+    dress(this.shadowRoot);
   }
 
   /** An element that only moves within its page keeps its GPU. */

@@ -66,14 +66,26 @@ canvas:focus-visible { outline: 2px solid #fff; outline-offset: -2px; }
 .spoken { position: absolute; width: 1px; height: 1px; margin: 0; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
 `;
 
-let sheet = null;
+const sheets = new WeakMap();  // by window
 
-/** The content in a new shadow tree. A policy against inline styles (CSP) allows the style: it is a constructed sheet. */
+/** The content in a new shadow tree. */
 export function attach(host) {
   const root = host.attachShadow({ mode: "open", delegatesFocus: true });
-  sheet ??= new CSSStyleSheet();
-  if (!sheet.cssRules.length) sheet.replaceSync(STYLE);
-  root.adoptedStyleSheets = [sheet];
+  dress(root);
   root.append(...content());
   return root;
+}
+
+/**
+ * Gives a shadow tree its style, also where it comes to another document, which takes the style away. A policy against inline
+ * styles (CSP) allows it: it is a constructed sheet.
+ */
+export function dress(root) {
+  const view = root.ownerDocument.defaultView;
+  if (!view) return;  // a document that nobody sees
+  if (!sheets.has(view)) {
+    sheets.set(view, new view.CSSStyleSheet());
+    sheets.get(view).replaceSync(STYLE);
+  }
+  root.adoptedStyleSheets = [sheets.get(view)];
 }
