@@ -34,7 +34,6 @@ function wheeled(places, may = true) {
   time += 1e4;
   for (const { over, ...values } of places) {
     const turn = event("wheel", canvas, { deltaMode: 0, deltaY: 10, ...values });
-    turn.composedPath = () => (over ? [canvas] : []);
     listeners.get("wheel")(turn);
     if (over) canvas.dispatchEvent(turn);
   }

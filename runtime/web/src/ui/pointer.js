@@ -116,14 +116,15 @@ function wayOfTwo(begun, places) {
 
 /** A movement of the wheel is the page's or the picture's as a whole: what scrolls the page does not zoom where it comes to the picture. */
 function listenToWheel(canvas, actions, may, signal) {
-  let last = -Infinity, isOurs = false, settling = 0;
+  let last = -Infinity, begins = false, isOurs = false, settling = 0;
   globalThis.addEventListener("wheel", (event) => {
-    const begins = event.timeStamp - last > WHEEL_MS || event.ctrlKey || event.metaKey;
-    if (begins) isOurs = event.composedPath().includes(canvas) && may(event);
+    begins = event.timeStamp - last > WHEEL_MS || event.ctrlKey || event.metaKey;
+    if (begins) isOurs = false;
     last = event.timeStamp;
   }, { capture: true, passive: true, signal });
   canvas.addEventListener("focus", () => { last = -Infinity; });
   canvas.addEventListener("wheel", (event) => {
+    if (begins) isOurs = may(event);  // the window heard of it before
     if (!isOurs) return;
     event.preventDefault();
     const pixels = event.deltaMode === 0 ? event.deltaY : event.deltaY * 32;
