@@ -5,7 +5,15 @@ export function otherFile(bytes) {
   const text = new TextDecoder().decode(bytes.subarray(0, 512)).trimStart();
   if (text.startsWith("version https://git-lfs.github.com/")) return "a pointer of Git LFS, in whose place `git lfs pull` puts the file";
   if (/^<(!doctype\s+html|html|head|body)\b/i.test(text)) return "an HTML page: there is no such file, or it has another address";
-  if (text.startsWith("glTF")) return "a glTF file: rna-make makes a package of it, as rna-make model.glb --out model.rna";
-  if (text.startsWith("BLENDER")) return "a Blender file: rna-make makes a package of it, as rna-make model.blend --out model.rna";
   return null;
+}
+
+const MODELS = { glTF: ["glTF", "glb"], BLENDER: ["Blender", "blend"] };  // by first bytes: the name, and the suffix
+
+/** A model of which a package can be made, in the same way. */
+export function modelFile(bytes) {
+  const text = new TextDecoder().decode(bytes.subarray(0, 8)), start = Object.keys(MODELS).find((one) => text.startsWith(one));
+  if (!start) return null;
+  const [name, suffix] = MODELS[start];
+  return `a ${name} file: rna-make makes a package of it, as rna-make model.${suffix} --out model.rna`;
 }
