@@ -15,7 +15,7 @@ from urllib.parse import unquote
 
 from rna_render.local_server import LOOPBACK, LocalHandler, LocalServer
 from rna_sdk.errors import ViewError
-from rna_view.site_files import SCENE, SITE_NAME, VIEWER_FILES, Site, viewer_file
+from rna_view.site_files import SCENE, SITE_NAME, Site
 
 TYPES = {
     ".html": "text/html; charset=utf-8",
@@ -45,8 +45,7 @@ class PageServer(LocalServer):
         # The viewer's own files last: none of the site's takes their place.
         self.contents: dict[str, Path | bytes] = {
             **site.contents,
-            **{name: viewer_file(name) for name in VIEWER_FILES},
-            "index.html": site.index(),
+            **site.pages(),
         }
         self.tags = {name: _tag(name, content) for name, content in self.contents.items()}
         try:

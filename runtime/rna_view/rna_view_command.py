@@ -11,9 +11,9 @@ from pathlib import Path
 
 from rna_sdk.console import command_parser, run_command
 from rna_view.page_server import PageServer
-from rna_view.site_export import ELEMENT_LINE, EMBED, LIGHT, SERVE_NOTE, export_site
-from rna_view.site_files import Site
-from rna_view.site_source import site_for
+from rna_view.site_export import ELEMENT_LINE, EMBED, SERVE_NOTE, export_site
+from rna_view.site_files import LIGHT, Site
+from rna_view.site_source import gallery_for, site_for
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -23,7 +23,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _run(options: argparse.Namespace) -> None:
-    site = site_for(options.source, options.env)
+    first, *others = options.source
+    site = gallery_for(options.source, options.env) if others else site_for(first, options.env)
     for note in site.notes:
         print(f"note: {note}", file=sys.stderr)
     if options.export is not None:
@@ -31,7 +32,9 @@ def _run(options: argparse.Namespace) -> None:
         size = sum(path.stat().st_size for path in written) / 1e6
         print(f"wrote {options.export}: {len(written)} files, {size:.2f} MB; {SERVE_NOTE}")
         print(f"try it: python3 -m http.server --bind 127.0.0.1 --directory {options.export}")
-        names = {"address": "https://example.org/site/", "title": escape(options.source.stem)}
+        if others:
+            return
+        names = {"address": "https://example.org/site/", "title": escape(first.stem)}
         attributes = site.written_attributes(names["address"])
         attributes += "" if "scene" in site.attributes else LIGHT
         print(f"embed it: {EMBED.format(**names)}")
@@ -42,7 +45,7 @@ def _run(options: argparse.Namespace) -> None:
 
 def _serve(site: Site, options: argparse.Namespace) -> None:
     with PageServer(site, options.port) as server:
-        print(f"{options.source} at {server.url}\nCtrl-C ends it", flush=True)
+        print(f"{' '.join(map(str, options.source))} at {server.url}\nCtrl-C ends it", flush=True)
         if not options.no_browser:
             webbrowser.open(server.url)
         try:
@@ -55,7 +58,13 @@ def _parser() -> argparse.ArgumentParser:
     parser = command_parser(
         "rna-view", "View an .rna package or a scene file in the browser.", "rna-view asset.rna"
     )
-    parser.add_argument("source", type=Path, metavar="FILE", help="package or scene file (path)")
+    parser.add_argument(
+        "source",
+        type=Path,
+        nargs="+",
+        metavar="FILE",
+        help="package or scene file (path); of several packages one page, a gallery",
+    )
     parser.add_argument(
         "--env", type=Path, help="environment map, .hdr or .exr (path, default: built in)"
     )

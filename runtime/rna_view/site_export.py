@@ -10,7 +10,7 @@ from pathlib import Path
 
 from rna_sdk.atomic_file import atomic_file, is_temporary, remove_leftovers, write_atomically
 from rna_sdk.errors import ViewError
-from rna_view.site_files import SITE_NAME, VIEWER_FILES, Site, viewer_file
+from rna_view.site_files import SITE_NAME, Site
 
 SERVE_NOTE = (
     "serve the folder over HTTPS, or on this machine: a page opened as a file cannot load the "
@@ -26,8 +26,6 @@ ELEMENT_LINE = (
     '<rna-viewer{attributes} alt="{title}" camera-controls></rna-viewer>'
 )
 """The same without a frame: the page's own element."""
-LIGHT = ' sun="40deg 45deg 2" ground'
-"""Attributes that the page's element has where there is no scene file."""
 MARKER = "rna-view.json"
 """Says that a folder is an export of this command, and which of its files are the site's own."""
 
@@ -52,8 +50,7 @@ def export_site(site: Site, folder: Path) -> list[Path]:
         )
     used = set(site.contents)
     # The viewer's own files last: none of the site's takes their place.
-    contents = {**site.contents, **{name: viewer_file(name) for name in VIEWER_FILES}}
-    contents["index.html"] = site.index()
+    contents = {**site.contents, **site.pages()}
     try:
         with _all_or_nothing_new(folder):
             folder.mkdir(parents=True, exist_ok=True)

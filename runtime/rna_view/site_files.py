@@ -17,6 +17,9 @@ from rna_sdk.package import Package
 ELEMENT = "rna-viewer.js"
 """Defines the element, on the page and on any other."""
 VIEWER_FILES = ("index.html", "viewer.js", "viewer.css", ELEMENT)
+GALLERY_FILES = ("gallery.html", "gallery.js", "gallery.css", ELEMENT)
+LIGHT = ' sun="40deg 45deg 2" ground'
+"""Attributes that the page's element has where there is no scene file."""
 SCENE = "scene.json"
 SITE_NAME = re.compile(rf"[0-9a-f]{{32}}\.(rna|glb|exr|hdr|png|jpg|webp)|{re.escape(SCENE)}")
 """Names that a page's own files can have; those of the viewer are none of them."""
@@ -45,6 +48,10 @@ class Site:
     maps: dict[str, str] = field(default_factory=dict)
     labels: dict[str, str] = field(default_factory=dict)
     notes: list[str] = field(default_factory=list)
+
+    def pages(self) -> dict[str, bytes]:
+        """The page's own files, by name."""
+        return {name: viewer_file(name) for name in VIEWER_FILES} | {"index.html": self.index()}
 
     def add_package(self, path: Path) -> str:
         """Add a package; returns its name in the page. Raises PackageError for any other file."""
@@ -83,7 +90,7 @@ class Site:
     def index(self) -> bytes:
         """index.html, which opens the site's scene or package."""
         labels = escape(json.dumps(self.labels))
-        tag = f'<rna-viewer{self.written_attributes()} data-labels="{labels}"'
+        tag = f'<rna-viewer{self.written_attributes()} data-rna-labels="{labels}"'
         return viewer_file("index.html").replace(b"<rna-viewer", tag.encode(), 1)
 
     def written_attributes(self, address: str = "") -> str:
@@ -110,6 +117,38 @@ class Site:
         self.contents[name] = path
         self.labels[name] = path.name
         return name
+
+
+@dataclass(frozen=True)
+class Gallery(Site):
+    """A page of several assets under one light.
+
+    Attributes:
+        assets: the page of each alone, by what people call it. Their contents are the page's.
+    """
+
+    assets: list[tuple[str, Site]] = field(default_factory=list)
+
+    def add(self, title: str, site: Site) -> None:
+        """Show the package of a page in this one, too."""
+        self.contents.update(site.contents)
+        self.labels.update(site.labels)
+        self.assets.append((title, site))
+
+    def pages(self) -> dict[str, bytes]:
+        """The page's own files, by name."""
+        first, *others = GALLERY_FILES
+        figures = "".join(self._figure(title, site) for title, site in self.assets).encode()
+        index = viewer_file(first).replace(b'<main id="assets">', b'<main id="assets">' + figures)
+        return {"index.html": index} | {name: viewer_file(name) for name in others}
+
+    def _figure(self, title: str, site: Site) -> str:
+        name = escape(title)
+        attributes = site.written_attributes() + LIGHT
+        if "environment" in self.attributes:
+            attributes += f' environment="{self.attributes["environment"]}"'
+        viewer = f'<rna-viewer{attributes} alt="{name}" camera-controls>'
+        return f"<figure>{viewer}</rna-viewer><figcaption>{name}</figcaption></figure>"
 
 
 def viewer_file(name: str) -> bytes:

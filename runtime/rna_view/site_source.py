@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from rna_sdk.errors import ViewError
 from rna_sdk.file_kinds import kind_of, not_a
 from rna_sdk.glass_beside import glass_of
-from rna_view.site_files import Site
+from rna_view.site_files import Gallery, Site
 
 
 def site_for(source: Path, environment: Path | None = None) -> Site:
@@ -33,10 +34,30 @@ def site_for(source: Path, environment: Path | None = None) -> Site:
         wrong = not_a("package", source) or "expected a .rna package or a .yaml scene file"
         raise ViewError(f"{source}: {wrong}")
     if environment is not None:
-        if not environment.is_file():
-            raise ViewError(f"{environment}: no such file")
-        from rna_render import read_environment
-
-        read_environment(environment)  # the whole file, as a visitor's browser will
-        site.attributes["environment"] = site.add_image(environment)
+        _light(site, environment)
     return site
+
+
+def gallery_for(sources: Sequence[Path], environment: Path | None = None) -> Gallery:
+    """The page for several packages, under one light. Raises what site_for raises.
+
+    Raises:
+        ViewError: a scene file, which has a light and a camera of its own.
+    """
+    gallery = Gallery()
+    for source in sources:
+        if source.is_file() and kind_of(source) == "scene":
+            raise ViewError(f"{source}: expected packages alone where there are several files")
+        gallery.add(source.stem, site_for(source))
+    if environment is not None:
+        _light(gallery, environment)
+    return gallery
+
+
+def _light(site: Site, environment: Path) -> None:
+    if not environment.is_file():
+        raise ViewError(f"{environment}: no such file")
+    from rna_render import read_environment
+
+    read_environment(environment)  # the whole file, as a visitor's browser will
+    site.attributes["environment"] = site.add_image(environment)

@@ -6,14 +6,15 @@ import { fileURLToPath } from "node:url";
 import { imports } from "./imports.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
-// By page: where it goes, and what is there beside its main.js and page.css.
+// By page: the folder of OUT and of the sources where it goes, its file there, and what is there beside its main.js and page.css.
 const PAGES = {
-  viewer: { site: "../rna_view/site", more: [{ in: "src/element/rna_viewer.js", out: "rna-viewer" }] },
-  preview: { site: "../rna_render/preview/site", more: [] },
+  viewer: { folder: "viewer", site: "../rna_view/site", file: "index.html", more: [{ in: "src/element/rna_viewer.js", out: "rna-viewer" }] },
+  gallery: { folder: "viewer", site: "../rna_view/site", file: "gallery.html", more: [] },
+  preview: { folder: "preview", site: "../rna_render/preview/site", file: "index.html", more: [] },
 };
 
-for (const [name, { site, more }] of Object.entries(PAGES)) {
-  const out = process.argv[2] ? join(process.argv[2], name) : join(here, site);
+for (const [name, { folder, site, file, more }] of Object.entries(PAGES)) {
+  const out = process.argv[2] ? join(process.argv[2], folder) : join(here, site);
   mkdirSync(out, { recursive: true });
   await build({
     absWorkingDir: here,
@@ -28,5 +29,5 @@ for (const [name, { site, more }] of Object.entries(PAGES)) {
     plugins: [imports],
     logLevel: "warning",
   });
-  copyFileSync(join(here, `src/${name}/index.html`), join(out, "index.html"));
+  copyFileSync(join(here, `src/${name}/index.html`), join(out, file));
 }

@@ -91,4 +91,4 @@ def test_the_environment_behind_the_asset(page, folder, url):
     assert line(page) == GROUND
     page.evaluate("one.skybox = false, 0")
     page.wait_for("one.stage.viewer.ground !== null", TIMEOUT)
-    page.wait_for("one.notices.place.hidden", TIMEOUT)
+    page.wait_for("one.notices.whole === null", TIMEOUT)

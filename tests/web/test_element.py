@@ -12,8 +12,7 @@ import numpy as np
 import pytest
 
 from rna_view.rna_view_command import main as rna_view
-from rna_view.site_export import LIGHT
-from rna_view.site_files import ELEMENT, viewer_file
+from rna_view.site_files import ELEMENT, LIGHT, viewer_file
 from tests.conftest import REPOSITORY
 from tests.package.builders import make_tiny_package
 from tests.web.element_pages import SMALL, Static, finished, line, loads, show, visit
@@ -141,7 +140,7 @@ def test_two_elements_on_a_page(page, folder, url):
     page.evaluate("globalThis.before = one.stage.engine, before.error = new Error('no memory'), 0")
     page.evaluate("one.stage.viewer.restart()")
     page.wait_for(AGAIN, TIMEOUT)
-    page.wait_for("one.notices.place.hidden", TIMEOUT)
+    page.wait_for("one.notices.whole === null", TIMEOUT)
 
 
 @pytest.mark.chromium
@@ -161,7 +160,7 @@ def test_the_page_of_the_documentation(page, folder, url):
     assert page.evaluate(f"{viewer}.stage.viewer.ground !== null")
     page.evaluate(f"{viewer}.environment = 'studio.hdr', 0")
     page.wait_for(f"{viewer}.stage.lighting.tables().floats[0] === 0.25", TIMEOUT)
-    assert page.evaluate(f"{viewer}.notices.place.hidden")
+    assert page.evaluate(f"{viewer}.notices.whole === null")
 
 
 @pytest.mark.chromium

@@ -92,10 +92,13 @@ def test_spots_follow_and_are_hidden_by_the_asset(page):
     page.evaluate("back.dataset.normal = '0m 0m 1m', 0")
     page.wait_for("!('visible' in back.dataset)", TIMEOUT)
     page.evaluate("back.dataset.position = 'there', 0")
-    page.wait_for("!one.notices.place.hidden", TIMEOUT)
+    page.wait_for("one.notices.whole", TIMEOUT)
     assert line(page).startswith("hotspot-back: expected X Y Z")
     page.evaluate("back.remove(), 0")
-    page.wait_for("one.notices.place.hidden", TIMEOUT)
+    page.wait_for("one.notices.whole === null", TIMEOUT)
+
+
+TOUCHES = "touchStart", "touchMove", "touchMove", "touchEnd"
 
 
 @pytest.mark.usefixtures("shown")
@@ -109,13 +112,21 @@ def test_two_fingers_and_keys_pan_and_limits_hold(page):
     assert target == pytest.approx(expected, abs=1e-4)
     page.evaluate("one.resetView(), 0")
     at = [[20, 34], [44, 34]]  # beside the spots
-    for kind, shift in (("touchStart", 0), ("touchMove", 4), ("touchEnd", None)):
+    # The first movement tells what the two mean.
+    for kind, shift in zip(TOUCHES, (0, 12, 16, None), strict=True):
         moved = [] if shift is None else [(x + shift, y) for x, y in at]
         points = [{"x": x, "y": y, "id": k} for k, (x, y) in enumerate(moved)]
         page.call("Input.dispatchTouchEvent", type=kind, touchPoints=points)
     x, y, _ = (float(word[:-1]) for word in page.evaluate("one.cameraTarget").split())
     assert x == pytest.approx(-0.1 * height, rel=0.1) and abs(y) < 0.02
-    page.evaluate("one.resetView(), one.maxCameraOrbit = 'auto auto 3m', 0")
+    page.evaluate("one.resetView(), 0")
+    before = page.evaluate("one.cameraOrbit")
+    page.call("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": 20, "y": 36}])
+    for y in range(36, 4, -4):
+        page.call("Input.dispatchTouchEvent", type="touchMove", touchPoints=[{"x": 20, "y": y}])
+    page.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+    assert page.evaluate("one.cameraOrbit") == before  # the page scrolled
+    page.evaluate("scrollTo(0, 0), one.maxCameraOrbit = 'auto auto 3m', 0")
     assert page.evaluate("one.cameraOrbit") == "0deg 90deg 3m"
     page.evaluate("one.maxCameraOrbit = null, 0")
 

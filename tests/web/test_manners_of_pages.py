@@ -54,7 +54,7 @@ def test_an_element_that_was_made_before_its_script(page, folder, url):
     page.wait_for("viewer.stage.canvas.width === 1", TIMEOUT)
     page.evaluate("viewer.style.width = '64px', viewer.style.height = '40px', 0")
     page.wait_for("viewer.stage.canvas.width === 64 && viewer.stage.viewer.stats.scale", TIMEOUT)
-    assert page.evaluate("viewer.stage.engine === engine && viewer.notices.place.hidden")
+    assert page.evaluate("viewer.stage.engine === engine && viewer.notices.whole === null")
 
 
 def test_two_elements_of_one_asset_in_a_folder(page, folder, url):
@@ -66,7 +66,7 @@ def test_two_elements_of_one_asset_in_a_folder(page, folder, url):
     loads(page, "two")
     page.evaluate("one.remove(), two.cameraOrbit = '90deg 60deg 4m', 0")
     finished(page, "two")
-    assert page.evaluate("two.notices.place.hidden && two.stage.engine !== null")
+    assert page.evaluate("two.notices.whole === null && two.stage.engine !== null")
 
 
 SCREEN = """<script>

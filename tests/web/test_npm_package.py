@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import shutil
 import subprocess
 import tarfile
 from pathlib import Path
@@ -11,11 +10,13 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import REPOSITORY
+from tests.render.chromium import NO_GPU, open_page
+from tests.web.pages import TIMEOUT, served_folder
 from tests.web.three.pages import packed
 
 ELEMENT_SOURCES = REPOSITORY / "runtime" / "web" / "src" / "element"
-REACT = """import "rna-viewer/react";
-import type { RnaViewer, RnaViewerEvents } from "rna-viewer/react";
+REACT = """import { RnaViewer as Viewer } from "rna-viewer/react";
+import type { RnaViewer, RnaViewerEvents } from "rna-viewer";
 export const page = (
   <rna-viewer src="toy.rna" alt="A toy" camera-controls={true} min-camera-orbit="auto 0deg auto"
     style={{ width: 300 }} ref={(own: RnaViewer | null) => { own?.resetView(); }} />
@@ -28,14 +29,36 @@ export function listen(viewer: RnaViewer): () => void {
   document.querySelector("rna-viewer")?.dismissPoster();
   return () => viewer.removeEventListener("camera-change", turned);
 }
+export const tag = (
+  <rna-viewer onload={({ detail }) => console.log(detail.url)}
+    onerror={({ detail }) => console.log(detail.message)}
+    oncamera-change={({ detail }) => console.log(detail.cameraOrbit)} />
+);
+export const component = (
+  <Viewer src="toy.rna" camera-controls={true} onLoad={({ detail }) => console.log(detail.url)}
+    onCameraChange={({ detail }) => console.log(detail.cameraOrbit)} onClick={() => {}} />
+);
 // @ts-expect-error: no such value
 export const wrong = <rna-viewer loading="soon" />;
+// @ts-expect-error: React never calls it
+export const unheard = <rna-viewer onLoad={() => {}} />;
 """
 OPTIONS = {
     "strict": True, "noEmit": True, "jsx": "react-jsx", "module": "nodenext", "target": "es2022",
     "lib": ["es2022", "dom"], "skipLibCheck": False,
 }  # fmt: skip
-PAGE = '<script type="module" src="main.js"></script><rna-viewer id="one"></rna-viewer>'
+PAGE = '<script type="module" src="main.js"></script><div id="root"></div>'
+MAIN = """
+import { createElement, StrictMode } from "react";
+import { createRoot } from "react-dom/client";
+import { RnaViewer } from "rna-viewer/react";
+globalThis.heard = [];
+const viewer = createElement(RnaViewer, {
+  src: "toy.rna", id: "one", alt: "A toy", loading: "eager", "camera-controls": true,
+  onError: ({ detail }) => heard.push(detail.type),
+});
+createRoot(document.getElementById("root")).render(createElement(StrictMode, null, viewer));
+"""
 
 
 @pytest.fixture(scope="module")
@@ -54,7 +77,8 @@ def package(tarball, tmp_path_factory) -> Path:
 
 
 def test_files(package):
-    wanted = {"rna-viewer.js", "rna-viewer.d.ts", "react.d.ts", "custom-elements.json"}
+    wanted = {"rna-viewer.js", "rna-viewer.js.map", "rna-viewer.d.ts", "custom-elements.json"}
+    wanted |= {"react.js", "react.d.ts"}
     names = {path.name for path in package.iterdir()}
     assert names == wanted | {"package.json", "README.md", "LICENSE"}
     manifest = json.loads((package / "package.json").read_text())
@@ -111,10 +135,20 @@ def test_strict_react(tarball, tmp_path):
     assert done.stdout == ""
 
 
-def test_vite(tarball, tmp_path):
-    _install(tmp_path, tarball, "vite@7")
+@pytest.mark.chromium
+def test_react_in_vite(tarball, tmp_path):
+    """The component is the element in a page that Vite builds, and hears it, here of the GPU."""
+    _install(tmp_path, tarball, "vite@7", "react@19", "react-dom@19")
     (tmp_path / "index.html").write_text(PAGE)
-    (tmp_path / "main.js").write_text('import "rna-viewer";')
-    subprocess.run(["npx", "vite", "build"], cwd=tmp_path, check=True, timeout=600)
-    (script,) = (tmp_path / "dist" / "assets").glob("*.js")
-    assert "rna-viewer" in script.read_text() and shutil.which("node")
+    (tmp_path / "main.js").write_text(MAIN)
+    build = ["npx", "vite", "build", "--base=./", "--logLevel=warn"]
+    subprocess.run(build, cwd=tmp_path, check=True, timeout=600)
+    with served_folder(tmp_path / "dist") as url, open_page(200, 200, NO_GPU) as page:
+        page.call("Page.navigate", url=url)
+        page.wait_for("globalThis.heard?.includes('engine')", TIMEOUT)
+        assert page.evaluate("[one.cameraControls, one.alt]") == [True, "A toy"]
+
+
+def test_react_has_a_client_boundary(package):
+    """Next.js runs what has none on the server alone, where no element is defined."""
+    assert (package / "react.js").read_text().startswith('"use client";')

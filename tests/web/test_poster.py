@@ -120,6 +120,20 @@ def test_the_poster_stays_until_a_picture_is_of_a_quarter_of_the_size(page, fold
 
 
 @pytest.mark.chromium
+def test_a_sharp_poster_stays_until_the_picture_is_as_sharp(page, folder, url):
+    """Or until somebody sees another view than the poster's."""
+    Image.new("RGB", (192, 120), "red").save(folder / "sharp.png")
+    left = LEFT.replace("poster.png", "sharp.png")
+    show(page, folder, url, left)
+    page.wait_for("steps.some(([scale, rounds]) => scale === 1 && rounds === 2)", TIMEOUT)
+    steps = page.evaluate("steps")
+    assert steps[1][3] and all(hidden == (scale == 1) for scale, _, hidden, _ in steps[1:])
+    assert page.evaluate("count('poster-dismissed', 'one')") == 1
+    page.evaluate("one.showPoster(), one.cameraOrbit = '10deg 60deg 4m', 0")
+    page.wait_for("one.parts.poster.hidden", TIMEOUT)
+
+
+@pytest.mark.chromium
 def test_without_a_poster_any_picture_is_shown_and_load_waits(page, folder, url):
     show(page, folder, url, LEFT.replace('poster="poster.png"', ""))
     page.wait_for("steps.some(([scale, rounds]) => scale === 1 && rounds === 2)", TIMEOUT)

@@ -25,7 +25,7 @@ from rna_view.rna_view_command import main
 from rna_view.scene_page import scene_site
 from rna_view.site_export import MARKER, export_site
 from rna_view.site_files import VIEWER_FILES, Site, viewer_file
-from rna_view.site_source import site_for
+from rna_view.site_source import gallery_for, site_for
 from tests.package.builders import make_tier, make_tiny_package
 from tests.web.glass_files import write_ball
 from tests.web.pages import served
@@ -326,3 +326,21 @@ def test_viewer_needs_no_renderer():
         "sys.exit(found != {'rna_render.local_server'})"
     )
     subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def test_several_packages_are_a_gallery(package, tmp_path, capsys):
+    other = make_tiny_package(tmp_path / "c.rna", make_tier("hq"))
+    assert main([str(package), str(other), "--export", str(tmp_path / "site")]) == 0
+    page = (tmp_path / "site" / "index.html").read_text()
+    for path in (package, other):
+        assert f'src="{name_of(path)}"' in page and f"<figcaption>{path.stem}<" in page
+        assert (tmp_path / "site" / name_of(path)).read_bytes() == path.read_bytes()
+    names = {path.name for path in (tmp_path / "site").iterdir()}
+    assert {"gallery.js", "gallery.css", "rna-viewer.js"} <= names and "viewer.js" not in names
+    with served(gallery_for([package, other])) as server:
+        assert fetch(server.url)[2].decode().count("<rna-viewer") == 2
+        assert fetch(server.url + "gallery.js")[0] == 200
+    scene = tmp_path / "scene.yaml"
+    scene.write_text(f"asset: {package.name}\n")
+    assert main([str(package), str(scene), "--export", str(tmp_path / "two")]) == 1
+    assert "expected packages alone" in capsys.readouterr().err

@@ -84,7 +84,7 @@ def test_taken_out_while_it_loads(page, folder, url, scene, moment, is_put_back_
         finished(page, "kept")
     assert said == []
     assert page.evaluate("devices.filter(({ isLost }) => !isLost).length") == 1
-    assert page.evaluate("kept.notices.place.hidden && count('error', 'one') === 0")
+    assert page.evaluate("kept.notices.whole === null && count('error', 'one') === 0")
     assert page.evaluate("kept.stage.lighting.tables().floats[0]") == 0.25
 
 

@@ -4,6 +4,7 @@ import { copyFileSync, mkdirSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { shaders } from "../shaders.mjs";
+import { shortenSources } from "../source_maps.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url)), web = join(here, ".."), out = process.argv[2];
 const SHADERS = ["surface", "fiber", "trace", "visibility.wgsl", "images.wgsl", "render/directions.wgsl", "render/ggx.wgsl", "render/lobes.wgsl"];
@@ -28,7 +29,8 @@ const plugin = {
 
 mkdirSync(out, { recursive: true });
 await build({
-  ...COMMON, entryPoints: { "rna-three": "src/three/index.js" }, outdir: out, format: "esm", external: ["three", "three/*"], plugins: [plugin],
+  ...COMMON, entryPoints: { "rna-three": "src/three/index.js" }, outdir: out, format: "esm", external: ["three", "three/*"], plugins: [plugin], sourcemap: true,
 });
+shortenSources(join(out, "rna-three.js.map"), web);
 for (const name of ["package.json", "README.md", "rna-three.d.ts"]) copyFileSync(join(here, name), join(out, name));
 copyFileSync(join(web, "../../LICENSE"), join(out, "LICENSE"));

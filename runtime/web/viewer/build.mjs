@@ -4,6 +4,7 @@ import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { imports } from "../imports.mjs";
+import { shortenSources } from "../source_maps.mjs";
 import { flag, propertyOf, READERS } from "../src/element/attributes.js";
 
 const here = dirname(fileURLToPath(import.meta.url)), web = join(here, ".."), root = join(web, "../.."), out = process.argv[2];
@@ -43,8 +44,9 @@ const manifest = {
 mkdirSync(out, { recursive: true });
 await build({
   absWorkingDir: web, entryPoints: { "rna-viewer": "src/element/rna_viewer.js" }, outdir: out, bundle: true, minify: true, format: "esm",
-  target: "es2022", legalComments: "eof", loader: { ".wgsl": "text" }, plugins: [imports], logLevel: "warning",
+  target: "es2022", legalComments: "eof", loader: { ".wgsl": "text" }, plugins: [imports], logLevel: "warning", sourcemap: true,
 });
+shortenSources(join(out, "rna-viewer.js.map"), web);
 writeFileSync(join(out, "custom-elements.json"), `${JSON.stringify(manifest, null, 1)}\n`);
-for (const name of ["package.json", "README.md", "rna-viewer.d.ts", "react.d.ts"]) copyFileSync(join(here, name), join(out, name));
+for (const name of ["package.json", "README.md", "rna-viewer.d.ts", "react.js", "react.d.ts"]) copyFileSync(join(here, name), join(out, name));
 copyFileSync(join(root, "LICENSE"), join(out, "LICENSE"));

@@ -43,6 +43,8 @@ export interface RnaViewerAttributes {
   "pixel-ratio"?: number | string;
   jitter?: number | string;
   "first-look"?: "auto" | "off";
+  messages?: "calm" | "whole";
+  texts?: string;
 }
 
 type CamelCase<Name> = Name extends `${infer First}-${infer Rest}` ? `${First}${Capitalize<CamelCase<Rest>>}` : Name;

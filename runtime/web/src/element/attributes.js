@@ -2,6 +2,7 @@
 // line that says what is expected.
 import { linearColour } from "./backdrop.js";
 import { steep } from "./orbit.js";
+import { readTexts } from "./texts.js";
 
 const RADIANS = Math.PI / 180;
 const ANGLES = { deg: RADIANS, rad: 1 }, LENGTHS = { m: 1, cm: 0.01, mm: 0.001 }, SHARES = { "%": 0.01 };
@@ -30,6 +31,8 @@ const number = (low, high, whole = false) => (text) => {
 };
 const choice = (...names) => (text) => (names.includes(text) ? text : expected(names.join(" or "), text));
 const text = (value) => value;
+/** Of a file; an empty one, as templates write it, is none. */
+const address = (value) => value.trim() || null;
 /** On where it is there, but for "false", which Vue and Svelte write of a value that is false. */
 export const flag = (value) => value !== "false";
 
@@ -76,7 +79,7 @@ function tintColour(value) {
 
 /** By attribute: how its text is read. */
 export const READERS = {
-  src: text, glass: text, alt: text, poster: text, scene: text, environment: text, tier: text, "variant-name": text,
+  src: address, glass: address, alt: text, poster: address, scene: address, environment: address, tier: text, "variant-name": text,
   loading: choice("auto", "lazy", "eager"), reveal: choice("auto", "manual"),
   "camera-orbit": cameraOrbit, "camera-target": cameraTarget, "field-of-view": fieldOfView,
   "min-camera-orbit": cameraOrbit, "max-camera-orbit": cameraOrbit, "min-field-of-view": fieldOfView, "max-field-of-view": fieldOfView,
@@ -86,7 +89,7 @@ export const READERS = {
   "touch-action": choice("pan-y", "pan-x", "none"), "wheel-zoom": choice("focus", "always"), "interaction-prompt": choice("auto", "none"), "interpolation-decay": number(0, 1e5),
   "auto-rotate": flag, "auto-rotate-delay": number(0, 1e9), "rotation-per-second": turn,
   samples: number(1, 1e6, true), "pixel-ratio": number(0.1, 8), jitter: number(0, 1),
-  "first-look": choice("auto", "off"), maps: addresses, tint: tintColour,
+  "first-look": choice("auto", "off"), maps: addresses, tint: tintColour, messages: choice("calm", "whole"), texts: readTexts,
 };
 
 /** The name of an attribute's property, as cameraOrbit. */

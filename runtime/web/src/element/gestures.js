@@ -29,7 +29,23 @@ export function actions(stage) {
       const sunHeight = clamp(stage.lighting.sunHeight + (y * 180) / Math.PI, -10, 90);
       stage.setLight({ rotation, sunHeight }, { moving: moving === true, byUser: true });
     },
+    remember: () => remembered(stage),
     settle: () => stage.viewer.moving && stage.viewer.restart(),
     reset: () => stage.glideTo(() => stage.reset()),
+  };
+}
+
+/** Undoes what moves camera and light from now on. */
+function remembered(stage) {
+  const { orbit, lighting, isTouched } = stage, { azimuth, elevation, distance, target } = orbit, { rotation, sunHeight } = lighting;
+  const view = { azimuth, elevation, distance, target }, light = { rotation, sunHeight };
+  const differs = (object, values) => Object.keys(values).some((name) => object[name] !== values[name]);
+  return () => {
+    if (differs(lighting, light)) stage.setLight(light);
+    if (!differs(orbit, view)) return;
+    Object.assign(orbit, view);
+    stage.isTouched = isTouched;
+    stage.viewer?.restart();
+    stage.emit("camera", { byUser: false });
   };
 }

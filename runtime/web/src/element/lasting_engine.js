@@ -73,7 +73,7 @@ export class LastingEngine extends EventTarget {
     this.viewer.addEventListener("shown", () => this.pictured());
     this.viewer.addEventListener("failed", ({ error }) => this._lost(engine, lineOf(error)));
     performance.mark("engine");
-    listen(canvas, actions(this), (event) => isForPicture(this, event));
+    listen(canvas, actions(this), (event) => isForPicture(this, event), this.living.signal);
     copyForPaper(canvas, () => this.viewer.show(), this.living.signal);
     this.emit("engine");
     this._followScreen();

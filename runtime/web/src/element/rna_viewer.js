@@ -1,14 +1,17 @@
 // <rna-viewer src="toy.rna" auto-rotate camera-controls>: an asset on any page. Its attributes, properties and events.
 import { nameOf } from "../package/source.js";
-import { Notices, readableBytes } from "../ui/elements.js";
+import { readableBytes } from "../ui/elements.js";
 import { nearName } from "../ui/near_name.js";
 import { cameraText, flag, lightText, propertyOf, READERS } from "./attributes.js";
 import { linearColour } from "./backdrop.js";
 import { Hotspots } from "./hotspots.js";
-import { attach } from "./shadow.js";
+import { isModelViewers, linesOnNames } from "./model_viewer_names.js";
+import { attach, dress } from "./shadow.js";
 import { spokenView } from "./spoken.js";
 import { Stage } from "./stage.js";
+import { textOf } from "./texts.js";
 import { Turntable } from "./turntable.js";
+import { VisitorNotices } from "./visitor_notices.js";
 
 const BUILT_IN = ["studio", "white"];  // environments
 const NEAR = "50% 0px";  // of the window, around it: where an element is loaded and draws
@@ -16,6 +19,15 @@ const SPEAK_MS = 500;    // after the last movement
 const PROMPT_MS = 3000;  // after the picture is there
 const NOT_OURS = /^(data-|aria-|on|dir$)|[^a-z-]/;  // attributes, of HTML and of frameworks
 const ADDRESSES = { src: "asset", environment: "light", scene: "scene" };  // and what a failure is about
+
+/** By name of a file in the page's folder what people call it, of pages that rna-view writes. */
+function labelsOf({ dataset: { rnaLabels } }) {
+  try {
+    return JSON.parse(rnaLabels ?? "{}") ?? {};
+  } catch {
+    return {};
+  }
+}
 
 /** A place or a direction; as text, what data-position and data-normal take. */
 class Vector {
@@ -30,14 +42,14 @@ class Vector {
 
 // In node and in workers, where there are no elements, the class can be imported and no more.
 export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
-  static observedAttributes = Object.keys(READERS);
+  static observedAttributes = [...Object.keys(READERS), "lang"];
 
   constructor() {
     super();
     const root = attach(this), part = (id) => root.getElementById(id);
-    this.parts = { view: part("view"), poster: part("poster"), image: root.querySelector("img"), loading: part("loading"), prompt: part("prompt"), bar: part("bar"), bytes: part("bytes"), status: part("status"), tint: part("tint") };
+    this.parts = { view: part("view"), poster: part("poster"), image: root.querySelector("img"), loading: part("loading"), prompt: part("prompt"), bar: part("bar"), bytes: part("bytes"), keys: part("keys"), status: part("status"), tint: part("tint") };
     this.settings = Object.fromEntries(Object.keys(READERS).map((name) => [propertyOf(name), null]));
-    this.notices = new Notices(part("notice"));
+    this.notices = new VisitorNotices(part("notice"), this);
     this.stage = new Stage(this.parts.view, this.notices, this.settings);
     this.stage.look.isCovered = () => this._isCovered;
     this.turntable = new Turntable(this.stage);
@@ -48,7 +60,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
   }
 
   connectedCallback() {
-    this.stage.labels = JSON.parse(this.dataset.labels ?? "{}");
+    this.stage.labels = labelsOf(this);
     this.observer = new IntersectionObserver((entries) => this._seen(entries.at(-1).isIntersecting), { rootMargin: NEAR });
     this.observer.observe(this);
     this.stillness.addEventListener("change", this.onstillness = () => this._still());
@@ -56,6 +68,11 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     this._still();
     this._tint();
     this._begin();
+  }
+
+  /** It has come to another document, as that of an iframe. */
+  adoptedCallback() {
+    dress(this.shadowRoot);
   }
 
   /** An element that only moves within its page keeps its GPU. */
@@ -72,6 +89,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
   }
 
   attributeChangedCallback(name, before, text) {
+    if (name === "lang") return this._describe();
     const isTriedAgain = this.failures.delete(ADDRESSES[name]);
     if (before === text && !isTriedAgain) return;
     if (["src", "glass"].includes(name)) this.requestedSrc = null;
@@ -161,8 +179,10 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
       delete this[property];
       this[property] = value;
     }
-    for (const name of this.getAttributeNames()) {
-      const near = !(name in READERS) && !NOT_OURS.test(name) && nearName(name, Object.keys(READERS));
+    const names = this.getAttributeNames();
+    for (const line of linesOnNames(names)) console.warn(`rna-viewer: ${line}`);
+    for (const name of names.filter((one) => !(one in READERS) && !isModelViewers(one) && !NOT_OURS.test(one))) {
+      const near = nearName(name, Object.keys(READERS));
       if (near) console.warn(`rna-viewer has no attribute ${name}: did you mean ${near}?`);
     }
   }
@@ -190,6 +210,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     if (name === "pixel-ratio") stage.resize();
     if (["maps", "tint"].includes(name) && stage.shown) stage.print();
     if (["loading", "reveal"].includes(name)) this._begin();
+    if (name === "messages") this.notices.show();
     if (["camera-controls", "interaction-prompt"].includes(name)) this._prompt();
     if (name.startsWith("auto-rotate") || name === "rotation-per-second") this._turn();
     this._describe();
@@ -267,10 +288,11 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     on("poster", ({ blob }) => this.settings.poster || this._showImage(blob && URL.createObjectURL(blob)));
     on("package", () => this._describe());
     on("loading", () => this.failures.delete("asset"));
+    on("shown", () => this._reveal(stage.isTouched));
     on("load", () => {
       this.loaded = true;
-      if (this.settings.reveal !== "manual" || this.isDismissed) this._hidePoster();
-      parts.status.textContent = `${this._name()} is shown`;
+      this._reveal(stage.isTouched);
+      parts.status.textContent = textOf(this, "shown", { name: this._name() });
       this._fire("progress", { totalProgress: 1 });
       this._fire("load", { url: this.requestedSrc });
       this._prompt();
@@ -281,6 +303,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
       if (about === "engine") parts.poster.hidden = false;
       this._fire("error", { type: about, message: error.message, code: error.code ?? null, sourceError: error });
     });
+    for (const name of ["camera", "light"]) on(name, () => this._reveal(true));
     on("camera", ({ byUser }) => {
       this._fire("camera-change", { ...cameraText(stage.orbit), source: byUser ? "user-interaction" : "none" });
       if (!byUser) return;
@@ -307,7 +330,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
 
   _speak() {
     clearTimeout(this.speaking);
-    this.speaking = setTimeout(() => { this.parts.status.textContent = spokenView(this.stage.orbit); }, SPEAK_MS);
+    this.speaking = setTimeout(() => { this.parts.status.textContent = spokenView(this.stage.orbit, (name) => textOf(this, name)); }, SPEAK_MS);
   }
 
   _showProgress(got, all) {
@@ -315,7 +338,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     loading.hidden = false;
     if (all) Object.assign(bar, { max: Math.max(all, got), value: got });
     else bar.removeAttribute("value");
-    bytes.textContent = all ? `${readableBytes(got)} of ${readableBytes(Math.max(all, got))}` : readableBytes(got);
+    bytes.textContent = all ? `${readableBytes(got)} / ${readableBytes(Math.max(all, got))}` : readableBytes(got);
     this._fire("progress", { totalProgress: all ? Math.min(0.99, got / all) : 0 });
   }
 
@@ -335,29 +358,60 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     return !poster.hidden && (!image.hidden || poster.firstChild.assignedElements().length > 0);
   }
 
+  /** The picture in place of the poster, once it is as sharp, or shows another view or light. */
+  _reveal(isOther = false) {
+    const isWanted = this.settings.reveal !== "manual" || this.isDismissed;
+    if (this.loaded && isWanted && (isOther || this._isAsSharp())) this._hidePoster();
+  }
+
+  /** Of a poster in a slot the size is not known: as that of the canvas. */
+  _isAsSharp() {
+    const { viewer, canvas } = this.stage, { image } = this.parts, { isSharp, scale } = viewer?.stats ?? {};
+    if (!isSharp) return false;
+    const share = image.hidden ? 1 : Math.max(image.naturalWidth / canvas.width, image.naturalHeight / canvas.height);
+    return 1 / scale >= Math.min(1, share);
+  }
+
+  /** Whether there is anything to see of the asset. */
+  get isSeen() {
+    const { image } = this.parts, isPoster = this._isCovered && (image.hidden || image.naturalWidth > 0);
+    return isPoster || (this.loaded && !!this.stage.viewer);
+  }
+
   _hidePoster() {
     const { poster } = this.parts;
     if (poster.hidden) return;
     poster.hidden = true;
+    this.turntable.wait();
     this._fire("poster-dismissed");
   }
 
   _name() {
-    return this.settings.alt ?? this.stage.opened?.manifest.name ?? "A relightable asset";
+    return this.settings.alt ?? this.stage.opened?.manifest.name ?? textOf(this, "asset");
   }
 
   /** Names and roles for those who do not see the picture. */
   _describe() {
-    const { canvas } = this.stage, { cameraControls, touchAction } = this.settings;
-    this.parts.image.alt = this._name();
+    const { canvas } = this.stage, { parts } = this, { cameraControls } = this.settings;
+    parts.image.alt = this._name();
+    parts.bar.setAttribute("aria-label", textOf(this, "loading"));
+    for (const name of ["prompt", "keys"]) parts[name].textContent = textOf(this, name);
     if (!canvas) return;
-    canvas.style.touchAction = cameraControls ? touchAction ?? "pan-y" : "auto";
+    canvas.style.touchAction = this._touchAction();
     const wanted = cameraControls ? { role: "application", tabindex: 0, "aria-describedby": "keys" } : { role: "img" };
     canvas.setAttribute("aria-label", this._name());
     for (const name of ["role", "tabindex", "aria-describedby"]) {
       if (name in wanted) canvas.setAttribute(name, wanted[name]);
       else canvas.removeAttribute(name);
     }
+  }
+
+  /** What a finger does to the page; two zoom it where they do not zoom the asset. */
+  _touchAction() {
+    const { cameraControls, touchAction, disableZoom } = this.settings;
+    if (!cameraControls) return "auto";
+    const action = touchAction ?? "pan-y";
+    return disableZoom ? `${action === "none" ? "" : action} pinch-zoom`.trim() : action;
   }
 
   _fire(name, detail = null) {

@@ -1,8 +1,5 @@
 // What is inside the element: canvas, poster, progress, a line for what goes wrong; and how it looks.
 
-const KEYS = "Arrow keys or one finger orbit. Plus, minus or a pinch go nearer and farther. W, A, S, D or two fingers pan. Square " +
-  "brackets, Shift and arrow keys, or three fingers turn the light. Home resets.";
-
 /** An element with attributes and what is in it; made so, since a policy may refuse HTML as text (Trusted Types). */
 function make(name, attributes, ...inside) {
   const made = document.createElement(name);
@@ -19,10 +16,10 @@ const content = () => [
   make("div", { id: "poster" }, make("slot", { name: "poster" }, make("img", { part: "poster", alt: "", hidden: "" }))),
   make("div", { id: "over" },
     make("div", { id: "loading", hidden: "" }, make("slot", { name: "progress-bar" },
-      make("progress", { id: "bar", part: "progress-bar", "aria-label": "Loading" }), make("span", { id: "bytes" }))),
-    make("p", { id: "prompt", part: "prompt", "aria-hidden": "true", hidden: "" }, "Drag to turn"),
-    make("p", { id: "notice", part: "notice", role: "alert", hidden: "" })),
-  make("p", { id: "keys", class: "spoken" }, KEYS),
+      make("progress", { id: "bar", part: "progress-bar" }), make("span", { id: "bytes" }))),
+    make("p", { id: "prompt", part: "prompt", "aria-hidden": "true", hidden: "" }),
+    make("p", { id: "notice", part: "notice", role: "status", hidden: "" })),
+  make("p", { id: "keys", class: "spoken" }),
   make("p", { id: "status", class: "spoken", role: "status" }),
 ];
 
@@ -69,14 +66,26 @@ canvas:focus-visible { outline: 2px solid #fff; outline-offset: -2px; }
 .spoken { position: absolute; width: 1px; height: 1px; margin: 0; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
 `;
 
-let sheet = null;
+const sheets = new WeakMap();  // by window
 
-/** The content in a new shadow tree. A policy against inline styles (CSP) allows the style: it is a constructed sheet. */
+/** The content in a new shadow tree. */
 export function attach(host) {
   const root = host.attachShadow({ mode: "open", delegatesFocus: true });
-  sheet ??= new CSSStyleSheet();
-  if (!sheet.cssRules.length) sheet.replaceSync(STYLE);
-  root.adoptedStyleSheets = [sheet];
+  dress(root);
   root.append(...content());
   return root;
+}
+
+/**
+ * Gives a shadow tree its style, also where it comes to another document, which takes the style away. A policy against inline
+ * styles (CSP) allows it: it is a constructed sheet.
+ */
+export function dress(root) {
+  const view = root.ownerDocument.defaultView;
+  if (!view) return;  // a document that nobody sees
+  if (!sheets.has(view)) {
+    sheets.set(view, new view.CSSStyleSheet());
+    sheets.get(view).replaceSync(STYLE);
+  }
+  root.adoptedStyleSheets = [sheets.get(view)];
 }

@@ -29,7 +29,9 @@ export class Turntable {
     this.stage.turnTable(angle, this.isTurning);
   }
 
+  /** Not below a poster, which would stay: pictures that turn are coarse on slow devices. */
   _start() {
+    if (this.stage.look.isCovered()) return;
     Object.assign(this, { isTurning: true, last: performance.now() });
     this._next();
   }

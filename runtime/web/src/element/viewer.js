@@ -4,7 +4,7 @@
 const BAND_MS = 120;
 const MOVING_MS = 110;     // of a picture while something moves
 const COARSEST = 16;
-export const SHARP = 4;  // a picture of a quarter of the size, or finer: a poster gives way to it
+export const SHARP = 4;  // a picture of a quarter of the size, or finer: the first one where a poster is seen meanwhile
 const NOISE = 0.4;         // of one sample, in values of the screen: differences that may be noise
 const NOISY_ROUNDS = 12;   // from which on no noise is taken out
 const LOOK_ROUNDS = 64;    // from which on nothing is left of the first look

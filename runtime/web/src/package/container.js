@@ -1,7 +1,7 @@
 // The ZIP archive of a package (spec, 2 and 10). Headers are checked before any data is used; of an
 // entry that is not read only the central header is seen.
 import { fail } from "./errors.js";
-import { otherFile } from "./other_files.js";
+import { modelFile, otherFile } from "./other_files.js";
 
 const END = 22, CENTRAL = 46, LOCAL = 30, ALIGNMENT = 64, MOST = 256;
 const NAME = /^[A-Za-z0-9_-][A-Za-z0-9._-]*(\/[A-Za-z0-9_-][A-Za-z0-9._-]*)*$/;
@@ -24,7 +24,7 @@ export async function readDirectory(source) {
 
 async function readEnd(source) {
   const { size, name } = source;
-  const head = await source.read(0, Math.min(512, size)), other = otherFile(head);
+  const head = await source.read(0, Math.min(512, size)), other = otherFile(head) ?? modelFile(head);
   if (other) fail("ZIP_NOT_ZIP", name, `expected a package, found ${other}`);
   const isZip = size >= 4 && view(head).getUint32(0, true) === 0x04034b50;
   const code = isZip ? "ZIP_TRUNCATED" : "ZIP_NOT_ZIP";

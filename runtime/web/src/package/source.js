@@ -6,6 +6,9 @@ const HEAD = 65536, TAIL = 16384;  // bytes: most often of the manifest, and of 
 // Bytes; of a file that comes whole, since its server knows no ranges: it is held in memory.
 const LARGEST_WHOLE = 2 ** 30;
 
+/** Nothing came back: what is asked in another way may be answered. */
+class NoAnswer extends NotSupported {}
+
 /** A File or Blob. */
 export class BlobSource {
   constructor(blob, name) {
@@ -23,10 +26,12 @@ export class BlobSource {
 
 /** Bytes at an address; `progress(got, all)` hears how many of those that are expected have arrived. name: for messages. */
 export class UrlSource {
+  static pauses = [300, 1000, 3000];  // ms before each new try of a transfer that was cut
+
   static async open(url, progress = () => {}, signal, name = nameOf(url)) {
     const source = new UrlSource();
     Object.assign(source, { url, progress, signal, name, fetched: 0, begun: 0, expected: null });
-    let answer = await source._ask({ Range: `bytes=0-${HEAD - 1}` });
+    let answer = await source._askHead();
     const total = /\/(\d+)$/.exec(answer.headers.get("Content-Range") ?? "");
     source.ranged = answer.status === 206 && total !== null;
     if (answer.status === 206 && !source.ranged) {
@@ -38,7 +43,7 @@ export class UrlSource {
     if (!source.ranged) source.expected = length;
     const most = source.ranged ? HEAD : LARGEST_WHOLE;
     if (length > most) await source._tooLong(answer, most);
-    source.head = await source._collect(answer, most);
+    source.head = await source._transfer(answer, 0, most);
     source.size = source.ranged ? Number(total[1]) : source.head.length;
     return source;
   }
@@ -60,13 +65,21 @@ export class UrlSource {
   }
 
   async _range(start, end) {
-    const answer = await this._ask({ Range: `bytes=${start}-${end - 1}` });
-    if (answer.status !== 206) throw new NotSupported(`${this.name}: the server forgot about ranges`);
-    const bytes = await this._collect(answer, end - start);
+    const bytes = await this._transfer(null, start, end - start);
     if (bytes.length < end - start) {
       throw new NotSupported(`${this.name}: the server sent ${bytes.length} bytes of ${end - start}`);
     }
     return bytes;
+  }
+
+  /** The first bytes; or all, where the server does not answer to a range: browsers refuse a range that is compressed. */
+  async _askHead() {
+    try {
+      return await this._ask({ Range: `bytes=0-${HEAD - 1}` });
+    } catch (error) {
+      if (!(error instanceof NoAnswer)) throw error;
+      return this._ask({});
+    }
   }
 
   async _ask(headers) {
@@ -75,12 +88,12 @@ export class UrlSource {
       answer = await fetch(this.url, { headers, signal: this.signal });
     } catch (error) {
       if (error.name === "AbortError") throw error;
-      const file = new URL(this.url, location.href).protocol === "file:";
-      throw new NotSupported(
-        file
-          ? "a page opened from a file cannot load packages: serve the folder (rna-view, any web server), or drop the .rna file here"
-          : `cannot load ${this.url}: no answer, or the server does not allow other sites (CORS)`,
-      );
+      const { protocol, origin } = new URL(this.url, location.href), here = new URL(location.href).origin;
+      if (protocol === "file:") {
+        throw new NotSupported("a page opened from a file cannot load packages: serve the folder (rna-view, any web server), or drop the .rna file here");
+      }
+      const orCors = origin === here ? "" : `, or its server does not allow ${here} (CORS)`;
+      throw new NoAnswer(`cannot load ${this.url}: no answer${orCors}`);
     }
     // 416: an empty file has no first byte.
     if (!answer.ok && answer.status !== 416) {
@@ -89,28 +102,42 @@ export class UrlSource {
     return answer;
   }
 
-  /** The bytes of an answer, of `most` at most: no server fills the memory. */
-  async _collect(answer, most) {
-    if (answer.status === 416 || !answer.body) return new Uint8Array();
+  /**
+   * Bytes from `start` on, `most` at most: no server fills the memory. answer: the first one, or null to ask for the range. What
+   * is cut goes on where it stopped; where the server knows no ranges, from the start.
+   */
+  async _transfer(answer, start, most) {
     const pieces = [];
-    let length = 0;
-    const reader = answer.body.getReader();
-    for (;;) {
-      const { done, value } = await reader.read();
-      if (done) break;
-      length += value.length;
-      if (length > most) await this._tooLong(reader, most);
-      pieces.push(value);
-      this.fetched += value.length;
-      this.progress(this.fetched - this.begun, this.expected);
+    let got = 0;
+    for (let tries = 0; ; tries++) {
+      let failure = null;
+      try {
+        answer ??= await this._ask({ Range: `bytes=${start + got}-${this.ranged ? start + most - 1 : ""}` });
+        if (this.ranged && answer.status !== 206) throw new NotSupported(`${this.name}: the server forgot about ranges`);
+        if (answer.status === 200) {
+          this.fetched -= got;
+          got = pieces.length = 0;
+        }
+        for await (const piece of piecesOf(answer)) {
+          got += piece.length;
+          if (got > most) await this._tooLong(answer, most);
+          pieces.push(piece);
+          this.fetched += piece.length;
+          this.progress(this.fetched - this.begun, this.expected);
+        }
+      } catch (error) {
+        if (error instanceof NotSupported && !(error instanceof NoAnswer)) throw error;
+        this.signal?.throwIfAborted();
+        failure = error;
+      }
+      const isWhole = !failure && (got === most || start === 0);
+      if (isWhole || tries === UrlSource.pauses.length) {
+        if (failure) throw new NotSupported(`${this.name}: the connection was cut after ${got} bytes, ${tries + 1} times`);
+        return joined(pieces, got);
+      }
+      await new Promise((resolve) => setTimeout(resolve, UrlSource.pauses[tries]));
+      answer = null;
     }
-    const bytes = new Uint8Array(length);
-    let at = 0;
-    for (const piece of pieces) {
-      bytes.set(piece, at);
-      at += piece.length;
-    }
-    return bytes;
   }
 
   /** Stops a transfer; `stream` is an answer, or its reader. */
@@ -122,6 +149,26 @@ export class UrlSource {
         : `${this.name}: more than ${most} bytes from a server without range requests: use rna-view, or a server that has them`,
     );
   }
+}
+
+async function* piecesOf(answer) {
+  if (answer.status === 416 || !answer.body) return;
+  const reader = answer.body.getReader();
+  try {
+    for (let part = await reader.read(); !part.done; part = await reader.read()) yield part.value;
+  } finally {
+    await reader.cancel().catch(() => {});
+  }
+}
+
+function joined(pieces, length) {
+  const bytes = new Uint8Array(length);
+  let at = 0;
+  for (const piece of pieces) {
+    bytes.set(piece, at);
+    at += piece.length;
+  }
+  return bytes;
 }
 
 /** The last part of an address's path, as people read it. */

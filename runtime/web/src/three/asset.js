@@ -152,9 +152,8 @@ export class RnaAsset extends Group {
     return this;
   }
 
-  /** Lets go of everything on the GPU, once no copy is left. */
+  /** Lets go of everything on the GPU, once no copy is left. It stays in the scene, as three.js' own objects do. */
   dispose() {
-    this.removeFromParent();
     const { users } = this.content;
     if (users.delete(this) && !users.size) this.content.dispose();
   }

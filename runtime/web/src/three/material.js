@@ -1,13 +1,13 @@
 // The node material of a part in one tier: rna_gpu's WGSL with the buffers that three.js binds.
-import { DoubleSide, Euler, FrontSide, InstancedInterleavedBuffer, LightingNode, NodeMaterial, StorageBufferAttribute } from "three/webgpu";
+import { Color, DoubleSide, Euler, FrontSide, InstancedInterleavedBuffer, LightingNode, NodeMaterial, StorageBufferAttribute } from "three/webgpu";
 import * as tsl from "three/tsl";
-import { attribute, bool, buffer, Fn, pmremTexture, positionGeometry, storage, wgsl, wgslFn } from "three/tsl";
+import { attribute, bool, buffer, Fn, pmremTexture, positionGeometry, storage, vec4, wgsl, wgslFn } from "three/tsl";
 import { SurfaceTable } from "../geometry/surface_table.js";
 import { fragmentOf, towardsViewer } from "./fragment.js";
 import { RnaLighting, shadowPosition } from "./lighting.js";
 import { LETTERS, partSource } from "./shader_source.js";
 import { instanceColumns } from "./spaces.js";
-import { hasWebGPU, STAND_IN, standInNode } from "./stand_in.js";
+import { canShow, STAND_IN, standInNode } from "./stand_in.js";
 
 /** What the name of each function that three.js calls begins with. */
 export const MARK = "rna_three_";
@@ -58,15 +58,18 @@ export class RnaMaterial extends NodeMaterial {
     Object.assign(this, { lights: true, side: kind === "fiber" ? FrontSide : DoubleSide, isRnaMaterial: true, options, kind });
     // As three.js' own have it: without a `null` here it leaves scene.environmentRotation out.
     Object.assign(this, { envMap: null, envMapIntensity: 1, envMapRotation: new Euler() });
+    // For exporters, which read a colour of every material: they write the shape in white. Here nothing depends on it.
+    Object.assign(this, { color: new Color(), colorNode: vec4(1) });
     Object.assign(this, STAND_IN);
     this.receivedShadowPositionNode = shadowPosition;
     this.stored = [];
-    // With the weights of three decoders, eight storage buffers, which every device has.
+    // With the weights of three decoders, eight storage buffers: what WebGPU's core level has.
     const buffers = [
       named(shared.nodes, "RnaNode", "rna_nodes"), named(shared.primitives, "RnaPrimitive", "rna_primitives"),
       named(shared.points, "vec4", "rna_points"), named(this._store(planes, 1), "uint", "rna_planes"),
       ...(shared.images ? [shared.images] : []), ...forms.flatMap((form) => this._decoder(decoders[form], `rna${LETTERS[form]}_`)),
     ];
+    this.storageBuffers = buffers.filter(({ isStorageBufferNode }) => isStorageBufferNode).length;
     const groups = Math.max(...Object.values(decoders).map((decoder) => decoder.groups));
     const source = partSource({ kind, groups, forms, planeWords: planes.length / 3, ...shared.facts });
     this.functions = functionsOf(source, buffers, "emission" in decoders);
@@ -96,7 +99,7 @@ export class RnaMaterial extends NodeMaterial {
 
   setup(builder) {
     const { fragmentNode } = this;
-    if (!hasWebGPU(builder.renderer)) this.fragmentNode = standInNode();
+    if (!canShow(builder.renderer, this.storageBuffers)) this.fragmentNode = standInNode();
     super.setup(builder);
     this.fragmentNode = fragmentNode;
   }

@@ -1,16 +1,17 @@
 // Rays of a THREE.Raycaster against an asset's own hierarchy: of a strand its segments, not the boxes that are drawn.
-import { Box3, Matrix4, Ray, Triangle, Vector3 } from "three/webgpu";
+import { Box3, Matrix4, Ray, Triangle, Vector2, Vector3 } from "three/webgpu";
 
 const NODE = 8, PRIMITIVE = 4;  // words: low, child, high, count; a, b, c, tag
 const ROOT = 1;                 // behind the node of the only instance
 const CORNERS = { surface: 3, fiber: 8 };  // of what is drawn of a primitive
 const inverse = /*@__PURE__*/ new Matrix4(), box = /*@__PURE__*/ new Box3(), ray = /*@__PURE__*/ new Ray(), triangle = /*@__PURE__*/ new Triangle();
+const weights = /*@__PURE__*/ new Vector3();
 const [start, end, point, beside] = /*@__PURE__*/ [0, 1, 2, 3].map(() => new Vector3());
 
 /** What the rays of a part need. geometry: of the whole asset; drawn: the part's own. */
 export class PartRays {
-  constructor({ nodes, primitives, points }, { kind, primitive }) {
-    Object.assign(this, { nodes, primitives, points, isFiber: kind === "fiber" });
+  constructor({ nodes, primitives, points, normalsAt }, { kind, primitive, hasUVs }) {
+    Object.assign(this, { nodes, primitives, points, normalsAt, hasUVs, isFiber: kind === "fiber" });
     this.floats = new Float32Array(nodes.buffer, nodes.byteOffset, nodes.length);
     this.faces = new Int32Array(primitives.length / PRIMITIVE).fill(-1);  // of other parts
     for (let k = 0; k * CORNERS[kind] < primitive.length; k++) this.faces[primitive[k * CORNERS[kind]]] = k;
@@ -24,7 +25,8 @@ export class PartRays {
       if (!normal) continue;
       const world = point.clone().applyMatrix4(matrix), distance = raycaster.ray.origin.distanceTo(world);
       if (distance < raycaster.near || distance > raycaster.far) continue;
-      hits.push({ distance, point: world, object: mesh, faceIndex: this.faces[number], face: { normal, materialIndex: 0 }, ...more });
+      const uv = this.hasUVs ? { uv: this._uv(number) } : {};
+      hits.push({ distance, point: world, object: mesh, faceIndex: this.faces[number], face: { normal, materialIndex: 0 }, ...uv, ...more });
     }
   }
 
@@ -48,6 +50,14 @@ export class PartRays {
     triangle.b.fromArray(this.points, 4 * b);
     triangle.c.fromArray(this.points, 4 * c);
     return ray.intersectTriangle(triangle.a, triangle.b, triangle.c, false, point) && triangle.getNormal(new Vector3());
+  }
+
+  /** Of the triangle that `_triangle` found: u is behind its points, v behind their normals. */
+  _uv(number) {
+    const corners = [...this.primitives.subarray(PRIMITIVE * number, PRIMITIVE * number + 3)];
+    const mixed = (first) => corners.reduce((sum, corner, k) => sum + weights.getComponent(k) * this.points[4 * (first + corner) + 3], 0);
+    triangle.getBarycoord(point, weights);
+    return new Vector2(mixed(0), mixed(this.normalsAt));
   }
 
   /** At the ray's nearest place to the strand's middle. */

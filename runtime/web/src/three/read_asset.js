@@ -19,7 +19,7 @@ export async function readAsset(bytes, name, wanted = null, variant = null) {
   const { parts } = loaded[0], arrays = await sceneArrays(parts);
   return {
     name: opened.manifest.name, manifest: opened.manifest, box: arrays.box, geometry: shared(arrays),
-    parts: parts.map((part, k) => ({ name: part.name, kind: part.kind, ...drawn(k, arrays) })),
+    parts: parts.map((part, k) => ({ name: part.name, kind: part.kind, hasUVs: !!part.mesh?.uvs, ...drawn(k, arrays) })),
     tiers: loaded.map(tierOf),
     notes: notesOf(parts),
   };

@@ -3,10 +3,20 @@ import { normalView, positionViewDirection, vec3, vec4 } from "three/tsl";
 
 const warned = new WeakSet();  // renderers
 
-/** Whether this renderer can show the material; one that cannot has a warning once. */
+/** Whether this renderer has WebGPU; one that has not has a warning once. */
 export function hasWebGPU(renderer) {
-  if (renderer.backend?.isWebGPUBackend) return true;
-  if (!warned.has(renderer)) console.warn("rna-three needs WebGPURenderer with WebGPU: assets are shown as grey shapes");
+  return !!renderer.backend?.isWebGPUBackend || warn(renderer, "needs WebGPURenderer with WebGPU");
+}
+
+/** Whether it can show a material with so many storage buffers: GPUs of WebGPU's compatibility level have few or none for fragments. */
+export function canShow(renderer, buffers) {
+  if (!hasWebGPU(renderer)) return false;
+  const most = renderer.backend.device.limits.maxStorageBuffersInFragmentStage ?? Infinity;
+  return buffers <= most || warn(renderer, `needs ${buffers} storage buffers in the fragment stage; this GPU allows ${most}`);
+}
+
+function warn(renderer, why) {
+  if (!warned.has(renderer)) console.warn(`rna-three ${why}: assets are shown as grey shapes`);
   warned.add(renderer);
   return false;
 }

@@ -16,10 +16,25 @@ export class Notices {
   say(text, calm = false, about = "page") {
     if (text) this.lines.set(about, { text, calm });
     else this.lines.delete(about);
-    const lines = [...this.lines.values()], texts = new Set(lines.map((line) => line.text));
-    this.place.hidden = !lines.length;
-    this.place.replaceChildren(...[...texts].map((line) => Object.assign(document.createElement("span"), { textContent: line })));
-    this.place.classList.toggle("calm", lines.every((line) => line.calm));
+    this.show();
+  }
+
+  show() {
+    const lines = [...this.lines.values()];
+    this.put(new Set(lines.map(({ text }) => text)), lines.every(({ calm }) => calm));
+  }
+
+  /** All lines, as a page's maker reads them; null if there is none. */
+  get whole() {
+    return [...this.lines.values()].map(({ text }) => text).join("\n") || null;
+  }
+
+  /** These texts, one below the other. */
+  put(texts, calm) {
+    const spans = [...texts].map((textContent) => Object.assign(document.createElement("span"), { textContent }));
+    this.place.hidden = !spans.length;
+    this.place.replaceChildren(...spans);
+    this.place.classList.toggle("calm", calm);
   }
 }
 

@@ -3,63 +3,135 @@
 const RADIANS_A_PIXEL = (0.4 * Math.PI) / 180;
 const STEP = (5 * Math.PI) / 180;
 const PAN_STEP = 0.05;  // heights of the picture
+const DECIDED = 8;      // pixels that fingers move until it is known what they do; Chromium scrolls after 15
+const WHEEL_MS = 250;   // turns of the wheel that follow sooner are one movement
+
+/** By touch-action: whether one finger that moves so is the page's. */
+const SCROLLS = { "pan-y": (x, y) => Math.abs(y) > Math.abs(x), "pan-x": (x, y) => Math.abs(x) > Math.abs(y) };
+
+/** What pointers do that move by dx, dy. path: of that pointer, { before, now }, the place of another one, and the picture's height. */
+const MOVES = {
+  orbit: (actions, dx, dy) => actions.orbit(-dx * RADIANS_A_PIXEL, dy * RADIANS_A_PIXEL, true),
+  light: (actions, dx, dy) => actions.light(dx * RADIANS_A_PIXEL, -dy * RADIANS_A_PIXEL, true),
+  three: (actions, dx, dy) => MOVES.light(actions, dx / 3, dy / 3),  // each finger tells a third of the movement
+  pan: (actions, dx, dy, { height }) => actions.pan(-dx / height, dy / height, true),
+  pinch(actions, dx, dy, { before, now, other, height }) {
+    actions.zoom(apart(before, other) / apart(now, other), true);
+    MOVES.pan(actions, dx / 2, dy / 2, { height });
+  },
+  twist: (actions, dx, dy, { before, now, other }) => actions.light(-turned(before, now, other), 0, true),
+};
 
 /**
  * One finger or the left button orbits; with Alt or Shift, or three fingers, the light turns; the right button or two fingers
- * pan; two that twist turn the light, too; wheel and pinch zoom. `actions`: orbit(x, y), light(x, y), pan(x, y), zoom(factor), all with a last argument
- * that tells whether more will follow at once; settle(), reset(). may(event): whether an event is for the picture;
- * others are the page's.
+ * pan; wheel and pinch zoom; two fingers that twist turn the light instead. Fingers move nothing until it is known which of
+ * these they mean, and what the browser takes over is undone. `actions`: orbit(x, y), light(x, y), pan(x, y), zoom(factor),
+ * all with a last argument that tells whether more will follow at once; settle(), reset(); remember() returns a function
+ * that undoes what follows. may(event): whether an event is for the picture; others are the page's.
  */
-export function listen(canvas, actions, may = () => true) {
-  const pointers = new Map();
-  let way = null;
+export function listen(canvas, actions, may = () => true, signal = undefined) {
+  const on = (name, action) => canvas.addEventListener(name, (event) => may(event) && action(event));
+  listenToPointers(canvas, actions, may);
+  listenToWheel(canvas, actions, may, signal);
+  on("contextmenu", (event) => event.preventDefault());
+  on("dblclick", () => actions.reset());
+  on("keydown", (event) => onKey(event, actions));
+}
+
+function listenToPointers(canvas, actions, may) {
+  const places = new Map();                        // by pointer
+  let way = null, begun = new Map(), undo = null;  // way: a key of MOVES, another text for nothing, or null until it is known
+
+  const end = () => {
+    places.clear();
+    canvas.classList.remove("dragging");
+    actions.settle();
+  };
 
   canvas.addEventListener("pointerdown", (event) => {
     if (!may(event)) return;
-    pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    if (!places.size) undo = actions.remember?.();
+    places.set(event.pointerId, placeOf(event));
     capture(canvas, event.pointerId);
     canvas.classList.add("dragging");
-    if (pointers.size > 1) way = pointers.size === 2 ? "two" : "three";
-    else if (pointers.size === 1) {
-      way = event.button === 2 ? "pan" : event.button !== 0 ? null : event.altKey || event.shiftKey ? "light" : "orbit";
-    }
+    begun = new Map(places);
+    way = places.size > 2 ? "three" : places.size === 1 && event.pointerType === "mouse" ? wayOfMouse(event) : null;
   });
 
   canvas.addEventListener("pointermove", (event) => {
-    const before = pointers.get(event.pointerId);
+    const before = places.get(event.pointerId), now = placeOf(event);
     if (!before) return;
-    const now = { x: event.clientX, y: event.clientY }, dx = now.x - before.x, dy = now.y - before.y;
-    if (way === "two") twoFingers(pointers, event.pointerId, before, now, actions, canvas.clientHeight);
-    pointers.set(event.pointerId, now);
-    if (!dx && !dy) return;
-    if (way === "orbit") actions.orbit(-dx * RADIANS_A_PIXEL, dy * RADIANS_A_PIXEL, true);
-    if (way === "three") actions.light((dx / 3) * RADIANS_A_PIXEL, (-dy / 3) * RADIANS_A_PIXEL, true);
-    if (way === "light") actions.light(dx * RADIANS_A_PIXEL, -dy * RADIANS_A_PIXEL, true);
-    if (way === "pan") actions.pan(-dx / canvas.clientHeight, dy / canvas.clientHeight, true);
+    places.set(event.pointerId, now);
+    const [other] = [...places].filter(([id]) => id !== event.pointerId).map(([, place]) => place);
+    const dx = now.x - before.x, dy = now.y - before.y;
+    if (way === null) way = places.size > 1 ? wayOfTwo(begun, places) : wayOfOne(begun, places, canvas);
+    else if (dx || dy) MOVES[way]?.(actions, dx, dy, { before, now, other, height: canvas.clientHeight });
   });
 
-  for (const name of ["pointerup", "pointercancel"]) {
-    canvas.addEventListener(name, (event) => {
-      if (!pointers.delete(event.pointerId)) return;
-      if (pointers.size) return;
-      way = null;
-      canvas.classList.remove("dragging");
-      actions.settle();
-    });
-  }
+  canvas.addEventListener("pointerup", (event) => {
+    if (!places.delete(event.pointerId)) return;
+    way = "ended";  // fingers leave one after the other
+    if (!places.size) end();
+  });
 
-  canvas.addEventListener("contextmenu", (event) => may(event) && event.preventDefault());
-  canvas.addEventListener("dblclick", (event) => may(event) && actions.reset());
-  let settling = 0;
+  canvas.addEventListener("pointercancel", (event) => {
+    if (!places.has(event.pointerId)) return;
+    undo?.();
+    end();
+  });
+}
+
+const placeOf = ({ clientX, clientY }) => ({ x: clientX, y: clientY });
+const apart = (a, b) => Math.hypot(a.x - b.x, a.y - b.y) || 1;
+
+/** The angle by which a point moved about a centre, from -pi to pi. */
+function turned(before, now, centre) {
+  const angle = (place) => Math.atan2(place.y - centre.y, place.x - centre.x), turn = angle(now) - angle(before);
+  return Math.atan2(Math.sin(turn), Math.cos(turn));
+}
+
+function wayOfMouse({ button, altKey, shiftKey }) {
+  if (button === 2) return "pan";
+  if (button !== 0) return "none";
+  return altKey || shiftKey ? "light" : "orbit";
+}
+
+/** Where one finger, or a pen, moved; null while it has hardly moved. */
+function wayOfOne(begun, places, canvas) {
+  const [[id, now]] = places, dx = now.x - begun.get(id).x, dy = now.y - begun.get(id).y;
+  if (Math.hypot(dx, dy) < DECIDED) return null;
+  const [action] = getComputedStyle(canvas).touchAction.split(" ");
+  return SCROLLS[action]?.(dx, dy) ? "scroll" : "orbit";
+}
+
+function wayOfTwo(begun, places) {
+  const [[a, A], [b, B]] = places, before = begun.get(a), other = begun.get(b);
+  const between = apart(A, B), middle = { x: (A.x + B.x - before.x - other.x) / 2, y: (A.y + B.y - before.y - other.y) / 2 };
+  const direction = (p, q) => ({ x: q.x - p.x, y: q.y - p.y });
+  const twist = (Math.abs(turned(direction(before, other), direction(A, B), { x: 0, y: 0 })) * between) / 2;
+  const pinch = Math.max(Math.abs(between - apart(before, other)) / 2, Math.hypot(middle.x, middle.y));
+  if (Math.max(twist, pinch) < DECIDED) return null;
+  return twist > pinch ? "twist" : "pinch";
+}
+
+/** A movement of the wheel is the page's or the picture's as a whole: what scrolls the page does not zoom where it comes to the picture. */
+function listenToWheel(canvas, actions, may, signal) {
+  let last = -Infinity, begins = false, isOurs = false, settling = 0;
+  globalThis.addEventListener("wheel", (event) => {
+    begins = event.timeStamp - last > WHEEL_MS || event.ctrlKey || event.metaKey;
+    if (begins) isOurs = false;
+    last = event.timeStamp;
+  }, { capture: true, passive: true, signal });
+  canvas.addEventListener("focus", () => { last = -Infinity; });
   canvas.addEventListener("wheel", (event) => {
-    if (!may(event)) return;
+    if (begins) isOurs = may(event);  // the window heard of it before
+    if (!isOurs) return;
     event.preventDefault();
     const pixels = event.deltaMode === 0 ? event.deltaY : event.deltaY * 32;
     actions.zoom(Math.exp(Math.min(300, Math.max(-300, pixels)) * 0.0012), true);
     clearTimeout(settling);
     settling = setTimeout(() => actions.settle(), 200);
   }, { passive: false });
-  canvas.addEventListener("keydown", (event) => may(event) && onKey(event, actions));
 }
 
 function capture(canvas, id) {
@@ -68,17 +140,6 @@ function capture(canvas, id) {
   } catch {
     // The pointer is gone already.
   }
-}
-
-function twoFingers(pointers, id, before, now, actions, height) {
-  const other = [...pointers].find(([key]) => key !== id)?.[1];
-  if (!other) return;
-  const distance = (p) => Math.hypot(p.x - other.x, p.y - other.y) || 1, angle = (p) => Math.atan2(p.y - other.y, p.x - other.x);
-  actions.zoom(distance(before) / distance(now), true);
-  const twist = angle(now) - angle(before), shortest = Math.atan2(Math.sin(twist), Math.cos(twist));
-  if (shortest) actions.light(-shortest, 0, true);
-  // Each finger tells half of the movement.
-  actions.pan((0.5 * (before.x - now.x)) / height, (0.5 * (now.y - before.y)) / height, true);
 }
 
 function onKey(event, actions) {

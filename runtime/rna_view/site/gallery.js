@@ -1,0 +1,1 @@
+(()=>{var n=e=>document.getElementById(e);var t=e=>n(e).value;n("light").addEventListener("input",()=>{for(let e of document.querySelectorAll("rna-viewer"))e.sun=`40deg ${t("height")}deg ${t("brightness")}`,e.lightRotation=`${t("rotation")}deg`,e.environmentIntensity=t("sky")});})();
