@@ -48,7 +48,6 @@ OTHER_HALF = {
     "rna_render.materials",
     "rna_render.paths.integrator_factory",
     "rna_render.paths.sampling",
-    "rna_render.world.bodies",
     "rna_render.world.domain_watch",
 }
 """What rna_gpu alone may import of the renderer, for the same lights, materials and paths."""

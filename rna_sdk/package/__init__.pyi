@@ -17,6 +17,7 @@ from .issues import Issue as Issue
 from .issues import Severity as Severity
 from .manifest.extensions import EnvironmentPart as EnvironmentPart
 from .manifest.extensions import EnvironmentValidation as EnvironmentValidation
+from .manifest.extensions import Mixture as Mixture
 from .manifest.manifest_fields import Bounds as Bounds
 from .manifest.manifest_fields import Cone as Cone
 from .manifest.manifest_fields import Domain as Domain

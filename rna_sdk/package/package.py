@@ -25,6 +25,7 @@ from rna_sdk.package.geometry.vertex_visibility import (
 from rna_sdk.package.manifest.extensions import (
     Environment,
     EnvironmentPart,
+    Mixture,
     Poster,
     Proxy,
     ProxyLevel,
@@ -34,6 +35,7 @@ from rna_sdk.package.manifest.extensions import (
     changed_record,
     extension,
     of_part,
+    part_sampling,
 )
 from rna_sdk.package.manifest.manifest_model import BaseColorFields, Manifest, Part
 from rna_sdk.package.manifest.manifest_tiers import Tier, TierPart
@@ -330,6 +332,17 @@ class Package:
             if form in (None, record.form.name):
                 return self._view(record.entry)
         raise QueryError(f"no decoder of {form} in part {part} of tier {tier!r}")
+
+    def sampling(self, part: int = 0) -> tuple[Mixture, ...]:
+        """Mixtures of lobes for rays that leave a part (RNA_sampling), by triangles.
+
+        Without any, the usual one of its kind.
+
+        Raises:
+            QueryError: the package has no such part.
+        """
+        self._part(part)
+        return part_sampling(self.manifest, part)
 
     def environment(self, part: int = 0) -> EnvironmentLobes | None:
         """The lobes of a part (RNA_environment), made for its full geometry; None if it has none.

@@ -25,7 +25,7 @@ from rna_sdk.package import (
 )
 from rna_sdk.package.decoder.decoder_form import COLUMNS, SHADOWED, TRANSPORT, VISIBLE, form_named
 from rna_sdk.package.decoder.query_arrays import NEARBY, QUERY_ARRAYS, Rows
-from rna_sdk.package.manifest.extensions import USUAL_SAMPLING, Mixture, part_sampling
+from rna_sdk.package.manifest.extensions import USUAL_SAMPLING, Mixture
 from rna_sdk.package.manifest.manifest_fields import Kind
 from rna_sdk.package.textures.exchanged_images import check_images, with_images
 from rna_sdk.runtime.engine.batch import Batch
@@ -241,7 +241,7 @@ class AssetPart(Asset):
         self._lobes = None if lobes is None else PartLobes(lobes, record, threads)
         self.environment_form: EnvironmentPart | None = lobes.record if lobes else None
         self.sampling: tuple[Mixture, ...] = (
-            (USUAL_SAMPLING[self.kind],) if proxied else part_sampling(package.manifest, part)
+            (USUAL_SAMPLING[self.kind],) if proxied else package.sampling(part)
         )
 
     @property

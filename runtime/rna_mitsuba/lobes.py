@@ -13,11 +13,9 @@ from typing import ClassVar
 import drjit as dr
 import mitsuba as mi
 
-from rna_sdk.package.limits import MAX_NARROW_LOBES
-from rna_sdk.package.manifest.extensions import Mixture
-from rna_sdk.package.manifest.manifest_fields import Kind
+from rna_sdk.package import Mixture
 
-LOBES = 1 + MAX_NARROW_LOBES
+LOBES = len(Mixture().lobes)
 
 
 class PointMixture:
@@ -30,8 +28,8 @@ class PointMixture:
     }
 
     @classmethod
-    def of(cls, mixture: Mixture, kind: Kind) -> PointMixture:
-        """The same at all points."""
+    def of(cls, mixture: Mixture, kind: str) -> PointMixture:
+        """The same at all points. kind: of the part."""
         result = cls()
         result.is_fiber = mi.Bool(kind == "fiber")
         for k, (share, width) in enumerate(mixture.lobes):

@@ -17,7 +17,6 @@ from rna_mitsuba.tracing import PackageScene, Shape, geometry_of
 from rna_sdk.errors import QueryError
 from rna_sdk.motion import open_motion
 from rna_sdk.package import Package
-from rna_sdk.package.manifest.extensions import part_sampling
 from rna_sdk.runtime import Transform, choose_tier, load
 
 
@@ -50,7 +49,7 @@ class LoadedPackage:
             self.mixtures = [
                 [
                     (mixture.first, PointMixture.of(mixture, part.kind))
-                    for mixture in part_sampling(package.manifest, k)
+                    for mixture in package.sampling(k)
                 ]
                 for k, part in enumerate(package.manifest.parts)
             ]

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
 from rna_gpu import Device
 from rna_gpu.records.tables import lobe_fields
+from rna_gpu.scene.scene_images import Images
+from rna_gpu.scene.scene_surfaces import Surfaces
 from rna_gpu.shaders import compose
 from rna_render.world.neural_sampling import LobeMixture
 from rna_sdk.package.manifest.extensions import (
@@ -14,7 +18,11 @@ from rna_sdk.package.manifest.extensions import (
     FiberLobe,
     MirrorLobe,
     Mixture,
+    Sampling,
 )
+from rna_sdk.package.packing import Unpacked
+from rna_sdk.runtime import load
+from tests.package.builders import make_tiny_package
 from tests.render.chi_squared import assert_directions_follow
 from tests.runtime.points import unit_vectors
 
@@ -92,3 +100,14 @@ def test_directions_follow_their_density(name: str, device: Device) -> None:
         assert_directions_follow(
             found[:, :3], lambda w: run(np.hstack([w, np.ones((len(w), 1))]))[:, 3]
         )
+
+
+def test_triangles_have_the_lobes_of_their_mixture(tmp_path: Path) -> None:
+    package = Unpacked.read(make_tiny_package(tmp_path / "tiny.rna"))
+    mixtures = MIXTURES["cosine"], MIXTURES["mirror"].model_copy(update={"first": 2})
+    package.with_extension(Sampling(parts=(mixtures,)), {}).write(tmp_path / "tiny.rna")
+    surfaces = Surfaces(Images())
+    (triangles,) = surfaces.add(load(tmp_path / "tiny.rna"), 0, 0)
+    for triangle, surface in enumerate(triangles.surface):
+        for name, numbers in lobe_fields(mixtures[triangle >= 2]).items():
+            assert surfaces.rows[surface][name] == pytest.approx(numbers)

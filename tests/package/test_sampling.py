@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from pydantic import ValidationError
 
 from rna_render.world.neural_sampling import LobeMixture, PlacedLobes
 from rna_sdk.errors import PackageError
@@ -67,3 +68,24 @@ def test_points_have_the_lobes_of_their_triangles() -> None:
         here = np.flatnonzero((triangle > 0) == k)
         one = LobeMixture.of(mixture).everywhere
         np.testing.assert_array_equal(one.pdf(axis, axis, axis, wi[here], here), pdf[here])
+
+
+LOBE = {"share": 0.1, "width": 0.1}
+
+
+@pytest.mark.parametrize(
+    "part",
+    [
+        None,
+        [],
+        [{"glossy": 0.5}],
+        [{"cosine": -0.1}],
+        [{"mirror": [{"width": 0.1}]}],
+        [{"mirror": [LOBE] * 4}],
+        [{"first": 1, "cosine": 0.5}],
+        [{"first": first, "cosine": 0.5} for first in range(17)],
+    ],
+)
+def test_wrong_data_is_refused(part: object) -> None:
+    with pytest.raises(ValidationError):
+        Sampling.model_validate({"parts": [part]})

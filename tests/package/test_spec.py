@@ -37,7 +37,7 @@ def test_generated_files_are_current() -> None:
 def test_generated_files_are_written_and_checked(tmp_path: Path) -> None:
     assert generate("--root", str(tmp_path)).returncode == 0
     written = [path for path in tmp_path.rglob("*") if path.is_file()]
-    assert len(written) == 18
+    assert len(written) == 17
     for path in written:
         text = path.read_text(encoding="utf-8")
         assert text == (REPOSITORY / path.relative_to(tmp_path)).read_text(encoding="utf-8")

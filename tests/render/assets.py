@@ -7,7 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 import trimesh
 
-from rna_sdk.package import Curves, Mesh
+from rna_sdk.package import Curves, Mesh, Mixture
+from rna_sdk.package.manifest.extensions import USUAL_SAMPLING
 
 EMBREE_ROUNDING = 4 * np.finfo(np.float32).eps
 """How far distances of hits on triangles may differ, relatively, between Embree's kernels for
@@ -30,6 +31,7 @@ class LambertAsset:
     emits: bool = False
     environment_form: None = None
     nearby_lengths: None = None
+    sampling: tuple[Mixture, ...] = (USUAL_SAMPLING["surface"],)
     transmittance_records: tuple = ()
     normal_maps: tuple = ()
     uses_base_color: bool = False
@@ -92,6 +94,7 @@ class FiberProbe:
     emits: bool = False
     environment_form: None = None
     nearby_lengths: None = None
+    sampling: tuple[Mixture, ...] = (USUAL_SAMPLING["fiber"],)
 
     @property
     def parts(self):

@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 import trimesh
 
+from rna_render.command.terminal import tell_clamp
+from rna_render.image.film import Film, Layers
 from rna_render.image.images import write_exr
 from rna_render.paths.integrator_factory import AUTO, indirect_clamp, make_integrator
 from rna_render.paths.render import render
@@ -86,3 +88,19 @@ def test_there_are_no_specks(tmp_path: Path) -> None:
     for clamp, specked in (("auto", False), (None, True)):
         largest = max((image(4, seed, clamp) / around).max() for seed in (1, 2, 3))
         assert (largest > 10.0) == specked
+
+
+def test_what_it_takes_is_told(capsys: pytest.CaptureFixture[str]) -> None:
+    """In the second of two samples the clamp took 1 of 7."""
+    scene = Scene.model_validate({"ground": {}, "camera": CAMERA, "lights": [SKY]})
+    film = Film((2, 1))
+    band = Layers.empty(2, 0, np.float32)
+    band.beauty[:, :3] = [[1.0, 2.0, 3.0], [0.5, 1.0, 1.5]]
+    film.add([band])
+    tell_clamp(scene, film)
+    assert capsys.readouterr().err == ""
+    band.clamped[1] = 1.0
+    film.add([band])
+    assert film.clamped_share == pytest.approx(1.0 / (1.0 + 2.0 * 3.0))
+    tell_clamp(scene, film)
+    assert "clamp_indirect: auto took 14.29% of the image's light" in capsys.readouterr().err

@@ -66,13 +66,15 @@ class Scattered:
     @property
     def sent(self) -> NDArray[np.float64]:
         """In a uniform world of radiance 1, by point: (n,)."""
-        return np.bincount(self.row, self.transport / self.sampled, len(self.points))
+        radiance = self.transport / self.sampled
+        return np.bincount(self.row, radiance, len(self.points)).astype(np.float64)
 
     @property
     def relative(self) -> NDArray[np.float64]:
         """What makes a variance relative to a point's brightness and to the mean of all: (n,)."""
         sent = self.sent
-        return 1.0 / np.square(sent + sent.mean() + 1e-30)
+        relative: NDArray[np.float64] = 1.0 / np.square(sent + sent.mean() + 1e-30)
+        return relative
 
     def noise(self, pdf: NDArray[np.float64]) -> float:
         """Variance of T / pdf of one ray in that world, times `relative`; the points' mean.

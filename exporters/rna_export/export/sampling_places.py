@@ -26,17 +26,18 @@ _NEAR = 1024  # triangles of a mesh, among which each has a neighbour
 class Weighted(NamedTuple):
     """What mixtures are fitted to: k directions at n points.
 
-    row: (k,) int64, the points. weight, densities: of `fitted_shares`. count: n.
+    row: (k,) int64, the points. weight, densities: of `fitted_shares`. points: n.
     """
 
     row: NDArray[np.int64]
     weight: Array
     densities: Array
-    count: int
+    points: int
 
     def costs(self, shares: Array) -> Array:
         """Sum of weight / density by point: (n,)."""
-        return np.bincount(self.row, self.weight / (self.densities @ shares), self.count)
+        costs = self.weight / (self.densities @ shares)
+        return np.bincount(self.row, costs, self.points).astype(np.float64)
 
     def fitted(self, chosen: NDArray[np.bool_], steps: int) -> Array:
         """Shares for the points that are chosen, (n,)."""
@@ -52,7 +53,7 @@ def segments_of(
     triangle: (n,), of the points. triangles: (t, 3), of the mesh.
     """
     order = np.argsort(triangle, kind="stable")
-    whole = data.fitted(np.ones(data.count, bool), STEPS)
+    whole = data.fitted(np.ones(data.points, bool), STEPS)
     price = _PRICE * float(data.costs(whole).sum())
     label = _best_lobes(data, whole)
     for _ in range(_ROUNDS):
@@ -86,8 +87,9 @@ def _best_lobes(data: Weighted, shares: Array) -> NDArray[np.int64]:
     """The lobe of which more would help each point most: (n,)."""
     gain = data.weight / np.square(data.densities @ shares)
     lobes = range(data.densities.shape[1])
-    by_lobe = [np.bincount(data.row, gain * data.densities[:, k], data.count) for k in lobes]
-    return np.argmax(by_lobe, axis=0)
+    by_lobe = [np.bincount(data.row, gain * data.densities[:, k], data.points) for k in lobes]
+    best: NDArray[np.int64] = np.argmax(by_lobe, axis=0)
+    return best
 
 
 def _labels(costs: Array, price: float) -> NDArray[np.int64]:

@@ -52,7 +52,7 @@ def fitted_shares(kind: Kind, weight: Array, densities: Array, steps: int = STEP
 def _shares(weight: Array, densities: Array, start: Array, steps: int) -> Array:
     """By a multiplicative algorithm of optimal design that never ascends (Silvey, Titterington and
     Torsney 1978)."""
-    shares = start / start.sum()
+    shares: Array = start / start.sum()
     for _ in range(steps):
         shares = shares * np.sqrt((weight / np.square(densities @ shares)) @ densities)
         shares /= shares.sum()

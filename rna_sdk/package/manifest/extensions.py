@@ -190,17 +190,22 @@ class Environment(Extension):
     validation: tuple[EnvironmentValidation, ...] = Field(default=(), max_length=MAX_VALIDATIONS)
 
 
-class MirrorLobe(Record):
-    """Half vectors of GGX."""
+class RayLobe(Record):
+    """One of the lobes in which rays leave an asset."""
 
     share: Share = Field(description="Of all rays.")
+    width: float
+
+
+class MirrorLobe(RayLobe):
+    """Half vectors of GGX."""
+
     width: float = Field(ge=1e-4, le=1, description="The distribution's alpha.")
 
 
-class FiberLobe(Record):
+class FiberLobe(RayLobe):
     """Directions about the cone of specular reflection from a fiber, or about -wo."""
 
-    share: Share = Field(description="Of all rays.")
     width: float = Field(ge=0.01, le=4, description="Of the cone the sine's scale, else radians.")
 
 
@@ -232,7 +237,8 @@ class Mixture(SparseRecord):
         A lobe that is not there has no share; there is always one, and MAX_NARROW_LOBES behind it.
         """
         broad = self.forward or FiberLobe(share=self.cosine or 0.0, width=1.0)
-        lobes = [(lobe.share, lobe.width) for lobe in (broad, *self.mirror, *self.cone)]
+        every: tuple[RayLobe, ...] = (broad, *self.mirror, *self.cone)
+        lobes = [(lobe.share, lobe.width) for lobe in every]
         return [*lobes, *[(0.0, 1.0)] * (1 + MAX_NARROW_LOBES - len(lobes))]
 
 

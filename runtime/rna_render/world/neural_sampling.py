@@ -19,14 +19,13 @@ import numpy as np
 
 from rna_render.materials.ggx import reflected_density, sample_reflection
 from rna_sdk.compiled import compiled
-from rna_sdk.package.limits import MAX_NARROW_LOBES
-from rna_sdk.package.manifest.extensions import Mixture
+from rna_sdk.package import Mixture
 from rna_trace.angles import sine_and_cosine
 from rna_trace.vectors import Vector, along, dot, tangents_of, unit, vector_at
 
 # Places in a mixture's numbers. Shares: of the broad lobe, which is the cosine lobe of surfaces
 # and the forward lobe of fibers, and of the narrow ones; the uniform lobe has what they leave.
-LOBES = 1 + MAX_NARROW_LOBES
+LOBES = len(Mixture().lobes)
 IS_FIBER, SHARES, WIDTHS = 0, 1, 1 + LOBES
 
 BELOW_ONE = 1.0 - 2.0**-53
@@ -75,7 +74,7 @@ class LobeMixture:
         is_fiber = bool(self.cone) or self.forward.share > 0.0
         broad = self.forward if is_fiber else Lobe(self.cosine, 1.0)
         narrow = self.cone if is_fiber else self.mirror
-        lobes = [broad, *narrow, *[NO_LOBE] * (MAX_NARROW_LOBES - len(narrow))]
+        lobes = [broad, *narrow, *[NO_LOBE] * (LOBES - 1 - len(narrow))]
         shares, widths = zip(*lobes, strict=True)
         return np.array([is_fiber, *shares, *widths], np.float64)
 

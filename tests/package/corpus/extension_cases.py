@@ -126,18 +126,11 @@ def with_sampling(*firsts: int, **lobes: Any) -> Any:
 MIRROR = {"share": 0.5, "width": 0.1}
 CASES.add(
     "FIELD_VALUE",
-    sampling_of_no_part=in_manifest(lambda m: used(m, "RNA_sampling", {"parts": [None]})),
     sampling_that_leaves_no_share=with_sampling(cosine=0.5, mirror=[MIRROR]),
     sampling_of_a_cone_on_a_surface=with_sampling(cone=[MIRROR]),
     sampling_of_a_lobe_without_width=with_sampling(mirror=[MIRROR | {"width": 0.0}]),
-    sampling_of_four_mirror_lobes=with_sampling(mirror=[MIRROR | {"share": 0.1}] * 4),
     sampling_that_descends=with_sampling(0, 2, 1, cosine=0.5),
-    sampling_that_does_not_begin=with_sampling(1, cosine=0.5),
-    sampling_of_too_many_mixtures=with_sampling(*range(17), cosine=0.5),
-    sampling_of_a_negative_share=with_sampling(cosine=-0.1),
 )
-CASES.add("FIELD_UNKNOWN", sampling_by_another_lobe=with_sampling(glossy=0.5))
-CASES.add("FIELD_MISSING", sampling_without_a_share=with_sampling(mirror=[{"width": 0.1}]))
 CASES.add(
     "PARTS_DIFFER",
     sampling_of_two_parts=in_manifest(

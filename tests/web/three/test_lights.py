@@ -12,6 +12,8 @@ import OpenEXR
 import pytest
 
 from rna_sdk.package.command.rna_info import main as rna_info
+from rna_sdk.package.manifest.extensions import MirrorLobe, Mixture, Sampling
+from rna_sdk.package.packing import Unpacked
 from tests.render.chromium import Page
 from tests.web.pages import TIMEOUT, base64_of
 from tests.web.test_picture import CURLS, TOY, by_rna_run, middles_of_pixels, psnr, write_scene
@@ -20,6 +22,15 @@ from tests.web.three.pages import PAGE, installed, opened
 pytestmark = pytest.mark.chromium
 
 SIZE = [96, 60]
+LOBES = tuple(
+    Mixture(
+        first=first,
+        cosine=cosine,
+        mirror=(MirrorLobe(share=share, width=0.06), MirrorLobe(share=share, width=0.1)),
+    )
+    for first, cosine, share in ((0, 0.46, 0.21), (4809, 0.6, 0.07))
+)
+"""Of rays that leave the toy, by triangles, as `rna-export` fits them."""
 SUN = "{type: directional, direction: [0.55, 0.75, 0.65], irradiance: [2.5, 2.5, 2.5]}"
 POINT = "{type: point, position: [0.9, 1.0, 0.8], intensity: [3.0, 2.5, 2.0]}"
 POINT_OF_THREE = 'light("PointLight", [0.9, 1, 0.8], new THREE.Color(3, 2.5, 2), 1)'
@@ -47,6 +58,8 @@ def page(tmp_path_factory) -> Iterator[Page]:
     installed(folder)
     for path in (TOY["path"], CURLS["path"], PAGE):
         shutil.copy(path, folder)
+    toy = Unpacked.read(TOY["path"]).with_extension(Sampling(parts=(LOBES,)), {})
+    toy.write(folder / TOY["path"].name)
     with opened(folder, PAGE.name, *SIZE) as page:
         page.wait_for("!!globalThis.test", TIMEOUT)
         yield page
