@@ -57,6 +57,6 @@ def _extension(data: bytes) -> str | None:
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
             manifest = json.loads(archive.read("manifest.json"))
-        return next(iter(KNOWN_EXTENSIONS & set(manifest["extensionsUsed"])), None)
+        return min(KNOWN_EXTENSIONS & set(manifest["extensionsUsed"]), default=None)
     except (zipfile.BadZipFile, ValueError, KeyError, TypeError, NotImplementedError, EOFError):
         return None
