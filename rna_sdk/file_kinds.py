@@ -1,4 +1,4 @@
-"""What a file is by its name, for errors that say what to do with a file of another kind."""
+"""What a file is by its name, for errors that name another kind, and what lies beside it."""
 
 from __future__ import annotations
 
@@ -48,3 +48,11 @@ def not_a(wanted: Kind, path: Path) -> str | None:
         "scene": f"; {command_line('rna-run', path, '--png', path.stem + '.png')} renders it",
     }
     return f"a {kind}, not a {wanted}{what_to_do[kind]}"
+
+
+def glass_of(package: Path) -> Path:
+    """Where the glass of a package is, if it has any: `bottle.glass.glb` beside `bottle.rna`.
+
+    It is an ordinary glTF mesh, and no part of the package.
+    """
+    return package.with_name(f"{package.stem}.glass.glb")

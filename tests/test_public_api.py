@@ -32,7 +32,6 @@ OUR_TOOLS = {
         "cores",
         "cpu",
         "file_kinds",
-        "glass_beside",
         "gltf_remedies",
         "kernel_threads",
         "memory",

@@ -7,13 +7,15 @@ the light's direction. `rna_sdk/reference/nearby.py` says the same in numpy.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numba import prange
 
 from rna_sdk.compiled import compiled
-from rna_trace.parts_scene import PartsScene
 from rna_trace.vectors import along, vector_at
+
+if TYPE_CHECKING:
+    from rna_trace.parts_scene import PartsScene
 
 _NEWTON = 2  # steps: relative error below 1e-6
 _BELOW_ONE = 1.0 - 2.0**-24
@@ -93,7 +95,7 @@ def gamma_quantile(share: float) -> float:
     return float(r)
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="x wi u reach origin rho", fastmath=())
 def column_rays(
     x: np.ndarray,
     wi: np.ndarray,
@@ -109,7 +111,7 @@ def column_rays(
     (n,) float32, how far along wi they begin.
     """
     count = len(lengths)
-    for i in prange(len(x)):
+    for i in range(len(x)):
         scaled = u[i, 0] * count
         k = min(int(scaled), count - 1)
         radius = lengths[k] * gamma_quantile(scaled - k)
@@ -121,7 +123,7 @@ def column_rays(
         rho[i] = radius
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(rows="rho height shares", fastmath=())
 def column_shares(
     rho: np.ndarray, height: np.ndarray, lengths: np.ndarray, shares: np.ndarray
 ) -> None:
@@ -130,7 +132,7 @@ def column_shares(
     rho: (n,) how far it stands beside x. height: (n,) where it meets the asset, along wi from x;
     not finite where it meets nothing.
     """
-    for i in prange(len(rho)):
+    for i in range(len(rho)):
         if np.isfinite(height[i]):
             distance = np.sqrt(rho[i] * rho[i] + height[i] * height[i])
             density = 0.0

@@ -14,7 +14,7 @@ from rna_render.scene.scene_file import read_scene
 from rna_render.scene.scene_model import Scene
 from rna_render.scene.scene_of_package import Shown, default_scene, scene_text, shown
 from rna_sdk.errors import PackageError, SceneError
-from rna_sdk.glass_beside import glass_of
+from rna_sdk.file_kinds import glass_of
 from rna_sdk.package import Cone, Package
 from rna_sdk.size_note import size_note
 from tests.render.assets import sphere, square

@@ -39,9 +39,9 @@ with few_cores(THREADS):
     import bpy
     from rna_geometry import curves_export, mesh_export, scene_parts
     from rna_geometry.shown_objects import as_rendered
-    from rna_materials import base_colors, least_roughness, object_materials, surface_textures
+    from rna_materials import base_colors, object_materials, surface_textures
     from rna_preflight import changing_materials, material_facts, smooth_glass
-    from rna_renders import ray_render, render_settings, scene_render, white_card
+    from rna_renders import least_roughness, ray_render, render_settings, scene_render, white_card
     from rna_sources import gltf_variants, read_files, shown_frame, source_scene
 
 _last_opened: dict[str, Any] = {}  # the request

@@ -12,9 +12,9 @@ import bpy
 from listing import listed
 from rna_geometry import left_out, render_only, shown_objects
 from rna_geometry.shown_objects import as_rendered
-from rna_materials import material_check, missing_uvs
+from rna_materials import material_check
 from rna_materials.emission import nodes_of
-from rna_preflight import material_facts
+from rna_preflight import material_facts, missing_uvs
 from rna_sources import (
     camera_visibility,
     gltf_import,

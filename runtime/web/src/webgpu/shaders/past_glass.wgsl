@@ -19,7 +19,8 @@ fn past_glass(number: u32, pixel: Pixel, x: vec3f, arrival: Arrival) -> vec3f {
         return vec3f(0.0);
     }
     let sky = look_up_image(0u, followed.ray.direction).radiance;
-    return followed.weight * sky / density_about(surroundings_of(pixel), arrival.wi);
+    let about_point = surroundings_of(pixel);
+    return followed.weight * sky / lobe_density(about_point.at, about_point.lobes, arrival.wi);
 }
 
 // What a ray that comes out of glass and meets nothing sees: the ground, and beyond it the environment.
