@@ -158,7 +158,7 @@ def test_the_runtime_answers_what_pytorch_answers(exported: tuple[DatasetPart, P
     assert validate(package) == []
     asset, trained = load(package), load_checkpoint(best)
     assert asset.nearby_lengths == usual_lengths(part)
-    for view in part.validation_views():
+    for view in (*part.validation_views(), part.white_view()):
         expected, found = shade(trained.model, view), view.shaded_by(asset)
         assert found == pytest.approx(expected, rel=1e-2, abs=2e-3)
 

@@ -249,7 +249,8 @@ class DatasetPart:
             return None
         samples = self._read(path, white_fields(self.fields))
         rows = np.arange(len(samples["weight"]), dtype=np.int32)
-        return WhiteView(0, len(rows), rows, samples, samples["radiance"][None])
+        halves = samples["radiance"][None]
+        return WhiteView(0, len(rows), rows, samples, halves, self._trace_nearby)
 
     def _view(
         self,
