@@ -13,7 +13,14 @@ from typing import Any
 
 
 def input_blocks(of: Any, inputs: tuple[str, ...], *, p: Any = None, n: Any = None, t: Any = None, h: Any = None, f: Any = None, wo: Any = None, wi: Any = None) -> dict[str, Any]:
-    """Block -> its vectors and numbers, for `inputs`, but not `features`."""
+    """Block -> its vectors and numbers, for `inputs`, but not `features`.
+
+    Examples:
+        >>> p = np.float32([[0.5, 0.75, 1.0]])
+        >>> (vectors,) = input_blocks(np, ("position",), p=p)["position"]
+        >>> vectors.tolist()
+        [[0.0, 0.5, 1.0]]
+    """
     blocks: dict[str, Any] = {}
     if "position" in inputs:
         blocks["position"] = (2.0 * p - 1.0,)

@@ -19,6 +19,14 @@ _NOTE = f"{note(_MODULE)} Formulas: RNA.md, 6.3."
 _RAW = "# fmt: off\n# isort: skip_file\n# ruff: noqa: E501"
 """A generated statement is one line."""
 
+_EXAMPLE = (
+    "Examples:",
+    "    >>> p = np.float32([[0.5, 0.75, 1.0]])",
+    '    >>> (vectors,) = input_blocks(np, ("position",), p=p)["position"]',
+    "    >>> vectors.tolist()",
+    "    [[0.0, 0.5, 1.0]]",
+)
+
 
 def files(formulas: BlockFormulas) -> dict[str, str]:
     """Path below the repository -> text."""
@@ -87,7 +95,10 @@ def _arrays(formulas: BlockFormulas) -> str:
     return text + _lines(
         "from __future__ import annotations\n\nfrom typing import Any\n\n",
         f"def input_blocks(of: Any, inputs: tuple[str, ...], *, {typed}) -> dict[str, Any]:",
-        '    """Block -> its vectors and numbers, for `inputs`, but not `features`."""',
+        '    """Block -> its vectors and numbers, for `inputs`, but not `features`.',
+        "",
+        *indented(_EXAMPLE),
+        '    """',
         "    blocks: dict[str, Any] = {}",
         *indented(Language(formulas, "of.").blocks()),
         "    return blocks",
