@@ -42,5 +42,6 @@ def add_incomplete(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--incomplete",
         action="store_true",
-        help="accept a dataset with missing, replaced or uncaptured files, and use what is there",
+        help="accept a dataset with missing, replaced or uncaptured files, and use what is there "
+        "(default: refuse it)",
     )
