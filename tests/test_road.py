@@ -47,9 +47,9 @@ class Asset:
 
 ASSETS = {
     "surface": Asset(
-        SURFACE, "--lights 160 --rays 512 --samples 4 --domain hemisphere", 400, 29.0, 0.97, 9
+        SURFACE, "--lights 160 --rays 512 --samples 4 --domain hemisphere", 400, 29.0, 0.97, 12
     ),
-    "fiber": Asset(FIBERS, "--lights 120 --rays 2048", 1500, 25.5, 0.78, 12),
+    "fiber": Asset(FIBERS, "--lights 120 --rays 2048", 1500, 25.5, 0.78, 16),
 }
 WI = np.array([0.5, 0.8, 0.35])
 EYE = np.array([1.0, 2.5, 4.5])

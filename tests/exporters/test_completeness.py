@@ -39,9 +39,9 @@ def test_what_is_missing_replaced_or_not_captured_is_told(tmp_path: Path) -> Non
     geometry.write_bytes(geometry.read_bytes() + b" ")
     dataset.plan_lights(4 * dataset.manifest.settings.lights_per_shard)
     assert differences(dataset) == [
-        "1 of 9 files are not captured yet (train/00003.safetensors)",
-        "1 of 9 files are missing (train/00001.safetensors)",
-        "2 of 9 files are replaced since the capture "
+        "1 of 10 files are not captured yet (train/00003.safetensors)",
+        "1 of 10 files are missing (train/00001.safetensors)",
+        "2 of 10 files are replaced since the capture "
         "(geometry/asset.safetensors, train/00002.safetensors)",
     ]
 
@@ -67,7 +67,7 @@ def test_training_stops_at_a_gap_unless_it_is_accepted(
     command += ["--steps", "2"]
     assert rna_train(command) == 1
     said = capfd.readouterr().err
-    assert "1 of 8 files are missing (train/00001.safetensors)" in said
+    assert "1 of 9 files are missing (train/00001.safetensors)" in said
     assert "--incomplete" in said and not (tmp_path / "run").exists()
     assert rna_train([*command, "--incomplete"]) == 0
     assert "warning: " in capfd.readouterr().err

@@ -9,6 +9,7 @@ from rna_sdk.package import Transmittance as Record
 from rna_sdk.reference.nearby import across, gamma_quantile, nearby_offsets, nearby_shares
 from rna_sdk.runtime import load
 from rna_trace import PartsScene, mesh_transmittance, nearby_light
+from rna_trace.hit_points import Frames, Lines
 from rna_trace.nearby import gamma_quantile as fast_quantile
 from rna_trace.nearby import nearby_estimate
 from tests.conftest import REPOSITORY
@@ -108,10 +109,13 @@ def test_one_ray_a_sample_gives_the_right_light_in_the_mean(name: str, tier: str
     d = rng.normal(size=(4000, 3)).astype(np.float32)
     d /= np.linalg.norm(d, axis=1, keepdims=True)
     aside = rng.uniform(-0.3, 0.3, d.shape).astype(np.float32)
-    hits = body.scene.intersect(aside - 4 * d, d)
+    origin = aside - 4 * d
+    hits = body.scene.intersect(origin, d)
     ray = np.flatnonzero(hits.geometry == 0)[:n]
     assert body.counts_nearby and len(ray) == n
-    points = body.points(0, hits, ray, -d[ray], True, np.zeros(n, np.float32))
+    at_rest = Frames(np.eye(3)[None], np.ones(1), np.zeros((1, 3)))
+    lines = Lines(origin[ray], d[ray], np.zeros(n, np.int32), at_rest)
+    points = body.points(0, hits, ray, -d[ray], True, np.zeros(n, np.float32), lines)
 
     wi, far = d[-n:], np.full(n, np.inf, np.float32)
     lengths = asset.nearby_lengths

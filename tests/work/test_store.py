@@ -64,11 +64,11 @@ def test_a_capture_is_gathered(
         made.append(str(task))
         write_arrays(task.path(dataset), {"asset/wo": np.ones((3, 3)), str(task): np.zeros(3)})
 
-    for kind in (run_module.TrainingShard, type(run_module.all_tasks(dataset)[0])):
+    tasks = run_module.all_tasks(dataset)
+    for kind in {type(task) for task in tasks}:
         monkeypatch.setattr(kind, "run", run)
     monkeypatch.setattr(run_module, "CaptureWorker", WithoutBlender)
     workers = CaptureWorkers(Path("python"), tmp_path / "scratch", 1, store=store)
-    tasks = run_module.all_tasks(dataset)
     finish(dataset, Source(Path("ball.py")), workers, say=lambda _: None)
     assert len(made) == len(tasks) == len(store.names())
     for task in tasks[::2]:
