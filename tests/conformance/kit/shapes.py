@@ -256,7 +256,7 @@ def lone(points: int, bend: float) -> Curves:
 def pictures() -> tuple[tuple[str, BaseColor], ...]:
     """An image for each way that a PNG may be written in; see `png.py`."""
     rng = np.random.default_rng(13)
-    drawn = [rng.choice(np.uint8([0, 50, 100, 150, 200, 250]), (9, 7, 3)) for _ in KINDS]
+    drawn = [rng.choice(np.uint8([0, 51, 102, 153, 204, 255]), (9, 7, 3)) for _ in KINDS]
     images = [fitting(*one) for one in zip(drawn, KINDS.values(), strict=True)]
     records = [
         (kind, BaseColor(6 * k, 6, image))

@@ -13,6 +13,7 @@ import numpy as np
 
 from rna_sdk.package.container.tensor_file import tensors_to_bytes
 from rna_sdk.package.container.zip_container import MANIFEST_NAME
+from rna_sdk.package.decoder.decoder_form import NEARBY_SETS
 from rna_sdk.package.geometry.glb_reader import mesh_from_glb
 from rna_sdk.package.geometry.source_vertices import SourceVertices
 from rna_sdk.package.manifest.deflate import encode
@@ -20,6 +21,7 @@ from rna_sdk.package.manifest.extensions import HARMONICS
 from tests.package.builders import make_decoder, make_tier, make_tiny_package, pack, read_entries
 from tests.package.corpus.extension_cases import (
     LOBES,
+    MIRROR,
     POSTER,
     PROXY,
     VISIBILITY,
@@ -28,7 +30,8 @@ from tests.package.corpus.extension_cases import (
     png_of,
     used,
 )
-from tests.package.corpus.registry import MESH, Base, Entries
+from tests.package.corpus.nearby_cases import GOOD
+from tests.package.corpus.registry import DECODER, MESH, Base, Entries, tier_part
 from tests.package.corpus.schema_walk import (
     Constraint,
     Json,
@@ -46,6 +49,7 @@ TEXTURE = "extensions/RNA_standin_textures/asset.png"
 _MEASURED = {
     **{"psnr": 30.0, "flip": 0.1, "flipP95": 0.2, "relativeMse": 0.1, "images": 2},
     **{"definition": "-", "flipAtHeight": [{"height": 64, "flip": 0.1}]},
+    "albedo": {"ratio": 1.0, "facing": 1.0, "at60": 1.0, "at80": 1.0},
 }
 _COST = {"multiplyAdds": 10, "nsPerQuery": 10.0, "threads": 2, "machine": "-"}
 _AGREEMENT = {"maxAbsolute": 0.1, "maxRelative": 0.1}
@@ -53,6 +57,7 @@ _LOBES_MEASURED = {
     **{"environment": "sky", "psnr": 30.0, "psnrWithLights": 30.0, "flip": 0.1},
     "brightness": [1.0, 1.0, 1.0],
 }
+_WIDE = {"share": 0.25, "width": 0.5}
 _CHANGE = {
     **{"colorSpace": "srgb", "factor": [1, 1, 1], "wrap": ["clamp", "clamp"]},
     "transform": [1, 0, 0, 0, 1, 0],
@@ -75,6 +80,7 @@ def schema_cases(good: dict[Base, Entries], folder: Path) -> dict[str, tuple[byt
     tier = make_tier(inputs=("normal",), resolution=1, channels=1)
     least = read_entries(make_tiny_package(folder / "least.rna", tier))
     bases = [least, *good.values(), *_with_extensions(least), _with_prints(good["print"])]
+    bases += [_with_nearby(least), _sampled(good["fiber"], forward=_WIDE, cone=[_WIDE])]
     bases.sort(key=_rank)
     found: dict[Constraint, bytes] = {}
     for entries in bases:
@@ -145,6 +151,7 @@ def _with_extensions(entries: Entries) -> Iterator[Entries]:
     yield _extended(entries, "RNA_standin", {"parts": [material]}, {})
     proxy = {"parts": [[{"geometry": PROXY, "height": 64}]]}
     yield _extended(entries, "RNA_proxy", proxy, {PROXY: mesh})
+    yield _sampled(entries, cosine=0.4, mirror=[MIRROR])
     source = {"vertices": len(vertices), "parts": [SOURCE]}
     file = SourceVertices(vertices, len(vertices)).to_bytes()
     yield _extended(entries, "RNA_source", source, {SOURCE: file})
@@ -166,6 +173,16 @@ def _extended(
     entries: Entries, name: str, data: Json, more: dict[str, bytes], required: bool = False
 ) -> Entries:
     return _changed(entries, more, lambda manifest: used(manifest, name, data, required))
+
+
+def _sampled(entries: Entries, **lobes: Any) -> Entries:
+    """With one mixture of lobes for rays."""
+    return _extended(entries, "RNA_sampling", {"parts": [[{"first": 0, **lobes}]]}, {})
+
+
+def _with_nearby(entries: Entries) -> Entries:
+    decoder = make_decoder("float32", 3, outputs=6 * NEARBY_SETS)
+    return _changed(entries, {DECODER: decoder}, lambda m: tier_part(m).update(nearby=GOOD))
 
 
 def _with_prints(entries: Entries) -> Entries:
