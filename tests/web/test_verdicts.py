@@ -38,16 +38,17 @@ def judged(*packages: bytes) -> tuple[list[str], list[list[str]]]:
 
 
 def test_broken_packages_of_the_kit() -> None:
-    """Those that the viewer takes have warnings."""
+    """Those that the viewer takes have warnings, as of an extension that it does not know."""
     cases = load_kit(find_kit()).validate
-    actual = verdicts(*(case.package.read_bytes() for case in cases))
+    actual, warnings = judged(*(case.package.read_bytes() for case in cases))
     wrong = [
         (case.package.name, case.code, verdict)
-        for case, verdict in zip(cases, actual, strict=True)
+        for case, verdict, lines in zip(cases, actual, warnings, strict=True)
         if case.code is not None
         and Code[case.code].severity is Severity.ERROR
         and case.package.name not in NOT_SEEN
         and verdict != case.code
+        and f"unknown extension {case.extension}" not in lines
     ]
     assert wrong == []
 

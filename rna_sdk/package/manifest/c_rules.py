@@ -17,6 +17,7 @@ _CHECKS = {
     "Part.bounds": "bounds_have_an_extent",
     "Cone.axis": "axis_is_unit",
     "Validation.flipAtHeight": "heights_descend",
+    "TierNearby.lengths": "lengths_ascend",
     "Manifest.tiers": "tiers_are_unique",
     "Manifest.parts": "parts_are_unique",
     "inputs": "blocks_are_known",  # of any object

@@ -32,7 +32,8 @@ static const Rule DOMAIN[] = { {"wo", REGION, REQUIRED}, {"wi", REGION, REQUIRED
 static const Rule UNITS[] = { {"length", CHOICE, REQUIRED, .choices = "metre"}, {0}};
 static const Rule AGREEMENT[] = { {"maxAbsolute", NUMBER, REQUIRED, 0, HUGE_VAL},
     {"maxRelative", NUMBER, REQUIRED, 0, HUGE_VAL}, {0}};
-static const Rule TIER_NEARBY[] = { {"lengths", LIST, REQUIRED, 3, 3, &(const Rule){"", NUMBER, 0, 1e-18, 1e+18}},
+static const Rule TIER_NEARBY[] = {
+    {"lengths", LIST, REQUIRED, 3, 3, &(const Rule){"", NUMBER, 0, 1e-18, 1e+18}, .also = lengths_ascend},
     {"visible", LIST, REQUIRED, 3, 3, &(const Rule){"", NUMBER, 0, 0, 1}},
     {"shadowed", LIST, REQUIRED, 3, 3, &(const Rule){"", NUMBER, 0, 0, 1}}, {0}};
 static const Rule TIER_SHADOWED[] = { {"decoder", PATH, REQUIRED},

@@ -40,6 +40,14 @@ static void heights_descend(Schema *schema, const Json *list) {
     }
 }
 
+static void lengths_ascend(Schema *schema, const Json *list) {
+    for (const Json *a = list->first; a->next; a = a->next)
+        if (!(a->number < a->next->number)) {
+            break_rule(schema, schema->value, "each length above the one before", "%g", a->next->number);
+            return;
+        }
+}
+
 static void blocks_are_known(Schema *schema, const Json *inputs) {
     for (const Json *a = inputs->first; a; a = a->next) {
         bool again = false;

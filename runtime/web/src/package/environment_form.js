@@ -7,6 +7,12 @@ import { isMetadata, isTensor, readHeader, takeTensors } from "./tensors.js";
 export const VISIBILITY_COLUMNS = 16;
 const MOST_LOBES = 32;
 const { emission, ...OF_A_PART } = schema.$defs.TierPart.properties;
+const NUMBER = { type: "number" }, MEASURE = { type: "number", minimum: 0 };
+const MEASURED = {
+  environment: schema.$defs.Tier.properties.name, psnr: NUMBER, psnrWithLights: NUMBER, flip: MEASURE,
+  brightness: { type: "array", minItems: 3, maxItems: 3, items: MEASURE },
+};
+const VALIDATION = { type: "object", properties: MEASURED, required: Object.keys(MEASURED), additionalProperties: false };
 export const ENVIRONMENT_SCHEMA = {
   $defs: schema.$defs,
   type: "object", required: ["parts"], additionalProperties: false,
@@ -23,7 +29,7 @@ export const ENVIRONMENT_SCHEMA = {
         ],
       },
     },
-    validation: { type: "array", maxItems: 64 },
+    validation: { type: "array", maxItems: 64, items: VALIDATION },
   },
 };
 

@@ -30,7 +30,6 @@ export function readManifest(bytes) {
 
 /** What is looked at before all other members. */
 function checkFirst(manifest) {
-  if (!("format" in manifest)) fail("FIELD_MISSING", "/format", "missing");
   if (manifest.format !== "rna") fail("FORMAT_UNKNOWN", "/format", "this is no RNA package");
   const { version } = manifest;
   if (typeof version === "string" && VERSION.test(version) && version !== READER) {
@@ -70,7 +69,12 @@ function checkNames(manifest) {
     const names = manifest[list].map(({ name }) => name);
     if (new Set(names).size !== names.length) fail(code, `/${list}`, "a name is there twice");
   }
-  manifest.tiers.forEach(({ validation }, k) => {
+  manifest.tiers.forEach(({ validation, parts }, k) => {
+    parts.forEach(({ nearby }, j) => {
+      if (nearby?.lengths.some((length, i, all) => i && length <= all[i - 1])) {
+        fail("FIELD_VALUE", `/tiers/${k}/parts/${j}/nearby/lengths`, "lengths must ascend");
+      }
+    });
     (validation?.flipAtHeight ?? []).forEach(({ height }, j, all) => {
       if (j && height >= all[j - 1].height) {
         fail("FIELD_VALUE", `/tiers/${k}/validation/flipAtHeight/${j}`, "heights must descend");

@@ -130,18 +130,19 @@ export class Package {
 
   /** By the name of their form, with their colours and the column where factors of base colour begin: of transport, or of visible and of shadowed light; and of emission. */
   _decoders(tierPart, data) {
-    if (tierPart.nearby) throw new NotSupported("The asset counts nearby light, which this viewer does not trace.");
-    const sets = tierPart.usesBaseColor ? 2 : 1, { shadowed, emission } = tierPart;
+    const { nearby, shadowed, emission } = tierPart, sets = (tierPart.usesBaseColor ? 2 : 1) * (nearby ? 4 : 1);
     const make = (record, form, colours, sets) => {
       const columns = 3 * colours, decoder = decoderOf(data, tierPart, record, form, columns * sets);
       return { ...decoder, inputs: record.inputs, colours, factors: sets > 1 ? columns : 0 };
     };
-    return {
+    const decoders = {
       ...(shadowed
         ? { visible: make(tierPart, "visible", 1, sets), shadowed: make(shadowed, "shadowed", 1, sets) }
         : { transport: make(tierPart, "transport", 2, sets) }),
       ...(emission && { emission: make(emission, "emission", 1, 1) }),
     };
+    if (nearby) throw new NotSupported("The asset counts nearby light, which this viewer does not trace.");
+    return decoders;
   }
 
   /** Base colour of a part, with its images. */
