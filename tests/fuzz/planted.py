@@ -83,9 +83,12 @@ def planted_web_reader(folder: Path, bugs: list[Bug]) -> Path:
     package = folder / "runtime" / "web" / "src" / "package"
     shutil.copytree(WEB_READER, package)
     shutil.copy(WEB_READER.parent / "steps.js", package.parent)
-    (folder / "spec" / "schema").mkdir(parents=True)
-    for name in ("blocks.json", "schema/manifest.schema.json"):
-        shutil.copy(REPOSITORY / "spec" / name, folder / "spec" / name)
+    for name in (
+        *("spec/blocks.json", "spec/schema/manifest.schema.json"),
+        *("runtime/web/src/decoder/records.js", "runtime/rna_gpu/wgsl/records.json"),
+    ):
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(REPOSITORY / name, folder / name)
     for bug in bugs:
         bug.plant(package)
     return package

@@ -98,7 +98,8 @@ def _parts(path: str | PathLike[str]) -> list[Any]:
     parts = []
     with Package.open(path) as package:
         for number in range(len(package.manifest.parts)):
-            geometry, none = package.geometry(number), {"emits": False}
+            geometry = package.geometry(number)
+            common = {"emits": False, "sampling": package.sampling(number)}
             if isinstance(geometry, Mesh):
                 records = {
                     "transmittance_records": package.transmittance(number),
@@ -107,9 +108,9 @@ def _parts(path: str | PathLike[str]) -> list[Any]:
                 }
                 count = len(geometry.triangles)
                 fields = {"kind": "surface", "mesh": geometry, "count": count}
-                parts.append(SimpleNamespace(**fields, **records, **none))
+                parts.append(SimpleNamespace(**fields, **records, **common))
             else:
                 count = len(geometry.segments())
                 fields = {"kind": "fiber", "curves": geometry, "count": count}
-                parts.append(SimpleNamespace(**fields, **none))
+                parts.append(SimpleNamespace(**fields, **common))
     return parts
