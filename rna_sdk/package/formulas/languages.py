@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from rna_sdk.package.formulas.block_formulas import FLAG, VECTOR, BlockFormulas
 
@@ -180,7 +180,7 @@ class C(Language):
         return f"{argument} = {rows}[r]"
 
 
-def indented(lines: list[str]) -> list[str]:
+def indented(lines: Iterable[str]) -> list[str]:
     return [f"    {line}" for line in lines]
 
 
