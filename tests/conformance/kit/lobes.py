@@ -59,7 +59,7 @@ def _rows(seed: int, part: PartPlan) -> tuple[np.ndarray, list[tuple[str, int, i
     classes.append(("other visibility", first, 5))
     rows, rng = np.concatenate(valid_rows), np.random.default_rng(seed)
     free = rng.random(len(rows))
-    free[-5:] = 0.0, 1.0, np.nan, np.inf, -np.inf
+    free[-5:] = -0.5, 1.5, np.nan, np.inf, -np.inf
     geometry = part.geometry
     primitives = len(geometry.triangles if isinstance(geometry, Mesh) else geometry.segments())
     u, v, _ = rng.dirichlet((1, 1, 1), len(rows)).T
@@ -101,7 +101,7 @@ def _mixed(part: PartPlan, harmonics: np.ndarray | None, rows: np.ndarray) -> np
 def _lobes(values: np.ndarray, points: Points, free: np.ndarray, is_fiber: bool) -> np.ndarray:
     """(n, 6 L) of the decoder's output (n, 9 L): spec/RNA.md, 12.1."""
     lobe = values.reshape(len(values), -1, 9)
-    count, v = lobe.shape[1], free[:, None, None]
+    count, v = lobe.shape[1], np.clip(free, 0, 1)[:, None, None]
     axis = lobe[:, :, 6:] - 8
     axis[:, : count // 2] += (-2 * points.wo if is_fiber else 2 * points.axis)[:, None]
     axis[:, count // 2 :] += 10 * points.wi[:, None]

@@ -131,6 +131,7 @@ CASES.add(
     sampling_of_a_lobe_without_width=with_sampling(mirror=[MIRROR | {"width": 0.0}]),
     sampling_that_descends=with_sampling(0, 2, 1, cosine=0.5),
 )
+CASES.add("FIELD_VALUE", "fiber", sampling_of_ranges_of_strands=with_sampling(0, 1, cone=[MIRROR]))
 CASES.add(
     "PARTS_DIFFER",
     sampling_of_two_parts=in_manifest(
