@@ -11,6 +11,7 @@ import numpy as np
 import torch
 from numpy.typing import NDArray
 
+from rna_export.capture.rays.capture_directions import GOLDEN
 from rna_export.export.decoder import compare_answers, export_decoder
 from rna_export.lobes.directions import random_rotations
 from rna_export.lobes.lobe_loss import LobeLoss, Targets, even_lights
@@ -30,7 +31,6 @@ _BUFFERED = 100_000  # points
 _DIRECTIONS = 64  # of a point
 _SURFACE = LobeMixture(mirror=(Lobe(0.4, 0.11),)).everywhere
 _FIBER = LobeMixture(cone=(Lobe(0.4, 0.08),)).everywhere
-_GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
 _RATES, _WARMUP = (5e-3, 0.015), 100  # of Adam and Muon; steps
 
 
@@ -75,7 +75,7 @@ def make_rows(
 def _directions(points: ViewPoints, rng: np.random.Generator) -> tuple[Rows, Rows]:
     """All around, denser where transport may be sharp: (n, D, 3), and their shares (n, D)."""
     k, n = np.arange(_DIRECTIONS), len(points)
-    spiral = np.stack([(k + 0.5) / _DIRECTIONS, k * _GOLDEN], axis=1)
+    spiral = np.stack([(k + 0.5) / _DIRECTIONS, k * GOLDEN], axis=1)
     u = (spiral + rng.random((n, 1, 2))) % 1.0
     mixture = _FIBER if isinstance(points.at, FiberPoints) else _SURFACE
     at = points.axis, points.axis, points.wo

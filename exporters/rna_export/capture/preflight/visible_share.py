@@ -22,18 +22,17 @@ def visible_shares(
     Those of strands have a share of them each that is the same.
     """
     rays = outside_rays(scene, _RAYS, "sphere", np.random.default_rng(0))
-    part = scene.part_hit(rays.origins, rays.directions)
-    triangle = scene.triangle_hit(rays.origins, rays.directions)
-    hits = max(int((part >= 0).sum()), 1)
+    first = scene.first_hits(rays.origins, rays.directions)
+    hits = max(int((first.geometry >= 0).sum()), 1)
     on_hair = [each.full_name for each in facts if "hair" in each.kinds]
     result: dict[str, float] = {}
     for k, name in enumerate(exported.geometries):
-        on = part == k
+        on = first.geometry == k
         if name not in exported.materials:
             for hair in on_hair:
                 result[hair] = result.get(hair, 0.0) + float(on.sum()) / len(on_hair) / hits
             continue
-        materials, counts = np.unique(exported.materials[name][triangle[on]], return_counts=True)
+        materials, counts = np.unique(exported.materials[name][first.primitive[on]], return_counts=True)
         for material, count in zip(materials, counts, strict=True):
             result[str(material)] = result.get(str(material), 0.0) + float(count) / hits
     return result

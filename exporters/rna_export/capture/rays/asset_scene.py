@@ -117,15 +117,15 @@ class AssetScene:
 
     def distance(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
         """Distance to the asset along rays (n, 3): (n,), inf for misses."""
-        return self._solid_hits(origins, directions)[0].t
+        return self.first_hits(origins, directions).t
 
     def part_hit(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
         """Part hit first by each ray, (n,) int32; -1 for misses."""
-        return self._solid_hits(origins, directions)[0].geometry
+        return self.first_hits(origins, directions).geometry
 
-    def triangle_hit(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
-        """Triangle or segment of the part hit first by each ray, (n,) int32; -1 for misses."""
-        return self._solid_hits(origins, directions)[0].primitive
+    def first_hits(self, origins: np.ndarray, directions: np.ndarray) -> ClosestHits:
+        """Closest hits of rays (n, 3), without holes."""
+        return self._solid_hits(origins, directions)[0]
 
     def meets(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
         """Whether each ray meets a triangle or strand, holes included: (n,) bool."""
