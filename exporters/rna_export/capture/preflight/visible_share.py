@@ -32,7 +32,8 @@ def visible_shares(
             for hair in on_hair:
                 result[hair] = result.get(hair, 0.0) + float(on.sum()) / len(on_hair) / hits
             continue
-        materials, counts = np.unique(exported.materials[name][first.primitive[on]], return_counts=True)
+        of_hits = exported.materials[name][first.primitive[on]]
+        materials, counts = np.unique(of_hits, return_counts=True)
         for material, count in zip(materials, counts, strict=True):
             result[str(material)] = result.get(str(material), 0.0) + float(count) / hits
     return result

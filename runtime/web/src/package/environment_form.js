@@ -2,33 +2,25 @@
 import schema from "../../../../spec/schema/manifest.schema.json";
 import { blockNamed } from "./blocks.js";
 import { fail } from "./errors.js";
+import { forParts, orNull, record } from "./schema_parts.js";
 import { isMetadata, isTensor, readHeader, takeTensors } from "./tensors.js";
 
 export const VISIBILITY_COLUMNS = 16;
 const MOST_LOBES = 32;
 const { emission, ...OF_A_PART } = schema.$defs.TierPart.properties;
 const NUMBER = { type: "number" }, MEASURE = { type: "number", minimum: 0 };
-const MEASURED = {
+const VALIDATION = record({
   environment: schema.$defs.Tier.properties.name, psnr: NUMBER, psnrWithLights: NUMBER, flip: MEASURE,
   brightness: { type: "array", minItems: 3, maxItems: 3, items: MEASURE },
-};
-const VALIDATION = { type: "object", properties: MEASURED, required: Object.keys(MEASURED), additionalProperties: false };
+});
 export const ENVIRONMENT_SCHEMA = {
   $defs: schema.$defs,
   type: "object", required: ["parts"], additionalProperties: false,
   properties: {
-    parts: {
-      type: "array", minItems: 1, maxItems: 16,
-      items: {
-        anyOf: [
-          { type: "null" },
-          {
-            type: "object", additionalProperties: false, required: [...schema.$defs.TierPart.required, "lobes"],
-            properties: { ...OF_A_PART, lobes: { type: "integer", minimum: 2, maximum: MOST_LOBES }, visibility: OF_A_PART.planes },
-          },
-        ],
-      },
-    },
+    parts: forParts(orNull({
+      type: "object", additionalProperties: false, required: [...schema.$defs.TierPart.required, "lobes"],
+      properties: { ...OF_A_PART, lobes: { type: "integer", minimum: 2, maximum: MOST_LOBES }, visibility: OF_A_PART.planes },
+    })),
     validation: { type: "array", maxItems: 64, items: VALIDATION },
   },
 };

@@ -4,16 +4,12 @@ import { checkEnvironment, ENVIRONMENT_SCHEMA } from "./environment_form.js";
 import { fail } from "./errors.js";
 import { checkSampling, SAMPLING_SCHEMA } from "./sampling.js";
 import { checkSchema } from "./schema.js";
+import { forParts, integer, orNull, record, share } from "./schema_parts.js";
 
 const path = { type: "string", pattern: "^[A-Za-z0-9_-][A-Za-z0-9._-]*(/[A-Za-z0-9_-][A-Za-z0-9._-]*)*$", maxLength: 200 };
-const integer = (minimum, maximum = Number.MAX_SAFE_INTEGER) => ({ type: "integer", minimum, maximum });
-const share = { type: "number", minimum: 0, maximum: 1 };
-const record = (properties) =>
-  ({ type: "object", properties, required: Object.keys(properties), additionalProperties: false });
 
 /** A record of base colour without triangles, for each of a part; null where it stays. */
 const { triangles, ...printed } = published.$defs.BaseColorRecord.properties;
-const orNull = (schema) => ({ anyOf: [{ type: "null" }, schema] });
 const changes = {
   type: "array", minItems: 1, maxItems: 64, items: orNull({ type: "object", properties: printed, additionalProperties: false }),
 };
@@ -34,18 +30,12 @@ const SCHEMAS = {
   }),
   RNA_poster: record({ image: path, width: integer(1), height: integer(1) }),
   RNA_standin: record({
-    parts: {
-      type: "array", minItems: 1, maxItems: 16,
-      items: record({
-        baseColor: { type: "array", items: share, minItems: 3, maxItems: 3 }, roughness: share, metallic: share,
-      }),
-    },
+    parts: forParts(record({
+      baseColor: { type: "array", items: share, minItems: 3, maxItems: 3 }, roughness: share, metallic: share,
+    })),
   }),
   RNA_proxy: record({
-    parts: {
-      type: "array", minItems: 1, maxItems: 16,
-      items: orNull({ type: "array", minItems: 1, maxItems: 8, items: record({ geometry: path, height: integer(1) }) }),
-    },
+    parts: forParts(orNull({ type: "array", minItems: 1, maxItems: 8, items: record({ geometry: path, height: integer(1) }) })),
   }),
   RNA_variants: {
     $defs: published.$defs,
@@ -53,7 +43,7 @@ const SCHEMAS = {
       variants: {
         type: "array", minItems: 1, maxItems: 64,
         items: record({
-          name: { type: "string", minLength: 1 }, parts: { type: "array", minItems: 1, maxItems: 16, items: orNull(changes) },
+          name: { type: "string", minLength: 1 }, parts: forParts(orNull(changes)),
         }),
       },
     }),

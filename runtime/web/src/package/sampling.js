@@ -1,35 +1,22 @@
 // RNA_sampling (spec, 12): lobes that rays leave the parts in.
 import { usualLobes } from "../decoder/records.js";
 import { fail } from "./errors.js";
+import { forParts, integer, orNull, record, share } from "./schema_parts.js";
 
 const MOST_MIXTURES = 16, NARROW = 3, LARGEST_SHARE = 0.99;
 const OF_KIND = { surface: ["cosine", "mirror"], fiber: ["forward", "cone"] };
-const integer = { type: "integer", minimum: 0, maximum: Number.MAX_SAFE_INTEGER }, share = { type: "number", minimum: 0, maximum: 1 };
-const lobe = (minimum, maximum) => ({
-  type: "object", properties: { share, width: { type: "number", minimum, maximum } }, required: ["share", "width"], additionalProperties: false,
-});
+const lobe = (minimum, maximum) => record({ share, width: { type: "number", minimum, maximum } });
 const some = (items) => ({ type: "array", minItems: 1, maxItems: NARROW, items });
 const MIRROR = lobe(1e-4, 1), FIBER = lobe(0.01, 4);
-export const SAMPLING_SCHEMA = {
-  type: "object", required: ["parts"], additionalProperties: false,
-  properties: {
-    parts: {
-      type: "array", minItems: 1, maxItems: 16,
-      items: {
-        anyOf: [
-          { type: "null" },
-          {
-            type: "array", minItems: 1, maxItems: MOST_MIXTURES,
-            items: {
-              type: "object", additionalProperties: false,
-              properties: { first: integer, cosine: share, mirror: some(MIRROR), forward: FIBER, cone: some(FIBER) },
-            },
-          },
-        ],
-      },
+export const SAMPLING_SCHEMA = record({
+  parts: forParts(orNull({
+    type: "array", minItems: 1, maxItems: MOST_MIXTURES,
+    items: {
+      type: "object", additionalProperties: false,
+      properties: { first: integer(0), cosine: share, mirror: some(MIRROR), forward: FIBER, cone: some(FIBER) },
     },
-  },
-};
+  })),
+});
 
 /** Fails where the data, which fits the schema and has mixtures or null a part, is not as it must be. */
 export function checkSampling({ parts }, manifest, where) {
