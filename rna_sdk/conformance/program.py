@@ -82,26 +82,17 @@ def evaluate(
     tier: str,
     part: int,
     queries: Path,
+    with_nearby: bool = False,
 ) -> NDArray[np.float64]:
-    """(n, width) output of a part's decoder of this form for a file of n queries."""
-    rows = queries.stat().st_size // (4 * column_count(form.arrays))
-    where = str(package), tier, str(part), str(queries)
-    return _results(program, rows, width, command_of(form), *where)
+    """(n, width) output of a part's decoder of this form for a file of n queries.
 
-
-def nearby(
-    program: Program,
-    form: DecoderForm,
-    width: int,
-    package: Path,
-    tier: str,
-    part: int,
-    queries: Path,
-) -> NDArray[np.float64]:
-    """As `evaluate`, for queries with nearby light in their last columns."""
-    rows = queries.stat().st_size // (4 * (column_count(form.arrays) + NEARBY.columns))
+    with_nearby: whether the queries have nearby light in their last columns.
+    """
+    columns = column_count(form.arrays) + (NEARBY.columns if with_nearby else 0)
+    command = NEARBY.name if with_nearby else command_of(form)
+    rows = queries.stat().st_size // (4 * columns)
     where = str(package), tier, str(part), str(queries)
-    return _results(program, rows, width, NEARBY.name, *where)
+    return _results(program, rows, width, command, *where)
 
 
 def lobes(

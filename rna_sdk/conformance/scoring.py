@@ -83,8 +83,8 @@ def _nothing(case: Case) -> Score:
 def _evaluate(program: Program, case: EvaluateCase, int8_share: float) -> Score:
     form = form_named(case.output)
     where = case.package, case.tier, case.part, case.queries
-    ask = reader.nearby if isinstance(case, NearbyCase) else reader.evaluate
-    actual = ask(program, form, case.expected.shape[1], *where)
+    with_nearby = isinstance(case, NearbyCase)
+    actual = reader.evaluate(program, form, case.expected.shape[1], *where, with_nearby)
     return _compared(case, actual, allowed(actual), case.step, int8_share)
 
 

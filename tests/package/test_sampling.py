@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from pydantic import ValidationError
 
-from rna_render.world.neural_sampling import LobeMixture, PlacedLobes
+from rna_render.world.neural_sampling import LobeMixture, PartLobes
 from rna_sdk.errors import PackageError
 from rna_sdk.package.command.package_info import package_info
 from rna_sdk.package.manifest.extensions import (
@@ -59,7 +59,7 @@ def test_fibers_have_one_mixture_of_their_own_lobes(tmp_path: Path, mixture: Mix
 
 def test_points_have_the_lobes_of_their_triangles() -> None:
     triangle = np.array([0, 1, 7, 0])
-    placed, rng = PlacedLobes.on_triangles(MIXTURES, triangle), np.random.default_rng(0)
+    placed, rng = PartLobes.of(MIXTURES).at(triangle), np.random.default_rng(0)
     axis = np.float32(rng.normal(size=(4, 3)))
     axis /= np.linalg.norm(axis, axis=1, keepdims=True)
     wi = placed.sample(axis, axis, axis, rng.random((4, 2)))

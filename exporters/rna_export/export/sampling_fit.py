@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from rna_export.export.sampling_places import Weighted, segments_of
 from rna_export.export.sampling_shares import LOBES, fitted_shares, mixture_of
 from rna_export.lobes.view_points import PartViews, ViewPoints, part_views
-from rna_render.world.neural_sampling import PlacedLobes
+from rna_render.world.neural_sampling import PartLobes
 from rna_sdk.package.manifest.extensions import HARMONICS, USUAL_SAMPLING, Mixture, Sampling
 from rna_sdk.runtime import Asset, SurfaceAsset, load
 
@@ -88,7 +88,7 @@ class Scattered:
     def pdf(self, mixtures: tuple[Mixture, ...]) -> NDArray[np.float64]:
         """Density of mixtures of the part in `wi`: (k,)."""
         points = self.points
-        lobes = PlacedLobes.on_triangles(mixtures, points.primitive)
+        lobes = PartLobes.of(mixtures).at(points.primitive)
         pdf = lobes.pdf(points.axis, points.axis, points.wo, self.wi, self.row)
         return pdf.astype(np.float64)
 

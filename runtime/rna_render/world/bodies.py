@@ -14,7 +14,7 @@ import numpy as np
 
 from rna_render.lights.base import PlacedLight
 from rna_render.materials import MeshObject
-from rna_render.world.neural_sampling import PlacedLobes
+from rna_render.world.neural_sampling import PartLobes, PlacedLobes
 from rna_render.world.placements import SceneObject
 from rna_sdk.runtime import (
     Asset,
@@ -73,6 +73,7 @@ class AssetBody:
         self.part_count = len(self._parts)
         every = *self._parts, *self._indirect
         self.counts_nearby = any(part.nearby_lengths is not None for part in every)
+        self._lobes = [PartLobes.of(part.sampling) for part in self._parts]
         pairs = shaped_parts(asset, shapes)
         self._shapes = [shape for _, shape in pairs]
         tables = [part_transmittance(*pair) for pair in pairs]
@@ -104,7 +105,7 @@ class AssetBody:
             if asset.uses_base_color:
                 result.base_color = asset.base_color_at(*where[:3], widths)
         result.where, result.widths = where[:3], widths
-        result.leaving = PlacedLobes.on_triangles(asset.sampling, where[0])
+        result.leaving = self._lobes[part].at(where[0])
         # Lobes know the visibility of the asset at rest, and are trained for what viewers see.
         result.gives_lobes = seen and rest is None and asset.environment_form is not None
         return result

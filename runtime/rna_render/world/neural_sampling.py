@@ -94,15 +94,6 @@ class PlacedLobes(NamedTuple):
     numbers: np.ndarray
     which: np.ndarray | None
 
-    @classmethod
-    def on_triangles(cls, mixtures: Sequence[Mixture], triangle: np.ndarray) -> PlacedLobes:
-        """Those of a part at points on triangles, (m,) of their numbers."""
-        numbers = np.stack([LobeMixture.of(mixture).numbers for mixture in mixtures])
-        if len(mixtures) == 1:
-            return cls(numbers, None)
-        firsts = [mixture.first for mixture in mixtures]
-        return cls(numbers, np.searchsorted(firsts, triangle, side="right") - 1)
-
     def sample(
         self,
         n: np.ndarray,
@@ -137,6 +128,25 @@ class PlacedLobes(NamedTuple):
 
     def _which(self, points: np.ndarray) -> np.ndarray:
         return np.zeros(len(points), np.int64) if self.which is None else self.which
+
+
+class PartLobes(NamedTuple):
+    """The mixtures of a part: their numbers, as of `PlacedLobes`, and the first triangle of each."""
+
+    numbers: np.ndarray
+    firsts: np.ndarray
+
+    @classmethod
+    def of(cls, mixtures: Sequence[Mixture]) -> PartLobes:
+        """Those that a package has of a part."""
+        numbers = np.stack([LobeMixture.of(mixture).numbers for mixture in mixtures])
+        return cls(numbers, np.array([mixture.first for mixture in mixtures]))
+
+    def at(self, triangle: np.ndarray) -> PlacedLobes:
+        """At points on triangles, (m,) of their numbers."""
+        if len(self.firsts) == 1:
+            return PlacedLobes(self.numbers, None)
+        return PlacedLobes(self.numbers, np.searchsorted(self.firsts, triangle, side="right") - 1)
 
 
 def _rows(row: np.ndarray | None, points: np.ndarray) -> np.ndarray:
