@@ -131,7 +131,7 @@ class PlacedLobes(NamedTuple):
 
 
 class PartLobes(NamedTuple):
-    """The mixtures of a part: their numbers, as of `PlacedLobes`, and the first triangle of each."""
+    """The mixtures of a part. numbers: as of `PlacedLobes`. firsts: the first triangle of each."""
 
     numbers: np.ndarray
     firsts: np.ndarray
