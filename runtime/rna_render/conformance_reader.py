@@ -31,8 +31,6 @@ def visibility(package: str, records: bytes) -> np.ndarray:
         geometries = [opened.geometry(part) for part in range(count)]
         transmittance = [
             mesh_transmittance(shape, opened.transmittance(part))
-            if isinstance(shape, Mesh)
-            else None
             for part, shape in enumerate(geometries)
         ]
     scene = PartsScene(geometries, transmittance)

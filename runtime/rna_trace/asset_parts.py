@@ -54,10 +54,10 @@ def part_normal_maps(part: AssetPart) -> NormalMaps | None:
 
 
 def mesh_transmittance(
-    mesh: Mesh, records: Sequence[package.Transmittance]
+    mesh: Mesh | Curves, records: Sequence[package.Transmittance]
 ) -> Transmittance | None:
-    """Transmittance of a mesh with the given records; None if there are none."""
-    if not records:
+    """Transmittance of a mesh with the given records; None if there are none, as of strands."""
+    if not records or isinstance(mesh, Curves):
         return None
     number = texture_numbers(mesh, records)
     uvs = np.zeros((len(mesh.positions), 2), np.float32) if mesh.uvs is None else mesh.uvs

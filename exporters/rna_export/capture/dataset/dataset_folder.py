@@ -113,13 +113,8 @@ class Dataset:
     def scene(self) -> PartsScene:
         """All parts at rest, for rays."""
         geometries = [part.geometry() for part in self.parts]
-        tables = [
-            mesh_transmittance(geometry, part.transmittance())
-            if isinstance(geometry, Mesh)
-            else None
-            for geometry, part in zip(geometries, self.parts, strict=True)
-        ]
-        return PartsScene(geometries, tables)
+        records = [part.transmittance() for part in self.parts]
+        return PartsScene(geometries, list(map(mesh_transmittance, geometries, records)))
 
     @cached_property
     def geometry_digest(self) -> str:

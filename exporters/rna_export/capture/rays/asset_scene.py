@@ -91,11 +91,10 @@ class AssetScene:
             FiberShape(g) if isinstance(g, Curves) else SurfaceShape(g, sharpest)
             for g in geometries
         )
+        every = transmittances or [()] * len(geometries)
         tables = [
-            mesh_transmittance(geometry, records) if isinstance(geometry, Mesh) else None
-            for geometry, records in zip(
-                geometries, transmittances or [()] * len(geometries), strict=True
-            )
+            mesh_transmittance(geometry, records)
+            for geometry, records in zip(geometries, every, strict=True)
         ]
         self._scene = PartsScene(geometries, tables, _maps(geometries, normal_maps))
         self._prints = [
