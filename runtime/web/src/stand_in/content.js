@@ -1,27 +1,31 @@
 // What a stand-in is drawn of: meshes, and for ranges of their triangles the material of glTF that a package has for them.
 import { readMesh } from "../package/mesh.js";
+import { readNormalMap } from "../package/textures.js";
 
 /**
- * Of each part { mesh, roughness, metallic, relief, ranges }. relief: { metallicRoughness, normal }, ImageBitmaps, or null.
- * ranges: { triangles, factor, image, colorSpace, transform, wrap } of base colour, image being an ImageBitmap or as readImage
- * gives it. Null for a package in which a part has no colours by place (RNA_standin_textures or base colour), is not opaque,
- * has relief of its own, or emits.
+ * Of each part { mesh, roughness, metallic, metallicRoughness, ranges }, the last but one an ImageBitmap or null. ranges:
+ * { triangles, factor, image, colorSpace, transform, wrap } of base colour, image being an ImageBitmap or as readImage gives it,
+ * and `normals`, an ImageBitmap, readNormalMap's, or none. Null for a package in which a part has no colours by place
+ * (RNA_standin_textures or base colour), is not opaque, or emits.
  */
 export async function readStandIn(opened) {
   const { parts, extensions = {} } = opened.manifest, textures = extensions.RNA_standin_textures?.parts ?? [];
   if (!parts.every((part, k) => isColoured(part, textures[k]) && !opened.tier().parts[k].emission)) return null;
-  const data = await opened.read(parts.flatMap(({ geometry }, k) => [geometry, ...Object.values(textures[k] ?? {})]));
+  const mapsOf = ({ normalMaps = [] }) => normalMaps.map(({ texture }) => texture);
+  const data = await opened.read(parts.flatMap((part, k) => [part.geometry, ...mapsOf(part), ...Object.values(textures[k] ?? {})]));
   const meshes = parts.map(({ geometry }) => ({ mesh: readMesh(data.get(geometry), geometry) }));
   const prints = await opened.prints(meshes), constants = extensions.RNA_standin?.parts ?? [];
   return Promise.all(meshes.map(async ({ mesh }, k) => {
     const images = await decoded(textures[k], data), { baseColor = [0.5, 0.5, 0.5], roughness = 1, metallic = 0 } = constants[k] ?? {};
     const others = images ? { factor: [1, 1, 1], image: images.baseColor } : { factor: baseColor };
-    return { mesh, roughness, metallic, relief: images, ranges: rangesOf(prints[k], mesh.indices.length / 3, others) };
+    const maps = (parts[k].normalMaps ?? []).map(({ triangles, texture }) => ({ triangles, normals: readNormalMap(data.get(texture), texture) }));
+    const records = prints[k].map((record) => ({ factor: [1, 1, 1], ...record }));
+    const ranges = rangesOf(mesh.indices.length / 3, [{ ...others, normals: images?.normal }, ...records, ...maps]);
+    return { mesh, roughness, metallic, metallicRoughness: images?.metallicRoughness ?? null, ranges };
   }));
 }
 
-const isColoured = ({ kind, transmittance, normalMaps, baseColor }, textures) =>
-  kind === "surface" && !transmittance && !normalMaps && !!(baseColor || textures);
+const isColoured = ({ kind, transmittance, baseColor }, textures) => kind === "surface" && !transmittance && !!(baseColor || textures);
 
 /** Images by member, or null. */
 async function decoded(names, data) {
@@ -31,18 +35,14 @@ async function decoded(names, data) {
   return Object.fromEntries(await Promise.all(Object.entries(names).map(decode)));
 }
 
-/** The records, and what lies between them. others: colours of triangles of no record. */
-function rangesOf(records, count, others) {
-  const ranges = [], add = (first, end, looks) => first < end && ranges.push({ ...looks, triangles: [first, end - first] });
-  let at = 0;
-  for (const record of [...records].sort((a, b) => a.triangles[0] - b.triangles[0])) {
-    const [first, size] = record.triangles;
-    add(at, first, others);
-    add(first, first + size, record);
-    at = first + size;
-  }
-  add(at, count, others);
-  return ranges;
+/** Of so many triangles those between which no record begins or ends, with what records have of them: later ones go before. */
+function rangesOf(count, records) {
+  const borders = records.flatMap(({ triangles: [first, size] = [0, count] }) => [first, first + size]);
+  const edges = [...new Set(borders)].sort((a, b) => a - b);
+  return edges.slice(1).map((end, k) => {
+    const first = edges[k], holds = ({ triangles: [from, size] = [0, count] }) => from <= first && first < from + size;
+    return { ...Object.assign({}, ...records.filter(holds)), triangles: [first, end - first] };
+  });
 }
 
 /** { min, max } of all parts' positions. */

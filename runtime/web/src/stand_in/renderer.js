@@ -90,7 +90,7 @@ export class StandInRenderer {
     gl.uniform3f(at.levels, height, levels, LEAST_KAPPA);
   }
 
-  _part({ mesh: { positions, normals, uvs, indices }, roughness, metallic, relief, ranges }) {
+  _part({ mesh: { positions, normals, uvs, indices }, roughness, metallic, metallicRoughness, ranges }) {
     const { gl } = this, array = gl.createVertexArray();
     gl.bindVertexArray(array);
     [[positions, 3], [normals, 3], [uvs, 2]].forEach(([values, items], location) => {
@@ -102,11 +102,10 @@ export class StandInRenderer {
     });
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
     gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices, gl.STATIC_DRAW);
-    const texture = (image, looks) => image && this._texture(image, looks);
+    const texture = (image, looks) => image && this._texture(image, looks), linear = { colorSpace: "linear" };
     return {
-      array, roughness, metallic,
-      relief: relief && { metallic_roughness: texture(relief.metallicRoughness, { colorSpace: "linear" }), normals: texture(relief.normal, { colorSpace: "linear" }) },
-      ranges: ranges.map((range) => ({ ...range, texture: texture(range.image, range) })),
+      array, roughness, metallic, levels: texture(metallicRoughness, linear),
+      ranges: ranges.map((range) => ({ ...range, texture: texture(range.image, range), map: texture(range.normals, linear), relief: !range.normals ? 0 : range.normals.values ? 2 : 1 })),
     };
   }
 
@@ -118,7 +117,10 @@ export class StandInRenderer {
     ofImage.set(key, made);
     gl.activeTexture(gl.TEXTURE0);
     gl.bindTexture(gl.TEXTURE_2D, made);
-    if (image.pixels) gl.texImage2D(gl.TEXTURE_2D, 0, format, image.width, image.height, 0, gl.RGBA, gl.UNSIGNED_BYTE, image.pixels);
+    const { width, height } = image, bytes = (own, form, values) => gl.texImage2D(gl.TEXTURE_2D, 0, own, width, height, 0, form, gl.UNSIGNED_BYTE, values);
+    gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
+    if (image.pixels) bytes(format, gl.RGBA, image.pixels);
+    else if (image.values) bytes(gl.RG8, gl.RG, image.values);
     else gl.texImage2D(gl.TEXTURE_2D, 0, format, gl.RGBA, gl.UNSIGNED_BYTE, image);
     gl.generateMipmap(gl.TEXTURE_2D);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
@@ -127,13 +129,15 @@ export class StandInRenderer {
     return made;
   }
 
-  _draw({ array, roughness, metallic, relief, ranges }) {
+  _draw({ array, roughness, metallic, levels, ranges }) {
     const { gl, at } = this;
     gl.bindVertexArray(array);
     gl.uniform2f(at.constants, roughness, metallic);
-    gl.uniform1i(at.has_relief, Number(!!relief));
-    for (const [name, texture] of Object.entries(relief ?? {})) this._bind(name, texture);
-    for (const { triangles: [first, count], factor = [1, 1, 1], texture, transform = [1, 0, 0, 0, 1, 0] } of ranges) {
+    gl.uniform1i(at.has_levels, Number(!!levels));
+    if (levels) this._bind("metallic_roughness", levels);
+    for (const { triangles: [first, count], factor = [1, 1, 1], texture, map, relief, transform = [1, 0, 0, 0, 1, 0] } of ranges) {
+      gl.uniform1i(at.relief, relief);
+      if (map) this._bind("normals", map);
       gl.uniform3fv(at.factor, factor);
       gl.uniform1i(at.has_image, Number(!!texture));
       if (texture) this._bind("image", texture);

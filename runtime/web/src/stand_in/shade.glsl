@@ -12,7 +12,8 @@ uniform vec3 to_u;
 uniform vec3 to_v;
 uniform vec2 constants; // roughness, metallic
 uniform bool has_image;
-uniform bool has_relief;
+uniform bool has_levels; // of metallic and roughness
+uniform int relief;      // of normals: 0 none, 1 glTF's, 2 the two numbers of spec/RNA.md, 4.5
 uniform sampler2D image;
 uniform sampler2D metallic_roughness;
 uniform sampler2D normals;
@@ -55,6 +56,10 @@ vec3 mapped(vec3 normal) {
     if (side == 0.0 || length(T) <= 1e-6 * length(U)) return normal;
     vec3 t = normalize(T), w = cross(normal, t);
     vec3 q = texture(normals, uv).xyz * 2.0 - 1.0;
+    if (relief == 2) {
+        q.xy = (127.5 * q.xy + 0.5) / 127.0;
+        q.z = sqrt(max(0.0, 1.0 - dot(q.xy, q.xy)));
+    }
     return normalize(q.x * t + q.y * (dot(w, V) > 0.0 ? -w : w) + q.z * normal);
 }
 
@@ -89,10 +94,8 @@ void main() {
     vec3 base = factor;
     vec2 looks = constants;
     if (has_image) base *= texture(image, vec2(dot(to_u, vec3(uv, 1.0)), dot(to_v, vec3(uv, 1.0)))).rgb;
-    if (has_relief) {
-        looks = texture(metallic_roughness, uv).gb;
-        m = mapped(m);
-    }
+    if (has_levels) looks = texture(metallic_roughness, uv).gb;
+    if (relief > 0) m = mapped(m);
     float roughness = max(looks.x, 0.03), metallic = looks.y, alpha = roughness * roughness, co = max(dot(m, wo), 1e-3);
     vec3 f0 = mix(vec3(0.04), base, metallic), albedo = (1.0 - metallic) * base * (1.0 - reflected(vec3(0.04), roughness, co));
     vec3 light = albedo * mean_about(m, COSINE_KAPPA);
