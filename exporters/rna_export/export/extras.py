@@ -36,8 +36,9 @@ def add_extras(
 
     poster: a PNG; None: one is rendered. proxies: their heights in pixels, each below the one
     before. source: whether to add the source's vertices. analytic: trainings that the stand-ins'
-    textures are baked from, none for no textures; None: see `textures_within`. Raises ExportError where the poster is no PNG, the dataset does not
-    have these vertices, or a training is not one of its analytic ones.
+    textures are baked from, none for no textures; None: see `textures_within`. Raises ExportError
+    where the poster is no PNG, the dataset does not have these vertices, or a training is not one
+    of its analytic ones.
     """
     png = render_poster(package) if poster is None else _read_png(poster)
     materials = [standin_material(part.training_samples(_SHARDS)) for part in dataset.parts]

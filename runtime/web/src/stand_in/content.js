@@ -1,17 +1,17 @@
 // What a stand-in is drawn of: meshes, and for ranges of their triangles the material of glTF that a package has for them.
 import { readMesh } from "../package/mesh.js";
-import { readNormalMap } from "../package/textures.js";
+import { readNormalMap, readTransmittance } from "../package/textures.js";
 
 /**
  * Of each part { mesh, roughness, metallic, metallicRoughness, ranges }, the last but one an ImageBitmap or null. ranges:
  * { triangles, factor, image, colorSpace, transform, wrap } of base colour, image being an ImageBitmap or as readImage gives it,
- * and `normals`, an ImageBitmap, readNormalMap's, or none. Null for a package in which a part has no colours by place
- * (RNA_standin_textures or base colour), is not opaque, or emits.
+ * `normals`, an ImageBitmap, readNormalMap's, or none, and `holes`, readTransmittance's with a cutoff, or none. Null for a package
+ * in which a part has no colours by place (RNA_standin_textures or base colour), or emits.
  */
 export async function readStandIn(opened) {
   const { parts, extensions = {} } = opened.manifest, textures = extensions.RNA_standin_textures?.parts ?? [];
   if (!parts.every((part, k) => isColoured(part, textures[k]) && !opened.tier().parts[k].emission)) return null;
-  const mapsOf = ({ normalMaps = [] }) => normalMaps.map(({ texture }) => texture);
+  const mapsOf = ({ normalMaps = [], transmittance = [] }) => [...normalMaps, ...transmittance].map(({ texture }) => texture);
   const data = await opened.read(parts.flatMap((part, k) => [part.geometry, ...mapsOf(part), ...Object.values(textures[k] ?? {})]));
   const meshes = parts.map(({ geometry }) => ({ mesh: readMesh(data.get(geometry), geometry) }));
   const prints = await opened.prints(meshes), constants = extensions.RNA_standin?.parts ?? [];
@@ -19,13 +19,15 @@ export async function readStandIn(opened) {
     const images = await decoded(textures[k], data), { baseColor = [0.5, 0.5, 0.5], roughness = 1, metallic = 0 } = constants[k] ?? {};
     const others = images ? { factor: [1, 1, 1], image: images.baseColor } : { factor: baseColor };
     const maps = (parts[k].normalMaps ?? []).map(({ triangles, texture }) => ({ triangles, normals: readNormalMap(data.get(texture), texture) }));
+    const holes = (parts[k].transmittance ?? []).map((record) =>
+      ({ triangles: record.triangles, holes: { cutoff: 0.5, ...record, ...readTransmittance(data.get(record.texture), record, record.texture) } }));
     const records = prints[k].map((record) => ({ factor: [1, 1, 1], ...record }));
-    const ranges = rangesOf(mesh.indices.length / 3, [{ ...others, normals: images?.normal }, ...records, ...maps]);
+    const ranges = rangesOf(mesh.indices.length / 3, [{ ...others, normals: images?.normal }, ...records, ...maps, ...holes]);
     return { mesh, roughness, metallic, metallicRoughness: images?.metallicRoughness ?? null, ranges };
   }));
 }
 
-const isColoured = ({ kind, transmittance, baseColor }, textures) => kind === "surface" && !transmittance && !!(baseColor || textures);
+const isColoured = ({ kind, baseColor }, textures) => kind === "surface" && !!(baseColor || textures);
 
 /** Images by member, or null. */
 async function decoded(names, data) {

@@ -3,7 +3,7 @@ import { LEAST_KAPPA } from "../light/prefilter.js";
 import shade from "./shade.glsl";
 
 const MOST_SUNS = 16;  // of shade.glsl
-const UNITS = { image: 0, metallic_roughness: 1, normals: 2, environment: 3 };
+const UNITS = { image: 0, metallic_roughness: 1, normals: 2, environment: 3, holes: 4 };
 const VERTEX = `#version 300 es
 uniform mat4 seen;
 layout(location = 0) in vec3 position;
@@ -33,8 +33,12 @@ export class StandInRenderer {
     this.program = programOf(gl, VERTEX, `#version 300 es\n${shade}`);
     gl.useProgram(this.program);
     this.at = uniformsOf(gl, this.program);
-    for (const [name, unit] of Object.entries(UNITS)) gl.uniform1i(this.at[name], unit);
     this.textures = new Map();  // by image
+    const nothing = this._texture({ width: 1, height: 1, pixels: new Uint8Array(4) }, {});  // browsers warn of units without one
+    for (const [name, unit] of Object.entries(UNITS)) {
+      gl.uniform1i(this.at[name], unit);
+      this._bind(name, nothing);
+    }
     this.parts = content.map((part) => this._part(part));
     gl.enable(gl.DEPTH_TEST);
   }
@@ -105,7 +109,7 @@ export class StandInRenderer {
     const texture = (image, looks) => image && this._texture(image, looks), linear = { colorSpace: "linear" };
     return {
       array, roughness, metallic, levels: texture(metallicRoughness, linear),
-      ranges: ranges.map((range) => ({ ...range, texture: texture(range.image, range), map: texture(range.normals, linear), relief: !range.normals ? 0 : range.normals.values ? 2 : 1 })),
+      ranges: ranges.map((range) => ({ ...range, texture: texture(range.image, range), map: texture(range.normals, linear), open: texture(range.holes, linear), relief: !range.normals ? 0 : range.normals.values ? 2 : 1 })),
     };
   }
 
@@ -120,7 +124,7 @@ export class StandInRenderer {
     const { width, height } = image, bytes = (own, form, values) => gl.texImage2D(gl.TEXTURE_2D, 0, own, width, height, 0, form, gl.UNSIGNED_BYTE, values);
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
     if (image.pixels) bytes(format, gl.RGBA, image.pixels);
-    else if (image.values) bytes(gl.RG8, gl.RG, image.values);
+    else if (image.values) bytes(...[[gl.R8, gl.RED], [gl.RG8, gl.RG], [gl.RGB8, gl.RGB]][image.channels - 1], image.values);
     else gl.texImage2D(gl.TEXTURE_2D, 0, format, gl.RGBA, gl.UNSIGNED_BYTE, image);
     gl.generateMipmap(gl.TEXTURE_2D);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
@@ -135,9 +139,14 @@ export class StandInRenderer {
     gl.uniform2f(at.constants, roughness, metallic);
     gl.uniform1i(at.has_levels, Number(!!levels));
     if (levels) this._bind("metallic_roughness", levels);
-    for (const { triangles: [first, count], factor = [1, 1, 1], texture, map, relief, transform = [1, 0, 0, 0, 1, 0] } of ranges) {
+    for (const { triangles: [first, count], factor = [1, 1, 1], texture, map, open, holes, relief, transform = [1, 0, 0, 0, 1, 0] } of ranges) {
       gl.uniform1i(at.relief, relief);
       if (map) this._bind("normals", map);
+      gl.uniform1i(at.hole_channels, holes?.channels ?? 0);
+      if (open) {
+        this._bind("holes", open);
+        gl.uniform1f(at.cutoff, holes.cutoff);
+      }
       gl.uniform3fv(at.factor, factor);
       gl.uniform1i(at.has_image, Number(!!texture));
       if (texture) this._bind("image", texture);

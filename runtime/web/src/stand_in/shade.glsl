@@ -17,6 +17,9 @@ uniform int relief;      // of normals: 0 none, 1 glTF's, 2 the two numbers of s
 uniform sampler2D image;
 uniform sampler2D metallic_roughness;
 uniform sampler2D normals;
+uniform sampler2D holes;
+uniform int hole_channels; // of transmittance; 0 without
+uniform float cutoff;
 uniform int suns;
 uniform vec3 directions[MOST_SUNS];
 uniform vec3 irradiances[MOST_SUNS];
@@ -89,6 +92,9 @@ vec3 filmic(vec3 radiance) {
 }
 
 void main() {
+    // What lets more light pass is taken to be open.
+    vec3 passed = texture(holes, uv).rgb;
+    if (hole_channels > 0 && (hole_channels == 1 ? passed.r : dot(passed, vec3(1.0 / 3.0))) > cutoff) discard;
     vec3 wo = normalize(eye - x), m = normalize(n);
     if (dot(m, wo) < 0.0) m = -m;
     vec3 base = factor;
