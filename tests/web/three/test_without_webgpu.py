@@ -69,7 +69,7 @@ AT_BOTH_LEVELS = """(async () => {{
         const target = new THREE.RenderTarget(48, 48, {{ type: THREE.FloatType }});
         renderer.setRenderTarget(target);
         for (const tier of asset.tiers) {{
-            await asset.setTier(tier);
+            asset.tier = tier;
             renderer.render(scene, camera);
             const pixels = await renderer.readRenderTargetPixelsAsync(target, 0, 0, 48, 48);
             pictures.push([...pixels]);
