@@ -19,8 +19,8 @@ from rna_export.training.checkpoint import load_progress
 from rna_export.training.presets import Preset
 from rna_export.training.report import read_curves
 from rna_export.training.training_run import Run, table_of, train
-from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import TrainingError
+from rna_sdk.files.atomic_file import write_atomically
 
 LEAST_GAIN = 0.02
 """Part of the FLIP that an asset has to gain."""
