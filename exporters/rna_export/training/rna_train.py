@@ -24,9 +24,9 @@ from rna_export.training.training_options import (
     add_nearby,
     chosen_device,
 )
-from rna_sdk.console import command_line, command_parser, run_command
+from rna_sdk.commands.console import command_line, command_parser, run_command
 from rna_sdk.errors import TrainingError
-from rna_sdk.owned_folder import owned
+from rna_sdk.files.owned_folder import owned
 
 if TYPE_CHECKING:
     from rna_export.capture.dataset.dataset_folder import Dataset

@@ -32,7 +32,7 @@ from rna_export.training.presets import Preset
 from rna_export.training.report import Curves, Report
 from rna_export.training.training_options import device_name
 from rna_sdk.errors import TrainingError
-from rna_sdk.memory import check_memory
+from rna_sdk.machine.memory import check_memory
 from rna_work.bar import Bar
 
 _SO_FAR = "best-so-far.ckpt"  # until the run is finished
