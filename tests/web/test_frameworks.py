@@ -27,6 +27,8 @@ BUILDS = {
     "svelte": ("vite build", "build"),
 }
 """Of each framework the command, and the folder of the pages that it writes."""
+STATIC = {"svelte": "static"}
+"""The folder of files that are copied as they are, where it is not `public`."""
 CHOSEN = os.environ.get("RNA_FRAMEWORKS", "svelte").split()
 QUIET = {"ASTRO_TELEMETRY_DISABLED": "1", "NEXT_TELEMETRY_DISABLED": "1", "NG_CLI_ANALYTICS": "0"}
 
@@ -36,12 +38,14 @@ def built(name: str, folder: Path) -> Path:
     if subprocess.run(["npm", "ping"], capture_output=True).returncode:
         pytest.skip("the npm registry does not answer")
     shutil.copytree(APPS / name, folder, dirs_exist_ok=True)
+    static = folder / STATIC.get(name, "public")
+    static.mkdir()
+    shutil.copy(TOY, static)
     install = ["npm", "install", "--no-audit", "--no-fund", "--loglevel=error"]
     subprocess.run([*install, packed("rna-viewer")], cwd=folder, check=True, timeout=1800)
     command, out = BUILDS[name]
     environment = {**os.environ, **QUIET}
     subprocess.run(["npx", *command.split()], cwd=folder, env=environment, check=True, timeout=1800)
-    shutil.copy(TOY, folder / out)
     return folder / out
 
 

@@ -1,15 +1,18 @@
 // Light from all sides: the scene's environment, and lights of three.js that have no place. One function; a decoder of
 // its own for whole environments would take the place of the sum in it.
-import { float, interleavedGradientNoise, isolate, materialEnvIntensity, mix, screenCoordinate, vec3 } from "three/tsl";
+import { float, interleavedGradientNoise, isolate, materialEnvIntensity, mix, screenCoordinate, uniform, vec3 } from "three/tsl";
 import { eachSample } from "./samples.js";
 import { objectToWorld } from "./spaces.js";
+
+/** By how much all directions are turned: another value for each picture of a mean. */
+export const turnOfPicture = /*@__PURE__*/ uniform(0);
 
 /** Adds what comes from all sides, as `environmentSamples` directions find it. */
 export function environmentLight(material, builder) {
   const radiance = radianceOf(builder);
   if (!radiance.length) return;
   const { functions, options } = material, count = options.environmentSamples;
-  const turn = interleavedGradientNoise(screenCoordinate.xy).toVar(), sum = vec3(0).toVar();
+  const turn = interleavedGradientNoise(screenCoordinate.xy).add(turnOfPicture).fract().toVar(), sum = vec3(0).toVar();
   eachSample(material, count, (number) => {
     const drawn = functions.direction(float(number), float(count), turn).toVar(), wi = drawn.xyz.toVar();
     const world = objectToWorld(wi, builder).toVar();

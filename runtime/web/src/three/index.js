@@ -2,3 +2,4 @@
 export { RnaAsset } from "./asset.js";
 export { RnaLoader } from "./loader.js";
 export { RnaMaterial } from "./material.js";
+export { StillPicture } from "./still_picture.js";
