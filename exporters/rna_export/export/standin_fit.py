@@ -21,6 +21,7 @@ LARGEST_SHARE = 0.15
 """Of a package's size, that textures may add to it."""
 
 _SIDES = (TEXELS, TEXELS // 2, TEXELS // 4)
+_RESOLUTION = 128  # of planes: so few steps fit no finer ones
 _STEPS = 800
 _PASSES = 40  # over samples that are few
 _SHARDS = 12
@@ -71,7 +72,8 @@ def _is_bare(part: DatasetPart) -> bool:
 def _fitted(part: DatasetPart) -> NeuralAsset:
     """glTF's material by place, fitted to some of the part's samples on the CPU."""
     table = SampleTable(part.training_samples(_SHARDS))
-    preset = with_fitting_loss(ANALYTIC, part, table.usual_radiance).for_rows(len(table))
+    preset = ANALYTIC.with_model(resolution=_RESOLUTION)
+    preset = with_fitting_loss(preset, part, table.usual_radiance).for_rows(len(table))
     batch = preset.training.batch
     steps = min(_STEPS, max(1, _PASSES * len(table) // batch))
     rows = iter(table.shuffled(batch, 0, 0))

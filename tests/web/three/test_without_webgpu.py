@@ -55,7 +55,8 @@ AT_BOTH_LEVELS = """(async () => {{
     const {{ THREE, rna }} = test, compatible = {COMPATIBLE}, told = [];
     console.warn = console.error = (...words) => told.push(words.join(" "));
     const pictures = [], limits = [];
-    for (const renderer of [new THREE.WebGPURenderer(), compatible()]) {{
+    for (const open of [() => new THREE.WebGPURenderer(), compatible]) {{
+        const renderer = open();
         await renderer.init();
         const {{ device }} = renderer.backend;
         device.addEventListener("uncapturederror", ({{ error }}) => told.push(error.message));

@@ -57,7 +57,8 @@ export class Stage extends LastingEngine {
   _giveUp(error) {
     this.isWhole = false;
     super._giveUp(error);
-    this.standIn.again();
+    if (this.standIn.isShown) this.mount(document.createElement("canvas"));  // for gestures
+    else this.standIn.again();
   }
 
   /** The picture once more: see Viewer.restart. */
