@@ -82,8 +82,7 @@ def parser() -> argparse.ArgumentParser:
         choices=NEARBY_MODES,
         default="off",
         help="count light that enters beside a point, for the edges of shadows on translucent "
-        "assets; the GPU renderer and web pages refuse such packages; auto: two short "
-        "trainings decide (default: %(default)s)",
+        "assets; auto: two short trainings decide (default: %(default)s)",
     )
     p.add_argument(
         "--optimizer",
