@@ -15,7 +15,7 @@ from rna_sdk.package import Package, decoder_to_bytes, float_planes, query_width
 from rna_sdk.package.decoder.decoder_form import ENVIRONMENT
 from tests.conftest import REPOSITORY
 from tests.package.builders import random_decoder
-from tests.reference_queries import fiber_queries_reference, queries_reference
+from tests.reference.queries import fiber_queries_reference, queries_reference
 
 ASSETS = {
     "surface": REPOSITORY / "examples" / "quickstart" / "toy.rna",
