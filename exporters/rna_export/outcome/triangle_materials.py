@@ -1,0 +1,50 @@
+"""The material of captured points: that of the triangle which they lie on."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.dataset.validation_view import CapturedImage, ValidationView, WholeView
+
+_STEP = np.float32(1e-3)  # of the asset's size, from a point towards its viewer
+
+
+class TriangleMaterials:
+    """Materials of a dataset's points.
+
+    Attributes:
+        names: of the manifest's materials, and after them of the parts; "" where there is but one.
+            A point of strands, or of a dataset that does not record its triangles' materials, has
+            its part in place of a material.
+    """
+
+    def __init__(self, dataset: Dataset) -> None:
+        whole = Dataset(dataset.folder)  # in one piece, as its triangles are counted
+        self._first_part = len(whole.manifest.materials)
+        names = [each.name for each in (*whole.manifest.materials, *whole.parts)]
+        self.names = names if len(names) > 1 else [""]
+        self._numbers = [whole.materials.get(part.name) for part in whole.parts]
+        self._scene = whole.scene
+        self._step = _STEP * np.float32(self._scene.diagonal)
+
+    def is_part(self, material: int) -> bool:
+        """Whether a number is that of a part."""
+        return material >= self._first_part
+
+    def of_image(self, view: CapturedImage) -> np.ndarray:
+        """(n,) int32, numbers of `names` for the rows of a captured image; -1 where nothing is."""
+        views = view.parts if isinstance(view, WholeView) else (view,)
+        rows = [self._at(v.samples) for v in views if isinstance(v, ValidationView)]
+        return np.concatenate(rows)
+
+    def _at(self, samples: dict[str, np.ndarray]) -> np.ndarray:
+        position, wo = samples["position"], samples["wo"]
+        hits = self._scene.intersect(position + self._step * wo, -wo)
+        result = np.full(len(position), -1, np.int32)
+        for part, numbers in enumerate(self._numbers):
+            on = hits.geometry == part
+            result[on] = self._first_part + part
+            if numbers is not None:
+                result[on] = numbers[hits.primitive[on]]
+        return result
