@@ -49,7 +49,7 @@ def test_little_work_is_told_and_warned_of(tmp_path: Path) -> None:
     )
     assert error_in_words(float(score.split()[2].rstrip(","))) in score
     assert light.startswith("small: reflects ") and light.endswith("% at grazing views")
-    assert title == "what came true, in 2 lit validation images:"
+    assert title == "in 2 lit validation images:"
     worst = tmp_path / "run" / "worst.png"
     assert came_true[-1].endswith(f"{worst} shows it beside Cycles") and worst.is_file()
     assert warning.startswith(

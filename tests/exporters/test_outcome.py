@@ -71,7 +71,7 @@ def test_a_material_that_is_lost_is_told_beside_its_promise(tmp_path: Path) -> N
         f"worse than promised; lost in {cap.lost} of {cap.shown} images that show it"
     )
     assert "'cup'" in second and "promised: learnt without its relief: FLIP" in second
-    assert others[-1].startswith("  worst place: image ") and "'cap'" in others[-1]
+    assert others[-1].startswith("  worst place: validation image ") and "'cap'" in others[-1]
     assert others[-1].endswith(f"missing: {picture} shows it beside Cycles")
     with Image.open(picture) as image:
         assert image.width == 4 * 24 * round(256 / 24)
@@ -119,7 +119,7 @@ def test_a_dataset_without_materials_of_triangles_is_told_of_as_a_whole(tmp_path
     made = outcome(dataset, (0.0, 1.0))
     assert made.materials == ()
     lines = made.told(tmp_path / "worst.png")
-    assert [line.split()[0] for line in lines] == ["what", "highlights:", "outlines", "worst"]
+    assert [line.split()[0] for line in lines] == ["in", "highlights:", "outlines", "worst"]
     assert "''" not in lines[-1]
 
 

@@ -58,7 +58,9 @@ def test_ten_materials_in_one_scene(open_worker: OpenWorker, tmp_path: Path) -> 
     assert opened.settings.sharpest == pytest.approx(0.035)
     assert "highlights of roughness 0.035, those of 'paint'" in opened.preflight[-1]
     assert no_gain(opened) is None  # one of ten that are seen
-    assert re.search(r"learnt without its relief \(\d% of what is seen\)$", actual["paint"].lines[0])
+    assert re.search(
+        r"learnt without its relief \(\d% of what is seen\)$", actual["paint"].lines[0]
+    )
     assert sum(each.share for each in opened.materials if each.name != "glass") == pytest.approx(1)
     numbers = opened.exported.material_numbers([each.full_name for each in opened.materials])
     shown = {opened.materials[k].name for of_part in numbers.values() for k in np.unique(of_part)}

@@ -1,4 +1,4 @@
-"""A validation image, judged pixel by pixel: FLIP, what each pixel shows, where outlines are."""
+"""A picture, judged pixel by pixel: FLIP, what each pixel shows, where outlines are."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rna_export.asset_flip import COVERED, without_noise
+from rna_export.asset_flip import COVERED, ImageFlip, without_noise
 from rna_export.capture.dataset.validation_view import CapturedImage
 from rna_export.metrics import reduced
 from rna_export.outcome.triangle_materials import TriangleMaterials
@@ -16,15 +16,15 @@ from rna_export.training.asset_error import image_flip, picture_exposures, small
 
 @dataclass(frozen=True)
 class JudgedImage:
-    """A lit image; maps are (h, w), and 0 where `asset` is not.
+    """A lit picture; maps are (h, w), square, and 0 where `asset` is not.
 
-    index: of the image. exposure: that FLIP is of. asset: bool, whether a pixel shows the asset.
-    material: int32, numbers of `TriangleMaterials.names`. ours, halves: radiance, (h, w, 3) and
-    (2, h, w, 3), of the model and of two independent references. errors: FLIP against the mean of
-    both, noisier: (2, h, w), against each.
+    name: in words. exposure: that FLIP is of. asset: bool, whether a pixel shows the asset.
+    material: int32, numbers of `TriangleMaterials.names`, -1 for none. ours, halves: radiance,
+    (h, w, 3) and (2, h, w, 3), of the model and of two independent references. errors: FLIP against
+    the mean of both, noisier: (2, h, w), against each.
     """
 
-    index: int
+    name: str
     exposure: float
     asset: np.ndarray
     material: np.ndarray
@@ -47,18 +47,35 @@ class JudgedImage:
         shown, ours, *halves = (
             reduced(view.image(of), factor) for of in (np.ones_like(rows), rows, *view.halves)
         )
-        asset = shown[..., 0] >= COVERED
         # Of strands a pixel is several rays, of which one tells the material.
         number = view.image(np.repeat(materials.of_image(view)[:, None] + 1.0, 3, axis=1))[..., 0]
         middle = number[factor // 2 :: factor, factor // 2 :: factor]
-        material = middle[: asset.shape[0], : asset.shape[1]].astype(np.int32) - 1
+        material = middle[: len(ours), : len(ours)].astype(np.int32) - 1
+        name = f"validation image {view.index}"
+        return cls.of_picture(name, exposure, ours, np.stack(halves), shown[..., 0], flip, material)
+
+    @classmethod
+    def of_picture(
+        cls,
+        name: str,
+        exposure: float,
+        ours: np.ndarray,
+        halves: np.ndarray,
+        covered: np.ndarray,
+        flip: ImageFlip,
+        material: np.ndarray | None = None,
+    ) -> JudgedImage:
+        """covered: (h, w), the asset's share of each pixel. flip: of the picture."""
+        asset = covered >= COVERED
         return cls(
-            index=view.index,
+            name=name,
             exposure=exposure,
             asset=asset,
-            material=np.where(asset, material, -1),
+            material=np.full(asset.shape, -1)
+            if material is None
+            else np.where(asset, material, -1),
             ours=ours,
-            halves=np.stack(halves),
+            halves=halves,
             errors=_map(asset, flip.errors),
             noisier=np.stack([_map(asset, half) for half in flip.noisier.reshape(2, -1)]),
         )
@@ -75,11 +92,16 @@ class JudgedImage:
         inside = padded[:-2, 1:-1] & padded[2:, 1:-1] & padded[1:-1, :-2] & padded[1:-1, 2:]
         return np.asarray(self.asset & ~inside)
 
-    def nearby_error(self, side: int) -> np.ndarray:
+    def square(self, share: float) -> int:
+        """Pixels along a square of this share of the picture's side: an odd number, 3 at least."""
+        return 2 * max(1, round(0.5 * share * len(self.asset) - 0.5)) + 1
+
+    def nearby_error(self, share: float) -> np.ndarray:
         """(h, w), FLIP without noise of the asset's pixels in a square around each of them.
 
-        0 where fewer than half of the square's pixels show the asset. side: odd, pixels.
+        0 where fewer than half of the square's pixels show the asset. share: see `square`.
         """
+        side = self.square(share)
         count = box_sum(self.asset, side)
         each = [
             box_sum(error, side) / np.maximum(count, 1) for error in (self.errors, *self.noisier)

@@ -21,7 +21,8 @@ from rna_sdk.error_words import FAIR, GOOD, error_in_words
 _BRIGHTEST = 0.01  # of the pixels
 _FEWEST = 50  # pixels of all images that tell the error of a material
 _SHOWS = 12  # pixels of one image that show a material
-_LOST, _LOST_SHARE = 0.35, 0.25  # FLIP of 3 x 3 pixels; of a material's pixels in one image
+_LOST, _LOST_SHARE = 0.35, 0.25  # FLIP around a pixel; of a material's pixels in one image
+_AROUND = 3 / 64  # of an image's side
 _LISTED = 8  # materials
 
 
@@ -62,11 +63,12 @@ class MaterialOutcome:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What the lit validation images say of an asset.
+    """What lit images say of an asset.
 
-    materials: the worst first. brightest: light of the brightest 1% of the pixels over Cycles'.
-    outline, outline_light, outline_share: FLIP of the outlines' pixels, their light over Cycles',
-    and how many they are of all; of an image without outlines None. worst: None of no image.
+    images: how many there are. materials: the worst first. brightest: light of the brightest 1% of
+    the pixels over Cycles'. outline, outline_light, outline_share: FLIP of the outlines' pixels,
+    their light over Cycles', and how many they are of all; None without any. worst: None of no
+    image.
     """
 
     images: int
@@ -81,29 +83,42 @@ class Outcome:
     def of(
         cls, radiance: Sequence[np.ndarray], views: Sequence[CapturedImage], dataset: Dataset
     ) -> Outcome:
-        """radiance: shaded rows of the views, (n, 3) each."""
+        """Of validation images. radiance: shaded rows of the views, (n, 3) each."""
         materials = TriangleMaterials(dataset)
         images = judged_images(radiance, views, materials)
+        told = _by_material(images, materials, dataset.manifest.materials)
+        is_of_strands = all(view.is_of_strands for view in views)
+        return cls.of_images(images, is_of_strands, told, materials.names)
+
+    @classmethod
+    def of_images(
+        cls,
+        images: Sequence[JudgedImage],
+        is_of_strands: bool,
+        materials: tuple[MaterialOutcome, ...] = (),
+        names: Sequence[str] = (),
+    ) -> Outcome:
+        """is_of_strands: whether all that they show is strands. names: of materials, by number."""
         outline = _joined(images, lambda image: image.outline).astype(bool)
         light, halves = _luminance(images)
-        is_strands = all(view.is_of_strands for view in views)
-        has_outline = outline.any() and not is_strands  # of strands all is outline
+        has_outline = outline.any() and not is_of_strands  # of strands all is outline
         return cls(
             images=len(images),
-            materials=_by_material(images, materials, dataset.manifest.materials),
+            materials=materials,
             brightest=_of_brightest(light, halves),
             outline=_flip_of(images, outline) if has_outline else None,
             outline_light=_ratio(light[outline], halves.mean(axis=0)[outline]),
             outline_share=float(outline.mean()) if len(outline) else 0.0,
-            worst=WorstPlace.of(images, materials.names),
+            worst=WorstPlace.of(images, names),
         )
 
-    def told(self, picture: Path) -> list[str]:
-        """In words; writes a PNG of the worst place."""
+    def told(self, picture: Path, what: str = "validation images") -> list[str]:
+        """In words; writes a PNG of the worst place. what: what the images are."""
         if self.worst is None:
             return []
         told, more = self.materials[:_LISTED], self.materials[_LISTED:]
-        lines = [f"what came true, in {self.images} lit validation images:"]
+        came_true = "what came true, " if self.materials else ""
+        lines = [f"{came_true}in {self.images} lit {what}:"]
         lines += [each.line for each in told]
         if more:
             worst = max((each.flip for each in more if each.flip is not None), default=0.0)
@@ -128,7 +143,7 @@ def _by_material(
 ) -> tuple[MaterialOutcome, ...]:
     """The worst first; none where all there is to tell of is one part."""
     of_pixels = _joined(images, lambda image: image.material)
-    lost = [image.nearby_error(3) >= _LOST for image in images]
+    lost = [image.nearby_error(_AROUND) >= _LOST for image in images]
     numbers = [int(k) for k in np.unique(of_pixels) if k >= 0]
     if len(numbers) == 1 and materials.is_part(numbers[0]):
         return ()

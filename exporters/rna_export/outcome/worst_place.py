@@ -12,8 +12,8 @@ from rna_export.outcome.judged_image import JudgedImage
 from rna_export.pictures import Picture, comparison_sheet, pictures_of, write_picture
 from rna_render.lights import LUMINANCE
 
-_SIDE = 9  # pixels of a place
-_AROUND = 0.5  # of the image, shown around it
+_PLACE = 9 / 64  # of an image's side: the square that is a place
+_SHOWN = 0.5  # likewise: what is shown around it
 _WIDTH = 256  # of each picture, about
 _FRAME = (255, 0, 200)
 _SAME, _MUCH = 1.25, 10.0  # ratios of light: about equal, and beyond telling
@@ -21,7 +21,7 @@ _SAME, _MUCH = 1.25, 10.0  # ratios of light: about equal, and beyond telling
 
 @dataclass(frozen=True)
 class WorstPlace:
-    """A square of 9 x 9 pixels in a lit image.
+    """A square in a lit image, a seventh as wide.
 
     row, column: of its middle. name: of the material that most of it shows. flip: its mean, without
     noise. light: its luminance over Cycles'.
@@ -39,13 +39,13 @@ class WorstPlace:
         """That of all images; None where none shows the asset. names: of materials."""
         found = []
         for image in images:
-            errors = image.nearby_error(_SIDE)
+            errors = image.nearby_error(_PLACE)
             row, column = (int(k) for k in np.unravel_index(errors.argmax(), errors.shape))
             found.append((float(errors[row, column]), image, row, column))
         flip, image, row, column = max(found, key=lambda one: one[0], default=(0.0, None, 0, 0))
         if image is None or flip == 0.0:
             return None
-        square = _around(row, _SIDE, image), _around(column, _SIDE, image)
+        square = _around(row, _PLACE, image), _around(column, _PLACE, image)
         material, asset = image.material[square], image.asset[square]
         numbers = material[asset & (material >= 0)]
         ours, cycles = (
@@ -65,9 +65,7 @@ class WorstPlace:
     def text(self) -> str:
         """In words."""
         on = f", {self.name!r}" if self.name else ""
-        return (
-            f"worst place: image {self.image.index}{on}, FLIP {self.flip:.2f}, {self._light_text}"
-        )
+        return f"worst place: {self.image.name}{on}, FLIP {self.flip:.2f}, {self._light_text}"
 
     @property
     def _light_text(self) -> str:
@@ -82,8 +80,7 @@ class WorstPlace:
     def write(self, path: Path) -> None:
         """A PNG: the place, and below the image that it is in; ours, Cycles, difference, FLIP."""
         image, side = self.image, len(self.image.asset)
-        around = max(_SIDE, round(_AROUND * side))
-        rows, columns = _around(self.row, around, image), _around(self.column, around, image)
+        rows, columns = (_around(at, _SHOWN, image) for at in (self.row, self.column))
         pictures = pictures_of(
             np.ascontiguousarray(image.ours, np.float32),
             np.ascontiguousarray(image.reference, np.float32),
@@ -92,13 +89,13 @@ class WorstPlace:
         each = max(1, round(_WIDTH / side))
         whole = [_framed(_scaled(p, each * side), rows, columns, side) for p in pictures]
         crops = [_scaled(picture[rows, columns], each * side) for picture in pictures]
-        captions = self.text, f"validation image {image.index}, whole"
+        captions = self.text, f"{image.name}, whole"
         write_picture(path, comparison_sheet(list(zip((crops, whole), captions, strict=True))))
 
 
-def _around(middle: int, length: int, image: JudgedImage) -> slice:
-    """So many pixels around one, moved into the image."""
-    side = len(image.asset)
+def _around(middle: int, share: float, image: JudgedImage) -> slice:
+    """A share of the image's side around a pixel, moved into the image."""
+    side, length = len(image.asset), image.square(share)
     first = min(max(middle - length // 2, 0), max(side - length, 0))
     return slice(first, min(first + length, side))
 
