@@ -126,6 +126,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
                 steps=args.steps,
                 seed=carried.seed,
                 device=device,
+                nearby=args.nearby,
                 workers=CaptureWorkers(python, scratch, args.workers, executor, args.store),
                 picture=picture,
                 more=carried.more,

@@ -22,6 +22,7 @@ _TEXELS = 2.0  # of a plane, from one detail to the next, at the least
 _LOST = 0.5  # of that: relief of a plane's texel
 _MIRROR = 0.05  # roughness that an artist calls a mirror's
 _SOFTENED = 0.02  # roughness below which the floor of captures shows
+_SCATTERING = frozenset({"scattering", "thin", "refracting", "glass", "volume", "hair"})
 _WORDS = {
     "coat": "clear coat",
     "thin": "thin, lit from behind",
@@ -41,6 +42,7 @@ class MaterialVerdict(DatasetModel):
     is_: what it is, in words. reasons: what is lost, and what to do; none if nothing is. share: of
     what is seen of the asset. full_name: in Blender, where libraries may have others of its name.
     loses: the only part of it that is not learnt; None where that is all of it, or nothing.
+    scatters: whether light enters it, and leaves elsewhere.
     """
 
     name: str
@@ -50,6 +52,7 @@ class MaterialVerdict(DatasetModel):
     loses: Literal["relief"] | None = None
     reasons: tuple[str, ...] = ()
     share: float = 1.0
+    scatters: bool = True
 
     @property
     def promise(self) -> str:
@@ -154,6 +157,7 @@ def _verdict(
         learnt=learnt,
         loses=lost.pop() if len(lost) == 1 else None,
         reasons=texts,
+        scatters=not _SCATTERING.isdisjoint(facts.kinds),
     )
 
 
