@@ -80,12 +80,12 @@ def test_a_material_that_is_lost_is_told_beside_its_promise(tmp_path: Path) -> N
 @pytest.mark.parametrize(
     ("promise", "flip", "ends"),
     [
-        (LOWER, 0.034, "(very good: hard to tell from the original), better than promised"),
-        (LOWER, 0.2, "that anybody sees)"),
-        (UPPER, 0.034, "(very good: hard to tell from the original)"),
-        (UPPER, 0.12, "highlights), worse than promised"),
+        (LOWER, 0.034, "FLIP 0.034 (very good), better than promised"),
+        (LOWER, 0.2, "FLIP 0.200 (poor)"),
+        (UPPER, 0.034, "FLIP 0.034 (very good)"),
+        (UPPER, 0.12, "FLIP 0.120 (rough), worse than promised"),
         (UPPER, None, "promised: learnt well: too little is seen of it to tell"),
-        (None, 0.2, "that anybody sees)"),
+        (None, 0.2, "pixels): FLIP 0.200 (poor)"),
     ],
 )
 def test_promises_are_compared_with_errors(

@@ -50,7 +50,8 @@ class MaterialOutcome:
         if self.flip is None:
             return f"{first}too little is seen of it to tell"
         lost = f"; lost in {self.lost} of {self.shown} images that show it" if self.lost else ""
-        return f"{first}FLIP {self.flip:.3f} ({error_in_words(self.flip)}){self._compared}{lost}"
+        word, _, _ = error_in_words(self.flip).partition(":")
+        return f"{first}FLIP {self.flip:.3f} ({word}){self._compared}{lost}"
 
     @property
     def _compared(self) -> str:
