@@ -15,6 +15,7 @@ from rna_export.capture.preflight.verdicts import MaterialVerdict
 from rna_export.outcome.judged_image import box_sum
 from rna_export.outcome.outcome import MaterialOutcome, Outcome
 from rna_export.outcome.triangle_materials import TriangleMaterials
+from rna_sdk.errors import CaptureError
 from rna_sdk.package import Mesh
 from tests.exporters.synthetic import make_dataset
 
@@ -54,6 +55,17 @@ def test_points_have_the_material_of_their_triangle(tmp_path: Path) -> None:
     for view in dataset.whole_views():
         off = np.abs(view.parts[0].samples["position"][:, 1]) > 0.1  # the seam follows triangles
         np.testing.assert_array_equal(materials.of_image(view)[off], is_above(view)[off])
+
+
+@pytest.mark.parametrize("numbers", [np.zeros(3, np.int16), None])
+def test_materials_that_do_not_fit_the_triangles_are_refused(
+    numbers: np.ndarray | None, tmp_path: Path
+) -> None:
+    dataset = two_materials(tmp_path / "ball.rays")
+    wrong = dataset.materials["asset"] + np.int16(1) if numbers is None else numbers
+    write_arrays(tmp_path / "ball.rays" / "materials.safetensors", {"asset": wrong})
+    with pytest.raises(CaptureError, match="its materials are not those of its triangles"):
+        TriangleMaterials(dataset)
 
 
 def test_a_material_that_is_lost_is_told_beside_its_promise(tmp_path: Path) -> None:

@@ -6,6 +6,8 @@ import numpy as np
 
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.validation_view import CapturedImage, ValidationView, WholeView
+from rna_sdk.errors import CaptureError
+from rna_sdk.package import Curves, Mesh
 
 _STEP = np.float32(1e-3)  # of the asset's size, from a point towards its viewer
 
@@ -17,6 +19,8 @@ class TriangleMaterials:
         names: of the manifest's materials, and after them of the parts; "" where there is but one.
             A point of strands, or of a dataset that does not record its triangles' materials, has
             its part in place of a material.
+
+    Raises CaptureError where the dataset's file of materials does not fit its meshes.
     """
 
     def __init__(self, dataset: Dataset) -> None:
@@ -24,9 +28,20 @@ class TriangleMaterials:
         self._first_part = len(whole.manifest.materials)
         names = [each.name for each in (*whole.manifest.materials, *whole.parts)]
         self.names = names if len(names) > 1 else [""]
-        self._numbers = [whole.materials.get(part.name) for part in whole.parts]
-        self._scene = whole.scene
+        self._scene, numbers = whole.scene, whole.materials
+        for part, geometry in zip(whole.parts, self._scene.geometries, strict=True):
+            of_part = numbers.get(part.name)
+            if of_part is not None and not self._fits(of_part, geometry):
+                raise CaptureError(f"{whole.folder}: its materials are not those of its triangles")
+        self._numbers = [numbers.get(part.name) for part in whole.parts]
         self._step = _STEP * np.float32(self._scene.diagonal)
+
+    def _fits(self, numbers: np.ndarray, geometry: Mesh | Curves) -> bool:
+        """Whether an array has a material, or none, for each triangle."""
+        if not isinstance(geometry, Mesh) or numbers.shape != (len(geometry.triangles),):
+            return False
+        known = (numbers >= -1) & (numbers < self._first_part)
+        return numbers.dtype == np.int16 and bool(known.all())
 
     def is_part(self, material: int) -> bool:
         """Whether a number is that of a part."""
