@@ -11,7 +11,7 @@ from rna_export.export.package_options import add_credit, add_environment
 from rna_export.export.precision import add_precision
 from rna_export.training.presets import PRESETS
 from rna_export.training.training_options import add_device, add_nearby
-from rna_sdk.console import command_parser
+from rna_sdk.commands.console import command_parser
 
 _SETTINGS = (
     "samples",

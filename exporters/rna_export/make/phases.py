@@ -24,7 +24,7 @@ from rna_export.training.part_runs import part_folder, shared_minutes
 from rna_export.training.presets import PRESETS, Preset
 from rna_export.training.training_run import Run, table_of, train
 from rna_export.training.validation import mean_psnr, noiseless_psnr, shade, shade_emission
-from rna_sdk.atomic_file import write_atomically
+from rna_sdk.files.atomic_file import write_atomically
 from rna_work.bar import Bar
 
 

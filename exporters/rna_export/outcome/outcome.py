@@ -16,7 +16,7 @@ from rna_export.outcome.judged_image import JudgedImage, judged_images
 from rna_export.outcome.triangle_materials import TriangleMaterials
 from rna_export.outcome.worst_place import WorstPlace
 from rna_render.lights import LUMINANCE
-from rna_sdk.error_words import FAIR, GOOD, error_in_words
+from rna_sdk.commands.error_words import FAIR, GOOD, error_in_words
 
 _BRIGHTEST = 0.01  # of the pixels
 _FEWEST = 50  # pixels of all images that tell the error of a material

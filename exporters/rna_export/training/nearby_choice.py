@@ -21,8 +21,8 @@ from rna_export.training.checkpoint import load_progress
 from rna_export.training.presets import PRESETS, Preset
 from rna_export.training.report import read_curves
 from rna_export.training.training_run import Run, table_of, train
-from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import TrainingError
+from rna_sdk.files.atomic_file import write_atomically
 from rna_work.bar import Bar
 
 LEAST_GAIN = 0.02
