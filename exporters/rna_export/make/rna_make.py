@@ -198,6 +198,8 @@ def _outcome(made: Made, manifest: Manifest, goal: Goal | None) -> str:
     end: str = "the error stopped falling" if made.why == "stopped falling" else made.why
     if goal is not None and lead is not None and goal.met_by(lead):
         end = f"goal met: {goal}{_cheapest(manifest, goal)}"
+    elif made.why == "goal met" and made.without_noise:
+        end = f"goal met: {goal}, without the noise of the validation images"
     elif goal is not None:
         end = f"goal not met, {end}: {goal}"
     return f"{end}; capture rounds: {made.rounds}"
