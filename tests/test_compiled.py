@@ -183,7 +183,7 @@ def test_all_kernels_are_compiled_in_one_way() -> None:
     uses = re.compile(r"\b(jit|njit|cfunc|vectorize|guvectorize)\b")
     files = [file for folder in folders for file in (REPOSITORY / folder).rglob("*.py")]
     assert [str(f) for f in files if uses.search(f.read_text())] == [
-        str(REPOSITORY / "rna_sdk" / "compiled.py")
+        str(REPOSITORY / "rna_sdk" / "machine" / "compiled.py")
     ]
 
 

@@ -166,9 +166,9 @@ def _tell_next(args: argparse.Namespace) -> None:
     scene = write_starter(args.out)
     if scene is not None:
         print(f"wrote {scene}, a scene that shows it")
-    compare = "rna-compare", args.out, args.model, "--out", f"{args.out.stem}-compare"
+    report = f"{args.out.stem}-compare"
     print(f"next: {command_line('rna-view', args.out)}")
-    print(f"      {command_line(*compare)}")
+    print(f"      {command_line('rna-compare', args.out, args.model, '--out', report)}")
 
 
 def _saved_picture(options: MakeOptions, out: Path) -> Path | None:

@@ -90,8 +90,17 @@ def train(
     say(_plan(run, len(table)))
     torch.manual_seed(run.seed)
     bounds, emission = padded_bounds(run.dataset), _emission(run, done)
-    of_rows = table.fields, emission, run.device, run.model_class
-    fitting = Fitting(run.preset, bounds, ceiling, unit, *of_rows, lit=table.lit)
+    fitting = Fitting(
+        run.preset,
+        bounds,
+        ceiling,
+        unit,
+        fields=table.fields,
+        emission=emission,
+        device=run.device,
+        model_class=run.model_class,
+        lit=table.lit,
+    )
     if saved:
         fitting.load(saved["fitting"])
     elif run.preset.model.nearby:
