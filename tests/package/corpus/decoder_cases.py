@@ -51,8 +51,39 @@ def _restore_otherwise(model: onnx.ModelProto) -> None:
     model.graph.initializer.append(numpy_helper.from_array(np.float32(0.5), "restored"))
 
 
+def _rename_an_axis(model: onnx.ModelProto) -> None:
+    """The attribute that says along which axis scales lie."""
+    maker = next(n for n in _of(model, "DequantizeLinear") if n.attribute)
+    maker.attribute[0].name = "block_size"
+
+
+def _end_before_the_outputs(model: onnx.ModelProto) -> None:
+    """The last node is left out, and there is one output more."""
+    last = model.graph.node.pop()
+    model.graph.node[-1].output[0] = last.output[0]
+    used = {name for node in model.graph.node for name in node.input}
+    for constant in [c for c in model.graph.initializer if c.name not in used]:
+        model.graph.initializer.remove(constant)
+    model.graph.output[0].type.tensor_type.shape.dim[1].dim_value += 1
+
+
+def _make_a_layer_of_nothing(model: onnx.ModelProto) -> None:
+    """The first layer has no outputs, the second no inputs."""
+    first, second = _of(model, "Gemm")[:2]
+    constants = {constant.name: constant for constant in model.graph.initializer}
+    for name, axis in ((first.input[1], 1), (first.input[2], 0), (second.input[1], 0)):
+        constants[name].dims[axis] = 0
+        constants[name].raw_data = b""
+
+
 CASES.add(
     "DECODER_PROFILE",
+    decoder_whose_input_has_another_name=in_decoder(
+        lambda m: setattr(m.graph.input[0], "name", "light")
+    ),
+    decoder_that_ends_before_its_outputs=in_decoder(_end_before_the_outputs),
+    decoder_with_a_layer_of_nothing=in_decoder(_make_a_layer_of_nothing),
+    int8_decoder_with_another_attribute=in_int8_decoder(_rename_an_axis),
     decoder_whose_layer_passes_over_a_node=in_decoder(_skip_a_node),
     decoder_with_a_node_of_nothing=in_decoder(
         lambda m: m.graph.node.append(helper.make_node("Relu", [], ["spare"]))
