@@ -327,7 +327,9 @@ CASES.add(
         e, DECODER, e[DECODER] + b"\x28\x01" * 300_000
     ),
     decoder_with_a_field_of_no_number=lambda e: with_entry(e, DECODER, e[DECODER] + b"\x02\x00"),
-    decoder_with_a_group=lambda e: with_entry(e, DECODER, e[DECODER] + b"\x0b"),
+    decoder_with_a_group=lambda e: with_entry(  # as long as the field before it
+        e, DECODER, e[DECODER] + b"\x32\x04abcd" + b"\xa3\x06abcd"
+    ),
     decoder_opset_too_new=in_decoder(lambda m: setattr(m.opset_import[0], "version", 22)),
     decoder_without_an_operator_set=in_decoder(lambda m: m.ClearField("opset_import")),
     decoder_of_two_operator_sets=in_decoder(

@@ -12,7 +12,14 @@ from onnx import helper, numpy_helper
 from rna_sdk.package import decoder_to_bytes
 from tests.package.builders import random_decoder, random_int8_decoder
 from tests.package.corpus.content_cases import in_decoder, with_profile
-from tests.package.corpus.registry import DECODER, Breaker, Corpus, tier_part, with_entry
+from tests.package.corpus.registry import (
+    DECODER,
+    Breaker,
+    Corpus,
+    Entries,
+    tier_part,
+    with_entry,
+)
 
 CASES = Corpus("surface")
 
@@ -57,6 +64,16 @@ def _rename_an_axis(model: onnx.ModelProto) -> None:
     maker.attribute[0].name = "block_size"
 
 
+def _with_bytes_for_an_axis(entries: Entries) -> bytes:
+    """No bytes where the number 0 is expected."""
+    data = decoder_to_bytes(random_int8_decoder(largest=64))
+    assert b"axis\x18\x00" in data
+    data = data.replace(b"axis\x18\x00", b"axis\x1a\x00", 1)
+    return with_entry(
+        entries, DECODER, data, lambda m: tier_part(m).update(decoderPrecision="int8")
+    )
+
+
 def _end_before_the_outputs(model: onnx.ModelProto) -> None:
     """The last node is left out, and there is one output more."""
     last = model.graph.node.pop()
@@ -84,6 +101,7 @@ CASES.add(
     decoder_that_ends_before_its_outputs=in_decoder(_end_before_the_outputs),
     decoder_with_a_layer_of_nothing=in_decoder(_make_a_layer_of_nothing),
     int8_decoder_with_another_attribute=in_int8_decoder(_rename_an_axis),
+    int8_decoder_with_bytes_for_an_axis=_with_bytes_for_an_axis,
     decoder_whose_layer_passes_over_a_node=in_decoder(_skip_a_node),
     decoder_with_a_node_of_nothing=in_decoder(
         lambda m: m.graph.node.append(helper.make_node("Relu", [], ["spare"]))
