@@ -9,8 +9,8 @@ from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
 from rna_render.command.compile_ahead import compiling_ahead
-from rna_sdk.compiled import watched_compilations
-from rna_sdk.cores import core_count
+from rna_sdk.machine.compiled import watched_compilations
+from rna_sdk.machine.cores import core_count
 
 _APART = 1.0  # s between lines that replace one another
 _WORTH_TELLING = 3  # kernels: fewer take no more than a second or two

@@ -61,7 +61,7 @@ def compiling_ahead(scene: Path) -> Iterator[None]:
 
 def main() -> None:
     from rna_sdk.errors import RnaError
-    from rna_sdk.kernel_threads import limit_kernel_threads
+    from rna_sdk.machine.kernel_threads import limit_kernel_threads
 
     limit_kernel_threads(1)
     scene, folder = map(Path, sys.argv[1:])

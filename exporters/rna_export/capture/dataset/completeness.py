@@ -9,9 +9,10 @@ from pathlib import Path
 
 from pydantic import TypeAdapter, ValidationError
 
+from rna_export.capture.capture_tasks import all_tasks
 from rna_export.capture.dataset.dataset_folder import FOLDERS, Dataset
-from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import CaptureError
+from rna_sdk.files.atomic_file import write_atomically
 from rna_work.cached import content_hash
 
 _RECORD = "files.json"
@@ -58,7 +59,8 @@ def differences(dataset: Dataset) -> list[str]:
 def _groups(dataset: Dataset) -> tuple[dict[str, list[str]], int]:
     """Names of files by what is wrong with them, and how many files there should be."""
     folder, recorded = dataset.folder, _recorded(dataset.folder)
-    planned = [path.relative_to(folder).as_posix() for path in dataset.planned_files()]
+    paths = (task.path(dataset) for task in all_tasks(dataset))
+    planned = [path.relative_to(folder).as_posix() for path in paths]
     absent = {name for name in {*planned, *recorded} if not (folder / name).is_file()}
     groups = {
         "not captured yet": [name for name in planned if name in absent and name not in recorded],
