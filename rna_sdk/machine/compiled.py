@@ -119,7 +119,7 @@ class _Kernel(CPUDispatcher):
     """
 
     @cached_property
-    def _twin(self) -> CPUDispatcher:
+    def _twin(self) -> Any:
         options = {**self.targetoptions, "no_cpython_wrapper": True}
         return CPUDispatcher(self.py_func, targetoptions=options)
 
@@ -196,8 +196,9 @@ class _Callback(CFunc):
     @cached_property
     def address(self) -> int:
         """Where it starts."""
-        self.compile()  # type: ignore[no-untyped-call]
-        return int(self._wrapper_address)
+        function: Any = self
+        function.compile()
+        return int(function._wrapper_address)
 
 
 class CacheWarning(UserWarning):
