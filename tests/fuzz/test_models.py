@@ -21,7 +21,7 @@ NAMED = {
 
 
 def test_hostile_models_are_opened_or_refused_in_one_line(
-    blender_python: Path, tmp_path: Path, lent_workers: None
+    blender_python: Path, tmp_path: Path
 ) -> None:
     seeds = write_models(blender_python, tmp_path)
     paths = [path for path in write_hostile(tmp_path) if path.name in NAMED]
