@@ -113,9 +113,10 @@ def compiled(
 
 
 class _Kernel(CPUDispatcher):
-    """What Python calls. Kernels call a twin without code for that, which is half of a short one's.
+    """What Python calls; kernels call a twin without the wrapper for Python.
 
-    The twin's code is on disk within theirs alone.
+    The wrapper takes half the compilation of a short kernel. A twin's code is on disk within that
+    of its callers alone.
     """
 
     @cached_property
