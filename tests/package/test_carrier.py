@@ -1,4 +1,4 @@
-"""RNA_relightable_asset: packages in .glb files, their bytes, their fallbacks and what is refused."""
+"""RNA_relightable_asset: packages in .glb files, their bytes and fallbacks, and what is refused."""
 
 from __future__ import annotations
 

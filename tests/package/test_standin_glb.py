@@ -50,7 +50,8 @@ def test_a_mesh_has_its_triangles_and_its_material(tmp_path: Path) -> None:
     assert manifest.license in document["asset"]["copyright"]
     number = document["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"]
     view = document["bufferViews"][document["accessors"][number]["bufferView"]]
-    colors = np.frombuffer(blob[view["byteOffset"] :][: view["byteLength"]], "<u2").reshape(-1, 4)[:, :3] / 65535
+    rows = np.frombuffer(blob[view["byteOffset"] :][: view["byteLength"]], "<u2").reshape(-1, 4)
+    colors = rows[:, :3] / 65535
     corners = mesh.positions[mesh.triangles]
     edges = corners[:, 1:] - corners[:, :1]
     area = np.linalg.norm(np.cross(edges[:, 0], edges[:, 1]), axis=1)
