@@ -178,7 +178,8 @@ def _span(document: dict[str, Any], number: int, blob: slice) -> slice:
     if view.get("buffer") != 0 or buffer is None or "uri" in buffer:
         refuse(Code.GLB_PACKAGE, f"{where}/buffer", view.get("buffer"), "the binary chunk, 0")
     start, size = view.get("byteOffset", 0), view.get("byteLength")
-    if not (_is_size(start) and _is_size(size) and start + size <= blob.stop - blob.start):
+    sizes = _is_size(start) and _is_size(size)
+    if not (sizes and size and start + size <= blob.stop - blob.start):
         found = f"{size} bytes at {start} of {blob.stop - blob.start}"
         refuse(Code.GLB_PACKAGE, where, found, _PLACE)
     place = blob.start + start
