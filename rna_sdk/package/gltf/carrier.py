@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeGuard
 
 from rna_sdk.package.container.glb_chunks import CHUNK, CHUNK_BIN, CHUNK_JSON, HEADER, MAGIC
 from rna_sdk.package.container.strict_json import parse_object, pointer
@@ -166,7 +166,7 @@ def _view_number(node: int, record: object) -> int:
     number = record.get("package")
     if not _is_size(number):
         refuse(Code.GLB_PACKAGE, f"{where}/package", number, "a buffer view's number")
-    return int(number)
+    return number
 
 
 def _span(document: dict[str, Any], number: int, blob: slice) -> slice:
@@ -189,7 +189,7 @@ def _span(document: dict[str, Any], number: int, blob: slice) -> slice:
     return slice(place, place + size)
 
 
-def _is_size(value: object) -> bool:
+def _is_size(value: object) -> TypeGuard[int]:
     return isinstance(value, int) and not isinstance(value, bool) and value >= 0
 
 
