@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Literal
 
-from rna_sdk.console import command_line
-from rna_sdk.regular_file import check_regular
+from rna_sdk.commands.console import command_line
+from rna_sdk.files.regular_file import check_regular
 
 Kind = Literal["package", "scene", "model"]
 
