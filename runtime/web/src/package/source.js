@@ -24,6 +24,24 @@ export class BlobSource {
   }
 }
 
+/** Bytes `start` to `end` of another source. Its first bytes come at once, for they are read one after another. */
+export class PartSource {
+  constructor(source, start, end) {
+    Object.assign(this, { source, start, name: source.name, size: end - start });
+  }
+
+  expect(ranges) {
+    this.source.expect(ranges.map((range) => range.map((at) => this.start + at)));
+  }
+
+  async read(start, end) {
+    const head = Math.min(HEAD, this.size);
+    if (end > head) return this.source.read(this.start + start, this.start + end);
+    this.head ??= this.source.read(this.start, this.start + head);
+    return (await this.head).subarray(start, end);
+  }
+}
+
 /** Bytes at an address; `progress(got, all)` hears how many of those that are expected have arrived. name: for messages. */
 export class UrlSource {
   static pauses = [300, 1000, 3000];  // ms before each new try of a transfer that was cut
