@@ -2,30 +2,35 @@
 
 from __future__ import annotations
 
+import io
 import json
 import shutil
 import subprocess
+from base64 import b64decode
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import pytest
 
+from rna_view.site_files import ELEMENT, viewer_file
 from tests.conftest import REPOSITORY
+from tests.web.element_pages import SMALL, finished, line, loads, show
 from tests.web.gltf_files import EXTENSION, GltfFile, asset_node, write_gltf
+from tests.web.pages import TIMEOUT, Ranges, served_folder
+from tests.web.three.pages import TOY
 
 SOURCES = REPOSITORY / "runtime" / "web" / "src" / "package"
 KIT = REPOSITORY / "spec" / "conformance" / "packages"
 TINY, STRANDS = KIT / "surface-tiny.rna", KIT / "fiber-float16.rna"
-OPENED = """
+FOUND = """
 import {{ readFileSync }} from "node:fs";
-import {{ Package }} from "{package}";
+import {{ packageIn }} from "{module}";
 import {{ BlobSource }} from "{source}";
 const said = [];
 for (const [name, path] of Object.entries({files})) {{
   try {{
-    const {{ source, manifest }} = await Package.open(
-      new BlobSource(new Blob([readFileSync(path)]), name));
-    said.push(`${{source.name}}: ${{source.size}} bytes, ${{manifest.name}}`);
+    const found = await packageIn(new BlobSource(new Blob([readFileSync(path)]), name));
+    said.push([found.name, Buffer.from(await found.read(0, found.size)).toString("base64")]);
   }} catch (error) {{
     said.push(error.message);
   }}
@@ -34,16 +39,17 @@ console.log(JSON.stringify(said));
 """
 
 
-def opened(*paths: Path) -> list[str]:
-    """What comes of each file in node: its package, or the line."""
-    program = OPENED.format(
-        package=(SOURCES / "package.js").as_uri(),
+def found(*paths: Path) -> list[tuple[str, bytes] | str]:
+    """What comes of each file in node: its name and the package's bytes, or a line."""
+    program = FOUND.format(
+        module=(SOURCES / "gltf_package.js").as_uri(),
         source=(SOURCES / "source.js").as_uri(),
         files=json.dumps({path.name: str(path) for path in paths}),
     )
     command = ["node", "--input-type=module", "-e", program]
     done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=120)
-    return json.loads(done.stdout)
+    said = json.loads(done.stdout)
+    return [one if isinstance(one, str) else (one[0], b64decode(one[1])) for one in said]
 
 
 @pytest.mark.skipif(shutil.which("node") is None, reason="needs Node")
@@ -55,9 +61,12 @@ def test_the_package_of_a_file(tmp_path):
     file.document["nodes"] = [asset_node(view), {"mesh": 0}, asset_node(view, scale=[-1, 1, 1])]
     one = write_gltf(tmp_path / "one.glb", [TINY])
     (tmp_path / "twice.glb").write_bytes(file.to_bytes())
-    expected, *actual = opened(TINY, one, tmp_path / "twice.glb")
-    facts = expected.removeprefix(f"{TINY.name}: ")
-    assert actual == [f"one.glb: {facts}", f"twice.glb: {facts}"]
+    plain = GltfFile()
+    plain.document |= {"nodes": [{"mesh": 0}], "extensionsUsed": []}
+    (tmp_path / "plain.glb").write_bytes(plain.to_bytes())
+    names = ("one.glb", "twice.glb", "plain.glb")
+    expected = [*[TINY.read_bytes()] * 2, plain.to_bytes()]
+    assert found(*(tmp_path / name for name in names)) == list(zip(names, expected, strict=True))
 
 
 def hostile(folder: Path) -> dict[str, bytes]:
@@ -77,31 +86,98 @@ def hostile(folder: Path) -> dict[str, bytes]:
         file.document["bufferViews"][2] |= values
         return file.to_bytes()
 
-    bomb = good.replace(b'"nodes": [{', b'"nodes": ' + b"[" * 99 + b" {", 1)
-    plain = GltfFile()
-    plain.document["nodes"] = [{"mesh": 0}]
     two = write_gltf(folder / "two.glb", [TINY, STRANDS]).read_bytes()
+    bomb = GltfFile()
+    bomb.document["extras"] = json.loads("[" * 99 + "]" * 99)
+    jumbled = bytearray(good)
+    jumbled[good.index(b"BIN\0")] = 0
     return {
-        "expected one package, found 2": two,
-        "expected the index of a buffer view, found 99": changed(package=99),
-        "expected the index of a buffer view, found null": changed(package=None),
+        "GLB_SEVERAL": two,
+        "/package: expected the index of a buffer view, found null": changed(package=None),
+        "/package: expected the index of a buffer view, found -1": changed(package=-1),
+        "/bufferViews/99: no such buffer view": changed(package=99),
         'mimeType: expected "model/vnd.rna", found "model/gltf"': changed(mimeType="model/gltf"),
-        "the file ends within its package": placed(byteLength=2**30),
-        "the package is not in the file's BIN chunk": placed(buffer=1),
-        "found -64": b"",
-        "the file ends within its JSON": good[:100],
-        "ends within its package, at byte": good[:-100],
-        "nested too deep": bomb,
-        "does not end with the end record of a ZIP archive": placed(byteLength=4000),
-        "a glTF file: rna-make makes a package of it": plain.to_bytes(),
+        "1073741824 bytes at 256 of": placed(byteLength=2**30),
+        "expected a view of the BIN chunk, buffer 0": placed(buffer=1),
+        "no multiple of 64 [GLB_ALIGNMENT]": placed(byteOffset=132, byteLength=100),
+        "bytes that the header says, found 3000 [GLB_CONTAINER]": good[:3000],
+        "found a chunk to byte": good[:100],
+        "expected a BIN chunk at byte": bytes(jumbled),
+        "nested too deep": bomb.to_bytes(),
     }
 
 
 @pytest.mark.skipif(shutil.which("node") is None, reason="needs Node")
-def test_files_without_a_package_have_a_line(tmp_path):
+def test_a_file_that_breaks_the_rules_has_a_line(tmp_path):
     expected = hostile(tmp_path)
     paths = [tmp_path / f"{k}.glb" for k in range(len(expected))]
     for path, data in zip(paths, expected.values(), strict=True):
         path.write_bytes(data)
-    for said, line in zip(opened(*paths), expected, strict=True):
-        assert line in said and "\n" not in said
+    for said, line in zip(found(*paths), expected, strict=True):
+        assert isinstance(said, str) and line in said and "\n" not in said
+
+
+class Counted(Ranges):
+    """`sent` has path and bytes of each answer to a range."""
+
+    sent: ClassVar[list[tuple[str, int]]] = []
+
+    def send_head(self) -> Any:
+        answer = super().send_head()
+        if isinstance(answer, io.BytesIO):
+            self.sent.append((self.path, len(answer.getvalue())))
+        return answer
+
+
+PICTURE = """
+(async () => {{
+    const {{ engine, viewer, opened }} = {element}.stage;
+    viewer.pause();
+    await engine.done();
+    return [Array.from(new Uint32Array((await engine.picture()).buffer)), opened.source.name];
+}})()
+"""
+
+
+@pytest.mark.chromium
+def test_the_element_shows_the_same_bits_from_ranges_of_either_file(page, tmp_path):
+    """Of the .glb its JSON comes on top; the fallback and other bytes stay where they are."""
+    (tmp_path / ELEMENT).write_bytes(viewer_file(ELEMENT))
+    shutil.copy(TOY, tmp_path / "toy.rna")
+    file = GltfFile()
+    file.view(bytes(2**20))
+    file.document["nodes"] = [asset_node(file.view(TOY.read_bytes()))]
+    (tmp_path / "toy.glb").write_bytes(file.to_bytes())
+    once = f'jitter="0" first-look="off" {SMALL}'
+    body = "".join(
+        f'<rna-viewer id="{name}" src="toy.{suffix}" {once}></rna-viewer>'
+        for name, suffix in (("one", "rna"), ("two", "glb"))
+    )
+    Counted.sent.clear()
+    with served_folder(tmp_path, Counted) as url:
+        show(page, tmp_path, url, body)
+        loads(page, "one")
+        loads(page, "two")
+        finished(page, "one")
+        finished(page, "two")
+    one, two = (page.evaluate(PICTURE.format(element=name)) for name in ("one", "two"))
+    assert (one[1], two[1]) == ("toy.rna", "toy.glb")
+    assert one[0] == two[0] and len(set(one[0])) > 1000
+    packages, gltfs = (
+        [size for path, size in Counted.sent if path.endswith(end)] for end in ("rna", "glb")
+    )
+    assert len(gltfs) == len(packages) + 1 and sum(gltfs) == sum(packages) + 65536
+
+
+@pytest.mark.chromium
+def test_what_the_element_cannot_show_has_a_line(page, folder, url):
+    packages = [folder / "tiny.rna", folder / "fibers.rna"]
+    write_gltf(folder / "two.glb", packages)
+    show(page, folder, url, f'<rna-viewer id="one" src="two.glb" {SMALL}></rna-viewer>')
+    page.wait_for("count('error', 'one') === 1", TIMEOUT)
+    assert "two.glb: expected one package, found 2" in line(page)
+    assert page.evaluate("heard.at(-1).code") == "GLB_SEVERAL"
+    write_gltf(folder / "one.glb", packages[:1])
+    page.evaluate("one.src = 'one.glb', 0")
+    page.wait_for("count('load', 'one') === 1", TIMEOUT)
+    assert line(page) is None

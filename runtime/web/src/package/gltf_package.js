@@ -1,46 +1,52 @@
-// Packages inside binary glTF: the extension RNA_relightable_asset (spec/RNA_relightable_asset.md).
+// Packages inside binary glTF (spec/RNA_relightable_asset.md).
 import { fail } from "./errors.js";
 import { parseJson } from "./json.js";
 import { PartSource } from "./source.js";
 
 export const EXTENSION = "RNA_relightable_asset";
-const MEDIA_TYPE = "model/vnd.rna", CODE = "GLTF_PACKAGE";
+const MEDIA_TYPE = "model/vnd.rna", ALIGNMENT = 64, LARGEST_JSON = 2 ** 23;
 const HEADER = 12, CHUNK = 8, GLTF = 0x46546c67, JSON_CHUNK = 0x4e4f534a, BIN_CHUNK = 0x004e4942;
-const LARGEST_JSON = 2 ** 24;
 
-/** Where the bytes of the package are: `source` itself, unless that is a binary glTF that has one. */
+/** Where the bytes of the one package are: `source` itself, unless that is a binary glTF that has some. */
 export async function packageIn(source) {
-  const view = async (start, end) => new DataView((await source.read(start, end)).slice().buffer);
-  if (source.size < HEADER + CHUNK) return source;
-  const head = await view(0, HEADER + CHUNK), length = head.getUint32(HEADER, true), bin = HEADER + CHUNK + length;
-  if (head.getUint32(0, true) !== GLTF || head.getUint32(HEADER + 4, true) !== JSON_CHUNK) return source;
-  if (bin > source.size) fail(CODE, source.name, `the file ends within its JSON, at byte ${source.size} of ${bin}`);
-  if (length > LARGEST_JSON) fail(CODE, source.name, `JSON of ${length} bytes; at most ${LARGEST_JSON}`);
+  const { size, name } = source, wrong = (text) => fail("GLB_CONTAINER", name, text);
+  const words = async (start, count) => new Uint32Array((await source.read(start, start + 4 * count)).slice().buffer);
+  if (size < HEADER + CHUNK) return source;
+  const [magic, version, total, length, kind] = await words(0, 5), bin = HEADER + CHUNK + length;
+  if (magic !== GLTF || version !== 2) return source;
+  if (kind !== JSON_CHUNK || bin > size) wrong(`expected a JSON chunk that ends within the file's ${size} bytes, found a chunk to byte ${bin}`);
+  if (length > LARGEST_JSON) wrong(`JSON of ${length} bytes; at most ${LARGEST_JSON}`);
   const bytes = await source.read(HEADER + CHUNK, bin);
   if (!new TextDecoder().decode(bytes).includes(`"${EXTENSION}"`)) return source;
-  const json = parseJson(bytes, source.name, CODE), views = [...packageViews(json, source.name).values()];
-  if (!views.length) return source;
-  if (views.length > 1) fail(CODE, source.name, `expected one package, found ${views.length}: a scene of several is for rna-run, or GLTFLoader with RNAExtension of rna-three`);
-  const [{ buffer, byteOffset = 0, byteLength }] = views, start = bin + CHUNK + byteOffset;
-  const isThere = bin + CHUNK <= source.size && (await view(bin, bin + CHUNK)).getUint32(4, true) === BIN_CHUNK;
-  if (buffer !== 0 || json.buffers?.[0]?.uri !== undefined || !isThere) fail(CODE, source.name, "the package is not in the file's BIN chunk");
-  if (start + byteLength > source.size) fail(CODE, source.name, `the file ends within its package, at byte ${source.size} of ${start + byteLength}`);
-  return new PartSource(source, start, start + byteLength);
+  if (total !== size) wrong(`expected the ${total} bytes that the header says, found ${size}`);
+  const [binLength, binKind] = bin + CHUNK <= size ? await words(bin, 2) : [0, BIN_CHUNK], start = bin + CHUNK;
+  if (binKind !== BIN_CHUNK || start + binLength > size) wrong(`expected a BIN chunk at byte ${bin}, found another, or one that ends behind the file`);
+  const packages = [...packagesIn(parseJson(bytes, name, "GLB_CONTAINER"), { start, length: binLength }, name).values()];
+  if (packages.length > 1) fail("GLB_SEVERAL", name, `expected one package, found ${packages.length}: rna-run, and RNAExtension of rna-three, show scenes of several`);
+  return packages.length ? new PartSource(source, ...packages[0]) : source;
 }
 
-/** The buffer views of packages that nodes have, by index. name: of the file, for messages. */
-export function packageViews(json, name) {
-  const views = new Map();
-  listOf(json.nodes).forEach((node, k) => {
-    const given = node?.extensions?.[EXTENSION];
-    if (given === undefined) return;
-    const where = `${name}: /nodes/${k}/extensions/${EXTENSION}`, view = listOf(json.bufferViews)[given?.package];
-    if (given?.mimeType !== MEDIA_TYPE) fail(CODE, `${where}/mimeType`, `expected "${MEDIA_TYPE}", found ${JSON.stringify(given?.mimeType)}`);
-    const isView = [view?.buffer, view?.byteOffset ?? 0, view?.byteLength].every((value) => Number.isSafeInteger(value) && value >= 0);
-    if (!isView) fail(CODE, `${where}/package`, `expected the index of a buffer view, found ${JSON.stringify(given.package)}`);
-    views.set(given.package, view);
+/** [start, end] in the file of the packages that nodes have, by their buffer view. bin: start and length of the BIN chunk's data. */
+export function packagesIn(json, bin, name) {
+  const nodes = Array.isArray(json.nodes) ? json.nodes : [], packages = new Map();
+  nodes.forEach((node, k) => {
+    const record = node?.extensions?.[EXTENSION];
+    if (record === undefined) return;
+    const where = `${name}: /nodes/${k}/extensions/${EXTENSION}`;
+    if (record?.mimeType !== MEDIA_TYPE) fail("GLB_PACKAGE", `${where}/mimeType`, `expected "${MEDIA_TYPE}", found ${JSON.stringify(record?.mimeType)}`);
+    if (!isSize(record.package)) fail("GLB_PACKAGE", `${where}/package`, `expected the index of a buffer view, found ${JSON.stringify(record.package)}`);
+    packages.set(record.package, spanOf(json, record.package, bin, `${name}: /bufferViews/${record.package}`));
   });
-  return views;
+  return packages;
 }
 
-const listOf = (value) => (Array.isArray(value) ? value : []);
+function spanOf({ bufferViews, buffers }, index, bin, where) {
+  const view = bufferViews?.[index], { buffer, byteOffset = 0, byteLength } = view ?? {}, start = bin.start + byteOffset;
+  if (!view) fail("GLB_PACKAGE", where, "no such buffer view");
+  if (buffer !== 0 || !buffers?.[0] || "uri" in buffers[0]) fail("GLB_PACKAGE", where, "expected a view of the BIN chunk, buffer 0");
+  if (!isSize(byteOffset) || !isSize(byteLength) || byteOffset + byteLength > bin.length) fail("GLB_PACKAGE", where, `${byteLength} bytes at ${byteOffset} of ${bin.length}`);
+  if (start % ALIGNMENT) fail("GLB_ALIGNMENT", where, `begins at byte ${start} of the file, no multiple of ${ALIGNMENT}`);
+  return [start, start + byteLength];
+}
+
+const isSize = (value) => Number.isSafeInteger(value) && value >= 0;

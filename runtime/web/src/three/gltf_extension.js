@@ -1,6 +1,6 @@
 // A plugin of GLTFLoader: the packages of a glTF file, in place of the meshes that stand for them where nothing reads them.
 import { Group, Matrix4, Quaternion, Vector3 } from "three/webgpu";
-import { EXTENSION, packageViews } from "../package/gltf_package.js";
+import { EXTENSION, packagesIn } from "../package/gltf_package.js";
 import { RnaAsset } from "./asset.js";
 import { optionsOf } from "./options.js";
 import { read } from "./reading.js";
@@ -18,16 +18,18 @@ export class RNAExtension {
 
   /** Reads the packages. Of nodes that are shown by one, GLTFLoader then loads neither mesh nor children. */
   async beforeRoot() {
-    const { parser, renderer } = this, { json } = parser;
-    let views = new Map();
+    const { parser, renderer } = this, { json } = parser, { header, body } = parser.extensions.KHR_binary_glTF ?? {};
+    const bin = { start: (header?.length ?? 0) - (body?.byteLength ?? 0), length: body?.byteLength ?? 0 };
+    let packages = new Map();
     try {
-      views = packageViews(json, "glTF");
+      packages = packagesIn(json, bin, "glTF");
     } catch (error) {
       warn(error);
     }
     await renderer.init?.();
-    if (!views.size || !hasWebGPU(renderer, INSTEAD)) return;
-    await Promise.all([...views].map(([index, view]) => this._take(index, view).catch(warn)));
+    if (!packages.size || !hasWebGPU(renderer, INSTEAD)) return;
+    const take = ([index, [start, end]]) => this._take(index, new Blob([new Uint8Array(body, start - bin.start, end - start)])).catch(warn);
+    await Promise.all([...packages].map(take));
     parser.json = { ...json, nodes: json.nodes.map((node) => (this._assetOf(node) ? withoutFallback(node) : node)) };
   }
 
@@ -44,8 +46,7 @@ export class RNAExtension {
   }
 
   /** Reads the package of a buffer view; it is dropped where this GPU cannot show it. */
-  async _take(index, { buffer, byteOffset = 0, byteLength }) {
-    const bytes = new Blob([new Uint8Array(await this.parser.getDependency("buffer", buffer), byteOffset, byteLength)]);
+  async _take(index, bytes) {
     const asset = new RnaAsset(await read(bytes, "glTF", this), this.options);
     const isShown = asset.meshes.every(({ material }) => canShow(this.renderer, material.storageBuffers, INSTEAD));
     if (!isShown) return asset.dispose();
