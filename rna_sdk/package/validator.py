@@ -101,10 +101,12 @@ def validate(path: str | PathLike[str]) -> list[Issue]:
 
 
 def inspect(path: str | PathLike[str]) -> Inspection:
-    """Check the file, and keep what was opened on the way."""
+    """Check a `.rna`, or a `.glb` that carries one, and keep what was opened on the way."""
     result = Inspection()
     with result.collect():
         result.container = Container.open(path)
+        if result.container.carrier is not None:
+            result.issues += result.container.carrier.warnings()
         result.container.check_crc(MANIFEST_NAME)
         manifest = parse_manifest(bytes(result.container.view(MANIFEST_NAME)))
         result.manifest = manifest

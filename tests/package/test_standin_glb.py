@@ -16,7 +16,7 @@ from rna_render.materials.files.mesh_file import read_mesh_object
 from rna_render.scene.material_models import DiffuseModel
 from rna_sdk.package import Curves, Package
 from rna_sdk.package.command.rna_info import main
-from rna_sdk.package.geometry.strand_tubes import tubes
+from rna_sdk.package.gltf.strand_tubes import tubes
 from tests.conftest import REPOSITORY
 from tests.exporters.in_blender import answer_of
 

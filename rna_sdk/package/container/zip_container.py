@@ -14,6 +14,7 @@ import numpy as np
 from rna_sdk.errors import PackageError
 from rna_sdk.package.container import zip_layout as z
 from rna_sdk.package.container.zipped_again import explained
+from rna_sdk.package.gltf.carrier import Carrier, is_glb, read_carrier
 from rna_sdk.package.issues import Code, refuse
 from rna_sdk.package.limits import (
     ALIGNMENT,
@@ -41,30 +42,36 @@ class Entry:
 
 
 class Container:
-    """The entries of a `.rna` file.
+    """The entries of a `.rna` file, or of one inside a `.glb`.
 
     Attributes:
+        data: the bytes of the `.rna`, read-only.
         entries: name -> Entry, in the order of their bytes in the file.
+        carrier: the `.glb` about the package; None for a `.rna`.
     """
 
-    def __init__(self, data: memoryview, entries: dict[str, Entry]) -> None:
-        self._data = data
+    def __init__(
+        self, data: memoryview, entries: dict[str, Entry], carrier: Carrier | None = None
+    ) -> None:
         self._decoded: dict[str, memoryview] = {}
-        self.entries = entries
+        self.data, self.entries, self.carrier = data, entries, carrier
 
     @classmethod
     def open(cls, path: str | PathLike[str]) -> Container:
         """Read the file and check every ZIP record in it; the data itself is not read.
 
         Raises:
-            PackageError: with the first ZIP_* or FILE_* issue found.
+            PackageError: with the first ZIP_*, GLB_* or FILE_* issue found.
         """
-        data = _read(path)
+        data, carrier = _read(path), None
+        if is_glb(data):
+            carrier = read_carrier(data)
+            data = data[carrier.package]
         try:
             entries = _read_entries(data)
         except PackageError as error:
             raise explained(error, path, MANIFEST_NAME) from None
-        return cls(data, {entry.name: entry for entry in entries})
+        return cls(data, {entry.name: entry for entry in entries}, carrier)
 
     def view(self, name: str) -> memoryview:
         """The read-only bytes of an entry: in place, or what `put_decoded` gave."""
@@ -77,12 +84,11 @@ class Container:
     def stored(self, name: str) -> memoryview:
         """The read-only bytes of an entry as they are in the file."""
         entry = self.entries[name]
-        return self._data[entry.offset : entry.offset + entry.size]
+        return self.data[entry.offset : entry.offset + entry.size]
 
-    @property
-    def file_bytes(self) -> int:
-        """Size of the file."""
-        return len(self._data)
+    def place(self, name: str) -> int | None:
+        """Where the bytes of `view` start in `data`; None for a coded entry."""
+        return None if name in self._decoded else self.entries[name].offset
 
     def check_crc(self, name: str) -> None:
         """Raises PackageError (ZIP_CRC) where the data is not what its header says."""
