@@ -147,7 +147,7 @@ def test_instances(page, name, package):
           await picture(copies, 96, 60, view), await picture(gltf.scene, 96, 60, view), kinds];
         """,
     )
-    assert kinds == [True]
+    assert kinds == [True, True]  # one of them of mirrored instances
     first, second = (np.frombuffer(b64decode(text), "<f4") for text in (expected, actual))
     assert np.count_nonzero(first) > 250
     error = np.mean((first - second) ** 2)

@@ -1,7 +1,6 @@
 // Packages inside binary glTF (spec/RNA_relightable_asset.md).
 import { fail } from "./errors.js";
 import { parseJson } from "./json.js";
-import { PartSource } from "./source.js";
 
 export const EXTENSION = "RNA_relightable_asset";
 const MEDIA_TYPE = "model/vnd.rna", ALIGNMENT = 64, LARGEST_JSON = 2 ** 23;
@@ -23,7 +22,7 @@ export async function packageIn(source) {
   if (binKind !== BIN_CHUNK || start + binLength > size) wrong(`expected a BIN chunk at byte ${bin}, found another, or one that ends behind the file`);
   const packages = [...packagesIn(parseJson(bytes, name, "GLB_CONTAINER"), { start, length: binLength }, name).values()];
   if (packages.length > 1) fail("GLB_SEVERAL", name, `expected one package, found ${packages.length}: rna-run, and RNAExtension of rna-three, show scenes of several`);
-  return packages.length ? new PartSource(source, ...packages[0]) : source;
+  return packages.length ? source.part(...packages[0]) : source;
 }
 
 /** [start, end] in the file of the packages that nodes have, by their buffer view. bin: start and length of the BIN chunk's data. */

@@ -22,23 +22,10 @@ export class BlobSource {
   async read(start, end) {
     return new Uint8Array(await this.blob.slice(start, end).arrayBuffer());
   }
-}
 
-/** Bytes `start` to `end` of another source. Its first bytes come at once, for they are read one after another. */
-export class PartSource {
-  constructor(source, start, end) {
-    Object.assign(this, { source, start, name: source.name, size: end - start });
-  }
-
-  expect(ranges) {
-    this.source.expect(ranges.map((range) => range.map((at) => this.start + at)));
-  }
-
-  async read(start, end) {
-    const head = Math.min(HEAD, this.size);
-    if (end > head) return this.source.read(this.start + start, this.start + end);
-    this.head ??= this.source.read(this.start, this.start + head);
-    return (await this.head).subarray(start, end);
+  /** Bytes `start` to `end` of it, as a source. */
+  async part(start, end) {
+    return new BlobSource(this.blob.slice(start, end), this.name);
   }
 }
 
@@ -48,7 +35,7 @@ export class UrlSource {
 
   static async open(url, progress = () => {}, signal, name = nameOf(url)) {
     const source = new UrlSource();
-    Object.assign(source, { url, progress, signal, name, fetched: 0, begun: 0, expected: null });
+    Object.assign(source, { url, progress, signal, name, fetched: 0, begun: 0, expected: null, from: 0 });
     let answer = await source._askHead();
     const total = /\/(\d+)$/.exec(answer.headers.get("Content-Range") ?? "");
     source.ranged = answer.status === 206 && total !== null;
@@ -74,6 +61,14 @@ export class UrlSource {
     return (await this.tail).subarray(start - last, end - last);
   }
 
+  /** Bytes `start` to `end` of it, as a source; the whole is read no more. */
+  async part(start, end) {
+    const size = end - start, part = Object.assign(new UrlSource(), this, { from: this.from + start, size, tail: undefined });
+    const head = this.head.subarray(start, end);
+    part.head = head.length ? head : await part._range(0, Math.min(HEAD, size));
+    return part;
+  }
+
   /** What is read next: progress counts these ranges alone. */
   expect(ranges) {
     if (!this.ranged) return;
@@ -83,7 +78,7 @@ export class UrlSource {
   }
 
   async _range(start, end) {
-    const bytes = await this._transfer(null, start, end - start);
+    const bytes = await this._transfer(null, this.from + start, end - start);
     if (bytes.length < end - start) {
       throw new NotSupported(`${this.name}: the server sent ${bytes.length} bytes of ${end - start}`);
     }

@@ -59,17 +59,26 @@ export class RNAExtension {
   }
 
   async _instances(asset, attributes) {
-    const { parser } = this;
+    const places = await this._places(attributes), isMirrored = (place) => place.determinant() < 0;
+    const groups = [[places.filter((place) => !isMirrored(place)), 1], [places.filter(isMirrored), -1]];
+    const meshes = groups.filter(([{ length }]) => length).flatMap(([these, side]) => asset.instanced(these.length).map((mesh) => {
+      mesh.scale.x = side;  // three.js culls by the matrix of the mesh, whatever those of its instances are
+      these.forEach((place, k) => mesh.setMatrixAt(k, new Matrix4().makeScale(side, 1, 1).multiply(place)));
+      return mesh;
+    }));
+    return new Group().add(...meshes);
+  }
+
+  /** The matrices of instances. */
+  async _places(attributes) {
+    const { parser } = this, p = new Vector3(), q = new Quaternion(), s = new Vector3(1, 1, 1);
     const [place, turn, size] = await Promise.all(PLACES.map((name) => name in attributes && parser.getDependency("accessor", attributes[name])));
-    const meshes = asset.instanced(parser.json.accessors[Object.values(attributes)[0]].count);
-    const matrix = new Matrix4(), p = new Vector3(), q = new Quaternion(), s = new Vector3(1, 1, 1);
-    for (let k = 0; k < meshes[0].count; k++) {
+    return Array.from({ length: parser.json.accessors[Object.values(attributes)[0]].count }, (_, k) => {
       if (place) p.fromBufferAttribute(place, k);
       if (turn) q.fromBufferAttribute(turn, k);
       if (size) s.fromBufferAttribute(size, k);
-      for (const mesh of meshes) mesh.setMatrixAt(k, matrix.compose(p, q, s));
-    }
-    return new Group().add(...meshes);
+      return new Matrix4().compose(p, q, s);
+    });
   }
 }
 
