@@ -25,7 +25,7 @@ _SUFFIXES: dict[Kind, tuple[str, ...]] = {
 
 
 def kind_of(path: Path) -> Kind | None:
-    """The kind of a file by its suffix, of a .glb by whether it carries a package; None for others."""
+    """The kind of a file by its suffix, also of a .glb that carries a package; None for any other."""
     suffix = path.suffix.lower()
     if suffix == ".glb" and _carries_package(path):
         return "package"

@@ -50,8 +50,8 @@ def test_a_mesh_has_its_triangles_and_its_material(tmp_path: Path) -> None:
     assert manifest.license in document["asset"]["copyright"]
     number = document["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"]
     view = document["bufferViews"][document["accessors"][number]["bufferView"]]
-    colors = np.frombuffer(blob[view["byteOffset"] :][: view["byteLength"]], "<f4").reshape(-1, 3)
-    assert colors.min() >= 0.0 and colors.max() <= 1.0
+    rows = np.frombuffer(blob[view["byteOffset"] :][: view["byteLength"]], "<u2").reshape(-1, 4)
+    colors = rows[:, :3] / 65535
     corners = mesh.positions[mesh.triangles]
     edges = corners[:, 1:] - corners[:, :1]
     area = np.linalg.norm(np.cross(edges[:, 0], edges[:, 1]), axis=1)
@@ -69,7 +69,9 @@ def test_parts_are_nodes_and_holes_are_alpha(tmp_path: Path) -> None:
     with Package.open(KIT / "parts-lantern.rna") as package:
         names = [part.name for part in package.manifest.parts]
         holes = [package.transmittance(i) for i in range(len(names))]
-    assert [node["name"] for node in document["nodes"]] == names
+    *parts, root = document["nodes"]
+    assert [node["name"] for node in parts] == names
+    assert root["children"] == [0, 1] and document["scenes"] == [{"nodes": [2]}]
     records = [record for part in holes for record in part]
     modes = {m["alphaMode"] for m in document["materials"] if "alphaMode" in m}
     assert modes == {"BLEND" if record.cutoff is None else "MASK" for record in records}

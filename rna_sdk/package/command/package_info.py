@@ -29,14 +29,14 @@ def package_info(path: Path) -> Info:
     Lengths are in metres. Raises PackageError for a broken package.
     """
     with Package.open(path) as package:
-        manifest = package.manifest
+        manifest, carrier = package.manifest, package.carrier
         low, high = package.box()
         poster, lobes = extension(manifest, Poster), extension(manifest, Environment)
         origin = manifest.provenance
         return {
             "file": str(path),
             "bytes": package.file_bytes,
-            "glb": (carrier := package.carrier) and {"bytes": path.stat().st_size, **carrier.facts()},
+            "glb": carrier and {"bytes": path.stat().st_size, **carrier.facts()},
             "name": manifest.name,
             "format": manifest.version,
             "size": [float(f"{side:.6g}") for side in high - low],
@@ -193,11 +193,11 @@ def _rows(info: Info) -> Iterator[tuple[str, str]]:
 
 def _glb_text(glb: Info) -> str:
     """The file about the package, and what viewers show that do not know RNA."""
-    counts = (_counted(glb["instances"], "instance"), _counted(glb["fallback_meshes"], "mesh", "es"))
-    size = f"a glTF of {glb['bytes'] / 1e6:.2f} MB, {counts[0]}"
+    size = f"a glTF of {glb['bytes'] / 1e6:.2f} MB, {_counted(glb['instances'], 'instance')}"
+    meshes = _counted(glb["fallback_meshes"], "mesh", "es")
     skinned = ", skinned" if glb["fallback_skinned"] else ""
     flip = f", FLIP {glb['fallback_flip']:.3f}" if glb["fallback_flip"] is not None else ""
-    return f"{size}; its fallback: {counts[1]}{skinned}{flip}"
+    return f"{size}; its fallback: {meshes}{skinned}{flip}"
 
 
 def _counted(count: int, noun: str, plural: str = "s") -> str:

@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import ValidationError
 
+from rna_sdk.package.container.glb_chunks import CHUNK, CHUNK_BIN, CHUNK_JSON, HEADER, MAGIC
 from rna_sdk.package.container.strict_json import model_of, parse_object, pointer
 from rna_sdk.package.geometry import gltf_model as gltf
 from rna_sdk.package.geometry.glb_forms import AccessorForm, accessor_forms
-from rna_sdk.package.container.glb_chunks import CHUNK, CHUNK_BIN, CHUNK_JSON, HEADER, MAGIC
 from rna_sdk.package.geometry.mesh import Mesh
 from rna_sdk.package.geometry.quantised_mesh import QuantisedMesh, stored_normals
 from rna_sdk.package.issues import Code, refuse

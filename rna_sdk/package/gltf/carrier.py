@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from rna_sdk.package.container.strict_json import parse_object, pointer
 from rna_sdk.package.container.glb_chunks import CHUNK, CHUNK_BIN, CHUNK_JSON, HEADER, MAGIC
+from rna_sdk.package.container.strict_json import parse_object, pointer
 from rna_sdk.package.issues import Code, Issue, refuse
 from rna_sdk.package.limits import ALIGNMENT, MAX_CARRIER_JSON_BYTES
 

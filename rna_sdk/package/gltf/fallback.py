@@ -1,7 +1,8 @@
 """A package inside a binary glTF, with a fallback: its geometry with the stand-in materials.
 
-Holes become alpha, normal maps those of glTF, strands tubes. Of what the network knows, the fallback
-has a colour at each vertex, at most. Geometry and textures that the package holds are not stored again.
+Holes become alpha, normal maps those of glTF, strands tubes. Of what the network knows, the
+fallback has a colour at each vertex, at most. Geometry and textures that the package holds are not
+stored again.
 """
 
 from __future__ import annotations

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.atomic_file import write_atomically
-from rna_sdk.file_kinds import is_gltf
+from rna_sdk.file_kinds import glass_of
 from rna_sdk.package.gltf.carrier_writer import with_package
 from rna_sdk.package.gltf.fallback import glb_of
 from rna_sdk.package.manifest.extensions import Standin, of_part
@@ -41,14 +41,19 @@ def write_glb(
 
 @contextmanager
 def package_to_write(out: Path) -> Iterator[Path]:
-    """The `.rna` to write for an output: `out`, or a temporary one that becomes the .glb `out`."""
-    if not is_gltf(out):
+    """The `.rna` to write for an output: `out`, or a temporary one that becomes the .glb `out`.
+
+    Smooth glass that is written beside the package goes beside the output.
+    """
+    if out.suffix.lower() != ".glb":
         yield out
         return
-    with TemporaryDirectory(prefix=".rna-", dir=out.parent) as folder:
+    with TemporaryDirectory() as folder:
         package = Path(folder) / f"{out.stem}.rna"
         yield package
         write_glb(package, out)
+        if (glass := glass_of(package)).is_file():
+            write_atomically(glass_of(out), glass.read_bytes())
 
 
 def _colors(path: Path, package: Package) -> dict[int, NDArray[np.float32]]:
