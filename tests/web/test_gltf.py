@@ -59,7 +59,7 @@ def test_the_package_of_a_file(tmp_path):
     view = file.view(TINY.read_bytes())
     file.view(b"something else")
     file.document["nodes"] = [asset_node(view), {"mesh": 0}, asset_node(view, scale=[-1, 1, 1])]
-    one = write_gltf(tmp_path / "one.glb", [TINY])
+    write_gltf(tmp_path / "one.glb", [TINY])
     (tmp_path / "twice.glb").write_bytes(file.to_bytes())
     plain = GltfFile()
     plain.document |= {"nodes": [{"mesh": 0}], "extensionsUsed": []}
@@ -113,8 +113,55 @@ def test_a_file_that_breaks_the_rules_has_a_line(tmp_path):
     paths = [tmp_path / f"{k}.glb" for k in range(len(expected))]
     for path, data in zip(paths, expected.values(), strict=True):
         path.write_bytes(data)
-    for said, line in zip(found(*paths), expected, strict=True):
-        assert isinstance(said, str) and line in said and "\n" not in said
+    for said, part in zip(found(*paths), expected, strict=True):
+        assert isinstance(said, str) and part in said and "\n" not in said
+
+
+ASKED = """
+import {{ readFileSync }} from "node:fs";
+import {{ packageIn }} from "{module}";
+import {{ UrlSource }} from "{source}";
+globalThis.location = {{ href: "http://here/" }};
+const file = readFileSync("{path}"), ranges = [];
+globalThis.fetch = async (url, {{ headers }}) => {{
+  const [start, end] = headers.Range.slice(6).split("-").map(Number);
+  const part = file.subarray(start, end + 1);
+  ranges.push([start, end]);
+  const told = {{ "Content-Range": `bytes ${{start}}-${{end}}/${{file.length}}` }};
+  return new Response(part, {{ status: 206, headers: told }});
+}};
+const found = await packageIn(await UrlSource.open("http://there/a.glb")), {{ size }} = found;
+const places = [[0, 512], [size - 22, size], [size - 9000, size - 22]];
+places.push([512, 20000], [70000, 90000]);
+const read = [];
+for (const [start, end] of places) read.push(Buffer.from(await found.read(start, end)));
+console.log(JSON.stringify({{ ranges, read: Buffer.concat(read).toString("base64") }}));
+"""
+
+
+@pytest.mark.skipif(shutil.which("node") is None, reason="needs Node")
+@pytest.mark.parametrize("before", [0, 2**20])
+def test_the_ends_of_a_package_come_at_once(tmp_path, before):
+    """Where it begins with the file, what came with the JSON is not asked for again."""
+    file, package = GltfFile(), TOY.read_bytes()
+    file.view(bytes(before))
+    file.document["nodes"] = [asset_node(file.view(package))]
+    file.view(bytes(2**20))
+    data = file.to_bytes()
+    (tmp_path / "a.glb").write_bytes(data)
+    program = ASKED.format(
+        module=(SOURCES / "gltf_package.js").as_uri(),
+        source=(SOURCES / "source.js").as_uri(),
+        path=tmp_path / "a.glb",
+    )
+    command = ["node", "--input-type=module", "-e", program]
+    done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=120)
+    actual, start, size = json.loads(done.stdout), data.index(package), len(package)
+    heads = [[0, 65535], *([[start, start + 65535]] if before else [])]
+    ends = [[start + size - 16384, start + size - 1], [start + 70000, start + 89999]]
+    assert actual["ranges"] == heads + ends
+    places = [(0, 512), (size - 22, size), (size - 9000, size - 22), (512, 20000), (70000, 90000)]
+    assert b64decode(actual["read"]) == b"".join(package[first:last] for first, last in places)
 
 
 class Counted(Ranges):
