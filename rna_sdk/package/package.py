@@ -80,6 +80,7 @@ class Package:
 
     Attributes:
         manifest: the manifest, immutable.
+        carrier: the `.glb` that the package was read from; None for a `.rna`.
 
     Examples:
         >>> with Package.open("toy.rna") as package:
@@ -89,9 +90,11 @@ class Package:
         ((3, 256, 256, 8), 3)
     """
 
-    def __init__(self, container: Container, manifest: Manifest) -> None:
+    def __init__(
+        self, container: Container, manifest: Manifest, carrier: Carrier | None = None
+    ) -> None:
         self._container: Container | None = container
-        self.manifest = manifest
+        self.manifest, self.carrier = manifest, carrier
 
     @classmethod
     def open(cls, path: str | PathLike[str]) -> Package:
@@ -103,7 +106,7 @@ class Package:
         result = inspect(path)
         if result.errors or result.container is None or result.manifest is None:
             raise PackageError(result.errors, path)
-        return cls(result.container, result.manifest)
+        return cls(result.container, result.manifest, result.carrier)
 
     def __repr__(self) -> str:
         if self._container is None:
@@ -130,15 +133,6 @@ class Package:
             QueryError: the package is closed.
         """
         return self._opened().data
-
-    @property
-    def carrier(self) -> Carrier | None:
-        """The `.glb` that the package was read from; None for a `.rna`.
-
-        Raises:
-            QueryError: the package is closed.
-        """
-        return self._opened().carrier
 
     def entry(self, name: str) -> tuple[memoryview, int | None]:
         """The bytes of an entry, read-only, and where they start in `file_data`.

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from rna_sdk.errors import ViewError
-from rna_sdk.file_kinds import glass_of, kind_of, not_a
+from rna_sdk.files.file_kinds import glass_of, kind_of, not_a
 from rna_view.site_files import Gallery, Site
 
 
@@ -30,9 +30,7 @@ def site_for(source: Path, environment: Path | None = None) -> Site:
         if (glass := glass_of(source)).is_file():
             site.add_glass(glass)
     else:
-        wrong = (
-            not_a("package", source) or "expected a package (.rna, .glb) or a .yaml scene file"
-        )
+        wrong = not_a("package", source) or "expected a package (.rna, .glb) or a .yaml scene file"
         raise ViewError(f"{source}: {wrong}")
     if environment is not None:
         _light(site, environment)

@@ -92,7 +92,7 @@ CHANGES: dict[str, tuple[str, Callable[[Document], object]]] = {
         lambda d: d["bufferViews"][0].update(byteOffset=4, byteLength=64),
     ),
     "package_cut": ("ZIP_TRUNCATED", lambda d: d["bufferViews"][0].update(byteLength=1024)),
-    "empty_package": ("ZIP_NOT_ZIP", lambda d: d["bufferViews"][0].update(byteLength=0)),
+    "empty_package": ("GLB_PACKAGE", lambda d: d["bufferViews"][0].update(byteLength=0)),
 }
 """Name of a broken file -> its code, and what makes it of a good one's JSON."""
 

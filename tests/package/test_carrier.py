@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from rna_sdk.errors import PackageError, RnaError
-from rna_sdk.file_kinds import kind_of, not_a
+from rna_sdk.files.file_kinds import kind_of, not_a
 from rna_sdk.package import Package, validate
 from rna_sdk.package.command import rna_info, rna_pack, rna_validate
 from rna_sdk.package.gltf.carrier import EXTENSION

@@ -71,7 +71,8 @@ def test_parts_are_nodes_and_holes_are_alpha(tmp_path: Path) -> None:
         holes = [package.transmittance(i) for i in range(len(names))]
     *parts, root = document["nodes"]
     assert [node["name"] for node in parts] == names
-    assert root["children"] == [0, 1] and document["scenes"] == [{"nodes": [2]}]
+    assert root["children"] == list(range(len(names)))
+    assert document["scenes"] == [{"nodes": [len(names)]}]
     records = [record for part in holes for record in part]
     modes = {m["alphaMode"] for m in document["materials"] if "alphaMode" in m}
     assert modes == {"BLEND" if record.cutoff is None else "MASK" for record in records}
@@ -131,7 +132,8 @@ objects = [o for o in bpy.data.objects if o.type == "MESH"]
 answer([
     [o.name, len(o.data.polygons), [m.name for m in o.data.materials],
      [node.type for m in o.data.materials for node in m.node_tree.nodes],
-     [round(max(v.co[k] for v in o.data.vertices), 4) for k in range(3)]] for o in objects
+     [round(max((o.matrix_world @ v.co)[k] for v in o.data.vertices), 4) for k in range(3)]]
+    for o in objects
 ])
 """
 

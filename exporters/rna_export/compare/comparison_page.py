@@ -15,8 +15,8 @@ from rna_export.compare.origin import Origin
 from rna_export.html_pages import write_html
 from rna_export.metrics import PSNR_DEFINITION, WITHOUT_NOISE_DEFINITION, NoiselessPsnr
 from rna_export.pictures import comparison_sheet, pictures_of, write_picture
-from rna_sdk.atomic_file import write_atomically
-from rna_sdk.error_words import albedo_text, error_in_words, error_text
+from rna_sdk.commands.error_words import albedo_text, error_in_words, error_text
+from rna_sdk.files.atomic_file import write_atomically
 
 _NUMBERS = ("psnr", "coverage", "exposure", "seconds_ours", "seconds_cycles")
 
@@ -98,11 +98,6 @@ def _recorded(made: Made | None) -> str | None:
     if validation is None or validation.flip_p95 is None:
         return None
     return error_text(validation.flip, validation.flip_p95)
-
-
-def is_report(folder: Path) -> bool:
-    """Whether a folder holds a report."""
-    return all((folder / name).is_file() for name in ("index.html", "results.json", "sheet.png"))
 
 
 def _facts(made: Made | None) -> dict[str, str]:

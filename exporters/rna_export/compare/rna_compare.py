@@ -8,8 +8,8 @@ import tempfile
 from pathlib import Path
 
 from rna_export.capture.orientation import AXES, joined_axes
-from rna_sdk.console import command_parser, run_command, split_script_arguments
-from rna_sdk.owned_folder import owned
+from rna_sdk.commands.console import command_parser, run_command, split_script_arguments
+from rna_sdk.files.owned_folder import owned
 
 
 def parser() -> argparse.ArgumentParser:
@@ -80,11 +80,11 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     from rna_export.capture.blender_process.blender_process import Source
     from rna_export.capture.blender_process.blender_worker import BlenderWorker
     from rna_export.capture.blender_process.source_file import check_source
-    from rna_export.compare.comparison_page import error_of, is_report, write_page
+    from rna_export.compare.comparison_page import error_of, write_page
     from rna_export.compare.comparison_run import Pair, compare, returned_light
     from rna_export.compare.origin import Origin
-    from rna_sdk.cores import core_count
-    from rna_sdk.error_words import albedo_text
+    from rna_sdk.commands.error_words import albedo_text
+    from rna_sdk.machine.cores import core_count
     from rna_sdk.runtime import load
 
     check_source(args.source)
@@ -123,7 +123,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
 
     print(f"opening {args.source} in Blender", flush=True)
     with (
-        owned(args.out, "rna-compare", is_report),
+        owned(args.out, "rna-compare"),
         tempfile.TemporaryDirectory(prefix="rna-compare-") as scratch,
         BlenderWorker(python, source, Path(scratch), core_count()) as worker,
     ):

@@ -18,10 +18,10 @@ from rna_export.export.precision import precisions_of
 from rna_export.make.batch import check_outs, jobs_of, make_all
 from rna_export.make.make_parser import parser
 from rna_export.training.training_options import chosen_device
-from rna_sdk.atomic_file import write_atomically
-from rna_sdk.console import command_line, run_command, split_script_arguments
-from rna_sdk.outputs import check_outputs, check_outside, check_package_name
-from rna_sdk.owned_folder import owned
+from rna_sdk.commands.console import command_line, run_command, split_script_arguments
+from rna_sdk.files.atomic_file import write_atomically
+from rna_sdk.files.outputs import check_outputs, check_outside, check_package_name
+from rna_sdk.files.owned_folder import owned
 from rna_sdk.package.gltf.glb_file import package_to_write
 from rna_work.executors import open_executor
 
@@ -92,7 +92,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     from rna_export.make.carry_on import size_of
     from rna_export.make.make_options import MakeOptions
     from rna_export.make.make_run import Make, export
-    from rna_export.make.state import WRITTEN, is_work_folder
+    from rna_export.make.state import WRITTEN
     from rna_export.pictures import sheet_of, training_picture_of
     from rna_render.scene import read_scene
 
@@ -114,7 +114,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     picture = training_picture_of(args.out)
     print(f"{work} holds rays and trainings; Ctrl-C stops, and the same command resumes")
     print(f"{picture} shows the model while it is trained: ours, Cycles, the error", flush=True)
-    with owned(work, "rna-make", is_work_folder) as folder:
+    with owned(work, "rna-make") as folder:
         with folder.scratch() as scratch, open_executor(args.cluster) as executor:
             options = MakeOptions(
                 source=source,
@@ -127,6 +127,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
                 steps=args.steps,
                 seed=carried.seed,
                 device=device,
+                nearby=args.nearby,
                 workers=CaptureWorkers(python, scratch, args.workers, executor, args.store),
                 picture=picture,
                 more=carried.more,
@@ -158,8 +159,8 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
 def _tell_next(args: argparse.Namespace) -> None:
     """Write the scene beside the package, and print the commands that show and check both."""
     from rna_export.make.starter import write_starter
+    from rna_sdk.commands.size_note import size_note
     from rna_sdk.package import Package
-    from rna_sdk.size_note import size_note
 
     with Package.open(args.out) as package:
         note = size_note(*package.box())

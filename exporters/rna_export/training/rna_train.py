@@ -13,16 +13,20 @@ from rna_export.training.presets import (
     ANALYTIC_NAME,
     BATCH,
     LOSSES,
-    NEARBY_MODES,
     OPTIMIZERS,
     PRESETS,
     Preset,
     named_preset,
 )
-from rna_export.training.training_options import add_device, add_incomplete, chosen_device
-from rna_sdk.console import command_line, command_parser, run_command
+from rna_export.training.training_options import (
+    add_device,
+    add_incomplete,
+    add_nearby,
+    chosen_device,
+)
+from rna_sdk.commands.console import command_line, command_parser, run_command
 from rna_sdk.errors import TrainingError
-from rna_sdk.owned_folder import owned
+from rna_sdk.files.owned_folder import owned
 
 if TYPE_CHECKING:
     from rna_export.capture.dataset.dataset_folder import Dataset
@@ -77,14 +81,7 @@ def parser() -> argparse.ArgumentParser:
         "(float, default: the preset's: 0.1 for our surfaces, which have a separate decoder for "
         "shadowed light, else 1)",
     )
-    p.add_argument(
-        "--nearby",
-        choices=NEARBY_MODES,
-        default="off",
-        help="count light that enters beside a point, for the edges of shadows on translucent "
-        "assets; the GPU renderer and web pages refuse such packages; auto: two short "
-        "trainings decide (default: %(default)s)",
-    )
+    add_nearby(p)
     p.add_argument(
         "--optimizer",
         choices=OPTIMIZERS,
@@ -143,7 +140,7 @@ def _run(args: argparse.Namespace) -> None:
     from rna_export.machine import keep_freed_memory
     from rna_export.training.nearby_choice import with_nearby
     from rna_export.training.part_runs import part_folder, shared_minutes
-    from rna_export.training.training_run import Run, is_of_training, train
+    from rna_export.training.training_run import Run, train
     from rna_export.training.training_summary import closing_lines
 
     keep_freed_memory()
@@ -155,7 +152,7 @@ def _run(args: argparse.Namespace) -> None:
     minutes = shared_minutes(args.minutes, parts)
     folders = {part.name: part_folder(args.out, dataset, part.name) for part in dataset.parts}
     written = []
-    with owned(args.out, "rna-train", lambda _: any(map(is_of_training, folders.values()))):
+    with owned(args.out, "rna-train"):
         for part in parts:
             out = folders[part.name]
             if len(dataset.parts) > 1:

@@ -14,7 +14,6 @@ import numpy as np
 from rna_sdk.errors import PackageError
 from rna_sdk.package.container import zip_layout as z
 from rna_sdk.package.container.zipped_again import explained
-from rna_sdk.package.gltf.carrier import Carrier, is_glb, read_carrier
 from rna_sdk.package.issues import Code, refuse
 from rna_sdk.package.limits import (
     ALIGNMENT,
@@ -42,36 +41,31 @@ class Entry:
 
 
 class Container:
-    """The entries of a `.rna` file, or of one inside a `.glb`.
+    """The entries of a `.rna` file.
 
     Attributes:
-        data: the bytes of the `.rna`, read-only.
+        data: the bytes of the file, read-only.
         entries: name -> Entry, in the order of their bytes in the file.
-        carrier: the `.glb` about the package; None for a `.rna`.
     """
 
-    def __init__(
-        self, data: memoryview, entries: dict[str, Entry], carrier: Carrier | None = None
-    ) -> None:
+    def __init__(self, data: memoryview, entries: dict[str, Entry]) -> None:
         self._decoded: dict[str, memoryview] = {}
-        self.data, self.entries, self.carrier = data, entries, carrier
+        self.data, self.entries = data, entries
 
     @classmethod
-    def open(cls, path: str | PathLike[str]) -> Container:
-        """Read the file and check every ZIP record in it; the data itself is not read.
+    def of(cls, data: memoryview, path: str | PathLike[str]) -> Container:
+        """Check every ZIP record in the bytes of a `.rna`; the entries' data is not read.
+
+        path: of the file that they are from.
 
         Raises:
-            PackageError: with the first ZIP_*, GLB_* or FILE_* issue found.
+            PackageError: with the first ZIP_* issue found.
         """
-        data, carrier = _read(path), None
-        if is_glb(data):
-            carrier = read_carrier(data)
-            data = data[carrier.package]
         try:
             entries = _read_entries(data)
         except PackageError as error:
             raise explained(error, path, MANIFEST_NAME) from None
-        return cls(data, {entry.name: entry for entry in entries}, carrier)
+        return cls(data, {entry.name: entry for entry in entries})
 
     def view(self, name: str) -> memoryview:
         """The read-only bytes of an entry: in place, or what `put_decoded` gave."""
@@ -98,8 +92,12 @@ class Container:
             refuse(Code.ZIP_CRC, entry.offset, f"{name}: {crc:08x}", f"{entry.crc:08x}")
 
 
-def _read(path: str | PathLike[str]) -> memoryview:
-    """The bytes of a file, aligned as in it; mapped, they would change with it, or be gone."""
+def read_file(path: str | PathLike[str]) -> memoryview:
+    """The bytes of a file, aligned as in it; mapped, they would change with it, or be gone.
+
+    Raises:
+        PackageError: with a FILE_* issue.
+    """
     try:
         mode = os.stat(path).st_mode  # to open a pipe would wait for a writer
         if not stat.S_ISREG(mode):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeGuard
 
 from rna_sdk.package.container.glb_chunks import CHUNK, CHUNK_BIN, CHUNK_JSON, HEADER, MAGIC
 from rna_sdk.package.container.strict_json import parse_object, pointer
@@ -166,7 +166,7 @@ def _view_number(node: int, record: object) -> int:
     number = record.get("package")
     if not _is_size(number):
         refuse(Code.GLB_PACKAGE, f"{where}/package", number, "a buffer view's number")
-    return int(number)
+    return number
 
 
 def _span(document: dict[str, Any], number: int, blob: slice) -> slice:
@@ -178,7 +178,8 @@ def _span(document: dict[str, Any], number: int, blob: slice) -> slice:
     if view.get("buffer") != 0 or buffer is None or "uri" in buffer:
         refuse(Code.GLB_PACKAGE, f"{where}/buffer", view.get("buffer"), "the binary chunk, 0")
     start, size = view.get("byteOffset", 0), view.get("byteLength")
-    if not (_is_size(start) and _is_size(size) and start + size <= blob.stop - blob.start):
+    sizes = _is_size(start) and _is_size(size)
+    if not (sizes and size and start + size <= blob.stop - blob.start):
         found = f"{size} bytes at {start} of {blob.stop - blob.start}"
         refuse(Code.GLB_PACKAGE, where, found, _PLACE)
     place = blob.start + start
@@ -188,7 +189,7 @@ def _span(document: dict[str, Any], number: int, blob: slice) -> slice:
     return slice(place, place + size)
 
 
-def _is_size(value: object) -> bool:
+def _is_size(value: object) -> TypeGuard[int]:
     return isinstance(value, int) and not isinstance(value, bool) and value >= 0
 
 

@@ -8,11 +8,11 @@ from pathlib import Path
 from typing import Any
 
 from rna_sdk.errors import PackageError, RnaError
+from rna_sdk.files.regular_file import read_regular
 from rna_sdk.package.container.glb_chunks import CHUNK, HEADER, pack_glb
 from rna_sdk.package.gltf.carrier import EXTENSION, MIME_TYPE, split_carrier
 from rna_sdk.package.limits import ALIGNMENT, MAX_FILE_BYTES
 from rna_sdk.package.package import Package
-from rna_sdk.regular_file import read_regular
 
 
 def carrying(view: int) -> dict[str, Any]:

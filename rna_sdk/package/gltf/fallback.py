@@ -122,7 +122,7 @@ class _File:
         parts = list(range(len(self._lists["nodes"])))
         name = self._package.manifest.name
         root = self.add("nodes", {"name": name, "children": parts, "extensions": carrying(0)})
-        document = {
+        document: dict[str, Any] = {
             "asset": {"version": "2.0", **asset},
             "extensionsUsed": [EXTENSION],
             "scene": 0,

@@ -10,8 +10,8 @@ from tempfile import TemporaryDirectory
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.atomic_file import write_atomically
-from rna_sdk.file_kinds import glass_of
+from rna_sdk.files.atomic_file import write_atomically
+from rna_sdk.files.file_kinds import glass_of
 from rna_sdk.package.gltf.carrier_writer import with_package
 from rna_sdk.package.gltf.fallback import glb_of
 from rna_sdk.package.manifest.extensions import Standin, of_part

@@ -14,7 +14,7 @@ from rna_render.paths.integrator_factory import make_integrator
 from rna_render.scene.scene_file import SceneFile
 from rna_render.scene.scene_model import CameraModel, Scene
 from rna_render.world.world import World
-from rna_sdk.console import install_hint
+from rna_sdk.commands.console import install_hint
 from rna_sdk.errors import SceneError
 
 GROUP = "rna_render.devices"
@@ -43,10 +43,6 @@ def check_device(device: str, scene_file: SceneFile) -> None:
         if asset.motion is not None:
             message = f"is rendered on the CPU, not with --device {device}"
             raise scene_file.error(("assets", index, "motion"), message)
-    quality = scene_file.scene.quality
-    if quality is not None and quality.by_lobes:
-        message = f"lobes are for the CPU, found --device {device}; expected rays"
-        raise scene_file.error(("quality", "environment"), message)
 
 
 def open_renderer(

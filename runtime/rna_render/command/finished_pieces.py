@@ -12,8 +12,8 @@ from safetensors import SafetensorError, safe_open
 from safetensors.numpy import save_file
 
 from rna_render.image.film import Film
-from rna_sdk.atomic_file import atomic_file, remove_leftovers
 from rna_sdk.errors import SceneError
+from rna_sdk.files.atomic_file import atomic_file, remove_leftovers
 
 _PIECES = f"{'[0-9]' * 10}-{'[0-9]' * 10}.safetensors"
 
@@ -95,11 +95,6 @@ def missing_pieces(count: int, there: list[Piece]) -> Iterator[Piece]:
         start = piece.stop
     if start < count:
         yield Piece(start, count)
-
-
-def is_of_pieces(folder: Path) -> bool:
-    """Whether a folder holds pieces alone, of any image."""
-    return all(path.match(_PIECES) for path in folder.iterdir() if not path.name.startswith("."))
 
 
 def finished_pixels(folder: Path) -> int:

@@ -15,10 +15,10 @@ from rna_render.paths.render import render
 from rna_render.scene.scene_model import QualityModel, Scene
 from rna_render.world.domain_watch import warn_of_extrapolation
 from rna_render.world.world import World
-from rna_sdk.file_kinds import kind_of
+from rna_sdk.commands.size_note import size_note
+from rna_sdk.files.file_kinds import kind_of
 from rna_sdk.package import Package
 from rna_sdk.runtime import Asset, is_no_worse, load
-from rna_sdk.size_note import size_note
 from rna_work.bar import Bar
 
 _FASTER = 0.9
@@ -64,7 +64,7 @@ def tell_size(path: Path) -> None:
 def tell_tiers(quality: QualityModel | None, world: World) -> None:
     """Print which tiers the scene's `quality` led to, if it has one."""
     assets = world.assets
-    if quality is not None and quality.has_limit and assets:
+    if quality is not None and assets:
         tiers = _counted(assets)
         if world.indirect:
             tiers += f"; of indirect radiance: {_counted(world.indirect)}"

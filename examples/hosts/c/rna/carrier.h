@@ -70,7 +70,7 @@ static Span carried_bytes(Span file, Span blob, const Json *document, RnaReport 
     size_t of = 1, start = 0, size = 0;
     bool good = glb_size(member(view, "buffer"), &of) && of == 0 && buffer && !member(buffer, "uri");
     good = good && (!member(view, "byteOffset") || glb_size(member(view, "byteOffset"), &start));
-    good = good && glb_size(member(view, "byteLength"), &size) && start <= blob.size && size <= blob.size - start;
+    good = good && glb_size(member(view, "byteLength"), &size) && size && start <= blob.size && size <= blob.size - start;
     size_t place = (size_t)(blob.at - file.at) + start;
     if (!good) {
         refuse(report, "GLB_PACKAGE", "/bufferViews", "bytes inside the binary chunk", "%zu at %zu of %zu", size,

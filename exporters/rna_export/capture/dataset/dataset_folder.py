@@ -31,8 +31,8 @@ from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.sample_files import rows_of, write_arrays
 from rna_export.capture.dataset.validation_view import WholeView
 from rna_export.capture.geometry.stored_geometry import geometry_arrays
-from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import CaptureError
+from rna_sdk.files.atomic_file import write_atomically
 from rna_sdk.package import Curves, Mesh, SourceVertices
 from rna_sdk.package.textures.normal_maps import NORMALS
 from rna_sdk.package.textures.transmittance import TRANSMITTANCE
@@ -191,7 +191,7 @@ class Dataset:
                 path.unlink(missing_ok=True)
 
     def record_processors(self, keys: Iterable[str]) -> None:
-        """Note in the manifest which processors rendered, by `rna_sdk.cpu.processor_key`."""
+        """Note in the manifest which processors rendered, by `rna_sdk.machine.cpu`."""
         processors = tuple(sorted({*self.manifest.processors, *keys}))
         if processors != self.manifest.processors:
             self.manifest = self.manifest.model_copy(update={"processors": processors})
@@ -214,17 +214,6 @@ class Dataset:
 
     def emission_image_path(self, view: int, half: int) -> Path:
         return self.folder / "validation" / f"emission-{view:02d}-{half}.safetensors"
-
-    def planned_files(self) -> list[Path]:
-        """Files of samples and images that a finished capture has made."""
-        manifest, halves = self.manifest, (0, 1)
-        views, glowing = range(manifest.settings.validation_views), range(manifest.emission_images)
-        return [
-            *map(self.train_path, range(manifest.shards)),
-            *map(self.emission_path, range(manifest.emission_shards)),
-            *(self.validation_path(view, half) for view in views for half in halves),
-            *(self.emission_image_path(view, half) for view in glowing for half in halves),
-        ]
 
     @property
     def white_path(self) -> Path:

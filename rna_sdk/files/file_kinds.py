@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Literal
 
-from rna_sdk.console import command_line
-from rna_sdk.regular_file import check_regular
+from rna_sdk.commands.console import command_line
+from rna_sdk.files.regular_file import check_regular
 
 Kind = Literal["package", "scene", "model"]
 
@@ -25,7 +25,7 @@ _SUFFIXES: dict[Kind, tuple[str, ...]] = {
 
 
 def kind_of(path: Path) -> Kind | None:
-    """The kind of a file by its suffix, also of a .glb that carries a package; None for any other."""
+    """The kind of a file by its suffix, a .glb with a package is a package; None for others."""
     suffix = path.suffix.lower()
     if suffix == ".glb" and _carries_package(path):
         return "package"

@@ -6,8 +6,8 @@ import os
 from collections.abc import Iterable
 from pathlib import Path
 
-from rna_sdk.atomic_file import check_replaceable, remove_leftovers, temporary_path
 from rna_sdk.errors import RnaError
+from rna_sdk.files.atomic_file import check_replaceable, remove_leftovers, temporary_path
 
 
 def check_outputs(outputs: Iterable[Path], inputs: Iterable[Path]) -> None:
