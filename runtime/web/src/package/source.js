@@ -103,7 +103,7 @@ export class UrlSource {
       if (error.name === "AbortError") throw error;
       const { protocol, origin } = new URL(this.url, location.href), here = new URL(location.href).origin;
       if (protocol === "file:") {
-        throw new NotSupported("a page opened from a file cannot load packages: serve the folder (rna-view, any web server), or drop the .rna file here");
+        throw new NotSupported("a page opened from a file cannot load packages: serve the folder (rna-view, any web server), or drop the file here");
       }
       const orCors = origin === here ? "" : `, or its server does not allow ${here} (CORS)`;
       throw new NoAnswer(`cannot load ${this.url}: no answer${orCors}`);
