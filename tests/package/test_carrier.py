@@ -118,6 +118,7 @@ def test_a_buffer_that_is_not_aligned_is_refused(carrier: Path, tmp_path: Path) 
     ("code", "change"),
     [
         ("GLB_DECLARATION", lambda d: d.pop("extensionsUsed")),
+        ("GLB_DECLARATION", lambda d: d.update(extensionsUsed=5)),
         ("GLB_DECLARATION", lambda d: d.update(extensionsRequired=[EXTENSION])),
         ("GLB_FALLBACK", lambda d: d["nodes"][-1].pop("children")),
         ("GLB_FALLBACK", lambda d: d["nodes"].append({**d["nodes"][-1], "children": [0, 1]})),
@@ -206,7 +207,9 @@ def test_files_that_cannot_be_a_fallback_are_one_line(
 ) -> None:
     for name, data in (("a.glb", b"no glTF"), ("b.gltf", b"{}")):
         (tmp_path / name).write_bytes(data)
-    for name in ("a.glb", "b.gltf", "none.glb"):
+    written({"scenes": [5], "bufferViews": []}, b"", tmp_path / "c.glb")
+    written({"nodes": {}, "bufferViews": 7}, b"", tmp_path / "d.glb")
+    for name in ("a.glb", "b.gltf", "c.glb", "d.glb", "none.glb"):
         arguments = [str(tiny), "--glb", str(tmp_path / "out.glb"), "--fallback"]
         assert rna_info.main([*arguments, str(tmp_path / name)]) == 1
         (line,) = [x for x in capsys.readouterr().err.splitlines() if x.startswith("error")]

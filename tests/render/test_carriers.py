@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 
 from rna_render.command.rna_run import main
+from rna_render.command.terminal import tell_size
 from rna_render.image.images import read_exr
 from rna_render.scene import read_scene
 from rna_sdk.errors import SceneError
-from tests.package.carriers import make_carrier
+from tests.package.carriers import changed, make_carrier
 from tests.render.assets import sphere
 from tests.render.packages import write_lambert_package
 
@@ -58,3 +59,15 @@ def test_a_glb_without_a_package_says_what_makes_one(tmp_path: Path) -> None:
     (tmp_path / "scene.yaml").write_text(SCENE.format(name="plain.glb"))
     with pytest.raises(SceneError, match=r"plain\.glb is a model, not a package; rna-make"):
         read_scene(tmp_path / "scene.yaml").asset_path(0)
+
+
+def test_what_a_scene_shows_beside_its_package_is_told(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    package = write_lambert_package(tmp_path / "ball.rna", sphere(2))
+    carrier = make_carrier(package, tmp_path / "ball.glb")
+    forest = changed(carrier, tmp_path / "forest.glb", lambda d: d["nodes"].append({"mesh": 0}))
+    note = "forest.glb is a scene; its package is shown once, and alone"
+    for path in (carrier, forest):
+        tell_size(path)
+        assert (note in capsys.readouterr().err) == (path is forest)

@@ -37,6 +37,13 @@ class Carrier:
         """How often the file shows the package."""
         return sum(map(self._instances, self.nodes))
 
+    @property
+    def is_scene(self) -> bool:
+        """Whether the file shows more than its package once."""
+        own = sum("mesh" in node for number in self.nodes for node in self._fallback(number))
+        nodes = [node for node in self.document["nodes"] if isinstance(node, dict)]
+        return self.instances > 1 or sum("mesh" in node for node in nodes) > own
+
     def facts(self) -> dict[str, Any]:
         """How often the file shows the package, and what its fallback is: JSON's types alone."""
         below = [node for number in self.nodes for node in self._fallback(number)]
@@ -51,9 +58,10 @@ class Carrier:
 
     def warnings(self) -> Iterator[Issue]:
         """What is wrong about the file beside the package."""
-        used, required = (self.document.get(f"extensions{use}", ()) for use in ("Used", "Required"))
-        if EXTENSION not in used or EXTENSION in required:
-            found = f"used: {EXTENSION in used}, required: {EXTENSION in required}"
+        listed = (self.document.get(f"extensions{use}") for use in ("Used", "Required"))
+        used, required = (isinstance(names, list) and EXTENSION in names for names in listed)
+        if not used or required:
+            found = f"used: {used}, required: {required}"
             expected = f"{EXTENSION} used and not required"
             yield Issue.of(Code.GLB_DECLARATION, "/extensionsUsed", found, expected)
         for number in self.nodes:

@@ -42,7 +42,15 @@ def with_package(glb: Path, package: Package, nodes: Sequence[str] = ()) -> byte
     Raises:
         RnaError: what cannot carry a package, or has no such node.
     """
-    document, blob = _opened(glb)
+    try:
+        return _with_package(*_opened(glb), package, nodes, glb)
+    except (AttributeError, LookupError, TypeError, ValueError) as error:
+        raise RnaError(f"{glb}: is no valid glTF: {error}") from error
+
+
+def _with_package(
+    document: dict[str, Any], blob: bytes, package: Package, nodes: Sequence[str], glb: Path
+) -> bytes:
     view = len(document.setdefault("bufferViews", []))
     for node in _named(document, nodes, glb) if nodes else [_root(document, package.manifest.name)]:
         node["extensions"] = {**node.get("extensions", {}), **carrying(view)}
