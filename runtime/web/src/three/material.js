@@ -53,6 +53,9 @@ function sceneOf(nodes, primitives, points) {
 
 const named = (attribute, type, name) => storage(attribute, type, attribute.count).toReadOnly().setName(name);
 
+/** Of the nearby light whose columns are traced, or null. */
+const lengthsOf = ({ lengths }, { visibility }) => (visibility === "rays" ? lengths : null);
+
 export class RnaMaterial extends NodeMaterial {
   static get type() {
     return "RnaMaterial";
@@ -62,7 +65,7 @@ export class RnaMaterial extends NodeMaterial {
   constructor(shared, kind, part, options) {
     super();
     this.given = [shared, kind, part, options];
-    Object.assign(this, { lights: true, side: kind === "fiber" ? FrontSide : DoubleSide, isRnaMaterial: true, options, kind });
+    Object.assign(this, { lights: true, side: kind === "fiber" ? FrontSide : DoubleSide, isRnaMaterial: true, options, kind, tracesColumns: !!lengthsOf(part, options) });
     // As three.js' own have it: without a `null` here it leaves scene.environmentRotation out.
     Object.assign(this, { envMap: null, envMapIntensity: 1, envMapRotation: new Euler() });
     // For exporters, which read a colour of every material: they write the shape in white. Here nothing depends on it.
@@ -78,7 +81,7 @@ export class RnaMaterial extends NodeMaterial {
   _compose(storesAll) {
     if (storesAll === this.storesAll) return;
     this._letGo();
-    const [shared, kind, { planes, decoders }] = this.given, forms = Object.keys(decoders);
+    const [shared, kind, part, options] = this.given, { planes, decoders } = part, forms = Object.keys(decoders);
     const { weightsAt, weights } = storedWeights(decoders, storesAll), isUniform = (form) => weightsAt[form] === undefined;
     // Four storage buffers at most.
     const buffers = [
@@ -88,7 +91,7 @@ export class RnaMaterial extends NodeMaterial {
       ...forms.filter(isUniform).map((form) => buffer(decoders[form].weights, "vec4", decoders[form].weights.length / 4).setName(`rna${LETTERS[form]}_weights`)),
     ];
     const groups = Math.max(...Object.values(decoders).map((decoder) => decoder.groups));
-    const source = partSource({ kind, groups, forms, weightsAt, planeWords: planes.length / 3, ...shared.facts });
+    const source = partSource({ kind, groups, forms, weightsAt, planeWords: planes.length / 3, lengths: lengthsOf(part, options), ...shared.facts });
     Object.assign(this, {
       storesAll, storageBuffers: buffers.filter(({ isStorageBufferNode }) => isStorageBufferNode).length,
       functions: functionsOf(source, buffers, "emission" in decoders),
@@ -192,7 +195,7 @@ function functionsOf(source, buffers, emits) {
   return {
     begin: (x, wo, width) => begin(primitive, x, wo, width),
     selfVisibility: (wi, entry) => selfVisibility(wi, bool(entry)),
-    sent: make("sent(wi: vec3f, visibility: f32) -> vec3f", "sent(wi, visibility)"),
+    sent: make("sent(wi: vec3f, visibility: f32, far: f32, columns: f32, turn: f32) -> vec3f", "sent(wi, visibility, far, columns, turn)"),
     direction: make("direction(number: f32, count: f32, turn: f32) -> vec4f", "direction_about(number, count, turn)"),
     emitted: (wo) => emitted(primitive, positionGeometry, wo),
   };

@@ -6,6 +6,7 @@ import baseColorFile from "./shaders/base_color.wgsl";
 import emittedFile from "./shaders/emitted.wgsl";
 import fiberFile from "./shaders/fiber.wgsl";
 import lightFile from "./shaders/light.wgsl";
+import nearbyFile from "./shaders/nearby.wgsl";
 import sentFile from "./shaders/sent.wgsl";
 import sentApartFile from "./shaders/sent_apart.wgsl";
 import surfaceFile from "./shaders/surface.wgsl";
@@ -18,19 +19,20 @@ export const LETTERS = { transport: "", visible: "", shadowed: "s", emission: "e
 const BUFFER = /\brna([se]?)_(scene|weights|stored|planes|images)\[/g;
 const GEOMETRY = /\brna_(nodes|primitives|points)\[([^[\]]*)\]/g;
 const WITHOUT_BASE_COLOR = "fn base_color_on(record: RnaPrimitive, p: mat3x3f, b: vec3f, width: f32) -> vec3f { return vec3f(1.0); }";
+const WITH_MEANS = "fn nearby_of(wi: vec3f, far: f32, columns: f32, turn: f32) -> vec4f { return vec4f(0.0); }";
 const SAMPLING = ["render/directions.wgsl", "render/ggx.wgsl", "render/lobes.wgsl"];
 const filesOf = (name) => (name in sharedFiles ? [name] : compositions[name].flatMap(filesOf));
 
 /**
  * mixtures: of all surfaces, by their number. groups: RNA_GROUPS. forms: of the decoders. weightsAt: where those of a form begin that are stored together. planeWords: of a plane.
  * primitivesAt, pointsAt: places of vec4u in the scene. normalsAt: place of the first normal among the points.
- * hasSegments: some part is of strands. printed: { texturesAt, imagesAt } of the words of base colour, or null.
+ * hasSegments: some part is of strands. printed: { texturesAt, imagesAt } of the words of base colour, or null. lengths: of the nearby light whose columns are traced, or null.
  */
-export function partSource({ kind, mixtures, groups, forms, weightsAt, planeWords, primitivesAt, pointsAt, normalsAt, extent, hasSegments, printed }) {
+export function partSource({ kind, mixtures, groups, forms, weightsAt, planeWords, primitivesAt, pointsAt, normalsAt, extent, hasSegments, printed, lengths }) {
   // The name of a query is that of a triangle's surface in geometry.wgsl; what part.wgsl has is below.
   const instead = { "surface.wgsl": sharedFiles["surface.wgsl"].replace(/\brna_surface\(/g, "rna_surface_query("), "part.wgsl": "" };
   if (!hasSegments) instead["segment.wgsl"] = withoutSegments;
-  const names = [...new Set([...filesOf(kind), ...filesOf("trace"), "visibility.wgsl", ...SAMPLING, ...(printed ? ["images.wgsl"] : [])])];
+  const names = [...new Set([...filesOf(kind), ...filesOf("trace"), "visibility.wgsl", ...SAMPLING, ...(printed ? ["images.wgsl"] : []), ...(lengths ? ["render/nearby_light.wgsl"] : [])])];
   const shared = names.map((name) => instead[name] ?? sharedFiles[name]).join("\n")
     .replace(/^@group.*;.*$/gm, "");
   const declarations = `
@@ -57,6 +59,7 @@ export function partSource({ kind, mixtures, groups, forms, weightsAt, planeWord
   `;
   const host = [
     vertexFile, printed ? placesOf(printed) + baseColorFile : WITHOUT_BASE_COLOR, kind === "fiber" ? fiberFile : surfaceFile, lightFile,
+    lengths ? `const LENGTHS = vec3f(${lengths.map(float).join(", ")});\n${nearbyFile}` : WITH_MEANS,
     forms.includes("shadowed") ? copyOf(kind, "shadowed") + sentApartFile : sentFile,
     forms.includes("emission") ? copyOf(kind, "emission") + emittedFile : "",
   ];

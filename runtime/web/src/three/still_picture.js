@@ -1,7 +1,7 @@
 // A picture that loses the noise of environments while nothing moves: the mean of pictures that ask other directions.
 import { FloatType, HalfFloatType, MeshBasicNodeMaterial, NearestFilter, NoBlending, QuadMesh, RenderTarget, Vector2 } from "three/webgpu";
 import { mix, texture, uniform } from "three/tsl";
-import { turnOfPicture } from "./environment.js";
+import { turnOfPicture } from "./samples.js";
 
 const GOLDEN = 0.6180339887498949;
 
