@@ -114,4 +114,4 @@ class _CoreDumper(yaml.SafeDumper):
 def dump_yaml(data: object) -> str:
     """A document that says `data`, with short lists and mappings on a line."""
     style: dict[str, Any] = {"sort_keys": False, "default_flow_style": None, "width": 100}
-    return str(yaml.dump(data, Dumper=_CoreDumper, **style))
+    return str(yaml.dump(data, Dumper=_CoreDumper, allow_unicode=True, **style))
