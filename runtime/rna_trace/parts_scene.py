@@ -63,7 +63,6 @@ class PartsScene(GeometryScene):
         self._first = [g.segments() if isinstance(g, Curves) else None for g in self.geometries]
         self._strands = _strand_numbers(self.geometries)
         self._tables = [geometry_table(numbers.ctypes.data) for numbers in self._strands]
-        self._filter, self._weakened = start_strand_filter(), strand_transmittance_filter()
         self._has_strands = any(isinstance(g, Curves) for g in self.geometries)
         for part, geometry in enumerate(self.geometries):
             if isinstance(geometry, Curves):
@@ -135,8 +134,13 @@ class PartsScene(GeometryScene):
         origins = vectors("origins", origins)
         directions = vectors("directions", directions, len(origins))
         if self.transmits:
+<<<<<<< HEAD
             return transmitted(self._scene, self._weakened, origins, directions, 0.0, np.inf)
         free = ~any_hits(self._scene, origins, directions, 0.0, np.inf, NOTHING)
+=======
+            return transmitted(self._scene, strand_transmittance_filter(), *lines, 0.0, np.inf)
+        free = ~any_hits(self._scene, *lines, 0.0, np.inf, NOTHING)
+>>>>>>> first
         return np.repeat(free.astype(np.float32)[:, None], 3, axis=1)
 
     def visible(
@@ -182,11 +186,19 @@ class PartsScene(GeometryScene):
         else:
             origins = leaving_origins(points.checked(), wi, self.extent, row)
         if self.transmits:
+<<<<<<< HEAD
             return transmitted(self._scene, self._weakened, origins, wi, 0.0, tfar, start_strand)
         passing = Passing(self._filter.ctypes.data, start_strand) if self._has_strands else NOTHING
         return ~any_hits(
             self._scene, origins=origins, directions=wi, tnear=0.0, tfar=tfar, passing=passing
         )
+=======
+            return transmitted(self._scene, strand_transmittance_filter(), *lines, start_strand)
+        passing = NOTHING
+        if self._has_strands:
+            passing = Passing(start_strand_filter().ctypes.data, start_strand)
+        return ~any_hits(self._scene, *lines, passing)
+>>>>>>> first
 
 
 def _strand_numbers(geometries: Sequence[Mesh | Curves]) -> list[np.ndarray]:

@@ -116,8 +116,20 @@ HANDLERS = {
 
 
 def printable(texts: list[str]) -> list[str]:
-    """The texts without lone surrogates: names in Blender may be bytes that are not UTF-8."""
-    return [text.encode("utf-8", "backslashreplace").decode() for text in texts]
+    """The texts, escaped where they would end a line, move a cursor or are not UTF-8, as names."""
+    return ["".join(c if c.isprintable() else ascii(c)[1:-1] for c in text) for text in texts]
+
+
+def said_by(error: Exception) -> str:
+    """One line."""
+    text = str(error)
+    if "Traceback (most recent call last)" in text:  # of an operator that is in Python
+        outer = [line for line in text.splitlines() if line.strip() and not line[0].isspace()]
+        cause = [line for line in outer if not line.startswith("Location:")][-1]
+        return f"Blender cannot open it ({cause}); the file may be damaged"
+    line = " ".join(text.split())  # Blender's are of several
+    is_ours = type(error) is ValueError  # else Blender's, or a script's
+    return line if is_ours else f"Blender says: {type(error).__name__}: {line}"
 
 
 def reply(message: dict[str, Any]) -> None:
@@ -132,9 +144,7 @@ def main() -> None:
             reply({"ok": True, **(HANDLERS[request["op"]](request) or {})})
         except Exception as error:
             traceback.print_exc()
-            (line,) = printable([" ".join(str(error).split())])  # Blender's are of several
-            is_ours = type(error) is ValueError  # else Blender's, or a script's
-            says = line if is_ours else f"Blender says: {type(error).__name__}: {line}"
+            (says,) = printable([said_by(error)])
             reply({"ok": False, "error": says})
     os._exit(0)  # bpy may crash while it unloads; every result is already a file
 

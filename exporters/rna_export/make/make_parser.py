@@ -10,7 +10,7 @@ from rna_export.capture.rna_capture import add_scene, add_settings, add_workers
 from rna_export.export.package_options import add_credit, add_environment
 from rna_export.export.precision import add_precision
 from rna_export.training.presets import PRESETS
-from rna_export.training.training_options import add_device
+from rna_export.training.training_options import add_device, add_nearby
 from rna_sdk.commands.console import command_parser
 
 _SETTINGS = (
@@ -48,7 +48,8 @@ def parser() -> argparse.ArgumentParser:
         "--out",
         type=Path,
         metavar="RNA",
-        help="output package (path, no default: this or --out-dir is required)",
+        help="output package, .rna, or .glb with a fallback for viewers that do not know RNA "
+        "(path, no default: this or --out-dir is required)",
     )
     p.add_argument(
         "--out-dir",
@@ -68,7 +69,8 @@ def parser() -> argparse.ArgumentParser:
         "--min-psnr",
         type=float,
         metavar="DB",
-        help="target PSNR of the validation images, dB (float, default: none)",
+        help="target PSNR of the validation images, dB; small images of short runs count without "
+        "their noise (float, default: none)",
     )
     p.add_argument(
         "--minutes",
@@ -111,6 +113,7 @@ def parser() -> argparse.ArgumentParser:
     add_settings(p, _SETTINGS)
     add_frames(p)
     p.add_argument("--seed", type=int, default=0, help="random seed (int, default: 0)")
+    add_nearby(p)
     add_device(p, "trainings")
     add_workers(p)
     p.add_argument(

@@ -19,18 +19,21 @@ from rna_export.make.plan import Length
 from rna_export.make.state import Score
 from rna_export.training.asset_error import worse_error
 from rna_export.training.checkpoint import Trained, load_checkpoint
+from rna_export.training.nearby_choice import with_nearby
 from rna_export.training.part_runs import part_folder, shared_minutes
 from rna_export.training.presets import PRESETS, Preset
 from rna_export.training.training_run import Run, table_of, train
-from rna_export.training.validation import mean_psnr, shade, shade_emission
+from rna_export.training.validation import mean_psnr, noiseless_psnr, shade, shade_emission
 from rna_sdk.files.atomic_file import write_atomically
+from rna_work.bar import Bar
 
 
 @dataclass(frozen=True)
 class Phase:
     """A training of one preset, of all parts.
 
-    folder: for checkpoints, one folder in it for each of several parts. picture: a file that shows
+    folder: for checkpoints, one folder in it for each of several parts. nearby: one of
+    NEARBY_MODES. picture: a file that shows
     the model while it is trained; None for none. starts: checkpoints of parts to start from.
     """
 
@@ -40,6 +43,7 @@ class Phase:
     folder: Path
     seed: int
     device: str
+    nearby: str
     picture: Path | None = None
     starts: Mapping[str, Path] = field(default_factory=dict)
 
@@ -63,7 +67,9 @@ class Phase:
                 after_checkpoint=partial(self._show, out),
                 start=self.starts.get(part.name),
             )
-            table = table_of(run, part.samples_of(shards))
+            samples = part.samples_of(shards)
+            run = with_nearby(run, self.nearby, samples, quiet)
+            table = table_of(run, samples, partial(Bar, disable=True))
             train(run, table, quiet, stage.part(k / len(parts), 1 / len(parts)))
 
     def _show(self, training: Path) -> None:
@@ -99,8 +105,12 @@ def trained_in(folder: Path, dataset: Dataset) -> list[Trained]:
     return [load_checkpoint(path / "best.ckpt") for path in folders]
 
 
-def score(trained: Sequence[Trained], dataset: Dataset) -> Score:
-    """Score of the models of all parts, over the whole validation images."""
+def score(trained: Sequence[Trained], dataset: Dataset, is_noisy: bool = False) -> Score:
+    """Score of the models of all parts, over the whole validation images.
+
+    is_noisy: whether the images are those of rounds, whose noise a PSNR must not count: of the toy
+    it has 37 dB alone.
+    """
     views = dataset.whole_views()
     radiance = [
         np.concatenate([shade(one.model, p) for one, p in zip(trained, view.parts, strict=True)])
@@ -112,7 +122,8 @@ def score(trained: Sequence[Trained], dataset: Dataset) -> Score:
         for view in part.emission_views()
     ]
     error = worse_error(radiance, views, emitted)
-    return Score(psnr=mean_psnr(radiance, views), flip=error.mean)
+    psnr = noiseless_psnr(radiance, views).db if is_noisy else mean_psnr(radiance, views)
+    return Score(psnr=psnr, flip=error.mean, without_noise=is_noisy)
 
 
 class Trainer:

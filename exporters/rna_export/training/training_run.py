@@ -17,7 +17,7 @@ from tqdm import tqdm
 
 from rna_export.brightness import Brightness
 from rna_export.capture.dataset.dataset_part import DatasetPart
-from rna_export.capture.dataset.nearby_rows import with_estimates
+from rna_export.capture.dataset.nearby_rows import with_nearby_light
 from rna_export.training.checkpoint import load_checkpoint, load_progress, save_checkpoint
 from rna_export.training.model.emission import INPUTS
 from rna_export.training.model.neural_asset import NeuralAsset
@@ -128,12 +128,14 @@ def train(
     return best
 
 
-def table_of(run: Run, samples: dict[str, np.ndarray]) -> SampleTable:
+def table_of(
+    run: Run, samples: dict[str, np.ndarray], bars: Callable[..., tqdm] = Bar
+) -> SampleTable:
     """These samples of the run's dataset, with the fields that its model reads, on its device."""
     if not _for_base_color(run).model.uses_base_color:
         samples = {name: values for name, values in samples.items() if name != "base_color"}
     if lengths := run.preset.model.nearby:
-        samples = with_estimates(samples, run.dataset, lengths)
+        samples = with_nearby_light(samples, run.dataset, lengths, bars)
     return SampleTable(samples, device=run.device)
 
 

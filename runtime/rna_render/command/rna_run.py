@@ -229,7 +229,7 @@ def _check_usage(parser: argparse.ArgumentParser, options: argparse.Namespace) -
 def _run(options: argparse.Namespace) -> int:
     from rna_render.command.compilation import compilations_reported
 
-    with compilations_reported():
+    with compilations_reported(options.scene):
         return _shown(options)
 
 
