@@ -134,13 +134,10 @@ class PartsScene(GeometryScene):
         origins = vectors("origins", origins)
         directions = vectors("directions", directions, len(origins))
         if self.transmits:
-<<<<<<< HEAD
-            return transmitted(self._scene, self._weakened, origins, directions, 0.0, np.inf)
+            return transmitted(
+                self._scene, strand_transmittance_filter(), origins, directions, 0.0, np.inf
+            )
         free = ~any_hits(self._scene, origins, directions, 0.0, np.inf, NOTHING)
-=======
-            return transmitted(self._scene, strand_transmittance_filter(), *lines, 0.0, np.inf)
-        free = ~any_hits(self._scene, *lines, 0.0, np.inf, NOTHING)
->>>>>>> first
         return np.repeat(free.astype(np.float32)[:, None], 3, axis=1)
 
     def visible(
@@ -186,19 +183,15 @@ class PartsScene(GeometryScene):
         else:
             origins = leaving_origins(points.checked(), wi, self.extent, row)
         if self.transmits:
-<<<<<<< HEAD
-            return transmitted(self._scene, self._weakened, origins, wi, 0.0, tfar, start_strand)
-        passing = Passing(self._filter.ctypes.data, start_strand) if self._has_strands else NOTHING
-        return ~any_hits(
-            self._scene, origins=origins, directions=wi, tnear=0.0, tfar=tfar, passing=passing
-        )
-=======
-            return transmitted(self._scene, strand_transmittance_filter(), *lines, start_strand)
+            return transmitted(
+                self._scene, strand_transmittance_filter(), origins, wi, 0.0, tfar, start_strand
+            )
         passing = NOTHING
         if self._has_strands:
             passing = Passing(start_strand_filter().ctypes.data, start_strand)
-        return ~any_hits(self._scene, *lines, passing)
->>>>>>> first
+        return ~any_hits(
+            self._scene, origins=origins, directions=wi, tnear=0.0, tfar=tfar, passing=passing
+        )
 
 
 def _strand_numbers(geometries: Sequence[Mesh | Curves]) -> list[np.ndarray]:

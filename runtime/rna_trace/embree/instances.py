@@ -101,11 +101,9 @@ class InstanceScene:
         passing = self._passing(start_instance, len(origins_world), rays)
         if self.transmits:
             ids = self._ids(start_instance, len(origins_world))
-            filters = random_transmittance_filters()
             return closest_hits_through(
-<<<<<<< HEAD
                 self._scene,
-                self._random,
+                random_transmittance_filters(),
                 self._coloured,
                 origins_world,
                 directions_world,
@@ -113,9 +111,6 @@ class InstanceScene:
                 np.inf,
                 ids,
                 passing.mask,
-=======
-                self._scene, filters, self._coloured, *lines, ids, passing.mask
->>>>>>> first
             )
         return closest_hits(
             self._scene, origins_world, directions_world, 0.0, np.inf, passing=passing
@@ -153,10 +148,9 @@ class InstanceScene:
             return np.ones((len(origins_world), 3), np.float32)
         ids = self._ids(start_instance, len(origins_world))
         passing = self._passing(start_instance, len(origins_world), SHADOW_RAY)
-<<<<<<< HEAD
         return transmitted(
             self._scene,
-            self._weakened,
+            transmittance_filter(),
             origins_world,
             directions_world,
             0.0,
@@ -164,10 +158,6 @@ class InstanceScene:
             ids,
             passing.mask,
         )
-=======
-        lines = origins_world, directions_world, 0.0, tfar
-        return transmitted(self._scene, transmittance_filter(), *lines, ids, passing.mask)
->>>>>>> first
 
     def _ids(self, start_instance: np.ndarray | None, count: int) -> np.ndarray:
         """(n,) or (1,) uint32, the instance that each ray passes through."""
