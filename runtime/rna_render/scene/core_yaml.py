@@ -76,12 +76,6 @@ class CoreLoader(
         return super().construct_object(node, deep)
 
 
-def load_yaml(text: str) -> object:
-    """What a document says. Raises yaml.YAMLError."""
-    loader = CoreLoader(text)
-    return loader.construct_document(loader.get_single_node())
-
-
 def _scalar(name: str) -> Callable[[CoreLoader, ScalarNode], object]:
     pattern, _, make = _SCALARS[name]
 
