@@ -68,8 +68,13 @@ class PartsScene(GeometryScene):
             if isinstance(geometry, Curves):
                 extent = add_curves(self._scene, part, geometry, self._tables[part])
             else:
-                arrays = geometry.positions, geometry.triangles
-                extent = add_mesh(self._scene, part, *arrays, self._transmittance[part])
+                extent = add_mesh(
+                    self._scene,
+                    part,
+                    positions=geometry.positions,
+                    triangles=geometry.triangles,
+                    transmittance=self._transmittance[part],
+                )
             self.extent = max(self.extent, extent)
         self._scene.commit()
 
@@ -126,10 +131,13 @@ class PartsScene(GeometryScene):
 
     def transmitted(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
         """The product of what all that rays from outside meet lets through, (n, 3) float32."""
-        lines = vectors("origins", origins), vectors("directions", directions, len(origins))
+        origins = vectors("origins", origins)
+        directions = vectors("directions", directions, len(origins))
         if self.transmits:
-            return transmitted(self._scene, strand_transmittance_filter(), *lines, 0.0, np.inf)
-        free = ~any_hits(self._scene, *lines, 0.0, np.inf, NOTHING)
+            return transmitted(
+                self._scene, strand_transmittance_filter(), origins, directions, 0.0, np.inf
+            )
+        free = ~any_hits(self._scene, origins, directions, 0.0, np.inf, NOTHING)
         return np.repeat(free.astype(np.float32)[:, None], 3, axis=1)
 
     def visible(
@@ -174,13 +182,16 @@ class PartsScene(GeometryScene):
             start_strand = per_ray("strand", strands[points.segment], len(points), np.uint32)
         else:
             origins = leaving_origins(points.checked(), wi, self.extent, row)
-        lines = origins, wi, 0.0, tfar
         if self.transmits:
-            return transmitted(self._scene, strand_transmittance_filter(), *lines, start_strand)
+            return transmitted(
+                self._scene, strand_transmittance_filter(), origins, wi, 0.0, tfar, start_strand
+            )
         passing = NOTHING
         if self._has_strands:
             passing = Passing(start_strand_filter().ctypes.data, start_strand)
-        return ~any_hits(self._scene, *lines, passing)
+        return ~any_hits(
+            self._scene, origins=origins, directions=wi, tnear=0.0, tfar=tfar, passing=passing
+        )
 
 
 def _strand_numbers(geometries: Sequence[Mesh | Curves]) -> list[np.ndarray]:

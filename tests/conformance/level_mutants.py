@@ -24,7 +24,7 @@ import numpy as np
 from rna_sdk.conformance.kit import Kit, ValidateCase, load_kit
 from rna_sdk.conformance.scoring import cases, score
 from rna_sdk.package import Curves, Package
-from rna_sdk.package.container.zip_container import Container
+from rna_sdk.package.container.zip_container import Container, read_file
 from tests.conformance.conftest import KIT, InProcess
 from tests.conformance.mutants import CAUGHT, Mutant, mutants_of
 from tests.conftest import REPOSITORY
@@ -94,7 +94,7 @@ def _base_color(module: ModuleType) -> InProcess:
     def answer(package: str, records: bytes) -> np.ndarray:
         words = np.frombuffer(records, "<u4").reshape(-1, 8)
         numbers = words.view("<f4").astype(float)
-        container = Container.open(package)
+        container = Container.of(read_file(package), package)
         with Package.open(package) as opened:
             part = int(words[0, 7])
             mesh, colors = opened.mesh(part), []

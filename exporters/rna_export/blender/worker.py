@@ -52,8 +52,9 @@ def open_scene(request: dict[str, Any]) -> dict[str, Any]:
     _last_opened.update(request)
     shown_frame.opening()
     gltf_variants.opening()
-    axes = request["front"], request["up"]
-    notes = source_scene.load(request["source"], request["arguments"], request["frame"], *axes)
+    notes = source_scene.load(
+        request["source"], request["arguments"], request["frame"], request["front"], request["up"]
+    )
     render_settings.apply()
     object_materials.override()
     notes += source_scene.keep_only_the_asset()
@@ -67,9 +68,10 @@ def open_scene(request: dict[str, Any]) -> dict[str, Any]:
     for each in [*materials, *glass]:
         (each["name"],) = printable([each["name"]])
     least_roughness.keep_above(request["leastRoughness"])
-    clamps = request["clampDirect"], request["clampIndirect"]
     has_hair = any(part["kind"] == "fiber" for part in parts)
-    emitters = ray_render.configure(THREADS, *clamps, separate_direct=has_hair)
+    emitters = ray_render.configure(
+        THREADS, request["clampDirect"], request["clampIndirect"], separate_direct=has_hair
+    )
     return {
         "parts": parts,
         "notes": printable(notes),

@@ -54,6 +54,7 @@ class Made:
     rounds: int
     checkpoints: tuple[Path, ...]  # folders of the presets, as requested
     lead: str  # the preset that the goal is for
+    without_noise: bool = False  # whether its PSNR was judged so
 
     def trained(self) -> list[Trained]:
         """The models of all parts and presets."""
@@ -123,7 +124,8 @@ class Make:
         if few is not None:
             raise TrainingError(few)
         dataset, rounds = self._rays.dataset, len(self._state.rounds)
-        return Made(dataset, why, rounds, tuple(folders.values()), self._lead)
+        without_noise = best[self._lead][1].without_noise
+        return Made(dataset, why, rounds, tuple(folders.values()), self._lead, without_noise)
 
     def _opened_state(self, say: Callable[[str], None]) -> State:
         """That of the work folder, with what is requested now; a new one if there is none."""
@@ -242,7 +244,8 @@ class Make:
         with self._timed("training"):
             phase.run(shards, stage)
         stage.done()
-        round_.score = score(trained_in(phase.folder, phase.dataset), phase.dataset)
+        trained = trained_in(phase.folder, phase.dataset)
+        round_.score = score(trained, phase.dataset, self._images.are_small)
         self._save()
         text = f"{round_.lights:,} lights, {lead} has {_score_text(round_.score)}"
         self._progress.say(f"round {number + 1}: {text}")
@@ -365,4 +368,5 @@ def export(
 
 
 def _score_text(score: Score) -> str:
-    return f"FLIP {score.flip:.3f}, PSNR {score.psnr:.2f} dB"
+    noise = " without noise" if score.without_noise else ""
+    return f"FLIP {score.flip:.3f}, PSNR {score.psnr:.2f} dB{noise}"

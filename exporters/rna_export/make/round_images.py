@@ -27,6 +27,11 @@ class RoundImages:
     def __init__(self, rays: Rays, state: State, given: Collection[str]) -> None:
         self._rays, self._state, self._given = rays, state, given
 
+    @property
+    def are_small(self) -> bool:
+        """Whether they are those of rounds, with few paths a pixel."""
+        return self._state.images is not None
+
     def shrink(self, lights: int) -> None:
         """Plan images that fit to a first round of so many lights, if those planned are larger."""
         settings = self._settings()

@@ -98,15 +98,23 @@ class InstanceScene:
         """
         if self._passes_everything(start_instance):
             return _misses(len(origins_world))
-        interval, passing = (0.0, np.inf), self._passing(start_instance, len(origins_world), rays)
-        lines = origins_world, directions_world, *interval
+        passing = self._passing(start_instance, len(origins_world), rays)
         if self.transmits:
             ids = self._ids(start_instance, len(origins_world))
-            filters = random_transmittance_filters()
             return closest_hits_through(
-                self._scene, filters, self._coloured, *lines, ids, passing.mask
+                self._scene,
+                random_transmittance_filters(),
+                self._coloured,
+                origins_world,
+                directions_world,
+                0.0,
+                np.inf,
+                ids,
+                passing.mask,
             )
-        return closest_hits(self._scene, *lines, passing=passing)
+        return closest_hits(
+            self._scene, origins_world, directions_world, 0.0, np.inf, passing=passing
+        )
 
     def occluded(
         self,
@@ -140,8 +148,16 @@ class InstanceScene:
             return np.ones((len(origins_world), 3), np.float32)
         ids = self._ids(start_instance, len(origins_world))
         passing = self._passing(start_instance, len(origins_world), SHADOW_RAY)
-        lines = origins_world, directions_world, 0.0, tfar
-        return transmitted(self._scene, transmittance_filter(), *lines, ids, passing.mask)
+        return transmitted(
+            self._scene,
+            transmittance_filter(),
+            origins_world,
+            directions_world,
+            0.0,
+            tfar,
+            ids,
+            passing.mask,
+        )
 
     def _ids(self, start_instance: np.ndarray | None, count: int) -> np.ndarray:
         """(n,) or (1,) uint32, the instance that each ray passes through."""

@@ -12,10 +12,11 @@ import onnx
 from onnx import TensorProto, helper, numpy_helper
 
 from rna_sdk.package import ProfileDecoder, decoder_to_bytes
+from rna_sdk.package.container.glb_chunks import CHUNK, CHUNK_BIN, HEADER, pack_glb
 from rna_sdk.package.container.tensor_file import tensors_to_bytes
 from rna_sdk.package.decoder.onnx_writer import GraphWriter
 from rna_sdk.package.decoder.onnx_writer import value as value_info
-from rna_sdk.package.geometry.glb_writer import CHUNK, CHUNK_BIN, HEADER, mesh_to_glb, pack_glb
+from rna_sdk.package.geometry.glb_writer import mesh_to_glb
 from rna_sdk.package.textures.planes import planes_to_bytes
 from tests.package.builders import (
     LIMIT,
