@@ -69,7 +69,8 @@ def parser() -> argparse.ArgumentParser:
         "--min-psnr",
         type=float,
         metavar="DB",
-        help="target PSNR of the validation images, dB (float, default: none)",
+        help="target PSNR of the validation images, dB; small images of short runs count without "
+        "their noise (float, default: none)",
     )
     p.add_argument(
         "--minutes",

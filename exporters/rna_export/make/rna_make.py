@@ -169,9 +169,9 @@ def _tell_next(args: argparse.Namespace) -> None:
     scene = write_starter(args.out)
     if scene is not None:
         print(f"wrote {scene}, a scene that shows it")
-    compare = "rna-compare", args.out, args.model, "--out", f"{args.out.stem}-compare"
+    report = f"{args.out.stem}-compare"
     print(f"next: {command_line('rna-view', args.out)}")
-    print(f"      {command_line(*compare)}")
+    print(f"      {command_line('rna-compare', args.out, args.model, '--out', report)}")
 
 
 def _saved_picture(options: MakeOptions, out: Path) -> Path | None:
@@ -201,6 +201,8 @@ def _outcome(made: Made, manifest: Manifest, goal: Goal | None) -> str:
     end: str = "the error stopped falling" if made.why == "stopped falling" else made.why
     if goal is not None and lead is not None and goal.met_by(lead):
         end = f"goal met: {goal}{_cheapest(manifest, goal)}"
+    elif made.why == "goal met" and made.without_noise:
+        end = f"goal met: {goal}, without the noise of the validation images"
     elif goal is not None:
         end = f"goal not met, {end}: {goal}"
     return f"{end}; capture rounds: {made.rounds}"

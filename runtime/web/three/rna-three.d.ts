@@ -9,6 +9,8 @@ export interface RnaOptions {
   environmentSamples?: number;
   /** Points of a RectAreaLight along each of its sides. Default 2. */
   areaSamples?: number;
+  /** Rays a pixel and light for nearby light, of tiers that count it. Default 4. */
+  nearbySamples?: number;
   /** Largest mean FLIP, of the asset's pixels, of the tier that is chosen by size. Default 0.1. */
   maxError?: number;
 }
