@@ -21,7 +21,7 @@ from rna_export.capture.capture_plan import parts_lines, plan_lines
 from rna_export.capture.capture_tasks import Task, TrainingShard, ValidationHalf, all_tasks
 from rna_export.capture.check.self_check import PICTURE, WORTH_A_NOTE, SelfCheck
 from rna_export.capture.dataset.collect import Collector
-from rna_export.capture.dataset.completeness import record_files
+from rna_export.capture.dataset.completeness import forget, record_files
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_manifest import CaptureManifest
 from rna_export.capture.estimate.gain import gain_text, table_of
@@ -255,6 +255,7 @@ def finish(
     if not missing:
         record_files(dataset)
         return
+    forget(dataset, (task.path(dataset) for task in missing))
     collector = Collector.of(dataset, workers.executor, workers.store)
     missing = collector.fetch(missing)
     workers.executor.on_every_node(blender_env.find_or_set_up, _RESOURCE)

@@ -150,10 +150,13 @@ def render_cycles(shot: Shot, worker: BlenderWorker, samples: int, emits: bool) 
     emits: whether its materials emit light.
     """
     start = time.perf_counter()
-    n, view = shot.resolution, (shot.to_world, FOV_Y, shot.light)
+    n = shot.resolution
     seeds = 2 * shot.number, 2 * shot.number + 1
     halves = np.stack(
-        [worker.render_view(*view, samples // 2, seed, n, n, emits) for seed in seeds]
+        [
+            worker.render_view(shot.to_world, FOV_Y, shot.light, samples // 2, seed, n, n, emits)
+            for seed in seeds
+        ]
     )
     return Timed(halves, time.perf_counter() - start)
 

@@ -48,7 +48,8 @@ def parser() -> argparse.ArgumentParser:
         "--out",
         type=Path,
         metavar="RNA",
-        help="output package (path, no default: this or --out-dir is required)",
+        help="output package, .rna, or .glb with a fallback for viewers that do not know RNA "
+        "(path, no default: this or --out-dir is required)",
     )
     p.add_argument(
         "--out-dir",

@@ -13,6 +13,7 @@ from time import monotonic
 
 from rna_export.capture.capture_plan import parts_lines
 from rna_export.capture.capture_run import say_dropped
+from rna_export.capture.dataset.completeness import check_kept
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.export.extras import add_extras
 from rna_export.export.package_build import build_package
@@ -76,6 +77,7 @@ class Make:
         self._trainer = Trainer(options.overlaps)
         self._seconds = dict.fromkeys(("capture", "training"), 0.0)
         dataset = Dataset(rays_folder(options))
+        check_kept(dataset)
         for note in dataset.manifest.all_notes:
             say(f"note: {note}")
         self._rays = Rays(options, dataset)

@@ -6,6 +6,7 @@ from collections.abc import Collection
 from time import monotonic
 
 from rna_export.capture.capture_settings import CaptureSettings
+from rna_export.capture.dataset.completeness import forget
 from rna_export.capture.time_plan import IMAGE_SHARE, with_smaller_images
 from rna_export.make.capture_rounds import Rays
 from rna_export.make.make_progress import Stage
@@ -76,6 +77,9 @@ class RoundImages:
 
     def _change(self, settings: CaptureSettings) -> None:
         """Plan images of other sizes; what is rendered is of no use any more."""
-        for task in self._rays.images():
-            task.path(self._rays.dataset).unlink(missing_ok=True)
-        self._rays.dataset.change_settings({name: getattr(settings, name) for name in _CHANGED})
+        dataset = self._rays.dataset
+        paths = [task.path(dataset) for task in self._rays.images()]
+        forget(dataset, paths)
+        for path in paths:
+            path.unlink(missing_ok=True)
+        dataset.change_settings({name: getattr(settings, name) for name in _CHANGED})

@@ -12,7 +12,6 @@ import torch
 from torch import Tensor
 
 from rna_export.asset_flip import Exposure
-from rna_export.capture.dataset.nearby_rows import ESTIMATES
 from rna_export.capture.dataset.validation_view import CapturedImage, EmissionView, ValidationView
 from rna_export.metrics import (
     NoiselessPsnr,
@@ -54,7 +53,7 @@ class Scores:
 def shade(model: NeuralAsset, view: ValidationView) -> np.ndarray:
     """Radiance (n, 3) of a view's rows, the output picked by visibility."""
     nearby = view.nearby(model.config.nearby)
-    queries = view.queries if nearby is None else {**view.queries, ESTIMATES[0]: nearby}
+    queries = view.queries if nearby is None else {**view.queries, "nearby": nearby}
     return view.pick(*answer(model, queries))
 
 

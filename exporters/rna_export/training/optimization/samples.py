@@ -13,8 +13,6 @@ import torch
 from torch import Tensor
 from torch.utils.data import IterableDataset
 
-from rna_export.capture.dataset.nearby_rows import ESTIMATES
-
 _DIM = 0.02  # of the mean of what an asset emits
 _STRAY = 8.0  # times the 99th percentile of shadowed radiance
 _HIGHLIGHT, _TERMINATOR = 0.9, -0.05  # cosines: of normal and half vector, of normal and light
@@ -88,7 +86,7 @@ class SampleTable(IterableDataset[Tensor]):
         """Mean nearby light where samples see the light and where they do not, (2, lengths)."""
         samples = columns(self.rows, self.fields)
         lit = samples["visible"].reshape(len(self), -1).mean(dim=1) > 0.5
-        means = [samples[ESTIMATES[0]][k].mean(dim=0) for k in (lit, ~lit)]
+        means = [samples["nearby"][k].mean(dim=0) for k in (lit, ~lit)]
         return torch.stack(means).nan_to_num().clamp(max=1.0)
 
     @cached_property
