@@ -1,4 +1,5 @@
 // Types of rna-three. Those of three.js itself are in @types/three.
+import type { WebGLRenderer } from "three";
 import type { Camera, ColorRepresentation, Euler, Group, InstancedMesh, Loader, LoadingManager, Mesh, NodeMaterial, Scene, Texture, WebGPURenderer } from "three/webgpu";
 
 export interface RnaOptions {
@@ -41,7 +42,7 @@ export class RNAExtension {
 
 export interface RNAExtensionOptions extends RnaOptions {
   /** What draws the scene: one without WebGPU shows the fallback. */
-  renderer: WebGPURenderer | { isWebGLRenderer: true };
+  renderer: WebGPURenderer | WebGLRenderer;
   /** As setTier and setVariant of RnaLoader. */
   tier?: string | null;
   variant?: string | null;
