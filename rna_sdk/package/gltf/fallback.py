@@ -232,9 +232,9 @@ class _Looks:
 
     def material_at(self, triangle: int) -> int:
         """Index of the material of a triangle."""
-        key = _of(self._holes, triangle), _of(self._reliefs, triangle)
+        holes, relief = key = _of(self._holes, triangle), _of(self._reliefs, triangle)
         if key not in self._made:
-            self._made[key] = self._file.add("materials", self._material(*key))
+            self._made[key] = self._file.add("materials", self._material(holes, relief))
         return self._made[key]
 
     def _textured(self) -> dict[str, Any]:
