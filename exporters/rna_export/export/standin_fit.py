@@ -35,7 +35,7 @@ def textures_within(dataset: Dataset, size: int, say: Callable[[str], None]) -> 
     have none.
     """
     parts = [part if _is_bare(part) else None for part in dataset.parts]
-    models = [part and _fitted(part) for part in parts]
+    models = [None if part is None else _fitted(part) for part in parts]
     if not any(models):
         return [None] * len(parts)
     for side in _SIDES:

@@ -184,8 +184,9 @@ def _flip_of(images: Sequence[JudgedImage], rows: np.ndarray) -> float:
 def _luminance(images: Sequence[JudgedImage]) -> tuple[np.ndarray, np.ndarray]:
     """Of all pixels: (n,) of ours, (2, n) of both references."""
     ours = _joined(images, lambda image: image.ours @ LUMINANCE)
-    halves = [_joined(images, lambda image, k=k: image.halves[k] @ LUMINANCE) for k in (0, 1)]
-    return ours, np.stack(halves)
+    first = _joined(images, lambda image: image.halves[0] @ LUMINANCE)
+    second = _joined(images, lambda image: image.halves[1] @ LUMINANCE)
+    return ours, np.stack([first, second])
 
 
 def _of_brightest(ours: np.ndarray, halves: np.ndarray) -> float | None:

@@ -42,9 +42,10 @@ class WorstPlace:
             errors = image.nearby_error(_PLACE)
             row, column = (int(k) for k in np.unravel_index(errors.argmax(), errors.shape))
             found.append((float(errors[row, column]), image, row, column))
-        flip, image, row, column = max(found, key=lambda one: one[0], default=(0.0, None, 0, 0))
-        if image is None or flip == 0.0:
+        worst = max(found, key=lambda one: one[0], default=None)
+        if worst is None or worst[0] == 0.0:
             return None
+        flip, image, row, column = worst
         square = _around(row, _PLACE, image), _around(column, _PLACE, image)
         material, asset = image.material[square], image.asset[square]
         numbers = material[asset & (material >= 0)]

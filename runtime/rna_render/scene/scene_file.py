@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -65,7 +66,7 @@ class SceneFile:
         """`path`, which the file gives relative to itself."""
         return (self.path.parent / path).resolve()
 
-    @property
+    @cached_property
     def resolved(self) -> Scene:
         """The scene with all paths as they can be opened."""
         scene: Scene = _with_paths(self.scene, self.resolve)
