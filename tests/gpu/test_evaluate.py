@@ -19,6 +19,8 @@ from rna_sdk.errors import QueryError
 from rna_sdk.package import ProfileDecoder, ProfileLayer
 from tests.conformance.conftest import KIT, InProcess
 from tests.conftest import REPOSITORY
+from tests.package.builders import make_tiny_package
+from tests.package.carriers import make_carrier
 
 TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
 BALL = REPOSITORY / "examples" / "fibers" / "curly_ball.rna"
@@ -60,6 +62,15 @@ def test_results_do_not_depend_on_the_batch(
     assert np.array_equal(np.hstack(gpu.evaluate(*rows(1000, runtime.load(TOY).bounds))), whole)
     none = gpu.evaluate(*(a[:0] for a in rows(1, np.zeros((2, 3)))))
     assert none[0].shape == (0, 3)
+
+
+def test_a_carrier_has_the_same_bits(device: Device, tmp_path: Path) -> None:
+    package = make_tiny_package(tmp_path / "tiny.rna")
+    carrier = make_carrier(package, tmp_path / "tiny.glb")
+    queries = rows(256, runtime.load(package).bounds)
+    one, other = (rna_gpu.load(path, device=device) for path in (package, carrier))
+    assert isinstance(one, GpuSurface) and isinstance(other, GpuSurface)
+    assert np.array_equal(np.hstack(one.evaluate(*queries)), np.hstack(other.evaluate(*queries)))
 
 
 def evaluated_on_gpu(device: Device, gpu: GpuSurface, queries: list[np.ndarray], count: int):

@@ -14,6 +14,7 @@ from rna_sdk.package import Package
 from rna_sdk.runtime.base_color import BaseColorMaps
 from tests.conftest import REPOSITORY
 from tests.package.builders import make_tiny_package
+from tests.package.carriers import make_carrier
 from tests.package.prints import make_variants
 
 TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
@@ -44,6 +45,29 @@ def test_it_can_be_written_in_xml(tmp_path: Path) -> None:
     low, high = shape.loaded.bounds * 2 + [3, 0, 0]
     np.testing.assert_allclose(scene.bbox().min, low, rtol=1e-5)
     np.testing.assert_allclose(scene.bbox().max, high, rtol=1e-5)
+
+
+def test_a_carrier_has_the_same_pixels(tmp_path: Path) -> None:
+    import mitsuba as mi
+
+    import rna_mitsuba  # noqa: F401
+
+    package = make_tiny_package(tmp_path / "tiny.rna")
+    carrier = make_carrier(package, tmp_path / "tiny.glb")
+    pictures = []
+    for path in (package, carrier):
+        film = {"type": "hdrfilm", "width": 16, "height": 12, "rfilter": {"type": "box"}}
+        camera = mi.ScalarTransform4f().look_at([2, 2, 3], [0, 0, 0], [0, 1, 0])
+        scene = {
+            "type": "scene",
+            "integrator": {"type": "rna_path"},
+            "sensor": {"type": "perspective", "to_world": camera, "film": film},
+            "light": {"type": "constant"},
+            "asset": {"type": "rna", "filename": str(path)},
+        }
+        pictures.append(np.array(mi.render(mi.load_dict(scene), spp=2, seed=1)))
+    assert pictures[0].tobytes() == pictures[1].tobytes()
+    assert len(np.unique(pictures[0][..., 0])) > 2
 
 
 def test_instances_share_a_package() -> None:

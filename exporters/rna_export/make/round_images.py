@@ -6,6 +6,7 @@ from collections.abc import Collection
 from time import monotonic
 
 from rna_export.capture.capture_settings import CaptureSettings
+from rna_export.capture.dataset.completeness import forget
 from rna_export.capture.time_plan import IMAGE_SHARE, with_smaller_images
 from rna_export.make.capture_rounds import Rays
 from rna_export.make.make_progress import Stage
@@ -13,6 +14,7 @@ from rna_export.make.state import State
 
 _A_REST = IMAGE_SHARE / (1.0 - IMAGE_SHARE)  # time of images over that of all else, at most
 _ROUND = 1.5  # time of a first round over that of its rays, at least
+_FEW_PATHS = 64  # a pixel: of the toy their noise has 43 dB alone (docs/decisions/capture.md)
 _WORTH = 2.0  # times as many paths, from which new images are worth their time
 _CHANGED = "validation_resolution", "validation_samples", "validation_views"
 
@@ -25,6 +27,13 @@ class RoundImages:
 
     def __init__(self, rays: Rays, state: State, given: Collection[str]) -> None:
         self._rays, self._state, self._given = rays, state, given
+
+    @property
+    def are_noisy(self) -> bool:
+        """Whether they were shrunk to so few paths a pixel that their noise would rule a PSNR."""
+        return "validation_samples" not in self._given and (
+            self._settings().validation_samples < _FEW_PATHS
+        )
 
     def shrink(self, lights: int) -> None:
         """Plan images that fit to a first round of so many lights, if those planned are larger."""
@@ -68,6 +77,9 @@ class RoundImages:
 
     def _change(self, settings: CaptureSettings) -> None:
         """Plan images of other sizes; what is rendered is of no use any more."""
-        for task in self._rays.images():
-            task.path(self._rays.dataset).unlink(missing_ok=True)
-        self._rays.dataset.change_settings({name: getattr(settings, name) for name in _CHANGED})
+        dataset = self._rays.dataset
+        paths = [task.path(dataset) for task in self._rays.images()]
+        forget(dataset, paths)
+        for path in paths:
+            path.unlink(missing_ok=True)
+        dataset.change_settings({name: getattr(settings, name) for name in _CHANGED})

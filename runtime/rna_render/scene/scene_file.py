@@ -11,7 +11,7 @@ import yaml
 from pydantic import BaseModel, ValidationError
 
 from rna_render.scene.animation import frame_scene
-from rna_render.scene.core_yaml import CoreLoader, load_yaml
+from rna_render.scene.core_yaml import CoreLoader
 from rna_render.scene.limits import MAX_SCENE_BYTES
 from rna_render.scene.scene_messages import Key, Mistake, mistakes
 from rna_render.scene.scene_model import CameraModel, Scene
@@ -72,21 +72,19 @@ class SceneFile:
         return scene
 
     def check(self, key: Key, path: Path) -> None:
-        """Raises SceneError, which points at `key`, where `path` is not a regular file."""
+        """Raises SceneError, which points at `key`, where `path` is not a regular file.
+
+        An asset's path has to have the name of a package, too.
+        """
         try:
             check_regular(path)
         except FileNotFoundError as error:
             raise self.error(key, f"no such file: {path}") from error
         except OSError as error:
             raise self.error(key, f"{error.strerror}: {path}") from error
-
-    def asset_path(self, index: int) -> Path:
-        """The package of one of the scene's assets. Raises SceneError if there is no such file."""
-        path, key = self.resolve(self.scene.assets[index].path), ("assets", index, "path")
-        self.check(key, path)
-        if (wrong := not_a("package", path)) is not None:
+        is_asset = key[:1] == ("assets",) and key[2:] == ("path",)
+        if is_asset and (wrong := not_a("package", path)) is not None:
             raise self.error(key, f"{path.name} is {wrong}")
-        return path
 
     def with_changes(self, tier: str | None = None, **changes: Any) -> SceneFile:
         """This scene with other values for top-level keys, and `tier` for every asset."""
@@ -110,7 +108,7 @@ def read_scene(path: Path) -> SceneFile:
     except OSError as error:
         raise SceneError(error.strerror or str(error), file=path) from error
     if kind_of(path) == "package":
-        scene = Scene.model_validate(load_yaml(default_scene(path)))
+        scene = Scene.model_validate(default_scene(path))
         return SceneFile(path, scene, {})  # no lines: the person has no file with them
     if (wrong := not_a("scene", path)) is not None:
         raise SceneError(wrong, file=path)

@@ -7,6 +7,7 @@ import { decodeEntry } from "./deflate.js";
 import { entriesOf, environmentOf, readHarmonics, VISIBILITY_COLUMNS } from "./environment_form.js";
 import { fail } from "./errors.js";
 import { variantsOf } from "./extensions.js";
+import { packageIn } from "./gltf_package.js";
 import { readImage } from "./images.js";
 import { checkEntries, readManifest } from "./manifest.js";
 import { readMesh } from "./mesh.js";
@@ -18,10 +19,11 @@ import { checkRecord, readNormalMap, readTransmittance } from "./textures.js";
 const GAP = 65536;
 
 export class Package {
+  /** source: of a package, or of a binary glTF that has one. */
   static async open(source) {
     const opened = new Package();
-    opened.source = source;
-    opened.directory = await readDirectory(source);
+    opened.source = await packageIn(source);
+    opened.directory = await readDirectory(opened.source);
     opened.cache = new Map();
     opened.images = new Map();  // decoded
     opened.manifest = readManifest(await opened._stored(MANIFEST));
@@ -62,6 +64,12 @@ export class Package {
     const parts = this.manifest.parts.map((part, k) => this._part(part, tier.parts[k], k, data));
     if (wantsLobes && this.environment) await this._addEnvironment(parts, tier, data);
     return { name: tier.name, tier, parts };
+  }
+
+  /** The bytes of entries, by name, which are fetched with the images of base colour. */
+  async read(names) {
+    this._fetch([...new Set([...names, ...this._images()])]);
+    return new Map(await Promise.all(names.map(async (name) => [name, await this._data(name)])));
   }
 
   /** Names of the prints that `variant` may be. */
