@@ -35,7 +35,7 @@ MAX_NARROW_LOBES = 3
 """Mirror lobes, or cones, of a mixture of RNA_sampling."""
 
 MAX_MIXTURES = 16
-"""Of a part."""
+"""Mixtures of a part."""
 
 MAX_VALIDATIONS = 64
 """Environments under which the error of lobes is recorded."""

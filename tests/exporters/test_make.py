@@ -162,7 +162,7 @@ def test_without_a_goal_it_ends_when_the_error_stops_falling(make: Any, tmp_path
 
 @pytest.fixture(scope="module")
 def whole_run() -> list[tuple[Made, Cycles]]:
-    """Of `whole`, once it was made."""
+    """Calls of `whole`, once it was made."""
     return []
 
 

@@ -16,7 +16,7 @@ from torch.nn.functional import softplus
 from rna_export.training.model.tensor_vectors import dot
 
 HAIR_OUTPUTS = 7
-"""Of the network."""
+"""Number of outputs of the network."""
 
 _EXPONENTS = 1.0, 9.0  # of two: narrow highlights have the larger one
 

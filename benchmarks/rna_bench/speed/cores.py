@@ -36,7 +36,7 @@ _LOOP = "while True: pass"
 _LOOPS, _SECONDS = [2, 4], 8.0
 """Busy processes beside the work, each number in turn; time of a measurement."""
 EFFICIENCY = 0.8
-"""Of so many times the rate of one thread: the mark for captures, renders and queries."""
+"""Least share of linear speed-up that captures, renders and queries must reach."""
 
 
 def run(args: argparse.Namespace) -> None:

@@ -138,7 +138,7 @@ def _package_path(item):
 
 
 def _options(settings):
-    """Of rna-make. Raises SdkError for those that a .blend file may not ask for."""
+    """Options of rna-make. Raises SdkError for options that a .blend file may not set."""
     result = ["--presets", *settings.presets.split()]
     if settings.minutes > 0.0:
         result.append(f"--minutes={settings.minutes:g}")

@@ -118,7 +118,7 @@ def measured_pilot(
 
 
 def no_gain(opened: OpenedSource) -> str | None:
-    """Why no gain is promised, or None: where a tenth of what is seen will not be learnt."""
+    """Reason for promising no gain, or None; from a tenth of the visible area not learnt on."""
     names, share = not_learnt(opened.materials)
     if share < _MATTERS:
         return None

@@ -31,12 +31,12 @@ from rna_sdk.errors import CaptureError
 from rna_sdk.package import Domain
 
 CHECK_RENDERS = 6
-"""Of `OpenedSource.checked`."""
+"""Number of renders of `OpenedSource.checked`."""
 
 
 @dataclass(frozen=True)
 class Speed:
-    """Of one worker: paths a second, and processor time of a path, s."""
+    """Speed of one worker: paths a second, and processor time of a path, s."""
 
     rate: float
     path_seconds: float

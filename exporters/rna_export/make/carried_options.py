@@ -1,4 +1,4 @@
-"""Options of an `rna-make` that goes on from an earlier one: what is not given is that one's."""
+"""Options of an `rna-make` that continues an earlier one: omitted options keep their values."""
 
 from __future__ import annotations
 

@@ -46,7 +46,7 @@ def end_of(options: MakeOptions, state: State) -> float:
 
 
 def plan_text(plan: Plan, options: MakeOptions, state: State, dataset: Dataset) -> str:
-    """What is going to happen, in a line."""
+    """The planned work, in a line."""
     rounds, presets = plan.rounds, " and ".join(options.presets)
     settings, more = dataset.manifest.settings, state.more
     if more is not None:

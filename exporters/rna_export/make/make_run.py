@@ -124,7 +124,7 @@ class Make:
         return Made(dataset, why, rounds, tuple(folders.values()), self._lead)
 
     def _opened_state(self, say: Callable[[str], None]) -> State:
-        """That of the work folder, with what is requested now; a new one if there is none."""
+        """State of the work folder with the present request; a new one if there is none."""
         options = self._options
         state = read_state(options.work)
         if options.update and (state is None or state.is_finished or state.starts is None):

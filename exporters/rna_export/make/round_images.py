@@ -67,7 +67,7 @@ class RoundImages:
         return self._rays.dataset.manifest.settings
 
     def _change(self, settings: CaptureSettings) -> None:
-        """Plan images of other sizes; what is rendered is of no use any more."""
+        """Plan images of other sizes; the rendered images are of no use any more."""
         for task in self._rays.images():
             task.path(self._rays.dataset).unlink(missing_ok=True)
         self._rays.dataset.change_settings({name: getattr(settings, name) for name in _CHANGED})

@@ -33,7 +33,7 @@ class Effort:
 
     @classmethod
     def of(cls, trained: Sequence[Trained], dataset: Dataset) -> Effort:
-        """Of the models of all parts in one preset; of the part with the fewest steps."""
+        """Effort of the models of all parts in one preset; steps of the part with the fewest."""
         least = min(trained, key=lambda one: one.steps)
         kinds = {part.kind for part in dataset.parts}
         usual = CaptureSettings.usual(kinds.pop() if len(kinds) == 1 else "both")
@@ -89,7 +89,7 @@ def closing_lines(best: Path, part: DatasetPart) -> list[str]:
 
 
 def _error(trained: Trained, part: DatasetPart, views: list[ValidationView]) -> AssetFlip:
-    """Of reflected light or of emission, whichever is larger."""
+    """Error of reflected light or of emission, whichever is larger."""
     radiance = [shade(trained.model, view) for view in views]
     emitted = [(shade_emission(trained.model, view), view) for view in part.emission_views()]
     return worse_error(radiance, views, emitted)

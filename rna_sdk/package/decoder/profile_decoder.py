@@ -101,7 +101,7 @@ class ProfileDecoder:
 
     @property
     def multiply_adds(self) -> int:
-        """Of a query, in all layers and the matrix."""
+        """Multiply-adds of a query, in all layers and the matrix."""
         products = [layer.weight for layer in self.layers]
         return sum(weight.size for weight in products) + (
             0 if self.matrix is None else self.matrix.size

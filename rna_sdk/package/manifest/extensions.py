@@ -210,7 +210,7 @@ class FiberLobe(RayLobe):
 
 
 LARGEST_SHARE = 0.99
-"""Of all lobes of a mixture together; all directions alike have the rest."""
+"""Largest share of all lobes of a mixture; uniform directions have the rest."""
 
 
 class Mixture(SparseRecord):
@@ -265,7 +265,7 @@ USUAL_SAMPLING: dict[Kind, Mixture] = {
         forward=FiberLobe(share=0.25, width=0.45), cone=(FiberLobe(share=0.45, width=0.06),)
     ),
 }
-"""Of parts without a mixture of their own: docs/decisions/renderer.md, "Rays leave assets in a
+"""Mixtures for parts without their own: docs/decisions/renderer.md, "Rays leave assets in a
 mixture of lobes"."""
 
 

@@ -81,7 +81,7 @@ class EquirectangularImage:
         self._turn(angle)
 
     def _choice(self, mean: float) -> _Choice:
-        """What directions are chosen with, in proportion to what is brighter than `mean`."""
+        """Sampler of directions, in proportion to the radiance above `mean`."""
         h, w, _ = self._texels.shape
         columns = np.empty((h + 1, w + 1))
         sums_of_cells(self._texels, np.arange(h + 1), self._heights, mean, columns)

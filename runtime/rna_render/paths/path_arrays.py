@@ -46,7 +46,7 @@ class Rays:
 
 @dataclass(frozen=True, slots=True)
 class Paths:
-    """Of the path of each of m vertices.
+    """State of the path of each of m vertices.
 
     path: (m,) its place in the band. beta: (m, 3) float32, its throughput. share: (m,) float32, as
     of rays. kind: (m,) int8, of the vertex. numbers: random numbers.

@@ -34,7 +34,7 @@ class FirstLook:
         return cls(rgba(film), lobed, samples)
 
     def share(self, samples: int) -> float:
-        """Of this picture where lobes are seen, after so many samples."""
+        """Weight of this picture after `samples` samples, where lobes are seen."""
         return max(0.0, 1.0 - samples / min(FADED, self.samples))
 
     def blended(self, picture: np.ndarray, samples: int) -> np.ndarray:

@@ -181,7 +181,7 @@ def _check_hair(shown: ColourOfUv) -> None:
 def _fit_holes(
     surface: Surface, cutoff: float | None, tried: list[Chart], points: UvPoints, truth: np.ndarray
 ) -> Fit:
-    """The best texture of a material's holes; with a cutoff, of what is compared with it."""
+    """The best texture of a material's holes; with a cutoff, of the value it is compared with."""
     shown = surface.shown
     holes = shown if cutoff is None else surface.holes
     assert holes is not None and shown is not None  # the caller has checked

@@ -61,7 +61,7 @@ class Dependence:
 
 
 def dependence(sources: Iterable[Source]) -> Dependence:
-    """Of the value that comes from these nodes: all that are before it."""
+    """Dependence of a value on all nodes before these sources."""
     result = Dependence()
     for node, output, inside in sources:
         if node.type in _OUTSIDE_UV and output.name in (_OUTSIDE_UV[node.type] or (output.name,)):

@@ -113,7 +113,7 @@ def is_smooth_glass(shader: Shader) -> bool:
 
 
 def _absorption(material: bpy.types.Material) -> tuple[float, ...]:
-    """Of the volume, 1/m; scattered light is counted as absorbed."""
+    """Absorption of the volume, 1/m; scattered light is counted as absorbed."""
     total = [0.0, 0.0, 0.0]
     for shader in volume_shaders(material):
         density = (constant(shader, "Density") or (0.0,))[0]

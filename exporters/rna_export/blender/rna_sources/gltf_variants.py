@@ -90,7 +90,7 @@ def show(name: str | None) -> None:
 
 
 def _changes(data: Any, variant: int) -> dict[Material | None, set[Material | None]]:
-    """What is in the place of each material of the file, on any of its primitives."""
+    """Material of the file -> its replacements in a variant, on any primitive."""
     result: dict[Material | None, set[Material | None]] = {}
     for mesh in data.meshes or []:
         for primitive in mesh.primitives:

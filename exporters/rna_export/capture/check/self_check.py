@@ -1,4 +1,4 @@
-"""The check of a capture against Cycles: is what was exported what is rendered?
+"""The check of a capture against Cycles: do exported and rendered geometry agree?
 
 Radiance is recorded at the hits of our own scene. Where Cycles shows another surface, or none,
 the record is wrong, and nothing later can tell: training and validation know our hits alone.

@@ -36,7 +36,7 @@ def check_complete(dataset: Dataset, accepts: bool) -> None:
 
 
 def differences(dataset: Dataset) -> list[str]:
-    """What is uncaptured, missing or replaced, a phrase each with numbers and names of files."""
+    """Uncaptured, missing and replaced files, a phrase each with numbers and names."""
     folder, recorded = dataset.folder, _recorded(dataset.folder)
     planned = [path.relative_to(folder).as_posix() for path in dataset.planned_files()]
     absent = {name for name in {*planned, *recorded} if not (folder / name).is_file()}

@@ -118,7 +118,7 @@ class Dataset:
 
     @cached_property
     def geometry_digest(self) -> str:
-        """Of the files of all geometry and of what it lets through."""
+        """Digest of the files of all geometry and transmittance."""
         digest = hashlib.sha256()
         for folder in ("geometry", "transmittance"):
             for path in sorted((self.folder / folder).glob("*.safetensors")):
@@ -179,7 +179,7 @@ class Dataset:
         self.change_settings({"lights": lights})
 
     def change_settings(self, changes: Mapping[str, int | float]) -> None:
-        """Change settings of what is not captured yet."""
+        """Change settings of files that are not captured yet."""
         settings = self.manifest.settings.model_copy(update=dict(changes))
         self.manifest = self.manifest.model_copy(update={"settings": settings})
         self.manifest.write(self.folder / "manifest.json")

@@ -27,7 +27,7 @@ OF_DIAGONAL = {"surface": (0.005, 0.015, 0.045), "fiber": (0.004, 0.015, 0.05)}
 """Kind of part -> lengths, over the diagonal of the asset's box (docs/decisions/model.md)."""
 
 TRAINING_RAYS = 24
-"""Of each of two estimates, whose product of errors has no bias of their noise."""
+"""Rays of each of two estimates; the product of their errors is not biased by noise."""
 
 IMAGE_RAYS = 256
 _BLOCK = 1 << 17  # rows of a file

@@ -119,7 +119,7 @@ class WhiteView(ValidationView):
 
     @property
     def cosine(self) -> np.ndarray:
-        """Of the angle between wo and the normal, or the plane across the strand: (n,)."""
+        """Cosine of the angle between wo and the normal, or the plane across the strand: (n,)."""
         axis = self.samples["tangent" if self.is_of_strands else "normal"]
         along = np.minimum(np.abs(np.sum(axis * self.samples["wo"], axis=1)), 1.0)
         return np.asarray(np.sqrt(1.0 - along**2) if self.is_of_strands else along)

@@ -127,7 +127,7 @@ def pilot_paths(settings: CaptureSettings) -> int:
 
 
 def variances(luminance: np.ndarray, samples: int) -> tuple[float, float]:
-    """Of a path along a fixed ray, and within a pixel, of what rays showed.
+    """Variances of a path along a fixed ray, and of rays within a pixel.
 
     luminance: (3, n) float32, means of `samples` paths: along rays, along them once more with other
     random numbers, and along others through the same pixels. Exposed and clamped to [0, 1], as the

@@ -63,7 +63,7 @@ class BaseColors:
 
     @classmethod
     def of(cls, worker: BlenderWorker, charts: dict[str, Any], largest: int) -> BaseColors:
-        """Of all materials of the source, and of its variants.
+        """Base colours of all materials of the source and of its variants.
 
         charts: that other textures have taken. largest: texels a side of what is baked, at most.
 

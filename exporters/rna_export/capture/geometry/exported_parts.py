@@ -162,7 +162,7 @@ def _add_surface(
     colors: BaseColors,
     largest: int,
 ) -> None:
-    """largest: texels a side of what is baked."""
+    """Add a surface; largest: texels a side of baked images."""
     last = list(dict.fromkeys([*of.normals, *of.see_through, *colors.materials]))
     corners = with_last(worker.export_corners(part.owner, colors.charts), last)
     if not len(corners["material"]):

@@ -84,7 +84,7 @@ def verdicts(
 
 
 def not_learnt(of: Iterable[MaterialVerdict]) -> tuple[str, float]:
-    """The materials with a part that is not learnt, in words, and their share of what is seen."""
+    """Materials with a part that is not learnt, in words, and their share of the visible area."""
     those = [each for each in of if each.learnt == "not"]
     share = sum(each.share for each in those)
     seen = f" ({share_text(share)} of what is seen)" if share < 1.0 else ""
@@ -97,7 +97,7 @@ def share_text(share: float) -> str:
 
 
 def preflight_lines(of: Iterable[MaterialVerdict]) -> list[str]:
-    """What is said of all materials before the first ray; those without a loss share a line."""
+    """Lines about all materials before the first ray; materials without a loss share a line."""
     of = list(of)
     lines = [line for each in of if each.reasons for line in each.lines]
     well: dict[str, list[str]] = {}

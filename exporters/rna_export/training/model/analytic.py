@@ -20,7 +20,7 @@ from rna_export.training.model.tensor_vectors import dot
 from rna_render.materials import ALBEDO_MEANS, ALBEDO_TABLE
 
 GLTF_OUTPUTS = 8
-"""Of the decoder."""
+"""Number of outputs of the decoder."""
 
 COAT_F0 = 0.04
 """Reflectance of glTF's dielectrics seen straight on."""

@@ -60,7 +60,7 @@ class StepThreads:
 
     @classmethod
     def of(cls, fitting: Fitting, batches: tuple[int, int]) -> StepThreads:
-        """Of the calling thread's number, for steps of a model.
+        """Threads of a model's steps, from the number that the calling thread has.
 
         batches: rows of a step, of transport and of emission. On a GPU, or where results would
         depend on the number, it stays as it is.
