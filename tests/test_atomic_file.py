@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 from rna_render.image.images import write_png
-from rna_sdk.atomic_file import atomic_file, remove_leftovers, write_atomically
 from rna_sdk.errors import SceneError
-from rna_sdk.outputs import check_outputs
+from rna_sdk.files.atomic_file import atomic_file, remove_leftovers, write_atomically
+from rna_sdk.files.outputs import check_outputs
 from rna_sdk.runtime.engine import costs
 
 
@@ -73,7 +73,7 @@ def test_an_image_that_cannot_be_renamed_leaves_none(tmp_path: Path, no_rename: 
 KILLED = """
 import os, signal, sys, time
 from pathlib import Path
-from rna_sdk.atomic_file import atomic_file
+from rna_sdk.files.atomic_file import atomic_file
 with atomic_file(Path(sys.argv[1])) as temporary:
     temporary.write_bytes(b"half")
     print("writes", flush=True)

@@ -11,7 +11,7 @@ from types import ModuleType
 import pytest
 
 from rna_export.capture.blender_process import blender_env
-from rna_sdk.owned_folder import cache_folder
+from rna_sdk.files.owned_folder import cache_folder
 from rna_sdk.runtime.engine import costs
 from rna_work.cached import sources_folder
 from tests.conftest import REPOSITORY

@@ -9,7 +9,7 @@ from importlib import import_module
 import pytest
 
 import rna_sdk
-from rna_sdk.console import command_line, command_parser
+from rna_sdk.commands.console import command_line, command_parser
 from tests.conftest import REPOSITORY
 
 COMMANDS = tomllib.loads((REPOSITORY / "pyproject.toml").read_text())["project"]["scripts"]

@@ -14,7 +14,7 @@ import pytest
 from numba import types
 from numba.core.caching import IndexDataCacheFile
 
-from rna_sdk import compiled as module
+from rna_sdk.machine import compiled as module
 
 REPOSITORY = Path(__file__).parent.parent
 
@@ -22,7 +22,7 @@ HELPERS = """
 from llvmlite import ir
 from numba import types
 from numba.extending import intrinsic
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 
 CONSTANT = {constant}
 
@@ -49,7 +49,7 @@ import numpy as np
 import helpers
 from numba import prange
 from helpers import CONSTANT, called, generated
-from rna_sdk.compiled import callback, compiled
+from rna_sdk.machine.compiled import callback, compiled
 
 @compiled({options})
 def fill(numbers):
@@ -71,7 +71,7 @@ NUMBERS = {"constant": 1.0, "called": 2.0, "called_by_name_of_the_module": 4.0, 
 FORKING = """
 import os, runpy, sys
 import numba, numpy
-import rna_sdk.compiled
+import rna_sdk.machine.compiled
 
 for line in iter(sys.stdin.readline, ""):
     folder = line.rstrip("\\n")
@@ -193,7 +193,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numba
 import numpy as np
 from numba import prange
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_sdk.errors import RnaError
 {before}
 @compiled(parallel=True)
@@ -219,9 +219,9 @@ def test_parallel_kernels_may_run_side_by_side(tmp_path: Path, layer: str) -> No
 
 QUOTA = """
 import os
-from rna_sdk import cores
+from rna_sdk.machine import cores
 cores.core_count = lambda: 1
-from rna_sdk.numba_threads import launch_numba_threads
+from rna_sdk.machine.numba_threads import launch_numba_threads
 import numba
 launch_numba_threads()
 print(numba.get_num_threads(), os.environ["OMP_WAIT_POLICY"])

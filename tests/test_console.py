@@ -11,12 +11,12 @@ from pathlib import Path
 
 import pytest
 
-from rna_sdk.console import run_command
+from rna_sdk.commands.console import run_command
 
 LONG = """
 import sys
 from pathlib import Path
-from rna_sdk.console import command_parser, run_command
+from rna_sdk.commands.console import command_parser, run_command
 options = command_parser("rna-test", "Test.", "rna-test", epilog=100_000 * "long ")
 options.parse_args(sys.argv[2:])
 def command():
@@ -86,7 +86,7 @@ def test_output_into_a_full_disk_is_one_line(tmp_path: Path) -> None:
 
 WAITING = """
 import sys, time
-from rna_sdk.console import run_command
+from rna_sdk.commands.console import run_command
 def command():
     try:
         print("runs", flush=True)
@@ -120,7 +120,7 @@ def test_a_command_that_is_stopped_tidies(number: int, background: bool) -> None
 
 DELETING = """
 import sys, time
-from rna_sdk.console import run_command
+from rna_sdk.commands.console import run_command
 class Bar:
     def __del__(self):
         print("runs", flush=True)

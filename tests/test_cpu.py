@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from rna_sdk import cores as cores_module
-from rna_sdk.cores import core_count
-from rna_sdk.cpu import thread_count
+from rna_sdk.machine import cores as cores_module
+from rna_sdk.machine.cores import core_count
+from rna_sdk.machine.cpu import thread_count
 
 
 def written(root: Path, files: dict[str, str]) -> Path:

@@ -10,9 +10,9 @@ from contextlib import ExitStack
 
 import pytest
 
-from rna_render import local_server
-from rna_render.local_server import MAX_CONNECTIONS, LocalHandler, LocalServer
 from rna_render.preview.server import PreviewServer
+from rna_sdk.commands import local_server
+from rna_sdk.commands.local_server import MAX_CONNECTIONS, LocalHandler, LocalServer
 from rna_view.page_server import PageServer
 from rna_view.site_files import Site
 from tests.answering import answering

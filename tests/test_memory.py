@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from rna_render.image.film import Film
-from rna_sdk import memory
 from rna_sdk.errors import RnaError
+from rna_sdk.machine import memory
 
 
 @pytest.mark.skipif(memory._memory() is None, reason="the system does not tell its memory")

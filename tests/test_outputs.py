@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import RnaError
-from rna_sdk.outputs import check_outputs, check_package_name, check_writable
+from rna_sdk.files.atomic_file import write_atomically
+from rna_sdk.files.outputs import check_outputs, check_package_name, check_writable
 
 
 def test_a_device_is_not_replaced_by_a_file(tmp_path: Path) -> None:

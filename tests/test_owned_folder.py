@@ -11,12 +11,12 @@ from pathlib import Path
 import pytest
 
 from rna_sdk.errors import RnaError
-from rna_sdk.owned_folder import owned
+from rna_sdk.files.owned_folder import owned
 
 HOLDER = """
 import sys, time
 from pathlib import Path
-from rna_sdk.owned_folder import owned
+from rna_sdk.files.owned_folder import owned
 with owned(Path(sys.argv[1]), "rna-test") as own, own.scratch() as scratch:
     (scratch / "half").touch()
     (own.path / "result").touch()

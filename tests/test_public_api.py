@@ -22,24 +22,10 @@ PUBLIC = {
     "rna_sdk.conformance.reader_program",
 }
 """Modules for everybody; of those with `__all__`, the names in it."""
-OUR_TOOLS = {
-    f"rna_sdk.{name}"
-    for name in (
-        "arrays",
-        "atomic_file",
-        "compiled",
-        "console",
-        "cores",
-        "cpu",
-        "file_kinds",
-        "gltf_remedies",
-        "kernel_threads",
-        "memory",
-        "outputs",
-        "owned_folder",
-        "regular_file",
-        "size_note",
-    )
+OUR_TOOLS = {"rna_sdk.arrays"} | {
+    f"rna_sdk.{path.parent.name}.{path.stem}"
+    for room in ("commands", "files", "machine")
+    for path in (REPOSITORY / "rna_sdk" / room).glob("*.py")
 }
 """How our own commands check arrays, read, write, are compiled, threaded, and talk."""
 OTHER_HALF = {
@@ -57,7 +43,7 @@ EXPORTED = {"rna_render.lights", "rna_render.materials", "rna_render.world.neura
 trains them along directions that paths would take, and fits the material of meshes."""
 USERS = {
     "runtime/rna_gpu": OTHER_HALF,
-    "runtime/rna_view": {"rna_render.local_server"},
+    "runtime/rna_view": set(),
     "exporters/rna_export": EXPORTED,
     "benchmarks/rna_bench": MEASURED,
 }
@@ -130,7 +116,7 @@ def test_faces_are_small(face: str) -> None:
         "from rna_sdk.package.manifest.extensions import Proxy",
         "from rna_sdk.package import Container",
         "import rna_sdk.package.manifest.manifest_model",
-        "from rna_sdk.compiled import compiled",
+        "from rna_sdk.machine.compiled import compiled",
     ],
 )
 def test_other_imports_are_noticed(line: str) -> None:

@@ -36,7 +36,7 @@ for room in ("rna_sdk", "rna_work", "rna_trace", "rna_render"):
             importlib.import_module(module.name)
 
 import numpy as np
-from rna_sdk.atomic_file import write_atomically
+from rna_sdk.files.atomic_file import write_atomically
 from rna_sdk.package import validate
 from rna_sdk.runtime import load
 from rna_work.cached import locked

@@ -19,7 +19,7 @@ import pytest
 
 from rna_bench.cli import parser_of
 from rna_bench.commands import COMMANDS
-from rna_sdk.console import split_script_arguments
+from rna_sdk.commands.console import split_script_arguments
 from rna_sdk.package import Cost, FlipAtHeight, Tier, Validation
 from tests.conftest import REPOSITORY
 from tests.package.builders import make_tier, make_tiny_package

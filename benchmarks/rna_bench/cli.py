@@ -11,9 +11,9 @@ from pathlib import Path
 from rna_bench.bench_options import OptionHelp
 from rna_bench.commands import COMMANDS, Command
 from rna_bench.stamp import stamp
-from rna_sdk.command_parser import CommandParser
-from rna_sdk.console import command_parser, run_command, split_script_arguments
-from rna_sdk.outputs import check_no_input
+from rna_sdk.commands.command_parser import CommandParser
+from rna_sdk.commands.console import command_parser, run_command, split_script_arguments
+from rna_sdk.files.outputs import check_no_input
 
 _EXAMPLE = "rna-bench scenes toy.rna --source toy.py --out bench/toy"
 

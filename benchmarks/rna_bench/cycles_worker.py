@@ -10,8 +10,8 @@ from pathlib import Path
 from rna_export.capture.blender_process import blender_env
 from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
-from rna_sdk.cores import core_count
 from rna_sdk.errors import CaptureError
+from rna_sdk.machine.cores import core_count
 
 
 @contextmanager

@@ -9,8 +9,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar
 
-from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import SceneError
+from rna_sdk.files.atomic_file import write_atomically
 
 T = TypeVar("T")
 

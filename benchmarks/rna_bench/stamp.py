@@ -28,8 +28,8 @@ def stamp(arguments: Sequence[str]) -> dict[str, Any]:
     arguments: those after `rna-bench`. Absolute paths are shortened, since results are shared: to
     what they are in the repository, else to their last part.
     """
-    from rna_sdk.cores import core_count
-    from rna_sdk.cpu import processor
+    from rna_sdk.machine.cores import core_count
+    from rna_sdk.machine.cpu import processor
 
     return {
         "command": shlex.join(["rna-bench", *map(_shortened, arguments)]),

@@ -46,7 +46,7 @@ def preferences():
 
 def default_folder():
     """Default folder of the SDK's environment."""
-    # As rna_sdk.owned_folder.cache_folder, which is not installed yet.
+    # As rna_sdk.files.owned_folder.cache_folder, which is not installed yet.
     named = Path(os.environ.get("XDG_CACHE_HOME", ""))
     return (named if named.is_absolute() else Path.home() / ".cache") / "rna-sdk" / "sdk"
 

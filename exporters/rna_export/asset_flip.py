@@ -10,7 +10,7 @@ import numpy as np
 
 from rna_export.metrics import IRRADIANCE, flip
 from rna_render.lights import LUMINANCE
-from rna_sdk.error_words import error_text
+from rna_sdk.commands.error_words import error_text
 
 DEFINITION = (
     "FLIP of the sRGB images over black, the asset's pixels alone, without the references' noise; "

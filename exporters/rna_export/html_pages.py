@@ -7,7 +7,7 @@ from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
-from rna_sdk.atomic_file import write_atomically
+from rna_sdk.files.atomic_file import write_atomically
 
 _TEMPLATES = Environment(
     loader=PackageLoader("rna_export"),

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont
 
 from rna_export.metrics import display, flip, to_png
-from rna_sdk.atomic_file import write_atomically
+from rna_sdk.files.atomic_file import write_atomically
 
 Picture = NDArray[np.uint8]
 

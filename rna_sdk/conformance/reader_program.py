@@ -12,11 +12,11 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.atomic_file import write_atomically
 from rna_sdk.conformance.kit import LEVELS
 from rna_sdk.conformance.lobe_queries import COLUMNS, COMMAND, LobeQueries
 from rna_sdk.conformance.program import command_of
 from rna_sdk.errors import ConformanceError, RnaError
+from rna_sdk.files.atomic_file import write_atomically
 from rna_sdk.package.decoder.decoder_form import FORMS, TRANSPORT, DecoderForm
 from rna_sdk.package.decoder.query_arrays import NEARBY, arrays_of, column_count
 

@@ -11,12 +11,12 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict
 from pathlib import Path
 
+from rna_sdk.commands.console import command_parser, run_command, split_script_arguments
 from rna_sdk.conformance.kit import LEVELS, Kit, find_kit, load_kit
 from rna_sdk.conformance.program import Command, Program, claimed_levels
 from rna_sdk.conformance.scoring import Score, cases, score
-from rna_sdk.console import command_parser, run_command, split_script_arguments
-from rna_sdk.cores import core_count
 from rna_sdk.errors import ConformanceError
+from rna_sdk.machine.cores import core_count
 
 MEASURED = ("evaluate", "environment", "normals", "base-color", "geometry", "deformed")
 """Levels whose rows have tolerances of their own."""

@@ -20,8 +20,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.arrays import first_not_finite
-from rna_sdk.atomic_file import atomic_file
 from rna_sdk.errors import MotionError, PackageError
+from rna_sdk.files.atomic_file import atomic_file
+from rna_sdk.files.regular_file import check_regular
 from rna_sdk.package import Code, Curves, Mesh
 from rna_sdk.package.container.tensor_file import (
     TensorCodes,
@@ -30,7 +31,6 @@ from rna_sdk.package.container.tensor_file import (
     tensors_from_bytes,
     tensors_header,
 )
-from rna_sdk.regular_file import check_regular
 
 Float32 = NDArray[np.float32]
 

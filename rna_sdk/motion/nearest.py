@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_sdk.runtime.kernels.rotations import combined, difference, direction
 from rna_sdk.runtime.kernels.vectors import Vector, cross, dot
 

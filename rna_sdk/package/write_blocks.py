@@ -110,7 +110,7 @@ def _lanes(formulas: BlockFormulas) -> str:
     text = _lines(
         f'"""Compiled: input blocks, LANES rows at a time. {_NOTE}"""\n\n{_RAW}',
         "from __future__ import annotations\n\nfrom typing import Any\n",
-        "from rna_sdk.compiled import compiled",
+        "from rna_sdk.machine.compiled import compiled",
         "from rna_sdk.package.block_table import "
         + ", ".join(sorted(block.upper() for block, values in formulas.values.items() if values)),
         "from rna_sdk.runtime.kernels.block_columns import put",

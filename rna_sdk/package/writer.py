@@ -11,8 +11,8 @@ from dataclasses import dataclass, field
 from os import PathLike
 from pathlib import Path
 
-from rna_sdk.atomic_file import atomic_file
 from rna_sdk.errors import PackageError
+from rna_sdk.files.atomic_file import atomic_file
 from rna_sdk.package.container.strict_json import pointer
 from rna_sdk.package.container.zip_container import MANIFEST_NAME
 from rna_sdk.package.container.zip_writer import write_container

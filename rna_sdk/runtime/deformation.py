@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from rna_sdk.arrays import first_not_finite, indices, scalars, vectors
 from rna_sdk.errors import QueryError
-from rna_sdk.kernel_threads import at_most
+from rna_sdk.machine.kernel_threads import at_most
 from rna_sdk.package import Curves, Mesh
 
 Float32 = NDArray[np.float32]

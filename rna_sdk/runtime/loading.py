@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from os import PathLike
 
-from rna_sdk.cpu import thread_count
 from rna_sdk.errors import QueryError
+from rna_sdk.machine.cpu import thread_count
 from rna_sdk.package import Package
 from rna_sdk.runtime.asset import CompositeAsset
 from rna_sdk.runtime.fiber_asset import FiberAsset

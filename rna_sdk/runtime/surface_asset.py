@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.errors import QueryError
-from rna_sdk.kernel_threads import at_most
+from rna_sdk.machine.kernel_threads import at_most
 from rna_sdk.package import Mesh
 from rna_sdk.package.decoder.query_arrays import Rows
 from rna_sdk.runtime.asset import AssetPart

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_gpu.records.geometry import NODE
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 
 BINS = 16
 LEAF = 4  # primitives

@@ -1,4 +1,4 @@
-"""Nearby light (spec/RNA.md, 7.3) in Dr.Jit; `rna_sdk/reference/nearby.py` has it in numpy."""
+"""Nearby light (spec/RNA.md, 7.3) in Dr.Jit; `tests/reference/nearby.py` has it in numpy."""
 
 from __future__ import annotations
 

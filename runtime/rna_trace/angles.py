@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 
 # Taylor's series on [-pi/4, pi/4]: sin(x) = x + x^3 (S0 + S1 x^2 + ...), and cos(x) likewise.
 _S = tuple(1.0 / v for v in (-6.0, 120.0, -5040.0, 362880.0, -39916800.0, 6227020800.0))

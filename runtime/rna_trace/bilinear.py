@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 
 REPEAT, CLAMP, MIRROR = 0, 1, 2
 

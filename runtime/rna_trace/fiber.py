@@ -12,8 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from rna_sdk.arrays import check_numbers
-from rna_sdk.compiled import compiled
 from rna_sdk.errors import QueryError
+from rna_sdk.machine.compiled import compiled
 from rna_sdk.package import Curves
 from rna_trace.vectors import Vector, unit, vector_at
 

@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_trace.vectors import Vector, cross, dot, minus, plus, unit, vector_at
 
 # Rounding errors of 2^-24 that a step makes up for, in units of the two sizes below. Of 0.8 million

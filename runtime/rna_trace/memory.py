@@ -10,7 +10,7 @@ from llvmlite import ir
 from numba import types
 from numba.extending import intrinsic
 
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 
 
 def _load(word: Any, result: Any) -> Any:

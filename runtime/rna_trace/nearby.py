@@ -1,7 +1,7 @@
 """Nearby light (spec/RNA.md, 7.3): the light that enters an asset beside a point, by distance.
 
 An estimate takes one ray, along a column of light that stands beside the point in the plane across
-the light's direction. `rna_sdk/reference/nearby.py` says the same in numpy.
+the light's direction. `tests/reference/nearby.py` says the same in numpy.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_trace.vectors import along, vector_at
 
 if TYPE_CHECKING:

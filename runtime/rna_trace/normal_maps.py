@@ -10,7 +10,7 @@ from copy import copy
 
 import numpy as np
 
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_sdk.package import Mesh, NormalMap, Transmittance
 from rna_trace.bilinear import REPEAT, texels_around
 from rna_trace.vectors import Vector, cross, dot, minus, plus, unit, vector_at

@@ -12,8 +12,8 @@ from typing import Protocol
 import numpy as np
 
 from rna_sdk.arrays import check_numbers, vectors
-from rna_sdk.compiled import compiled
 from rna_sdk.errors import QueryError
+from rna_sdk.machine.compiled import compiled
 from rna_trace.normal_maps import NormalMaps
 from rna_trace.vectors import Vector, cross, dot, unit, vector_at
 

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from rna_sdk.arrays import check_numbers
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_trace.bilinear import REPEAT, texels_around
 from rna_trace.memory import load_f32, load_f64, load_i32, load_u8, load_u32, load_u64, signed
 from rna_trace.vectors import Vector

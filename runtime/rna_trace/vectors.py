@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 
 Vector = tuple[float, float, float]
 

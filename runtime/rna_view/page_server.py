@@ -13,7 +13,7 @@ from http import HTTPStatus
 from pathlib import Path
 from urllib.parse import unquote
 
-from rna_render.local_server import LOOPBACK, LocalHandler, LocalServer
+from rna_sdk.commands.local_server import LOOPBACK, LocalHandler, LocalServer
 from rna_sdk.errors import ViewError
 from rna_view.site_files import SCENE, SITE_NAME, Site
 

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from html import escape
 from pathlib import Path
 
-from rna_sdk.console import command_parser, run_command
+from rna_sdk.commands.console import command_parser, run_command
 from rna_view.page_server import PageServer
 from rna_view.site_export import ELEMENT_LINE, EMBED, SERVE_NOTE, export_site
 from rna_view.site_files import LIGHT, Site

@@ -10,7 +10,7 @@ import numpy as np
 from rna_render import read_environment
 from rna_render.scene import DirectionalModel, EnvironmentModel, ObjectModel, SceneFile, read_scene
 from rna_sdk.errors import PackageError, SceneError, ViewError
-from rna_sdk.file_kinds import glass_of
+from rna_sdk.files.file_kinds import glass_of
 from rna_view.site_files import Site
 
 

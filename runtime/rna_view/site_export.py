@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from rna_sdk.atomic_file import atomic_file, is_temporary, remove_leftovers, write_atomically
 from rna_sdk.errors import ViewError
+from rna_sdk.files.atomic_file import atomic_file, is_temporary, remove_leftovers, write_atomically
 from rna_view.site_files import SITE_NAME, Site
 
 SERVE_NOTE = (

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from rna_sdk.errors import ViewError
-from rna_sdk.file_kinds import glass_of, kind_of, not_a
+from rna_sdk.files.file_kinds import glass_of, kind_of, not_a
 from rna_view.site_files import Gallery, Site
 
 

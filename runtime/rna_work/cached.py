@@ -10,7 +10,7 @@ from pathlib import Path
 from uuid import uuid4
 
 from rna_sdk.errors import WorkError
-from rna_sdk.owned_folder import cache_folder
+from rna_sdk.files.owned_folder import cache_folder
 
 
 def cached(name: str, write: Callable[[Path], None]) -> Path:

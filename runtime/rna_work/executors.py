@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Protocol, TypeVar
 from uuid import uuid4
 
-from rna_sdk.cores import core_count
 from rna_sdk.errors import WorkError
+from rna_sdk.machine.cores import core_count
 from rna_work.backend import Backend, Needs
 from rna_work.processes import Processes
 from rna_work.sources import Carried, InPlace

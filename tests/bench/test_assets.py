@@ -12,7 +12,7 @@ from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.export.package_build import build_package
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.training_run import Run, train
-from rna_sdk.error_words import error_in_words
+from rna_sdk.commands.error_words import error_in_words
 from tests.exporters.synthetic import make_dataset, tiny
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from rna_sdk.error_words import error_in_words
+from rna_sdk.commands.error_words import error_in_words
 from tests.blender.conftest import RunInBlender
 from tests.conftest import REPOSITORY
 

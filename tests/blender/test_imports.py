@@ -13,8 +13,8 @@ from tests.conftest import REPOSITORY
 EXTENSION = REPOSITORY / "exporters" / "blender_extension"
 IN_BLENDER = {"bpy", "bpy_extras", "mathutils", "numpy", *sys.stdlib_module_names}
 PUBLIC = {
-    "rna_sdk.atomic_file",
-    "rna_sdk.error_words",
+    "rna_sdk.files.atomic_file",
+    "rna_sdk.commands.error_words",
     "rna_sdk.errors",
     "rna_sdk.package",
     "rna_sdk.runtime",

@@ -151,7 +151,7 @@ READERS = {
     "deformed": Reader({f"{_KIT}.deformed": ()}, f"{_KIT}.deformed", _deformed),
     "environment": Reader(
         {
-            "rna_sdk.reference.lobes": (
+            "tests.reference.lobes": (
                 *("lobes_reference", "mirror_reference", "visibility_reference"),
             )
         },
@@ -236,7 +236,7 @@ def _mutated(level: str, mutant: Mutant) -> Iterator[InProcess]:
     reader = READERS[level]
     group = {*reader.modules, reader.top, mutant.host}
     if level == "validate":
-        prefixes = "rna_sdk.package", "rna_sdk.conformance.reader", "rna_sdk.atomic_file"
+        prefixes = "rna_sdk.package", "rna_sdk.conformance.reader", "rna_sdk.files.atomic_file"
         group |= {name for name in sys.modules if name.startswith(prefixes)}
     saved = {name: sys.modules.pop(name) for name in group if name in sys.modules}
     try:

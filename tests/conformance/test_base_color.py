@@ -12,10 +12,10 @@ from rna_sdk.conformance import reader
 from rna_sdk.conformance.kit import Kit
 from rna_sdk.conformance.reader_program import BASE_COLOR_HIT
 from rna_sdk.package import BaseColor, Package
-from rna_sdk.reference import base_color as reference
 from tests.conformance import twin_reader
 from tests.conformance.conftest import InProcess
 from tests.conformance.test_readers import failures
+from tests.reference import base_color as reference
 
 Arrays = dict[str, np.ndarray]
 

@@ -9,10 +9,10 @@ from rna_sdk.conformance.lobe_queries import LobeQueries, answer_of
 from rna_sdk.conformance.reader_program import BASE_COLOR_HIT
 from rna_sdk.package import Mesh, Package, Planes, float_planes
 from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS, in_order
-from rna_sdk.reference.base_color import base_color_reference
-from rna_sdk.reference.lobes import lobes_reference, mirror_reference, visibility_reference
 from rna_sdk.runtime.engine.decoder_sessions import Graph
-from tests.reference_queries import fiber_queries_reference, queries_reference
+from tests.reference.base_color import base_color_reference
+from tests.reference.lobes import lobes_reference, mirror_reference, visibility_reference
+from tests.reference.queries import fiber_queries_reference, queries_reference
 
 Rows = NDArray[np.float32]
 

@@ -21,7 +21,7 @@ from rna_export.capture.dataset.validation_view import EmissionView, ValidationV
 from rna_export.metrics import display, flip
 from rna_export.training.asset_error import asset_error, worse_error
 from rna_render.lights import LUMINANCE
-from rna_sdk.error_words import error_in_words
+from rna_sdk.commands.error_words import error_in_words
 
 SIDE = 48
 

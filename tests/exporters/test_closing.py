@@ -20,7 +20,7 @@ from rna_export.training.training_run import Run, train
 from rna_export.training.training_summary import Effort
 from rna_export.training.training_summary import closing_lines as training_lines
 from rna_export.training.validation import exposure, mean_psnr, shade
-from rna_sdk.error_words import error_in_words, error_text
+from rna_sdk.commands.error_words import error_in_words, error_text
 from tests.exporters.synthetic import make_dataset, tiny
 from tests.exporters.two_parts import make, spikes
 

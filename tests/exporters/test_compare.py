@@ -17,7 +17,7 @@ from rna_export.compare.comparison_run import Pair, Rendered, Timed, compare, ju
 from rna_export.compare.origin import Origin
 from rna_export.compare.views import Shot, shots
 from rna_export.metrics import NoiselessPsnr, psnr
-from rna_sdk.error_words import error_text
+from rna_sdk.commands.error_words import error_text
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Mesh, Provenance
 from rna_sdk.package.packing import Unpacked

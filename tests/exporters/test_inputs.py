@@ -11,7 +11,7 @@ from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.presets import PRESETS, ModelConfig
 from rna_sdk.package import INPUT_BLOCKS, query_width
 from rna_sdk.package.blocks import blocks_for
-from tests.reference_queries import fiber_queries_reference, queries_reference
+from tests.reference.queries import fiber_queries_reference, queries_reference
 from tests.runtime.points import unit_vectors
 
 BOUNDS = torch.tensor([[-1.0, 0.0, 2.0], [1.0, 3.0, 2.5]])

@@ -139,6 +139,7 @@ def make(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Callable[..., tuple
             None,
             0,
             "cpu",
+            "auto",
             workers,
             more=more,
             update=update,

@@ -11,13 +11,20 @@ import torch
 
 from rna_export.capture.dataset import nearby_rows
 from rna_export.capture.dataset.dataset_part import DatasetPart
-from rna_export.capture.dataset.nearby_rows import ESTIMATES, usual_lengths, with_estimates
+from rna_export.capture.dataset.nearby_rows import (
+    ESTIMATES,
+    nearby_folder,
+    usual_lengths,
+    with_estimates,
+)
+from rna_export.capture.preflight.verdicts import MaterialVerdict
 from rna_export.export.decoder import decoders_of
 from rna_export.export.package_build import build_package
 from rna_export.training import nearby_choice
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.optimization.fitting import Fitting
+from rna_export.training.optimization.losses import unbiased_l2
 from rna_export.training.optimization.samples import SampleTable
 from rna_export.training.presets import PRESETS
 from rna_export.training.report import Curves
@@ -188,6 +195,19 @@ def test_presets_without_it_are_told_as_before() -> None:
     assert "nearby" not in PRESETS["surface"]["small"].model_dump()["model"]
 
 
+def test_noise_of_estimates_leaves_the_brightness_as_it_is() -> None:
+    rng = np.random.default_rng(0)
+    s = torch.tensor(rng.gamma(0.5, 2.0, (2, 200_000)), dtype=torch.float64)  # of mean 1
+    b = torch.full((), 1.0, dtype=torch.float64, requires_grad=True)
+    y, again = torch.log1p(b * s[0]), torch.log1p(b * s[1])
+    unbiased_l2(y, torch.ones_like(y), again=again).backward()
+    of_wrong = torch.full((), 1.05, dtype=torch.float64, requires_grad=True)
+    y, again = torch.log1p(of_wrong * s[0]), torch.log1p(of_wrong * s[1])
+    unbiased_l2(y, torch.ones_like(y), again=again).backward()
+    assert b.grad is not None and of_wrong.grad is not None
+    assert abs(b.grad) < 0.2 * of_wrong.grad
+
+
 @pytest.mark.parametrize(("with_it", "counted"), [(0.097, True), (0.099, False), (0.12, False)])
 def test_an_asset_that_gains_too_little_does_not_get_it(
     with_it: float, counted: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -202,15 +222,32 @@ def test_an_asset_that_gains_too_little_does_not_get_it(
 
     monkeypatch.setattr(nearby_choice, "_flip", flip)
     for _ in range(2):  # the second time by what is kept
-        chosen = nearby_choice.with_nearby(run, "auto", said.append)
+        chosen = nearby_choice.with_nearby(run, "auto", say=said.append)
         assert chosen.preset.model.nearby == (usual_lengths(part) if counted else ())
         assert chosen == run or counted
-    assert len(trials) == 2 and "0.1000 without" in said[0]
+    assert len(trials) == 2 and "0.1000 without" in said[1]
     assert nearby_choice.with_nearby(run, "off") == run
     assert nearby_choice.with_nearby(run, "on").preset.model.nearby == usual_lengths(part)
-    (run.out / "nearby.json").write_text("[]")
-    with pytest.raises(TrainingError, match=r"nearby\.json: not a verdict of rna-train; delete it"):
+    (nearby_folder(part) / "verdict.json").write_text("[]")
+    with pytest.raises(
+        TrainingError, match=r"verdict\.json: not a verdict of rna-train; delete it"
+    ):
         nearby_choice.with_nearby(run, "auto")
+
+
+def test_an_opaque_asset_is_told_by_its_materials(tmp_path: Path) -> None:
+    part = make_dataset(tmp_path / "ball.rays", shards=1, views=1)
+    opaque = MaterialVerdict(name="steel", is_="metal", learnt="well", scatters=False)
+    part.dataset.manifest = part.manifest.model_copy(update={"materials": (opaque,)})
+    run, said = Run(part, tiny(), "small", tmp_path / "run"), []
+    assert nearby_choice.with_nearby(run, "auto", say=said.append) == run
+    assert said == ["nearby light: not counted, light enters no material"]
+
+
+def test_presets_of_the_paper_do_not_get_it(tmp_path: Path) -> None:
+    part = make_dataset(tmp_path / "ball.rays", shards=1, views=1)
+    run = Run(part, PRESETS["surface"]["paper-small"], "paper-small", tmp_path / "run")
+    assert nearby_choice.with_nearby(run, "auto") == run
 
 
 def test_short_trainings_leave_nothing_but_their_verdict(
@@ -219,8 +256,8 @@ def test_short_trainings_leave_nothing_but_their_verdict(
     part = make_dataset(tmp_path / "ball.rays", shards=1, views=1)
     monkeypatch.setattr(Curves, "draw", lambda _: None)
     run = Run(part, tiny(steps=20), "small", tmp_path / "run")
-    nearby_choice.with_nearby(run, "auto", lambda _: None)
-    assert [path.name for path in run.out.iterdir()] == ["nearby.json"]
+    nearby_choice.with_nearby(run, "auto", say=lambda _: None)
+    assert not run.out.exists() and (nearby_folder(part) / "verdict.json").is_file()
 
 
 def test_several_poses_do_not_get_it(tmp_path: Path) -> None:
@@ -228,6 +265,9 @@ def test_several_poses_do_not_get_it(tmp_path: Path) -> None:
     manifest = part.manifest.model_copy(update={"poses": (1, 2)})
     part.dataset.manifest = manifest
     run, said = Run(part, tiny(), "small", tmp_path / "run"), []
-    assert nearby_choice.with_nearby(run, "auto", said.append) == run and "several poses" in said[0]
+    assert (
+        nearby_choice.with_nearby(run, "auto", say=said.append) == run
+        and "several poses" in said[0]
+    )
     with pytest.raises(TrainingError, match="expected a capture of one pose"):
         nearby_choice.with_nearby(run, "on")

@@ -25,7 +25,7 @@ from rna_export.training import training_run as training_run
 from rna_export.training import training_summary as closing
 from rna_export.training.rna_train import main as train
 from rna_sdk.errors import TrainingError
-from rna_sdk.owned_folder import owned
+from rna_sdk.files.owned_folder import owned
 from rna_sdk.package.command.rna_pack import main as pack
 from rna_view.rna_view_command import main as view
 from tests.conftest import REPOSITORY

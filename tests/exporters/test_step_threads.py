@@ -18,7 +18,7 @@ from rna_export.training.optimization.product_kernels import (
 from rna_export.training.optimization.samples import SampleTable
 from rna_export.training.optimization.step_threads import StepThreads, step_products
 from rna_export.training.presets import PRESETS
-from rna_sdk.kernel_threads import kernel_threads
+from rna_sdk.machine.kernel_threads import kernel_threads
 
 
 class Machine:

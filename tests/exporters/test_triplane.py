@@ -7,7 +7,7 @@ import pytest
 import torch
 
 from rna_export.training.model.triplane import PLANE_AXES, Triplane, blurred, diffused, gathered
-from tests.reference_queries import triplane_features
+from tests.reference.queries import triplane_features
 
 LOW, HIGH = torch.tensor([-1.0, 0.0, 2.0]), torch.tensor([1.0, 3.0, 2.5])
 

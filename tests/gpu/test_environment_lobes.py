@@ -14,7 +14,7 @@ from rna_gpu.shaders import compose
 from rna_sdk.package import Package, decoder_to_bytes, float_planes, query_width
 from tests.conftest import REPOSITORY
 from tests.package.builders import random_decoder
-from tests.reference_queries import fiber_queries_reference, queries_reference
+from tests.reference.queries import fiber_queries_reference, queries_reference
 
 ASSETS = {
     "surface": REPOSITORY / "examples" / "quickstart" / "toy.rna",

@@ -11,12 +11,12 @@ import pytest
 from PIL import Image
 
 from rna_sdk.package import BaseColor, Package
-from rna_sdk.reference.base_color import base_color_reference
 from rna_sdk.runtime import load
 from tests.hosts.c_host import SOURCES, CAsset, compiler
 from tests.hosts.test_c_host import run
 from tests.package.prints import LABEL, image_bytes, make_images, make_print, tiers
 from tests.package.test_base_color import png, saved
+from tests.reference.base_color import base_color_reference
 
 pytestmark = pytest.mark.skipif(compiler() is None, reason="needs cc and make")
 

@@ -12,7 +12,7 @@ from rna_render import load_world, make_integrator, read_exr, render
 from rna_render.command.rna_run import main
 from rna_render.scene import read_scene
 from rna_sdk.errors import SceneError
-from rna_sdk.kernel_threads import limit_kernel_threads
+from rna_sdk.machine.kernel_threads import limit_kernel_threads
 from rna_sdk.motion import write_motion
 from rna_sdk.runtime import Transform, load
 from tests.conftest import REPOSITORY

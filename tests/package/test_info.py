@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_sdk.error_words import error_text
+from rna_sdk.commands.error_words import error_text
 from rna_sdk.package import BaseColorRecord, Cone, Domain, Package, Provenance
 from rna_sdk.package.command.package_info import info_lines, package_info
 from rna_sdk.package.command.rna_info import main

@@ -14,12 +14,12 @@ import pytest
 from rna_render.command import compilation
 from rna_render.command.compilation import compilations_reported
 from rna_render.command.compile_ahead import compiling_ahead
-from rna_sdk import compiled as compiled_module
-from rna_sdk.compiled import watched_compilations
+from rna_sdk.machine import compiled as compiled_module
+from rna_sdk.machine.compiled import watched_compilations
 
 CODE = """
 import numpy as np
-from rna_sdk.compiled import compiled, watched_compilations
+from rna_sdk.machine.compiled import compiled, watched_compilations
 count = []
 with watched_compilations(lambda: count.append(1)):
     from rna_sdk.runtime.kernels.vectors import dot

@@ -13,10 +13,10 @@ from rna_render.image.images import read_exr
 from rna_render.scene.scene_file import read_scene
 from rna_render.scene.scene_model import Scene
 from rna_render.scene.scene_of_package import Shown, default_scene, scene_text, shown
+from rna_sdk.commands.size_note import size_note
 from rna_sdk.errors import PackageError, SceneError
-from rna_sdk.file_kinds import glass_of
+from rna_sdk.files.file_kinds import glass_of
 from rna_sdk.package import Cone, Package
-from rna_sdk.size_note import size_note
 from tests.render.assets import sphere, square
 from tests.render.gltf_text import box_glb
 from tests.render.packages import write_lambert_package, write_lamp_package

@@ -6,13 +6,13 @@ import pytest
 from rna_render.world.bodies import make_body
 from rna_sdk.package import Mesh
 from rna_sdk.package import Transmittance as Record
-from rna_sdk.reference.nearby import across, gamma_quantile, nearby_offsets, nearby_shares
 from rna_sdk.runtime import load
 from rna_trace import PartsScene, mesh_transmittance, nearby_light
 from rna_trace.hit_points import Frames, Lines
 from rna_trace.nearby import gamma_quantile as fast_quantile
 from rna_trace.nearby import nearby_estimate
 from tests.conftest import REPOSITORY
+from tests.reference.nearby import across, gamma_quantile, nearby_offsets, nearby_shares
 
 LENGTHS = (0.005, 0.015, 0.045)
 DOWN = np.float32([[0, 1, 0]])  # light from above

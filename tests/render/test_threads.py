@@ -21,7 +21,7 @@ from rna_render.paths.integrator_factory import make_integrator
 from rna_render.paths.sampling import Sampler
 from rna_render.paths.world_in_time import load_world
 from rna_render.scene.scene_file import read_scene
-from rna_sdk.kernel_threads import kernel_threads, limit_kernel_threads
+from rna_sdk.machine.kernel_threads import kernel_threads, limit_kernel_threads
 from tests.conftest import REPOSITORY
 from tests.render.whole_scenes import SCENES, write_scene
 

@@ -11,13 +11,13 @@ import pytest
 
 from rna_sdk.errors import QueryError
 from rna_sdk.package import BaseColor, Mesh, Package, decoder_from_bytes
-from rna_sdk.reference.base_color import base_color_reference
 from rna_sdk.runtime import SurfaceAsset, load
 from rna_sdk.runtime.base_color import BaseColorMaps, base_color_levels
 from tests.package.builders import make_mesh
 from tests.package.lobes import with_lobes
 from tests.package.prints import make_print, tiers
-from tests.reference_queries import queries_reference
+from tests.reference.base_color import base_color_reference
+from tests.reference.queries import queries_reference
 from tests.runtime.points import Points, random_points
 
 PRECISIONS = ("float32", "int8")

@@ -262,7 +262,7 @@ def test_motion_onto_a_point_of_strands_has_an_answer() -> None:
 
 
 def test_motion_is_the_same_on_any_threads() -> None:
-    from rna_sdk.kernel_threads import limit_kernel_threads
+    from rna_sdk.machine.kernel_threads import limit_kernel_threads
 
     mesh, bent = grid(), grid().positions[:, [1, 2, 0]]
     results = []

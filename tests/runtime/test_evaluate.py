@@ -15,7 +15,7 @@ from rna_sdk.errors import QueryError
 from rna_sdk.package import Package
 from rna_sdk.runtime import Asset, load
 from rna_sdk.runtime.engine.decoder_sessions import Decoder
-from tests.reference_queries import fiber_queries_reference, queries_reference
+from tests.reference.queries import fiber_queries_reference, queries_reference
 from tests.runtime.points import Arrays, points_for, random_fiber_points, random_points
 
 FLOAT_MAX = float(np.finfo(np.float32).max)

@@ -11,7 +11,7 @@ import pytest
 from rna_sdk.package.blocks import blocks_for
 from rna_sdk.runtime import offset_across
 from tests.package.builders import FIBER_INPUTS, make_planes
-from tests.reference_queries import fiber_queries_reference
+from tests.reference.queries import fiber_queries_reference
 from tests.runtime.filling import CORNERS, filled
 from tests.runtime.points import FiberPoints, random_fiber_points, unit_vectors
 

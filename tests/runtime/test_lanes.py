@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_sdk.runtime.kernels.lane_memory import load_lanes, load_vectors, store_lanes
 from rna_sdk.runtime.kernels.lane_vectors import between, exp, log2, unit
 from rna_sdk.runtime.kernels.lanes import LANES

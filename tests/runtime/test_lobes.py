@@ -10,17 +10,17 @@ import pytest
 
 from rna_sdk.errors import QueryError
 from rna_sdk.package import Package, Unpacked, float_planes
-from rna_sdk.reference.lobes import (
+from rna_sdk.runtime import FiberAsset, SurfaceAsset, load
+from tests.package.lantern import make_lantern
+from tests.package.lobes import with_lobes
+from tests.reference.lobes import (
     lobes_reference,
     log_normalisation,
     mirror_reference,
     radiance_reference,
     visibility_reference,
 )
-from rna_sdk.runtime import FiberAsset, SurfaceAsset, load
-from tests.package.lantern import make_lantern
-from tests.package.lobes import with_lobes
-from tests.reference_queries import fiber_queries_reference, queries_reference
+from tests.reference.queries import fiber_queries_reference, queries_reference
 from tests.runtime.points import random_fiber_points, random_points
 
 Part = SurfaceAsset | FiberAsset

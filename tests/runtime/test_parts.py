@@ -14,7 +14,7 @@ from rna_sdk.package import Package
 from rna_sdk.runtime import CompositeAsset, FiberAsset, SurfaceAsset, load
 from tests.package.builders import make_curves, make_tiny_package
 from tests.package.lantern import make_lantern
-from tests.reference_queries import queries_reference
+from tests.reference.queries import queries_reference
 from tests.runtime.points import random_fiber_points, random_points
 
 

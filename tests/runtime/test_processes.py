@@ -12,10 +12,10 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from rna_sdk import compiled as compiled_module
-from rna_sdk import kernel_threads as module
-from rna_sdk.compiled import compiled
-from rna_sdk.kernel_threads import at_most, kernel_threads, limit_kernel_threads, share
+from rna_sdk.machine import compiled as compiled_module
+from rna_sdk.machine import kernel_threads as module
+from rna_sdk.machine.compiled import compiled
+from rna_sdk.machine.kernel_threads import at_most, kernel_threads, limit_kernel_threads, share
 from tests.conftest import REPOSITORY
 
 TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
@@ -91,7 +91,7 @@ def call():
 """
 COMPILER = """
 import itertools
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 count = itertools.count()
 
 def call():

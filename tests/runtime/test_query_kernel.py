@@ -11,7 +11,7 @@ from rna_sdk.package import INPUT_BLOCKS
 from rna_sdk.package.blocks import blocks_for
 from rna_sdk.runtime.kernels.block_columns import block_columns
 from tests.package.builders import INPUTS, make_planes
-from tests.reference_queries import queries_reference
+from tests.reference.queries import queries_reference
 from tests.runtime.filling import CORNERS, filled
 from tests.runtime.points import Points, random_points
 

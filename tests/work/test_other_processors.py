@@ -9,7 +9,7 @@ import pytest
 
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.rna_capture import main as capture
-from rna_sdk.cpu import processor_key
+from rna_sdk.machine.cpu import processor_key
 from tests.exporters.scenes import write_scene
 
 BALL = "add(*BALL, principled(Roughness=0.3, Subsurface_Weight=1.0))\n"

@@ -16,7 +16,7 @@ from rna_render.command.rna_run import main as render
 from rna_render.image.film import Film
 from rna_render.image.output import Output
 from rna_render.scene.scene_file import SceneFile, read_scene
-from rna_sdk.console import INTERRUPTED
+from rna_sdk.commands.console import INTERRUPTED
 from rna_sdk.errors import SceneError
 from rna_work.executors import this_machine
 from tests.render.assets import sphere

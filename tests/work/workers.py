@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from rna_sdk.atomic_file import write_atomically
+from rna_sdk.files.atomic_file import write_atomically
 
 
 class Doubling:

@@ -25,7 +25,7 @@ from rna_export.capture.dataset.validation_view import WholeView
 from rna_export.capture.rays.capture_directions import BEHIND
 from rna_export.training.asset_error import asset_error, worse_error
 from rna_export.training.validation import mean_psnr
-from rna_sdk.error_words import error_in_words
+from rna_sdk.commands.error_words import error_in_words
 from rna_sdk.errors import RnaError
 from rna_sdk.package import Albedo, Package, Tier
 from rna_sdk.runtime import Asset, load

@@ -23,8 +23,8 @@ from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.make.rna_make import main as make
 from rna_export.metrics import to_png
 from rna_export.training.asset_error import picture_exposures
-from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import RnaError
+from rna_sdk.files.atomic_file import write_atomically
 from rna_sdk.runtime import load
 
 RECIPE = ROOT / "examples" / "recipes" / "materials.py"

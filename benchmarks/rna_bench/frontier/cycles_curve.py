@@ -21,7 +21,7 @@ from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.sample_files import read_part
 from rna_export.capture.dataset.validation_view import ValidationView
-from rna_sdk.cores import core_count
+from rna_sdk.machine.cores import core_count
 
 _NOISE = 7  # names noise that neither half of the references has
 

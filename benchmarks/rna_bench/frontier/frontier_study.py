@@ -26,8 +26,8 @@ from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.validation_view import all_queries
 from rna_export.metrics import P99_DEFINITION, PSNR_DEFINITION
-from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import TrainingError
+from rna_sdk.files.atomic_file import write_atomically
 from rna_work.executors import Executor
 from rna_work.progress import Progress
 

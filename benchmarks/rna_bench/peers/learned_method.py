@@ -16,8 +16,8 @@ from torch import Tensor, nn
 
 from rna_bench.peers.method import Budget, LossPoint, Training
 from rna_bench.peers.views import PeerCamera, PixelBatch, Views
-from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import TrainingError
+from rna_sdk.files.atomic_file import write_atomically
 
 _SAVED_EVERY = 60.0  # seconds of training between checkpoints
 _POINTS = 200  # of a curve in a planned training

@@ -13,8 +13,8 @@ from rna_bench.peers.views import PeerCamera
 from rna_bench.peers.views_plan import DEPTH, FOV_X, INTENSITY, SPLITS, ViewsPlan
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_render import write_exr
-from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import CaptureError
+from rna_sdk.files.atomic_file import write_atomically
 
 _FRESH = 100  # images of one process
 

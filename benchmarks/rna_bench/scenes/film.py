@@ -31,8 +31,8 @@ from rna_export.compare.cycles_scene import cycles_scene
 from rna_render import Camera, Denoiser, load_world, make_integrator, render
 from rna_render.scene import Scene, SceneFile, frame_scene, read_scene
 from rna_render.world.world_loading import Loaded
-from rna_sdk.cores import core_count
 from rna_sdk.errors import SceneError
+from rna_sdk.machine.cores import core_count
 
 _QUALITY = 82  # of the film's WebP
 _GAP = 2  # pixels between ours and Cycles'

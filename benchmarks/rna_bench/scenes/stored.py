@@ -11,8 +11,8 @@ import numpy as np
 from safetensors.numpy import load_file
 
 from rna_export.capture.dataset.sample_files import write_arrays
-from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import RnaError
+from rna_sdk.files.atomic_file import write_atomically
 
 Arrays = dict[str, np.ndarray]
 

@@ -10,8 +10,8 @@ import numpy as np
 from rna_bench.scenes.beside_cycles import CyclesScene, OurScene
 from rna_export.compare.comparison_run import Timed
 from rna_render import Denoiser
-from rna_sdk.cores import core_count
 from rna_sdk.errors import SceneError
+from rna_sdk.machine.cores import core_count
 
 Arrays = dict[str, np.ndarray]
 

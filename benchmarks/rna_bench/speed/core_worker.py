@@ -120,7 +120,7 @@ def renderer(threads: int) -> Iterator[Task]:
     """The quickstart's scene, a sample of every pixel at a time."""
     from rna_render import load_world, make_integrator, render
     from rna_render.scene import read_scene
-    from rna_sdk.kernel_threads import limit_kernel_threads
+    from rna_sdk.machine.kernel_threads import limit_kernel_threads
 
     limit_kernel_threads(threads)
     scene_file = read_scene(QUICKSTART)

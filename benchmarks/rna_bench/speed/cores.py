@@ -28,8 +28,8 @@ from rna_bench.checkout import ROOT
 from rna_bench.plot_style import figure, save_chart
 from rna_bench.results import publish
 from rna_bench.speed.core_worker import WORK
-from rna_sdk.cores import core_count
 from rna_sdk.errors import RnaError
+from rna_sdk.machine.cores import core_count
 from rna_work.processor_time import process_seconds, process_threads
 
 _LOOP = "while True: pass"

@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import Any
 
 from rna_bench.stability.cases import CASE_NAMES
-from rna_sdk.cores import core_count
 from rna_sdk.errors import CaptureError
+from rna_sdk.machine.cores import core_count
 
 
 def add_options(p: argparse.ArgumentParser) -> None:

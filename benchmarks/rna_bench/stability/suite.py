@@ -11,8 +11,8 @@ from typing import Any
 from rna_bench.stability.case import Case, Result
 from rna_bench.stability.cases import CASE_NAMES
 from rna_bench.stability.fixtures import Fixtures
-from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import TrainingError
+from rna_sdk.files.atomic_file import write_atomically
 
 CASES: tuple[Case, ...] = tuple(
     import_module(f"rna_bench.stability.cases.{name.replace('-', '_')}").CASE for name in CASE_NAMES

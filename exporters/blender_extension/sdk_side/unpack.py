@@ -12,9 +12,9 @@ from pathlib import Path
 
 import numpy as np
 
-from rna_sdk.atomic_file import atomic_file
-from rna_sdk.error_words import error_in_words
+from rna_sdk.commands.error_words import error_in_words
 from rna_sdk.errors import PackageError
+from rna_sdk.files.atomic_file import atomic_file
 from rna_sdk.package import Package
 from rna_sdk.runtime import load
 from rna_sdk.runtime.standin_colors import fiber_colors, surface_colors

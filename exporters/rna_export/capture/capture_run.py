@@ -37,9 +37,9 @@ from rna_export.capture.time_plan import (
     shrunk,
 )
 from rna_render.scene import SceneFile
-from rna_sdk.atomic_file import write_atomically
-from rna_sdk.cpu import processor_key
 from rna_sdk.errors import CaptureError
+from rna_sdk.files.atomic_file import write_atomically
+from rna_sdk.machine.cpu import processor_key
 from rna_work.backend import Backend, Needs
 from rna_work.bar import Bar
 from rna_work.cluster.store import Store

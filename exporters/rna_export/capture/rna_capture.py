@@ -21,10 +21,15 @@ from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.frame_options import FRAME_SETTINGS, add_frames
 from rna_export.capture.orientation import AXES, joined_axes
 from rna_export.machine import keep_freed_memory
-from rna_sdk.console import command_line, command_parser, run_command, split_script_arguments
-from rna_sdk.cores import core_count
+from rna_sdk.commands.console import (
+    command_line,
+    command_parser,
+    run_command,
+    split_script_arguments,
+)
 from rna_sdk.errors import CaptureError
-from rna_sdk.owned_folder import owned
+from rna_sdk.files.owned_folder import owned
+from rna_sdk.machine.cores import core_count
 from rna_work.cluster.cluster_option import add_cluster_option
 from rna_work.cluster.store import add_store_option
 from rna_work.executors import open_executor

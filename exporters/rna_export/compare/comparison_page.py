@@ -15,8 +15,8 @@ from rna_export.compare.origin import Origin
 from rna_export.html_pages import write_html
 from rna_export.metrics import PSNR_DEFINITION, WITHOUT_NOISE_DEFINITION, NoiselessPsnr
 from rna_export.pictures import comparison_sheet, pictures_of, write_picture
-from rna_sdk.atomic_file import write_atomically
-from rna_sdk.error_words import albedo_text, error_in_words, error_text
+from rna_sdk.commands.error_words import albedo_text, error_in_words, error_text
+from rna_sdk.files.atomic_file import write_atomically
 
 _NUMBERS = ("psnr", "coverage", "exposure", "seconds_ours", "seconds_cycles")
 

@@ -15,7 +15,7 @@ from rna_export.compare.views import FOV_Y, Frame, Shot, shots_of
 from rna_export.metrics import NoiselessPsnr, exposure_of, psnr, psnr_without_noise
 from rna_render import World, make_integrator, place_asset, render
 from rna_render.lights import LUMINANCE
-from rna_sdk.error_words import albedo_text
+from rna_sdk.commands.error_words import albedo_text
 from rna_sdk.runtime import Asset
 
 

@@ -8,8 +8,8 @@ import tempfile
 from pathlib import Path
 
 from rna_export.capture.orientation import AXES, joined_axes
-from rna_sdk.console import command_parser, run_command, split_script_arguments
-from rna_sdk.owned_folder import owned
+from rna_sdk.commands.console import command_parser, run_command, split_script_arguments
+from rna_sdk.files.owned_folder import owned
 
 
 def parser() -> argparse.ArgumentParser:
@@ -83,8 +83,8 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     from rna_export.compare.comparison_page import error_of, is_report, write_page
     from rna_export.compare.comparison_run import Pair, compare, returned_light
     from rna_export.compare.origin import Origin
-    from rna_sdk.cores import core_count
-    from rna_sdk.error_words import albedo_text
+    from rna_sdk.commands.error_words import albedo_text
+    from rna_sdk.machine.cores import core_count
     from rna_sdk.runtime import load
 
     check_source(args.source)

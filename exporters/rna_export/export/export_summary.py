@@ -14,8 +14,8 @@ from rna_export.pictures import sheet_of
 from rna_export.training.checkpoint import Trained
 from rna_export.training.training_summary import Effort
 from rna_export.training.validation import reference_warnings, write_sheet
-from rna_sdk.error_words import albedo_text, error_text
-from rna_sdk.file_kinds import glass_of
+from rna_sdk.commands.error_words import albedo_text, error_text
+from rna_sdk.files.file_kinds import glass_of
 from rna_sdk.package import Manifest, Tier
 from rna_sdk.runtime import Asset, load
 

@@ -22,9 +22,9 @@ from rna_export.machine import seconds_of
 from rna_export.metrics import PSNR_DEFINITION, plain, psnr, relative_mse
 from rna_export.training.asset_error import smallest_factor, worse_error
 from rna_export.training.validation import exposure, mean_psnr, shade
-from rna_sdk.cores import core_count
-from rna_sdk.cpu import processor
 from rna_sdk.errors import ExportError
+from rna_sdk.machine.cores import core_count
+from rna_sdk.machine.cpu import processor
 from rna_sdk.package import Albedo, Cost, FlipAtHeight, Tier, Validation
 from rna_sdk.runtime import Asset, FiberAsset, SurfaceAsset
 

@@ -19,8 +19,8 @@ from rna_export.export.precision import MAX_LOSS, Precision
 from rna_export.export.tiers import package_tiers
 from rna_export.export.trained_tiers import TrainedTier, trained_tiers
 from rna_export.training.checkpoint import Trained
-from rna_sdk.atomic_file import write_atomically
-from rna_sdk.file_kinds import glass_of
+from rna_sdk.files.atomic_file import write_atomically
+from rna_sdk.files.file_kinds import glass_of
 from rna_sdk.package import Bounds, Manifest, Part, Provenance, TierData, write_package
 from rna_sdk.package.manifest.manifest_fields import GEOMETRY_ENTRIES
 from rna_sdk.package.manifest.manifest_model import POSES, REST_FRAME

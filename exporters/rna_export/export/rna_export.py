@@ -9,8 +9,8 @@ from pathlib import Path
 from rna_export.export.package_options import add_credit, add_environment, check_environment
 from rna_export.export.precision import MAX_LOSS, add_precision, precisions_of
 from rna_export.training.training_options import add_incomplete
-from rna_sdk.console import command_line, command_parser, run_command
-from rna_sdk.outputs import check_outputs, check_package_name
+from rna_sdk.commands.console import command_line, command_parser, run_command
+from rna_sdk.files.outputs import check_outputs, check_package_name
 
 
 def parser() -> argparse.ArgumentParser:

@@ -12,7 +12,7 @@ from torch import Tensor
 
 from rna_export.lobes.directions import even_directions
 from rna_export.lobes.view_points import Rows
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_sdk.runtime.kernels.lane_memory import load_lanes, store_lanes
 from rna_sdk.runtime.kernels.lane_vectors import between, exp
 from rna_sdk.runtime.kernels.lanes import LANES

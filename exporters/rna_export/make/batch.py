@@ -73,7 +73,7 @@ def _write_sheet(path: Path, packages: Sequence[Path]) -> None:
     """A tile a package, with its name; posters are written beside the packages, too."""
     from PIL import Image, ImageDraw, ImageFont
 
-    from rna_sdk.atomic_file import write_atomically
+    from rna_sdk.files.atomic_file import write_atomically
     from rna_sdk.package import Package
 
     columns = min(_COLUMNS, len(packages))

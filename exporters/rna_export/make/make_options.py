@@ -30,6 +30,7 @@ class MakeOptions:
     steps: int | None  # of the last phase; None: the preset's
     seed: int
     device: str
+    nearby: str  # one of NEARBY_MODES
     workers: CaptureWorkers
     picture: Path | None = None  # of the model in training, rewritten
     more: float | None = None  # minutes, after those of an earlier run

@@ -10,8 +10,8 @@ from rna_export.capture.rna_capture import add_scene, add_settings, add_workers
 from rna_export.export.package_options import add_credit, add_environment
 from rna_export.export.precision import add_precision
 from rna_export.training.presets import PRESETS
-from rna_export.training.training_options import add_device
-from rna_sdk.console import command_parser
+from rna_export.training.training_options import add_device, add_nearby
+from rna_sdk.commands.console import command_parser
 
 _SETTINGS = (
     "samples",
@@ -111,6 +111,7 @@ def parser() -> argparse.ArgumentParser:
     add_settings(p, _SETTINGS)
     add_frames(p)
     p.add_argument("--seed", type=int, default=0, help="random seed (int, default: 0)")
+    add_nearby(p)
     add_device(p, "trainings")
     add_workers(p)
     p.add_argument(

@@ -273,6 +273,7 @@ class Make:
             phase_folder(options.work, preset, number),
             options.seed,
             options.device,
+            options.nearby,
             options.picture,
             starts_of(state, options.work, preset, dataset),
         )

@@ -19,18 +19,21 @@ from rna_export.make.plan import Length
 from rna_export.make.state import Score
 from rna_export.training.asset_error import worse_error
 from rna_export.training.checkpoint import Trained, load_checkpoint
+from rna_export.training.nearby_choice import with_nearby
 from rna_export.training.part_runs import part_folder, shared_minutes
 from rna_export.training.presets import PRESETS, Preset
 from rna_export.training.training_run import Run, table_of, train
 from rna_export.training.validation import mean_psnr, shade, shade_emission
-from rna_sdk.atomic_file import write_atomically
+from rna_sdk.files.atomic_file import write_atomically
+from rna_work.bar import Bar
 
 
 @dataclass(frozen=True)
 class Phase:
     """A training of one preset, of all parts.
 
-    folder: for checkpoints, one folder in it for each of several parts. picture: a file that shows
+    folder: for checkpoints, one folder in it for each of several parts. nearby: one of
+    NEARBY_MODES. picture: a file that shows
     the model while it is trained; None for none. starts: checkpoints of parts to start from.
     """
 
@@ -40,6 +43,7 @@ class Phase:
     folder: Path
     seed: int
     device: str
+    nearby: str
     picture: Path | None = None
     starts: Mapping[str, Path] = field(default_factory=dict)
 
@@ -63,7 +67,9 @@ class Phase:
                 after_checkpoint=partial(self._show, out),
                 start=self.starts.get(part.name),
             )
-            table = table_of(run, part.samples_of(shards))
+            samples = part.samples_of(shards)
+            run = with_nearby(run, self.nearby, samples, quiet)
+            table = table_of(run, samples, partial(Bar, disable=True))
             train(run, table, quiet, stage.part(k / len(parts), 1 / len(parts)))
 
     def _show(self, training: Path) -> None:

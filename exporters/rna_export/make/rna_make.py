@@ -18,10 +18,10 @@ from rna_export.export.precision import precisions_of
 from rna_export.make.batch import check_outs, jobs_of, make_all
 from rna_export.make.make_parser import parser
 from rna_export.training.training_options import chosen_device
-from rna_sdk.atomic_file import write_atomically
-from rna_sdk.console import command_line, run_command, split_script_arguments
-from rna_sdk.outputs import check_outputs, check_outside, check_package_name
-from rna_sdk.owned_folder import owned
+from rna_sdk.commands.console import command_line, run_command, split_script_arguments
+from rna_sdk.files.atomic_file import write_atomically
+from rna_sdk.files.outputs import check_outputs, check_outside, check_package_name
+from rna_sdk.files.owned_folder import owned
 from rna_work.executors import open_executor
 
 if TYPE_CHECKING:
@@ -126,6 +126,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
                 steps=args.steps,
                 seed=carried.seed,
                 device=device,
+                nearby=args.nearby,
                 workers=CaptureWorkers(python, scratch, args.workers, executor, args.store),
                 picture=picture,
                 more=carried.more,
@@ -155,8 +156,8 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
 def _tell_next(args: argparse.Namespace) -> None:
     """Write the scene beside the package, and print the commands that show and check both."""
     from rna_export.make.starter import write_starter
+    from rna_sdk.commands.size_note import size_note
     from rna_sdk.package import Package
-    from rna_sdk.size_note import size_note
 
     with Package.open(args.out) as package:
         note = size_note(*package.box())

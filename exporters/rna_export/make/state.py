@@ -8,8 +8,8 @@ from pydantic import BaseModel, ValidationError
 
 from rna_export.capture.dataset.dataset_manifest import what_is_wrong
 from rna_export.make.plan import Length
-from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import TrainingError
+from rna_sdk.files.atomic_file import write_atomically
 
 _NAME = "make.json"
 WRITTEN = (_NAME, "rays", "runs", "before", "scratch")

@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rna_export.capture.orientation import AXES, joined_axes
-from rna_sdk.console import command_parser, run_command, split_script_arguments
-from rna_sdk.file_kinds import is_gltf
+from rna_sdk.commands.console import command_parser, run_command, split_script_arguments
+from rna_sdk.files.file_kinds import is_gltf
 
 if TYPE_CHECKING:
     import numpy as np
@@ -88,8 +88,8 @@ def _frames(text: str) -> tuple[int, int]:
 
 
 def _run(options: argparse.Namespace, script: tuple[str, ...]) -> None:
+    from rna_sdk.files.outputs import check_outputs
     from rna_sdk.motion import write_motion
-    from rna_sdk.outputs import check_outputs
     from rna_sdk.package import Package
     from rna_work.bar import Bar
 

@@ -15,8 +15,8 @@ from torch import Tensor
 from rna_export.capture.dataset.dataset_manifest import CaptureManifest, what_is_wrong
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.presets import Preset
-from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import ExportError, TrainingError
+from rna_sdk.files.atomic_file import write_atomically
 
 
 @dataclass(frozen=True)

@@ -180,6 +180,11 @@ class Preset(BaseModel, extra="forbid", frozen=True):
         True, description="whether captured base colour may be a factor; not in the paper"
     )
 
+    @property
+    def may_count_nearby(self) -> bool:
+        """Whether nearby light may be counted where it is not asked for; not in the paper."""
+        return self.knows_base_color
+
     def with_model(self, **fields: Any) -> Preset:
         """This preset, but for these fields of `ModelConfig`."""
         return self.model_copy(update={"model": self.model.model_copy(update=fields)})

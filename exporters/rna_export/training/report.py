@@ -21,8 +21,8 @@ from rna_export.training.validation import (
     write_images,
     write_sheet,
 )
-from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import TrainingError
+from rna_sdk.files.atomic_file import write_atomically
 
 _COLUMNS = ("step", "loss", "psnr", "flip", "albedo", "emission_psnr")
 """step: steps done. loss: the mean since the row before. The others: see `Report`."""

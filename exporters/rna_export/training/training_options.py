@@ -4,7 +4,20 @@ from __future__ import annotations
 
 import argparse
 
+from rna_export.training.presets import NEARBY_MODES
 from rna_sdk.errors import TrainingError
+
+
+def add_nearby(parser: argparse.ArgumentParser) -> None:
+    """Add `--nearby` for trainings."""
+    parser.add_argument(
+        "--nearby",
+        choices=NEARBY_MODES,
+        default="auto",
+        help="count light that enters beside a point, for the edges of shadows on translucent "
+        "assets; auto: where light enters a material, two short trainings decide; never in "
+        "presets of the paper (default: %(default)s)",
+    )
 
 
 def add_device(parser: argparse.ArgumentParser, what: str) -> None:

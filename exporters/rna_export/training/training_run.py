@@ -32,7 +32,7 @@ from rna_export.training.presets import Preset
 from rna_export.training.report import Curves, Report
 from rna_export.training.training_options import device_name
 from rna_sdk.errors import TrainingError
-from rna_sdk.memory import check_memory
+from rna_sdk.machine.memory import check_memory
 from rna_work.bar import Bar
 
 _SO_FAR = "best-so-far.ckpt"  # until the run is finished
@@ -119,12 +119,14 @@ def train(
     return best
 
 
-def table_of(run: Run, samples: dict[str, np.ndarray]) -> SampleTable:
+def table_of(
+    run: Run, samples: dict[str, np.ndarray], bars: Callable[..., tqdm] = Bar
+) -> SampleTable:
     """These samples of the run's dataset, with the fields that its model reads, on its device."""
     if not _for_base_color(run).model.uses_base_color:
         samples = {name: values for name, values in samples.items() if name != "base_color"}
     if lengths := run.preset.model.nearby:
-        samples = with_estimates(samples, run.dataset, lengths)
+        samples = with_estimates(samples, run.dataset, lengths, bars)
     return SampleTable(samples, device=run.device)
 
 

@@ -17,7 +17,7 @@ from rna_export.training.checkpoint import Trained, load_checkpoint
 from rna_export.training.presets import named_preset
 from rna_export.training.report import read_curves
 from rna_export.training.validation import reference_warnings, shade, shade_emission
-from rna_sdk.error_words import albedo_text
+from rna_sdk.commands.error_words import albedo_text
 
 _LITTLE = 0.1  # of what is usual
 

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from rna_sdk.error_words import albedo_text, error_text
+from rna_sdk.commands.error_words import albedo_text, error_text
+from rna_sdk.commands.size_note import size_note
 from rna_sdk.package.geometry.curves import Curves
 from rna_sdk.package.manifest.extensions import (
     Environment,
@@ -18,7 +19,6 @@ from rna_sdk.package.manifest.extensions import (
 from rna_sdk.package.manifest.manifest_model import POSES, REST_FRAME, Manifest, Part
 from rna_sdk.package.manifest.manifest_tiers import Tier, TierPart
 from rna_sdk.package.package import Package
-from rna_sdk.size_note import size_note
 
 Info = dict[str, Any]
 

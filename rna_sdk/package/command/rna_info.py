@@ -10,11 +10,11 @@ from pathlib import Path
 
 import numpy as np
 
-from rna_sdk.atomic_file import write_atomically
-from rna_sdk.console import command_parser, run_command
+from rna_sdk.commands.console import command_parser, run_command
 from rna_sdk.errors import RnaError
-from rna_sdk.file_kinds import not_a
-from rna_sdk.outputs import check_outputs
+from rna_sdk.files.atomic_file import write_atomically
+from rna_sdk.files.file_kinds import not_a
+from rna_sdk.files.outputs import check_outputs
 from rna_sdk.package.command.package_info import info_lines, package_info
 from rna_sdk.package.geometry.standin_glb import standin_glb
 from rna_sdk.package.manifest.extensions import Standin, of_part

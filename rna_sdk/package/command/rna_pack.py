@@ -7,14 +7,14 @@ import sys
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from rna_sdk.console import command_line, command_parser, run_command
+from rna_sdk.commands.console import command_line, command_parser, run_command
 from rna_sdk.errors import PackageError, RnaError
-from rna_sdk.outputs import check_outputs
+from rna_sdk.files.outputs import check_outputs
+from rna_sdk.files.regular_file import read_regular
 from rna_sdk.package.container.zip_container import MANIFEST_NAME
 from rna_sdk.package.container.zip_writer import write_container
 from rna_sdk.package.container.zipped_again import zipped_entries
 from rna_sdk.package.packing import Unpacked
-from rna_sdk.regular_file import read_regular
 
 
 def parser() -> argparse.ArgumentParser:

@@ -8,7 +8,7 @@ import sys
 from collections.abc import Sequence
 from dataclasses import asdict
 
-from rna_sdk.console import command_parser, memory_text, run_command
+from rna_sdk.commands.console import command_parser, memory_text, run_command
 from rna_sdk.package.command.package_info import contents
 from rna_sdk.package.issues import is_valid
 from rna_sdk.package.validator import Inspection, inspect

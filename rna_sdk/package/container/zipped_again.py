@@ -10,8 +10,8 @@ from os import PathLike
 from pathlib import Path
 
 from rna_sdk.errors import PackageError
+from rna_sdk.files.regular_file import check_regular
 from rna_sdk.package.limits import MAX_DEFLATE_RATIO
-from rna_sdk.regular_file import check_regular
 
 _EXPECTED = "the file as it was exported, or as rna-pack writes it: readers use entries in place"
 

@@ -13,7 +13,7 @@ import numpy as np
 from numba import types
 from numpy.typing import NDArray
 
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_sdk.package.decoder.profile_decoder import ProfileDecoder
 from rna_sdk.runtime.kernels.lane_memory import load_lanes, store_column, store_lanes
 from rna_sdk.runtime.kernels.lane_vectors import between, exp

@@ -11,9 +11,9 @@ from pathlib import Path
 import numpy as np
 
 import rna_sdk
-from rna_sdk.atomic_file import write_atomically
-from rna_sdk.cpu import processor_key
-from rna_sdk.owned_folder import cache_folder
+from rna_sdk.files.atomic_file import write_atomically
+from rna_sdk.files.owned_folder import cache_folder
+from rna_sdk.machine.cpu import processor_key
 
 _REPEATS = 5
 

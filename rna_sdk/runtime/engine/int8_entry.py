@@ -13,7 +13,7 @@ import numpy as np
 from numba import types
 from numpy.typing import NDArray
 
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_sdk.package.decoder.profile_decoder import ProfileDecoder
 
 _VECTOR = types.Array(types.float32, 1, "C", readonly=True)

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.kernel_threads import share
+from rna_sdk.machine.kernel_threads import share
 from rna_sdk.package import Bounds, Int8Planes, Planes
 from rna_sdk.package.decoder.query_arrays import Rows
 from rna_sdk.package.manifest.manifest_fields import Kind

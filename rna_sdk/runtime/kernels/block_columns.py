@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_sdk.package.blocks import INPUT_BLOCKS
 from rna_sdk.runtime.kernels.lane_memory import load_column, store_column
 from rna_sdk.runtime.kernels.vectors import Rows

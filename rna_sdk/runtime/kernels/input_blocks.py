@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_sdk.package.block_table import FIBER_ANGLES, FIBER_LOBES, H, HALF_VECTOR, HIGHLIGHT, LEARNED_NORMAL, NORMAL, POSITION, TANGENT, WI, WO
 from rna_sdk.runtime.kernels.block_columns import put
 from rna_sdk.runtime.kernels.lane_vectors import clamped, largest, length, log2, narrowed

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_sdk.runtime.kernels.lanes import (
     everywhere,
     exponent_and_mantissa,

@@ -1,6 +1,6 @@
 """Mirror directions, visibility about vertices, and the lobes in a decoder's output, compiled.
 
-spec/RNA.md, 12, RNA_environment; `rna_sdk/reference/lobes.py` says the same in numpy.
+spec/RNA.md, 12, RNA_environment; `tests/reference/lobes.py` says the same in numpy.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ import numpy as np
 from numba import types
 from numpy.typing import NDArray
 
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_sdk.runtime.kernels.output_kernel import OUTPUT, sanitised
 from rna_sdk.runtime.kernels.vectors import Rows, dot, unit
 

@@ -9,7 +9,7 @@ import numba
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 
 _LARGEST = np.float32(np.finfo(np.float32).max)
 

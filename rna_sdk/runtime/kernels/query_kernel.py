@@ -15,7 +15,7 @@ import numpy as np
 from numba import types
 from numpy.typing import NDArray
 
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_sdk.package.block_table import FEATURES, LEARNED_NORMAL
 from rna_sdk.package.decoder.query_arrays import INPUT_ARRAYS
 from rna_sdk.runtime.kernels.block_columns import first_three

@@ -10,7 +10,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_sdk.runtime.kernels.vectors import Rows, Vector, cross, dot, vector
 
 Quaternion = tuple[float, float, float, float]

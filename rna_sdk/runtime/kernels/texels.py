@@ -15,7 +15,7 @@ from numba.core import cgutils
 from numba.extending import intrinsic
 from numpy.typing import NDArray
 
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_sdk.runtime.kernels.lane_memory import store_counts, store_lanes
 from rna_sdk.runtime.kernels.lane_vectors import between
 from rna_sdk.runtime.kernels.lanes import LANES, narrow, splat, whole

@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 
 from rna_render.command.compile_ahead import compiling_ahead
-from rna_sdk.compiled import watched_compilations
-from rna_sdk.cores import core_count
+from rna_sdk.machine.compiled import watched_compilations
+from rna_sdk.machine.cores import core_count
 
 _APART = 1.0  # s between lines that replace one another
 _WORTH_TELLING = 10  # kernels: fewer take no more than a second or two

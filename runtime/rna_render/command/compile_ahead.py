@@ -60,7 +60,7 @@ def compiling_ahead() -> Iterator[None]:
 def main() -> None:
     from rna_render import load_world, make_integrator, render
     from rna_render.scene import read_scene
-    from rna_sdk.kernel_threads import limit_kernel_threads
+    from rna_sdk.machine.kernel_threads import limit_kernel_threads
 
     limit_kernel_threads(1)
     folder = Path(sys.argv[1])

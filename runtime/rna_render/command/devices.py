@@ -14,7 +14,7 @@ from rna_render.paths.integrator_factory import make_integrator
 from rna_render.scene.scene_file import SceneFile
 from rna_render.scene.scene_model import CameraModel, Scene
 from rna_render.world.world import World
-from rna_sdk.console import install_hint
+from rna_sdk.commands.console import install_hint
 from rna_sdk.errors import SceneError
 
 GROUP = "rna_render.devices"

@@ -12,8 +12,8 @@ from safetensors import SafetensorError, safe_open
 from safetensors.numpy import save_file
 
 from rna_render.image.film import Film
-from rna_sdk.atomic_file import atomic_file, remove_leftovers
 from rna_sdk.errors import SceneError
+from rna_sdk.files.atomic_file import atomic_file, remove_leftovers
 
 _PIECES = f"{'[0-9]' * 10}-{'[0-9]' * 10}.safetensors"
 

@@ -22,7 +22,7 @@ from rna_render.scene.scene_model import AssetModel, Scene
 from rna_render.world.world import World
 from rna_render.world.world_loading import Loaded, placed_world, warn_of_darkness
 from rna_sdk.errors import MotionError, SceneError
-from rna_sdk.kernel_threads import limit_kernel_threads
+from rna_sdk.machine.kernel_threads import limit_kernel_threads
 from rna_work.sources import Carried
 
 

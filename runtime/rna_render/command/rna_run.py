@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rna_render.scene.limits import MAX_FRAMES, MAX_PIXELS_A_SIDE, MAX_SAMPLES, MAX_SEED
-from rna_sdk.console import INTERRUPTED, command_parser, run_command
+from rna_sdk.commands.console import INTERRUPTED, command_parser, run_command
 from rna_work.cluster.cluster_option import add_cluster_option
 
 if TYPE_CHECKING:
@@ -267,7 +267,7 @@ def _shown(options: argparse.Namespace) -> int:
 
 
 def _use_threads(count: int | None) -> int:
-    from rna_sdk.kernel_threads import limit_kernel_threads
+    from rna_sdk.machine.kernel_threads import limit_kernel_threads
 
     return limit_kernel_threads(count)
 
@@ -325,7 +325,7 @@ def _render_in_pieces(scene_file: SceneFile, output: Output, options: argparse.N
     from rna_render.command.pieces import render_pieces
     from rna_render.command.terminal import tell_clamp
     from rna_render.world.scene_sources import files_of
-    from rna_sdk.owned_folder import owned
+    from rna_sdk.files.owned_folder import owned
     from rna_work.executors import open_executor
 
     output.check(files_of(scene_file))

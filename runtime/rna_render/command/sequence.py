@@ -18,7 +18,7 @@ from rna_render.scene.animation import frame_scene
 from rna_render.scene.scene_file import SceneFile
 from rna_render.scene.scene_model import AnimationModel, Scene, TurnModel
 from rna_render.world.scene_sources import carried_scene, contents_key, files_of
-from rna_sdk.console import INTERRUPTED
+from rna_sdk.commands.console import INTERRUPTED
 from rna_sdk.errors import SceneError
 from rna_work.executors import Executor, check_shared
 from rna_work.pool import Pool

@@ -15,10 +15,10 @@ from rna_render.paths.render import render
 from rna_render.scene.scene_model import QualityModel, Scene
 from rna_render.world.domain_watch import warn_of_extrapolation
 from rna_render.world.world import World
-from rna_sdk.file_kinds import kind_of
+from rna_sdk.commands.size_note import size_note
+from rna_sdk.files.file_kinds import kind_of
 from rna_sdk.package import Package
 from rna_sdk.runtime import Asset, is_no_worse, load
-from rna_sdk.size_note import size_note
 from rna_work.bar import Bar
 
 _FASTER = 0.9

@@ -8,8 +8,8 @@ from dataclasses import dataclass, fields
 import numpy as np
 
 from rna_render.image.halves import Halves
-from rna_sdk.compiled import compiled
-from rna_sdk.memory import check_memory
+from rna_sdk.machine.compiled import compiled
+from rna_sdk.machine.memory import check_memory
 
 
 @dataclass

@@ -10,9 +10,9 @@ from zipfile import BadZipFile
 import numpy as np
 
 from rna_render.image.view_transform import to_display
-from rna_sdk.atomic_file import atomic_file
 from rna_sdk.errors import SceneError
-from rna_sdk.regular_file import check_regular
+from rna_sdk.files.atomic_file import atomic_file
+from rna_sdk.files.regular_file import check_regular
 
 _OPAQUE = 1.0 - 0.5 / 255.0  # alpha that 8 bits round to 1
 

@@ -13,7 +13,7 @@ from rna_render.image.film import Film
 from rna_render.image.images import read_attributes, write_linear, write_png
 from rna_render.scene.scene_model import Scene
 from rna_sdk.errors import SceneError
-from rna_sdk.outputs import check_outputs
+from rna_sdk.files.outputs import check_outputs
 
 
 @dataclass(frozen=True)

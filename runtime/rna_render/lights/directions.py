@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_trace.vectors import Vector, along
 
 # Rec. ITU-R BT.709-6, item 3.2: luminance of linear RGB.

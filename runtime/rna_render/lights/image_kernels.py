@@ -11,7 +11,7 @@ from numba import carray  # type: ignore[attr-defined]
 
 from rna_render.lights.directions import LUMINANCE
 from rna_render.lights.intervals import guide_entry, interval_near, place_within
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_trace.angles import sine_and_cosine, turns_of
 from rna_trace.memory import pointer_f32, pointer_f64, pointer_i32, signed
 from rna_trace.vectors import Vector

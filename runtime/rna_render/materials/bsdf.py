@@ -43,7 +43,7 @@ from rna_render.materials.ggx import (
     visibility,
 )
 from rna_render.materials.ggx_albedo import albedo_terms, albedo_views, mean_albedo_terms
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_trace.angles import sine_and_cosine
 from rna_trace.vectors import Vector, dot, half_cosines, tangents_of, turned_normal, unit, vector_at
 

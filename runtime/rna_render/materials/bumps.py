@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_trace.normal_maps import derived_tangent
 from rna_trace.vectors import Vector, cross, dot, plus, unit, vector_at
 

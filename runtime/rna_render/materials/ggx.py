@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 
 # Rougher than a mirror by so much that no sample's density leaves float32 (peak 1/(pi alpha^2)).
 MIN_ALPHA = 1e-3

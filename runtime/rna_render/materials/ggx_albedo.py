@@ -6,7 +6,7 @@ import numpy as np
 from numba import carray  # type: ignore[attr-defined]
 
 from rna_render.materials.ggx import ALBEDO_FILE, TABLE_SIZE
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_trace.memory import pointer_f64
 
 

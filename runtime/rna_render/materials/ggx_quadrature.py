@@ -18,7 +18,7 @@ from rna_render.materials.ggx import (
     schlick,
     visibility,
 )
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 
 # Samples of each entry: half a turn, and outward. With the size of the table they keep it within
 # 1.5e-3 of the integral.

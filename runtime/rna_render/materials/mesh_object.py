@@ -14,7 +14,7 @@ from rna_render.materials.material import Material
 from rna_render.materials.scattering import ClearCoat, Scattering
 from rna_render.materials.textures import Texture
 from rna_render.materials.transmission import object_transmittance
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_trace.surface import interpolate_normals
 from rna_trace.transmittance import Transmittance
 

@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 
 from rna_render.motion.gltf_motion import GltfMotion
-from rna_sdk.console import command_line
+from rna_sdk.commands.console import command_line
 from rna_sdk.errors import MotionError
-from rna_sdk.file_kinds import is_gltf, kind_of
+from rna_sdk.files.file_kinds import is_gltf, kind_of
 from rna_sdk.motion import Binding, Motion, bind, open_motion
 from rna_sdk.package import Curves, Mesh
 

@@ -19,7 +19,7 @@ import numpy as np
 
 from rna_render.image.film import Layers
 from rna_render.paths.sampling import Sampler
-from rna_sdk.kernel_threads import kernel_threads, limit_kernel_threads
+from rna_sdk.machine.kernel_threads import kernel_threads, limit_kernel_threads
 from rna_work.pool import Pool
 from rna_work.threads import Threads
 

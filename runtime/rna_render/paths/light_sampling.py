@@ -13,7 +13,7 @@ import numpy as np
 from rna_render.lights import Light, LightSamples, LightSelection
 from rna_render.paths.sampling import CHOICES, LIGHT, LIGHTS_AT_A_VERTEX, NEARBY, PathNumbers
 from rna_render.world.world import Vertices, World
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 
 # A shadow ray ends this part of its length before the light, which is a surface itself.
 SHORTER = np.float32(1.0 - 2.0**-13)

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_trace.hashing import Bits, hash_bits
 
 # So many lights at most have a sample each at one point.

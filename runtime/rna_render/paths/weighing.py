@@ -9,7 +9,7 @@ import numpy as np
 from rna_render.lights import LightSamples
 from rna_render.paths.light_sampling import LightChoice
 from rna_render.world.world import Vertices, World
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_trace.vectors import dot, vector_at
 
 

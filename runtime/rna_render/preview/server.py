@@ -24,9 +24,9 @@ from urllib.parse import parse_qs
 
 from pydantic import ValidationError
 
-from rna_render.local_server import LOOPBACK, LocalHandler, LocalServer
 from rna_render.preview.change import Change
 from rna_render.preview.session import Session
+from rna_sdk.commands.local_server import LOOPBACK, LocalHandler, LocalServer
 from rna_sdk.errors import PreviewError, QueryError
 
 MAX_BODY = 4096

@@ -204,7 +204,7 @@ class Session:
 
     def _use_threads(self) -> None:
         """Each thread has a number of its own."""
-        from rna_sdk.kernel_threads import limit_kernel_threads
+        from rna_sdk.machine.kernel_threads import limit_kernel_threads
 
         limit_kernel_threads(self._threads)
 

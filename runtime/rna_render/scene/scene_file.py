@@ -17,8 +17,8 @@ from rna_render.scene.scene_messages import Key, Mistake, mistakes
 from rna_render.scene.scene_model import CameraModel, Scene
 from rna_render.scene.scene_of_package import default_scene
 from rna_sdk.errors import SceneError
-from rna_sdk.file_kinds import kind_of, not_a
-from rna_sdk.regular_file import check_regular
+from rna_sdk.files.file_kinds import kind_of, not_a
+from rna_sdk.files.regular_file import check_regular
 
 # A few lines of YAML aliases can unfold into any number of values.
 MAX_DEPTH = 16

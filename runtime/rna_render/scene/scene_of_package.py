@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from rna_sdk.errors import SceneError
-from rna_sdk.file_kinds import glass_of
+from rna_sdk.files.file_kinds import glass_of
 from rna_sdk.package import Cone, Curves, Package
 
 _TEXT = """\

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from rna_render.scene.scene_model import CameraModel
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 
 
 class Camera:

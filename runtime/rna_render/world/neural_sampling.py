@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 
 from rna_render.materials.ggx import reflected_density, sample_reflection
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_sdk.package import Mixture
 from rna_trace.angles import sine_and_cosine
 from rna_trace.vectors import Vector, along, dot, tangents_of, unit, vector_at

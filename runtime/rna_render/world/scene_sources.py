@@ -14,7 +14,7 @@ import rna_sdk
 from rna_render.materials.files.gltf_container import open_gltf
 from rna_render.scene.scene_file import SceneFile
 from rna_render.scene.scene_messages import Key
-from rna_sdk.regular_file import read_regular
+from rna_sdk.files.regular_file import read_regular
 from rna_work.cached import content_hash
 from rna_work.executors import Executor
 from rna_work.sources import Carried

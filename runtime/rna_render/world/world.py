@@ -13,7 +13,7 @@ from rna_render.lights.base import PlacedLight
 from rna_render.materials import MeshObject
 from rna_render.world.body_cache import BodyCache, body_key
 from rna_render.world.placements import Placement, SceneObject
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_sdk.runtime import Asset, Transform
 from rna_trace.embree.instances import ALL_RAYS, CAMERA_RAY, NO_INSTANCE, Instance, InstanceScene
 from rna_trace.embree.tracing import ClosestHits

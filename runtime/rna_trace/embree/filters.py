@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numba import types
 
-from rna_sdk.compiled import callback, compiled
+from rna_sdk.machine.compiled import callback, compiled
 from rna_trace.embree.kernels import (
     CONTEXT_COLOURED,
     CONTEXT_LAST,

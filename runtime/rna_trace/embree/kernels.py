@@ -14,7 +14,7 @@ from llvmlite import ir
 from numba import types
 from numba.extending import intrinsic
 
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 
 # RTCRayHit as 32-bit words (rtcore_ray.h): RTCRay, then RTCHit; 16-byte aligned, 96 bytes.
 RAY_ORIGIN, RAY_TNEAR, RAY_DIRECTION, RAY_TIME = 0, 3, 4, 7

@@ -17,7 +17,7 @@ from pathlib import Path
 
 import numpy as np
 
-from rna_sdk.console import install_hint
+from rna_sdk.commands.console import install_hint
 from rna_sdk.errors import SceneError
 
 # Enumerators of rtcore_common.h, rtcore_buffer.h, rtcore_geometry.h and rtcore_scene.h.

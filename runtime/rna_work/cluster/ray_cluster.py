@@ -14,7 +14,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar
 
-from rna_sdk.console import install_hint
+from rna_sdk.commands.console import install_hint
 from rna_sdk.errors import RnaError, WorkError
 from rna_work.backend import Needs
 from rna_work.cached import content_hash

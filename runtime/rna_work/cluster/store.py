@@ -9,8 +9,8 @@ from pathlib import Path, PureWindowsPath
 from typing import Any
 from uuid import uuid4
 
-from rna_sdk.atomic_file import atomic_file, is_temporary
 from rna_sdk.errors import WorkError
+from rna_sdk.files.atomic_file import atomic_file, is_temporary
 
 _INSTALL = {"s3": "s3fs", "gs": "gcsfs", "gcs": "gcsfs", "abfs": "adlfs", "az": "adlfs"}
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from rna_sdk.errors import WorkError
-from rna_sdk.regular_file import read_regular
+from rna_sdk.files.regular_file import read_regular
 from rna_work.cached import cached, content_hash
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 
-from rna_sdk.console import command_parser
+from rna_sdk.commands.console import command_parser
 from tests.conformance.kit.files import differences, kit_files, write_files
 from tests.conftest import REPOSITORY
 

@@ -11,7 +11,7 @@ from pydantic import BaseModel, Field
 from rna_bench.matrix_product import GEMM_FLOP, matrix_product
 from rna_export.capture.dataset.asset_arguments import Arguments, rows_of
 from rna_export.machine import seconds_of
-from rna_sdk.cpu import processor, thread_count
+from rna_sdk.machine.cpu import processor, thread_count
 from rna_sdk.runtime import FiberAsset, SurfaceAsset, load
 
 _SECONDS = 0.05  # of one evaluation

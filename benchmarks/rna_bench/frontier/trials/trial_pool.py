@@ -11,8 +11,8 @@ from pathlib import Path
 from rna_bench.frontier.trials.trial import Trial
 from rna_bench.frontier.trials.trial_record import Record
 from rna_bench.frontier.trials.trial_worker import Job, TrialWorker
-from rna_sdk.cores import core_count
 from rna_sdk.errors import TrainingError
+from rna_sdk.machine.cores import core_count
 from rna_work.backend import Backend, Needs
 from rna_work.executors import Executor, check_shared, this_machine
 from rna_work.pool import Pool

@@ -8,8 +8,8 @@ from pydantic import BaseModel, Field
 
 from rna_bench.frontier.trials.scores import ModelScores
 from rna_bench.frontier.trials.trial import Trial
-from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import TrainingError
+from rna_sdk.files.atomic_file import write_atomically
 
 
 class Point(BaseModel, extra="forbid", frozen=True):

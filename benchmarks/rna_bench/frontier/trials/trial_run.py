@@ -20,7 +20,7 @@ from rna_export.training.optimization.samples import SampleTable
 from rna_export.training.report import read_curves
 from rna_export.training.training_run import Run, train
 from rna_export.training.validation import shade
-from rna_sdk.atomic_file import write_atomically
+from rna_sdk.files.atomic_file import write_atomically
 from rna_sdk.runtime import load
 
 _VALIDATED_EVERY = 5_000  # steps; an interrupted trial resumes from there

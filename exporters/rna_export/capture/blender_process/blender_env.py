@@ -12,7 +12,7 @@ import venv
 from pathlib import Path
 
 from rna_sdk.errors import CaptureError
-from rna_sdk.owned_folder import cache_folder
+from rna_sdk.files.owned_folder import cache_folder
 from rna_work.cached import locked
 
 BPY_VERSION = "5.0.1"  # the first whose fibers have the shape THICK_LINEAR

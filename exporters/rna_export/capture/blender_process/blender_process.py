@@ -11,8 +11,8 @@ from pathlib import Path
 from typing import Any, Self
 
 from rna_export.capture.capture_settings import CLAMP_DIRECT, CLAMP_INDIRECT, CaptureSettings
+from rna_sdk.commands.gltf_remedies import with_remedy
 from rna_sdk.errors import CaptureError
-from rna_sdk.gltf_remedies import with_remedy
 from rna_work.processor_time import process_seconds
 
 

@@ -16,8 +16,8 @@ from rna_export.capture.capture_tasks import Task
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.rays.asset_scene import AssetScene
 from rna_export.machine import keep_freed_memory
-from rna_sdk.cpu import processor_key
-from rna_sdk.kernel_threads import limit_kernel_threads
+from rna_sdk.machine.cpu import processor_key
+from rna_sdk.machine.kernel_threads import limit_kernel_threads
 from rna_work.cluster.store import Store
 from rna_work.sources import Carried
 

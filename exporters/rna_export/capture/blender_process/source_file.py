@@ -6,8 +6,8 @@ from pathlib import Path
 
 from rna_export.blender.rna_sources.source_formats import SOURCE_FORMATS
 from rna_sdk.errors import CaptureError
-from rna_sdk.file_kinds import not_a
-from rna_sdk.regular_file import check_regular
+from rna_sdk.files.file_kinds import not_a
+from rna_sdk.files.regular_file import check_regular
 
 SUFFIXES = ", ".join(SOURCE_FORMATS)
 

@@ -10,8 +10,8 @@ from pathlib import Path
 from pydantic import TypeAdapter, ValidationError
 
 from rna_export.capture.dataset.dataset_folder import FOLDERS, Dataset
-from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import CaptureError
+from rna_sdk.files.atomic_file import write_atomically
 from rna_work.cached import content_hash
 
 _RECORD = "files.json"

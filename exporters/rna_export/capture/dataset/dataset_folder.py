@@ -31,8 +31,8 @@ from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.sample_files import rows_of, write_arrays
 from rna_export.capture.dataset.validation_view import WholeView
 from rna_export.capture.geometry.stored_geometry import geometry_arrays
-from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import CaptureError
+from rna_sdk.files.atomic_file import write_atomically
 from rna_sdk.package import Curves, Mesh, SourceVertices
 from rna_sdk.package.textures.normal_maps import NORMALS
 from rna_sdk.package.textures.transmittance import TRANSMITTANCE
@@ -191,7 +191,7 @@ class Dataset:
                 path.unlink(missing_ok=True)
 
     def record_processors(self, keys: Iterable[str]) -> None:
-        """Note in the manifest which processors rendered, by `rna_sdk.cpu.processor_key`."""
+        """Note in the manifest which processors rendered, by `rna_sdk.machine.cpu`."""
         processors = tuple(sorted({*self.manifest.processors, *keys}))
         if processors != self.manifest.processors:
             self.manifest = self.manifest.model_copy(update={"processors": processors})

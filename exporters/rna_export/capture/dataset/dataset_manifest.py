@@ -11,7 +11,7 @@ from pydantic import Field, ValidationError, model_validator
 
 from rna_export.capture.capture_settings import CaptureSettings, DatasetModel
 from rna_export.capture.preflight.verdicts import MaterialVerdict
-from rna_sdk.atomic_file import write_atomically
+from rna_sdk.files.atomic_file import write_atomically
 from rna_sdk.package import Domain
 from rna_sdk.package.manifest.manifest_fields import Name
 from rna_sdk.package.manifest.manifest_model import (

@@ -10,6 +10,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Callable
 from contextlib import suppress
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -19,6 +20,7 @@ from tqdm import tqdm
 
 from rna_export.capture.dataset.sample_files import write_arrays
 from rna_trace import nearby_light
+from rna_work.bar import Bar
 
 if TYPE_CHECKING:
     from rna_export.capture.dataset.dataset_part import DatasetPart
@@ -26,7 +28,7 @@ if TYPE_CHECKING:
 OF_DIAGONAL = {"surface": (0.005, 0.015, 0.045), "fiber": (0.004, 0.015, 0.05)}
 """Kind of part -> lengths, over the diagonal of the asset's box (docs/decisions/model.md)."""
 
-TRAINING_RAYS = 24
+TRAINING_RAYS = 12
 """Rays of each of two estimates; the product of their errors is not biased by noise."""
 
 IMAGE_RAYS = 256
@@ -36,6 +38,11 @@ ESTIMATES = "nearby", "nearby_again"
 """Fields of samples: two independent estimates."""
 
 Samples = dict[str, np.ndarray]
+
+
+def nearby_folder(part: DatasetPart) -> Path:
+    """Folder of what is found out of a part's nearby light; it may not exist."""
+    return part.folder / "nearby"
 
 
 def usual_lengths(part: DatasetPart) -> tuple[float, ...]:
@@ -48,7 +55,7 @@ def with_estimates(
     samples: Samples,
     part: DatasetPart,
     lengths: tuple[float, ...],
-    bars: Callable[..., tqdm] = tqdm,
+    bars: Callable[..., tqdm] = Bar,
 ) -> Samples:
     """The samples with two independent estimates of nearby light, (n, 3) float32 each."""
     blocks = _blocks(len(samples["wi"]))
@@ -84,7 +91,7 @@ def _of_rows(
     digest = hashlib.sha256(f"{part.dataset.geometry_digest} {lengths} {rays}".encode())
     digest.update(x.data)
     digest.update(wi.data)
-    path = part.folder / "nearby" / f"{digest.hexdigest()[:32]}.safetensors"
+    path = nearby_folder(part) / f"{digest.hexdigest()[:32]}.safetensors"
     with suppress(OSError, KeyError, SafetensorError):
         kept = load_file(path)["nearby"]
         if kept.shape == (len(rays), len(x), len(lengths)):

@@ -13,8 +13,8 @@ from safetensors import SafetensorError, safe_open
 from safetensors.numpy import save
 
 from rna_export.capture.dataset.dataset_manifest import BASE_COLOR, MAX_NUMBER
-from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import CaptureError
+from rna_sdk.files.atomic_file import write_atomically
 
 DAMAGED = "{}: damaged ({})"
 _MADE_AGAIN = "; delete it, and the same rna-capture makes it again"

@@ -16,7 +16,7 @@ from rna_export.capture.rays.capture_directions import frame, light_direction
 from rna_export.capture.rays.traced_rays import TracedRays
 from rna_export.capture.rays.view_rays import ViewRays, hitting_rays
 from rna_export.training.presets import PRESETS
-from rna_sdk.kernel_threads import kernel_threads, limit_kernel_threads
+from rna_sdk.machine.kernel_threads import kernel_threads, limit_kernel_threads
 from rna_sdk.package import Domain
 from rna_sdk.package.blocks import query_width
 from rna_sdk.package.decoder.profile_decoder import ProfileDecoder, ProfileLayer

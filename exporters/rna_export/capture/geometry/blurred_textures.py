@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from rna_export.blender.listing import listed
-from rna_sdk.size_note import metres
+from rna_sdk.commands.size_note import metres
 
 PLANE_TEXELS = 256
 """Along a part's longest side, as the usual preset has them."""

@@ -7,9 +7,9 @@ from collections.abc import Mapping
 import numpy as np
 
 from rna_export.capture.geometry.mesh_cleanup import connected, repeated
+from rna_sdk.commands.size_note import metres
 from rna_sdk.package import Curves, Mesh
 from rna_sdk.package.geometry.quantised_mesh import POSITION_STEPS
-from rna_sdk.size_note import metres
 
 _DETAIL_STEPS = 64  # an object of fewer steps across is off by 1% of its size
 _LEAST_TRIANGLES = 12  # of an object with a shape: a box

@@ -16,6 +16,7 @@ _TEXELS = 2.0  # of a plane, from one detail to the next, at the least
 _LOST = 0.5  # of that: relief of a plane's texel
 _MIRROR = 0.05  # roughness that an artist calls a mirror's
 _SOFTENED = 0.02  # roughness below which the floor of captures shows
+_SCATTERING = frozenset({"scattering", "thin", "refracting", "glass", "volume", "hair"})
 _WORDS = {
     "coat": "clear coat",
     "thin": "thin, lit from behind",
@@ -33,7 +34,7 @@ class MaterialVerdict(DatasetModel):
     """How well a material is learnt.
 
     is_: what it is, in words. reasons: what is lost, and what to do; none if nothing is. share: of
-    what is seen of the asset.
+    what is seen of the asset. scatters: whether light enters it, and leaves elsewhere.
     """
 
     name: str
@@ -41,6 +42,7 @@ class MaterialVerdict(DatasetModel):
     learnt: Learnt
     reasons: tuple[str, ...] = ()
     share: float = 1.0
+    scatters: bool = True
 
     @property
     def lines(self) -> list[str]:
@@ -127,7 +129,13 @@ def _verdict(
     learnt = max((r.learnt for r in reasons), key=_WORSE.__getitem__, default="well")
     reasons.sort(key=lambda reason: -_WORSE[reason.learnt])
     texts = tuple(reason.text for reason in reasons)
-    return MaterialVerdict(name=facts.name, is_=_in_words(facts), learnt=learnt, reasons=texts)
+    return MaterialVerdict(
+        name=facts.name,
+        is_=_in_words(facts),
+        learnt=learnt,
+        reasons=texts,
+        scatters=not _SCATTERING.isdisjoint(facts.kinds),
+    )
 
 
 def _in_words(facts: MaterialFacts) -> str:

@@ -10,10 +10,10 @@ import numpy as np
 from rna_export.capture.geometry.mesh_cleanup import vertex_islands
 from rna_export.capture.rays.asset_scene import AssetScene
 from rna_export.capture.rays.view_rays import outside_rays
+from rna_sdk.commands.size_note import metres
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Mesh
 from rna_sdk.package.manifest.manifest_fields import Region
-from rna_sdk.size_note import metres
 
 _RAYS = 65536
 _FEW, _TOO_FEW = 0.05, 1e-3  # of the rays through the bounding sphere meet the asset

@@ -11,7 +11,7 @@ from numba import prange
 from numpy.typing import NDArray
 from torch import Tensor
 
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_sdk.package import query_width
 from rna_sdk.package.block_table import FEATURES, LEARNED_NORMAL
 from rna_sdk.runtime.kernels.block_columns import block_columns, first_three

@@ -17,7 +17,7 @@ from rna_export.training.optimization.optimizers import load_states, optimizers_
 from rna_export.training.optimization.samples import columns
 from rna_export.training.optimization.step_graphs import StepGraphs
 from rna_export.training.presets import Preset, TrainingConfig
-from rna_sdk.cpu import multiplies_bfloat16
+from rna_sdk.machine.cpu import multiplies_bfloat16
 
 _SMOOTHED_TOGETHER = 16  # steps
 _WIDE = 128  # neurons, from where bfloat16 is faster

@@ -129,16 +129,23 @@ def unbiased_l2(
 
     Its minimum is the mean of noisy targets, since the denominator is held fixed: Lehtinen et
     al., "Noise2Noise", 2018, section 3.2; Mueller et al., "Real-time Neural Radiance Caching for
-    Path Tracing", 2021, section 4.1. again: as in `log_l2`.
+    Path Tracing", 2021, section 4.1.
+
+    again: y by another estimate of nearby light. Its error scales the gradient of the first, and
+    the first error the gradient of the second, so that the factors of each are independent and the
+    gradient is 0 in the mean at the truth. Values are twice as large then, gradients are not.
     """
-    x_over_unit = torch.expm1(y)
+    wanted, x = target / unit, torch.expm1(y)
     if again is None or again is y:
-        scale = 1.0 / (x_over_unit.detach().clamp(min=0.0) + 1.0)
-        return (weight * (scale * (x_over_unit - target / unit)).square()).mean()
-    other, wanted = torch.expm1(again), target / unit
-    mean = 0.5 * (x_over_unit + other).detach()
-    scale = 1.0 / (mean.clamp(min=0.0) + 1.0)
-    return (weight * scale.square() * (x_over_unit - wanted) * (other - wanted)).mean()
+        return (weight * (_over_denominator(x) * (x - wanted)).square()).mean()
+    other = torch.expm1(again)
+    of_first = (other - wanted).detach() * (x - wanted) * _over_denominator(x).square()
+    of_other = (x - wanted).detach() * (other - wanted) * _over_denominator(other).square()
+    return (weight * (of_first + of_other)).mean()
+
+
+def _over_denominator(x: Tensor) -> Tensor:
+    return 1.0 / (x.detach().clamp(min=0.0) + 1.0)
 
 
 _LOSSES = {"log": log_l2, "unbiased": unbiased_l2}

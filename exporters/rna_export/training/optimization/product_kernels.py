@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from torch import Tensor
 
 from rna_export.training.optimization.muon import orthogonalised
-from rna_sdk.compiled import compiled
-from rna_sdk.kernel_threads import kernel_threads
-from rna_sdk.numba_threads import limit_all_threads
+from rna_sdk.machine.compiled import compiled
+from rna_sdk.machine.kernel_threads import kernel_threads
+from rna_sdk.machine.numba_threads import limit_all_threads
 
 # MKL, which reads this at its first product, then sums in an order that does not depend on the
 # number of threads: on Intel's processors it would share the rows of a sum among them.

@@ -13,7 +13,7 @@ from rna_render.lights.files.environment_exr import read_exr_environment
 from rna_render.lights.files.radiance_hdr import HDR_MAGIC, read_hdr
 from rna_render.scene.limits import MAX_NUMBER
 from rna_sdk.errors import SceneError
-from rna_sdk.regular_file import check_regular
+from rna_sdk.files.regular_file import check_regular
 
 # First bytes of the file: OpenEXR file layout, "Magic Number".
 EXR_MAGIC = bytes([0x76, 0x2F, 0x31, 0x01])

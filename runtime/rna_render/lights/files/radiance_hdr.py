@@ -13,9 +13,9 @@ from pathlib import Path
 import numpy as np
 
 from rna_render.scene.limits import check_image_size
-from rna_sdk.compiled import compiled
 from rna_sdk.errors import SceneError
-from rna_sdk.regular_file import read_regular
+from rna_sdk.files.regular_file import read_regular
+from rna_sdk.machine.compiled import compiled
 from rna_trace.memory import signed
 
 HDR_MAGIC = b"#?"

@@ -7,7 +7,7 @@ import numpy as np
 from rna_render.lights.base import InfiniteLight, Light, LightSamples, light_numbers
 from rna_render.lights.directions import cone_direction, luminance, unit
 from rna_render.scene.light_models import DirectionalModel
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_trace.vectors import vector_at
 
 # Radians from the axis to the rim. Below it float32 directions no longer tell the rim apart.

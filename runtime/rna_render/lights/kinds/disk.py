@@ -9,7 +9,7 @@ import numpy as np
 from rna_render.lights.base import PlacedLight, light_numbers
 from rna_render.lights.directions import facing_frame, flat_pdf
 from rna_render.scene.light_models import DiskModel
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_trace.embree import DiscScene
 from rna_trace.vectors import Vector, vector_at
 

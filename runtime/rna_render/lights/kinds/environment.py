@@ -10,7 +10,7 @@ from rna_render.lights.equirectangular import EquirectangularImage
 from rna_render.lights.files.environment_file import environment_image
 from rna_render.lights.image_kernels import IMAGE_NUMBERS, look_up_image_batch, sample_image_batch
 from rna_render.scene.light_models import EnvironmentModel
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 
 _SPHERE_PDF = 1.0 / (4.0 * np.pi)
 

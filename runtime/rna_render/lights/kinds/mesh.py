@@ -11,8 +11,8 @@ from rna_render.lights.base import LightSamples, ShapeLight, light_numbers
 from rna_render.lights.directions import Axes, flat_pdf
 from rna_render.lights.intervals import find_interval, place_within
 from rna_sdk.arrays import vectors
-from rna_sdk.compiled import compiled
 from rna_sdk.errors import SceneError
+from rna_sdk.machine.compiled import compiled
 from rna_trace.embree.tracing import ClosestHits
 from rna_trace.vectors import Vector, vector_at
 

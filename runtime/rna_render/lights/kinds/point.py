@@ -7,7 +7,7 @@ import numpy as np
 from rna_render.lights.base import Light, LightSamples, light_numbers
 from rna_render.lights.directions import luminance
 from rna_render.scene.light_models import PointModel
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_trace.vectors import Vector, vector_at
 
 

@@ -7,7 +7,7 @@ import numpy as np
 from rna_render.lights.base import PlacedLight, light_numbers
 from rna_render.lights.directions import cone_direction
 from rna_render.scene.light_models import SphereModel
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_trace.embree import SphereScene
 from rna_trace.vectors import Vector, vector_at
 

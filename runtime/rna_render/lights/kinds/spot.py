@@ -8,7 +8,7 @@ from rna_render.lights.base import Light, LightSamples, light_numbers
 from rna_render.lights.directions import luminance, unit
 from rna_render.lights.kinds.point import way_to
 from rna_render.scene.light_models import SpotModel
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 from rna_trace.vectors import vector_at
 
 

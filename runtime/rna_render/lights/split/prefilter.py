@@ -15,7 +15,7 @@ import math
 import numpy as np
 
 from rna_render.lights.split.bright_directions import cell_directions
-from rna_sdk.compiled import compiled
+from rna_sdk.machine.compiled import compiled
 
 SIDES = (17, 17, 17, 17, 17, 33, 33, 33, 65, 65)
 """Vertices a side of each level."""

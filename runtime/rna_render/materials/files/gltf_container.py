@@ -18,7 +18,7 @@ import numpy as np
 
 from rna_render.scene.limits import MAX_ZERO_ITEMS
 from rna_sdk.errors import SceneError
-from rna_sdk.regular_file import read_regular
+from rna_sdk.files.regular_file import read_regular
 
 # glTF 2.0, section 3.6.2.2: component types, and the divisors of normalised ones.
 DTYPES = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}

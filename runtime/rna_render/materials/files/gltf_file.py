@@ -14,7 +14,7 @@ from rna_render.materials.files.mesh_parts import MeshFile, Part, check_mesh_siz
 from rna_render.materials.material import Material
 from rna_render.scene.limits import MAX_NUMBER
 from rna_render.scene.transforms import quaternion_rotation
-from rna_sdk.gltf_remedies import with_remedy
+from rna_sdk.commands.gltf_remedies import with_remedy
 
 # Section 3.7.2.1: modes of primitives.
 TRIANGLES, STRIP, FAN = 4, 5, 6

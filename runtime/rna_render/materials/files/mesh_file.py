@@ -14,7 +14,7 @@ from rna_render.materials.material import Material, make_material
 from rna_render.materials.mesh_object import MeshObject
 from rna_render.scene.material_models import MaterialModel, ShadowCatcherModel
 from rna_sdk.errors import SceneError
-from rna_sdk.regular_file import check_regular
+from rna_sdk.files.regular_file import check_regular
 
 _READERS: dict[str, Callable[[Path, bool], MeshFile]] = {
     ".glb": read_gltf,

@@ -6,8 +6,8 @@ import platform
 from functools import cache
 from hashlib import sha256
 
-from rna_sdk.cores import core_count
 from rna_sdk.errors import QueryError
+from rna_sdk.machine.cores import core_count
 
 
 def processor() -> str:

@@ -1,7 +1,7 @@
 """References: the specification's formulas in plain numpy, which every fast form is tested with.
 
 Gather (spec/RNA.md, 6.1) and input blocks (6.3): `examples/hosts/minimal.py`, by hand in numpy,
-which `tests/reference_queries.py` asks. Fast forms of input blocks are generated; of the gather:
+which `tests/reference/queries.py` asks. Fast forms of input blocks are generated; of the gather:
     numba, 16 lanes      rna_sdk/runtime/kernels/texels.py
     numba, training      rna_export/training/optimization/plane_kernels.py, of blurred planes
     torch                rna_export/training/model/triplane.py

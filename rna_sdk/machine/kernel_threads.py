@@ -13,7 +13,7 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from functools import cache
 
-from rna_sdk.cores import core_count
+from rna_sdk.machine.cores import core_count
 
 _caller = threading.local()
 """Per thread: `count`, the limit on the threads of its calls, if there is one."""

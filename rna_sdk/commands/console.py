@@ -14,9 +14,9 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any
 
-from rna_sdk.command_parser import CommandParser
+from rna_sdk.commands.command_parser import CommandParser
+from rna_sdk.commands.lasting_streams import lasting_streams
 from rna_sdk.errors import RnaError
-from rna_sdk.lasting_streams import lasting_streams
 
 _REFUSED_BY_TORCH = re.compile(r"you tried to allocate \d+ bytes")
 """In PyTorch's error for memory that the system refuses (c10/core/impl/alloc_cpu.cpp)."""

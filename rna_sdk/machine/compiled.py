@@ -23,8 +23,8 @@ from numba.core.caching import FunctionCache, IndexDataCacheFile
 from numba.core.ccallback import CFunc
 from numba.core.compiler_lock import global_compiler_lock
 
-from rna_sdk.kernel_threads import kernel_threads, share
-from rna_sdk.numba_threads import launch_numba_threads
+from rna_sdk.machine.kernel_threads import kernel_threads, share
+from rna_sdk.machine.numba_threads import launch_numba_threads
 
 Kernel = TypeVar("Kernel", bound=Callable[..., object])
 

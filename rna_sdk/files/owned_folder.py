@@ -21,8 +21,8 @@ from datetime import datetime
 from io import TextIOWrapper
 from pathlib import Path
 
-from rna_sdk.atomic_file import is_temporary
 from rna_sdk.errors import RnaError
+from rna_sdk.files.atomic_file import is_temporary
 
 _OURS = ".rna-"
 _SCRATCH = f"{_OURS}scratch-"

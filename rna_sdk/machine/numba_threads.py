@@ -12,7 +12,7 @@ import numba
 from numba.np.ufunc import get_num_threads, parallel, set_num_threads, threading_layer
 
 from rna_sdk.errors import RnaError
-from rna_sdk.kernel_threads import limit_kernel_threads, most_threads
+from rna_sdk.machine.kernel_threads import limit_kernel_threads, most_threads
 
 _SAFE_LAYERS = ("tbb", "omp", "safe", "threadsafe")
 """Settings of numba's threading layer with which kernels may run side by side. With the others

@@ -6,10 +6,10 @@ import os
 from collections.abc import Iterable
 from pathlib import Path
 
-from rna_sdk.atomic_file import check_replaceable, remove_leftovers, temporary_path
-from rna_sdk.console import command_line
+from rna_sdk.commands.console import command_line
 from rna_sdk.errors import RnaError
-from rna_sdk.file_kinds import is_gltf
+from rna_sdk.files.atomic_file import check_replaceable, remove_leftovers, temporary_path
+from rna_sdk.files.file_kinds import is_gltf
 
 
 def check_outputs(outputs: Iterable[Path], inputs: Iterable[Path]) -> None:

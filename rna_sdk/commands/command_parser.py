@@ -9,7 +9,7 @@ from difflib import get_close_matches
 from typing import Any, NoReturn
 
 from rna_sdk import __version__
-from rna_sdk.lasting_streams import lasting_streams
+from rna_sdk.commands.lasting_streams import lasting_streams
 
 
 class CommandParser(argparse.ArgumentParser):

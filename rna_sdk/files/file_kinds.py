@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Literal
 
-from rna_sdk.console import command_line
+from rna_sdk.commands.console import command_line
 
 Kind = Literal["package", "scene", "model"]
 

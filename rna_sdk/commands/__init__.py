@@ -1,0 +1,1 @@
+"""The parser, streams, errors, wording and page server that all commands share."""
