@@ -465,5 +465,5 @@ def _results(
         if any(np.may_share_memory(array, other) for other in value[:k]):
             raise QueryError("out: expected arrays of their own memory, found one memory twice")
         if any(np.may_share_memory(array, other) for other in arrays.values()):
-            raise QueryError("out: expected arrays of their own memory, found that of the query")
+            raise QueryError("out: expected arrays of their own memory, found memory of the query")
     return value

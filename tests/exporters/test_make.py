@@ -377,7 +377,7 @@ def test_the_better_model_is_kept(make: Any, monkeypatch: pytest.MonkeyPatch) ->
 
 
 def test_more_needs_rays(make: Any) -> None:
-    with pytest.raises(TrainingError, match="found no rays to go on from"):
+    with pytest.raises(TrainingError, match="found no rays to continue with"):
         make(more=0.05)
 
 

@@ -41,7 +41,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         type=Path,
         nargs="+",
         metavar="FOLDER",
-        help="dataset of each package, to measure on (paths, default: what the packages record)",
+        help="dataset of each package, to measure on (paths, default: the records of the packages)",
     )
     add_out(parser)
 

@@ -125,7 +125,9 @@ def draw(rows: dict[str, Any], path: Path) -> None:
             "o-",
             label=name,
         )
-    axes.set(xlabel="threads", ylabel="rate over that of one thread", xscale="log", yscale="log")
+    axes.set(
+        xlabel="threads", ylabel="rate over the rate of one thread", xscale="log", yscale="log"
+    )
     ticks = [1 << k for k in range(most.bit_length())]
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_ticks(ticks, [str(tick) for tick in ticks], minor=False)

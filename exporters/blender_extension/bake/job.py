@@ -76,8 +76,8 @@ class Job:
             raise SdkError("the bake is not finished: Continue, then go on for more minutes")
         if not all((self.folder / name).is_file() for name in _RAYS):
             raise SdkError(
-                f"{self.folder / 'make'}: found no rays to go on from, expected those of the bake; "
-                "Bake Anew captures them again"
+                f"{self.folder / 'make'}: found no rays to continue with, expected rays of the "
+                "bake; Bake Anew captures them again"
             )
         self._store({**self._stored(), "more": minutes})
         self._made.unlink()

@@ -122,7 +122,7 @@ def _fitted(views: PartViews, say: Callable[[str], None]) -> tuple[Mixture, ...]
     before, after = (unseen.noise(unseen.pdf(one)) for one in (usual, mixtures))
     say(
         f"{views.part.name}: rays in {len(mixtures)} mixtures of lobes, relative variance "
-        f"{after:.3g}; in that of all assets {before:.3g}"
+        f"{after:.3g}; in the mixture of all assets {before:.3g}"
     )
     return mixtures
 

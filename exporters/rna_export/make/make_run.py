@@ -133,8 +133,8 @@ class Make:
         if state is None:
             if options.more is not None:
                 raise TrainingError(
-                    f"{options.work}: found no rays to go on from, expected those of an rna-make "
-                    "without --discard"
+                    f"{options.work}: found no rays to continue with, expected rays of an "
+                    "rna-make without --discard"
                 )
             return self._first_state(say)
         new = check_same(state, options.requested, options.work, for_more=options.more is not None)

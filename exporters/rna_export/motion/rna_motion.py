@@ -58,7 +58,7 @@ def parser() -> argparse.ArgumentParser:
         "--rest-frame",
         type=int,
         metavar="N",
-        help="frame of the source that has the package's shape (int, default: that of its capture)",
+        help="frame of the source that has the package's shape (int, default: as captured)",
     )
     for name in ("front", "up"):
         add(f"--{name}", choices=AXES, metavar="AXIS", help="as for rna-capture (default: none)")

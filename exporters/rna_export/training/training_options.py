@@ -55,6 +55,6 @@ def add_incomplete(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--incomplete",
         action="store_true",
-        help="accept a dataset with missing, replaced or uncaptured files, and use what is there "
+        help="accept a dataset with missing, replaced or uncaptured files, and use the others "
         "(default: refuse it)",
     )

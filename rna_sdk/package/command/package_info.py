@@ -229,7 +229,7 @@ def _tier_text(tier: Info) -> str:
 def _lobes_text(error: Info) -> str:
     """Error under an environment: as viewers use lobes, its brightest directions apart; without."""
     score = f"PSNR {error['psnr_with_lights']:.2f} dB, FLIP {error['flip']:.4f}"
-    return f"{score} under {error['environment']}; lobes alone {error['psnr']:.2f} dB"
+    return f"{score} under {error['environment']}; only lobes {error['psnr']:.2f} dB"
 
 
 def _directions_text(domain: Info) -> str:

@@ -114,8 +114,8 @@ def _textures_of(surface: Surface, side: int) -> _Textures:
         except NotOfUv as problem:
             textures.captured = True
             textures.notes.append(
-                f"is transparent by {problem}, which is no function of its UV coordinates: what is "
-                "seen through it is part of the captured light"
+                f"is transparent by {problem}, which is no function of its UV coordinates: "
+                "light from behind it is part of the captured light"
             )
     textures.obstacle = surface.no_normal
     if surface.normal is not None and surface.uses:
@@ -156,7 +156,7 @@ def _holes_of(surface: Surface, textures: _Textures) -> Fit | None:
     if surface.on_hair:
         textures.captured = True
         textures.notes.append(
-            "lets light through on strands: what is seen through them is part of the captured light"
+            "lets light through on strands: light from behind them is part of the captured light"
         )
     if fit.error > _NOTED:
         textures.notes.append(

@@ -46,7 +46,7 @@ _FROM = np.array([0.5, 0.4, 1.0])  # direction of the picture's camera, if all a
 _CLUSTER = np.cos(np.radians(40.0))
 _CANDIDATES = 64
 _WORDS = {
-    MISSING: "of what is exported is not in Cycles' images",
+    MISSING: "of the exported geometry is not in Cycles' images",
     EXTRA: "of what Cycles shows is not exported",
     ELSEWHERE: "of the hits are elsewhere in Cycles",
     TURNED: "of the normals differ by more than 30 degrees",

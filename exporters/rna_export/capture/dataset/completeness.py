@@ -29,8 +29,8 @@ def check_complete(dataset: Dataset, accepts: bool) -> None:
     said = f"{dataset.folder}: {'; '.join(found)}"
     if not accepts:
         raise CaptureError(
-            f"{said}: delete what was replaced and run the same rna-capture again, or add "
-            "--incomplete to use what is there"
+            f"{said}: delete the replaced files and run the same rna-capture again, or add "
+            "--incomplete to use the others"
         )
     print(f"warning: {said}", file=sys.stderr)
 

@@ -268,7 +268,7 @@ class DatasetPart:
         if pixel.dtype.kind not in "iu" or not there.all():
             raise damaged(paths[0], f"pixels that an image of {resolution} has not")
         if len(pixel) < _SHARED * max(len(first["pixel"]), len(second["pixel"])):
-            raise damaged(paths[1], "its pixels are not those of the first half")
+            raise damaged(paths[1], "its pixels differ from the pixels of the first half")
         halves = np.stack([first["radiance"][rows[0]], second["radiance"][rows[1]]])
         samples = {name: first[name][rows[0]] for name in fields}
         samples["radiance"] = halves.mean(axis=0)
