@@ -1,4 +1,4 @@
-"""How every command writes what it measured: JSON with the stamp first, written atomically."""
+"""Results of commands: JSON with the stamp first, written atomically."""
 
 from __future__ import annotations
 

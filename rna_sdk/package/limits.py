@@ -1,4 +1,4 @@
-"""Limits a reader enforces before it touches what a file declares (spec, "Limits")."""
+"""Limits that a reader enforces before it uses declared sizes (spec, "Limits")."""
 
 import numpy as np
 

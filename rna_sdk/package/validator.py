@@ -101,7 +101,7 @@ def validate(path: str | PathLike[str]) -> list[Issue]:
 
 
 def inspect(path: str | PathLike[str]) -> Inspection:
-    """Check the file, and keep what was opened on the way."""
+    """Check the file, and keep the opened parts."""
     result = Inspection()
     with result.collect():
         result.container = Container.open(path)

@@ -185,7 +185,7 @@ class AssetPart(Asset):
     """
 
     _labels: ClassVar[Mapping[str, str]]
-    """Names of arrays in errors: those of the arguments of `evaluate`."""
+    """Names of arrays in errors, as the arguments of `evaluate`."""
 
     def __init__(
         self,

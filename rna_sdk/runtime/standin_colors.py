@@ -1,4 +1,4 @@
-"""Colours of an asset for plain materials: what it reflects of light from the side."""
+"""Colours of an asset for plain materials: its reflectance under light from the side."""
 
 from __future__ import annotations
 

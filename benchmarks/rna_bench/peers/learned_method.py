@@ -35,7 +35,7 @@ class Rays:
 
 @dataclass(frozen=True)
 class Targets:
-    """Pixels on the device: their rays and what they show; shapes as in `PixelBatch`."""
+    """Pixels on the device: their rays and colours; shapes as in `PixelBatch`."""
 
     rays: Rays
     colour: Tensor

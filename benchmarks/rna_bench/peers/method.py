@@ -37,7 +37,7 @@ class LossPoint:
 
 @dataclass(frozen=True)
 class Training:
-    """What a training has used so far.
+    """Steps, samples and time of a training so far.
 
     seconds: of processor time (of wall time on a GPU). samples: pixels seen, with repetition.
     """

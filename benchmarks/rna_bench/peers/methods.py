@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Setting:
-    """What a method is made with.
+    """Arguments that a method is made with.
 
     seed: of its initialisation and training. device: of PyTorch. full: the published sizes of
     batches and numbers of samples a ray, instead of those for a CPU. geometry: of our package of

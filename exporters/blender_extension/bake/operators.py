@@ -122,7 +122,7 @@ def _asset_name(item):
 
 
 def _file_name(item):
-    """Name of the object as that of a file: letters and digits of any script stay."""
+    """File name for the name of an object: letters and digits of any script stay."""
     return re.sub(r"[^\w-]", "_", item.name)
 
 

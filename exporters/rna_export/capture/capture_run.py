@@ -269,7 +269,7 @@ def finish(
 
 
 def _drop_late(dataset: Dataset, tasks: Sequence[Task], say: Callable[[str], None]) -> None:
-    """Take out of the plan what a time limit left undone of the tasks."""
+    """Remove from the plan the tasks that a time limit left undone."""
     settings = dataset.manifest.settings
     lights, there = settings.lights, dataset.lights_finished()
     if there < lights and any(isinstance(task, TrainingShard) for task in tasks):

@@ -97,7 +97,7 @@ class OpenedSource:
         return _scene(self.exported, self.settings, positions)
 
     def checked(self, scene: AssetScene, tick: Callable[[], object]) -> tuple[SelfCheck, Speed]:
-        """The comparison with Cycles of what the worker shows, and how fast Cycles is.
+        """The comparison of the shown geometry with Cycles, and the speed of Cycles.
 
         tick: called after each of CHECK_RENDERS renders.
         """

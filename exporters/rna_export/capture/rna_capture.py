@@ -120,7 +120,7 @@ def add_scene(p: argparse.ArgumentParser) -> None:
 
 
 def add_settings(p: argparse.ArgumentParser, names: Sequence[str]) -> None:
-    """Options for these fields of `CaptureSettings`, and for those of the geometry."""
+    """Options for these fields of `CaptureSettings`, and for the geometry."""
     for name in names:
         info = CaptureSettings.model_fields[name]
         p.add_argument(
@@ -250,7 +250,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
 
 
 def _estimate(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
-    """Print what the source is made of and is expected to gain."""
+    """Print the materials of the source and its expected gain."""
     from rna_export.capture.blender_process.blender_process import Source
     from rna_export.capture.capture_run import CaptureWorkers, measured_pilot
     from rna_export.capture.estimate.gain import gain_text, table_of

@@ -1,4 +1,4 @@
-"""What a package says of its making, for a comparison: source, training, recorded error."""
+"""Origin of a package, for a comparison: source, training, recorded error."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which plan a run of `rna-make` follows, by its options and by what was done before."""
+"""The plan of a run of `rna-make`, by its options and by earlier work."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from rna_export.training.presets import PRESETS
 
 
 def chosen_plan(options: MakeOptions, state: State, dataset: Dataset) -> Plan:
-    """The plan of a run; state: of what was done of it, or before it."""
+    """The plan of a run; state: of its earlier work."""
     lights, more = state.lights, state.more
     shard = dataset.manifest.settings.lights_per_shard
     if more is not None:

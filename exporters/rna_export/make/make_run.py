@@ -353,7 +353,7 @@ def export(
     precisions: Mapping[str, Sequence[Precision]],
     name: str | None,
 ) -> Manifest:
-    """Write the package of what was made; precisions: of each preset's tiers."""
+    """Write the package of the trained models; precisions: of each preset's tiers."""
     models, dataset, loss = made.trained(), made.dataset, math.inf
     manifest = build_package(
         models, dataset, out, credit, license_, quiet, precisions, max_loss=loss, name=name

@@ -124,7 +124,7 @@ class FixedPlan:
         """No training between captures."""
 
     def last_phase(self, left: float, models: int) -> Length:
-        """The one of a model."""
+        """The last phase of a model."""
         return Length(steps=self.steps)
 
 

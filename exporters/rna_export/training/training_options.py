@@ -31,7 +31,7 @@ def add_device(parser: argparse.ArgumentParser, what: str) -> None:
 
 
 def device_name(device: str) -> str:
-    """What the user knows a device of PyTorch by."""
+    """Name of a device of PyTorch for the user."""
     if device == "cpu":
         return "the CPU"
     import torch

@@ -1,4 +1,4 @@
-"""Last lines of a training: how good the model is, and what it was trained with."""
+"""Last lines of a training: the error of the model, and its training."""
 
 from __future__ import annotations
 

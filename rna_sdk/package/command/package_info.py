@@ -1,4 +1,4 @@
-"""What a package is: size, parts, tiers, error, cost and origin, as data and as text."""
+"""Facts of a package: size, parts, tiers, error, cost and origin, as data and as text."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ Info = dict[str, Any]
 
 
 def package_info(path: Path) -> Info:
-    """What the package's files say, with names of keys for programs; JSON's types alone.
+    """Facts of the package's files, with keys for programs; only JSON's types.
 
     Lengths are in metres. Raises PackageError for a broken package.
     """
@@ -96,7 +96,7 @@ def _images(package: Package, part: int) -> list[Info]:
 
 
 def contents(manifest: Manifest) -> list[tuple[Part, list[str]]]:
-    """Each part, and what it has beside geometry and transport: normal maps, emission, ...
+    """Each part, and its contents beside geometry and transport: normal maps, emission, ...
 
     Decoders are those of the first tier.
     """

@@ -1,4 +1,4 @@
-"""`rna-info`: what a package is."""
+"""`rna-info`: facts of a package."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ def _run(options: argparse.Namespace) -> None:
 
 
 def _colors(path: Path, package: Package) -> dict[int, np.ndarray]:
-    """What the first tier reflects at the vertices of surfaces that are not metal, by part."""
+    """Reflectance of the first tier at vertices of surfaces that are not metal, by part."""
     from rna_sdk.runtime import load  # slow to import
     from rna_sdk.runtime.standin_colors import surface_colors
 

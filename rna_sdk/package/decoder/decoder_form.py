@@ -89,7 +89,7 @@ SHADOWED = DecoderForm("shadowed", ("shadowed",), _COLOURED, "shadowed", has_fac
 EMISSION = DecoderForm("emission", ("radiance",), ("position", "axis", "h", "wo"), "emission")
 
 FORMS = (TRANSPORT, EMISSION)
-"""What a tier part answers: always the first, and the other where it has a decoder of it."""
+"""Forms of a tier part: always the first, and the other if it has a decoder of it."""
 
 ENVIRONMENT = DecoderForm("environment", ("visible", "shadowed", "axis"), _LIT, count="lobes")
 """Form of the extension RNA_environment; wi is the mirror direction of wo."""

@@ -96,7 +96,7 @@ class ProfileDecoder:
 
     @property
     def values(self) -> int:
-        """Outputs of all layers together, the result's included: what a query makes."""
+        """Outputs of all layers together, the result included: values of a query."""
         return sum(len(layer.bias) for layer in self.layers) + self.outputs
 
     @property

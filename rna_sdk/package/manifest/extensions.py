@@ -155,7 +155,7 @@ HARMONICS = 16
 
 
 class EnvironmentPart(TierPartFields, SparseRecord):
-    """Lobes of a part: what it sends to a viewer under light from all sides."""
+    """Lobes of a part: its radiance to a viewer under light from all sides."""
 
     lobes: int = Field(ge=2, le=MAX_LOBES, multiple_of=2, description="How many.")
     visibility: Annotated[EntryPath | None, NotNull()] = Field(
@@ -214,7 +214,7 @@ LARGEST_SHARE = 0.99
 
 
 class Mixture(SparseRecord):
-    """Mixture of lobes in which rays that leave triangles, or strands, fit what they scatter."""
+    """Mixture of lobes for rays that leave triangles, or strands, fitted to their transport."""
 
     first: Count = Field(default=0, description="Number of the first triangle; 0 for strands.")
     cosine: Annotated[Share | None, NotNull()] = Field(

@@ -105,7 +105,7 @@ class EquirectangularImage:
 
     @property
     def members(self) -> dict[str, float]:
-        """What the row of a light of this image holds beside its colour."""
+        """Members of the row of a light of this image beside its colour."""
         rows, columns, _ = self._texels.shape
         members = dict(zip(IMAGE_NUMBERS, self.numbers.tolist(), strict=True))
         return members | {"rows": rows, "columns": columns}

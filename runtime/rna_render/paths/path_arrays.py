@@ -1,4 +1,4 @@
-"""What the integrator knows of a band's paths between two of its steps."""
+"""State of a band's paths between two steps of the integrator."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ KINDS = 4
 
 @dataclass(frozen=True, slots=True)
 class Rays:
-    """Rays of a band and what they met.
+    """Rays of a band and their hits.
 
     path: (n,) place of their path in the band. origin, direction: (n, 3) float32, world space.
     beta: (n, 3) float32, throughput of their path so far. pdf: (n,) float32, density of the

@@ -77,7 +77,7 @@ class CoreLoader(
 
 
 def load_yaml(text: str) -> object:
-    """What a document says. Raises yaml.YAMLError."""
+    """Contents of a document. Raises yaml.YAMLError."""
     loader = CoreLoader(text)
     return loader.construct_document(loader.get_single_node())
 

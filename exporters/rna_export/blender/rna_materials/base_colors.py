@@ -252,7 +252,7 @@ def _baked(
 
 
 def _chart(found: _Found, points: UvPoints, taken: dict[str, Any] | None) -> Chart:
-    """The chart of a material: that of its other textures if it has any. Raises NotOfUv."""
+    """The chart of a material: the chart of its other textures if any. Raises NotOfUv."""
     if taken is None:
         return Chart(points.layer, IDENTITY)
     chart = replace(Chart.of(taken), tiles=None)

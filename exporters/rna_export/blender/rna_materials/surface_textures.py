@@ -50,7 +50,7 @@ class _Textures:
     notes: list[str] = field(default_factory=list)
 
     def chart(self) -> Chart | None:
-        """That of its textures, unless they are constant."""
+        """The chart of its textures, unless they are constant."""
         if self.normals is not None:
             return self.normals.chart
         is_constant = self.holes is None or self.holes.texture.shape[:2] == (1, 1)

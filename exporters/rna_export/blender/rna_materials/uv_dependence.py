@@ -1,4 +1,4 @@
-"""What a colour of a material's nodes depends on: texture coordinates, attributes, images."""
+"""Inputs of a colour of a material's nodes: texture coordinates, attributes, images."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class ImageUse:
 
 @dataclass
 class Dependence:
-    """What the value of sockets depends on.
+    """Inputs that the value of sockets depends on.
 
     problems: nodes whose values no texture over UV coordinates has. layers: names of UV maps, ""
     for the one that renders use by default. attributes: their components, by name; "" for the

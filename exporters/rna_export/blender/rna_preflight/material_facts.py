@@ -156,7 +156,7 @@ def _of_displacement(material: bpy.types.Material) -> Iterator[Shader]:
 
 
 def _of_mixes(material: bpy.types.Material) -> Iterator[Shader]:
-    """Textures that choose between shaders, but for those of holes."""
+    """Textures that choose between shaders, except textures of holes."""
     for node, _, inside in surface_sources(material):
         if node.type == "MIX_SHADER":
             mixed = [origin(socket, inside) for socket in node.inputs[1:3]]

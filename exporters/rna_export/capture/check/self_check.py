@@ -73,7 +73,7 @@ class SelfCheck:
     _towards: list[np.ndarray] = field(default_factory=list)  # viewers of what differs, (n, 3)
 
     def render_card(self, worker: BlenderWorker) -> None:
-        """Render what has a known radiance."""
+        """Render a card of known radiance."""
         self.brightness = float(np.pi) * worker.render_card()
 
     def render_chords(

@@ -185,7 +185,7 @@ class Dataset:
         self.manifest.write(self.folder / "manifest.json")
 
     def remove_unfinished(self) -> None:
-        """Delete what a killed capture left: files with temporary names of finished ones."""
+        """Delete the unfinished files of a killed capture, by their temporary names."""
         for folder in FOLDERS:
             for path in (self.folder / folder).glob("*.safetensors.*.part"):
                 path.unlink(missing_ok=True)

@@ -39,7 +39,7 @@ SAMPLE_FIELDS: dict[str, dict[str, int]] = {
         "visible": 1,
     },
 }
-"""Kind of part -> what a sample holds, with its number of columns."""
+"""Kind of part -> arrays of a sample, with their number of columns."""
 
 BASE_COLOR = "base_color"
 """A sample's base colour, float16; of parts that have any."""
@@ -80,7 +80,7 @@ class CapturedPart(DatasetModel):
     variants: tuple[tuple[BaseColorFields | None, ...], ...] = ()  # of each; none: as it is
 
     def changes(self, variant: int) -> tuple[BaseColorFields | None, ...]:
-        """What a variant has in the place of each record of base colour."""
+        """Replacement of each record of base colour in a variant."""
         return self.variants[variant] or (None,) * len(self.base_color)
 
     @model_validator(mode="after")

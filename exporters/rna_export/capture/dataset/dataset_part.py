@@ -1,4 +1,4 @@
-"""One part of a dataset: what a model is trained on."""
+"""One part of a dataset: the samples that a model is trained on."""
 
 from __future__ import annotations
 
@@ -92,7 +92,7 @@ class DatasetPart:
         return self.geometry() if exact is None else exact
 
     def _checked_geometry(self, arrays: dict[str, np.ndarray]) -> Mesh | Curves:
-        """What a package could hold; raises TypeError and PackageError for all else."""
+        """Geometry that a package can hold; raises TypeError and PackageError for others."""
         geometry = geometry_from_arrays(arrays, self.kind)
         if isinstance(geometry, Mesh):
             check_mesh(geometry, "/geometry")

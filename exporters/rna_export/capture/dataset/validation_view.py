@@ -127,7 +127,7 @@ class WhiteView(ValidationView):
 
 @dataclass(frozen=True)
 class WholeView:
-    """All parts in a captured image; rows are those of the parts, one after the other."""
+    """All parts in a captured image; rows of the parts, one part after the other."""
 
     parts: tuple[ValidationView, ...]  # in the dataset's order; some may have no row
 

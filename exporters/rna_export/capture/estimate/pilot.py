@@ -63,7 +63,7 @@ _SHOWN, _QUANTILE = 0.8, 0.95
 
 
 class Pilot(BaseModel, extra="forbid", frozen=True):
-    """What was measured of a source, on one thread."""
+    """Measurements of a source on one thread."""
 
     path_us: float = Field(gt=0, description="processor time of a path in Cycles, us")
     path_variance: float = Field(ge=0, description="of the luminance of a path along a fixed ray")

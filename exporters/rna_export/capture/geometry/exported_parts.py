@@ -144,7 +144,7 @@ def _check_not_empty(exported: ExportedParts, worker: BlenderWorker) -> None:
 
 
 def _quantise(exported: ExportedParts) -> None:
-    """Geometry in the package's steps, but for surfaces whose details are too small for them."""
+    """Geometry in the package's steps, except surfaces whose details are too small for them."""
     for name, geometry in exported.geometries.items():
         if isinstance(geometry, Mesh):
             if note := too_coarse(name, geometry):
