@@ -14,7 +14,7 @@ import os
 import shutil
 import socket
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from datetime import datetime
@@ -70,22 +70,19 @@ class OwnedFolder:
 
 
 @contextmanager
-def owned(
-    folder: Path, command: str, is_of_command: Callable[[Path], bool] = lambda folder: False
-) -> Iterator[OwnedFolder]:
+def owned(folder: Path, command: str) -> Iterator[OwnedFolder]:
     """The folder for a command, made if missing, until the block ends.
 
     Leftovers of its killed runs are deleted: scratch folders and unfinished files. A block that
     wrote nothing leaves no folder that was not there.
 
-    command: its name, `rna-capture`. is_of_command: whether a folder with files and without a
-    marker was written by the command; earlier versions made no markers.
+    command: its name, `rna-capture`.
 
     Raises RnaError for a file, a folder of others, and one that another process writes; OSError
     where the folder cannot be written.
     """
     was_there = folder.exists()
-    _check_marked(folder, command, is_of_command)
+    _check_marked(folder, command)
     folder.mkdir(parents=True, exist_ok=True)
     marker = _marker(folder, command)
     with _locked(marker, folder, command) as file:
@@ -100,13 +97,13 @@ def owned(
                         folder.rmdir()
 
 
-def _check_marked(folder: Path, command: str, is_of_command: Callable[[Path], bool]) -> None:
+def _check_marked(folder: Path, command: str) -> None:
     if folder.exists() and not folder.is_dir():
         raise RnaError(f"{folder}: is a file, expected a folder")
     if not folder.is_dir() or _marker(folder, command).is_file():
         return
     others = sorted(path.name for path in folder.iterdir() if _counts(path) or _is_ours(path))
-    if others and not is_of_command(folder):
+    if others:
         more = f" and {len(others) - _NAMED} more" if len(others) > _NAMED else ""
         raise RnaError(
             f"{folder}: found {', '.join(others[:_NAMED])}{more}, which {command} did not write; "

@@ -15,25 +15,15 @@ from rna_trace.hit_points import HitPoints, Lines
 class Points(ABC):
     """Points of a part of a body that are seen, and directions wo to the viewer; object space.
 
-    x, n: (m, 3) float32, points and unit normals. gives_lobes: whether they know `lobes`.
-    on_strands: whether they are on strands, many of which may share a pixel. found: where they are
-    in the world, and the step of rays from there; None where rays pass through the body.
+    x, n: (m, 3) float32, points and unit normals. on_strands: whether they are on
+    strands, many of which may share a pixel. found: where they are in the world, and the step of
+    rays from there; None where rays pass through the body.
     """
 
     x: np.ndarray
     n: np.ndarray
-    gives_lobes = False
     on_strands = False
     found: HitPoints | None = None
-
-    def lobes(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Lobes of the transport of all points: amplitudes and axes, (m, L, 3) float32 each.
-
-        Radiance towards the viewer is the sum of amplitude times the environment's mean under the
-        von Mises-Fisher distribution of that axis, kappa times a unit vector. The third is (m,)
-        float32, from 0 to 1, how much the body leaves in sight along the mirror direction.
-        """
-        raise NotImplementedError("these points have no lobes")
 
     @abstractmethod
     def transport(

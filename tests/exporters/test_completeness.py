@@ -39,22 +39,22 @@ def test_what_is_missing_replaced_or_not_captured_is_told(tmp_path: Path) -> Non
     geometry.write_bytes(geometry.read_bytes() + b" ")
     dataset.plan_lights(4 * dataset.manifest.settings.lights_per_shard)
     assert differences(dataset) == [
-        "1 of 10 files are not captured yet (train/00003.safetensors)",
-        "1 of 10 files are missing (train/00001.safetensors)",
-        "2 of 10 files are replaced since the capture "
+        "1 of 11 files are not captured yet (train/00003.safetensors)",
+        "1 of 11 files are missing (train/00001.safetensors)",
+        "2 of 11 files are replaced since the capture "
         "(geometry/asset.safetensors, train/00002.safetensors)",
     ]
 
 
 def test_a_capture_that_still_runs_is_not_whole(tmp_path: Path) -> None:
     dataset = make_dataset(tmp_path / "ball.rays", shards=3).dataset
-    assert differences(dataset) == []  # as captures of earlier versions are
+    assert differences(dataset) == []
     for half in (0, 1):
         dataset.validation_path(1, half).unlink()
     dataset.train_path(2).unlink()
     assert differences(dataset) == [
-        "3 of 7 files are not captured yet (train/00002.safetensors, "
-        "validation/01-0.safetensors, validation/01-1.safetensors)"
+        "3 of 8 files are not captured yet (validation/01-0.safetensors, "
+        "validation/01-1.safetensors, train/00002.safetensors)"
     ]
 
 

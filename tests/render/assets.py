@@ -51,37 +51,6 @@ class LambertAsset:
 
 
 @dataclass(frozen=True)
-class LobedAsset(LambertAsset):
-    """Transport that is a sum of two lobes, in shadow as in light, so that its lobes are exact."""
-
-    environment_form: str = "lobes"
-
-    def _axes(self, normals, wo):
-        return np.stack([2 * normals, 10 * self.mirror(normals, wo)], axis=1).astype(np.float32)
-
-    def evaluate(self, positions, normals, wo, wi):
-        axes = self._axes(normals, wo).astype(np.float64)
-        kappa = np.linalg.norm(axes, axis=2)
-        density = np.exp(np.einsum("nlc,nc->nl", axes, wi)) * kappa / (4 * np.pi * np.sinh(kappa))
-        value = density @ self._amplitudes().astype(np.float64)
-        return (value.astype(np.float32),) * 2
-
-    def _amplitudes(self):
-        return np.float32([self.albedo, [0.3, 0.3, 0.3]])
-
-    def mirror(self, axes, wo):
-        along = np.sum(axes * wo, axis=1, keepdims=True)
-        return np.ascontiguousarray(2 * along * axes - wo, np.float32)
-
-    def visibility_at(self, primitives, u, v):
-        return np.empty((len(primitives), 0), np.float32)
-
-    def lobes(self, positions, normals, wo, free, visibility):
-        amplitudes = np.broadcast_to(self._amplitudes(), (len(wo), 2, 3))
-        return np.ascontiguousarray(amplitudes), self._axes(normals, wo)
-
-
-@dataclass(frozen=True)
 class FiberProbe:
     """Fibers whose transport tells what was asked: the sine from tangent to wi, h, and 1 / 4 pi.
 

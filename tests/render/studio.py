@@ -14,7 +14,6 @@ from rna_render.lights import AssetLight, PlacedLight, make_light
 from rna_render.materials import MeshObject
 from rna_render.materials.material import Material
 from rna_render.paths.integrator import Integrator
-from rna_render.paths.lobe_lighting import LobeLighting
 from rna_render.paths.render import render
 from rna_render.scene.scene_model import Scene
 from rna_render.scene.transforms import world_from_object
@@ -39,13 +38,11 @@ def shoot(
     scene_objects: Sequence[tuple[SceneObject, dict[str, Any]]],
     lights: Sequence[dict[str, Any]] = (),
     strategy: Literal["both", "lights", "rays"] = "both",
-    lobes: bool = False,
     **changes: Any,
 ) -> Channels:
     """Channels of the image of `things`, with their transforms, and of lights of a scene file.
 
-    changes: keys of the scene file. strategy: of the integrator. lobes: whether
-    environments come by lobes.
+    changes: keys of the scene file. strategy: of the integrator.
     """
     defaults = {
         "resolution": (48, 48),
@@ -66,10 +63,7 @@ def shoot(
     others = [light for light in made if light not in shapes]
     camera = Camera(scene.camera, scene.resolution)
     lights = [*world.lights, *others]
-    lighting = LobeLighting(lights) if lobes else None
-    integrator = Integrator(
-        world, camera, lights, max_depth=scene.max_depth, strategy=strategy, lobes=lighting
-    )
+    integrator = Integrator(world, camera, lights, max_depth=scene.max_depth, strategy=strategy)
     with one_thread():
         return render(scene, integrator).channels()
 

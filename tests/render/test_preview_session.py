@@ -6,30 +6,22 @@ import io
 import signal
 import threading
 import time
-from dataclasses import replace
 
 import numba
 import numpy as np
 import pytest
 from PIL import Image
 
-from rna_render.image.film import Layers
 from rna_render.paths.integrator_factory import make_integrator
 from rna_render.paths.render import render
-from rna_render.paths.sampling import Sampler
 from rna_render.paths.world_in_time import load_world
 from rna_render.preview.change import Change
 from rna_render.preview.lighting import Lighting, lighting_choices
-from rna_render.preview.picture import rgba
 from rna_render.preview.session import Session
-from rna_render.scene.light_models import EnvironmentModel
 from rna_render.scene.scene_file import SceneFile, read_scene
-from rna_render.world.placements import Placement
-from rna_render.world.world import World
 from rna_sdk.errors import QueryError, SceneError
-from tests.render.assets import LobedAsset, sphere, square
+from tests.render.assets import sphere
 from tests.render.packages import ALBEDO, write_lambert_package
-from tests.render.studio import made_of
 
 SCENE = """\
 assets: [{path: ball.rna}]
@@ -98,34 +90,6 @@ def test_a_first_look_has_fewer_pixels(scene_file, world):
     finally:
         session.stop()
     assert sizes == [(2, 2), (3, 4), (6, 8), (12, 16)] + 4 * [(24, 32)]
-
-
-def test_a_first_look_by_lobes_fades_into_the_samples(scene_file):
-    """Lobes are those of the asset's transport, on a ground that has none."""
-    sky = EnvironmentModel(type="environment", radiance=(1.0, 0.8, 0.6))
-    scene = scene_file.scene.model_copy(update={"lights": (sky,), "samples": 20})
-    asset = Placement(LobedAsset(sphere(3, radius=0.15)), np.eye(4))
-    ground = Placement(made_of(square(0.3, height=-0.14), base_color=(0.3, 0.3, 0.3)), np.eye(4))
-    lit, world = replace(scene_file, scene=scene), World([asset, ground])
-    session, seen = Session(lit, world, lighting_choices(scene_file.path)), []
-    session._publish = lambda label, picture: seen.append((label, picture))
-    session._ms_a_pixel = 0.0
-    session._render(1)
-    shares = [(label.samples, label.lobes) for label, _ in seen]
-    fading = [(n, round(1 - n / 16, 3)) for n in range(1, 16)]
-    assert shares == [(0, 1.0), *fading, *((n, 0.0) for n in range(16, 21))]
-    film = render(scene, make_integrator(scene, world))
-    np.testing.assert_array_equal(seen[-1][1], rgba(film))
-    light = np.array([picture[..., :3].mean() for _, picture in seen])
-    assert light == pytest.approx(light[-1], rel=0.02)
-    # At no time is there as much noise as in one sample by rays.
-    on_asset = film.channels()["assetId"] == 1
-    noise = [np.std(picture[on_asset, 0] - seen[-1][1][on_asset, 0]) for _, picture in seen]
-    one = Session(lit, world, lighting_choices(scene_file.path))
-    alone = one._sample(1, make_integrator(scene, world), 32 * 24, Sampler(0, 0))
-    by_rays = Layers.concatenate(alone).beauty.reshape(24, 32, 4)
-    by_rays = by_rays[on_asset, 0] - seen[-1][1][on_asset, 0]
-    assert max(noise) < 0.75 * np.std(by_rays)
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rna_render.lights.split.bright_directions import split_environment
+from rna_export.lobes.bright_directions import split_environment
 
 pytestmark = pytest.mark.skipif(shutil.which("node") is None, reason="needs Node")
 

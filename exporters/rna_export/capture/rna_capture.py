@@ -228,7 +228,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     limit = None if args.minutes is None else TimeLimit(args.minutes)
     python = blender_env.find_python()
     with (
-        owned(args.out, "rna-capture", _is_dataset) as folder,
+        owned(args.out, "rna-capture") as folder,
         folder.scratch() as scratch,
         open_executor(args.cluster) as executor,
     ):

@@ -100,11 +100,6 @@ def _recorded(made: Made | None) -> str | None:
     return error_text(validation.flip, validation.flip_p95)
 
 
-def is_report(folder: Path) -> bool:
-    """Whether a folder holds a report."""
-    return all((folder / name).is_file() for name in ("index.html", "results.json", "sheet.png"))
-
-
 def _facts(made: Made | None) -> dict[str, str]:
     """Rows of the page's first table."""
     if made is None:

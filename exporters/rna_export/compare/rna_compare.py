@@ -80,7 +80,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     from rna_export.capture.blender_process.blender_process import Source
     from rna_export.capture.blender_process.blender_worker import BlenderWorker
     from rna_export.capture.blender_process.source_file import check_source
-    from rna_export.compare.comparison_page import error_of, is_report, write_page
+    from rna_export.compare.comparison_page import error_of, write_page
     from rna_export.compare.comparison_run import Pair, compare, returned_light
     from rna_export.compare.origin import Origin
     from rna_sdk.commands.error_words import albedo_text
@@ -123,7 +123,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
 
     print(f"opening {args.source} in Blender", flush=True)
     with (
-        owned(args.out, "rna-compare", is_report),
+        owned(args.out, "rna-compare"),
         tempfile.TemporaryDirectory(prefix="rna-compare-") as scratch,
         BlenderWorker(python, source, Path(scratch), core_count()) as worker,
     ):

@@ -9,10 +9,10 @@ import numpy as np
 import torch
 from numpy.typing import NDArray
 
+from rna_export.lobes.bright_directions import cell_directions, split_environment
 from rna_export.lobes.lobe_model import densities
 from rna_export.lobes.view_points import Grid, LobesAt, PartViews, Rows, ViewPoints
 from rna_export.metrics import IRRADIANCE, flip, psnr
-from rna_render.lights import cell_directions, split_environment
 from rna_sdk.package import EnvironmentValidation
 from rna_sdk.runtime import FiberAsset
 

@@ -91,7 +91,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     from rna_export.make.carry_on import size_of
     from rna_export.make.make_options import MakeOptions
     from rna_export.make.make_run import Make, export
-    from rna_export.make.state import WRITTEN, is_work_folder
+    from rna_export.make.state import WRITTEN
     from rna_export.pictures import sheet_of, training_picture_of
     from rna_render.scene import read_scene
 
@@ -113,7 +113,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     picture = training_picture_of(args.out)
     print(f"{work} holds rays and trainings; Ctrl-C stops, and the same command resumes")
     print(f"{picture} shows the model while it is trained: ours, Cycles, the error", flush=True)
-    with owned(work, "rna-make", is_work_folder) as folder:
+    with owned(work, "rna-make") as folder:
         with folder.scratch() as scratch, open_executor(args.cluster) as executor:
             options = MakeOptions(
                 source=source,

@@ -13,7 +13,7 @@ from rna_sdk.files.atomic_file import write_atomically
 
 _NAME = "make.json"
 WRITTEN = (_NAME, "rays", "runs", "before", "scratch")
-"""Names of all that a run, of this version or an earlier one, writes into its work folder."""
+"""Names of all that a run writes into its work folder."""
 
 
 class RunSettings(BaseModel, extra="forbid", frozen=True):
@@ -91,11 +91,6 @@ class State(BaseModel, extra="forbid"):
     def save(self, work: Path) -> None:
         """The file is written atomically."""
         write_atomically(work / _NAME, (self.model_dump_json(indent=1) + "\n").encode())
-
-
-def is_work_folder(folder: Path) -> bool:
-    """Whether a run has begun there."""
-    return (folder / _NAME).is_file()
 
 
 def read_state(work: Path) -> State | None:

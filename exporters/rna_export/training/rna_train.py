@@ -140,7 +140,7 @@ def _run(args: argparse.Namespace) -> None:
     from rna_export.machine import keep_freed_memory
     from rna_export.training.nearby_choice import with_nearby
     from rna_export.training.part_runs import part_folder, shared_minutes
-    from rna_export.training.training_run import Run, is_of_training, train
+    from rna_export.training.training_run import Run, train
     from rna_export.training.training_summary import closing_lines
 
     keep_freed_memory()
@@ -152,7 +152,7 @@ def _run(args: argparse.Namespace) -> None:
     minutes = shared_minutes(args.minutes, parts)
     folders = {part.name: part_folder(args.out, dataset, part.name) for part in dataset.parts}
     written = []
-    with owned(args.out, "rna-train", lambda _: any(map(is_of_training, folders.values()))):
+    with owned(args.out, "rna-train"):
         for part in parts:
             out = folders[part.name]
             if len(dataset.parts) > 1:

@@ -159,11 +159,6 @@ def _bytes_a_sample(model: NeuralAsset) -> float:
     return 4.0 * (2 * numbers + 4 * 12 * model.config.channels)
 
 
-def is_of_training(folder: Path) -> bool:
-    """Whether a training has begun there."""
-    return any((folder / name).is_file() for name in ("last.ckpt", _SO_FAR, "best.ckpt"))
-
-
 def _fit(
     run: Run,
     fitting: Fitting,

@@ -43,10 +43,6 @@ def check_device(device: str, scene_file: SceneFile) -> None:
         if asset.motion is not None:
             message = f"is rendered on the CPU, not with --device {device}"
             raise scene_file.error(("assets", index, "motion"), message)
-    quality = scene_file.scene.quality
-    if quality is not None and quality.by_lobes:
-        message = f"lobes are for the CPU, found --device {device}; expected rays"
-        raise scene_file.error(("quality", "environment"), message)
 
 
 def open_renderer(

@@ -97,11 +97,6 @@ def missing_pieces(count: int, there: list[Piece]) -> Iterator[Piece]:
         yield Piece(start, count)
 
 
-def is_of_pieces(folder: Path) -> bool:
-    """Whether a folder holds pieces alone, of any image."""
-    return all(path.match(_PIECES) for path in folder.iterdir() if not path.name.startswith("."))
-
-
 def finished_pixels(folder: Path) -> int:
     """Number of pixels of the pieces that a folder holds; 0 if there is no such folder."""
     return sum(_piece_of(path).pixels for path in _paths(folder))

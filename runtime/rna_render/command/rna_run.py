@@ -321,7 +321,7 @@ def _render_still(scene_file: SceneFile, output: Output, options: argparse.Names
 
 
 def _render_in_pieces(scene_file: SceneFile, output: Output, options: argparse.Namespace) -> int:
-    from rna_render.command.finished_pieces import finished_pixels, is_of_pieces
+    from rna_render.command.finished_pieces import finished_pixels
     from rna_render.command.pieces import render_pieces
     from rna_render.command.terminal import tell_clamp
     from rna_render.world.scene_sources import files_of
@@ -333,7 +333,7 @@ def _render_in_pieces(scene_file: SceneFile, output: Output, options: argparse.N
     folder = first.with_name(f"{first.name}.pieces")
     try:
         with (
-            owned(folder, "rna-run", is_of_pieces) as work_folder,
+            owned(folder, "rna-run") as work_folder,
             open_executor(options.cluster) as executor,
         ):
             film, finished = render_pieces(

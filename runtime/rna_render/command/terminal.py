@@ -64,7 +64,7 @@ def tell_size(path: Path) -> None:
 def tell_tiers(quality: QualityModel | None, world: World) -> None:
     """Print which tiers the scene's `quality` led to, if it has one."""
     assets = world.assets
-    if quality is not None and quality.has_limit and assets:
+    if quality is not None and assets:
         tiers = _counted(assets)
         if world.indirect:
             tiers += f"; of indirect radiance: {_counted(world.indirect)}"

@@ -16,7 +16,3 @@ from .light_kinds import kinds_of_lights as kinds_of_lights
 from .light_kinds import make_light as make_light
 from .light_kinds import number_places as number_places
 from .selection import LightSelection as LightSelection
-from .split.bright_directions import SplitEnvironment as SplitEnvironment
-from .split.bright_directions import cell_directions as cell_directions
-from .split.bright_directions import split_environment as split_environment
-from .split.prefilter import PrefilteredEnvironment as PrefilteredEnvironment

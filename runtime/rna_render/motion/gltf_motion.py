@@ -74,13 +74,12 @@ class GltfMotion:
     def rest_poses(self, captured: int | None = None) -> Iterator[np.ndarray]:
         """Poses that a package may have been made from, the likeliest first: (w, 3) each.
 
-        As the nodes stand; without skins and morphs; the animation's start, and 1/24 s later, where
-        captures of earlier versions were; the frame of Blender's at which the package was captured.
+        As the nodes stand; without skins and morphs; the animation's start; the frame of Blender's
+        at which the package was captured.
         """
         yield self._posed({})
         yield self._posed({}, bare=True)
         yield self.positions(0)
-        yield self.positions(self.rate / 24.0)
         if captured is not None:
             yield self.positions(self.rate * captured / 24.0)
 

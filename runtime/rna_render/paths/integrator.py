@@ -22,10 +22,8 @@ from rna_render.image.film import Layers
 from rna_render.lights import InfiniteLight, Light
 from rna_render.paths.bands import BAND
 from rna_render.paths.light_sampling import LightChoice, LightSampling, caught_light
-from rna_render.paths.lobe_lighting import LobeLighting
 from rna_render.paths.path_arrays import (
     KINDS,
-    LOBED,
     STRAND,
     Paths,
     Rays,
@@ -70,8 +68,7 @@ class Integrator:
     scatter. clamp: clamp on per-path indirect radiance; None disables it. Each of the rays that go
     on from the point that the camera sees counts for that part of a path, with its clamp.
     strategy: how light is found; anything but "both" is for tests, since each way alone misses some
-    lights or is slow. next_camera: where the camera is a frame later; None for a still one. lobes:
-    of these lights, to use the lobes of assets; None for rays alone.
+    lights or is slow. next_camera: where the camera is a frame later; None for a still one.
     """
 
     at_once, band, samples = None, BAND, 1
@@ -86,29 +83,23 @@ class Integrator:
         clamp: float | None = None,
         strategy: Strategy = "both",
         next_camera: Camera | None = None,
-        lobes: LobeLighting | None = None,
     ) -> None:
         self._world = world
         self._camera, self._next_camera = camera, next_camera or camera
         self._glass = SolidGlass(world)
-        self._lobes, indices = lobes, range(len(lights))
-        self._carried = set() if lobes is None else {k for k, _ in lobes.environments}
-        lights = [*lights, *(() if lobes is None else lobes.bright)]
         both = strategy == "both"
         self._lights = [light.mis_compensated() for light in lights] if both else lights
         self._max_depth = max_depth
         self._branches = np.full(KINDS, BRANCHES)
-        self._branches[[STRAND, STRAND + LOBED]] = STRAND_BRANCHES
+        self._branches[STRAND] = STRAND_BRANCHES
         if not world.scatters:
             self._branches[:] = 1
         self._clamp = None if clamp is None else np.float32(clamp)
         self._strategy = strategy
         most = (None, STRAND_SAMPLES)
-        self._samplings = [LightSampling(world, self._lights, indices, most=n) for n in most]
-        if lobes is not None:
-            self._samplings += [lobes.sampling(world, self._lights, n) for n in most]
+        self._samplings = [LightSampling(world, self._lights, n) for n in most]
         self._sampling = self._samplings[0]
-        self._sampling_alone = LightSampling(world, lights, indices)
+        self._sampling_alone = LightSampling(world, lights)
         self.groups = sorted({light.group for light in lights} - {""})
         self._group = [self.groups.index(x.group) if x.group else None for x in lights]
         self._infinite = [
@@ -129,8 +120,6 @@ class Integrator:
                 break
             paths = self._paths(vertices, rays, pixels, sampler, depth)
             path = paths.path
-            if (paths.kind >= LOBED).any():
-                self._add_lobes(band, vertices, paths)
             choices, probability = self._choose(paths)
             for choice, shares in choices if self._strategy != "rays" else ():
                 samples = self._sample_lights(vertices, choice, shares, paths.beta)
@@ -182,7 +171,7 @@ class Integrator:
     ) -> Paths:
         path, kind = rays.path[vertices.ray], np.zeros(len(vertices), np.int8)
         if depth == 1:
-            kind = point_kinds(vertices, by_lobes=self._lobes is not None)
+            kind = point_kinds(vertices)
         numbers = PathNumbers(sampler, pixels[path], depth, rays.number[vertices.ray])
         beta, share = rays.beta.take(vertices.ray, axis=0), rays.share[vertices.ray]
         return Paths(path, beta, share, kind, numbers)
@@ -220,32 +209,15 @@ class Integrator:
                 if rays.bent is None:
                     continue
                 row = escaped[rays.bent[escaped]]
-            if k in self._carried:
-                row = escaped[rays.kind[escaped] < LOBED]
             radiance, pdf = light.eval_environment(rays.direction.take(row, axis=0))
             self._add_hit(band, rays, depth, row, k, radiance, pdf)
             if from_camera:
                 band.beauty[rays.path[row], 3] = 1.0
-        self._subtract_lobes(band, rays, depth)
         of_light = np.where(owner >= 0, self._world.light[owner], -1)
         for k in np.flatnonzero(np.bincount(of_light + 1)[1:]).tolist():
             hit = np.flatnonzero(of_light == k)
             radiance, pdf = self._world.lights[k].eval_hit(*self._meeting(rays, hit))
             self._add_hit(band, rays, depth, hit, k, radiance, pdf)
-
-    def _subtract_lobes(self, band: Layers, rays: Rays, depth: int) -> None:
-        """Take away what lobes carry from directions in which rays did not find the environment."""
-        if rays.unweakened is None or self._lobes is None:
-            return
-        missed = (rays.hits.instance < 0).astype(np.float32)[:, None]
-        if rays.hits.weight is not None:
-            missed = missed * rays.hits.weight
-        row = np.flatnonzero((rays.kind >= LOBED) & (missed != 1.0).any(axis=1))
-        scale = (missed[row] - 1.0) * rays.unweakened[row]
-        for k, split in self._lobes.environments:
-            missing = scale * split.rest(rays.direction.take(row, axis=0))
-            light = np.full(len(row), k)
-            self._add(band, rays.path[row], light, missing, rays.share[row], depth)
 
     def _meeting(
         self, rays: Rays, hit: np.ndarray
@@ -287,16 +259,6 @@ class Integrator:
             if group is not None:
                 of_light = light == k
                 add_rows(band.groups[:, group], path[of_light], radiance[of_light])
-
-    def _add_lobes(self, band: Layers, vertices: Vertices, paths: Paths) -> None:
-        """Add what lobes carry."""
-        assert self._lobes is not None
-        for rows, free, lights in self._lobes.light(self._world, vertices):
-            path = paths.path[rows]
-            for k, radiance in lights:
-                sent = paths.beta[rows] * radiance
-                self._add(band, path, np.full(len(sent), k), sent, paths.share[rows], 1)
-            band.light_samples[path] += np.column_stack([np.ones_like(free), free])
 
     def _choose(self, paths: Paths) -> tuple[list[tuple[LightChoice, np.ndarray]], np.ndarray]:
         """Samples of lights at points, each with how many each light gets, (k,) float64.
@@ -345,8 +307,6 @@ class Integrator:
             branches = self._branches[paths.kind]
             share = (share / branches).astype(np.float32)
             beta = beta * share[:, None]
-            if not world.scatters:
-                row = np.flatnonzero(paths.kind < LOBED)  # lobes are all there is
         if numbers.depth >= FIRST_ROULETTE:
             # As often as if the path had not been split.
             largest = np.maximum(np.maximum(beta[:, 0], beta[:, 1]), beta[:, 2])
@@ -370,20 +330,12 @@ class Integrator:
             lines = origin, direction.copy(), hits
             behind = self._glass.follow(*lines, numbers.sampler, pixels, number, depth)
             origin, direction, hits, bent = behind.lines
-        kind = paths.kind[row]
-        lobed = kind >= LOBED
-        # A ray into a black sky, or one that lobes carry, brings nothing, whatever T is.
-        lit: np.ndarray | slice = slice(None)
-        if not self._infinite or (lobed.any() and hits.weight is None):
-            lit = np.flatnonzero((hits.instance >= 0) | (~lobed & bool(self._infinite)))
+        # A ray into a black sky brings nothing, whatever T is.
+        lit = slice(None) if self._infinite else np.flatnonzero(hits.instance >= 0)
         for part, place, points in vertices.local_rows(row[lit]):
             at = part if isinstance(lit, slice) else lit[part]
             near = None if of_nearby is None else of_nearby[at]
             transport[at], _ = points.transport(place, wi[at], distance[at], near)
-        unweakened = None
-        if lobed.any():
-            unweakened = transport.copy()
-            weigh_rays(unweakened, pdf, None, row, beta)
         weigh_rays(transport, pdf, hits.weight, row, beta)
         if bent is not None:
             pdf[bent] = np.inf  # no sample of a light finds what they find
@@ -394,11 +346,10 @@ class Integrator:
             hits=hits,
             beta=transport,
             pdf=pdf,
-            kind=kind,
+            kind=paths.kind[row],
             probability=probability,
             share=share[row],
             number=number,
-            unweakened=unweakened,
             bent=bent,
         )
 

@@ -9,10 +9,8 @@ import numpy as np
 
 from rna_render.lights import Light, make_light
 from rna_render.paths.integrator import Integrator
-from rna_render.paths.lobe_lighting import LobeLighting, lobed_objects
-from rna_render.paths.solid_glass import SolidGlass
-from rna_render.scene.light_models import AreaModel, EnvironmentModel
-from rna_render.scene.scene_model import CameraModel, QualityModel, Scene
+from rna_render.scene.light_models import AreaModel
+from rna_render.scene.scene_model import CameraModel, Scene
 from rna_render.scene.transforms import from_origin
 from rna_render.world.camera import Camera
 from rna_render.world.world import World
@@ -35,9 +33,6 @@ def make_integrator(
     if next_camera is not None and next_camera != scene.camera:
         after = Camera(from_origin(next_camera, world.origin), scene.resolution)
     clamp = indirect_clamp(scene.clamp_indirect, lights, world.radius)
-    by_lobes = scene.quality is not None and scene.quality.by_lobes
-    # What lobes carry of an environment knows nothing of glass that is in the way.
-    lobes = LobeLighting(lights) if by_lobes and not SolidGlass(world) else None
     return Integrator(
         world,
         camera,
@@ -45,22 +40,7 @@ def make_integrator(
         max_depth=scene.max_depth,
         clamp=clamp,
         next_camera=after,
-        lobes=lobes,
     )
-
-
-def make_first_look(scene: Scene, world: World) -> Integrator | None:
-    """As `make_integrator`, with environments by lobes.
-
-    None where that changes nothing: no asset has lobes, no light is an environment, the scene asks
-    for lobes itself, or there is solid glass.
-    """
-    uses_lobes = scene.quality is not None and scene.quality.by_lobes
-    lit = any(isinstance(light, EnvironmentModel) for light in scene.lights)
-    if uses_lobes or not lit or not lobed_objects(world) or SolidGlass(world):
-        return None
-    by_lobes = QualityModel(environment="lobes")
-    return make_integrator(scene.model_copy(update={"quality": by_lobes}), world)
 
 
 def all_lights(scene: Scene, world: World) -> list[Light]:

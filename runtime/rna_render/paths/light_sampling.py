@@ -41,22 +41,12 @@ class LightSampling:
     """Samples of the lights of a world, and shadow rays to them.
 
     At the first points of a path, few lights all have samples; else one light is chosen, by its
-    power, and has one. only: places of the lights that have samples at all; None for all. at_once:
-    so many are few. most: samples of a light at a point; None for as many as it asks for.
+    power, and has one. most: samples of a light at a point; None for as many as it asks for.
     """
 
-    def __init__(
-        self,
-        world: World,
-        lights: Sequence[Light],
-        only: Sequence[int] | None = None,
-        at_once: int = LIGHTS_AT_A_VERTEX,
-        most: int | None = None,
-    ) -> None:
-        self._world = world
-        self._lights, self._at_once = lights, at_once
-        self._only = np.arange(len(lights)) if only is None else np.array(only, np.int64)
-        self._selection = LightSelection([lights[k] for k in self._only], world.radius)
+    def __init__(self, world: World, lights: Sequence[Light], most: int | None = None) -> None:
+        self._world, self._lights = world, lights
+        self._selection = LightSelection(lights, world.radius)
         self._delta = np.array([light.delta for light in lights], bool)
         counts = [light.samples for light in lights]
         self._times = np.array([min(n, most or n) for n in counts], np.int64)
@@ -67,23 +57,23 @@ class LightSampling:
         Returns any number of choices, and (k,) float64.
         """
         row, probability = np.arange(len(numbers.pixels)), np.zeros(len(self._lights))
-        if not len(self._only):
+        if not self._lights:
             return [], probability
-        if numbers.depth <= FULLY_LIT and len(self._only) <= self._at_once:
-            times = np.maximum(self._times[self._only] // numbers.depth, 1)
+        if numbers.depth <= FULLY_LIT and len(self._lights) <= LIGHTS_AT_A_VERTEX:
+            times = np.maximum(self._times // numbers.depth, 1)
             every = [
                 LightChoice(
                     np.repeat(row, parts),
-                    np.full(len(row) * parts, light),
+                    np.full(len(row) * parts, k),
                     numbers.square(LIGHT + k, parts),
                     self._of_nearby(numbers, LIGHT + k, parts),
                 )
-                for k, (light, parts) in enumerate(zip(self._only, times.tolist(), strict=True))
+                for k, parts in enumerate(times.tolist())
             ]
-            probability[self._only] = times
+            probability[:] = times
             return every, probability
-        chosen = self._only[self._selection.choose(numbers.square(CHOICES)[:, 0])]
-        probability[self._only] = self._selection.probability
+        chosen = self._selection.choose(numbers.square(CHOICES)[:, 0])
+        probability[:] = self._selection.probability
         of_nearby = self._of_nearby(numbers, LIGHT, 1)
         return [LightChoice(row, chosen, numbers.square(LIGHT), of_nearby)], probability
 

@@ -10,10 +10,9 @@ from rna_render.paths.sampling import PathNumbers
 from rna_render.world.world import Vertices
 from rna_trace.embree.tracing import ClosestHits
 
-# Flags of the kinds of points that the camera sees, which differ in how light is looked for there.
+# Kinds of points that the camera sees, which differ in how light is looked for there; 0: others.
 STRAND = 1
-LOBED = 2
-KINDS = 4
+KINDS = 2
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,8 +24,7 @@ class Rays:
     direction; None for camera rays. kind: (n,) int8, of the points where they start. probability:
     (KINDS, k) of each light to be sampled there. share: (n,) float32, of the light of the point
     that the camera sees, the part that is sought along this ray. number: (n,) int64, see
-    PathNumbers, for the points that they meet. unweakened: (n, 3) float32, beta if the rays had not
-    passed through anything; None if lobes carry nothing where they start. bent: (n,) bool, which
+    PathNumbers, for the points that they meet. bent: (n,) bool, which
     came through solid glass, and so go from its last interface on; None for none.
     """
 
@@ -40,7 +38,6 @@ class Rays:
     probability: np.ndarray
     share: np.ndarray
     number: np.ndarray
-    unweakened: np.ndarray | None = None
     bent: np.ndarray | None = None
 
 
@@ -76,9 +73,9 @@ class WeightedSamples:
     seen: np.ndarray
 
 
-def point_kinds(vertices: Vertices, by_lobes: bool) -> np.ndarray:
-    """The kind of each vertex: (m,) int8, STRAND and LOBED added. by_lobes: whether lobes count."""
+def point_kinds(vertices: Vertices) -> np.ndarray:
+    """The kind of each vertex: (m,) int8."""
     kinds = np.zeros(len(vertices), np.int8)
     for rows, points in vertices.parts:
-        kinds[rows] = STRAND * points.on_strands + LOBED * (by_lobes and points.gives_lobes)
+        kinds[rows] = STRAND * points.on_strands
     return kinds

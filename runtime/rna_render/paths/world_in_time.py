@@ -41,7 +41,7 @@ def load_world(
     """
     quality, loaded = scene_file.scene.quality, loaded or Loaded()
     check_files(scene_file)
-    if quality is None or not quality.has_limit:
+    if quality is None:
         tiers = tuple(Choice(asset.tier) for asset in scene_file.scene.assets)
         return placed_world(scene_file, tiers, loaded)
     choice = TierChoice(scene_file, views or (scene_file.scene,))

@@ -23,16 +23,14 @@ class Label:
     """Metadata of a picture.
 
     serial: later pictures have higher ones. revision: of the view that it shows. samples: how
-    many it is the mean of, 0 for a first look, with fewer pixels or by lobes. sample_ms: time of
-    the last one. lobes: share of the picture in which environments come by lobes, where assets
-    have them. error: why there is no picture.
+    many it is the mean of, 0 for a first look, with fewer pixels. sample_ms: time of the last one.
+    error: why there is no picture.
     """
 
     serial: int
     revision: int
     samples: int = 0
     sample_ms: float = 0.0
-    lobes: float = 0.0
     error: str | None = None
 
 

@@ -1,10 +1,8 @@
 """The scene as the page sees it: a thread that renders the view, and starts again when it changes.
 
 A view is rendered first with few pixels, as many as should take FIRST_LOOK_MS, then with more,
-then with all, of which samples are added up. Where assets have lobes, the pictures before the
-samples light them by these, and the last of these fades into the samples. Every change of camera
-or light makes a new revision; once `change` has returned, `wait` hands out no picture of an older
-one.
+then with all, of which samples are added up. Every change of camera or light makes a new revision;
+once `change` has returned, `wait` hands out no picture of an older one.
 """
 
 from __future__ import annotations
@@ -21,10 +19,9 @@ import numpy as np
 from rna_render.image.film import Film, Layers
 from rna_render.paths.bands import SMALL_BAND, rendered_bands
 from rna_render.paths.integrator import Integrator
-from rna_render.paths.integrator_factory import make_first_look, make_integrator
+from rna_render.paths.integrator_factory import make_integrator
 from rna_render.paths.sampling import Sampler
 from rna_render.preview.change import Change
-from rna_render.preview.first_look import FirstLook
 from rna_render.preview.lighting import SCENE_LIGHTS, Lighting, lit
 from rna_render.preview.orbit import Orbit
 from rna_render.preview.picture import Label, Picture, rgba
@@ -250,37 +247,15 @@ class Session:
         width, height = (max(1, round(side / divisor)) for side in scene.resolution)
         scene = scene.model_copy(update={"resolution": (width, height)})
         resolved = replace(self._scene_file, scene=scene).resolved
-        by_lobes = make_first_look(resolved, self._world)
-        look = None
-        if by_lobes is not None:
-            look = self._first_look(revision, scene, by_lobes)
-            if look is None or divisor > 1:
-                return
         integrator = make_integrator(resolved, self._world)
         film = Film(scene.resolution, integrator.groups)
         for number in range(scene.samples if divisor == 1 else 1):
             ms = self._add_sample(revision, integrator, film, Sampler(scene.seed, number))
             if ms is None:
                 return
-            samples, picture = film.samples if divisor == 1 else 0, rgba(film)
-            label = Label(0, revision, samples, round(ms, 1))
-            if look is None:
-                self._ms_a_pixel = ms / (width * height)
-            else:
-                label = replace(label, lobes=round(look.share(samples), 3))
-                picture = look.blended(picture, samples)
-            self._publish(label, picture)
-
-    def _first_look(self, revision: int, scene: Scene, integrator: Integrator) -> FirstLook | None:
-        """A sample with environments by lobes, published; None if the view has changed."""
-        film = Film(scene.resolution, integrator.groups)
-        ms = self._add_sample(revision, integrator, film, Sampler(scene.seed, scene.samples))
-        if ms is None:
-            return None
-        self._ms_a_pixel = ms / (film.width * film.height)
-        look = FirstLook.of(film, self._world, scene.samples)
-        self._publish(Label(0, revision, 0, round(ms, 1), lobes=1.0), look.rgba)
-        return look
+            self._ms_a_pixel = ms / (width * height)
+            samples = film.samples if divisor == 1 else 0
+            self._publish(Label(0, revision, samples, round(ms, 1)), rgba(film))
 
     def _add_sample(
         self, revision: int, integrator: Integrator, film: Film, sampler: Sampler

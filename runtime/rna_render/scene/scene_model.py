@@ -157,7 +157,7 @@ class TurnModel(Model):
 
 
 class QualityModel(Model):
-    """Error or time target, from which the renderer picks each asset's tier, and how it is lit."""
+    """Error or time target, from which the renderer picks each asset's tier."""
 
     max_error: Positive | None = Field(
         default=None,
@@ -170,28 +170,10 @@ class QualityModel(Model):
         "cheaper tiers are used if fewer than 16 samples would fit.",
     )
 
-    environment: Literal["rays", "lobes"] = Field(
-        default="rays",
-        description="How environments light assets that the camera sees: by rays, or by the lobes "
-        "of packages that have them (`RNA_environment`), with rays for what else is in the scene.",
-    )
-
-    @property
-    def by_lobes(self) -> bool:
-        """Whether lobes light assets that have them."""
-        return self.environment == "lobes"
-
-    @property
-    def has_limit(self) -> bool:
-        """Whether tiers follow from it."""
-        return self.max_error is not None or self.seconds is not None
-
     @model_validator(mode="after")
     def _asks_for_something(self) -> QualityModel:
-        if not self.has_limit and not self.by_lobes:
-            raise ValueError(
-                "quality is empty: give max_error, seconds or both, or environment: lobes"
-            )
+        if self.max_error is None and self.seconds is None:
+            raise ValueError("quality is empty: give max_error, seconds or both")
         return self
 
 

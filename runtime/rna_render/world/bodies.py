@@ -104,10 +104,7 @@ class AssetBody:
             result = _MeshPoints(asset, self.scene, part, points, wo, rest)
             if asset.uses_base_color:
                 result.base_color = asset.base_color_at(*where[:3], widths)
-        result.where, result.widths = where[:3], widths
         result.leaving = self._lobes[part].at(where[0])
-        # Lobes know the visibility of the asset at rest, and are trained for what viewers see.
-        result.gives_lobes = seen and rest is None and asset.environment_form is not None
         return result
 
     def _rest_points(self, part: int, hits: ClosestHits, ray: np.ndarray) -> RestPoints | None:
@@ -130,14 +127,11 @@ class _NeuralPoints(Points):
     """Points of a part of an asset: its decoder evaluates scattering, given visibility along wi.
 
     rest: what the decoder takes instead of the points, where the part is in motion.
-    where: primitives and barycentric coordinates of the hits. widths: of a pixel there. leaving:
-    lobes of rays that leave the points.
+    leaving: lobes of rays that leave the points.
     """
 
     leaving: PlacedLobes
     tangents: np.ndarray
-    where: tuple[np.ndarray, np.ndarray, np.ndarray]
-    widths: np.ndarray
 
     def __init__(
         self,
@@ -184,11 +178,6 @@ class _NeuralPoints(Points):
             wi = self._rest.to_rest(wi, row)
         return x.take(row, axis=0), axes.take(row, axis=0), wo, wi
 
-    def _free(self, mirror: np.ndarray) -> np.ndarray:
-        """How much of each mirror direction the asset leaves in sight: (m,) float32."""
-        v = self._scene.visible(self._part, self._at, mirror)
-        return np.asarray(v if v.ndim == 1 else v.mean(axis=1), np.float32)
-
     @abstractmethod
     def _sent(
         self, row: np.ndarray, wi: np.ndarray, v: np.ndarray, nearby: np.ndarray | None
@@ -219,15 +208,6 @@ class _MeshPoints(_NeuralPoints):
         more = {} if nearby is None else {"nearby": nearby}
         return self._asset.transport(*self._arguments(self.n, row, wi), v, color, **more)
 
-    def lobes(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        free = self._free(self._asset.mirror(self.n, self._wo))
-        visibility = self._asset.visibility_at(*self.where)
-        amplitudes, axes = self._asset.lobes(self.x, self.n, self._wo, free, visibility)
-        if self.base_color is not None:
-            detail = self._asset.print_detail_at(*self.where, self.widths, self.base_color)
-            amplitudes[:, : amplitudes.shape[1] // 2] *= detail[:, None]
-        return amplitudes, axes, free
-
 
 class _StrandPoints(_NeuralPoints):
     on_strands = True
@@ -252,11 +232,6 @@ class _StrandPoints(_NeuralPoints):
         x, tangents, wo, wi = self._arguments(self.tangents, row, wi)
         more = {} if nearby is None else {"nearby": nearby}
         return self._asset.transport(x, tangents, self._h[row], wo, wi, v, **more)
-
-    def lobes(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        free = self._free(self._asset.mirror(self.tangents, self._wo))
-        seen = self._wo, free, self._asset.visibility_at(*self.where)
-        return *self._asset.lobes(self.x, self.tangents, self._h, *seen), free
 
 
 class ObjectBody:

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from pydantic import TypeAdapter, ValidationError
 
+from rna_export.capture.capture_tasks import all_tasks
 from rna_export.capture.dataset.dataset_folder import FOLDERS, Dataset
 from rna_sdk.errors import CaptureError
 from rna_sdk.files.atomic_file import write_atomically
@@ -38,7 +39,8 @@ def check_complete(dataset: Dataset, accepts: bool) -> None:
 def differences(dataset: Dataset) -> list[str]:
     """Uncaptured, missing and replaced files, a phrase each with numbers and names."""
     folder, recorded = dataset.folder, _recorded(dataset.folder)
-    planned = [path.relative_to(folder).as_posix() for path in dataset.planned_files()]
+    paths = (task.path(dataset) for task in all_tasks(dataset))
+    planned = [path.relative_to(folder).as_posix() for path in paths]
     absent = {name for name in {*planned, *recorded} if not (folder / name).is_file()}
     groups = {
         "not captured yet": [name for name in planned if name in absent and name not in recorded],

@@ -215,17 +215,6 @@ class Dataset:
     def emission_image_path(self, view: int, half: int) -> Path:
         return self.folder / "validation" / f"emission-{view:02d}-{half}.safetensors"
 
-    def planned_files(self) -> list[Path]:
-        """Files of samples and images that a finished capture has made."""
-        manifest, halves = self.manifest, (0, 1)
-        views, glowing = range(manifest.settings.validation_views), range(manifest.emission_images)
-        return [
-            *map(self.train_path, range(manifest.shards)),
-            *map(self.emission_path, range(manifest.emission_shards)),
-            *(self.validation_path(view, half) for view in views for half in halves),
-            *(self.emission_image_path(view, half) for view in glowing for half in halves),
-        ]
-
     @property
     def white_path(self) -> Path:
         return self.folder / "validation" / "white.safetensors"

@@ -52,7 +52,6 @@ class EnvironmentImageLight(InfiniteLight):
 
     Attributes:
         model: what the scene file says of it.
-        untouched: the image at angle 0.
         image: the image at its angle.
     """
 
@@ -66,13 +65,13 @@ class EnvironmentImageLight(InfiniteLight):
         colour = np.asarray(model.radiance, np.float32)
         super().__init__(model.group, colour=colour, **self.image.members)
         self.visible_to_camera = model.visible_to_camera
-        self.model, self.untouched = model, image
+        self.model, self._image = model, image
 
     def power(self, scene_radius: float) -> float:
         return float(np.pi * scene_radius**2 * self.image.total * luminance(self.colour))
 
     def mis_compensated(self) -> Light:
-        return EnvironmentImageLight(self.model, self.untouched.compensated())
+        return EnvironmentImageLight(self.model, self._image.compensated())
 
     def _fill(self, x_world: np.ndarray, u: np.ndarray, samples: LightSamples) -> None:
         out = samples.wi_world, samples.radiance, samples.pdf

@@ -64,10 +64,8 @@ export class Panel {
     look();
   }
 
-  showLabel({ samples, sample_ms, lobes }, total) {
-    const share = samples ? `, ${Math.round(100 * lobes)}% by lobes` : " by lobes";
-    element("samples").textContent =
-      (samples ? `${samples} / ${total}` : "first look") + (lobes ? share : "");
+  showLabel({ samples, sample_ms }, total) {
+    element("samples").textContent = samples ? `${samples} / ${total}` : "first look";
     element("progress").value = samples / total;
     if (samples) element("time").textContent = `${Math.round(sample_ms)} ms`;
   }

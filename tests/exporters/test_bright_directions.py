@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from rna_render.lights.split.bright_directions import MOST, cell_directions, split_environment
+from rna_export.lobes.bright_directions import MOST, cell_directions, split_environment
 
 
 def test_split_light_is_all_of_the_light():
