@@ -41,7 +41,7 @@ Samples = dict[str, np.ndarray]
 
 
 def nearby_folder(part: DatasetPart) -> Path:
-    """Folder of what is found out of a part's nearby light; it may not exist."""
+    """Folder of a part's nearby light and its verdict; it may not exist."""
     return part.folder / "nearby"
 
 
