@@ -9,7 +9,7 @@ import pytest
 
 from rna_sdk.errors import RnaError
 from rna_sdk.files.atomic_file import write_atomically
-from rna_sdk.files.outputs import check_outputs, check_package_name, check_writable
+from rna_sdk.files.outputs import check_glb_name, check_outputs, check_package_name, check_writable
 
 
 def test_a_device_is_not_replaced_by_a_file(tmp_path: Path) -> None:
@@ -49,7 +49,11 @@ def test_an_input_is_no_output_by_any_name(tmp_path: Path, link: str | None) -> 
 
 def test_a_package_is_named_as_one() -> None:
     check_package_name(Path("toy.rna"))
-    with pytest.raises(RnaError, match=r"ends with \.rna, found toy\.glb; rna-info toy\.rna --glb"):
-        check_package_name(Path("toy.glb"))
-    with pytest.raises(RnaError, match=r"^--out: expected a name that ends with \.rna, found toy$"):
-        check_package_name(Path("toy"))
+    check_package_name(Path("toy.GLB"))
+    for name in ("toy", "toy.gltf"):
+        expected = rf"^--out: expected a name that ends with \.rna or \.glb, found {name}$"
+        with pytest.raises(RnaError, match=expected):
+            check_package_name(Path(name))
+    check_glb_name(Path("toy.glb"))
+    with pytest.raises(RnaError, match=r"^--glb: expected a name that ends with \.glb, found toy$"):
+        check_glb_name(Path("toy"))

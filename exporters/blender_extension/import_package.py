@@ -17,7 +17,7 @@ class ImportPackage(bpy.types.Operator, ImportHelper):
     bl_label = "Import Relightable Neural Asset"
     bl_options = {"REGISTER", "UNDO"}  # noqa: RUF012
     filename_ext = ".rna"
-    filter_glob: bpy.props.StringProperty(default="*.rna", options={"HIDDEN"})
+    filter_glob: bpy.props.StringProperty(default="*.rna;*.glb", options={"HIDDEN"})
 
     def execute(self, context):
         path = Path(bpy.path.abspath(self.filepath)).resolve()
@@ -76,7 +76,7 @@ def _data_in_file(path):
 
 
 def _menu(self, context):
-    self.layout.operator(ImportPackage.bl_idname, text="Relightable Neural Asset (.rna)")
+    self.layout.operator(ImportPackage.bl_idname, text="Relightable Neural Asset (.rna, .glb)")
 
 
 def register():

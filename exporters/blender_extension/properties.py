@@ -26,7 +26,7 @@ class RnaPackage(bpy.types.PropertyGroup):
 
     path: bpy.props.StringProperty(
         name="Package",
-        description="The .rna file",
+        description="The .rna file, or the .glb that carries it",
         subtype="FILE_PATH",
         options={"PATH_SUPPORTS_BLEND_RELATIVE"},
     )

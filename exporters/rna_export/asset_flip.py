@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from rna_export.metrics import IRRADIANCE, flip
 from rna_render.lights import LUMINANCE
@@ -31,7 +32,8 @@ _TYPICAL = 75.0  # percentile of a set's levels: neither bright close-ups nor da
 
 _POWER = 2.0 / 0.7  # FLIP is a colour distance to the power 0.7 (Andersson et al. 2020, q_c)
 _LEAST = 0.25  # of FLIP with noise, which the extrapolation cannot tell from nothing
-_COVERED = 0.5  # of a pixel
+COVERED = 0.5
+"""Share of a pixel from which it shows the asset."""
 
 
 @dataclass(frozen=True)
@@ -81,7 +83,7 @@ class ImageFlip:
 
         covered: (h, w), the asset's share of each pixel.
         """
-        asset = covered >= _COVERED
+        asset = covered >= COVERED
         references = [halves.mean(axis=0), *halves]
         errors, *noisier = (flip(image, r, exposure)[1][asset] for r in references)
         return cls(errors, np.concatenate(noisier))
@@ -91,7 +93,7 @@ class ImageFlip:
         """Mean of FLIP without the reference's noise; 0 of no pixel."""
         if not len(self.errors):
             return 0.0
-        return without_noise(float(self.errors.mean()), float(self.noisier.mean()))
+        return float(without_noise(self.errors.mean(), self.noisier.mean()))
 
 
 def asset_flip(images: Sequence[ImageFlip], unlit: int = 0) -> AssetFlip:
@@ -103,19 +105,20 @@ def asset_flip(images: Sequence[ImageFlip], unlit: int = 0) -> AssetFlip:
     if not shown:
         return AssetFlip(0.0, 0.0, 0, unlit)
     both = [image.errors for image in shown], [image.noisier for image in shown]
-    mean = without_noise(*(float(np.mean([rows.mean() for rows in of])) for of in both))
-    p95 = without_noise(*(float(np.percentile(np.concatenate(of), 95.0)) for of in both))
-    return AssetFlip(mean, p95, len(shown), unlit)
+    mean = without_noise(*(np.mean([rows.mean() for rows in of]) for of in both))
+    p95 = without_noise(*(np.percentile(np.concatenate(of), 95.0) for of in both))
+    return AssetFlip(float(mean), float(p95), len(shown), unlit)
 
 
-def without_noise(error: float, noisier: float) -> float:
+def without_noise(error: ArrayLike, noisier: ArrayLike) -> np.ndarray:
     """FLIP against a reference without noise, from FLIP against noise of variance v and of 2 v.
 
     Colour distances of independent errors add up in squares, so FLIP to the power 2 / 0.7 is
     linear in v. Never above `error`, nor below a quarter of it, where noise hides the rest.
     """
-    extrapolated: float = max(2.0 * error**_POWER - noisier**_POWER, 0.0) ** (1.0 / _POWER)
-    return min(max(extrapolated, _LEAST * error), error)
+    error = np.asarray(error, np.float64)
+    noiseless = np.maximum(2.0 * error**_POWER - np.asarray(noisier, np.float64) ** _POWER, 0.0)
+    return np.clip(noiseless ** (1.0 / _POWER), _LEAST * error, error)
 
 
 def luminance_level(reference: np.ndarray) -> float:

@@ -126,6 +126,11 @@ def sheet_of(package: Path) -> Path:
     return package.with_name(f"{package.stem}-sheet.png")
 
 
+def worst_of(package: Path) -> Path:
+    """Where the picture goes of the place where a package is furthest from Cycles: beside it."""
+    return package.with_name(f"{package.stem}-worst.png")
+
+
 def training_picture_of(package: Path) -> Path:
     """Where the picture of the model goes that is trained for a package: beside it."""
     return package.with_name(f"{package.stem}.training.png")

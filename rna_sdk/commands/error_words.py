@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+GOOD, FAIR = 0.07, 0.11
+"""Mean FLIP below which an asset is good, and below which it is fair."""
+
 _STEPS = (
     (0.04, "very good: hard to tell from the original"),
-    (0.07, "good: differences show in close-ups"),
-    (0.11, "fair: differences show beside the original"),
+    (GOOD, "good: differences show in close-ups"),
+    (FAIR, "fair: differences show beside the original"),
     (0.18, "rough: right where light falls, blotchy in shade and highlights"),
     (0.30, "poor: stains or wrong colours that anybody sees"),
 )

@@ -255,8 +255,13 @@ def _expected(
 
 def _part_case(case: type[OfPart], folder: Path, record: dict[str, Any]) -> OfPart:
     files = {name: folder / record[name] for name in ("hits", "shape") if name in record}
-    values = *_expected(folder, record), _classes(record)
-    return case(folder / record["package"], record["part"], *values, **files)
+    return case(
+        folder / record["package"],
+        record["part"],
+        *_expected(folder, record),
+        _classes(record),
+        **files,
+    )
 
 
 def _visibility_case(folder: Path, record: dict[str, Any]) -> VisibilityCase:

@@ -91,8 +91,7 @@ def evaluate(
     columns = column_count(form.arrays) + (NEARBY.columns if with_nearby else 0)
     command = NEARBY.name if with_nearby else command_of(form)
     rows = queries.stat().st_size // (4 * columns)
-    where = str(package), tier, str(part), str(queries)
-    return _results(program, rows, width, command, *where)
+    return _results(program, rows, width, command, str(package), tier, str(part), str(queries))
 
 
 def lobes(
@@ -100,8 +99,9 @@ def lobes(
 ) -> NDArray[np.float64]:
     """(n, width) amplitudes and axes of a part's lobes for a file of n LobeQueries."""
     rows = queries.stat().st_size // (4 * lobe_queries.COLUMNS)
-    where = str(package), tier, str(part), str(queries)
-    return _results(program, rows, width, lobe_queries.COMMAND, *where)
+    return _results(
+        program, rows, width, lobe_queries.COMMAND, str(package), tier, str(part), str(queries)
+    )
 
 
 def command_of(form: DecoderForm) -> str:
@@ -126,8 +126,7 @@ def deformed(
     program: Program, rows: int, package: Path, part: int, shape: Path, hits: Path
 ) -> NDArray[np.float64]:
     """(n, 15) rest position, normal or tangent, and rotation for a file of n hits."""
-    where = str(package), str(part), str(shape), str(hits)
-    return _results(program, rows, 15, "deformed", *where)
+    return _results(program, rows, 15, "deformed", str(package), str(part), str(shape), str(hits))
 
 
 def _results(program: Program, rows: int, columns: int, *call: str) -> NDArray[np.float64]:

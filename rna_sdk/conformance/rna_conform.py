@@ -117,8 +117,7 @@ def _line(one: Score) -> str:
     measured = one.level in MEASURED and one.in_tolerances > 0
     numbers = [f"{one.in_tolerances:.3g}", f"{one.absolute:.2g}"] if measured else ["", ""]
     verdict = ": ".join(filter(None, ("pass" if one.passed else "FAIL", one.note)))
-    named = one.level, one.package, one.tier
-    return _TABLE.format(*named, one.rows, one.right, *numbers, verdict)
+    return _TABLE.format(one.level, one.package, one.tier, one.rows, one.right, *numbers, verdict)
 
 
 def _as_json(one: Score) -> dict[str, object]:

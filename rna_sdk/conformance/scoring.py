@@ -82,23 +82,33 @@ def _nothing(case: Case) -> Score:
 
 def _evaluate(program: Program, case: EvaluateCase, int8_share: float) -> Score:
     form = form_named(case.output)
-    where = case.package, case.tier, case.part, case.queries
     with_nearby = isinstance(case, NearbyCase)
-    actual = reader.evaluate(program, form, case.expected.shape[1], *where, with_nearby)
+    actual = reader.evaluate(
+        program,
+        form,
+        case.expected.shape[1],
+        case.package,
+        case.tier,
+        case.part,
+        case.queries,
+        with_nearby,
+    )
     return _compared(case, actual, allowed(actual), case.step, int8_share)
 
 
 def _lobes(program: Program, case: LobesCase) -> Score:
-    where = case.package, case.tier, case.part, case.queries
-    actual = reader.lobes(program, case.expected.shape[1], *where)
+    actual = reader.lobes(
+        program, case.expected.shape[1], case.package, case.tier, case.part, case.queries
+    )
     is_axis = np.arange(actual.shape[1]) % 6 >= 3
     return _compared(case, actual, allowed(actual) | (np.isfinite(actual) & is_axis))
 
 
 def _of_part(program: Program, case: GeometryCase) -> Score:
     if isinstance(case, DeformedCase):
-        where = case.package, case.part, case.shape, case.hits
-        actual = reader.deformed(program, len(case.expected), *where)
+        actual = reader.deformed(
+            program, len(case.expected), case.package, case.part, case.shape, case.hits
+        )
     elif isinstance(case, NormalsCase):
         actual = reader.of_hits(program, case.level, case.package, case.hits)
     else:

@@ -6,10 +6,8 @@ import os
 from collections.abc import Iterable
 from pathlib import Path
 
-from rna_sdk.commands.console import command_line
 from rna_sdk.errors import RnaError
 from rna_sdk.files.atomic_file import check_replaceable, remove_leftovers, temporary_path
-from rna_sdk.files.file_kinds import is_gltf
 
 
 def check_outputs(outputs: Iterable[Path], inputs: Iterable[Path]) -> None:
@@ -22,13 +20,14 @@ def check_outputs(outputs: Iterable[Path], inputs: Iterable[Path]) -> None:
 
 def check_package_name(output: Path) -> None:
     """Raises RnaError for a package to write that is not named as one."""
-    if output.suffix.lower() == ".rna":
-        return
-    more = ""
-    if is_gltf(output):
-        command = command_line("rna-info", output.with_suffix(".rna"), "--glb", output)
-        more = f"; {command} then writes a {output.suffix}"
-    raise RnaError(f"--out: expected a name that ends with .rna, found {output}{more}")
+    if output.suffix.lower() not in (".rna", ".glb"):
+        raise RnaError(f"--out: expected a name that ends with .rna or .glb, found {output}")
+
+
+def check_glb_name(output: Path) -> None:
+    """Raises RnaError for a binary glTF to write that is not named as one."""
+    if output.suffix.lower() != ".glb":
+        raise RnaError(f"--glb: expected a name that ends with .glb, found {output}")
 
 
 def check_no_input(output: Path, inputs: Iterable[Path]) -> None:

@@ -9,7 +9,7 @@ import sys
 import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
-from functools import cache, cached_property
+from functools import cache, cached_property, partial
 from hashlib import sha256
 from inspect import unwrap
 from pathlib import Path
@@ -22,13 +22,14 @@ from llvmlite.binding import ffi
 from numba.core.caching import FunctionCache, IndexDataCacheFile
 from numba.core.ccallback import CFunc
 from numba.core.compiler_lock import global_compiler_lock
+from numba.core.registry import CPUDispatcher
 
 from rna_sdk.machine.kernel_threads import kernel_threads, share
 from rna_sdk.machine.numba_threads import launch_numba_threads
 
 Kernel = TypeVar("Kernel", bound=Callable[..., object])
 
-_watchers: list[Callable[[], None]] = []
+_watchers: list[Callable[[bool], None]] = []
 
 
 def _hold_compiler() -> None:
@@ -53,10 +54,10 @@ if hasattr(os, "register_at_fork"):
 
 
 @contextmanager
-def watched_compilations(watcher: Callable[[], None]) -> Iterator[None]:
+def watched_compilations(watcher: Callable[[bool], None]) -> Iterator[None]:
     """A context in which `watcher` is called for each kernel that was not in the cache on disk.
 
-    It is called once the kernel is compiled, by the thread that needed it.
+    The thread that needs the kernel calls it with False before it is compiled, with True after.
     """
     _watchers.append(watcher)
     try:
@@ -75,6 +76,8 @@ def compiled(
 ) -> Callable[[Kernel], Kernel]:
     """Decorator: compile for these argument types, or for whatever comes where none are given.
 
+    A kernel is compiled when it is first called.
+
     rows: names of arguments, divided by blanks, whose rows are independent of one another; what
     Python calls is then a `RowKernel`, whose threads share them, a multiple of `step` at a time.
     parallel: share loops over `prange` among numba's threads, for what no host calls: they cannot
@@ -87,25 +90,52 @@ def compiled(
     it changes, in whatever file.
     """
     cache_type: Any = _ParallelCache if parallel else _SourcesCache
-    jit: Any = numba.njit(
-        nogil=True,
-        error_model="numpy",
-        parallel=parallel,
-        inline="always" if inline else "never",
-        fastmath=set(fastmath),
-    )
+    options = {
+        "nopython": True,
+        "nogil": True,
+        "error_model": "numpy",
+        "parallel": parallel,
+        "inline": "always" if inline else "never",
+        "fastmath": set(fastmath),
+        "no_cfunc_wrapper": True,
+    }
 
     def compile_kernel(function: Kernel) -> Kernel:
-        kernel: Any = jit(function)
+        kernel: Any = _Kernel(function, targetoptions=options)
         if (code := _cache_of(cache_type, function)) is not None:
             kernel._cache = code
         if signature:
-            kernel.compile(numba.void(*signature))
-            kernel.disable_compile()
+            kernel._compile_for_args = partial(_compile_declared, kernel, signature)
         result: Any = RowKernel(kernel, rows.split(), step) if rows else kernel
         return cast(Kernel, result)
 
     return compile_kernel
+
+
+class _Kernel(CPUDispatcher):
+    """What Python calls; kernels call a twin without the wrapper for Python.
+
+    The wrapper takes half the compilation of a short kernel. A twin's code is on disk within that
+    of its callers alone.
+    """
+
+    @cached_property
+    def _twin(self) -> Any:
+        options = {**self.targetoptions, "no_cpython_wrapper": True}
+        return CPUDispatcher(self.py_func, targetoptions=options)
+
+    @property
+    def _numba_type_(self) -> Any:
+        return self._twin._type
+
+
+def _compile_declared(kernel: Any, signature: tuple[Any, ...], *_arguments: Any) -> Any:
+    """What numba calls for arguments of a kernel that is not compiled; returns what to call."""
+    with global_compiler_lock:
+        if not kernel.signatures:
+            kernel.compile(numba.void(*signature))
+            kernel.disable_compile()
+    return kernel
 
 
 class RowKernel:
@@ -148,20 +178,28 @@ def _cut(argument: Any, rows: slice, count: int) -> Any:
 
 
 def callback(*signature: numba.types.Type) -> Callable[[Kernel], Any]:
-    """Decorator: compile a C function of these argument types; `address` is where it starts.
+    """Decorator: a C function of these argument types, compiled when its `address` is asked for.
 
     Its code on disk is renewed as that of `compiled` is.
     """
     cache_type: Any = _SourcesCache
 
     def compile_callback(function: Kernel) -> Any:
-        result: Any = CFunc(function, (signature, numba.void), {}, {})
+        result: Any = _Callback(function, (signature, numba.void), {}, {})
         if (code := _cache_of(cache_type, function)) is not None:
             result._cache = code
-        result.compile()
         return result
 
     return compile_callback
+
+
+class _Callback(CFunc):
+    @cached_property
+    def address(self) -> int:
+        """Where it starts."""
+        function: Any = self
+        function.compile()
+        return int(function._wrapper_address)
 
 
 class CacheWarning(UserWarning):
@@ -225,21 +263,28 @@ class _SourcesCache(FunctionCache):
 
     def load_overload(self, signature: Any, target_context: Any) -> Any:
         """The code on disk; None, so that it is compiled, where that is missing or damaged."""
+        code: Any = None
         try:
-            return super().load_overload(signature, target_context)  # type: ignore[no-untyped-call]
+            code = super().load_overload(signature, target_context)  # type: ignore[no-untyped-call]
         except Exception:  # whatever damaged bytes make pickle raise
             with suppress(OSError):
                 self.flush()  # type: ignore[no-untyped-call]
-            return None
+        if code is None:
+            _tell_watchers(False)
+        return code
 
     def save_overload(self, signature: Any, data: Any) -> None:
         """Keeps the code, unless the disk is full or the folder can no longer be written."""
-        for watcher in _watchers:
-            watcher()
+        _tell_watchers(True)
         try:
             super().save_overload(signature, data)  # type: ignore[no-untyped-call]
         except Exception:  # a damaged index that cannot be written raises as above
             _warn_of_no_cache()
+
+
+def _tell_watchers(is_compiled: bool) -> None:
+    for watcher in _watchers:
+        watcher(is_compiled)
 
 
 class _ParallelCache(_SourcesCache):

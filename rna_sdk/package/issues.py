@@ -50,6 +50,15 @@ class Code(Enum):
     ZIP_ORDER = (Severity.ERROR, "manifest.json is not the first entry.")
     ZIP_CRC = (Severity.ERROR, "An entry's bytes do not have the CRC-32 in its header.")
 
+    # A .glb that carries a package (RNA_relightable_asset)
+    GLB_CONTAINER = (Severity.ERROR, "The file is not a well-formed binary glTF.")
+    GLB_NO_PACKAGE = (Severity.ERROR, "The glTF carries no package.")
+    GLB_SEVERAL = (Severity.ERROR, "The glTF carries several packages.")
+    GLB_PACKAGE = (Severity.ERROR, "A node names no buffer view that can hold a package.")
+    GLB_ALIGNMENT = (Severity.ERROR, "The package does not start on a 64-byte boundary.")
+    GLB_DECLARATION = (Severity.WARNING, "The extension is not declared as one that is optional.")
+    GLB_FALLBACK = (Severity.WARNING, "The package has no fallback of its own.")
+
     # manifest.json, and the JSON inside other entries
     MANIFEST_TOO_LARGE = (Severity.ERROR, "manifest.json is larger than allowed.")
     MANIFEST_NOT_JSON = (Severity.ERROR, "manifest.json is not a JSON object in UTF-8.")

@@ -50,6 +50,9 @@ MAX_TEXTURE_SIDE = 8192
 
 MAX_TENSORS_HEADER_BYTES = 2**16
 MAX_GLTF_JSON_BYTES = 2**16
+MAX_CARRIER_JSON_BYTES = 2**23
+"""Bytes of a .glb that carries a package: it may be a whole scene."""
+
 MAX_CURVE_POINTS = 2**26
 MAX_STRANDS = 2**25
 

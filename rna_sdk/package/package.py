@@ -22,6 +22,7 @@ from rna_sdk.package.geometry.vertex_visibility import (
     vertex_count,
     visibility_from_bytes,
 )
+from rna_sdk.package.gltf.carrier import Carrier
 from rna_sdk.package.manifest.extensions import (
     Environment,
     EnvironmentPart,
@@ -79,6 +80,7 @@ class Package:
 
     Attributes:
         manifest: the manifest, immutable.
+        carrier: the `.glb` that the package was read from; None for a `.rna`.
 
     Examples:
         >>> with Package.open("toy.rna") as package:
@@ -88,13 +90,15 @@ class Package:
         ((3, 256, 256, 8), 3)
     """
 
-    def __init__(self, container: Container, manifest: Manifest) -> None:
+    def __init__(
+        self, container: Container, manifest: Manifest, carrier: Carrier | None = None
+    ) -> None:
         self._container: Container | None = container
-        self.manifest = manifest
+        self.manifest, self.carrier = manifest, carrier
 
     @classmethod
     def open(cls, path: str | PathLike[str]) -> Package:
-        """Read and fully validate the file at `path`.
+        """Read and fully validate the file at `path`: a `.rna`, or a `.glb` that carries one.
 
         Raises:
             PackageError: the file cannot be read or violates the format; see its `issues`.
@@ -102,7 +106,7 @@ class Package:
         result = inspect(path)
         if result.errors or result.container is None or result.manifest is None:
             raise PackageError(result.errors, path)
-        return cls(result.container, result.manifest)
+        return cls(result.container, result.manifest, result.carrier)
 
     def __repr__(self) -> str:
         if self._container is None:
@@ -114,12 +118,34 @@ class Package:
 
     @property
     def file_bytes(self) -> int:
-        """Size of the file in bytes.
+        """Size of the `.rna` in bytes.
 
         Raises:
             QueryError: the package is closed.
         """
-        return self._opened().file_bytes
+        return len(self.file_data)
+
+    @property
+    def file_data(self) -> memoryview:
+        """The bytes of the `.rna`, read-only, wherever it was read from.
+
+        Raises:
+            QueryError: the package is closed.
+        """
+        return self._opened().data
+
+    def entry(self, name: str) -> tuple[memoryview, int | None]:
+        """The bytes of an entry, read-only, and where they start in `file_data`.
+
+        An entry that is stored in coded form (RNA_deflate) is decoded, and is nowhere in the file.
+
+        Raises:
+            QueryError: the package has no such entry, or is closed.
+        """
+        container = self._opened()
+        if name not in container.entries:
+            raise QueryError(f"no entry {name!r} in this package")
+        return container.view(name), container.place(name)
 
     def close(self) -> None:
         """Release the file. Further calls have no effect."""

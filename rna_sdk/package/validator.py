@@ -10,13 +10,14 @@ from os import PathLike
 
 from rna_sdk.errors import PackageError
 from rna_sdk.package.container.strict_json import pointer
-from rna_sdk.package.container.zip_container import MANIFEST_NAME, Container
+from rna_sdk.package.container.zip_container import MANIFEST_NAME, Container, read_file
 from rna_sdk.package.decoder.decoder_checks import check_decoder
 from rna_sdk.package.decoder.decoder_form import PartDecoder
 from rna_sdk.package.geometry.geometry_files import Geometry, geometry_from_bytes
 from rna_sdk.package.geometry.mesh import Mesh
 from rna_sdk.package.geometry.source_vertices import source_vertices_from_bytes
 from rna_sdk.package.geometry.vertex_visibility import vertex_count, visibility_from_bytes
+from rna_sdk.package.gltf.carrier import Carrier, is_glb, read_carrier
 from rna_sdk.package.issues import Code, Issue, Severity, refuse
 from rna_sdk.package.limits import MAX_TEXTURE_SIDE
 from rna_sdk.package.manifest.deflate import decoded_entry
@@ -65,11 +66,13 @@ class Inspection:
 
     Attributes:
         container, manifest: None where the file is too broken to have one.
+        carrier: the `.glb` about the package; None for a `.rna`.
         issues: all findings, in the order of the checks.
     """
 
     container: Container | None = None
     manifest: Manifest | None = None
+    carrier: Carrier | None = None
     issues: list[Issue] = field(default_factory=list)
 
     @property
@@ -101,10 +104,15 @@ def validate(path: str | PathLike[str]) -> list[Issue]:
 
 
 def inspect(path: str | PathLike[str]) -> Inspection:
-    """Check the file, and keep the opened parts."""
+    """Check a `.rna`, or a `.glb` that carries one, and keep the opened parts."""
     result = Inspection()
     with result.collect():
-        result.container = Container.open(path)
+        data = read_file(path)
+        if is_glb(data):
+            result.carrier = read_carrier(data)
+            result.issues += result.carrier.warnings()
+            data = data[result.carrier.package]
+        result.container = Container.of(data, path)
         result.container.check_crc(MANIFEST_NAME)
         manifest = parse_manifest(bytes(result.container.view(MANIFEST_NAME)))
         result.manifest = manifest

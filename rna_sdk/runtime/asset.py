@@ -145,8 +145,16 @@ class CompositeAsset(Asset):
         high = np.max([part.bounds[1] for part in parts], axis=0)
         emits = any(part.emits for part in parts)
         bounds = np.stack([low, high])
-        tier_part = first._tiers, first._file_bytes
-        super().__init__(name, first.tier, first.domain, first.threads, bounds, emits, *tier_part)
+        super().__init__(
+            name,
+            first.tier,
+            first.domain,
+            first.threads,
+            bounds,
+            emits,
+            first._tiers,
+            first._file_bytes,
+        )
         self._parts = tuple(parts)
 
     @property
@@ -207,9 +215,16 @@ class AssetPart(Asset):
 
         record, tier_part = package.manifest.parts[part], tier.parts[part]
         box, emits = record.bounds, tier_part.emission is not None
-        file_bytes = tuple(other.name for other in package.manifest.tiers), package.file_bytes
-        domain, bounds = package.manifest.domain, box.corners()
-        super().__init__(name, tier, domain, threads, bounds, emits, *file_bytes)
+        super().__init__(
+            name=name,
+            tier=tier,
+            domain=package.manifest.domain,
+            threads=threads,
+            bounds=box.corners(),
+            emits=emits,
+            tiers=tuple(other.name for other in package.manifest.tiers),
+            file_bytes=package.file_bytes,
+        )
         self.kind: Kind = record.kind
         self.tier_part = tier_part
         self.transmittance_records: tuple[Transmittance, ...] = tuple(package.transmittance(part))

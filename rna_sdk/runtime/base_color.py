@@ -74,9 +74,16 @@ class BaseColorMaps:
         count = len(number)
         if not isinstance(widths, np.ndarray):
             widths = np.full(count, widths, np.float32)
-        hits = number, scalars("u", u, count), scalars("v", v, count)
         result = np.empty((count, 3), np.float32)
-        look_up(*hits, scalars("widths", widths, count), density, result, *self._tables)
+        look_up(
+            number,
+            scalars("u", u, count),
+            scalars("v", v, count),
+            scalars("widths", widths, count),
+            density,
+            result,
+            *self._tables,
+        )
         return result
 
 

@@ -116,8 +116,16 @@ class DeformedMesh:
         mesh, self._rest, self._threads = rest.mesh, rest.mesh, rest.threads
         moved = _checked("positions", positions, len(mesh.positions))
         normals, sums = np.empty_like(moved), np.zeros((len(mesh.positions), 3))
-        at_rest = mesh.positions, mesh.normals, mesh.triangles
-        deformed_normals(*at_rest, rest.weights, rest.group, moved, sums, normals)
+        deformed_normals(
+            mesh.positions,
+            mesh.normals,
+            mesh.triangles,
+            rest.weights,
+            rest.group,
+            moved,
+            sums,
+            normals,
+        )
         self.mesh = Mesh(moved, normals, mesh.uvs, mesh.triangles)
 
     def rest_points(self, triangle: NDArray[np.integer], u: Float32, v: Float32) -> RestPoints:
@@ -137,13 +145,14 @@ class DeformedMesh:
 
         number = indices("triangle", triangle, len(self._rest.triangles)).astype(np.int32)
         count = len(number)
-        place = scalars("u", u, count), scalars("v", v, count)
+        u, v = scalars("u", u, count), scalars("v", v, count)
         result = _empty(count, self._threads)
         rest = self._rest.positions, self._rest.normals, self._rest.triangles
         moved = self.mesh.positions, self.mesh.normals
-        written = result.positions, result.axes, result.rotations
         with at_most(self._threads):
-            surface_rest_points(rest, moved, number, *place, *written)
+            surface_rest_points(
+                rest, moved, number, u, v, result.positions, result.axes, result.rotations
+            )
         return result
 
 
@@ -182,12 +191,15 @@ class DeformedCurves:
         first, stop = rest.offsets[:-1], rest.offsets[1:]
         strands = np.arange(len(first))
         sums = np.zeros((len(strands), 3, 3))
-        lines = curves.points, moved
         self._quaternions = np.empty((len(rest.segments), 4), np.float32)
         with at_most(rest.threads):
-            root_covariances(*lines, first, stop - first, rest.order, strands, _NEIGHBOURS, sums)
+            root_covariances(
+                curves.points, moved, first, stop - first, rest.order, strands, _NEIGHBOURS, sums
+            )
             roots = _quaternions(_nearest_rotations(sums))
-            strand_rotations(*lines, first, stop, first - strands, roots, self._quaternions)
+            strand_rotations(
+                curves.points, moved, first, stop, first - strands, roots, self._quaternions
+            )
         self.curves = Curves(_parted(moved, curves, rest.segments), curves.radii, curves.offsets)
 
     def rest_points(self, segment: NDArray[np.integer], u: Float32, normals: Float32) -> RestPoints:
@@ -208,12 +220,20 @@ class DeformedCurves:
         rest = self._rest.curves
         number = indices("segment", segment, len(self._rest.segments)).astype(np.int32)
         count = len(number)
-        place = scalars("u", u, count), vectors("normals", normals, count)
+        u, normals = scalars("u", u, count), vectors("normals", normals, count)
         result = _empty(count, self._rest.threads)
         curves = rest.points, rest.radii, self._rest.segments
-        written = result.positions, result.axes, result.rotations
         with at_most(self._rest.threads):
-            fiber_rest_points(curves, self._quaternions, number, *place, *written)
+            fiber_rest_points(
+                curves,
+                self._quaternions,
+                number,
+                u,
+                normals,
+                result.positions,
+                result.axes,
+                result.rotations,
+            )
         return result
 
 

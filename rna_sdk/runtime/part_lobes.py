@@ -41,10 +41,10 @@ class PartLobes:
         corners = self._corners_of(geometry)
         number = indices("primitives", primitives, len(corners))
         count = len(number)
-        weights = scalars("u", u, count), scalars("v", v, count)
+        u, v = scalars("u", u, count), scalars("v", v, count)
         result = np.empty((count, self.columns), np.float32)
         if self._lobes.harmonics is not None:
-            mixed_harmonics(self._lobes.harmonics, corners, number, *weights, result)
+            mixed_harmonics(self._lobes.harmonics, corners, number, u, v, result)
         return result
 
     def _corners_of(self, geometry: Mesh | Curves) -> NDArray[np.uint32]:

@@ -13,10 +13,10 @@ from rna_gpu.device import Device
 from rna_gpu.evaluator import Evaluator, GpuRows
 from rna_gpu.part_buffers import part_uniform, upload_planes, upload_weights
 from rna_gpu.records.part import ROW
-from rna_sdk.errors import GpuError, QueryError
+from rna_sdk.errors import QueryError
 from rna_sdk.package import Package, Tier, decoder_from_bytes
-from rna_sdk.package.decoder.decoder_form import COLUMNS, EMISSION, TRANSPORT
-from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS
+from rna_sdk.package.decoder.decoder_form import EMISSION, TRANSPORT
+from rna_sdk.package.decoder.query_arrays import NEARBY, QUERY_ARRAYS
 
 Rows = NDArray[np.float32]
 _LABELS = {"position": "positions", "axis": "normals or tangents"}
@@ -35,13 +35,8 @@ class GpuPart:
     """
 
     def __init__(self, device: Device, package: Package, tier: Tier, part: int, name: str) -> None:
-        """Raises GpuError: a decoder does not fit, or the part counts nearby light."""
+        """Raises GpuError: a decoder does not fit."""
         record, tier_part = package.manifest.parts[part], tier.parts[part]
-        if tier_part.nearby is not None:
-            raise GpuError(
-                f"{name}, tier {tier.name}: it counts nearby light, which the GPU does not trace; "
-                "render it on the CPU"
-            )
         self.name, self.kind, self.tier_part, self.device = name, record.kind, tier_part, device
         stored = package.planes(tier.name, part)
         planes = upload_planes(device, stored, name)
@@ -51,9 +46,7 @@ class GpuPart:
         for one in tier_part.decoders:
             model = package.decoder(tier.name, part, one.form.name)
             decoder = _packed(model, one.inputs, tier_part.channels, f"{name}, tier {tier.name}")
-            columns = COLUMNS * len(one.form.results)
-            factors = columns if one.width > columns else 0
-            uniform = part_uniform(decoder, tier_part, record.bounds, stored, factors)
+            uniform = part_uniform(decoder, tier_part, record.bounds, stored, one.form)
             buffers = [
                 device.upload(uniform, "UNIFORM", what=f"{name}: record"),
                 upload_weights(device, decoder, name),
@@ -72,6 +65,12 @@ class GpuPart:
     def uses_base_color(self) -> bool:
         """Whether `evaluate` needs the base colour of its points."""
         return bool(self.tier_part.uses_base_color)
+
+    @property
+    def nearby_lengths(self) -> tuple[float, float, float] | None:
+        """As `nearby_lengths` of `rna_sdk.runtime`'s parts."""
+        record = self.tier_part.nearby
+        return None if record is None else record.lengths
 
     @property
     def transport(self) -> list[Evaluator]:
@@ -96,6 +95,9 @@ class GpuPart:
         0 where the part has no such decoder.
         """
         rows = _rows(arrays, self.kind, self.uses_base_color)
+        if NEARBY.name in arrays and self.nearby_lengths is not None:
+            rows["nearby"] = _words(NEARBY.name, arrays[NEARBY.name], rows["nearby"].shape)
+            rows["has_nearby"] = 1
         evaluators = self.transport if form == TRANSPORT.name else []
         if form in self.evaluators:
             evaluators = [self.evaluators[form]]
@@ -103,8 +105,9 @@ class GpuPart:
             return np.zeros((len(rows), 1, 3), np.float32)
         return np.concatenate([evaluator.run(rows) for evaluator in evaluators], axis=1)
 
-    def _evaluate(self, **arrays: Rows) -> tuple[Rows, Rows]:
-        transport = self.decode(TRANSPORT.name, arrays)
+    def _evaluate(self, **arrays: Rows | None) -> tuple[Rows, Rows]:
+        given = {name: array for name, array in arrays.items() if array is not None}
+        transport = self.decode(TRANSPORT.name, given)
         return np.ascontiguousarray(transport[:, 0]), np.ascontiguousarray(transport[:, 1])
 
     def _emission(self, **arrays: Rows) -> Rows:
@@ -115,12 +118,22 @@ class GpuSurface(GpuPart):
     """A part whose geometry is a mesh."""
 
     def evaluate(
-        self, positions: Rows, normals: Rows, wo: Rows, wi: Rows, base_color: Rows | None = None
+        self,
+        positions: Rows,
+        normals: Rows,
+        wo: Rows,
+        wi: Rows,
+        base_color: Rows | None = None,
+        nearby: Rows | None = None,
     ) -> tuple[Rows, Rows]:
         """Like `rna_sdk.runtime.SurfaceAsset.evaluate`, within the tolerance of the spec (8.2)."""
-        arrays = {"position": positions, "axis": normals, "wo": wo, "wi": wi}
         return self._evaluate(
-            **arrays, **({} if base_color is None else {"base_color": base_color})
+            position=positions,
+            axis=normals,
+            wo=wo,
+            wi=wi,
+            base_color=base_color,
+            nearby=nearby,
         )
 
     def emission(self, positions: Rows, normals: Rows, wo: Rows) -> Rows:
@@ -132,10 +145,16 @@ class GpuFiber(GpuPart):
     """A part whose geometry is curves."""
 
     def evaluate(
-        self, positions: Rows, tangents: Rows, h: Rows, wo: Rows, wi: Rows
+        self,
+        positions: Rows,
+        tangents: Rows,
+        h: Rows,
+        wo: Rows,
+        wi: Rows,
+        nearby: Rows | None = None,
     ) -> tuple[Rows, Rows]:
         """Like `rna_sdk.runtime.FiberAsset.evaluate`, within the tolerance of the spec (8.2)."""
-        return self._evaluate(position=positions, axis=tangents, h=h, wo=wo, wi=wi)
+        return self._evaluate(position=positions, axis=tangents, h=h, wo=wo, wi=wi, nearby=nearby)
 
     def emission(self, positions: Rows, tangents: Rows, h: Rows, wo: Rows) -> Rows:
         """Like `rna_sdk.runtime.FiberAsset.emission`."""
@@ -174,8 +193,7 @@ def _rows(arrays: Mapping[str, Rows], kind: str, uses_base_color: bool) -> NDArr
             continue
         values = arrays.get(array.name, None if array.is_factor else arrays["wo"])
         shape = (count,) if array.columns == 1 else (count, array.columns)
-        _check(_LABELS.get(array.name, array.name), values, shape)
-        words = np.ascontiguousarray(values).view(np.uint32)
+        words = _words(_LABELS.get(array.name, array.name), values, shape)
         if array.is_factor:
             rows["red"], rows["green"], rows["blue"] = words.T
         else:
@@ -183,7 +201,9 @@ def _rows(arrays: Mapping[str, Rows], kind: str, uses_base_color: bool) -> NDArr
     return rows
 
 
-def _check(name: str, value: object, shape: tuple[int, ...]) -> None:
+def _words(name: str, value: object, shape: tuple[int, ...]) -> NDArray[np.uint32]:
+    """The bits of an argument. Raises QueryError: it is no float32 array of this shape."""
     if not isinstance(value, np.ndarray) or value.dtype != np.float32 or value.shape != shape:
         found = f"{value.shape} {value.dtype}" if isinstance(value, np.ndarray) else repr(value)
         raise QueryError(f"{name}: expected a {shape} float32 array, found {found}")
+    return np.ascontiguousarray(value).view(np.uint32)

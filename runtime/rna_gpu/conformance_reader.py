@@ -58,5 +58,11 @@ def _part(package: str, tier: str, part: int) -> GpuPart:
 
 if __name__ == "__main__":
     sys.exit(
-        run_reader(evaluate=evaluate, visibility=visibility, normals=normals, base_color=base_color)
+        run_reader(
+            evaluate=evaluate,
+            nearby=evaluate,
+            visibility=visibility,
+            normals=normals,
+            base_color=base_color,
+        )
     )

@@ -11,14 +11,16 @@ from rna_gpu.decoder_packing import PackedDecoder
 from rna_gpu.device import Device
 from rna_gpu.records.part import GROUP, LAYER, NONE, PART, PRECISIONS, UNIFORM_WEIGHTS
 from rna_sdk.package import Bounds, Int8Planes, Planes, TierPart
+from rna_sdk.package.decoder.decoder_form import DecoderForm
 
 
 def part_uniform(
-    decoder: PackedDecoder, part: TierPart, bounds: Bounds, planes: Planes, factors: int = 0
+    decoder: PackedDecoder, part: TierPart, bounds: Bounds, planes: Planes, form: DecoderForm
 ) -> NDArray[Any]:
-    """RnaPart, () of dtype PART.dtype. factors: column of the results where they begin."""
+    """RnaPart, () of dtype PART.dtype. form: of the decoder."""
     record = np.zeros((), PART.dtype)
-    record["factors"] = factors
+    if form.has_factors:
+        _fill_factors(record, part, form)
     record["low"], record["high"] = bounds.corners()
     record["resolution"] = part.resolution
     record["channel_groups"] = -(-part.channels // GROUP)
@@ -36,6 +38,17 @@ def part_uniform(
         record["scales"].reshape(3, -1)[:, : part.channels] = planes.scales
     record["layers"][: len(decoder.layers)] = LAYER.stacked(decoder.layers)
     return record
+
+
+def _fill_factors(record: NDArray[Any], part: TierPart, form: DecoderForm) -> None:
+    """Which columns of the results base colour and nearby light multiply."""
+    if part.uses_base_color:
+        record["factors"] = form.width(None)
+    if part.nearby is not None:
+        record["nearby_columns"] = form.width(None, bool(part.uses_base_color))
+        means = {"visible": part.nearby.visible, "shadowed": part.nearby.shadowed}
+        for row, name in zip(record["means"], form.results, strict=False):
+            row[:3] = means[name]
 
 
 def upload_planes(device: Device, planes: Planes, name: str) -> list[Any]:

@@ -54,8 +54,14 @@ def visibility(package: str, records: bytes) -> np.ndarray:
             wi = _vector(numbers[rows, 3:6])
             at = geometry.points(primitive, b1, b2, mi.Point3f(0), wi, active)
             origin = at.origin(wi, scene.step)
-        line = mi.Point3f(origin), wi, mi.Float(dr.inf)
-        result = scene.visibility(*line, mi.UInt32(part), strand, dr.full(mi.Bool, True, len(rows)))
+        result = scene.visibility(
+            mi.Point3f(origin),
+            wi,
+            mi.Float(dr.inf),
+            mi.UInt32(part),
+            strand,
+            dr.full(mi.Bool, True, len(rows)),
+        )
         seen[rows] = _rows(result, len(rows))
     return seen
 
@@ -69,9 +75,9 @@ def normals(package: str, records: bytes) -> np.ndarray:
     for part in np.unique(words[:, 7]).tolist():
         rows = np.flatnonzero(words[:, 7] == part)
         b1, b2 = (mi.Float(numbers[rows, k].copy()) for k in (1, 2))
-        nowhere = mi.Point3f(0), mi.Vector3f(0)
+        origin, direction = mi.Point3f(0), mi.Vector3f(0)
         primitive = mi.UInt32(words[rows, 0].copy())
-        at = scene.geometries[part].points(primitive, b1, b2, *nowhere, mi.Bool(True))
+        at = scene.geometries[part].points(primitive, b1, b2, origin, direction, mi.Bool(True))
         result[rows] = _rows(at.axis, len(rows))
     return result
 

@@ -166,8 +166,9 @@ class Tracer:
         if not self._has_environment:
             alive &= dr.isfinite(far)  # a ray into nothing brings nothing
         on_asset &= alive
-        on_the_way = at.hits, at.points, at.wo, wi, far, on_asset
-        transport = self._world.transport(*on_the_way, state.sampler)
+        transport = self._world.transport(
+            at.hits, at.points, at.wo, wi, far, on_asset, state.sampler
+        )
         weight = dr.select(at.on_asset, transport / pdf, weight)
         beta = state.beta * weight * passed
         state.eta = dr.select(on_plain, state.eta * bs.eta, state.eta)

@@ -132,8 +132,19 @@ class PackageScene:
         hits = self.closest(o + near * d, d, mi.Float(dr.inf), going)
         going = going & dr.isfinite(hits.t)
         near = near + hits.t
-        nobody = mi.UInt32(NO_STRAND), mi.UInt32(NO_STRAND)
-        passes = dr.mean(self.hit_transmittance(hits, o + near * d, d, *nobody, going)) >= _PASSED
+        passes = (
+            dr.mean(
+                self.hit_transmittance(
+                    hits,
+                    o + near * d,
+                    d,
+                    part=mi.UInt32(NO_STRAND),
+                    strand=mi.UInt32(NO_STRAND),
+                    active=going,
+                )
+            )
+            >= _PASSED
+        )
         t = dr.select(going & ~passes, near, t)
         return near + self.step, t, going & passes
 
@@ -189,8 +200,12 @@ def _geometry(package: Package, part: int, variant: str | None) -> MeshGeometry 
 
 
 def _mesh_geometry(package: Package, part: int, mesh: Mesh, variant: str | None) -> MeshGeometry:
-    records = package.transmittance(part), package.normal_maps(part)
-    return MeshGeometry(mesh, *records, package.base_color(part, variant))
+    return MeshGeometry(
+        mesh,
+        transmittance=package.transmittance(part),
+        normal_maps=package.normal_maps(part),
+        base_colors=package.base_color(part, variant),
+    )
 
 
 def geometry_of(shape: Shape) -> Mesh | Curves:

@@ -79,8 +79,14 @@ class World:
 
         Where a hit lets light through, the ray goes on at random, as often as it does.
         """
-        nothing = mi.UInt32(0), mi.UInt32(0), mi.Float(0), mi.Float(0)
-        best = AssetHits(mi.Float(far), *nothing, instance=mi.UInt32(NOBODY))
+        best = AssetHits(
+            t=mi.Float(far),
+            part=mi.UInt32(0),
+            primitive=mi.UInt32(0),
+            u=mi.Float(0),
+            v=mi.Float(0),
+            instance=mi.UInt32(NOBODY),
+        )
         weight = mi.Color3f(1)
         for k, (shape, place) in enumerate(zip(self._shapes, self._places, strict=True)):
             o, d = place.object_point(ray.o), place.object_direction(ray.d)
@@ -89,8 +95,14 @@ class World:
             hits, passed = _closest(shape, o, d, best.t / scale, sampler, tested)
             nearer = tested & dr.isfinite(hits.t) & (hits.t * scale < best.t)
             weight *= dr.select(tested, passed, 1)
-            place = hits.t * scale, hits.part, hits.primitive, hits.u, hits.v
-            candidate = AssetHits(*place, instance=mi.UInt32(k))
+            candidate = AssetHits(
+                t=hits.t * scale,
+                part=hits.part,
+                primitive=hits.primitive,
+                u=hits.u,
+                v=hits.v,
+                instance=mi.UInt32(k),
+            )
             best = dr.select(nearer, candidate, best)
         best.t = dr.select(best.instance == NOBODY, dr.inf, best.t)
         return best, weight
@@ -163,15 +175,16 @@ class World:
         for k, (shape, place) in enumerate(zip(self._shapes, self._places, strict=True)):
             mine, scene = active & (hits.instance == k), shape.loaded.scene
             far = distance / dr.detach(place.scale)
-            line = dr.detach(origin), dr.detach(wi), dr.detach(far)
-            v = scene.visibility(*line, hits.part, points.strand, mine)
+            v = scene.visibility(
+                dr.detach(origin), dr.detach(wi), dr.detach(far), hits.part, points.strand, mine
+            )
             for part, evaluator in enumerate(shape.loaded.evaluators):
                 here = mine & (hits.part == part)
                 at = points.query(wo) | {"wi": wi}
                 at = scene.query(part, hits, points, at, here)
                 if evaluator.nearby is not None:
-                    column = points.x, wi, far, u, here
-                    at["nearby"] = nearby_estimate(scene, evaluator.nearby.lengths, *column)
+                    lengths = evaluator.nearby.lengths
+                    at["nearby"] = nearby_estimate(scene, lengths, points.x, wi, far, u, here)
                 total = dr.select(here, evaluator.transport(v, at, here), total)
         return total
 
@@ -198,9 +211,14 @@ class World:
         for k, (shape, place) in enumerate(zip(self._shapes, self._places, strict=True)):
             o, d = place.object_point(ray.o), place.object_direction(ray.d)
             tested, far = active & (start_instance != k), ray.maxt / place.scale
-            line = dr.detach(o), dr.detach(d), dr.detach(far)
-            nobody = mi.UInt32(NOBODY), mi.UInt32(NO_STRAND)
-            v = shape.loaded.scene.visibility(*line, *nobody, tested)
+            v = shape.loaded.scene.visibility(
+                dr.detach(o),
+                dr.detach(d),
+                dr.detach(far),
+                mi.UInt32(NOBODY),
+                mi.UInt32(NO_STRAND),
+                tested,
+            )
             result = dr.select(tested, result * v, result)
         return result
 
@@ -223,8 +241,8 @@ def _closest(
         hits = scene.closest(o + near * d, d, far - near, going)
         going = going & dr.isfinite(hits.t)
         hits.t = hits.t + near
-        nobody = mi.UInt32(NOBODY), mi.UInt32(NO_STRAND)
-        tau = scene.hit_transmittance(hits, o + hits.t * d, d, *nobody, going)
+        part, strand = mi.UInt32(NOBODY), mi.UInt32(NO_STRAND)
+        tau = scene.hit_transmittance(hits, o + hits.t * d, d, part, strand, going)
         number = hits.primitive * len(scene.geometries) + hits.part
         tau = dr.select(number == last, mi.Color3f(1), tau)
         chance = dr.clip(dr.mean(tau), 0, 1)

@@ -57,11 +57,11 @@ def nearby_light(
     result = np.zeros((len(x), len(lengths)), np.float32)
     for first in range(0, len(x), _CHUNK):
         rows = slice(first, first + _CHUNK)
-        at = np.ascontiguousarray(x[rows]), np.ascontiguousarray(wi[rows])
-        shift = rng.random((len(at[0]), 2))
+        points, towards = np.ascontiguousarray(x[rows]), np.ascontiguousarray(wi[rows])
+        shift = rng.random((len(points), 2))
         for ray in range(rays):
             u = (shift + ray * _STEPS) % 1.0
-            _add_estimate(scene, every, *at, u, np.inf, result[rows])
+            _add_estimate(scene, every, points, towards, u, np.inf, result[rows])
     result /= np.float32(rays)
     return result
 

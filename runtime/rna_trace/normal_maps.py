@@ -48,8 +48,7 @@ class NormalMaps:
         n: (m, 3) float32, interpolated normals. triangle, u, v: (m,), those of a hit.
         """
         result = np.empty_like(n)
-        tables = self._number, self._texels, self._sizes
-        _mapped(n, triangle, u, v, *self._mesh, *tables, result)
+        _mapped(n, triangle, u, v, *self._mesh, self._number, self._texels, self._sizes, result)
         return result
 
 

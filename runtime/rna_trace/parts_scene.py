@@ -63,14 +63,18 @@ class PartsScene(GeometryScene):
         self._first = [g.segments() if isinstance(g, Curves) else None for g in self.geometries]
         self._strands = _strand_numbers(self.geometries)
         self._tables = [geometry_table(numbers.ctypes.data) for numbers in self._strands]
-        self._filter, self._weakened = start_strand_filter(), strand_transmittance_filter()
         self._has_strands = any(isinstance(g, Curves) for g in self.geometries)
         for part, geometry in enumerate(self.geometries):
             if isinstance(geometry, Curves):
                 extent = add_curves(self._scene, part, geometry, self._tables[part])
             else:
-                arrays = geometry.positions, geometry.triangles
-                extent = add_mesh(self._scene, part, *arrays, self._transmittance[part])
+                extent = add_mesh(
+                    self._scene,
+                    part,
+                    positions=geometry.positions,
+                    triangles=geometry.triangles,
+                    transmittance=self._transmittance[part],
+                )
             self.extent = max(self.extent, extent)
         self._scene.commit()
 
@@ -127,10 +131,13 @@ class PartsScene(GeometryScene):
 
     def transmitted(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
         """The product of what all that rays from outside meet lets through, (n, 3) float32."""
-        lines = vectors("origins", origins), vectors("directions", directions, len(origins))
+        origins = vectors("origins", origins)
+        directions = vectors("directions", directions, len(origins))
         if self.transmits:
-            return transmitted(self._scene, self._weakened, *lines, 0.0, np.inf)
-        free = ~any_hits(self._scene, *lines, 0.0, np.inf, NOTHING)
+            return transmitted(
+                self._scene, strand_transmittance_filter(), origins, directions, 0.0, np.inf
+            )
+        free = ~any_hits(self._scene, origins, directions, 0.0, np.inf, NOTHING)
         return np.repeat(free.astype(np.float32)[:, None], 3, axis=1)
 
     def visible(
@@ -175,11 +182,16 @@ class PartsScene(GeometryScene):
             start_strand = per_ray("strand", strands[points.segment], len(points), np.uint32)
         else:
             origins = leaving_origins(points.checked(), wi, self.extent, row)
-        lines = origins, wi, 0.0, tfar
         if self.transmits:
-            return transmitted(self._scene, self._weakened, *lines, start_strand)
-        passing = Passing(self._filter.ctypes.data, start_strand) if self._has_strands else NOTHING
-        return ~any_hits(self._scene, *lines, passing)
+            return transmitted(
+                self._scene, strand_transmittance_filter(), origins, wi, 0.0, tfar, start_strand
+            )
+        passing = NOTHING
+        if self._has_strands:
+            passing = Passing(start_strand_filter().ctypes.data, start_strand)
+        return ~any_hits(
+            self._scene, origins=origins, directions=wi, tnear=0.0, tfar=tfar, passing=passing
+        )
 
 
 def _strand_numbers(geometries: Sequence[Mesh | Curves]) -> list[np.ndarray]:

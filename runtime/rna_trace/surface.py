@@ -101,10 +101,11 @@ class SurfacePoints:
         maps: NormalMaps | None = None,
     ) -> SurfacePoints:
         """The points at barycentrics (u, v) of the given triangles."""
-        at = mesh.triangles, triangle, u, v
-        _check_hits(*at)
+        _check_hits(triangles=mesh.triangles, triangle=triangle, u=u, v=v)
         x, n, ng, lift = (np.empty((len(triangle), 3), np.float32) for _ in range(4))
-        _points_at_hits(mesh.positions, mesh.normals, *at, x, n, ng, lift)
+        _points_at_hits(
+            mesh.positions, mesh.normals, mesh.triangles, triangle, u, v, x, n, ng, lift
+        )
         return cls(x, n, ng, lift, n if maps is None else maps.at(n, triangle, u, v))
 
     def __len__(self) -> int:
@@ -159,8 +160,15 @@ def _at_hits(
 ) -> np.ndarray:
     _check_hits(triangles, triangle, u, v)
     result = np.empty((len(triangle), 3), np.float32)
-    exact = np.asarray(u, np.float64), np.asarray(v, np.float64)  # one kernel for both dtypes
-    _interpolate(values, triangles, triangle, *exact, normalise, result)
+    _interpolate(
+        values,
+        triangles,
+        triangle,
+        np.asarray(u, np.float64),
+        np.asarray(v, np.float64),
+        normalise,
+        result,
+    )
     return result
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import io
 import json
 import re
 from collections.abc import Mapping
@@ -54,9 +55,13 @@ class Site:
         return {name: viewer_file(name) for name in VIEWER_FILES} | {"index.html": self.index()}
 
     def add_package(self, path: Path) -> str:
-        """Add a package; returns its name in the page. Raises PackageError for any other file."""
-        Package.open(path).close()
-        return self._add(path, ".rna")
+        """Add a package; returns its name in the page. Raises PackageError for any other file.
+
+        A page that shows the package of a .glb has no use for its fallback.
+        """
+        with Package.open(path) as package:
+            carried = bytes(package.file_data) if package.carrier else None
+        return self._add(path, ".rna", carried)
 
     def add_glass(self, path: Path) -> None:
         """Show the package with the smooth glass beside it.
@@ -110,11 +115,12 @@ class Site:
             raise ViewError(f"{path}: expected {expected}")
         return self._add(path, found[0])
 
-    def _add(self, path: Path, suffix: str) -> str:
-        with path.open("rb") as file:
+    def _add(self, path: Path, suffix: str, data: bytes | None = None) -> str:
+        """data: to show in the place of the file's."""
+        with path.open("rb") if data is None else io.BytesIO(data) as file:
             digest = hashlib.file_digest(file, "sha256").hexdigest()
         name = digest[:32] + suffix
-        self.contents[name] = path
+        self.contents[name] = path if data is None else data
         self.labels[name] = path.name
         return name
 

@@ -30,7 +30,7 @@ def site_for(source: Path, environment: Path | None = None) -> Site:
         if (glass := glass_of(source)).is_file():
             site.add_glass(glass)
     else:
-        wrong = not_a("package", source) or "expected a .rna package or a .yaml scene file"
+        wrong = not_a("package", source) or "expected a package (.rna, .glb) or a .yaml scene file"
         raise ViewError(f"{source}: {wrong}")
     if environment is not None:
         _light(site, environment)

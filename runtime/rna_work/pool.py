@@ -248,8 +248,12 @@ class Pool(Generic[Item, Result]):
             seconds = monotonic() - member.watch.since
             if seconds <= self._timeouts.least:
                 continue
-            state = self._timeouts, member.jobs[0].item, monotonic()
-            fault = member.watch.fault(*state, member.slot.processor_seconds())
+            fault = member.watch.fault(
+                timeouts=self._timeouts,
+                item=member.jobs[0].item,
+                now=monotonic(),
+                processor=member.slot.processor_seconds(),
+            )
             if not fault:
                 continue
             job = member.jobs.popleft()

@@ -4,7 +4,7 @@ import { fileURLToPath } from "node:url";
 import { shaders } from "./shaders.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
-const ENTRIES = ["surface", "fiber", "evaluate", "weights_uniform.wgsl", "weights_storage.wgsl", "hit", "light", "queue", "columns", "environment_lobes.wgsl"];
+const ENTRIES = ["surface", "fiber", "evaluate", "weights_uniform.wgsl", "weights_storage.wgsl", "hit", "light", "nearby", "queue", "columns", "environment_lobes.wgsl"];
 
 export const imports = {
   name: "imports",

@@ -13,7 +13,7 @@ from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.export.export_summary import closing_lines
 from rna_export.export.package_build import build_package
-from rna_export.pictures import COLUMNS, comparison_sheet, enlarged, sheet_of
+from rna_export.pictures import COLUMNS, comparison_sheet, enlarged, sheet_of, worst_of
 from rna_export.training.asset_error import asset_error
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.training_run import Run, train
@@ -43,12 +43,15 @@ def darkened(part: DatasetPart, factor: float) -> DatasetPart:
 def test_little_work_is_told_and_warned_of(tmp_path: Path) -> None:
     part = make_dataset(tmp_path / "ball.rays")
     best = trained(part, tmp_path / "run")
-    score, light, warning = training_lines(best, part)
+    score, light, title, *came_true, warning = training_lines(best, part)
     assert score.startswith("small: FLIP 0.") and score.endswith(
         "; 40 of 20,000 steps, 24 of 2,000 lights"
     )
     assert error_in_words(float(score.split()[2].rstrip(","))) in score
     assert light.startswith("small: reflects ") and light.endswith("% at grazing views")
+    assert title == "in 2 lit validation images:"
+    worst = tmp_path / "run" / "worst.png"
+    assert came_true[-1].endswith(f"{worst} shows it beside Cycles") and worst.is_file()
     assert warning.startswith(
         "warning: 40 of 20,000 steps and 24 of 2,000 lights, less than a tenth"
     )
@@ -57,11 +60,18 @@ def test_little_work_is_told_and_warned_of(tmp_path: Path) -> None:
 
 
 def test_the_usual_work_is_no_warning() -> None:
-    assert Effort(40_000, 40_000, 2_000, 2_000).warnings == []
+    assert Effort(40_000, 40_000, 2_000, 2_000).warnings(0.2) == []
     assert str(Effort(100_000, 40_000, 3_520, 2_000)) == "100,000 steps, 3,520 lights"
-    assert Effort(4_000, 40_000, 200, 2_000).warnings == []
-    (only,) = Effort(40_000, 40_000, 199, 2_000).warnings
+    assert Effort(4_000, 40_000, 200, 2_000).warnings(0.2) == []
+    (only,) = Effort(40_000, 40_000, 199, 2_000).warnings(None)
     assert "steps" not in only and "199 of 2,000 lights" in only
+
+
+@pytest.mark.parametrize(("flip", "is_sketch"), [(0.034, False), (0.12, True), (None, True)])
+def test_a_good_model_is_not_called_a_sketch(flip: float | None, is_sketch: bool) -> None:
+    (line,) = Effort(4_000, 40_000, 160, 2_000).warnings(flip)
+    assert ("a sketch" in line) == is_sketch == line.startswith("warning: ")
+    assert line.endswith("enough for this error") != is_sketch
 
 
 def test_an_export_says_it_again_with_the_notes_of_the_capture(tmp_path: Path) -> None:
@@ -83,6 +93,8 @@ def test_an_export_says_it_again_with_the_notes_of_the_capture(tmp_path: Path) -
     assert sum(line.startswith("warning: 40 of 20,000 steps") for line in lines) == 1
     with Image.open(sheet_of(package)) as sheet:
         assert sheet.width == 4 * 6 * 24  # enlarged
+    assert any(line.endswith(f"{worst_of(package)} shows it beside Cycles") for line in lines)
+    assert worst_of(package).is_file()
 
 
 def test_a_cut_of_direct_light_is_a_note(tmp_path: Path) -> None:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from rna_export.capture.dataset.completeness import differences, record_files
+from rna_export.capture.dataset.completeness import differences, forget, record_files
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.training.rna_train import main as rna_train
 from tests.exporters.synthetic import make_dataset
@@ -44,6 +44,17 @@ def test_what_is_missing_replaced_or_not_captured_is_told(tmp_path: Path) -> Non
         "2 of 11 files are replaced since the capture "
         "(geometry/asset.safetensors, train/00002.safetensors)",
     ]
+
+
+def test_what_is_captured_anew_may_differ(tmp_path: Path) -> None:
+    """As images of `rna-make` do, which grow with the run."""
+    dataset = finished(tmp_path / "ball.rays")
+    renewed = [dataset.train_path(1), dataset.validation_path(1, 0)]
+    forget(dataset, renewed)
+    for path in renewed:
+        path.write_bytes(path.read_bytes() + b" ")
+    record_files(dataset)
+    assert differences(dataset) == []
 
 
 def test_a_capture_that_still_runs_is_not_whole(tmp_path: Path) -> None:

@@ -16,6 +16,7 @@ from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.capture_run import CaptureWorkers
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.capture_tasks import Task, TrainingShard, WhiteRays
+from rna_export.capture.dataset.completeness import record_files
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.sample_files import write_parts
 from rna_export.capture.time_plan import TimeLimit
@@ -33,7 +34,7 @@ from rna_export.training import report as report_module
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.presets import PRESETS
 from rna_export.training.report import Curves
-from rna_sdk.errors import TrainingError
+from rna_sdk.errors import CaptureError, TrainingError
 from tests.exporters.synthetic import (
     RAYS,
     make_dataset,
@@ -257,6 +258,21 @@ def test_a_make_stopped_at_any_stage_comes_to_the_same_end(
     assert made.checkpoints[0].name == expected_made.checkpoints[0].name
     for name, weights in expected.items():
         np.testing.assert_array_equal(actual[name], weights, name)
+
+
+def test_rays_that_were_replaced_are_refused(make: Any, tmp_path: Path) -> None:
+    with pytest.raises(Stopped):
+        make(stop_after=1)
+    (manifest,) = (tmp_path / "work").rglob("manifest.json")
+    dataset = Dataset(manifest.parent)
+    record_files(dataset)
+    shard = dataset.train_path(0)
+    shard.write_bytes(shard.read_bytes() + b" ")
+    with pytest.raises(CaptureError, match=r"1 of \d+ files are replaced .*00000"):
+        make()
+    shard.unlink()
+    with pytest.raises(Stopped):
+        make(stop_after=1)
 
 
 def stop_in(stage: str, patch: pytest.MonkeyPatch) -> None:

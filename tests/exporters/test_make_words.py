@@ -75,7 +75,7 @@ def test_the_cheapest_tier_that_meets_the_goal_is_named() -> None:
         )
 
     tiers = [tier("hq", 38.0, 900.0), tier("small", 36.5, 150.0), tier("small-int8", 35.9, 80.0)]
-    made = SimpleNamespace(lead="hq", why="goal met", rounds=2)
+    made = SimpleNamespace(lead="hq", why="goal met", rounds=2, without_noise=False)
 
     def closing(goal: Goal, *shown: SimpleNamespace) -> str:
         return rna_make._outcome(made, SimpleNamespace(tiers=shown), goal)
@@ -85,3 +85,5 @@ def test_the_cheapest_tier_that_meets_the_goal_is_named() -> None:
     assert closing(goal, tiers[0]).startswith(f"goal met: {goal}; ")
     assert "cheapest by small-int8" in closing(Goal("max_error", 0.05), *tiers)
     assert closing(Goal("min_psnr", 39.0), *tiers).startswith("goal not met")
+    made.without_noise = True
+    assert closing(Goal("min_psnr", 39.0), *tiers).endswith("validation images; capture rounds: 2")

@@ -12,6 +12,7 @@ from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.validation_view import ValidationView
 from rna_export.training.optimization.losses import darkening, with_fitting_loss
 from rna_export.training.presets import PRESETS
+from rna_export.training.validation import mean_psnr, noiseless_psnr
 from tests.exporters.synthetic import make_dataset, tiny
 
 UNIT = 0.3
@@ -63,3 +64,17 @@ def test_presets_of_surfaces_choose(dataset: NoisyPart, deviation: float, loss: 
     requested = tiny(loss="log")
     assert with_fitting_loss(requested, dataset, UNIT) is requested
     assert {PRESETS[kind]["paper-hq"].training.loss for kind in PRESETS} == {"log"}
+
+
+def test_noise_of_few_paths_does_not_count_against_a_goal_in_rounds(dataset: NoisyPart) -> None:
+    """`rna-make --min-psnr` judges its small images by what they would converge to."""
+    true = [view.samples["radiance"] for view in dataset.validation_views()]
+    shaded = [0.97 * rows for rows in true]
+    dataset.deviation, clean = 0.12, dataset.validation_views()
+    noisy = [
+        dataclasses.replace(v, samples={**v.samples, "radiance": v.halves.mean(axis=0)})
+        for v in dataset.validation_views()
+    ]
+    expected = mean_psnr(shaded, clean)
+    assert mean_psnr(shaded, noisy) < expected - 2.0
+    assert noiseless_psnr(shaded, noisy).db == pytest.approx(expected, abs=1.0)

@@ -40,7 +40,7 @@ def arguments(dataset: Dataset, out: Path, *more: str) -> list[str]:
 def test_all_parts_are_trained_and_exported(
     dataset: Dataset, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    out, package = tmp_path / "runs", tmp_path / "two.rna"
+    out, package = tmp_path / "runs", tmp_path / "two.glb"  # with a fallback
     assert train(arguments(dataset, out)) == 0
     said = capsys.readouterr().out
     assert f"next: rna-export {out} --out two.rna" in said
@@ -48,6 +48,7 @@ def test_all_parts_are_trained_and_exported(
     asset = load(package)
     with Package.open(package) as opened:
         manifest = opened.manifest
+        assert opened.carrier is not None and opened.carrier.facts()["fallback_meshes"] == 2
         planes = [entry for entry in manifest.entries if entry.startswith("features/")]
     assert [(p.name, p.kind) for p in manifest.parts] == [("surface", "surface"), ("hair", "fiber")]
     assert sorted(planes) == [f"features/{p}/small.safetensors" for p in ("hair", "surface")]

@@ -12,7 +12,7 @@ import pytest
 
 from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
-from rna_export.capture.capture_run import no_gain
+from rna_export.capture.capture_run import no_gain, without_relief
 from rna_export.capture.geometry.followed_source import captured_poses
 from rna_export.capture.opened_source import OpenedSource
 from rna_export.capture.preflight.material_record import Detail, MaterialFacts
@@ -58,8 +58,13 @@ def test_ten_materials_in_one_scene(open_worker: OpenWorker, tmp_path: Path) -> 
     assert opened.settings.sharpest == pytest.approx(0.035)
     assert "highlights of roughness 0.035, those of 'paint'" in opened.preflight[-1]
     assert no_gain(opened) is None  # one of ten that are seen
-    assert re.search(r"not learnt \(\d% of what is seen\)$", actual["paint"].lines[0])
+    assert re.search(
+        r"learnt without its relief \(\d% of what is seen\)$", actual["paint"].lines[0]
+    )
     assert sum(each.share for each in opened.materials if each.name != "glass") == pytest.approx(1)
+    numbers = opened.exported.material_numbers([each.full_name for each in opened.materials])
+    shown = {opened.materials[k].name for of_part in numbers.values() for k in np.unique(of_part)}
+    assert shown == VERDICTS.keys() - {"hair", "glass"}
     # What is left to the host is in the one file and not in the other.
     assert set(opened.worker.export_corners(of_hosts=True)["material"]) == {"glass"}
     assert "glass" not in opened.worker.export_corners()["material"]
@@ -162,8 +167,9 @@ def test_a_given_sharpest_is_kept(open_worker: OpenWorker) -> None:
     opened = OpenedSource.of(open_worker(RECIPE, "paint"), {"sharpest": 0.1}, "x", None)
     assert opened.settings.sharpest == 0.1
     assert not any("views look for" in line for line in opened.preflight)
-    said = "gain: none is promised, since 'paint' (81% of what is seen) will not be learnt"
-    assert no_gain(opened) == said
+    assert no_gain(opened) is None
+    said = "the gain is that of the asset without the relief of 'paint' (81% of what is seen)"
+    assert without_relief(opened) == [said]
 
 
 @pytest.mark.blender
@@ -220,7 +226,7 @@ def test_lines_begin_with_the_worst_and_end_with_what_is_learnt_well() -> None:
     materials = [facts(name=f"stone {k}") for k in range(5)]
     fine = Detail(of="relief", node="Grain", size=1e-4)
     lines = preflight_lines(verdicts([*materials, facts(details=[fine])], [], TEXEL, [], []))
-    assert lines[1] == "  'm': opaque, relief by 'Grain': not learnt"
+    assert lines[1] == "  'm': opaque, relief by 'Grain': learnt without its relief"
     assert "(0.1 mm from one detail to the next; the planes hold 0.8 mm)" in lines[2]
     assert lines[-1] == "  learnt well: 'stone 0', 'stone 1', 'stone 2' and 2 more (opaque)"
     assert preflight_lines([]) == []
@@ -247,14 +253,33 @@ def test_what_keeps_a_detail_from_being_a_texture_is_named() -> None:
 
 @pytest.mark.parametrize(("share", "promised"), [(0.02, True), (0.3, False)])
 def test_a_small_part_of_what_is_seen_withholds_no_gain(share: float, promised: bool) -> None:
-    fine = Detail(of="relief", node="Grain", size=1e-4)
-    materials = verdicts([facts(details=[fine])], [], TEXEL, [], [], None, {"m": share})
+    glass = facts(kinds=["glass"])
+    (verdict,) = materials = verdicts([glass], [], TEXEL, [], [], None, {"m": share})
     said = no_gain(SimpleNamespace(materials=materials))  # type: ignore[arg-type]
     assert (said is None) == promised
     assert promised or said == (
         "gain: none is promised, since 'm' (30% of what is seen) will not be learnt"
     )
-    assert f"not learnt ({share:.0%} of what is seen)" in materials[0].lines[0]
+    assert f"not learnt ({share:.0%} of what is seen)" in verdict.lines[0]
+
+
+@pytest.mark.parametrize("share", [0.02, 0.3])
+def test_a_gain_of_an_asset_that_loses_relief_says_so(share: float) -> None:
+    fine = Detail(of="relief", node="Grain", size=1e-4)
+    (verdict,) = materials = verdicts(
+        [facts(details=[fine])], [], TEXEL, [], [], None, {"m": share}
+    )
+    opened: Any = SimpleNamespace(materials=materials)
+    assert no_gain(opened) is None and verdict.learnt == "not"
+    assert f"learnt without its relief ({share:.0%} of what is seen)" in verdict.lines[0]
+    said = "the gain is that of the asset without the relief of 'm' (30% of what is seen)"
+    assert without_relief(opened) == ([said] if share == 0.3 else [])
+
+
+def test_glass_whose_relief_is_lost_too_is_not_learnt() -> None:
+    fine = Detail(of="relief", node="Grain", size=1e-4)
+    (verdict,) = verdicts([facts(kinds=["glass"], details=[fine])], [], TEXEL, [], [])
+    assert (verdict.loses, verdict.promise) == (None, "not learnt")
 
 
 DETAILS = """

@@ -91,6 +91,13 @@ modifier.use_adaptive_subdivision = True
 found["adaptive"] = refusal()
 modifier.show_render = False
 found["off"] = refusal()
+bpy.ops.object.modifier_add(type="MULTIRES")
+for _ in range(2):
+    bpy.ops.object.multires_subdivide(modifier="Multires", mode="CATMULL_CLARK")
+cube.modifiers["Multires"].levels = 0
+found["multires"] = refusal()
+source_scene._show_what_is_rendered()
+found["faces"] = len(cube.evaluated_get(bpy.context.evaluated_depsgraph_get()).to_mesh().polygons)
 answer(found)
 """
 
@@ -127,8 +134,9 @@ def test_the_geometry_is_that_of_renders_and_of_camera_rays(open_worker: OpenWor
 
 def test_what_cycles_alone_shapes_is_refused_in_one_line(blender_python: Path) -> None:
     actual = answer_of(blender_python, SHAPED_BY_CYCLES)
-    fine = ("plain", "BUMP", "unseen", "off")
-    assert [actual[name] for name in fine] == [None] * 4
+    fine = ("plain", "BUMP", "unseen", "off", "multires")
+    assert [actual[name] for name in fine] == [None] * 5
+    assert actual["faces"] == 6 * 4**2  # of the render level of Multires
     assert "'bark' displaces its surface" in actual["DISPLACEMENT"]
     assert actual["BOTH"] == actual["DISPLACEMENT"]
     assert "'Cube' has adaptive subdivision" in actual["adaptive"]

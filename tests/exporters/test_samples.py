@@ -92,7 +92,10 @@ def shadowed_and_lit(**fields: np.ndarray) -> dict[str, np.ndarray]:
     radiance[N // 2 :] += 5.0
     radiance[:2] = 20.0
     visible = (np.arange(N) >= N // 2).astype(np.uint8)
-    return {"radiance": radiance, "visible": visible, **fields}
+    normal, wi = (np.tile(np.float32(v), (N, 1)) for v in ((0, 1, 0), (0.995, 0.1, 0)))
+    wo = wi * np.float32([-1, 1, 1])  # where the light is mirrored, at the terminator
+    directions = {"normal": normal, "wo": wo, "wi": wi}
+    return {"radiance": radiance, "visible": visible, **directions, **fields}
 
 
 def test_stray_highlights_in_shadow_are_clipped() -> None:
@@ -101,6 +104,18 @@ def test_stray_highlights_in_shadow_are_clipped() -> None:
     assert np.all(clipped[:2] < 1.0)
     assert np.all(clipped[:2] > 0.5)  # 8 times the 99th percentile of the others
     assert np.array_equal(clipped[2:], samples["radiance"][2:])
+
+
+@pytest.mark.parametrize(
+    ("wo", "wi"), [((0, 1, 0), (0.995, 0.1, 0)), ((-0.995, 0.1, 0), (0.995, -0.1, 0))]
+)
+def test_light_that_metal_reflects_into_shadow_is_kept(wo: tuple, wi: tuple) -> None:
+    """Beside the highlight of the light itself, or where the surface faces away from it."""
+    directions = {k: np.tile(np.float32(v), (N, 1)) for k, v in (("wo", wo), ("wi", wi))}
+    samples = shadowed_and_lit(**directions)
+    np.testing.assert_array_equal(
+        without_stray_highlights(samples)["radiance"], samples["radiance"]
+    )
 
 
 def test_light_of_strands_is_not_clipped() -> None:

@@ -8,8 +8,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-import rna_gpu
-from rna_gpu import Device, GpuError
+from rna_gpu import Device
 from rna_render.scene.scene_file import SceneFile
 from rna_render.world.domain_watch import DomainWarning, warn_of_extrapolation
 from rna_render.world.world import World
@@ -125,10 +124,3 @@ def test_queries_outside_the_domain_are_counted(
         messages.append([float(x) for x in re.findall(r"[\d.]+(?=%)", str(caught[0].message))])
     assert len(messages[0]) == 3 and min(messages[0]) > 3
     np.testing.assert_allclose(messages[0], messages[1], atol=0.3)
-
-
-def test_nearby_light_is_refused(device: Device) -> None:
-    """Its means alone would lack the glow at the edges of shadows."""
-    package = KIT / "packages" / "surface-nearby.rna"
-    with pytest.raises(GpuError, match="it counts nearby light, which the GPU does not trace"):
-        rna_gpu.load(package, device=device)

@@ -12,6 +12,7 @@ from rna_gpu.part_buffers import part_uniform, upload_planes, upload_weights, we
 from rna_gpu.records.part import ROW
 from rna_gpu.shaders import compose
 from rna_sdk.package import Package, decoder_to_bytes, float_planes, query_width
+from rna_sdk.package.decoder.decoder_form import ENVIRONMENT
 from tests.conftest import REPOSITORY
 from tests.package.builders import random_decoder
 from tests.reference.queries import fiber_queries_reference, queries_reference
@@ -107,7 +108,7 @@ def test_lobes(kind: str, with_visibility: bool, device: Device) -> None:
     constants |= {"RNA_IS_FIBER": int(kind == "fiber"), "RNA_VISIBILITY_GROUPS": more // 4}
     parts = weights_file(packed), kind, "environment_lobes.wgsl", "row_records.wgsl"
     pipeline = device.pipeline(compose(constants, *parts) + KERNEL, "find_lobes")
-    uniform = part_uniform(packed, part, bounds, planes)
+    uniform = part_uniform(packed, part, bounds, planes, ENVIRONMENT)
     results = device.buffer(32 * LOBES * COUNT, "STORAGE", what="results")
     groups = (
         [

@@ -19,6 +19,8 @@ from rna_sdk.errors import QueryError
 from rna_sdk.package import ProfileDecoder, ProfileLayer
 from tests.conformance.conftest import KIT, InProcess
 from tests.conftest import REPOSITORY
+from tests.package.builders import make_tiny_package
+from tests.package.carriers import make_carrier
 
 TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
 BALL = REPOSITORY / "examples" / "fibers" / "curly_ball.rna"
@@ -37,10 +39,15 @@ def test_the_conformance_kit(device: Device) -> None:
     kit: Kit = load_kit(KIT)
     of_gpu = conformance_reader
     reader = InProcess(
-        of_gpu.evaluate, of_gpu.visibility, of_gpu.normals, base_color=of_gpu.base_color
+        of_gpu.evaluate,
+        of_gpu.visibility,
+        of_gpu.normals,
+        base_color=of_gpu.base_color,
+        nearby=of_gpu.evaluate,
     )
-    scores = list(run_levels(reader, kit, ("evaluate", "visibility", "normals", "base-color")))
-    cases = kit.evaluate, kit.visibility, kit.normals, kit.base_color
+    levels = "evaluate", "nearby", "visibility", "normals", "base-color"
+    scores = list(run_levels(reader, kit, levels))
+    cases = kit.evaluate, kit.nearby, kit.visibility, kit.normals, kit.base_color
     assert len(scores) == sum(map(len, cases))
     assert [score for score in scores if not score.passed] == []
 
@@ -57,13 +64,22 @@ def test_results_do_not_depend_on_the_batch(
     assert none[0].shape == (0, 3)
 
 
+def test_a_carrier_has_the_same_bits(device: Device, tmp_path: Path) -> None:
+    package = make_tiny_package(tmp_path / "tiny.rna")
+    carrier = make_carrier(package, tmp_path / "tiny.glb")
+    queries = rows(256, runtime.load(package).bounds)
+    one, other = (rna_gpu.load(path, device=device) for path in (package, carrier))
+    assert isinstance(one, GpuSurface) and isinstance(other, GpuSurface)
+    assert np.array_equal(np.hstack(one.evaluate(*queries)), np.hstack(other.evaluate(*queries)))
+
+
 def evaluated_on_gpu(device: Device, gpu: GpuSurface, queries: list[np.ndarray], count: int):
     """(n, 2, 4) of buffers of 128 rows, of which `count` are evaluated."""
     *vectors, color = queries
-    packed = np.zeros((len(color), 4, 4), np.float32)
+    packed = np.zeros((len(color), 5, 4), np.float32)
     for k, values in enumerate(vectors):
         packed[:, k, :3] = values
-    packed[:, 1:, 3] = color
+    packed[:, 1:4, 3] = color
     on_gpu = gpu.new_rows(128)
     device.write(on_gpu.rows, packed)
     device.write(on_gpu.count, np.array([count], np.uint32))

@@ -11,7 +11,7 @@ from rna_gpu.records import part, write_records
 from rna_gpu.records.record import Field, Record
 from rna_sdk.package import INPUT_BLOCKS
 from rna_sdk.package.block_table import BLOCK_TABLE
-from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS
+from rna_sdk.package.decoder.query_arrays import NEARBY, QUERY_ARRAYS
 
 INNER = Record("Inner", Field("a", "<f4", (3,)), Field("b", "<u4"))
 OUTER = Record(
@@ -53,7 +53,8 @@ def test_accessors_read_the_members() -> None:
 
 def test_a_row_has_every_array_of_queries() -> None:
     """Directions begin at vec4s, which `rna_evaluate` documents; a new array needs a member."""
-    assert part.ROW.dtype.itemsize == 64 and part.ROW.offsets["wi"] == 48
+    assert part.ROW.dtype.itemsize == 80 and part.ROW.offsets["wi"] == 48
+    assert part.ROW.offsets[NEARBY.name] == 64
     for array in QUERY_ARRAYS:
         shape = () if array.columns == 1 else (array.columns,)
         if array.is_factor:  # a number in each of the free words

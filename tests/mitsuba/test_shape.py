@@ -14,6 +14,7 @@ from rna_sdk.package import Package
 from rna_sdk.runtime.base_color import BaseColorMaps
 from tests.conftest import REPOSITORY
 from tests.package.builders import make_tiny_package
+from tests.package.carriers import make_carrier
 from tests.package.prints import make_variants
 
 TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
@@ -44,6 +45,17 @@ def test_it_can_be_written_in_xml(tmp_path: Path) -> None:
     low, high = shape.loaded.bounds * 2 + [3, 0, 0]
     np.testing.assert_allclose(scene.bbox().min, low, rtol=1e-5)
     np.testing.assert_allclose(scene.bbox().max, high, rtol=1e-5)
+
+
+def test_a_carrier_has_the_same_bits(tmp_path: Path) -> None:
+    package = make_tiny_package(tmp_path / "tiny.rna")
+    carrier = make_carrier(package, tmp_path / "tiny.glb")
+    one, other = (load(filename=str(path)).loaded for path in (package, carrier))
+    rng = np.random.default_rng(0)
+    rows = rng.normal(size=(4, 64, 3)).astype(np.float32)
+    assert np.array_equal(one.bounds, other.bounds)
+    for a, b in zip(one.evaluate(*rows), other.evaluate(*rows), strict=True):
+        assert a.tobytes() == b.tobytes()
 
 
 def test_instances_share_a_package() -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import base64
+import json
 from dataclasses import replace
 from pathlib import Path
 
@@ -18,8 +20,10 @@ from rna_render import open_asset_motion
 from rna_render.motion.asset_motion import bound_gltf
 from rna_render.motion.gltf_motion import GltfMotion
 from rna_sdk.errors import CaptureError
+from rna_sdk.files.file_kinds import kind_of
 from rna_sdk.motion import open_motion
-from rna_sdk.package import Curves, Mesh, Provenance, SourceVertices, Tier, write_package
+from rna_sdk.package import Curves, Mesh, Package, Provenance, SourceVertices, Tier, write_package
+from rna_sdk.package.gltf.carrier_writer import with_package
 from rna_sdk.package.manifest.manifest_model import REST_FRAME
 from rna_sdk.package.packing import Unpacked
 from rna_sdk.runtime import load
@@ -32,6 +36,7 @@ from tests.package.builders import (
     make_part_data,
     make_tier_part,
 )
+from tests.package.carriers import written
 
 TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
 
@@ -198,3 +203,23 @@ def test_what_is_no_model_is_refused_before_blender_starts(
     error = capsys.readouterr().err
     assert error.startswith(f"error: {tmp_path / name}: ") and reason in error
     assert error.count("\n") == 1
+
+
+def test_a_carrier_is_moved_by_its_own_skin(tmp_path: Path) -> None:
+    """One .glb: the fallback's skin and clip, and the package that follows them."""
+    mesh = load(TOY).mesh
+    text = json.loads(bending_arm(tmp_path / "bend.gltf", mesh, 30).read_text())
+    blob = base64.b64decode(text["buffers"][0].pop("uri").partition(",")[2])
+    rigged = written(text, blob, tmp_path / "rigged.glb")
+    carrier, out = tmp_path / "toy.glb", tmp_path / "toy.rnam"
+    with Package.open(TOY) as opened:
+        carrier.write_bytes(with_package(rigged, opened))
+    assert kind_of(carrier) == "package"
+    assert main([str(carrier), str(carrier), "--out", str(out), "--rate", "2"]) == 0
+    moved, direct = (
+        open_motion(out, [mesh], "toy.glb"),
+        open_asset_motion(tmp_path / "bend.gltf", [mesh], "toy.rna", rate=2.0),
+    )
+    assert moved.frames == 3
+    for frame in range(3):
+        np.testing.assert_array_equal(moved.positions(frame)[0], direct.positions(frame)[0])

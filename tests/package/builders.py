@@ -30,7 +30,7 @@ from rna_sdk.package import (
     decoder_to_bytes,
     write_package,
 )
-from rna_sdk.package.container.zip_container import MANIFEST_NAME, Container
+from rna_sdk.package.container.zip_container import MANIFEST_NAME, Container, read_file
 from rna_sdk.package.container.zip_writer import write_container
 from rna_sdk.package.manifest.manifest_fields import GEOMETRY_ENTRIES
 
@@ -247,7 +247,7 @@ def make_tiny_fiber_package(path: str | Path, **changes: Any) -> Path:
 
 def read_entries(path: str | Path) -> dict[str, bytes]:
     """All entries of a good package, name -> data."""
-    container = Container.open(path)
+    container = Container.of(read_file(path), path)
     return {name: bytes(container.view(name)) for name in container.entries}
 
 

@@ -15,7 +15,7 @@ from PIL import Image
 from rna_sdk.errors import PackageError
 from rna_sdk.package import Package, quantise, validate
 from rna_sdk.package.command.rna_pack import main
-from rna_sdk.package.container.zip_container import Container
+from rna_sdk.package.container.zip_container import Container, read_file
 from rna_sdk.package.manifest.deflate import decode, encode
 from rna_sdk.package.manifest.extensions import (
     Deflate,
@@ -67,7 +67,7 @@ def test_no_more_is_inflated_than_declared() -> None:
 def test_deflated_package_is_the_same_asset(tuft: Path, tmp_path: Path) -> None:
     coded, plain = tmp_path / "coded.rna", tmp_path / "plain.rna"
     assert main([str(tuft), "--out", str(coded), "--deflate"]) == 0
-    stored, whole = (Container.open(p).entries for p in (coded, tuft))
+    stored, whole = (Container.of(read_file(p), p).entries for p in (coded, tuft))
     for name in ("geometry/curves.safetensors", "decoders/small.onnx"):
         assert stored[name].size < whole[name].size
     assert validate(coded) == []

@@ -24,7 +24,7 @@ from rna_sdk.package import (
     float_planes,
     write_package,
 )
-from rna_sdk.package.container.zip_container import Container
+from rna_sdk.package.container.zip_container import Container, read_file
 from tests.package.builders import (
     make_decoder,
     make_manifest,
@@ -140,7 +140,7 @@ def test_views_outlive_the_package(tiny: Path) -> None:
 
 
 def test_entries_are_aligned_and_stored(tiny: Path) -> None:
-    container = Container.open(tiny)
+    container = Container.of(read_file(tiny), tiny)
     assert all(entry.offset % 64 == 0 for entry in container.entries.values())
     with zipfile.ZipFile(tiny) as archive:
         assert archive.testzip() is None

@@ -12,11 +12,12 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from rna_render.materials.files.mesh_file import read_mesh_object
+from rna_render.materials.files.mesh_file import MeshFileWarning, read_mesh_object
+from rna_render.materials.mesh_object import MeshObject
 from rna_render.scene.material_models import DiffuseModel
 from rna_sdk.package import Curves, Package
 from rna_sdk.package.command.rna_info import main
-from rna_sdk.package.geometry.strand_tubes import tubes
+from rna_sdk.package.gltf.strand_tubes import tubes
 from tests.conftest import REPOSITORY
 from tests.exporters.in_blender import answer_of
 
@@ -38,6 +39,11 @@ def _glb(package: Path, folder: Path) -> Path:
     return path
 
 
+def _mesh(path: Path) -> MeshObject:
+    with pytest.warns(MeshFileWarning, match="not shown: RNA_relightable_asset"):
+        return read_mesh_object(path, PLAIN)
+
+
 def test_a_mesh_has_its_triangles_and_its_material(tmp_path: Path) -> None:
     path = _glb(TOY, tmp_path)
     document, blob = _document(path)
@@ -50,15 +56,15 @@ def test_a_mesh_has_its_triangles_and_its_material(tmp_path: Path) -> None:
     assert manifest.license in document["asset"]["copyright"]
     number = document["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"]
     view = document["bufferViews"][document["accessors"][number]["bufferView"]]
-    colors = np.frombuffer(blob[view["byteOffset"] :][: view["byteLength"]], "<f4").reshape(-1, 3)
-    assert colors.min() >= 0.0 and colors.max() <= 1.0
+    rows = np.frombuffer(blob[view["byteOffset"] :][: view["byteLength"]], "<u2").reshape(-1, 4)
+    colors = rows[:, :3] / 65535
     corners = mesh.positions[mesh.triangles]
     edges = corners[:, 1:] - corners[:, :1]
     area = np.linalg.norm(np.cross(edges[:, 0], edges[:, 1]), axis=1)
     mean = np.average(colors[mesh.triangles].mean(axis=1), axis=0, weights=area)
     np.testing.assert_allclose(mean, stated["baseColor"], atol=0.15)
     assert (colors.std(axis=0) > 0.1).all()  # red, yellow, blue and grey bricks
-    loaded = read_mesh_object(path, PLAIN)
+    loaded = _mesh(path)
     np.testing.assert_array_equal(loaded.positions, mesh.positions)
     np.testing.assert_array_equal(loaded.triangles, mesh.triangles)
 
@@ -69,7 +75,10 @@ def test_parts_are_nodes_and_holes_are_alpha(tmp_path: Path) -> None:
     with Package.open(KIT / "parts-lantern.rna") as package:
         names = [part.name for part in package.manifest.parts]
         holes = [package.transmittance(i) for i in range(len(names))]
-    assert [node["name"] for node in document["nodes"]] == names
+    *parts, root = document["nodes"]
+    assert [node["name"] for node in parts] == names
+    assert root["children"] == list(range(len(names)))
+    assert document["scenes"] == [{"nodes": [len(names)]}]
     records = [record for part in holes for record in part]
     modes = {m["alphaMode"] for m in document["materials"] if "alphaMode" in m}
     assert modes == {"BLEND" if record.cutoff is None else "MASK" for record in records}
@@ -109,7 +118,7 @@ def test_a_strand_that_turns_back_stays_finite() -> None:
 
 @pytest.mark.parametrize("name", sorted(path.name for path in KIT.glob("*.rna")))
 def test_every_package_of_the_kit_loads(name: str, tmp_path: Path) -> None:
-    assert len(read_mesh_object(_glb(KIT / name, tmp_path), PLAIN).triangles)
+    assert len(_mesh(_glb(KIT / name, tmp_path)).triangles)
 
 
 def test_bad_files_are_one_line_and_write_nothing(
@@ -129,7 +138,8 @@ objects = [o for o in bpy.data.objects if o.type == "MESH"]
 answer([
     [o.name, len(o.data.polygons), [m.name for m in o.data.materials],
      [node.type for m in o.data.materials for node in m.node_tree.nodes],
-     [round(max(v.co[k] for v in o.data.vertices), 4) for k in range(3)]] for o in objects
+     [round(max((o.matrix_world @ v.co)[k] for v in o.data.vertices), 4) for k in range(3)]]
+    for o in objects
 ])
 """
 
@@ -138,7 +148,7 @@ answer([
 @pytest.mark.parametrize("package", [TOY, CURLS], ids=["toy", "curls"])
 def test_blender_opens_it(package: Path, tmp_path: Path, blender_python: Path) -> None:
     path = _glb(package, tmp_path)
-    mesh = read_mesh_object(path, PLAIN)
+    mesh = _mesh(path)
     ((_, polygons, materials, nodes, high),) = answer_of(blender_python, IMPORT, str(path))
     assert polygons == pytest.approx(len(mesh.triangles), rel=0.01) and len(materials) == 1
     assert ("VERTEX_COLOR" in nodes) == (package is TOY)

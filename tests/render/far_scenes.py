@@ -34,7 +34,7 @@ def scene(
     tilt: float = 0.0,
 ) -> SceneFile:
     """size: of the scene, metres. at: where it stands. hill: distance of one behind the camera,
-    which nothing lights. floor: side of a mesh in place of the ground, turned by `tilt` degrees
+    which sends no light. floor: side of a mesh in place of the ground, turned by `tilt` degrees
     about z, with all that stands on it.
     """
     place = np.array(at)

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 import trimesh
 
-from rna_sdk.package.geometry.glb_writer import pack_glb
+from rna_sdk.package.container.glb_chunks import pack_glb
 
 
 def box_glb(

@@ -17,31 +17,33 @@ from rna_render.command.compile_ahead import compiling_ahead
 from rna_sdk.machine import compiled as compiled_module
 from rna_sdk.machine.compiled import watched_compilations
 
+SCENE = Path(__file__).parents[2] / "examples" / "quickstart" / "scene.yaml"
+
 CODE = """
 import numpy as np
 from rna_sdk.machine.compiled import compiled, watched_compilations
 count = []
-with watched_compilations(lambda: count.append(1)):
+with watched_compilations(count.append):
     from rna_sdk.runtime.kernels.vectors import dot
     dot(*2 * [(np.float32(1), np.float32(2), np.float32(3))])
-print(len(count))
+print(count)
 """
 
 
 def test_what_is_in_the_cache_is_not_counted(tmp_path: Path) -> None:
     environment = {**os.environ, "NUMBA_CACHE_DIR": str(tmp_path)}
     command = [sys.executable, "-c", CODE]
-    counts = [
-        int(subprocess.run(command, env=environment, check=True, capture_output=True).stdout)
+    told = [
+        subprocess.run(command, env=environment, check=True, capture_output=True).stdout
         for _ in range(2)
     ]
-    assert counts[0] >= 1 and counts[1] == 0
+    assert told == [b"[False, True]\n", b"[]\n"]
 
 
 def compile_so_many(count: int) -> None:
     for _ in range(count):
-        for watcher in compiled_module._watchers:
-            watcher()
+        compiled_module._tell_watchers(False)
+        compiled_module._tell_watchers(True)
 
 
 def test_a_count_and_a_time_are_told(
@@ -49,46 +51,48 @@ def test_a_count_and_a_time_are_told(
 ) -> None:
     monkeypatch.setattr(compilation, "_APART", -1.0)
     monkeypatch.setattr(compilation, "core_count", lambda: 1)
-    with compilations_reported():
+    with compilations_reported(SCENE):
         compile_so_many(25)
     output = capsys.readouterr().err
     assert (
         output
-        == "compiling kernels, once: 10\ncompiled 25 kernels in 0 s; the next start finds them\n"
+        == "compiling kernels, once: 3\ncompiled 25 kernels in 0 s; the next start finds them\n"
     )
 
 
 def test_few_are_not_worth_a_line(capsys: pytest.CaptureFixture[str]) -> None:
-    with compilations_reported():
-        compile_so_many(9)
+    with compilations_reported(SCENE):
+        compile_so_many(2)
     assert capsys.readouterr().err == ""
 
 
 def test_a_watcher_is_gone_after_its_context() -> None:
-    seen: list[int] = []
-    with watched_compilations(lambda: seen.append(1)):
+    seen: list[bool] = []
+    with watched_compilations(seen.append):
         compile_so_many(1)
     compile_so_many(1)
-    assert seen == [1]
+    assert seen == [False, True]
 
 
 def test_the_renderers_kernels_are_compiled_ahead(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The process renders, and does not outlive what it is for."""
-    command = [sys.executable, "-m", "rna_render.command.compile_ahead", str(tmp_path)]
-    subprocess.run(command, check=True, capture_output=True)
-    with compiling_ahead():
+    program = sys.executable, "-m", "rna_render.command.compile_ahead"
+    for scene in (SCENE, tmp_path / "gone.yaml"):  # of which the render tells
+        subprocess.run([*program, scene, tmp_path], check=True, capture_output=True)
+    with compiling_ahead(SCENE):
         pass
     started: list[int] = []
 
     @contextmanager
-    def ahead() -> Iterator[None]:
+    def ahead(scene: Path) -> Iterator[None]:
+        assert scene == SCENE
         started.append(1)
         yield
 
     monkeypatch.setattr(compilation, "compiling_ahead", ahead)
     monkeypatch.setattr(compilation, "core_count", lambda: 2)
-    with compilations_reported():
+    with compilations_reported(SCENE):
         compile_so_many(30)
     assert started == [1]

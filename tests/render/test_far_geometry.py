@@ -8,10 +8,13 @@ import numpy as np
 import pytest
 
 from rna_render import load_world, make_integrator, render
+from rna_render.scene.core_yaml import dump_yaml
+from rna_render.scene.scene_file import read_scene
 from rna_trace.embree import TriangleScene
 from rna_trace.embree.instances import Instance, InstanceScene
 from rna_trace.hit_points import Frames, Lines, hit_points, stepped
-from tests.render.far_scenes import VARIANTS, assert_same_picture, scene
+from tests.conftest import REPOSITORY
+from tests.render.far_scenes import GREY, VARIANTS, assert_same_picture, scene
 from tests.runtime.points import unit_vectors
 
 
@@ -31,6 +34,33 @@ def test_a_picture_is_the_same_at_any_scale(
 ) -> None:
     """A ray of light started 0.66 m off the ground where a hill was 10 km away."""
     assert_same_picture(picture(tmp_path, **VARIANTS[name]), expected)
+
+
+@pytest.mark.parametrize("far", [1e3, 1e4, 1e5])
+def test_an_assets_picture_is_the_same_with_a_black_hill(far: float, tmp_path: Path) -> None:
+    """What changes with a grey one, .15 as high as it is far, is its own light."""
+    hill = tmp_path / "hill.obj"
+    corners = [(-far, 0, -far), (far, 0, -far), (far, 0.15 * far, -far), (-far, 0.15 * far, -far)]
+    lines = [f"v {x} {y} {z}" for x, y, z in corners]
+    hill.write_text("\n".join([*lines, "f 1 2 3", "f 1 3 4", ""]))
+    black = {"path": "hill.obj", "material": {"type": "diffuse", "color": [0.0, 0.0, 0.0]}}
+    pictures = []
+    for objects in ([], [black]):
+        (tmp_path / "scene.yaml").write_text(dump_yaml(TOY | {"objects": objects}))
+        file = read_scene(tmp_path / "scene.yaml")
+        world = load_world(file)
+        pictures.append(render(file.scene, make_integrator(file.resolved, world)).channels())
+    assert_same_picture(pictures[1], pictures[0])
+
+
+TOY = {
+    "assets": [{"path": str(REPOSITORY / "examples" / "quickstart" / "toy.rna")}],
+    "ground": {"height": 0, "material": GREY},
+    "camera": {"position": [1.6, 0.9, 0.9], "look_at": [0, 0.1, 0], "vertical_fov_deg": 30},
+    "lights": [{"type": "directional", "direction": [1, 2, 0.5], "irradiance": 3}],
+    "resolution": [96, 64],
+    "samples": 1,
+}
 
 
 def test_a_tilted_floor_of_40_km_keeps_its_shadows(tmp_path: Path) -> None:

@@ -17,6 +17,13 @@ from tests.web.pages import base64_of, call_reader, viewer
 
 pytestmark = pytest.mark.chromium
 
+_QUERIES = {
+    "evaluate": ("transport", 16),
+    "nearby": ("transport", 19),
+    "emission": ("emission", 10),
+}
+"""Calls of the kit about queries: a decoder's output, and the columns of a row."""
+
 
 class PageProgram:
     """The page as a reader program (spec/conformance/README.md)."""
@@ -27,13 +34,12 @@ class PageProgram:
 
     def run(self, *arguments: str) -> Answer:
         command, package, *rest = arguments
-        if command in ("evaluate", "emission"):
+        if command in _QUERIES:
             tier, part, queries, results = rest
             self._load(package, tier)
-            output = "transport" if command == "evaluate" else "emission"
-            actual = call_reader(
-                self._page, "evaluate", int(part), output, base64_of(Path(queries))
-            )
+            output, columns = _QUERIES[command]
+            text = base64_of(Path(queries))
+            actual = call_reader(self._page, "evaluate", int(part), output, text, columns)
         else:
             hits, results = rest
             self._load(package, "")
@@ -54,7 +60,7 @@ def page() -> Iterator[Page]:
         yield page
 
 
-@pytest.mark.parametrize("level", ["evaluate", "visibility", "normals", "base-color"])
+@pytest.mark.parametrize("level", ["evaluate", "nearby", "visibility", "normals", "base-color"])
 def test_page_gives_the_answers_of_the_kit(page, level):
     kit, program = load_kit(find_kit()), PageProgram(page)
     scores = [score(program, kit, case) for case in cases(kit, level)]
@@ -63,9 +69,3 @@ def test_page_gives_the_answers_of_the_kit(page, level):
         f"{s.package} {s.tier}: {s.in_tolerances:.3g} {s.note}" for s in scores if not s.passed
     ]
     assert not wrong, "\n".join(wrong)
-
-
-def test_nearby_light_is_refused(page):
-    package = base64_of(find_kit() / "packages" / "surface-nearby.rna")
-    with pytest.raises(Exception, match="counts nearby light, which this viewer does not trace"):
-        call_reader(page, "load", package, "one")

@@ -53,6 +53,17 @@ LANTERN = {
     "look_at": [0.0, 0.0, 0.0],
 }
 
+GLOWING = {
+    "path": KIT / "surface-nearby.rna",
+    "position": [1.4, 1.7, 3.4],
+    "look_at": [0.0, -0.1, 0.0],
+}
+GLOWING_CURLS = {
+    "path": KIT / "fiber-nearby.rna",
+    "position": [0.9, 0.6, 1.4],
+    "look_at": [0.0, 0.0, 0.0],
+}
+
 
 @pytest.fixture
 def middles_of_pixels(monkeypatch):
@@ -101,6 +112,17 @@ def test_suns(asset, tmp_path):
     actual = by_viewer(path, "&jitter=0")
     assert np.mean(actual[..., 3] != expected[..., 3]) < 0.002
     assert psnr(actual, expected) >= LEAST_PSNR
+
+
+@pytest.mark.parametrize("asset", [GLOWING, GLOWING_CURLS], ids=["surface", "strands"])
+@pytest.mark.usefixtures("middles_of_pixels")
+def test_nearby_light(asset, tmp_path):
+    """By the same columns, of which the first sample of the first light has the same numbers."""
+    path = write_scene(tmp_path, asset, SUNS.strip().split("\n")[0].rstrip(","), [64, 40], 1)
+    expected = by_rna_run(path)
+    actual = by_viewer(path, "&jitter=0")
+    assert psnr(actual, expected) >= LEAST_PSNR
+    assert (expected[..., 3] > 0).mean() > 0.1
 
 
 def test_environment(tmp_path):

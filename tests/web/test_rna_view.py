@@ -27,6 +27,7 @@ from rna_view.site_export import MARKER, export_site
 from rna_view.site_files import VIEWER_FILES, Site, viewer_file
 from rna_view.site_source import gallery_for, site_for
 from tests.package.builders import make_tier, make_tiny_package
+from tests.package.carriers import make_carrier
 from tests.web.glass_files import write_ball
 from tests.web.pages import served
 
@@ -64,6 +65,16 @@ def test_server_gives_the_page_and_its_files_alone(package):
         for name in ("../cli.py", "site/viewer.js", "etc/passwd", "%2e%2e/x"):
             assert fetch(server.url + name)[0] == 404
         assert fetch(server.url, Host="evil.example")[0] == 403
+
+
+def test_the_package_of_a_carrier_is_served(package, tmp_path):
+    carrier = make_carrier(package, tmp_path / "carrier.glb")
+    with served(site_for(carrier)) as server:
+        assert f'src="{name_of(package)}"'.encode() in fetch(server.url)[2]
+        assert fetch(server.url + name_of(package))[2] == package.read_bytes()
+    with pytest.raises(ViewError, match=r"plain\.glb: a model, not a package; rna-make"):
+        (tmp_path / "plain.glb").write_bytes(b"glTF")
+        site_for(tmp_path / "plain.glb")
 
 
 @pytest.mark.parametrize(

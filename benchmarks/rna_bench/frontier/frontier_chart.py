@@ -92,8 +92,15 @@ def _draw_points(
     if is_short:
         return
     best = front(points, cost)
-    line = [p[cost] for p in best], [p["flip"] for p in best]
-    axis.step(*line, where="post", color=COLOURS["ours"], lw=1, alpha=0.6, label="best at its cost")
+    axis.step(
+        [p[cost] for p in best],
+        [p["flip"] for p in best],
+        where="post",
+        color=COLOURS["ours"],
+        lw=1,
+        alpha=0.6,
+        label="best at its cost",
+    )
     for point in shown:
         if point["name"] in ("paper-small", "paper-hq") and point["precision"].startswith("float"):
             at = point[cost], point["flip"]

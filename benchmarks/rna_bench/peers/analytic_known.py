@@ -76,12 +76,12 @@ class KnownMaterial(KnownMethod):
         way = at.lights - at.points
         squared = way.square().sum(dim=1, keepdim=True)
         asset, axis = self.model.asset, at.tangents if self.model.is_strand else at.normals
-        directions = axis, -at.directions, normalize(way, dim=1)
-        where = dict(zip(("normal", "wo", "wi"), directions, strict=True))
-        outputs = asset.decoder(asset.queries({"position": at.points, **where}))
+        wo, wi = -at.directions, normalize(way, dim=1)
+        where = {"position": at.points, "normal": axis, "wo": wo, "wi": wi}
+        outputs = asset.decoder(asset.queries(where))
         lit = (
-            hair_radiance(hair_material(outputs), *directions)
+            hair_radiance(hair_material(outputs), axis, wo, wi)
             if self.model.is_strand
-            else gltf_radiance(gltf_material(outputs), *directions)
+            else gltf_radiance(gltf_material(outputs), axis, wo, wi)
         )
         return lit * at.visible[:, None] * self.model.intensity / squared

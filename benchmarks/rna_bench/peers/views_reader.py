@@ -24,8 +24,8 @@ def read_views(folder: Path, split: str, limit: int | None = None) -> Views:
         frames = meta["frames"][:limit]
         to_world = np.array([frame["transform_matrix"] for frame in frames])
         lights = np.array([frame["pl_pos"] for frame in frames])
-        sphere = tuple(meta["sphere_centre"]), meta["sphere_radius"]
-        rest = meta["camera_angle_x"], *sphere, meta["light_intensity"]
+        centre, radius = tuple(meta["sphere_centre"]), meta["sphere_radius"]
+        angle, intensity = meta["camera_angle_x"], meta["light_intensity"]
     except OSError as error:
         raise SceneError(f"cannot read it: {error.strerror}", file=path) from error
     except (ValueError, LookupError, TypeError) as error:
@@ -33,7 +33,7 @@ def read_views(folder: Path, split: str, limit: int | None = None) -> Views:
     files = [folder / (frame["file_path"] + EXTENSION) for frame in frames]
     rgba = np.stack([_channels(file, "RGBA") for file in files])
     depth = np.stack([_channels(_beside(file), "Z")[..., 0] for file in files])
-    return Views(rgba, depth, to_world, lights, *rest)
+    return Views(rgba, depth, to_world, lights, angle, centre, radius, intensity)
 
 
 def splits_of(folder: Path) -> list[str]:

@@ -47,8 +47,9 @@ class Beside:
 
     def flip(self, image: np.ndarray) -> AssetFlip:
         """FLIP of the asset's pixels without the noise of the references."""
-        shown = self._shown(image), self._shown(self.halves)
-        return asset_flip([ImageFlip.of(*shown, self.asset, exposure=1.0)])
+        return asset_flip(
+            [ImageFlip.of(self._shown(image), self._shown(self.halves), self.asset, exposure=1.0)]
+        )
 
     def flip_map(self, image: np.ndarray) -> np.ndarray:
         """FLIP of every pixel, (h, w), with that noise."""
@@ -115,6 +116,7 @@ class CyclesScene:
     def render(self, samples: int, seed: int, denoise: bool = False) -> Timed:
         """RGB, and the time of the request without any building of the scene."""
         begun = time.perf_counter()
-        view = self._described, *self._view, samples, seed, *self._size
-        image, _ = self._worker.render_scene(*view, denoise)
+        image, _ = self._worker.render_scene(
+            self._described, *self._view, samples, seed, *self._size, denoise
+        )
         return Timed(image[..., :3], time.perf_counter() - begun)

@@ -114,5 +114,10 @@ class MeasuredScene:
         return {"rgb": image.pixels.astype(np.float32)}
 
     def _images(self) -> Arrays:
-        counts = self.plan.samples, self.plan.cycles_samples
-        return render_by_turns(self._ours, self._cycles, *counts, find_denoiser())
+        return render_by_turns(
+            self._ours,
+            self._cycles,
+            samples=self.plan.samples,
+            cycles_samples=self.plan.cycles_samples,
+            denoiser=find_denoiser(),
+        )

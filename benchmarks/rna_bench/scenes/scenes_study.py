@@ -58,8 +58,15 @@ def study(args: argparse.Namespace) -> str:
             # A Blender of its own for each: one that builds many scenes may crash.
             with ExitStack() as stack:
                 worker = cache(partial(_enter, stack, args))
-                caches = references, measured
-                one = MeasuredScene(name, scene, plan, *caches, worker, progress.tell)
+                one = MeasuredScene(
+                    name,
+                    scene,
+                    plan,
+                    references=references,
+                    measured=measured,
+                    worker=worker,
+                    say=progress.tell,
+                )
                 if args.references_only:
                     _ = one.halves
                 else:
@@ -91,10 +98,10 @@ def _stage(args: argparse.Namespace) -> Stage:
 
 
 def _plan(args: argparse.Namespace) -> Plan:
-    counts = sorted(args.samples), sorted(args.cycles_samples)
-    if len(counts[1]) < 2:
+    samples, cycles_samples = sorted(args.samples), sorted(args.cycles_samples)
+    if len(cycles_samples) < 2:
         raise SceneError("--cycles-samples: found one number; expected two, to fit its error")
-    return Plan(*counts, args.reference_samples, args.floor_samples)
+    return Plan(samples, cycles_samples, args.reference_samples, args.floor_samples)
 
 
 def _stored_results(

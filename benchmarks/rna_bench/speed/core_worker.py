@@ -168,7 +168,7 @@ def capture(threads: int) -> Iterator[Task]:
     origins = rng.normal(size=(_RAYS, 3))
     origins *= 3.0 / np.linalg.norm(origins, axis=1, keepdims=True)
     targets = rng.uniform(-0.3, 0.3, (_RAYS, 3))
-    rays = origins.astype(np.float32), _unit(targets - origins)
+    origin, direction = origins.astype(np.float32), _unit(targets - origins)
     with tempfile.TemporaryDirectory() as scratch, ExitStack() as stack:
         blenders = [
             stack.enter_context(BlenderWorker(python, source, Path(scratch), 1, str(k)))
@@ -182,7 +182,7 @@ def capture(threads: int) -> Iterator[Task]:
             def work(k: int) -> None:
                 while time.perf_counter() < until:
                     wi = _unit(np.array([0.3, 1.0, 0.2]))
-                    blenders[k].render_rays(*rays, wi, _PATHS, int(done[k]))
+                    blenders[k].render_rays(origin, direction, wi, _PATHS, int(done[k]))
                     done[k] += _RAYS * _PATHS
 
             workers = [Thread(target=work, args=(k,)) for k in range(len(blenders))]

@@ -11,6 +11,7 @@
 
 #include "rna/base_color.h"
 #include "rna/blocks.h"
+#include "rna/carrier.h"
 #include "rna/deform.h"
 #include "rna/package.h"
 
@@ -20,8 +21,13 @@
 #define S_ISREG(mode) (((mode) & _S_IFMT) == _S_IFREG)
 #endif
 
-/* block: what is freed with the asset, or NULL. */
+/* block: what is freed with the asset, or NULL.  The file is a package, or a .glb that carries one. */
 static RnaAsset *open_span(Span file, void *block, RnaReport *report) {
+    if (is_glb(file)) file = find_package(file, report);
+    if (report->errors) {
+        free_aligned(block);
+        return NULL;
+    }
     RnaAsset *asset = calloc(1, sizeof *asset);
     Container *zip = calloc(1, sizeof *zip);
     if (!asset || !zip) {

@@ -134,7 +134,7 @@ def _package_path(item):
     if given.startswith("//") and not bpy.data.filepath:
         raise SdkError("save the .blend file first, or name the package to write")
     path = Path(bpy.path.abspath(given)).resolve()
-    return path if path.suffix == ".rna" else path.with_name(f"{path.name}.rna")
+    return path if path.suffix in (".rna", ".glb") else path.with_name(f"{path.name}.rna")
 
 
 def _options(settings):
@@ -243,7 +243,8 @@ class RnaBake(bpy.types.PropertyGroup):
 
     out: bpy.props.StringProperty(
         name="Package",
-        description="The .rna file to write; if left empty, beside the .blend file",
+        description="The .rna file to write, or a .glb that other viewers open, too; if left "
+        "empty, beside the .blend file",
         subtype="FILE_PATH",
         options={"PATH_SUPPORTS_BLEND_RELATIVE"},
     )

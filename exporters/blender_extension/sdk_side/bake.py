@@ -17,11 +17,19 @@ def main():
     folder = Path(folder)
     check_can_bake()
     if not (folder / "made").is_file():
-        made = "--out", out, "--work", folder / "make", *options
-        run("rna_export.make.rna_make", source, *made)
+        run("rna_export.make.rna_make", source, "--out", out, "--work", folder / "make", *options)
         (folder / "made").touch()
-    sizes = ("--resolution", 256, "--cycles-samples", 64)
-    run("rna_export.compare.rna_compare", out, source, "--out", folder / "compare", *sizes)
+    run(
+        "rna_export.compare.rna_compare",
+        out,
+        source,
+        "--out",
+        folder / "compare",
+        "--resolution",
+        256,
+        "--cycles-samples",
+        64,
+    )
     print("bake finished", flush=True)
 
 

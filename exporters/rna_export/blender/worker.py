@@ -52,8 +52,9 @@ def open_scene(request: dict[str, Any]) -> dict[str, Any]:
     _last_opened.update(request)
     shown_frame.opening()
     gltf_variants.opening()
-    axes = request["front"], request["up"]
-    notes = source_scene.load(request["source"], request["arguments"], request["frame"], *axes)
+    notes = source_scene.load(
+        request["source"], request["arguments"], request["frame"], request["front"], request["up"]
+    )
     render_settings.apply()
     object_materials.override()
     notes += source_scene.keep_only_the_asset()
@@ -67,9 +68,10 @@ def open_scene(request: dict[str, Any]) -> dict[str, Any]:
     for each in [*materials, *glass]:
         (each["name"],) = printable([each["name"]])
     least_roughness.keep_above(request["leastRoughness"])
-    clamps = request["clampDirect"], request["clampIndirect"]
     has_hair = any(part["kind"] == "fiber" for part in parts)
-    emitters = ray_render.configure(THREADS, *clamps, separate_direct=has_hair)
+    emitters = ray_render.configure(
+        THREADS, request["clampDirect"], request["clampIndirect"], separate_direct=has_hair
+    )
     return {
         "parts": parts,
         "notes": printable(notes),
@@ -114,8 +116,20 @@ HANDLERS = {
 
 
 def printable(texts: list[str]) -> list[str]:
-    """The texts without lone surrogates: names in Blender may be bytes that are not UTF-8."""
-    return [text.encode("utf-8", "backslashreplace").decode() for text in texts]
+    """The texts, escaped where they would end a line, move a cursor or are not UTF-8, as names."""
+    return ["".join(c if c.isprintable() else ascii(c)[1:-1] for c in text) for text in texts]
+
+
+def said_by(error: Exception) -> str:
+    """One line."""
+    text = str(error)
+    if "Traceback (most recent call last)" in text:  # of an operator that is in Python
+        outer = [line for line in text.splitlines() if line.strip() and not line[0].isspace()]
+        cause = [line for line in outer if not line.startswith("Location:")][-1]
+        return f"Blender cannot open it ({cause}); the file may be damaged"
+    line = " ".join(text.split())  # Blender's are of several
+    is_ours = type(error) is ValueError  # else Blender's, or a script's
+    return line if is_ours else f"Blender says: {type(error).__name__}: {line}"
 
 
 def reply(message: dict[str, Any]) -> None:
@@ -130,9 +144,7 @@ def main() -> None:
             reply({"ok": True, **(HANDLERS[request["op"]](request) or {})})
         except Exception as error:
             traceback.print_exc()
-            (line,) = printable([" ".join(str(error).split())])  # Blender's are of several
-            is_ours = type(error) is ValueError  # else Blender's, or a script's
-            says = line if is_ours else f"Blender says: {type(error).__name__}: {line}"
+            (says,) = printable([said_by(error)])
             reply({"ok": False, "error": says})
     os._exit(0)  # bpy may crash while it unloads; every result is already a file
 

@@ -21,7 +21,7 @@ from rna_export.capture.capture_plan import parts_lines, plan_lines
 from rna_export.capture.capture_tasks import Task, TrainingShard, ValidationHalf, all_tasks
 from rna_export.capture.check.self_check import PICTURE, WORTH_A_NOTE, SelfCheck
 from rna_export.capture.dataset.collect import Collector
-from rna_export.capture.dataset.completeness import record_files
+from rna_export.capture.dataset.completeness import forget, record_files
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_manifest import CaptureManifest
 from rna_export.capture.estimate.gain import gain_text, table_of
@@ -109,6 +109,8 @@ def measured_pilot(
         if (why := no_gain(opened)) is not None:
             say(why)
             return None
+        for line in without_relief(opened):
+            say(line)
         with _trial(CHECK_RENDERS + lights) as bar:
             check, speed = opened.checked(opened.scene, bar.update)
             pilot = opened.pilot(speed, bar.update, lights)
@@ -123,6 +125,14 @@ def no_gain(opened: OpenedSource) -> str | None:
     if share < _MATTERS:
         return None
     return f"gain: none is promised, since {names} will not be learnt"
+
+
+def without_relief(opened: OpenedSource) -> list[str]:
+    """A line about the gain without relief, if a tenth of the visible area will lose it."""
+    names, share = not_learnt(opened.materials, "relief")
+    if share < _MATTERS:
+        return []
+    return [f"the gain is that of the asset without the relief of {names}"]
 
 
 def _trial(renders: int) -> tqdm:
@@ -167,7 +177,8 @@ def begin(
             if limit is not None:  # too few minutes are an error before the estimate takes some
                 planned(settings, worker.kind, limit, opening + trial / speed.rate, rate, given)
             if why is None:
-                why = gain_text(asset.pilot(speed, bar.update), table_of())
+                gain = gain_text(asset.pilot(speed, bar.update), table_of())
+                why = "\n".join([gain, *without_relief(asset)])
             checks = {"": check}
             for frame, positions in poses.items():
                 worker.show_frame(frame)
@@ -217,6 +228,7 @@ def begin(
         sources=exported.sources,
         glass=exported.glass,
         exact=exported.exact,
+        materials=exported.material_numbers([each.full_name for each in asset.materials]),
     )
     say(plan_lines(dataset, geometries, rate))
     return dataset
@@ -243,6 +255,7 @@ def finish(
     if not missing:
         record_files(dataset)
         return
+    forget(dataset, (task.path(dataset) for task in missing))
     collector = Collector.of(dataset, workers.executor, workers.store)
     missing = collector.fetch(missing)
     workers.executor.on_every_node(blender_env.find_or_set_up, _RESOURCE)

@@ -103,8 +103,19 @@ class ValidationHalf:
         for first in range(0, len(hit), _RAYS_A_RENDER):
             pixel = hit[first : first + _RAYS_A_RENDER]
             extra = {"pixel": pixel.astype(np.int32)}
-            arguments = rays[pixel], wi, samples, seed, rng, extra
-            pieces.append(_capture(dataset, scene, worker, *arguments))
+            pieces.append(
+                _capture(
+                    dataset,
+                    scene,
+                    worker,
+                    rays=rays[pixel],
+                    wi=wi,
+                    samples=samples,
+                    seed=seed,
+                    rng=rng,
+                    extra=extra,
+                )
+            )
         write_parts(self.path(dataset), _all_rows(pieces))
 
 
@@ -130,8 +141,18 @@ class EmissionShard:
             rng = np.random.default_rng([settings.seed, 5, self.index, k])
             shown = _shown(dataset, scene, worker, k)
             rays = sample_view_rays(shown, None, settings.rays, dataset.manifest.domain.wo, rng)
-            arguments = rays, None, settings.samples, int(rng.integers(2**31)), rng
-            pieces.append(_capture(dataset, shown, worker, *arguments))
+            pieces.append(
+                _capture(
+                    dataset,
+                    shown,
+                    worker,
+                    rays=rays,
+                    wi=None,
+                    samples=settings.samples,
+                    seed=int(rng.integers(2**31)),
+                    rng=rng,
+                )
+            )
         write_parts(self.path(dataset), _all_rows(pieces))
 
 

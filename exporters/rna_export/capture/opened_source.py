@@ -119,8 +119,16 @@ class OpenedSource:
     def pilot(self, speed: Speed, tick: Callable[[], object], lights: int = LIGHTS) -> Pilot:
         """How noisy paths are, and what rays cost here; tick, lights: of `measure_pilot`."""
         cutouts, path_seconds = self.exported.has_opaque_cutouts, speed.path_seconds
-        how = self.settings, self.domain, cutouts, path_seconds, tick, lights
-        return measure_pilot(self.scene, self.worker, *how)
+        return measure_pilot(
+            self.scene,
+            self.worker,
+            settings=self.settings,
+            domain=self.domain,
+            cutouts=cutouts,
+            path_seconds=path_seconds,
+            tick=tick,
+            lights=lights,
+        )
 
 
 def _texel(exported: ExportedParts) -> float:
@@ -133,9 +141,13 @@ def _texel(exported: ExportedParts) -> float:
 def _scene(
     exported: ExportedParts, settings: CaptureSettings, positions: Sequence[np.ndarray] = ()
 ) -> AssetScene:
-    materials = exported.transmittances(), exported.normal_maps()
-    shape = tuple(exported.geometries.values()), settings.sharpest
-    return AssetScene(*shape, *materials, positions)
+    return AssetScene(
+        geometries=tuple(exported.geometries.values()),
+        sharpest=settings.sharpest,
+        transmittances=exported.transmittances(),
+        normal_maps=exported.normal_maps(),
+        positions=positions,
+    )
 
 
 def _speed(

@@ -245,8 +245,9 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
             print(f"opening {args.source.name} in Blender", flush=True)
             dataset = begin(source, given, args.out, workers, limit, print, for_scene)
         finish(dataset, source, workers, limit)
-    train = "rna-train", args.out, "--preset", "small", "--out", Path("runs", args.source.stem)
-    print(f"wrote {args.out}\nnext: {command_line(*train)}")
+    runs = Path("runs", args.source.stem)
+    train = command_line("rna-train", args.out, "--preset", "small", "--out", runs)
+    print(f"wrote {args.out}\nnext: {train}")
 
 
 def _estimate(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:

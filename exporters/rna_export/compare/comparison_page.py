@@ -14,6 +14,7 @@ from rna_export.compare.comparison_run import Pair, returned_light
 from rna_export.compare.origin import Origin
 from rna_export.html_pages import write_html
 from rna_export.metrics import PSNR_DEFINITION, WITHOUT_NOISE_DEFINITION, NoiselessPsnr
+from rna_export.outcome.outcome import Outcome
 from rna_export.pictures import comparison_sheet, pictures_of, write_picture
 from rna_sdk.commands.error_words import albedo_text, error_in_words, error_text
 from rna_sdk.files.atomic_file import write_atomically
@@ -86,6 +87,12 @@ def error_of(pairs: list[Pair]) -> AssetFlip:
     suns = _under_suns(pairs)
     lit = [pair.flip for pair in suns if pair.is_lit]
     return asset_flip(lit, unlit=len(suns) - len(lit))
+
+
+def outcome_of(pairs: list[Pair], is_of_strands: bool) -> Outcome:
+    """What the lit pictures under suns say beyond the error."""
+    lit = [pair.judged for pair in _under_suns(pairs) if pair.is_lit]
+    return Outcome.of_images([image for image in lit if image is not None], is_of_strands)
 
 
 def _under_suns(pairs: list[Pair]) -> list[Pair]:

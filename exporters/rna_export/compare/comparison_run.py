@@ -13,6 +13,7 @@ from rna_export.asset_flip import Exposure, ImageFlip, luminance_level, scene_ex
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.compare.views import FOV_Y, Frame, Shot, shots_of
 from rna_export.metrics import NoiselessPsnr, exposure_of, psnr, psnr_without_noise
+from rna_export.outcome.judged_image import JudgedImage
 from rna_render import World, make_integrator, place_asset, render
 from rna_render.lights import LUMINANCE
 from rna_sdk.commands.error_words import albedo_text
@@ -57,6 +58,7 @@ class Pair:
     seconds_cycles: float
     exposure: float = 1.0  # that FLIP is of, and that it is shown at
     is_lit: bool = True  # else its FLIP does not count
+    judged: JudgedImage | None = None  # pixel by pixel
 
     @property
     def light(self) -> tuple[float, float]:
@@ -148,10 +150,13 @@ def render_cycles(shot: Shot, worker: BlenderWorker, samples: int, emits: bool) 
     emits: whether its materials emit light.
     """
     start = time.perf_counter()
-    n, view = shot.resolution, (shot.to_world, FOV_Y, shot.light)
+    n = shot.resolution
     seeds = 2 * shot.number, 2 * shot.number + 1
     halves = np.stack(
-        [worker.render_view(*view, samples // 2, seed, n, n, emits) for seed in seeds]
+        [
+            worker.render_view(shot.to_world, FOV_Y, shot.light, samples // 2, seed, n, n, emits)
+            for seed in seeds
+        ]
     )
     return Timed(halves, time.perf_counter() - start)
 
@@ -164,11 +169,13 @@ def judge(rendered: Rendered, exposure: Exposure, of_psnr: float) -> Pair:
     a, b = np.ascontiguousarray(image[..., :3]), np.ascontiguousarray(mean[..., :3])
     share = np.minimum(image[..., 3], mean[..., 3])
     of_halves = [half[covered][:, :3] for half in halves]
+    colours = np.ascontiguousarray(halves[..., :3])
+    flip = ImageFlip.of(a, colours, share, exposure.factor)
     return Pair(
         shot=rendered.shot,
         ours=a,
         cycles=b,
-        flip=ImageFlip.of(a, np.ascontiguousarray(halves[..., :3]), share, exposure.factor),
+        flip=flip,
         psnr=psnr(a[covered], b[covered], of_psnr),
         psnr_without_noise=psnr_without_noise(a[covered], of_halves[0], of_halves[1], of_psnr),
         coverage=float(np.abs(image[..., 3] - mean[..., 3]).mean()),
@@ -176,4 +183,5 @@ def judge(rendered: Rendered, exposure: Exposure, of_psnr: float) -> Pair:
         seconds_cycles=rendered.cycles.seconds,
         exposure=exposure.factor,
         is_lit=exposure.is_lit,
+        judged=JudgedImage.of_picture(rendered.shot.name, exposure.factor, a, colours, share, flip),
     )

@@ -80,12 +80,12 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     from rna_export.capture.blender_process.blender_process import Source
     from rna_export.capture.blender_process.blender_worker import BlenderWorker
     from rna_export.capture.blender_process.source_file import check_source
-    from rna_export.compare.comparison_page import error_of, write_page
+    from rna_export.compare.comparison_page import error_of, outcome_of, write_page
     from rna_export.compare.comparison_run import Pair, compare, returned_light
     from rna_export.compare.origin import Origin
     from rna_sdk.commands.error_words import albedo_text
     from rna_sdk.machine.cores import core_count
-    from rna_sdk.runtime import load
+    from rna_sdk.runtime import FiberAsset, load
 
     check_source(args.source)
     asset = load(args.package, tier=args.tier, threads=1)
@@ -143,6 +143,9 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     print(f"{origin.tier}: {error_of(pairs)}")
     if (returned := returned_light(pairs)) is not None:
         print(f"{origin.tier}: {albedo_text(returned, None)}, in a white world")
+    is_of_strands = all(isinstance(part, FiberAsset) for part in asset.parts)
+    told = outcome_of(pairs, is_of_strands).told(args.out / "worst.png", "pictures under suns")
+    print("\n".join(told))
     print(f"wrote {args.out / 'index.html'}, {args.out / 'results.json'}, {args.out / 'sheet.png'}")
 
 

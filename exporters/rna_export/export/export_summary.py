@@ -10,7 +10,8 @@ import numpy as np
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.validation_view import WholeView
 from rna_export.capture.preflight.verdicts import preflight_lines
-from rna_export.pictures import sheet_of
+from rna_export.outcome.outcome import Outcome
+from rna_export.pictures import sheet_of, worst_of
 from rna_export.training.checkpoint import Trained
 from rna_export.training.training_summary import Effort
 from rna_export.training.validation import reference_warnings, write_sheet
@@ -26,7 +27,7 @@ def closing_lines(
     """Error, albedo, steps and lights of each tier, warnings, and notes of the capture.
 
     Writes the contact sheet `sheet_of(package)`: validation images of the default tier, and what
-    the pre-flight said of each material.
+    the pre-flight said of each material; and `worst_of(package)`, where it is furthest from Cycles.
 
     trained: the models of all parts and presets of the package.
     """
@@ -35,19 +36,23 @@ def closing_lines(
         preset: Effort.of([one for one in trained if one.preset_name == preset], dataset)
         for preset in dict.fromkeys(one.preset_name for one in trained)
     }
+    flips: dict[str, float | None] = {}
     for tier in manifest.tiers:
-        effort = next(e for p, e in efforts.items() if f"{tier.name}-".startswith(f"{p}-"))
+        preset = next(p for p in efforts if f"{tier.name}-".startswith(f"{p}-"))
+        effort = efforts[preset]
+        flips.setdefault(preset, None if tier.validation is None else tier.validation.flip)
         lines.append(f"{tier.name}: {_error_text(tier)}; {effort}")
         if tier.validation is not None and (returned := tier.validation.albedo) is not None:
             lines.append(f"{tier.name}: {albedo_text(returned.ratio, returned.at80)}")
     asset = load(package)
     shaded, notes = [_shaded(asset, view) for view in views], dataset.manifest.materials
     write_sheet(sheet_of(package), shaded, views, preflight_lines(notes))
+    lines += Outcome.of(shaded, views, dataset).told(worst_of(package))
     if dataset.glass is not None:
         name = glass_of(package)
         lines.append(f"{name}: the smooth glass, an ordinary mesh that a scene places with it")
     lines += reference_warnings(views)
-    lines += dict.fromkeys(line for effort in efforts.values() for line in effort.warnings)
+    lines += dict.fromkeys(line for p, e in efforts.items() for line in e.warnings(flips[p]))
     return [*lines, *(f"note: {note}" for note in dataset.manifest.all_notes)]
 
 

@@ -10,7 +10,9 @@ from rna_export.export.package_options import add_credit, add_environment, check
 from rna_export.export.precision import MAX_LOSS, add_precision, precisions_of
 from rna_export.training.training_options import add_incomplete
 from rna_sdk.commands.console import command_line, command_parser, run_command
+from rna_sdk.files.file_kinds import kind_of
 from rna_sdk.files.outputs import check_outputs, check_package_name
+from rna_sdk.package.gltf.glb_file import package_to_write
 
 
 def parser() -> argparse.ArgumentParser:
@@ -28,7 +30,13 @@ def parser() -> argparse.ArgumentParser:
         "asset of several parts needs its folder. With --environment and no checkpoint, a "
         "package to add lobes to (paths)",
     )
-    p.add_argument("--out", type=Path, required=True, help="output package (path, required)")
+    p.add_argument(
+        "--out",
+        type=Path,
+        required=True,
+        help="output package, .rna, or .glb with a fallback for viewers that do not know RNA "
+        "(path, required)",
+    )
     p.add_argument(
         "--dataset",
         type=Path,
@@ -93,7 +101,7 @@ def main(argv: list[str] | None = None) -> int:
         options.error(f"argument --proxies: expected 1 or more, found {min(args.proxies)}")
     check_environment(args, options)
     run = _run
-    if any(path.suffix == ".rna" for path in args.checkpoints):
+    if any(kind_of(path) == "package" for path in args.checkpoints):
         _check_package(args, options)
         run = _add_lobes
 
@@ -120,7 +128,8 @@ def _add_lobes(args: argparse.Namespace) -> None:
 
     (package,) = args.checkpoints
     check_outputs([args.out], [package, *args.environment_files])
-    lines = add_lobes(package, args.out, args.environment_minutes, args.environment_files)
+    with package_to_write(args.out) as out:
+        lines = add_lobes(package, out, args.environment_minutes, args.environment_files)
     before, after = (path.stat().st_size / 1e6 for path in (package, args.out))
     print("\n".join(lines))
     print(f"wrote {args.out}, {after:.2f} MB ({package}: {before:.2f} MB)")
@@ -152,26 +161,24 @@ def _run(args: argparse.Namespace) -> None:
     check_analytic(analytic, dataset)
     presets = dict.fromkeys(one.preset_name for one in trained)
     precisions = precisions_of(args.precision, presets)
-    manifest = build_package(
-        trained,
-        dataset,
-        args.out,
-        args.source,
-        args.license,
-        print,
-        precisions,
-        max_loss=args.max_loss,
-        name=args.name,
-    )
     proxies = sorted(set(args.proxies), reverse=True)
-    coded = args.coding == "deflate"
-    add_extras(
-        args.out, dataset, args.poster, proxies, coded, print, args.source_vertices, analytic
-    )
-    print("\n".join(closing_lines(args.out, manifest, trained, dataset)), flush=True)
-    if args.environment:
-        minutes, files = args.environment_minutes, args.environment_files
-        print("\n".join(add_lobes(args.out, args.out, minutes, files)))
+    coded, lobes = args.coding == "deflate", []
+    with package_to_write(args.out) as out:
+        manifest = build_package(
+            trained,
+            dataset,
+            out,
+            args.source,
+            args.license,
+            print,
+            precisions,
+            max_loss=args.max_loss,
+            name=args.name,
+        )
+        add_extras(out, dataset, args.poster, proxies, coded, print, args.source_vertices, analytic)
+        if args.environment:
+            lobes = add_lobes(out, out, args.environment_minutes, args.environment_files)
+    print("\n".join([*closing_lines(args.out, manifest, trained, dataset), *lobes]))
     size = args.out.stat().st_size / 1e6
     print(f"wrote {args.out}, {size:.2f} MB, {sheet_of(args.out)}")
     print(f"next: {command_line('rna-validate', args.out)}")

@@ -49,16 +49,15 @@ class Scattered:
         row = np.tile(np.repeat(np.arange(_POINTS), _DIRECTIONS), len(lobes))
         u = rng.random((len(lobes), _POINTS * _DIRECTIONS, 2))
         u[..., 0] = (u[..., 0] + np.tile(np.arange(_DIRECTIONS), _POINTS)) / _DIRECTIONS
-        at, own = (points.axis, points.axis, points.wo), row[: _POINTS * _DIRECTIONS]
+        axis, wo, own = points.axis, points.wo, row[: _POINTS * _DIRECTIONS]
         wi = np.concatenate(
             [
-                lobe.everywhere.sample(*at, u_lobe, own)
+                lobe.everywhere.sample(axis, axis, wo, u_lobe, own)
                 for lobe, u_lobe in zip(lobes, u, strict=True)
             ]
         )
-        densities = np.stack([lobe.everywhere.pdf(*at, wi, row) for lobe in lobes], axis=1).astype(
-            np.float64
-        )
+        every = [lobe.everywhere.pdf(axis, axis, wo, wi, row) for lobe in lobes]
+        densities = np.stack(every, axis=1).astype(np.float64)
         transport = views.transport(points, row, wi).mean(axis=1).astype(np.float64)
         sampled = _DIRECTIONS * densities.sum(axis=1)
         return cls(points, row, wi, transport, densities, sampled)

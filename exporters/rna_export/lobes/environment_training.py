@@ -126,10 +126,9 @@ def filling(bar: tqdm, share: float = 1.0) -> Callable[[float], None]:
 
 def _lobes_of(part: SurfaceAsset | FiberAsset) -> LobesAt:
     def lobes(at: ViewPoints) -> tuple[Rows, Rows]:
-        seen = at.wo, at.free, at.visibility
         if isinstance(part, FiberAsset):
-            return part.lobes(at.position, at.axis, at.h, *seen)
-        return part.lobes(at.position, at.axis, *seen)
+            return part.lobes(at.position, at.axis, at.h, at.wo, at.free, at.visibility)
+        return part.lobes(at.position, at.axis, at.wo, at.free, at.visibility)
 
     return lobes
 

@@ -142,8 +142,9 @@ def _light(views: PartViews, points: ViewPoints, d: np.ndarray, flux: np.ndarray
     result = [np.zeros((len(flux), 0, 3), np.float32)]
     for start in range(0, len(points), _AT_ONCE):
         row = np.arange(start, min(start + _AT_ONCE, len(points)))
-        queries = np.repeat(row, len(d)), np.tile(d.astype(np.float32), (len(row), 1))
-        transport = views.transport(points, *queries).reshape(len(row), -1, 3)
+        transport = views.transport(
+            points, np.repeat(row, len(d)), np.tile(d.astype(np.float32), (len(row), 1))
+        ).reshape(len(row), -1, 3)
         result.append(np.einsum("nkc,ekc->enc", transport, flux))
     return np.concatenate(result, axis=1)
 

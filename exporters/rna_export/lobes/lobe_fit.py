@@ -78,10 +78,11 @@ def _directions(points: ViewPoints, rng: np.random.Generator) -> tuple[Rows, Row
     spiral = np.stack([(k + 0.5) / _DIRECTIONS, k * GOLDEN], axis=1)
     u = (spiral + rng.random((n, 1, 2))) % 1.0
     mixture = _FIBER if isinstance(points.at, FiberPoints) else _SURFACE
-    at = points.axis, points.axis, points.wo
     row = np.repeat(np.arange(n), _DIRECTIONS)
-    d = mixture.sample(*at, u.reshape(-1, 2), row)
-    share = np.float32(1.0) / (np.float32(_DIRECTIONS) * mixture.pdf(*at, d, row))
+    d = mixture.sample(points.axis, points.axis, points.wo, u.reshape(-1, 2), row)
+    share = np.float32(1.0) / (
+        np.float32(_DIRECTIONS) * mixture.pdf(points.axis, points.axis, points.wo, d, row)
+    )
     return d.reshape(n, _DIRECTIONS, 3), np.asarray(share.reshape(n, _DIRECTIONS), np.float32)
 
 

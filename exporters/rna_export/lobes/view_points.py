@@ -125,8 +125,13 @@ class PartViews:
         self.part, self._index, self._scene = asset.parts[index], index, scene
         box = part_geometry(self.part).box()
         boxes = [part_geometry(part).box() for part in asset.parts]
-        whole = np.min([box[0] for box in boxes], axis=0), np.max([box[1] for box in boxes], axis=0)
-        self._sphere, self._picture_sphere = _sphere(*box), _sphere(*whole)
+        self._sphere, self._picture_sphere = (
+            _sphere(*box),
+            _sphere(
+                low=np.min([box[0] for box in boxes], axis=0),
+                high=np.max([box[1] for box in boxes], axis=0),
+            ),
+        )
         self._mesh = self.part.mesh if isinstance(self.part, SurfaceAsset) else None
         if visibility is None and self._mesh is not None:
             visibility = self._baked(self._mesh)

@@ -48,7 +48,8 @@ def parser() -> argparse.ArgumentParser:
         "--out",
         type=Path,
         metavar="RNA",
-        help="output package (path, no default: this or --out-dir is required)",
+        help="output package, .rna, or .glb with a fallback for viewers that do not know RNA "
+        "(path, no default: this or --out-dir is required)",
     )
     p.add_argument(
         "--out-dir",
@@ -68,7 +69,8 @@ def parser() -> argparse.ArgumentParser:
         "--min-psnr",
         type=float,
         metavar="DB",
-        help="target PSNR of the validation images, dB (float, default: none)",
+        help="target PSNR of the validation images, dB; small images of short runs count without "
+        "their noise (float, default: none)",
     )
     p.add_argument(
         "--minutes",

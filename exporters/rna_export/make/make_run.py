@@ -13,6 +13,7 @@ from time import monotonic
 
 from rna_export.capture.capture_plan import parts_lines
 from rna_export.capture.capture_run import say_dropped
+from rna_export.capture.dataset.completeness import check_kept
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.export.extras import add_extras
 from rna_export.export.package_build import build_package
@@ -53,6 +54,7 @@ class Made:
     rounds: int
     checkpoints: tuple[Path, ...]  # folders of the presets, as requested
     lead: str  # the preset that the goal is for
+    without_noise: bool = False  # whether its PSNR was judged so
 
     def trained(self) -> list[Trained]:
         """The models of all parts and presets."""
@@ -75,6 +77,7 @@ class Make:
         self._trainer = Trainer(options.overlaps)
         self._seconds = dict.fromkeys(("capture", "training"), 0.0)
         dataset = Dataset(rays_folder(options))
+        check_kept(dataset)
         for note in dataset.manifest.all_notes:
             say(f"note: {note}")
         self._rays = Rays(options, dataset)
@@ -121,7 +124,8 @@ class Make:
         if few is not None:
             raise TrainingError(few)
         dataset, rounds = self._rays.dataset, len(self._state.rounds)
-        return Made(dataset, why, rounds, tuple(folders.values()), self._lead)
+        without_noise = best[self._lead][1].without_noise
+        return Made(dataset, why, rounds, tuple(folders.values()), self._lead, without_noise)
 
     def _opened_state(self, say: Callable[[str], None]) -> State:
         """State of the work folder with the present request; a new one if there is none."""
@@ -240,7 +244,8 @@ class Make:
         with self._timed("training"):
             phase.run(shards, stage)
         stage.done()
-        round_.score = score(trained_in(phase.folder, phase.dataset), phase.dataset)
+        trained = trained_in(phase.folder, phase.dataset)
+        round_.score = score(trained, phase.dataset, self._images.are_small)
         self._save()
         text = f"{round_.lights:,} lights, {lead} has {_score_text(round_.score)}"
         self._progress.say(f"round {number + 1}: {text}")
@@ -363,4 +368,5 @@ def export(
 
 
 def _score_text(score: Score) -> str:
-    return f"FLIP {score.flip:.3f}, PSNR {score.psnr:.2f} dB"
+    noise = " without noise" if score.without_noise else ""
+    return f"FLIP {score.flip:.3f}, PSNR {score.psnr:.2f} dB{noise}"

@@ -23,7 +23,7 @@ from rna_export.training.nearby_choice import with_nearby
 from rna_export.training.part_runs import part_folder, shared_minutes
 from rna_export.training.presets import PRESETS, Preset
 from rna_export.training.training_run import Run, table_of, train
-from rna_export.training.validation import mean_psnr, shade, shade_emission
+from rna_export.training.validation import mean_psnr, noiseless_psnr, shade, shade_emission
 from rna_sdk.files.atomic_file import write_atomically
 from rna_work.bar import Bar
 
@@ -105,8 +105,12 @@ def trained_in(folder: Path, dataset: Dataset) -> list[Trained]:
     return [load_checkpoint(path / "best.ckpt") for path in folders]
 
 
-def score(trained: Sequence[Trained], dataset: Dataset) -> Score:
-    """Score of the models of all parts, over the whole validation images."""
+def score(trained: Sequence[Trained], dataset: Dataset, is_noisy: bool = False) -> Score:
+    """Score of the models of all parts, over the whole validation images.
+
+    is_noisy: whether the images are those of rounds, whose noise a PSNR must not count: of the toy
+    it has 37 dB alone.
+    """
     views = dataset.whole_views()
     radiance = [
         np.concatenate([shade(one.model, p) for one, p in zip(trained, view.parts, strict=True)])
@@ -118,7 +122,8 @@ def score(trained: Sequence[Trained], dataset: Dataset) -> Score:
         for view in part.emission_views()
     ]
     error = worse_error(radiance, views, emitted)
-    return Score(psnr=mean_psnr(radiance, views), flip=error.mean)
+    psnr = noiseless_psnr(radiance, views).db if is_noisy else mean_psnr(radiance, views)
+    return Score(psnr=psnr, flip=error.mean, without_noise=is_noisy)
 
 
 class Trainer:

@@ -22,6 +22,7 @@ from rna_sdk.commands.console import command_line, run_command, split_script_arg
 from rna_sdk.files.atomic_file import write_atomically
 from rna_sdk.files.outputs import check_outputs, check_outside, check_package_name
 from rna_sdk.files.owned_folder import owned
+from rna_sdk.package.gltf.glb_file import package_to_write
 from rna_work.executors import open_executor
 
 if TYPE_CHECKING:
@@ -134,11 +135,13 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
             )
             made = Make(options, begun, print).run()
         print("writing the package: measuring its error and cost, rendering its poster", flush=True)
-        manifest = export(made, args.out, args.source, args.license, precisions, args.name)
+        with package_to_write(args.out) as out:
+            manifest = export(made, out, args.source, args.license, precisions, args.name)
+            lobes = (
+                add_lobes(out, out, lobes_take, args.environment_files) if args.environment else []
+            )
         marked = _saved_picture(options, args.out)
-        lines = closing_lines(args.out, manifest, made.trained(), made.dataset)
-        if args.environment:
-            lines += add_lobes(args.out, args.out, lobes_take, args.environment_files)
+        lines = [*closing_lines(args.out, manifest, made.trained(), made.dataset), *lobes]
         others = folder.dissolve(*WRITTEN) if args.discard else []
     if others:
         print(f"kept {work}: rna-make did not write {', '.join(others)}")
@@ -166,9 +169,9 @@ def _tell_next(args: argparse.Namespace) -> None:
     scene = write_starter(args.out)
     if scene is not None:
         print(f"wrote {scene}, a scene that shows it")
-    compare = "rna-compare", args.out, args.model, "--out", f"{args.out.stem}-compare"
+    report = f"{args.out.stem}-compare"
     print(f"next: {command_line('rna-view', args.out)}")
-    print(f"      {command_line(*compare)}")
+    print(f"      {command_line('rna-compare', args.out, args.model, '--out', report)}")
 
 
 def _saved_picture(options: MakeOptions, out: Path) -> Path | None:
@@ -198,6 +201,8 @@ def _outcome(made: Made, manifest: Manifest, goal: Goal | None) -> str:
     end: str = "the error stopped falling" if made.why == "stopped falling" else made.why
     if goal is not None and lead is not None and goal.met_by(lead):
         end = f"goal met: {goal}{_cheapest(manifest, goal)}"
+    elif made.why == "goal met" and made.without_noise:
+        end = f"goal met: {goal}, without the noise of the validation images"
     elif goal is not None:
         end = f"goal not met, {end}: {goal}"
     return f"{end}; capture rounds: {made.rounds}"

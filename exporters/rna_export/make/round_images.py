@@ -6,6 +6,7 @@ from collections.abc import Collection
 from time import monotonic
 
 from rna_export.capture.capture_settings import CaptureSettings
+from rna_export.capture.dataset.completeness import forget
 from rna_export.capture.time_plan import IMAGE_SHARE, with_smaller_images
 from rna_export.make.capture_rounds import Rays
 from rna_export.make.make_progress import Stage
@@ -25,6 +26,11 @@ class RoundImages:
 
     def __init__(self, rays: Rays, state: State, given: Collection[str]) -> None:
         self._rays, self._state, self._given = rays, state, given
+
+    @property
+    def are_small(self) -> bool:
+        """Whether they are those of rounds, with few paths a pixel."""
+        return self._state.images is not None
 
     def shrink(self, lights: int) -> None:
         """Plan images that fit to a first round of so many lights, if those planned are larger."""
@@ -68,6 +74,9 @@ class RoundImages:
 
     def _change(self, settings: CaptureSettings) -> None:
         """Plan images of other sizes; the rendered images are of no use any more."""
-        for task in self._rays.images():
-            task.path(self._rays.dataset).unlink(missing_ok=True)
-        self._rays.dataset.change_settings({name: getattr(settings, name) for name in _CHANGED})
+        dataset = self._rays.dataset
+        paths = [task.path(dataset) for task in self._rays.images()]
+        forget(dataset, paths)
+        for path in paths:
+            path.unlink(missing_ok=True)
+        dataset.change_settings({name: getattr(settings, name) for name in _CHANGED})

@@ -32,10 +32,14 @@ class RunSettings(BaseModel, extra="forbid", frozen=True):
 
 
 class Score(BaseModel, extra="forbid", frozen=True):
-    """Score over the validation images, all parts together; flip: of the asset's pixels."""
+    """Score over the validation images, all parts together; flip: of the asset's pixels.
+
+    without_noise: whether that of the images does not count in psnr, as it never does in flip.
+    """
 
     psnr: float
     flip: float
+    without_noise: bool = False
 
 
 class Round(BaseModel, extra="forbid"):

@@ -108,14 +108,17 @@ def _trained(saved: dict[str, Any], model_class: type[NeuralAsset]) -> Trained:
     model = model_class(preset.model, bounds)
     model.load_state_dict(weights)
     capture = CaptureManifest.model_validate(record["capture"])
-    made = (
-        record["preset_name"],
-        record["part"],
-        int(record["cut"]),
-        int(record["steps"]),
-        int(record["seed"]),
+    return Trained(
+        model.eval(),
+        preset,
+        preset_name=record["preset_name"],
+        part=record["part"],
+        cut=int(record["cut"]),
+        steps=int(record["steps"]),
+        seed=int(record["seed"]),
+        capture=capture,
+        dataset=Path(record["dataset"]),
     )
-    return Trained(model.eval(), preset, *made, capture, Path(record["dataset"]))
 
 
 def _check_weights(planned: NeuralAsset, weights: dict[str, Tensor]) -> None:

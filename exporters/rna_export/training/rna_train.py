@@ -159,8 +159,16 @@ def _run(args: argparse.Namespace) -> None:
                 print(f"part {part.name}, {part.kind}:")
             preset = _chosen(args, part.kind, device)
             part.geometry()  # which export needs, and may refuse
-            made = args.seed, minutes[part.name], begun, device
-            run = Run(part, preset, args.preset, out, *made)
+            run = Run(
+                part,
+                preset,
+                args.preset,
+                out,
+                seed=args.seed,
+                minutes=minutes[part.name],
+                begun=begun,
+                device=device,
+            )
             best = train(with_nearby(run, args.nearby))
             print("\n".join(closing_lines(best, part)))
             written.append(f"wrote {best}, {out / 'curves.png'}, {out / 'sheet.png'}")

@@ -17,7 +17,7 @@ from tqdm import tqdm
 
 from rna_export.brightness import Brightness
 from rna_export.capture.dataset.dataset_part import DatasetPart
-from rna_export.capture.dataset.nearby_rows import with_estimates
+from rna_export.capture.dataset.nearby_rows import with_nearby_light
 from rna_export.training.checkpoint import load_checkpoint, load_progress, save_checkpoint
 from rna_export.training.model.emission import INPUTS
 from rna_export.training.model.neural_asset import NeuralAsset
@@ -90,8 +90,17 @@ def train(
     say(_plan(run, len(table)))
     torch.manual_seed(run.seed)
     bounds, emission = padded_bounds(run.dataset), _emission(run, done)
-    of_rows = table.fields, emission, run.device, run.model_class
-    fitting = Fitting(run.preset, bounds, ceiling, unit, *of_rows, lit=table.lit)
+    fitting = Fitting(
+        run.preset,
+        bounds,
+        ceiling,
+        unit,
+        fields=table.fields,
+        emission=emission,
+        device=run.device,
+        model_class=run.model_class,
+        lit=table.lit,
+    )
     if saved:
         fitting.load(saved["fitting"])
     elif run.preset.model.nearby:
@@ -126,7 +135,7 @@ def table_of(
     if not _for_base_color(run).model.uses_base_color:
         samples = {name: values for name, values in samples.items() if name != "base_color"}
     if lengths := run.preset.model.nearby:
-        samples = with_estimates(samples, run.dataset, lengths, bars)
+        samples = with_nearby_light(samples, run.dataset, lengths, bars)
     return SampleTable(samples, device=run.device)
 
 

@@ -7,17 +7,16 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from rna_export.albedo import albedo
-from rna_export.asset_flip import AssetFlip
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_part import DatasetPart
-from rna_export.capture.dataset.validation_view import ValidationView
+from rna_export.outcome.outcome import Outcome
 from rna_export.training.asset_error import worse_error
 from rna_export.training.checkpoint import Trained, load_checkpoint
 from rna_export.training.presets import named_preset
 from rna_export.training.report import read_curves
 from rna_export.training.validation import reference_warnings, shade, shade_emission
-from rna_sdk.commands.error_words import albedo_text
+from rna_sdk.commands.error_words import GOOD, albedo_text
 
 _LITTLE = 0.1  # of what is usual
 
@@ -54,9 +53,11 @@ class Effort:
         """As "16 of 2,000 lights"."""
         return _told(self.lights, self.usual_lights, "lights")
 
-    @property
-    def warnings(self) -> list[str]:
-        """A line where less than a tenth of the usual was done."""
+    def warnings(self, flip: float | None) -> list[str]:
+        """A line where less than a tenth of the usual was done.
+
+        flip: the model's error; None where it is not known.
+        """
         shares = [
             (self.steps < _LITTLE * self.usual_steps, self.steps_text),
             (self.lights < _LITTLE * self.usual_lights, self.lights_text),
@@ -64,6 +65,8 @@ class Effort:
         few = " and ".join(line for is_little, line in shares if is_little)
         if not few:
             return []
+        if flip is not None and flip < GOOD:
+            return [f"note: {few}, less than a tenth of the usual, were enough for this error"]
         return [f"warning: {few}, less than a tenth of the usual: a sketch; give it more time"]
 
 
@@ -72,24 +75,23 @@ def _told(done: int, usual: int, what: str) -> str:
 
 
 def closing_lines(best: Path, part: DatasetPart) -> list[str]:
-    """Error, albedo, steps and lights of a part's best checkpoint, and warnings."""
+    """Error, albedo, steps and lights of a part's best checkpoint, warnings, and what came true.
+
+    Writes `worst.png` beside the checkpoint: see `Outcome`.
+    """
     rows, trained = read_curves(best.parent), load_checkpoint(best)
     effort, views = Effort.of([trained], part.dataset), part.validation_views()
+    radiance = [shade(trained.model, view) for view in views]
+    emitted = [(shade_emission(trained.model, view), view) for view in part.emission_views()]
+    error = worse_error(radiance, views, emitted)
     lines = []
     if rows:
         psnr = max(row["psnr"] for row in rows)
-        error = _error(trained, part, views)
         lines.append(f"{trained.preset_name}: {error}, PSNR {psnr:.2f} dB; {effort}")
     if (white := part.white_view()) is not None:
         returned = albedo([(shade(trained.model, white), white)])
         if returned is not None:
             text = albedo_text(returned.ratio, returned.at80)
             lines.append(f"{trained.preset_name}: {text}")
-    return [*lines, *reference_warnings(views), *effort.warnings]
-
-
-def _error(trained: Trained, part: DatasetPart, views: list[ValidationView]) -> AssetFlip:
-    """Error of reflected light or of emission, whichever is larger."""
-    radiance = [shade(trained.model, view) for view in views]
-    emitted = [(shade_emission(trained.model, view), view) for view in part.emission_views()]
-    return worse_error(radiance, views, emitted)
+    lines += Outcome.of(radiance, views, part.dataset).told(best.parent / "worst.png")
+    return [*lines, *reference_warnings(views), *effort.warnings(error.mean)]

@@ -12,7 +12,6 @@ import torch
 from torch import Tensor
 
 from rna_export.asset_flip import Exposure
-from rna_export.capture.dataset.nearby_rows import ESTIMATES
 from rna_export.capture.dataset.validation_view import CapturedImage, EmissionView, ValidationView
 from rna_export.metrics import (
     NoiselessPsnr,
@@ -54,7 +53,7 @@ class Scores:
 def shade(model: NeuralAsset, view: ValidationView) -> np.ndarray:
     """Radiance (n, 3) of a view's rows, the output picked by visibility."""
     nearby = view.nearby(model.config.nearby)
-    queries = view.queries if nearby is None else {**view.queries, ESTIMATES[0]: nearby}
+    queries = view.queries if nearby is None else {**view.queries, "nearby": nearby}
     return view.pick(*answer(model, queries))
 
 
@@ -123,11 +122,15 @@ def score(radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> Scores:
         relative_mse=float(np.mean([relative_mse(r, t) for r, t, _ in pairs])),
         # The mean of both halves has half the variance of either, their difference twice it.
         psnr_of_references=float(np.mean(of_references)) + 6.02,
-        psnr_without_noise=NoiselessPsnr.mean(
-            [psnr_without_noise(r, v.halves[0], v.halves[1], e) for r, _, v in pairs]
-        ),
+        psnr_without_noise=noiseless_psnr(radiance, views),
         images=len(views),
     )
+
+
+def noiseless_psnr(radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> NoiselessPsnr:
+    """Mean PSNR of shaded rows against what both halves of the captured ones converge to."""
+    pairs, e = zip(radiance, views, strict=True), exposure(views)
+    return NoiselessPsnr.mean([psnr_without_noise(r, *v.halves, e) for r, v in pairs])
 
 
 def mean_psnr(radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> float:

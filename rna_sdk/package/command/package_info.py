@@ -29,13 +29,14 @@ def package_info(path: Path) -> Info:
     Lengths are in metres. Raises PackageError for a broken package.
     """
     with Package.open(path) as package:
-        manifest = package.manifest
+        manifest, carrier = package.manifest, package.carrier
         low, high = package.box()
         poster, lobes = extension(manifest, Poster), extension(manifest, Environment)
         origin = manifest.provenance
         return {
             "file": str(path),
-            "bytes": path.stat().st_size,
+            "bytes": package.file_bytes,
+            "glb": carrier and {"bytes": path.stat().st_size, **carrier.facts()},
             "name": manifest.name,
             "format": manifest.version,
             "size": [float(f"{side:.6g}") for side in high - low],
@@ -164,6 +165,8 @@ def _rows(info: Info) -> Iterator[tuple[str, str]]:
     """Label and text of each line; the label is empty below the first line of a kind."""
     size = f"{info['bytes'] / 1e6:.2f} MB, format {info['format']}"
     yield "package", f"{info['name']}, {size}, {info['file']}"
+    if info["glb"]:
+        yield "carried by", _glb_text(info["glb"])
     yield "size", " x ".join(f"{side:.3g}" for side in info["size"]) + " m (x, y up, z)"
     if info["size_note"]:
         yield "note", info["size_note"]
@@ -186,6 +189,19 @@ def _rows(info: Info) -> Iterator[tuple[str, str]]:
         name + " (required)" * (use == "required") for name, use in info["extensions"].items()
     ]
     yield "extensions", ", ".join(extensions) or "none"
+
+
+def _glb_text(glb: Info) -> str:
+    """The file about the package, and what viewers show that do not know RNA."""
+    size = f"a glTF of {glb['bytes'] / 1e6:.2f} MB, {_counted(glb['instances'], 'instance')}"
+    meshes = _counted(glb["fallback_meshes"], "mesh", "es")
+    skinned = ", skinned" if glb["fallback_skinned"] else ""
+    flip = f", FLIP {glb['fallback_flip']:.3f}" if glb["fallback_flip"] is not None else ""
+    return f"{size}; its fallback: {meshes}{skinned}{flip}"
+
+
+def _counted(count: int, noun: str, plural: str = "s") -> str:
+    return f"{count} {noun}{plural if count != 1 else ''}"
 
 
 def _labelled(label: str, texts: Iterator[str]) -> Iterator[tuple[str, str]]:

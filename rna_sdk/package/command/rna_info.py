@@ -8,22 +8,22 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-import numpy as np
-
 from rna_sdk.commands.console import command_parser, run_command
 from rna_sdk.errors import RnaError
 from rna_sdk.files.atomic_file import write_atomically
 from rna_sdk.files.file_kinds import not_a
-from rna_sdk.files.outputs import check_outputs
+from rna_sdk.files.outputs import check_glb_name, check_outputs
 from rna_sdk.package.command.package_info import info_lines, package_info
-from rna_sdk.package.geometry.standin_glb import standin_glb
-from rna_sdk.package.manifest.extensions import Standin, of_part
+from rna_sdk.package.gltf.glb_file import write_glb
 from rna_sdk.package.package import Package
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command; returns the exit status."""
-    options = parser().parse_args(arguments)
+    command = parser()
+    options = command.parse_args(arguments)
+    if (options.fallback and not options.glb) or (options.node and not options.fallback):
+        command.error("--fallback needs --glb, and --node needs --fallback")
     return run_command(lambda: _run(options), options.debug, "nothing was written")
 
 
@@ -48,8 +48,24 @@ def parser() -> argparse.ArgumentParser:
         "--glb",
         type=Path,
         metavar="GLB",
-        help="write the geometry with its stand-in materials as glTF (.glb) for other viewers;\n"
-        "strands become at most 300,000 triangles (path, default: none)",
+        help="write a .glb that carries the package, with the geometry and its stand-in materials\n"
+        "for viewers that do not know RNA; strands become a mesh of fewer, thicker ones (path,\n"
+        "default: none)",
+    )
+    p.add_argument(
+        "--fallback",
+        type=Path,
+        metavar="GLB",
+        help="with --glb: what other viewers show, a .glb of yours, or one that a program wrote\n"
+        "again and left the package out of; it stays as it is (path, default: the stand-in)",
+    )
+    p.add_argument(
+        "--node",
+        nargs="+",
+        default=[],
+        metavar="NAME",
+        help="with --fallback: the nodes that the package takes the place of, each in its own\n"
+        "space (names, default: all that the scene shows)",
     )
     return p
 
@@ -63,23 +79,10 @@ def _run(options: argparse.Namespace) -> None:
     if options.poster is not None:
         _write_poster(path, options.poster)
     if options.glb is not None:
-        check_outputs([options.glb], [path])
-        with Package.open(path) as package:
-            write_atomically(options.glb, standin_glb(package, _colors(path, package)))
+        check_glb_name(options.glb)
+        check_outputs([options.glb], [path, *filter(None, [options.fallback])])
+        write_glb(path, options.glb, options.fallback, options.node)
         print(f"wrote {options.glb}", file=sys.stderr)
-
-
-def _colors(path: Path, package: Package) -> dict[int, np.ndarray]:
-    """Reflectance of the first tier at vertices of surfaces that are not metal, by part."""
-    from rna_sdk.runtime import load  # slow to import
-    from rna_sdk.runtime.standin_colors import surface_colors
-
-    colors = {}
-    for i, part in enumerate(load(path).parts):
-        standin = of_part(package.manifest, Standin, i)
-        if part.kind == "surface" and not (standin and standin.metallic):
-            colors[i] = np.minimum(surface_colors(part), 1)
-    return colors
 
 
 def _write_poster(path: Path, png: Path) -> None:

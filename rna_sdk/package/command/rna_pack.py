@@ -14,6 +14,7 @@ from rna_sdk.files.regular_file import read_regular
 from rna_sdk.package.container.zip_container import MANIFEST_NAME
 from rna_sdk.package.container.zip_writer import write_container
 from rna_sdk.package.container.zipped_again import zipped_entries
+from rna_sdk.package.gltf.glb_file import package_to_write
 from rna_sdk.package.packing import Unpacked
 
 
@@ -27,7 +28,13 @@ def parser() -> argparse.ArgumentParser:
         "supports.\nA package that a ZIP program has rewritten is repaired.",
     )
     p.add_argument("package", type=Path, help="input package (path)")
-    p.add_argument("--out", type=Path, required=True, help="output package (path, required)")
+    p.add_argument(
+        "--out",
+        type=Path,
+        required=True,
+        help="output package, .rna, or .glb with a fallback for viewers that do not know RNA\n"
+        "(path, required)",
+    )
     p.add_argument(
         "--deflate",
         action="store_true",
@@ -56,7 +63,8 @@ def _run(args: argparse.Namespace) -> None:
     if args.poster is not None:
         unpacked = unpacked.with_poster(_read(args.poster))
     before = args.package.stat().st_size
-    (unpacked.deflated() if args.deflate else unpacked).write(args.out)
+    with package_to_write(args.out) as package:
+        (unpacked.deflated() if args.deflate else unpacked).write(package)
     size = args.out.stat().st_size
     print(
         f"wrote {args.out}, {size / 1e6:.2f} MB ({args.package}: {before / 1e6:.2f} MB)\n"

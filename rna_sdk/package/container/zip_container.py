@@ -44,22 +44,23 @@ class Container:
     """The entries of a `.rna` file.
 
     Attributes:
+        data: the bytes of the file, read-only.
         entries: name -> Entry, in the order of their bytes in the file.
     """
 
     def __init__(self, data: memoryview, entries: dict[str, Entry]) -> None:
-        self._data = data
         self._decoded: dict[str, memoryview] = {}
-        self.entries = entries
+        self.data, self.entries = data, entries
 
     @classmethod
-    def open(cls, path: str | PathLike[str]) -> Container:
-        """Read the file and check every ZIP record in it; the data itself is not read.
+    def of(cls, data: memoryview, path: str | PathLike[str]) -> Container:
+        """Check every ZIP record in the bytes of a `.rna`; the entries' data is not read.
+
+        path: of the file that they are from.
 
         Raises:
-            PackageError: with the first ZIP_* or FILE_* issue found.
+            PackageError: with the first ZIP_* issue found.
         """
-        data = _read(path)
         try:
             entries = _read_entries(data)
         except PackageError as error:
@@ -77,12 +78,11 @@ class Container:
     def stored(self, name: str) -> memoryview:
         """The read-only bytes of an entry as they are in the file."""
         entry = self.entries[name]
-        return self._data[entry.offset : entry.offset + entry.size]
+        return self.data[entry.offset : entry.offset + entry.size]
 
-    @property
-    def file_bytes(self) -> int:
-        """Size of the file."""
-        return len(self._data)
+    def place(self, name: str) -> int | None:
+        """Where the bytes of `view` start in `data`; None for a coded entry."""
+        return None if name in self._decoded else self.entries[name].offset
 
     def check_crc(self, name: str) -> None:
         """Raises PackageError (ZIP_CRC) where the data is not what its header says."""
@@ -92,8 +92,12 @@ class Container:
             refuse(Code.ZIP_CRC, entry.offset, f"{name}: {crc:08x}", f"{entry.crc:08x}")
 
 
-def _read(path: str | PathLike[str]) -> memoryview:
-    """The bytes of a file, aligned as in it; mapped, they would change with it, or be gone."""
+def read_file(path: str | PathLike[str]) -> memoryview:
+    """The bytes of a file, aligned as in it; mapped, they would change with it, or be gone.
+
+    Raises:
+        PackageError: with a FILE_* issue.
+    """
     try:
         mode = os.stat(path).st_mode  # to open a pipe would wait for a writer
         if not stat.S_ISREG(mode):

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import struct
 import zlib
 from collections.abc import Iterable
 from typing import BinaryIO
 
 from rna_sdk.package.container import zip_layout as z
 from rna_sdk.package.limits import ALIGNMENT
+
+_COMMON = struct.Struct("<HHHHHIIIH")
+"""Fields that the local and the central record of an entry share, from the version needed on."""
 
 
 def write_container(file: BinaryIO, entries: Iterable[tuple[str, bytes]]) -> None:
@@ -20,13 +24,21 @@ def write_container(file: BinaryIO, entries: Iterable[tuple[str, bytes]]) -> Non
     for name, data in entries:
         name_bytes = name.encode("ascii")
         extra = z.padding(offset, len(name_bytes), ALIGNMENT)
-        common = (z.VERSION, 0, z.STORED, z.DOS_TIME, z.DOS_DATE, zlib.crc32(data))
-        sizes = (len(data), len(data), len(name_bytes))
-        local = z.LOCAL.pack(z.LOCAL_MAGIC, *common, *sizes, len(extra)) + name_bytes + extra
-        directory += z.CENTRAL.pack(
-            z.CENTRAL_MAGIC, z.VERSION, *common, *sizes, 0, 0, 0, 0, 0, offset
+        both = _COMMON.pack(
+            z.VERSION,
+            0,
+            z.STORED,
+            z.DOS_TIME,
+            z.DOS_DATE,
+            zlib.crc32(data),
+            len(data),
+            len(data),
+            len(name_bytes),
         )
-        directory += name_bytes
+        local = z.LOCAL_MAGIC.to_bytes(4, "little") + both + len(extra).to_bytes(2, "little")
+        local += name_bytes + extra
+        directory += struct.pack("<IH", z.CENTRAL_MAGIC, z.VERSION) + both
+        directory += struct.pack("<HHHHII", 0, 0, 0, 0, 0, offset) + name_bytes
         file.write(local)
         file.write(data)
         offset += len(local) + len(data)

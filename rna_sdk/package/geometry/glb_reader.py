@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import ValidationError
 
+from rna_sdk.package.container.glb_chunks import CHUNK, CHUNK_BIN, CHUNK_JSON, HEADER, MAGIC
 from rna_sdk.package.container.strict_json import model_of, parse_object, pointer
 from rna_sdk.package.geometry import gltf_model as gltf
 from rna_sdk.package.geometry.glb_forms import AccessorForm, accessor_forms
-from rna_sdk.package.geometry.glb_writer import CHUNK, CHUNK_BIN, CHUNK_JSON, HEADER, MAGIC
 from rna_sdk.package.geometry.mesh import Mesh
 from rna_sdk.package.geometry.quantised_mesh import QuantisedMesh, stored_normals
 from rna_sdk.package.issues import Code, refuse
@@ -32,7 +32,8 @@ def mesh_from_glb(data: memoryview, name: str) -> Mesh:
     Raises:
         PackageError: with the first GEOMETRY_* or JSON_* issue found.
     """
-    document, blob = _split(data, name)
+    document, place = split_glb(data, name)
+    blob = data[place]
     forms = accessor_forms(document, name)
     arrays = {which: _array(document, blob, form, name) for which, form in forms.items()}
     indices = arrays["indices"].reshape(-1)
@@ -56,8 +57,11 @@ def _mesh(
     return QuantisedMesh(translation, scale, positions, normals, uvs, triangles).restored()
 
 
-def _split(data: memoryview, name: str) -> tuple[gltf.Gltf, memoryview]:
-    """The JSON chunk, parsed, and the binary chunk."""
+def split_glb(data: memoryview, name: str) -> tuple[gltf.Gltf, slice]:
+    """The JSON of a package's mesh, and the bytes of its buffer in `data`.
+
+    Raises PackageError, as `mesh_from_glb` does.
+    """
     if len(data) < HEADER.size + 2 * CHUNK.size:
         refuse(Code.GEOMETRY_CONTAINER, name, f"{len(data)} bytes", "a header and two chunks")
     header = HEADER.unpack_from(data)
@@ -78,7 +82,7 @@ def _split(data: memoryview, name: str) -> tuple[gltf.Gltf, memoryview]:
     if not declared <= bin_size <= declared + 3:
         where = f"{name}#/buffers/0/byteLength"
         refuse(Code.GEOMETRY_RANGE, where, declared, f"{bin_size} less at most 3 of padding")
-    return document, data[bin_start : bin_start + declared]
+    return document, slice(bin_start, bin_start + declared)
 
 
 def _document(data: bytes, name: str) -> gltf.Gltf:

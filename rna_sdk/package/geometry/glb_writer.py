@@ -2,22 +2,16 @@
 
 from __future__ import annotations
 
-import struct
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rna_sdk.package.container.glb_chunks import pack_glb
 from rna_sdk.package.geometry import gltf_model as gltf
 from rna_sdk.package.geometry.mesh import Mesh
 from rna_sdk.package.geometry.quantised_mesh import QuantisedMesh
-
-MAGIC = b"glTF"
-CHUNK_JSON = b"JSON"
-CHUNK_BIN = b"BIN\0"
-HEADER = struct.Struct("<4sII")
-CHUNK = struct.Struct("<I4s")
 
 _COMPONENTS: dict[np.dtype[Any], gltf.ComponentType] = {
     np.dtype(np.float32): gltf.FLOAT,
@@ -70,22 +64,6 @@ def mesh_to_glb(mesh: Mesh) -> bytes:
         buffers=(gltf.Buffer(byte_length=len(blob)),),
     )
     return pack_glb(document.model_dump_json(exclude_none=True).encode(), blob)
-
-
-def pack_glb(document: bytes, blob: bytes) -> bytes:
-    """A .glb of a JSON chunk and a binary chunk, each padded to 4 bytes (glTF 2.0, 4.4)."""
-    document += b" " * (-len(document) % 4)
-    blob += bytes(-len(blob) % 4)
-    size = HEADER.size + 2 * CHUNK.size + len(document) + len(blob)
-    return b"".join(
-        (
-            HEADER.pack(MAGIC, 2, size),
-            CHUNK.pack(len(document), CHUNK_JSON),
-            document,
-            CHUNK.pack(len(blob), CHUNK_BIN),
-            blob,
-        )
-    )
 
 
 def _exact(mesh: Mesh) -> list[_Array]:

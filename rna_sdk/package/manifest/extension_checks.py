@@ -37,17 +37,18 @@ def extension_issues(manifest: Manifest) -> list[Issue]:
     """The errors in the data of known extensions."""
     issues: list[Issue] = []
     for known in EXTENSIONS:
-        where = ("extensions", known.NAME)
         if known.NAME in manifest.extensions:
             try:
                 data = model_of(known, manifest.extensions[known.NAME])
             except ValidationError as error:
-                issues += schema_issues(error, *where)
+                issues += schema_issues(error, "extensions", known.NAME)
             else:
                 issues += _data_issues(data, manifest)
         elif known.NAME in manifest.extensions_used:
             found = f"{known.NAME} in extensionsUsed"
-            issues.append(Issue.of(Code.FIELD_MISSING, pointer(*where), found, "its data"))
+            issues.append(
+                Issue.of(Code.FIELD_MISSING, pointer("extensions", known.NAME), found, "its data")
+            )
     return issues
 
 
@@ -121,15 +122,24 @@ def _mixture_issues(item: Mixture, kind: Kind, where: str) -> Iterator[Issue]:
 def _variant_issues(data: Variants, manifest: Manifest) -> Iterator[Issue]:
     """Each variant is of all parts, and of all records of base colour of those that it changes."""
     for j, variant in enumerate(data.variants):
-        where = "extensions", data.NAME, "variants", j, "parts"
         if len(variant.parts) != len(manifest.parts):
             found, expected = f"{len(variant.parts)} parts", f"{len(manifest.parts)}"
-            yield Issue.of(Code.PARTS_DIFFER, pointer(*where), found, expected)
+            yield Issue.of(
+                Code.PARTS_DIFFER,
+                pointer("extensions", data.NAME, "variants", j, "parts"),
+                found,
+                expected,
+            )
             continue
         for k, (part, changes) in enumerate(zip(manifest.parts, variant.parts, strict=True)):
             if changes is not None and len(changes) != len(part.base_color):
                 found, expected = f"{len(changes)} records", f"{len(part.base_color)}, as baseColor"
-                yield Issue.of(Code.FIELD_VALUE, pointer(*where, k), found, expected)
+                yield Issue.of(
+                    Code.FIELD_VALUE,
+                    pointer("extensions", data.NAME, "variants", j, "parts", k),
+                    found,
+                    expected,
+                )
 
 
 def _deflate_issues(data: Deflate, manifest: Manifest) -> Iterator[Issue]:

@@ -176,9 +176,15 @@ class TierPart(TierPartFields, SparseRecord):
             (SHADOWED, self.shadowed),
             (EMISSION, self.emission),
         )
-        factors = bool(self.uses_base_color), self.nearby is not None
+        uses_base_color, with_nearby = bool(self.uses_base_color), self.nearby is not None
         return tuple(
-            part_decoder(form, record, query_width(record.inputs, self.channels), *factors)
+            part_decoder(
+                form,
+                record,
+                query_width(record.inputs, self.channels),
+                uses_base_color,
+                with_nearby,
+            )
             for form, record in records
             if record is not None
         )

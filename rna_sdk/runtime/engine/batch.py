@@ -56,8 +56,14 @@ class Batch:
             if self.base_color is None:
                 write_results(output, COLUMNS * k, valid, result[tile])
             else:
-                columns = COLUMNS * k, COLUMNS * (k + len(self.results))
-                write_sums(output, *columns, self.base_color[tile], valid, result[tile])
+                write_sums(
+                    output,
+                    COLUMNS * k,
+                    COLUMNS * (k + len(self.results)),
+                    self.base_color[tile],
+                    valid,
+                    result[tile],
+                )
 
     def _mixed(self, output: Rows, nearby: Rows, valid: NDArray[np.bool_]) -> Rows:
         """The columns of a decoder without nearby light, (m, c) float32, of a tile."""

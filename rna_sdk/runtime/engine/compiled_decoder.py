@@ -119,32 +119,22 @@ def decoder_kernel(lanes: int) -> Callable[..., None]:
 @compiled()
 def _load_panel(queries: Numbers, row: int, rows: int, limits: Numbers, panel: Numbers) -> None:
     """Queries of a panel's rows, a multiple of LANES, within the limits."""
-    columns = queries.shape[1]
-    whole = columns // LANES * LANES
+    columns, flat = queries.shape[1], queries.reshape(-1)
     for first in range(0, rows, LANES):
         at = (row + first) * columns
-        for column in range(0, whole, LANES):
-            load_square(queries, at + column, columns, panel, column * PANEL + first)
-        if whole < columns:
-            # The last square holds columns of the one before, too, if there is one.
-            last = max(columns - LANES, 0)
-            _load_last(queries, at + last, columns, panel, last * PANEL + first)
+        if columns < LANES:
+            for r in range(LANES):
+                for c in range(columns):
+                    panel[c * PANEL + first + r] = flat[at + r * columns + c]
+        else:
+            for begin in range(0, columns, LANES):
+                # The last square holds columns of the one before, too, unless all are whole.
+                column = min(begin, columns - LANES)
+                load_square(queries, at + column, columns, panel, column * PANEL + first)
         for column in range(columns):
             place = np.uintp(column * PANEL + first)
             values = between(load_lanes(panel, place), limits[0], limits[1])
             store_lanes(panel, place, values)
-
-
-@compiled()
-def _load_last(queries: Numbers, at: int, columns: int, panel: Numbers, place: int) -> None:
-    """The last square; number by number where a row is shorter than one."""
-    if columns >= LANES:
-        load_square(queries, at, columns, panel, place)
-        return
-    flat = queries.reshape(-1)
-    for r in range(LANES):
-        for c in range(columns):
-            panel[place + c * PANEL + r] = flat[at + r * columns + c]
 
 
 @compiled()

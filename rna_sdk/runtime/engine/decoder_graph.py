@@ -106,17 +106,38 @@ def int8_graph(decoder: ProfileDecoder, columns: int) -> bytes:
         if convolved != before:
             shape = [1, 1, -1, inputs] if convolved else [-1, inputs]
             value = graph.node("Reshape", value, np.array(shape))
-        source = value, np.float32(layer.step), np.uint8(0)
-        scales = layer.scale, np.full(outputs, zero)
-        result = () if following is None else (np.float32(following.step), np.uint8(0))
+        step, zeros = np.float32(layer.step), np.full(outputs, zero)
+        result: list[np.generic] = []
+        if following is not None:
+            result = [np.float32(following.step), np.uint8(0)]
         if convolved:
-            operands = *source, weight.T[:, :, None, None], *scales, *result, layer.bias
             value = graph.node(
-                "QLinearConv", *operands, domain=_DOMAIN, kernel_shape=[1, 1], channels_last=1
+                "QLinearConv",
+                value,
+                step,
+                np.uint8(0),
+                weight.T[:, :, None, None],
+                layer.scale,
+                zeros,
+                *result,
+                layer.bias,
+                domain=_DOMAIN,
+                kernel_shape=[1, 1],
+                channels_last=1,
             )
         else:
-            operands = *source, weight, *scales, layer.bias, *result
-            value = graph.node("QGemm", *operands, domain=_DOMAIN)
+            value = graph.node(
+                "QGemm",
+                value,
+                step,
+                np.uint8(0),
+                weight,
+                layer.scale,
+                zeros,
+                layer.bias,
+                *result,
+                domain=_DOMAIN,
+            )
     return _closed(graph, value, decoder, value_info(INPUT_NAME, ["N", columns], "uint8"))
 
 

@@ -51,6 +51,8 @@ PART = Record(
     Field(
         "factors", "<u4", (), "column of the results where those of base colour begin; 0 without"
     ),
+    Field("nearby_columns", "<u4", (), "of each of the four sets with nearby light; 0 without"),
+    Field("means", "<f4", (2, GROUP), "of nearby light, for the results of rows without it"),
 )
 
 ROW = Record(
@@ -63,6 +65,8 @@ ROW = Record(
     Field("green", "<u4"),
     Field("wi", "<u4", (3,)),
     Field("blue", "<u4"),
+    Field("nearby", "<u4", (3,), "nearby light"),
+    Field("has_nearby", "<u4", (), "0: the part's means stand in"),
 )
 """A query, the bits of float32: WGSL may assume that a float is finite."""
 

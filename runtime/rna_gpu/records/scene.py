@@ -10,6 +10,7 @@ from rna_render.paths.sampling import (
     DIRECTION,
     LENS_DIMENSION,
     LIGHT,
+    NEARBY,
     ROULETTE,
 )
 from rna_trace import CAMERA_RAY, INDIRECT_RAY, SHADOW_RAY
@@ -49,6 +50,7 @@ FRAME = Record(
     Field("lens_x", "<f4", (3,), "to the right, as long as the lens's radius"),
     Field("focus", "<f4", (), "distance of the sharp plane; 0 of a pinhole"),
     Field("lens_y", "<f4", (3,), "likewise, up"),
+    Field("lengths", "<f4", (3,), "of the nearby light that neural_part counts; object space"),
 )
 
 HAS_SKY, FOR_BETA, RAYS_MEET_LIGHTS = 1, 2, 4
@@ -86,8 +88,9 @@ QUERY = Record(
     Field("weight", "<f4", (3,)),
     Field("seen", "<f4", (), "mean of what all that is in the way leaves of the light"),
     Field("visible", "<f4", (3,), "what the asset itself leaves of it"),
-    Field("reserved", "<u4"),
+    Field("far", "<f4", (), "distance of the light, object space; RNA_FAR of one without"),
     Field("base_color", "<f4", (3,)),
+    Field("nearby", "<f4", (3,), "nearby light, where the part counts it"),
 )
 
 QUERIES = Record(
@@ -141,6 +144,7 @@ SCENE_CONSTANTS = {
     "DIRECTION": DIRECTION,
     "ROULETTE": ROULETTE,
     "LIGHT": LIGHT,
+    "NEARBY": NEARBY,
     "LENS": LENS_DIMENSION,
     "DIMENSIONS": DIMENSIONS_A_VERTEX,
     "HAS_SKY": HAS_SKY,

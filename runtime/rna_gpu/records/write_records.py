@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 import sys
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from rna_gpu.records import geometry, part, scene, tables
@@ -30,10 +30,9 @@ _SECTIONS = {
 
 def files() -> dict[str, str]:
     """Path below the repository -> text."""
-    of_parts = part.LAYER, part.PART
-    of_bodies = geometry.NODE, geometry.PRIMITIVE, geometry.INSTANCE
-    of_scenes = scene.FRAME, scene.PATH, scene.QUERY, scene.QUERIES
-    records = *of_parts, part.ROW, *of_bodies, *of_scenes, *_SECTIONS.values()
+    of_geometry = [geometry.NODE, geometry.PRIMITIVE, geometry.INSTANCE]
+    of_scenes = [scene.FRAME, scene.PATH, scene.QUERY, scene.QUERIES]
+    records = [part.LAYER, part.PART, part.ROW, *of_geometry, *of_scenes, *_SECTIONS.values()]
     result = {
         "note": note(_MODULE),
         "constants": _LIMITS
@@ -47,10 +46,10 @@ def files() -> dict[str, str]:
         "viewerLights": {kind: k for k, kind in enumerate(tables.VIEWER_LIGHTS)},
     }
     return {
-        f"{_SHADERS}/part_records.wgsl": _wgsl(part.PART_CONSTANTS, *of_parts),
-        f"{_SHADERS}/row_records.wgsl": _wgsl({}, part.ROW),
-        f"{_SHADERS}/geometry_records.wgsl": _wgsl(geometry.GEOMETRY_CONSTANTS, *of_bodies),
-        f"{_SHADERS}/render/scene_records.wgsl": _wgsl(scene.SCENE_CONSTANTS, *of_scenes),
+        f"{_SHADERS}/part_records.wgsl": _wgsl(part.PART_CONSTANTS, [part.LAYER, part.PART]),
+        f"{_SHADERS}/row_records.wgsl": _wgsl({}, [part.ROW]),
+        f"{_SHADERS}/geometry_records.wgsl": _wgsl(geometry.GEOMETRY_CONSTANTS, of_geometry),
+        f"{_SHADERS}/render/scene_records.wgsl": _wgsl(scene.SCENE_CONSTANTS, of_scenes),
         f"{_SHADERS}/render/table_records.wgsl": _tables(),
         f"{_SHADERS}/records.json": _json(result),
     }
@@ -70,7 +69,7 @@ def _json(tables: dict[str, Any]) -> str:
     )
 
 
-def _wgsl(values: Mapping[str, Any], *records: Record) -> str:
+def _wgsl(values: Mapping[str, Any], records: Iterable[Record] = ()) -> str:
     parts = [f"// {note(_MODULE)}\n", constants(values), *(record.wgsl() for record in records)]
     return "\n".join(filter(None, parts))
 

@@ -128,8 +128,13 @@ class Surfaces:
         numbers = np.stack([maps, panes, colors, mixtures])
         kinds, kind_of_triangle = np.unique(numbers, axis=1, return_inverse=True)
         surfaces = np.array([self._part_surface(part, *kind) for kind in kinds.T.tolist()])
-        arrays = mesh.positions, mesh.normals, mesh.triangles
-        return Triangles(*arrays, surfaces[kind_of_triangle.reshape(-1)], mesh.uvs)
+        return Triangles(
+            positions=mesh.positions,
+            normals=mesh.normals,
+            triangles=mesh.triangles,
+            surface=surfaces[kind_of_triangle.reshape(-1)],
+            uvs=mesh.uvs,
+        )
 
     def _neural(self, kind: int, part: Any, mixture: int) -> Row:
         row = _surface(kind, len(self.parts) - 1, part.emits)

@@ -49,6 +49,7 @@ class Steps:
     Attributes:
         frames: (n,) of dtype FRAME.dtype, what the steps read.
         stages: steps that are submitted together.
+        nearby: the lengths of nearby light of parts that count it, by their numbers.
     """
 
     def __init__(
@@ -60,11 +61,12 @@ class Steps:
         scatters: bool,
     ) -> None:
         """parts: those of `tables.parts`. scatters: as World.scatters."""
-        self._rows: list[dict[str, int]] = []
+        self._rows: list[dict[str, Any]] = []
         self._lights = lights
         self._emitting = [k for k, part in enumerate(parts) if part.emits]
         self._apart = [k for k, part in enumerate(parts) if "shadowed" in part.evaluators]
         self._together = [k for k in range(len(parts)) if k not in self._apart]
+        self.nearby = {k: p.nearby_lengths for k, p in enumerate(parts) if p.nearby_lengths}
         self._meet = not all(light.delta for light in lights)
         sky = any(isinstance(light, InfiniteLight) for light in lights)
         self._flags = (
@@ -162,7 +164,11 @@ class Steps:
     def _transport(self, **values: int) -> list[Step]:
         """Queries of all parts, by a decoder each, or by two: of visible and of shadowed light."""
         flags = values.pop("flags", self._flags)
-        steps = self._queries("transport", self._together, **values, flags=flags)
+        steps = [
+            self._step("nearby", neural_part=part, lengths=lengths, **values, flags=flags)
+            for part, lengths in self.nearby.items()
+        ]
+        steps += self._queries("transport", self._together, **values, flags=flags)
         for name, flag in (("visible", records.FOR_VISIBLE), ("shadowed", records.FOR_SHADOWED)):
             steps += self._queries(name, self._apart, **values, flags=flags | flag)
         return steps
@@ -174,7 +180,7 @@ class Steps:
             steps += [Step(what, part=part), self._step("apply", neural_part=part, **values)]
         return steps
 
-    def _step(self, name: str, **values: int) -> Step:
+    def _step(self, name: str, **values: Any) -> Step:
         self._rows.append({"flags": self._flags, "list": self._list, **self._split, **values})
         after = values.get("next_list", _BAND)
         return Step(name, len(self._rows) - 1, list=self._list, after=after)

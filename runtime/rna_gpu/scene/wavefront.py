@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from rna_gpu.asset import GpuPart
 from rna_gpu.device import Device, Groups
 from rna_gpu.evaluator import GpuRows
+from rna_gpu.records.part import ROW
 from rna_gpu.records.scene import FILM, FRAME, PATH, QUERIES, SUMS
 from rna_gpu.scene.bindings import STRIDE, Bindings, upload_geometry
 from rna_gpu.scene.scene_tables import SceneTables
@@ -176,11 +177,15 @@ class Wavefront:
             self._live,
         ]
         self._scene_buffers = upload_geometry(device, tables.geometry)
-        sizes = count * 64, count * 32, _HEADER, count * 4, max(16 * len(self._parts), 16)
-        names = "rows", "results", "count of rows", "paths of rows", "counts of queries"
+        sizes = {
+            "rows": count * ROW.dtype.itemsize,
+            "results": count * 32,
+            "count of rows": _HEADER,
+            "paths of rows": count * 4,
+            "counts of queries": max(16 * len(self._parts), 16),
+        }
         self._row_buffers = [
-            device.buffer(size, "STORAGE", what=name)
-            for size, name in zip(sizes, names, strict=True)
+            device.buffer(size, "STORAGE", what=name) for name, size in sizes.items()
         ]
         rows, results, number, _, self._counts = self._row_buffers
         self._rows = GpuRows(rows, results, number, count)
@@ -202,7 +207,8 @@ class Wavefront:
             "compact": (made.pipeline("compact"), []),
             "accumulate": (made.pipeline("accumulate", made.film), [film]),
         }
-        for name in ("closest", "collect", "direct", "scatter"):
+        nearby = ["nearby"] if self._steps.nearby else []
+        for name in ("closest", "collect", "direct", "scatter", *nearby):
             pipeline = made.pipeline(name, made.empty, made.scene)
             self._pipelines[name] = pipeline, [none, geometry]
         for name in ("gather", "apply"):

@@ -111,17 +111,30 @@ fn rna_columns(place: u32, k: u32) -> vec3f {
     return vec3f(x, y, z);
 }
 
-// The colour in columns k to k + 2: a sum, and with a factor that times the base colour.
-fn rna_colour(place: u32, k: u32, base_color: vec3f) -> vec3f {
-    var colour = rna_columns(place, k);
-    if rna_part.factors != 0u {
-        colour += base_color * rna_columns(place, rna_part.factors + k);
+// A result, from its terms, of which the second is multiplied by the base colour; each is that of the first set of columns,
+// plus those of the others times nearby light: spec/RNA.md, 7.3.
+fn rna_colour(place: u32, result: u32, base_color: vec3f, nearby: vec4f) -> vec3f {
+    let shares = vec4f(1.0, select(rna_part.means[result].xyz, max(nearby.xyz, vec3f(0.0)), nearby.w != 0.0));
+    let terms = select(1u, 2u, rna_part.factors != 0u);
+    let sets = select(1u, 4u, rna_part.nearby_columns != 0u);
+    var colour = vec3f(0.0);
+    for (var term = 0u; term < terms; term++) {
+        let first = 3u * result + term * rna_part.factors;
+        var sum = vec3f(0.0);
+        for (var k = 0u; k < sets; k++) {
+            sum += shares[k] * rna_columns(place, first + k * rna_part.nearby_columns);
+        }
+        colour += select(vec3f(1.0), base_color, term == 1u) * sum;
     }
     return clamp(colour, vec3f(0.0), vec3f(RNA_LARGEST));
 }
 
 // The colours for the queries in rna_values.
-fn rna_decode(base_color: vec3f) -> RnaTransport {
+fn rna_decode(base_color: vec3f, nearby: vec4f) -> RnaTransport {
     let place = rna_run_decoder();
-    return RnaTransport(rna_colour(place, 0u, base_color), rna_colour(place, 3u, base_color));
+    var colours: array<vec3f, 2>;
+    for (var k = 0u; k < 2u; k++) {
+        colours[k] = rna_colour(place, k, base_color, nearby);
+    }
+    return RnaTransport(colours[0], colours[1]);
 }

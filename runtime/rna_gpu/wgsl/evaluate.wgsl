@@ -25,14 +25,17 @@ fn rna_evaluate(
     let finite = rna_is_finite(vec4<u32>(at.position, at.h)) && rna_is_finite(vec4<u32>(at.axis, 0u))
         && rna_is_finite(vec4<u32>(at.wo, 0u)) && rna_is_finite(vec4<u32>(at.wi, 0u));
     let base_color = vec3<u32>(at.red, at.green, at.blue);
-    let known = rna_part.factors == 0u || rna_is_finite(vec4<u32>(base_color, 0u));
+    let known = (rna_part.factors == 0u || rna_is_finite(vec4<u32>(base_color, 0u)))
+        && (rna_part.nearby_columns == 0u || at.has_nearby == 0u || rna_is_finite(vec4<u32>(at.nearby, 0u)));
     let a = rna_unit(at.axis);
     let o = rna_unit(at.wo);
     let i = rna_unit(at.wi);
     let nothing = vec3f(0.0);
     var result = RnaTransport(nothing, nothing);
     if finite && known && any(a != nothing) && any(o != nothing) && any(i != nothing) {
-        result = rna_query(bitcast<vec3f>(at.position), a, bitcast<f32>(at.h), o, i, bitcast<vec3f>(base_color));
+        let nearby = vec4f(bitcast<vec3f>(at.nearby), f32(at.has_nearby));
+        let color = bitcast<vec3f>(base_color);
+        result = rna_query(bitcast<vec3f>(at.position), a, bitcast<f32>(at.h), o, i, color, nearby);
     }
     rna_write(row, result);
 }

@@ -1,10 +1,10 @@
 // Transport, or emission, at a point of a fiber: spec/RNA.md, 7 Light.
 
 // x: object space, metres. t (root to tip), wo, wi: unit; h: offset across the width; all finite.
-// An emission decoder reads no wi.
-fn rna_fiber(x: vec3f, t: vec3f, h: f32, wo: vec3f, wi: vec3f) -> RnaTransport {
+// An emission decoder reads no wi. nearby: as of a surface.
+fn rna_fiber(x: vec3f, t: vec3f, h: f32, wo: vec3f, wi: vec3f, nearby: vec4f) -> RnaTransport {
     rna_put_queries(x, t, h, wo, wi, wi);
-    return rna_decode(vec3f(1.0));
+    return rna_decode(vec3f(1.0), nearby);
 }
 
 // The last argument is the half vector of surfaces.
@@ -15,7 +15,7 @@ fn rna_put_queries(x: vec3f, t: vec3f, h: f32, wo: vec3f, wi: vec3f, m: vec3f) {
 }
 
 fn rna_query(
-    x: vec3f, axis: vec3f, h: f32, wo: vec3f, wi: vec3f, base_color: vec3f,
+    x: vec3f, axis: vec3f, h: f32, wo: vec3f, wi: vec3f, base_color: vec3f, nearby: vec4f,
 ) -> RnaTransport {
-    return rna_fiber(x, axis, h, wo, wi);
+    return rna_fiber(x, axis, h, wo, wi, nearby);
 }

@@ -29,7 +29,7 @@ struct RnaLayer { // 32 bytes
     reserved: u32, // 28
 }
 
-struct RnaPart { // 1952 bytes
+struct RnaPart { // 1984 bytes
     low: vec3f, // 0; smallest corner of the bounds
     resolution: u32, // 12
     high: vec3f, // 16
@@ -47,4 +47,6 @@ struct RnaPart { // 1952 bytes
     layers: array<RnaLayer, 32>, // 864
     slots: array<vec4<u32>, 3>, // 1888; first group of each block, RNA_NONE for none: see rna_slot
     factors: u32, // 1936; column of the results where those of base colour begin; 0 without
+    nearby_columns: u32, // 1940; of each of the four sets with nearby light; 0 without
+    means: array<vec4f, 2>, // 1952; of nearby light, for the results of rows without it
 }

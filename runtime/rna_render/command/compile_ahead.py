@@ -1,10 +1,10 @@
 """Compiles the renderer's kernels in a process of its own, beside a first render that needs them.
 
-    python -m rna_render.command.compile_ahead FOLDER
+    python -m rna_render.command.compile_ahead SCENE FOLDER
 
-It renders a triangle, whose files it writes into the folder. So the kernels of rays, lights and
-film are in the cache on disk when the render comes to them: meanwhile that one compiles those of
-its assets. One process compiles one kernel at a time, whatever its threads.
+One process compiles one kernel at a time, whatever its threads. So this one begins with what the
+render comes to late: rays that leave assets, and the queries of those of the scene. Then it
+renders a triangle, whose files it writes into the folder, for whatever is left.
 """
 
 from __future__ import annotations
@@ -13,8 +13,10 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
+
+import numpy as np
 
 _TRIANGLE = """ply
 format ascii 1.0
@@ -45,11 +47,11 @@ samples: 1
 
 
 @contextmanager
-def compiling_ahead() -> Iterator[None]:
+def compiling_ahead(scene: Path) -> Iterator[None]:
     """A context beside which such a process runs; at its end the process is ended."""
     quiet = subprocess.DEVNULL
     with tempfile.TemporaryDirectory(prefix="rna-run-") as folder:
-        command = [sys.executable, "-m", "rna_render.command.compile_ahead", folder]
+        command = [sys.executable, "-m", "rna_render.command.compile_ahead", str(scene), folder]
         with subprocess.Popen(command, stdin=quiet, stdout=quiet, stderr=quiet) as process:
             try:
                 yield
@@ -58,12 +60,44 @@ def compiling_ahead() -> Iterator[None]:
 
 
 def main() -> None:
-    from rna_render import load_world, make_integrator, render
-    from rna_render.scene import read_scene
+    from rna_sdk.errors import RnaError
     from rna_sdk.machine.kernel_threads import limit_kernel_threads
 
     limit_kernel_threads(1)
-    folder = Path(sys.argv[1])
+    scene, folder = map(Path, sys.argv[1:])
+    _leave_assets()
+    with suppress(RnaError):  # which the render will tell of
+        _ask_assets(scene)
+    _render_triangle(folder)
+
+
+def _leave_assets() -> None:
+    from rna_render.world.neural_sampling import LobeMixture
+
+    lobes, rows = LobeMixture().everywhere, np.ones((1, 3), np.float32)
+    lobes.pdf(rows, rows, rows, rows)
+    lobes.sample(rows, rows, rows, np.zeros((1, 2)))
+
+
+def _ask_assets(scene: Path) -> None:
+    from rna_render.scene import read_scene
+    from rna_sdk.runtime import SurfaceAsset, load
+
+    rows, numbers, yes = np.ones((1, 3), np.float32), np.zeros(1, np.float32), np.ones(1, bool)
+    scene_file = read_scene(scene)
+    for index, model in enumerate(scene_file.resolved.assets):
+        for part in load(scene_file.asset_path(index), tier=model.tier).parts:
+            if isinstance(part, SurfaceAsset):
+                color = part.base_color_at(np.zeros(1, np.int64), numbers, numbers, numbers)
+                part.transport(rows, rows, rows, rows, yes, base_color=color)
+            else:
+                part.transport(rows, rows, numbers, rows, rows, yes)
+
+
+def _render_triangle(folder: Path) -> None:
+    from rna_render import load_world, make_integrator, render
+    from rna_render.scene import read_scene
+
     path = folder / "scene.yaml"
     (folder / "triangle.ply").write_text(_TRIANGLE)
     path.write_text(_SCENE)

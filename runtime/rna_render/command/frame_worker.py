@@ -95,8 +95,12 @@ class SceneWorker:
 
     def renderer(self, scene_file: SceneFile, world: World) -> BandRenderer:
         """Renderer of the scene, whose objects are in `world`, on the device."""
-        at = scene_file.resolved, world, scene_file.camera_after
-        return open_renderer(self._device, *at)
+        return open_renderer(
+            self._device,
+            scene=scene_file.resolved,
+            world=world,
+            next_camera=scene_file.camera_after,
+        )
 
     def kill(self) -> None:
         self.stop.set()

@@ -229,7 +229,7 @@ def _check_usage(parser: argparse.ArgumentParser, options: argparse.Namespace) -
 def _run(options: argparse.Namespace) -> int:
     from rna_render.command.compilation import compilations_reported
 
-    with compilations_reported():
+    with compilations_reported(options.scene):
         return _shown(options)
 
 
@@ -262,8 +262,15 @@ def _shown(options: argparse.Namespace) -> int:
     scene_file = animated(scene_file, options.frames[1])
     numbers = frame_numbers(scene_file, *options.frames)
     with open_executor(options.cluster) as executor:
-        how = options.threads, _START, executor, options.device
-        return render_sequence(scene_file, numbers, output, *how)
+        return render_sequence(
+            scene_file,
+            numbers,
+            output,
+            threads=options.threads,
+            started=_START,
+            executor=executor,
+            device=options.device,
+        )
 
 
 def _use_threads(count: int | None) -> int:

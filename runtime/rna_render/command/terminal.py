@@ -53,11 +53,13 @@ class Interrupt:
 
 
 def tell_size(path: Path) -> None:
-    """Print a note where a package that is shown alone looks as if it were in centimetres."""
+    """Print notes on a package that is shown alone: it may be in centimetres, or of a scene."""
     if kind_of(path) == "package":
         with Package.open(path) as package:
-            note = size_note(*package.box())
-        if note is not None:
+            notes = [size_note(*package.box())]
+            if package.carrier is not None and package.carrier.is_scene:
+                notes.append(f"{path.name} is a scene; its package is shown once, and alone")
+        for note in filter(None, notes):
             print(f"note: {note}", file=sys.stderr)
 
 

@@ -166,8 +166,9 @@ class PlacedLight(ShapeLight):
         return float(np.pi * self.area * luminance(self.colour))
 
     def _fill(self, x_world: np.ndarray, u: np.ndarray, samples: LightSamples) -> None:
-        out = samples.wi_world, samples.distance, samples.pdf
-        self.sample_kernel(self.numbers, x_world, u, *out)
+        self.sample_kernel(
+            self.numbers, x_world, u, samples.wi_world, samples.distance, samples.pdf
+        )
         samples.radiance[samples.pdf > 0.0] = self.colour
 
     def eval_hit(

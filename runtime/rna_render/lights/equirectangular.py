@@ -138,18 +138,19 @@ class EquirectangularImage:
 
         u: (n, 2) in [0, 1). In a black image the pdf is 0.
         """
-        out = _empty_vectors(len(u)), _empty_vectors(len(u)), np.empty(len(u), np.float32)
-        sample_image_batch(np.ones(3), self.numbers, self.words, u, *out)
-        return out
+        wi, radiance = _empty_vectors(len(u)), _empty_vectors(len(u))
+        pdf = np.empty(len(u), np.float32)
+        sample_image_batch(np.ones(3), self.numbers, self.words, u, wi, radiance, pdf)
+        return wi, radiance, pdf
 
     def lookup(self, d_world: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Radiance from directions, (n, 3) float32, and the density with which `sample` finds them.
 
         d_world: (n, 3) float32. Returns (n, 3) and (n,), float32.
         """
-        out = _empty_vectors(len(d_world)), np.empty(len(d_world), np.float32)
-        look_up_image_batch(np.ones(3), self.numbers, self.words, d_world, *out)
-        return out
+        radiance, pdf = _empty_vectors(len(d_world)), np.empty(len(d_world), np.float32)
+        look_up_image_batch(np.ones(3), self.numbers, self.words, d_world, radiance, pdf)
+        return radiance, pdf
 
 
 def _empty_vectors(n: int) -> np.ndarray:

@@ -36,8 +36,7 @@ def bumped_normals(
     positions, uvs, tangents, triangles = mesh
     tangents = np.zeros((0, 4), np.float32) if tangents is None else tangents
     result = np.empty_like(n)
-    arrays = positions, uvs, tangents, triangles
-    _bump(texture, scale, *arrays, *hits, n, ng, wo, result)
+    _bump(texture, scale, positions, uvs, tangents, triangles, *hits, n, ng, wo, result)
     return result
 
 

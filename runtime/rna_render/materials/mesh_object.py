@@ -75,19 +75,26 @@ class MeshObject:
         3.9.2: textures multiply the factors.
         """
         number = self.material_numbers[triangle]
-        at = number, triangle, u, v
         base_color = self._factors["base_color"][number]
         metallic = self._factors["metallic"][number]
         roughness = self._factors["roughness"][number]
-        for row, values in self._looked_up("base_color_texture", *at):
+        for row, values in self._looked_up("base_color_texture", number, triangle, u, v):
             base_color[row] *= values
-        for row, values in self._looked_up("metallic_roughness_texture", *at):
+        texture = "metallic_roughness_texture"
+        for row, values in self._looked_up(texture, number, triangle, u, v):
             roughness[row] *= values[:, 1]
             metallic[row] *= values[:, 2]
         alpha = np.maximum(roughness * roughness, np.float32(MIN_ALPHA))
         coat_f0 = self._factors["coat_f0"][number]
-        layers = self._weights(*at), self._clear_coat(*at)
-        return Scattering(base_color, alpha, metallic, coat_f0, self._emission(*at), *layers)
+        return Scattering(
+            base_color,
+            alpha,
+            metallic,
+            coat_f0,
+            self._emission(number, triangle, u, v),
+            self._weights(number, triangle, u, v),
+            self._clear_coat(number, triangle, u, v),
+        )
 
     def shading_normals(
         self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray, ng: np.ndarray, wo: np.ndarray
@@ -143,8 +150,8 @@ class MeshObject:
         """`emission` times the share of the surface that is there."""
         radiance = self.emission(triangle, u, v)
         if self.transmittance is not None:
-            any_way = np.ones((len(triangle), 3), np.float32), np.ones(len(triangle), bool)
-            radiance *= 1.0 - self.transmittance.at(triangle, u, v, *any_way)
+            d, thin = np.ones((len(triangle), 3), np.float32), np.ones(len(triangle), bool)
+            radiance *= 1.0 - self.transmittance.at(triangle, u, v, d, thin)
         return radiance
 
     def _emission(
@@ -227,8 +234,8 @@ class MeshObject:
         luminance[row] *= EMISSION_FLOOR
         points = points_of_a_triangle(EMISSION_DIVISIONS)
         for u, v in points:
-            at = np.full(len(row), u, np.float32), np.full(len(row), v, np.float32)
-            part = self.emission(row, *at) @ LUMINANCE
+            b1, b2 = np.full(len(row), u, np.float32), np.full(len(row), v, np.float32)
+            part = self.emission(row, b1, b2) @ LUMINANCE
             luminance[row] += (1 - EMISSION_FLOOR) / len(points) * part
         return np.asarray(luminance, np.float32)
 

@@ -260,7 +260,7 @@ def _piece(
     skin = node.get("skin") if joints.size else None
     if skin is not None and not 0 <= joints.min() <= joints.max() < len(skins[skin][0]):
         raise ValueError(f"a vertex names a joint that is not one of {len(skins[skin][0])}")
-    shaped = np.array(targets).reshape(len(targets), *shape)
+    shaped = np.array(targets).reshape(len(targets), len(positions), 3)
     return _Piece(number, positions, shaped, weights, skin, joints, shares)
 
 

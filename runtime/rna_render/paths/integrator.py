@@ -123,8 +123,14 @@ class Integrator:
             choices, probability = self._choose(paths)
             for choice, shares in choices if self._strategy != "rays" else ():
                 samples = self._sample_lights(vertices, choice, shares, paths.beta)
-                light = path[samples.row], samples.light, samples.radiance, paths.share[samples.row]
-                self._add(band, *light, depth)
+                self._add(
+                    band,
+                    path=path[samples.row],
+                    light=samples.light,
+                    radiance=samples.radiance,
+                    share=paths.share[samples.row],
+                    depth=depth,
+                )
                 if depth == 1:
                     band.light_samples[path, 0] += np.bincount(samples.tried, minlength=len(path))
                     arrived = np.bincount(samples.row, samples.seen, len(path))
@@ -178,17 +184,24 @@ class Integrator:
 
     def _vertices(self, role: Role, rays: Rays) -> Vertices:
         spread = self._camera.spread
-        lines = rays.hits, rays.origin, rays.direction
-        return self._world.vertices(role, *lines, rays.pdf is None, spread)
+        return self._world.vertices(
+            role,
+            hits=rays.hits,
+            origin=rays.origin,
+            d_world=rays.direction,
+            seen=rays.pdf is None,
+            spread=spread,
+        )
 
     def _describe(self, band: Layers, vertices: Vertices) -> None:
         """Write the AOVs of the first hits."""
         band.beauty[vertices.ray, 3] = band.hit[vertices.ray] = 1.0
         band.normal_world[vertices.ray] = vertices.n_world
         band.position_world[vertices.ray] = vertices.x_world + self._world.origin
-        at = vertices.x_world, vertices.next_world
-        if self._next_camera is not self._camera or at[0] is not at[1]:
-            band.motion[vertices.ray] = self._camera.motion_to(self._next_camera, *at)
+        x_world, after = vertices.x_world, vertices.next_world
+        if self._next_camera is not self._camera or x_world is not after:
+            motion = self._camera.motion_to(self._next_camera, x_world, after)
+            band.motion[vertices.ray] = motion
         band.asset[vertices.ray] = self._world.number[vertices.instance]
 
     def _collect(self, band: Layers, rays: Rays, depth: int) -> None:
@@ -290,13 +303,24 @@ class Integrator:
         light_pdf = np.zeros(len(row), np.float32)
         u = None if choice.nearby is None else choice.nearby.take(free.sample, axis=0)
         for part, place, points in vertices.local_rows(row):
-            at = place, wi[part], distance[part], None if u is None else u[part]
+            near = None if u is None else u[part]
             if self._rays_meet_lights:
-                radiance[part], seen[part], light_pdf[part] = points.transport_and_pdf(*at)
+                radiance[part], seen[part], light_pdf[part] = points.transport_and_pdf(
+                    place, wi[part], distance[part], near
+                )
             else:
-                radiance[part], seen[part] = points.transport(*at)
-        lights = probability, self._sampling.delta
-        weigh_samples(radiance, seen, samples, free, visibility, light_pdf, *lights, beta)
+                radiance[part], seen[part] = points.transport(place, wi[part], distance[part], near)
+        weigh_samples(
+            radiance,
+            seen,
+            samples,
+            free,
+            visibility,
+            light_pdf,
+            probability,
+            self._sampling.delta,
+            beta,
+        )
         return WeightedSamples(tried.row, row, free.light, radiance, seen)
 
     def _scatter(self, vertices: Vertices, paths: Paths, probability: np.ndarray) -> Rays:
@@ -327,8 +351,9 @@ class Integrator:
         bent = None
         if self._glass:
             pixels, depth = numbers.pixels[row], numbers.depth
-            lines = origin, direction.copy(), hits
-            behind = self._glass.follow(*lines, numbers.sampler, pixels, number, depth)
+            behind = self._glass.follow(
+                origin, direction.copy(), hits, numbers.sampler, pixels, number, depth
+            )
             origin, direction, hits, bent = behind.lines
         # A ray into a black sky brings nothing, whatever T is.
         lit = slice(None) if self._infinite else np.flatnonzero(hits.instance >= 0)

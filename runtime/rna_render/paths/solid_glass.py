@@ -105,8 +105,21 @@ class SolidGlass:
         weight[row] = 0.0
         ends = np.flatnonzero(bent & np.isfinite(hits.t) & inside.any(axis=1))
         weight[ends] *= np.exp(-inside[ends] * hits.t[ends, None])
-        values = (hits.t, hits.instance, hits.geometry, hits.primitive, hits.u, hits.v, hits.ng)
-        return Followed(origin, direction, ClosestHits(*values, weight), bent)
+        return Followed(
+            origin,
+            direction,
+            ClosestHits(
+                t=hits.t,
+                instance=hits.instance,
+                geometry=hits.geometry,
+                primitive=hits.primitive,
+                u=hits.u,
+                v=hits.v,
+                ng=hits.ng,
+                weight=weight,
+            ),
+            bent,
+        )
 
     def _pass(
         self,

@@ -51,9 +51,18 @@ def worth_tracing(
     sample, row, light = (np.empty(n, np.int64) for _ in range(3))
     wi_world, distance = np.empty((n, 3), np.float32), np.empty(n, np.float32)
     result = Tried(sample, row, light, wi_world, distance, np.empty(n, np.int32))
-    points = vertices.wo_world, vertices.ng_world, vertices.instance, vertices.start_instance
-    chosen = choice.row, choice.light
-    count = _worth_tracing(samples, *chosen, *points, world.same_light, world.one_sided, result)
+    count = _worth_tracing(
+        samples,
+        choice.row,
+        choice.light,
+        vertices.wo_world,
+        vertices.ng_world,
+        vertices.instance,
+        vertices.start_instance,
+        world.same_light,
+        world.one_sided,
+        result,
+    )
     return Tried(*(values[:count] for values in result))
 
 

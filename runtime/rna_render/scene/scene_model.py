@@ -59,7 +59,9 @@ def _path_of_motion(value: object) -> object:
 class AssetModel(Model):
     """One instance of a package; instances of the same package share its memory."""
 
-    path: FilePath = Field(description="The .rna file, relative to the scene file.")
+    path: FilePath = Field(
+        description="The .rna file, or a .glb that carries one, relative to the scene file."
+    )
     tier: str | None = Field(
         default=None, description="Tier of the package; its first tier if omitted."
     )

@@ -92,8 +92,8 @@ class AssetBody:
         widths: np.ndarray,
         lines: Lines,
     ) -> Points:
-        where = hits.primitive[ray], hits.u[ray], hits.v[ray], hits.ng[ray]
-        points = self.scene.points(part, *where)
+        primitive, u, v = hits.primitive[ray], hits.u[ray], hits.v[ray]
+        points = self.scene.points(part, primitive, u, v, hits.ng[ray])
         asset = (self._parts if seen else self._indirect)[part]
         rest = self._rest_points(part, hits, ray)
         if asset.kind == "fiber":
@@ -103,8 +103,8 @@ class AssetBody:
             assert isinstance(points, SurfacePoints)
             result = _MeshPoints(asset, self.scene, part, points, wo, rest)
             if asset.uses_base_color:
-                result.base_color = asset.base_color_at(*where[:3], widths)
-        result.leaving = self._lobes[part].at(where[0])
+                result.base_color = asset.base_color_at(primitive, u, v, widths)
+        result.leaving = self._lobes[part].at(primitive)
         return result
 
     def _rest_points(self, part: int, hits: ClosestHits, ray: np.ndarray) -> RestPoints | None:
@@ -113,9 +113,9 @@ class AssetBody:
             return None
         if isinstance(shape, DeformedCurves):
             return shape.rest_points(hits.primitive[ray], hits.u[ray], hits.ng.take(ray, axis=0))
-        where = hits.primitive[ray], hits.u[ray], hits.v[ray]
-        rest = shape.rest_points(*where)
-        return rest if maps is None else replace(rest, axes=maps.at(rest.axes, *where))
+        primitive, u, v = hits.primitive[ray], hits.u[ray], hits.v[ray]
+        rest = shape.rest_points(primitive, u, v)
+        return rest if maps is None else replace(rest, axes=maps.at(rest.axes, primitive, u, v))
 
 
 def rest_maps_of(asset: Asset) -> RestMaps:
@@ -160,13 +160,13 @@ class _NeuralPoints(Points):
     def transport_and_pdf(
         self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray, u: np.ndarray | None
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        frame = self.n, self.tangents, self._wo
-        return *self.transport(row, wi, distance, u), self.leaving.pdf(*frame, wi, row)
+        return *self.transport(row, wi, distance, u), self.leaving.pdf(
+            self.n, self.tangents, self._wo, wi, row
+        )
 
     def sample_and_pdf(self, row: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        frame = self.n, self.tangents, self._wo
-        wi = self.leaving.sample(*frame, u, row)
-        return wi, self.leaving.pdf(*frame, wi, row)
+        wi = self.leaving.sample(self.n, self.tangents, self._wo, u, row)
+        return wi, self.leaving.pdf(self.n, self.tangents, self._wo, wi, row)
 
     def _arguments(
         self, axes: np.ndarray, row: np.ndarray, wi: np.ndarray
@@ -268,12 +268,11 @@ class _ObjectPoints(Points):
         triangle = hits.primitive[ray]
         at = hit_points(mesh.positions, mesh.triangles, triangle, hits.u[ray], hits.v[ray], lines)
         self.x, self.found = at.x, at
-        where = triangle, at.u, at.v
         ng = hits.ng.take(ray, axis=0)
-        self.n = mesh.shading_normals(*where, ng, wo)
+        self.n = mesh.shading_normals(triangle=triangle, u=at.u, v=at.v, ng=ng, wo=wo)
         self._directions = self.n, ng, wo
-        self._scattering = mesh.scattering(*where)
-        self._share = mesh.base_share(*where, ng, wo)
+        self._scattering = mesh.scattering(triangle=triangle, u=at.u, v=at.v)
+        self._share = mesh.base_share(triangle=triangle, u=at.u, v=at.v, ng=ng, wo=wo)
 
     def transport(
         self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray, u: np.ndarray | None

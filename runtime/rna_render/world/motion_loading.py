@@ -48,8 +48,14 @@ class MotionLoader:
             geometries = [part_geometry(part) for part in asset.parts]
             with Package.open(package) as opened:
                 rest_frame = opened.manifest.provenance.rest_frame
-            at = model.clip, model.rate, rest_frame
-            self._motions[key] = open_asset_motion(model.path, geometries, package.name, *at)
+            self._motions[key] = open_asset_motion(
+                model.path,
+                geometries,
+                package.name,
+                clip=model.clip,
+                rate=model.rate,
+                rest_frame=rest_frame,
+            )
         motion = self._motions[key]
         if model.loop and key not in self._closed:
             _check_closed(motion)

@@ -241,22 +241,21 @@ def lobe_sample(numbers: np.ndarray, frame: Frame, u1: float, u2: float) -> Vect
     while lobe < LOBES and left >= numbers[SHARES + lobe]:
         left -= numbers[SHARES + lobe]
         lobe += 1
+    width = numbers[WIDTHS + min(lobe, LOBES - 1)]
     if lobe == LOBES:
         rest = max(u1 - left, 0.0)  # the shares before
-        direction = _about(normal, 1.0 - 2.0 * min(left / (1.0 - rest), BELOW_ONE), u2)
-        return unit(direction)
-    u1, width = min(left / numbers[SHARES + lobe], BELOW_ONE), numbers[WIDTHS + lobe]
-    if numbers[IS_FIBER] == 0.0:
-        if lobe == 0:
-            direction = _about(normal, np.sqrt(1.0 - u1), u2)
-        else:
-            direction = _mirrored(o, normal, width, u1, u2)
-    elif lobe == 0:
-        backward = (-o[0], -o[1], -o[2])
-        direction = _about(backward, _fisher_cosine(u1, 1.0 / (width * width)), u2)
+        axis, cosine = normal, 1.0 - 2.0 * min(left / (1.0 - rest), BELOW_ONE)
     else:
-        direction = _about(tangent, _cone_sine(u1, -dot(tangent, o), width), u2)
-    return unit(direction)
+        u1 = min(left / numbers[SHARES + lobe], BELOW_ONE)
+        if numbers[IS_FIBER] == 0.0:
+            if lobe > 0:
+                return unit(_mirrored(o, normal, width, u1, u2))
+            axis, cosine = normal, np.sqrt(1.0 - u1)
+        elif lobe == 0:
+            axis, cosine = (-o[0], -o[1], -o[2]), _fisher_cosine(u1, 1.0 / (width * width))
+        else:
+            axis, cosine = tangent, _cone_sine(u1, -dot(tangent, o), width)
+    return unit(_about(axis, cosine, u2))
 
 
 @compiled(inline=True, fastmath=())

@@ -85,6 +85,11 @@ def mesh_light(scene_object: MeshObject, world_from_object: np.ndarray) -> MeshL
         return None
     linear, translation = world_from_object[:3, :3], world_from_object[:3, 3]
     positions = (scene_object.positions @ linear.T + translation).astype(np.float32)
-    emission = scene_object.emitted_luminance, scene_object.emission
     opaque = None if scene_object.transmittance is None else scene_object.opaque_emission
-    return MeshLight(positions, scene_object.triangles, *emission, opaque_emission=opaque)
+    return MeshLight(
+        positions,
+        scene_object.triangles,
+        luminance=scene_object.emitted_luminance,
+        emission=scene_object.emission,
+        opaque_emission=opaque,
+    )

@@ -7,6 +7,7 @@ query's context, see `kernels`.
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -215,14 +216,16 @@ def _weigh_passed(arguments: Any) -> None:
     _refuse(arguments)
 
 
+@cache
 def start_instance_filter() -> np.ndarray:
     """Arguments that make a ray of either sort pass through the instance its id names.
 
-    Returns (8,) uint64; the caller keeps it alive while its address is in use.
+    Returns (8,) uint64, the same array each time: its address may go to Embree.
     """
     return _arguments(_refuse_start_instance.address)
 
 
+@cache
 def start_strand_filter() -> np.ndarray:
     """RTCOccludedArguments that make a ray pass through the strand its id names.
 
@@ -232,6 +235,7 @@ def start_strand_filter() -> np.ndarray:
     return _arguments(_refuse_start_strand.address)
 
 
+@cache
 def random_transmittance_filters() -> tuple[np.ndarray, np.ndarray]:
     """Arguments of `kernels.intersect_through`: of its search, and of its weights.
 
@@ -240,11 +244,13 @@ def random_transmittance_filters() -> tuple[np.ndarray, np.ndarray]:
     return _arguments(_pass_at_random_but_start_instance.address), _arguments(_weigh_passed.address)
 
 
+@cache
 def transmittance_filter() -> np.ndarray:
     """Arguments of `kernels.transmitted`; the ray's id is as for `start_instance_filter`."""
     return _arguments(_pass_all_but_start_instance.address)
 
 
+@cache
 def strand_transmittance_filter() -> np.ndarray:
     """Arguments of `kernels.transmitted`; the ray's id is as for `start_strand_filter`."""
     return _arguments(_pass_all_but_start_strand.address)

@@ -66,10 +66,8 @@ class InstanceScene:
         # Embree keeps the geometries alive, but not the tables that filters read.
         self._scenes = {placed.scene for placed in instances}
         self._scene = api.SceneHandle(api.shared_device())
-        self._filter = start_instance_filter()
         self.transmits = any(placed.scene.transmits for placed in instances)
         self._coloured = any(placed.scene.coloured for placed in instances)
-        self._random, self._weakened = random_transmittance_filters(), transmittance_filter()
         self._start_bits = len(instances) <= MASK_BITS
         self._met = {rays: _met_by(rays, instances) for rays in _SORTS} if self._start_bits else {}
         embree = api.library()
@@ -100,14 +98,23 @@ class InstanceScene:
         """
         if self._passes_everything(start_instance):
             return _misses(len(origins_world))
-        interval, passing = (0.0, np.inf), self._passing(start_instance, len(origins_world), rays)
-        lines = origins_world, directions_world, *interval
+        passing = self._passing(start_instance, len(origins_world), rays)
         if self.transmits:
             ids = self._ids(start_instance, len(origins_world))
             return closest_hits_through(
-                self._scene, self._random, self._coloured, *lines, ids, passing.mask
+                self._scene,
+                random_transmittance_filters(),
+                self._coloured,
+                origins_world,
+                directions_world,
+                0.0,
+                np.inf,
+                ids,
+                passing.mask,
             )
-        return closest_hits(self._scene, *lines, passing=passing)
+        return closest_hits(
+            self._scene, origins_world, directions_world, 0.0, np.inf, passing=passing
+        )
 
     def occluded(
         self,
@@ -141,8 +148,16 @@ class InstanceScene:
             return np.ones((len(origins_world), 3), np.float32)
         ids = self._ids(start_instance, len(origins_world))
         passing = self._passing(start_instance, len(origins_world), SHADOW_RAY)
-        lines = origins_world, directions_world, 0.0, tfar
-        return transmitted(self._scene, self._weakened, *lines, ids, passing.mask)
+        return transmitted(
+            self._scene,
+            transmittance_filter(),
+            origins_world,
+            directions_world,
+            0.0,
+            tfar,
+            ids,
+            passing.mask,
+        )
 
     def _ids(self, start_instance: np.ndarray | None, count: int) -> np.ndarray:
         """(n,) or (1,) uint32, the instance that each ray passes through."""
@@ -162,7 +177,7 @@ class InstanceScene:
             return Passing(mask=np.full(1, self._met.get(rays, rays), np.uint32))
         ids = self._ids(start_instance, count)
         if not self._start_bits:
-            return Passing(self._filter.ctypes.data, ids, np.full(1, rays, np.uint32))
+            return Passing(start_instance_filter().ctypes.data, ids, np.full(1, rays, np.uint32))
         # A shift by 32, for NO_INSTANCE, leaves no bit in 64.
         bit = np.left_shift(np.uint64(1), np.minimum(ids, MASK_BITS).astype(np.uint64))
         return Passing(mask=self._met[rays] & ~bit.astype(np.uint32))

@@ -222,8 +222,9 @@ def _rays(
     origins = vectors("origins", origins)
     n = len(origins)
     directions = vectors("directions", directions, n)
-    interval = per_ray("tnear", tnear, n), per_ray("tfar", tfar, n)
-    return kernels.Rays(ray_id, mask, origins, directions, *interval)
+    return kernels.Rays(
+        ray_id, mask, origins, directions, per_ray("tnear", tnear, n), per_ray("tfar", tfar, n)
+    )
 
 
 def _hits(n: int) -> kernels.Hits:

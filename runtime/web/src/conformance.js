@@ -2,7 +2,7 @@
 import { sceneArrays } from "./geometry/scene_arrays.js";
 import { Package } from "./package/package.js";
 import { BlobSource } from "./package/source.js";
-import { baseColors, evaluate, mappedNormals, visibility } from "./webgpu/answers.js";
+import { baseColors, evaluate, ROW_WORDS, mappedNormals, visibility } from "./webgpu/answers.js";
 
 const bytesOf = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
 
@@ -14,6 +14,8 @@ function textOf(values) {
 }
 
 export class Reader {
+  rowWords = ROW_WORDS;
+
   constructor(engine) {
     this.engine = engine;
   }
@@ -27,19 +29,19 @@ export class Reader {
     this.engine.resize(1, 1);
   }
 
-  /** Rows of 16, or of 10 for emission, float32. */
-  async evaluate(part, output, text) {
-    const columns = output === "transport" ? 16 : 10, given = new Float32Array(bytesOf(text).buffer);
-    const rows = new Float32Array((16 * given.length) / columns);
-    for (let k = 0; 16 * k < rows.length; k++) {
+  /** columns: 16, 19 with nearby light, or 10 for emission, float32. */
+  async evaluate(part, output, text, columns = 16) {
+    const given = new Float32Array(bytesOf(text).buffer), count = given.length / columns, rows = new Float32Array(ROW_WORDS * count);
+    for (let k = 0; k < count; k++) {
       const row = given.subarray(columns * k, columns * (k + 1)), wo = row.subarray(7, 10);
-      const wi = columns === 16 ? row.subarray(10, 13) : wo, [red = 0, green = 0, blue = 0] = row.subarray(13);
-      rows.set([...row.subarray(0, 3), row[6], ...row.subarray(3, 6), red, ...wo, green, ...wi, blue], 16 * k);
+      const wi = columns > 10 ? row.subarray(10, 13) : wo, [red = 0, green = 0, blue = 0, ...nearby] = row.subarray(13);
+      const more = nearby.length ? [...nearby, 1] : [];
+      rows.set([...row.subarray(0, 3), row[6], ...row.subarray(3, 6), red, ...wo, green, ...wi, blue, ...more], ROW_WORDS * k);
     }
     return textOf(await this.answer(part, output, rows));
   }
 
-  /** Numbers for rows of 16: webgpu/answers.js. */
+  /** Numbers for rows of rowWords: webgpu/answers.js. */
   answer(...query) {
     return evaluate(this.engine, ...query);
   }

@@ -7,7 +7,7 @@ import { shaders } from "../shaders.mjs";
 import { shortenSources } from "../source_maps.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url)), web = join(here, ".."), out = process.argv[2];
-const SHADERS = ["surface", "fiber", "trace", "visibility.wgsl", "images.wgsl", "render/directions.wgsl", "render/ggx.wgsl", "render/lobes.wgsl"];
+const SHADERS = ["surface", "fiber", "trace", "visibility.wgsl", "images.wgsl", "render/directions.wgsl", "render/ggx.wgsl", "render/lobes.wgsl", "render/nearby_light.wgsl"];
 const COMMON = {
   absWorkingDir: web, bundle: true, minify: true, target: "es2022", legalComments: "eof", loader: { ".wgsl": "text" }, logLevel: "warning",
 };

@@ -1,5 +1,5 @@
 // Types of rna-three. Those of three.js itself are in @types/three.
-import type { Camera, ColorRepresentation, Euler, Group, InstancedMesh, Loader, LoadingManager, Mesh, NodeMaterial, Texture } from "three/webgpu";
+import type { Camera, ColorRepresentation, Euler, Group, InstancedMesh, Loader, LoadingManager, Mesh, NodeMaterial, Texture, WebGPURenderer } from "three/webgpu";
 
 export interface RnaOptions {
   /** What hides light from the asset itself: rays through its own hierarchy, or the light's shadow map. Default "rays". */
@@ -8,6 +8,8 @@ export interface RnaOptions {
   environmentSamples?: number;
   /** Points of a RectAreaLight along each of its sides. Default 2. */
   areaSamples?: number;
+  /** Rays a pixel and light for nearby light, of tiers that count it. Default 4. */
+  nearbySamples?: number;
   /** Largest mean FLIP, of the asset's pixels, of the tier that is chosen by size. Default 0.1. */
   maxError?: number;
 }
@@ -26,6 +28,23 @@ export class RnaLoader extends Loader<RnaAsset> {
   parseAsync(bytes: ArrayBuffer, name?: string): Promise<RnaAsset>;
   /** Stops what is under way; its promises are rejected. */
   abort(): this;
+}
+
+/**
+ * A plugin of three.js' GLTFLoader: shows the packages of glTF files (RNA_relightable_asset) in place of their fallback.
+ * `loader.register((parser) => new RNAExtension(parser, { renderer }))`. Of what is loaded, `userData.rnaAssets` has the assets.
+ */
+export class RNAExtension {
+  constructor(parser: unknown, options: RNAExtensionOptions);
+  readonly name: "RNA_relightable_asset";
+}
+
+export interface RNAExtensionOptions extends RnaOptions {
+  /** What draws the scene: one without WebGPU shows the fallback. */
+  renderer: WebGPURenderer | { isWebGLRenderer: true };
+  /** As setTier and setVariant of RnaLoader. */
+  tier?: string | null;
+  variant?: string | null;
 }
 
 /** A relightable asset: a group of a mesh for each part. */

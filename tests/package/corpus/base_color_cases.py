@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import io
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
+from PIL import Image
 
 from rna_sdk.package.geometry.glb_writer import mesh_to_glb
 from tests.package.builders import make_decoder, make_mesh
@@ -102,6 +104,13 @@ CASES.add(
     base_color_past_the_mesh=lambda e: with_record(e, 2, triangles=[3, 2]),
     base_color_past_every_mesh=lambda e: with_record(e, 2, triangles=[2**53 - 1, 2**53 - 1]),
 )
+
+
+@CASES.case("BASE_COLOR_IMAGE")
+def base_color_in_inks(entries: Entries) -> bytes:
+    file = io.BytesIO()
+    Image.new("CMYK", (2, 2)).save(file, "JPEG")
+    return with_entry(entries, STAMP, file.getvalue())
 
 
 @CASES.case("BASE_COLOR_RANGE")

@@ -87,6 +87,9 @@ def directory_shorter_than_its_count(entries: Entries) -> bytes:
 CASES.add(
     "ZIP_DIRECTORY",
     archive_comment=lambda e: patch_end(pack(e.items()), comment_size=22),
+    central_header_of_another_signature=lambda e: patch_entry(
+        pack(e.items()), MESH, "central", magic=z.CENTRAL_MAGIC + 1
+    ),
     name_past_the_directory=lambda e: patch_entry(
         pack(e.items()), DECODER, "central", name_size=60000
     ),

@@ -12,10 +12,11 @@ import onnx
 from onnx import TensorProto, helper, numpy_helper
 
 from rna_sdk.package import ProfileDecoder, decoder_to_bytes
+from rna_sdk.package.container.glb_chunks import CHUNK, CHUNK_BIN, HEADER, pack_glb
 from rna_sdk.package.container.tensor_file import tensors_to_bytes
 from rna_sdk.package.decoder.onnx_writer import GraphWriter
 from rna_sdk.package.decoder.onnx_writer import value as value_info
-from rna_sdk.package.geometry.glb_writer import CHUNK, CHUNK_BIN, HEADER, mesh_to_glb, pack_glb
+from rna_sdk.package.geometry.glb_writer import mesh_to_glb
 from rna_sdk.package.textures.planes import planes_to_bytes
 from tests.package.builders import (
     LIMIT,
@@ -85,6 +86,7 @@ CASES.add(
     "GEOMETRY_CONTAINER",
     glb_truncated=lambda e: with_entry(e, MESH, e[MESH][:-8]),
     glb_of_three_bytes=lambda e: with_entry(e, MESH, b"glT"),
+    glb_of_version_1=lambda e: with_entry(e, MESH, e[MESH][:4] + b"\1" + e[MESH][5:]),
     glb_without_json=lambda e: with_entry(e, MESH, pack_glb(b"no json", bytes(64))),
     glb_with_half_a_surrogate_pair=in_gltf(lambda g: g["nodes"][0].update(name="\ud800")),
 )
@@ -325,6 +327,10 @@ CASES.add(
     decoder_of_countless_fields=lambda e: with_entry(
         e, DECODER, e[DECODER] + b"\x28\x01" * 300_000
     ),
+    decoder_with_a_field_of_no_number=lambda e: with_entry(e, DECODER, e[DECODER] + b"\x02\x00"),
+    decoder_with_a_group=lambda e: with_entry(  # as long as the field before it
+        e, DECODER, e[DECODER] + b"\x32\x04abcd" + b"\xa3\x06abcd"
+    ),
     decoder_opset_too_new=in_decoder(lambda m: setattr(m.opset_import[0], "version", 22)),
     decoder_without_an_operator_set=in_decoder(lambda m: m.ClearField("opset_import")),
     decoder_of_two_operator_sets=in_decoder(
@@ -350,6 +356,13 @@ CASES.add(
 def decoder_with_two_graphs(entries: Entries) -> bytes:
     """Protobuf merges the two; a reader that takes the last sees another model."""
     return with_entry(entries, DECODER, entries[DECODER] + b"\x3a\x00")
+
+
+@CASES.case("DECODER_PROFILE")
+def decoder_with_a_number_for_an_operator_set(entries: Entries) -> bytes:
+    model = onnx.load_from_string(entries[DECODER])
+    model.ClearField("opset_import")
+    return with_entry(entries, DECODER, model.SerializeToString() + b"\x40\x01")
 
 
 @CASES.case("DECODER_PROFILE")

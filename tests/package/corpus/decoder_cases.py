@@ -12,7 +12,14 @@ from onnx import helper, numpy_helper
 from rna_sdk.package import decoder_to_bytes
 from tests.package.builders import random_decoder, random_int8_decoder
 from tests.package.corpus.content_cases import in_decoder, with_profile
-from tests.package.corpus.registry import DECODER, Breaker, Corpus, tier_part, with_entry
+from tests.package.corpus.registry import (
+    DECODER,
+    Breaker,
+    Corpus,
+    Entries,
+    tier_part,
+    with_entry,
+)
 
 CASES = Corpus("surface")
 
@@ -51,8 +58,50 @@ def _restore_otherwise(model: onnx.ModelProto) -> None:
     model.graph.initializer.append(numpy_helper.from_array(np.float32(0.5), "restored"))
 
 
+def _rename_an_axis(model: onnx.ModelProto) -> None:
+    """The attribute that says along which axis scales lie."""
+    maker = next(n for n in _of(model, "DequantizeLinear") if n.attribute)
+    maker.attribute[0].name = "block_size"
+
+
+def _with_bytes_for_an_axis(entries: Entries) -> bytes:
+    """No bytes where the number 0 is expected."""
+    data = decoder_to_bytes(random_int8_decoder(largest=64))
+    assert b"axis\x18\x00" in data
+    data = data.replace(b"axis\x18\x00", b"axis\x1a\x00", 1)
+    return with_entry(
+        entries, DECODER, data, lambda m: tier_part(m).update(decoderPrecision="int8")
+    )
+
+
+def _end_before_the_outputs(model: onnx.ModelProto) -> None:
+    """The last node is left out, and there is one output more."""
+    last = model.graph.node.pop()
+    model.graph.node[-1].output[0] = last.output[0]
+    used = {name for node in model.graph.node for name in node.input}
+    for constant in [c for c in model.graph.initializer if c.name not in used]:
+        model.graph.initializer.remove(constant)
+    model.graph.output[0].type.tensor_type.shape.dim[1].dim_value += 1
+
+
+def _make_a_layer_of_nothing(model: onnx.ModelProto) -> None:
+    """The first layer has no outputs, the second no inputs."""
+    first, second = _of(model, "Gemm")[:2]
+    constants = {constant.name: constant for constant in model.graph.initializer}
+    for name, axis in ((first.input[1], 1), (first.input[2], 0), (second.input[1], 0)):
+        constants[name].dims[axis] = 0
+        constants[name].raw_data = b""
+
+
 CASES.add(
     "DECODER_PROFILE",
+    decoder_whose_input_has_another_name=in_decoder(
+        lambda m: setattr(m.graph.input[0], "name", "light")
+    ),
+    decoder_that_ends_before_its_outputs=in_decoder(_end_before_the_outputs),
+    decoder_with_a_layer_of_nothing=in_decoder(_make_a_layer_of_nothing),
+    int8_decoder_with_another_attribute=in_int8_decoder(_rename_an_axis),
+    int8_decoder_with_bytes_for_an_axis=_with_bytes_for_an_axis,
     decoder_whose_layer_passes_over_a_node=in_decoder(_skip_a_node),
     decoder_with_a_node_of_nothing=in_decoder(
         lambda m: m.graph.node.append(helper.make_node("Relu", [], ["spare"]))

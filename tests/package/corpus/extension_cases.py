@@ -10,6 +10,8 @@ from typing import Any
 import numpy as np
 
 from rna_sdk.package.container.tensor_file import tensors_to_bytes
+from rna_sdk.package.geometry.glb_reader import mesh_from_glb
+from rna_sdk.package.geometry.source_vertices import SourceVertices
 from rna_sdk.package.manifest.deflate import encode
 from tests.package.builders import INPUTS, make_decoder
 from tests.package.corpus.registry import (
@@ -31,6 +33,7 @@ LOBES = "extensions/RNA_environment/asset.onnx"
 VISIBILITY = "extensions/RNA_environment/asset-visibility.safetensors"
 TEXTURE = "extensions/RNA_standin_textures/asset.png"
 PROXY = "extensions/RNA_proxy/asset-64.glb"
+SOURCE = "extensions/RNA_source/asset.safetensors"
 RED = "extensions/RNA_variants/red.png"
 
 
@@ -52,6 +55,12 @@ def with_coded_mesh(entries: Entries, stream: bytes | None = None, **changes: An
     data = {"entries": {MESH: coding}}
     coded = encode(entries[MESH], 2, 3) if stream is None else stream
     return with_entry(entries, MESH, coded, lambda m: used(m, "RNA_deflate", data, True))
+
+
+def with_source(entries: Entries, numbers: np.ndarray, count: int) -> bytes:
+    """The package with numbers of a source's vertices."""
+    data, file = {"vertices": count, "parts": [SOURCE]}, SourceVertices(numbers, count).to_bytes()
+    return with_entry(entries, SOURCE, file, lambda m: used(m, "RNA_source", data))
 
 
 def with_poster(entries: Entries, png: bytes, **changes: Any) -> bytes:
@@ -226,6 +235,17 @@ def standin_texture_that_is_no_png(entries: Entries) -> bytes:
     data = {"parts": [members]}
     png = b"JFIF" * 16_384
     return with_entry(entries, TEXTURE, png, lambda m: used(m, "RNA_standin_textures", data))
+
+
+@CASES.case("GEOMETRY_INDEX")
+def source_vertex_that_is_not_there(entries: Entries) -> bytes:
+    count = len(mesh_from_glb(memoryview(entries[MESH]), MESH).positions)
+    return with_source(entries, np.arange(count, dtype=np.uint32), count - 1)
+
+
+@CASES.case("FIELD_VALUE", "fiber")
+def source_vertices_of_strands(entries: Entries) -> bytes:
+    return with_source(entries, np.zeros(1, np.uint32), 1)
 
 
 @CASES.case("GEOMETRY_CONTAINER")

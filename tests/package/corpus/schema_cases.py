@@ -24,6 +24,7 @@ from tests.package.corpus.extension_cases import (
     MIRROR,
     POSTER,
     PROXY,
+    SOURCE,
     VISIBILITY,
     coding_of,
     lobes_record,
@@ -43,7 +44,6 @@ from tests.package.corpus.schema_walk import (
     replaced,
 )
 
-SOURCE = "extensions/RNA_source/asset.safetensors"
 TEXTURE = "extensions/RNA_standin_textures/asset.png"
 
 _MEASURED = {

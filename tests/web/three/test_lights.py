@@ -16,7 +16,16 @@ from rna_sdk.package.manifest.extensions import MirrorLobe, Mixture, Sampling
 from rna_sdk.package.packing import Unpacked
 from tests.render.chromium import Page
 from tests.web.pages import TIMEOUT, base64_of
-from tests.web.test_picture import CURLS, TOY, by_rna_run, middles_of_pixels, psnr, write_scene
+from tests.web.test_picture import (
+    CURLS,
+    GLOWING,
+    GLOWING_CURLS,
+    TOY,
+    by_rna_run,
+    middles_of_pixels,
+    psnr,
+    write_scene,
+)
 from tests.web.three.pages import PAGE, installed, opened
 
 pytestmark = pytest.mark.chromium
@@ -56,7 +65,7 @@ __all__ = ["middles_of_pixels"]
 def page(tmp_path_factory) -> Iterator[Page]:
     folder = tmp_path_factory.mktemp("lights")
     installed(folder)
-    for path in (TOY["path"], CURLS["path"], PAGE):
+    for path in (*(one["path"] for one in (TOY, CURLS, GLOWING, GLOWING_CURLS)), PAGE):
         shutil.copy(path, folder)
     toy = Unpacked.read(TOY["path"]).with_extension(Sampling(parts=(LOBES,)), {})
     toy.write(folder / TOY["path"].name)
@@ -108,6 +117,25 @@ def test_light(asset, light, of_three, size, samples, least, page, tmp_path):
     actual = by_three(page, asset, of_three, size)
     expected = by_rna_run(write_scene(tmp_path, asset, light, size, samples))
     assert psnr(actual, expected) >= least
+
+
+@pytest.mark.parametrize(
+    ("asset", "columns"), [(GLOWING, 16), (GLOWING_CURLS, 4)], ids=["surface", "strands"]
+)
+@pytest.mark.usefixtures("middles_of_pixels")
+def test_nearby_light(asset, columns, page, tmp_path):
+    """With the noise of so many columns; by the package's means without rays."""
+    size = [64, 40]
+    expected = by_rna_run(write_scene(tmp_path, asset, SUN, size, 64))
+    load = 'new rna.RnaLoader().setOptions({{OPTION}}).loadAsync("{}")'
+    by_columns, by_means = (
+        by_three(page, asset, "sun()", size, load=load.replace("OPTION", option))
+        for option in (f"nearbySamples: {columns}", 'visibility: "shadow-map"')
+    )
+    seen = expected[..., 3] > 0
+    brightness = by_columns[seen].mean(0) / expected[seen].mean(0)
+    assert brightness == pytest.approx(1.0, abs=0.03)
+    assert psnr(by_columns, expected) >= psnr(by_means, expected) + 3
 
 
 @pytest.mark.usefixtures("middles_of_pixels")

@@ -104,6 +104,5 @@ class NetworkAsset(NeuralAsset):
         return [*super().hidden_matrices(), *self.network.hidden_matrices()]
 
     def _features(self, at: Points, blur: float | Tensor) -> Tensor:
-        directions = at["wo"], at["wi"]
-        features: Tensor = self.network(at["position"], *directions, self._in_bfloat16)
+        features: Tensor = self.network(at["position"], at["wo"], at["wi"], self._in_bfloat16)
         return features

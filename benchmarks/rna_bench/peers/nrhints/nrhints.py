@@ -152,8 +152,15 @@ class NRHints(LearnedMethod):
         normals = normalize(gradient, dim=1)
         alpha, depth = weights.sum(dim=1), (weights * middles).sum(dim=1)
         visible, shine = self._hints(rays, weights, depth, normals, anneal, is_training)
-        inputs = flat, _of_samples(directions, m), normals, _of_samples(rays.lights, m), features
-        colour = model.colour(*inputs, _of_samples(visible, m), _of_samples(shine, m))
+        colour = model.colour(
+            flat,
+            _of_samples(directions, m),
+            normals,
+            _of_samples(rays.lights, m),
+            features,
+            _of_samples(visible, m),
+            _of_samples(shine, m),
+        )
         inside = flat.norm(dim=1) < 1.0
         lengths_off = (gradient.norm(dim=1) - 1.0) ** 2 * inside
         return _Rendered(

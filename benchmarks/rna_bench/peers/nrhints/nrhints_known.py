@@ -42,6 +42,7 @@ class KnownNRHints(KnownMethod):
         to_light = normalize(at.lights - at.points, dim=1)
         shine = highlights(at.normals, -at.directions, to_light)
         _, features = self.model.trunk.both(at.points)
-        where = at.points, at.directions, at.normals, at.lights
-        colour: Tensor = self.model.colour(*where, features, at.visible[:, None], shine)
+        colour: Tensor = self.model.colour(
+            at.points, at.directions, at.normals, at.lights, features, at.visible[:, None], shine
+        )
         return colour

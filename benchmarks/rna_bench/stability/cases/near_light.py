@@ -28,9 +28,9 @@ _RESOLUTION, _SAMPLES, _CYCLES_SAMPLES = (128, 96), 32, 64
 def measure(fixtures: Fixtures) -> list[Row]:
     view = {"turn_deg": 0.0, "resolution": _RESOLUTION, "margin": 0.95}
     stage = Stage.of(fixtures.asset, fixtures.package.resolve(), fixtures.subject.tier, **view)
-    spent = fixtures.some(_SAMPLES), fixtures.some(_CYCLES_SAMPLES)
+    samples, cycles_samples = fixtures.some(_SAMPLES), fixtures.some(_CYCLES_SAMPLES)
     with fixtures.cycles(fixtures.source) as worker:
-        return list(_near_lights(stage, worker, DISTANCES, *spent))
+        return list(_near_lights(stage, worker, DISTANCES, samples, cycles_samples))
 
 
 def _near_lights(

@@ -77,9 +77,12 @@ def _scene(fixtures: Fixtures, camera: CameraModel, wi: np.ndarray) -> Scene:
 
 
 def _cycles(worker: BlenderWorker, camera: CameraModel, wi: np.ndarray) -> dict[str, np.ndarray]:
-    view = Camera(camera, (PIXELS, PIXELS)).to_world, np.radians(camera.vertical_fov_deg), wi
-    size = PIXELS, PIXELS
-    halves = [worker.render_view(*view, _CYCLES_SAMPLES, seed, *size)[..., :3] for seed in (4, 5)]
+    to_world = Camera(camera, (PIXELS, PIXELS)).to_world
+    fov_y = np.radians(camera.vertical_fov_deg)
+    halves = [
+        worker.render_view(to_world, fov_y, wi, _CYCLES_SAMPLES, seed, PIXELS, PIXELS)[..., :3]
+        for seed in (4, 5)
+    ]
     return {"halves": np.stack(halves)}
 
 

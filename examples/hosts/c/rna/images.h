@@ -18,15 +18,18 @@ static ImageSize png_size(Span file) {
     return (ImageSize){big_u32_at(file.at + 16), big_u32_at(file.at + 20)};
 }
 
-/* Of the first frame header.  Bytes before a marker are passed over, as decoders do. */
+/* Of the first frame header, of one or three components.  Bytes before a marker are passed over, as
+   decoders do. */
 static ImageSize jpeg_size(Span file) {
     size_t at = 2;
     if (file.size < 4 || file.at[0] != 0xff || file.at[1] != 0xd8) return (ImageSize){0};
-    while (at + 9 <= file.size) {
+    while (at + 10 <= file.size) {
         const uint8_t marker = file.at[at + 1];
         if (file.at[at] != 0xff || marker == 0xff || marker == 0) {
             at++;
         } else if (marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc) {
+            const uint8_t components = file.at[at + 9];
+            if (components != 1 && components != 3) return (ImageSize){0};
             return (ImageSize){big_u16_at(file.at + at + 7), big_u16_at(file.at + at + 5)};
         } else {
             at += 2 + (size_t)big_u16_at(file.at + at + 2);

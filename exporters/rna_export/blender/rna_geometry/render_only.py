@@ -36,5 +36,6 @@ def _check_displacement(material: bpy.types.Material) -> None:
     if output is not None and output.inputs["Displacement"].is_linked:
         raise ValueError(
             f"material {material.name!r} displaces its surface while it renders: bake that into "
-            "the mesh, or set the material's Displacement to Bump Only"
+            "the mesh, or set the material's Displacement to Bump Only, which becomes a normal map "
+            "where its height follows a UV map"
         )

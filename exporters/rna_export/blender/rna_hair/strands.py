@@ -89,8 +89,9 @@ def resample(strands: Strands, points: int, keep: np.ndarray | float = 1.0) -> S
     for count in np.unique(strands.counts):
         rows = np.flatnonzero(strands.counts == count)
         pick = strands.offsets[rows, None] + np.arange(count)
-        old = strands.points[pick], strands.radii[pick]
-        out[rows], radii[rows] = _resample(*old, points, keep[rows, None])
+        out[rows], radii[rows] = _resample(
+            old=strands.points[pick], radii=strands.radii[pick], n=points, keep=keep[rows, None]
+        )
     return of_equal_length(out, radii)
 
 

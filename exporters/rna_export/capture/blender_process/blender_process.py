@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import signal
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
@@ -49,6 +50,7 @@ class Source:
 
 
 _LINES = 5  # of Blender's output, in an error
+_LINE = 160  # characters of each
 _WORKER = Path(__file__).parents[2] / "blender" / "worker.py"
 
 
@@ -114,12 +116,14 @@ class BlenderProcess:
             raise
 
     def _launch(self) -> subprocess.Popen[str]:
-        """A process that has opened nothing yet."""
+        """A process that has opened nothing yet; what Blender writes for itself is in `folder`."""
+        folder = str(self._folder.resolve())
         return subprocess.Popen(
             [str(self._python), str(_WORKER), str(self._threads), str(os.getpid())],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=self._log,
+            env={**os.environ, "TMPDIR": folder, "BLENDER_USER_RESOURCES": folder},
             encoding="utf-8",
             errors="replace",  # Blender prints names of files as their bytes are
             process_group=0,  # Ctrl-C is for us; half a render would look like a whole one
@@ -177,13 +181,15 @@ class BlenderProcess:
             pass
         raise CaptureError(
             f"{self.source.path}: the Blender worker ended without an answer to "
-            f"{request['op']!r}; its last output: {self._last_words()}"
+            f"{request['op']!r}{_signal_of(process)}; its last output: {self._last_words()}"
         )
 
     def _last_words(self) -> str:
         self._log.flush()
-        lines = Path(self._log.name).read_text("utf-8", errors="replace").split("\n")
-        return " / ".join([line.strip() for line in lines if line.strip()][-_LINES:]) or "none"
+        text = Path(self._log.name).read_text("utf-8", errors="replace")
+        shown = "".join(c if c.isprintable() or c == "\n" else " " for c in text)
+        lines = [" ".join(line.split())[:_LINE] for line in shown.split("\n") if line.strip()]
+        return " / ".join(lines[-_LINES:]) or "none"
 
     @property
     def kind(self) -> str:
@@ -207,3 +213,11 @@ class BlenderProcess:
         if frame != self._frame:
             self._frame = frame
             self._ask(op="showFrame", frame=frame)
+
+
+def _signal_of(process: subprocess.Popen[str]) -> str:
+    """What ended it, in words: " by SIGSEGV"; "" where it ended itself, or goes on."""
+    with contextlib.suppress(subprocess.TimeoutExpired, ValueError):
+        status = process.wait(10.0)
+        return f" by {signal.Signals(-status).name}" if status < 0 else ""
+    return ""

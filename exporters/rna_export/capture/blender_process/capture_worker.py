@@ -119,10 +119,25 @@ def scene_of(dataset: Dataset) -> AssetScene:
     geometries = [part.met_by_rays() for part in dataset.parts]
     transmittances = [part.transmittance() for part in dataset.parts]
     maps = [part.normal_maps() for part in dataset.parts]
-    arguments = geometries, dataset.manifest.settings.sharpest, transmittances, maps
     prints = dataset.manifest.prints
     colors = [[part.base_color(variant) for part in dataset.parts] for variant in prints]
-    scene = AssetScene(*arguments, base_colors=colors)
+    scene = AssetScene(
+        geometries=geometries,
+        sharpest=dataset.manifest.settings.sharpest,
+        transmittances=transmittances,
+        normal_maps=maps,
+        base_colors=colors,
+    )
     posed = ([p.positions(frame) for p in dataset.parts] for frame in dataset.manifest.poses[1:])
-    scene.poses = tuple(AssetScene(*arguments, positions, colors) for positions in posed)
+    scene.poses = tuple(
+        AssetScene(
+            geometries=geometries,
+            sharpest=dataset.manifest.settings.sharpest,
+            transmittances=transmittances,
+            normal_maps=maps,
+            positions=positions,
+            base_colors=colors,
+        )
+        for positions in posed
+    )
     return scene

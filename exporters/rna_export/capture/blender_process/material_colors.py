@@ -61,9 +61,14 @@ class MaterialColors:
         for record in answer["colors"]:
             image = None
             if (k := record.get("image")) is not None:
-                members = record["colorSpace"], (record["wrap"],) * 2, tuple(record["transform"])
-                points = arrays[f"uvs{k}"], arrays[f"shown{k}"]
-                image = ColorImage(arrays[f"image{k}"], *members, *points)
+                image = ColorImage(
+                    arrays[f"image{k}"],
+                    record["colorSpace"],
+                    (record["wrap"], record["wrap"]),
+                    tuple(record["transform"]),
+                    arrays[f"uvs{k}"],
+                    arrays[f"shown{k}"],
+                )
             piece = record["material"], record["tile"]
             colors[piece] = MaterialColor(tuple(record["factor"]), image)
         return cls(colors, answer["charts"], answer["others"], answer["obstacles"], answer["notes"])

@@ -81,8 +81,9 @@ class SelfCheck:
     ) -> None:
         """Render n rays from all around, which need not hit, and compare them."""
         rays = outside_rays(self.scene, n, wo, np.random.default_rng(seed), _WIDER)
-        lines = rays.origins, rays.directions
-        rendered = worker.render_rays(*lines, wi, self.samples, seed, normals=self.normals)
+        rendered = worker.render_rays(
+            rays.origins, rays.directions, wi, self.samples, seed, normals=self.normals
+        )
         disagreement = Disagreement.of(self.scene, rays, rendered, self.samples, self.normals)
         self._note(disagreement.shares(), rays, disagreement.any)
 
@@ -103,8 +104,15 @@ class SelfCheck:
         camera = self._camera()
         wi = _unit(camera.to_world[:3, 2] + 0.7 * camera.to_world[:3, 1]).astype(np.float32)
         side = self.side
-        view = camera.to_world, _FOV, wi, self.samples, 0, side, side
-        rendered = worker.render_pixel_centres(*view)
+        rendered = worker.render_pixel_centres(
+            to_world=camera.to_world,
+            fov_y=_FOV,
+            wi=wi,
+            samples=self.samples,
+            seed=0,
+            width=side,
+            height=side,
+        )
         pixels = np.arange(side**2, dtype=np.uint32)
         directions = camera.directions(pixels, np.full((side**2, 2), 0.5))
         rays = ViewRays(np.tile(camera.position, (side**2, 1)), directions)

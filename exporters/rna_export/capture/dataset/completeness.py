@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from pydantic import TypeAdapter, ValidationError
@@ -16,6 +16,7 @@ from rna_sdk.files.atomic_file import write_atomically
 from rna_work.cached import content_hash
 
 _RECORD = "files.json"
+_REPLACED = "replaced since the capture"
 _SHOWN = 3  # names of files
 
 
@@ -36,8 +37,27 @@ def check_complete(dataset: Dataset, accepts: bool) -> None:
     print(f"warning: {said}", file=sys.stderr)
 
 
+def check_kept(dataset: Dataset) -> None:
+    """Raises CaptureError for a dataset with replaced files, before a capture goes on with it.
+
+    The capture makes again what is missing.
+    """
+    groups, total = _groups(dataset)
+    if names := groups[_REPLACED]:
+        raise CaptureError(
+            f"{dataset.folder}: {_phrase(names, total, _REPLACED)}: delete them, and the same "
+            "command captures them again"
+        )
+
+
 def differences(dataset: Dataset) -> list[str]:
     """Uncaptured, missing and replaced files, a phrase each with numbers and names."""
+    groups, total = _groups(dataset)
+    return [_phrase(names, total, what) for what, names in groups.items() if names]
+
+
+def _groups(dataset: Dataset) -> tuple[dict[str, list[str]], int]:
+    """Names of files by their fault, and the number of files of a whole dataset."""
     folder, recorded = dataset.folder, _recorded(dataset.folder)
     paths = (task.path(dataset) for task in all_tasks(dataset))
     planned = [path.relative_to(folder).as_posix() for path in paths]
@@ -45,14 +65,13 @@ def differences(dataset: Dataset) -> list[str]:
     groups = {
         "not captured yet": [name for name in planned if name in absent and name not in recorded],
         "missing": [name for name in recorded if name in absent],
-        "replaced since the capture": [
+        _REPLACED: [
             name
             for name in recorded
             if name not in absent and content_hash(folder / name) != recorded[name]
         ],
     }
-    total = len({*planned, *recorded})
-    return [_phrase(names, total, what) for what, names in groups.items() if names]
+    return groups, len({*planned, *recorded})
 
 
 def _phrase(names: Sequence[str], total: int, what: str) -> str:
@@ -67,8 +86,20 @@ def record_files(dataset: Dataset) -> None:
     names = (path.relative_to(folder).as_posix() for path in paths if path.is_file())
     new = {name: content_hash(folder / name) for name in names if name not in recorded}
     if new:
-        text = json.dumps(dict(sorted({**recorded, **new}.items())), indent=1)
-        write_atomically(folder / _RECORD, f"{text}\n".encode())
+        _write(folder, {**recorded, **new})
+
+
+def forget(dataset: Dataset, paths: Iterable[Path]) -> None:
+    """Drop what was noted of files that are going to be captured anew."""
+    names = {path.relative_to(dataset.folder).as_posix() for path in paths}
+    recorded = _recorded(dataset.folder)
+    if names & recorded.keys():
+        _write(dataset.folder, {k: v for k, v in recorded.items() if k not in names})
+
+
+def _write(folder: Path, recorded: dict[str, str]) -> None:
+    text = json.dumps(dict(sorted(recorded.items())), indent=1)
+    write_atomically(folder / _RECORD, f"{text}\n".encode())
 
 
 def _recorded(folder: Path) -> dict[str, str]:

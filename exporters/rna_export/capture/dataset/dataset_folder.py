@@ -9,6 +9,7 @@ toy.rays/
   normals/0.safetensors       normal map of a material, as in a package
   base_color/paper.png        image of a material's base colour, or .jpg, .webp
   glass.glb                   smooth glass that is left to hosts, if there is any
+  materials.safetensors       material of each triangle, arrays NAME, numbers of the manifest's
   train/00000.safetensors     samples of some lights, arrays NAME/FIELD
   emission/00000.safetensors  samples of what the asset emits, if it does
   validation/00-0.safetensors one half (of two seeds) of one whole image, likewise
@@ -25,10 +26,12 @@ from pathlib import Path
 
 import numpy as np
 from pydantic import ValidationError
+from safetensors import SafetensorError
+from safetensors.numpy import load_file
 
 from rna_export.capture.dataset.dataset_manifest import CaptureManifest, what_is_wrong
 from rna_export.capture.dataset.dataset_part import DatasetPart
-from rna_export.capture.dataset.sample_files import rows_of, write_arrays
+from rna_export.capture.dataset.sample_files import DAMAGED, rows_of, write_arrays
 from rna_export.capture.dataset.validation_view import WholeView
 from rna_export.capture.geometry.stored_geometry import geometry_arrays
 from rna_sdk.errors import CaptureError
@@ -73,6 +76,7 @@ class Dataset:
         sources: Mapping[str, SourceVertices] | None = None,
         glass: bytes | None = None,
         exact: Mapping[str, Mesh] | None = None,
+        materials: Mapping[str, np.ndarray] | None = None,
     ) -> Dataset:
         """Write geometry and textures, and the manifest, that last: with one it is a dataset.
 
@@ -81,6 +85,8 @@ class Dataset:
         poses: by frame, but for the rest frame: positions of each part, (v, 3) float32.
         sources: vertices of the source, of those parts that have any. glass: a .glb of the glass
         that is left to hosts. exact: meshes before they were quantised, of parts that were.
+        materials: of each surface, (t,) int16, places of its triangles' materials in those of the
+        manifest; -1 for none.
         """
         folder = Path(folder)
         for inner in _MADE:
@@ -101,6 +107,8 @@ class Dataset:
             write_arrays(_pose_path(folder, frame), parts)
         if glass is not None:
             write_atomically(_glass_path(folder), glass)
+        if materials:
+            write_arrays(_materials_path(folder), materials)
         manifest.write(folder / "manifest.json")
         return cls(folder)
 
@@ -140,6 +148,15 @@ class Dataset:
                 return part
         names = ", ".join(part.name for part in self.parts)
         raise CaptureError(f"{self.folder}: found no part {name!r}, expected one of {names}")
+
+    @property
+    def materials(self) -> dict[str, np.ndarray]:
+        """Material of each triangle by surface: see `create`. None for older datasets."""
+        path = _materials_path(self.folder)
+        try:
+            return load_file(path) if path.is_file() else {}
+        except (OSError, SafetensorError) as error:
+            raise CaptureError(DAMAGED.format(path, error)) from error
 
     @property
     def glass(self) -> bytes | None:
@@ -247,6 +264,10 @@ class Dataset:
 
 def _pose_path(folder: Path, frame: int) -> Path:
     return folder / "poses" / f"{frame:05d}.safetensors"
+
+
+def _materials_path(folder: Path) -> Path:
+    return folder / "materials.safetensors"
 
 
 def _glass_path(folder: Path) -> Path:

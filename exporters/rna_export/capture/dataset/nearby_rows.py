@@ -28,14 +28,12 @@ if TYPE_CHECKING:
 OF_DIAGONAL = {"surface": (0.005, 0.015, 0.045), "fiber": (0.004, 0.015, 0.05)}
 """Kind of part -> lengths, over the diagonal of the asset's box (docs/decisions/model.md)."""
 
-TRAINING_RAYS = 12
-"""Rays of each of two estimates; the product of their errors is not biased by noise."""
+TRAINING_RAYS = 48
+"""Rays of a row: noise of 2 to 5% of the variance of nearby light (docs/decisions/model.md)."""
 
 IMAGE_RAYS = 256
 _BLOCK = 1 << 17  # rows of a file
 _DIGITS = 4  # of a length
-ESTIMATES = "nearby", "nearby_again"
-"""Fields of samples: two independent estimates."""
 
 Samples = dict[str, np.ndarray]
 
@@ -51,28 +49,26 @@ def usual_lengths(part: DatasetPart) -> tuple[float, ...]:
     return tuple(float(f"{share * diagonal:.{_DIGITS}g}") for share in OF_DIAGONAL[part.kind])
 
 
-def with_estimates(
+def with_nearby_light(
     samples: Samples,
     part: DatasetPart,
     lengths: tuple[float, ...],
     bars: Callable[..., tqdm] = Bar,
 ) -> Samples:
-    """The samples with two independent estimates of nearby light, (n, 3) float32 each."""
+    """The samples with their nearby light, "nearby" (n, 3) float32."""
     blocks = _blocks(len(samples["wi"]))
     with bars(total=len(blocks), unit="block", desc="nearby light", leave=False) as bar:
         found = []
         for rows in blocks:
-            found.append(_of_rows(samples, rows, part, lengths, (TRAINING_RAYS,) * len(ESTIMATES)))
+            found.append(_of_rows(samples, rows, part, lengths, TRAINING_RAYS))
             bar.update()
-    every = np.concatenate(found, axis=1)
-    return {**samples, **dict(zip(ESTIMATES, every, strict=True))}
+    return {**samples, "nearby": np.concatenate(found)}
 
 
 def of_image(samples: Samples, part: DatasetPart, lengths: tuple[float, ...]) -> np.ndarray:
     """Nearby light of an image's rows, (n, 3) float32."""
     blocks = _blocks(len(samples["wi"]))
-    found = [_of_rows(samples, rows, part, lengths, (IMAGE_RAYS,))[0] for rows in blocks]
-    return np.concatenate(found)
+    return np.concatenate([_of_rows(samples, rows, part, lengths, IMAGE_RAYS) for rows in blocks])
 
 
 def _blocks(count: int) -> list[slice]:
@@ -80,13 +76,9 @@ def _blocks(count: int) -> list[slice]:
 
 
 def _of_rows(
-    samples: Samples,
-    rows: slice,
-    part: DatasetPart,
-    lengths: tuple[float, ...],
-    rays: tuple[int, ...],
+    samples: Samples, rows: slice, part: DatasetPart, lengths: tuple[float, ...], rays: int
 ) -> np.ndarray:
-    """(estimates, n, 3) float32, each with so many rays: kept, or traced and then kept."""
+    """(n, 3) float32 by so many rays: kept, or traced and then kept."""
     x, wi = (np.ascontiguousarray(samples[name][rows]) for name in ("position", "wi"))
     digest = hashlib.sha256(f"{part.dataset.geometry_digest} {lengths} {rays}".encode())
     digest.update(x.data)
@@ -94,13 +86,10 @@ def _of_rows(
     path = nearby_folder(part) / f"{digest.hexdigest()[:32]}.safetensors"
     with suppress(OSError, KeyError, SafetensorError):
         kept = load_file(path)["nearby"]
-        if kept.shape == (len(rays), len(x), len(lengths)):
+        if kept.shape == (len(x), len(lengths)):
             return kept.astype(np.float32)
-    scene = part.dataset.scene
     unit = wi / np.maximum(np.linalg.norm(wi, axis=1, keepdims=True), np.float32(1e-30))
-    traced = np.stack(
-        [nearby_light(scene, lengths, x, unit, count, seed) for seed, count in enumerate(rays)]
-    ).astype(np.float16)
+    traced = nearby_light(part.dataset.scene, lengths, x, unit, rays).astype(np.float16)
     with suppress(OSError):  # of a folder that cannot be written
         path.parent.mkdir(exist_ok=True)
         write_arrays(path, {"nearby": traced})

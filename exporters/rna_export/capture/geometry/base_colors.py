@@ -253,10 +253,11 @@ def blurred(mesh: Mesh, color: BaseColor) -> float:
     rng = np.random.default_rng(0)
     triangle = color.first + rng.choice(len(area), _POINTS, p=area / area.sum())
     root, v = np.sqrt(rng.random(_POINTS)), rng.random(_POINTS)
-    at = triangle, (root * (1.0 - v)).astype(np.float32), (root * v).astype(np.float32)
+    b1, b2 = (root * (1.0 - v)).astype(np.float32), (root * v).astype(np.float32)
     maps = BaseColorMaps(mesh, [color])
     width = float((high - low).max()) / PLANE_TEXELS
-    return float(np.sqrt(np.square(maps.at(*at) - maps.at(*at, width)).mean()))
+    blur = maps.at(triangle, b1, b2) - maps.at(triangle, b1, b2, width)
+    return float(np.sqrt(np.square(blur).mean()))
 
 
 def _difference(image: ColorImage, pixels: np.ndarray) -> float:
@@ -264,8 +265,20 @@ def _difference(image: ColorImage, pixels: np.ndarray) -> float:
     points, number = len(image.uvs), np.arange(len(image.uvs), dtype=np.uint32)
     nowhere, none = np.zeros((points, 3), np.float32), np.zeros(points, np.float32)
     mesh = Mesh(nowhere, nowhere, image.uvs.astype(np.float32), np.tile(number[:, None], (1, 3)))
-    how = image.color_space, (1.0, 1.0, 1.0), image.wrap, image.transform
-    maps = BaseColorMaps(mesh, [BaseColor(0, points, pixels, *how)])
+    maps = BaseColorMaps(
+        mesh,
+        [
+            BaseColor(
+                0,
+                points,
+                pixels,
+                color_space=image.color_space,
+                factor=(1.0, 1.0, 1.0),
+                wrap=image.wrap,
+                transform=image.transform,
+            )
+        ],
+    )
     return float(np.abs(maps.at(number, none, none) - np.clip(image.shown, 0.0, 1.0)).mean())
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -61,6 +62,14 @@ class ExportedParts:
     materials: dict[str, np.ndarray] = field(default_factory=dict)
     glass: bytes | None = None
     notes: list[str] = field(default_factory=list)
+
+    def material_numbers(self, full_names: Sequence[str]) -> dict[str, np.ndarray]:
+        """By surface, (t,) int16: places of its materials among these; -1 for other materials."""
+        place = {name: k for k, name in enumerate(full_names)}
+        return {
+            part: np.array([place.get(str(name), -1) for name in names], np.int16)
+            for part, names in self.materials.items()
+        }
 
     def captured(self) -> tuple[CapturedPart, ...]:
         """The parts as records of the dataset's manifest."""

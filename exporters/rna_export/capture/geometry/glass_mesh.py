@@ -11,7 +11,7 @@ import numpy as np
 from rna_export.capture.geometry.mesh_cleanup import welded
 from rna_export.capture.preflight.material_record import Glass
 from rna_sdk.package import Mesh
-from rna_sdk.package.geometry.glb_writer import pack_glb
+from rna_sdk.package.container.glb_chunks import pack_glb
 
 _EXTENSIONS = ["KHR_materials_transmission", "KHR_materials_volume", "KHR_materials_ior"]
 _FLOAT, _UNSIGNED = 5126, 5125

@@ -11,6 +11,12 @@ from rna_export.capture.preflight.material_record import Detail, Glass, Material
 
 Learnt = Literal["well", "roughly", "not", "left to the host"]
 _WORSE: dict[Learnt, int] = {"well": 0, "left to the host": 0, "roughly": 1, "not": 2}
+_PROMISES: dict[Learnt, str] = {
+    "well": "learnt well",
+    "roughly": "learnt roughly",
+    "not": "not learnt",
+    "left to the host": "left to the host",
+}
 
 _TEXELS = 2.0  # of a plane, from one detail to the next, at the least
 _LOST = 0.5  # of that: relief of a plane's texel
@@ -34,29 +40,41 @@ class MaterialVerdict(DatasetModel):
     """How well a material is learnt.
 
     is_: what it is, in words. reasons: what is lost, and what to do; none if nothing is. share: of
-    what is seen of the asset. scatters: whether light enters it, and leaves elsewhere.
+    what is seen of the asset. full_name: in Blender, where libraries may have others of its name.
+    loses: the only part of it that is not learnt; None where that is all of it, or nothing.
+    scatters: whether light enters it, and leaves elsewhere.
     """
 
     name: str
+    full_name: str = ""
     is_: str
     learnt: Learnt
+    loses: Literal["relief"] | None = None
     reasons: tuple[str, ...] = ()
     share: float = 1.0
     scatters: bool = True
 
     @property
+    def promise(self) -> str:
+        """How well it is learnt, in words."""
+        if self.learnt == "not" and self.loses is not None:
+            return f"learnt without its {self.loses}"
+        return _PROMISES[self.learnt]
+
+    @property
     def lines(self) -> list[str]:
         """The verdict in the terminal and on the contact sheet."""
-        learnt = self.learnt if self.learnt == "left to the host" else f"learnt {self.learnt}"
-        learnt = "not learnt" if self.learnt == "not" else learnt
         seen = "" if self.share >= 1.0 else f" ({share_text(self.share)} of what is seen)"
-        first = f"  {self.name!r}: {self.is_}: {learnt}{seen}"
+        first = f"  {self.name!r}: {self.is_}: {self.promise}{seen}"
         return [first, *(f"    {reason}" for reason in self.reasons)]
 
 
 class _Reason(NamedTuple):
+    """loses: the part that is not learnt, see `MaterialVerdict`."""
+
     learnt: Learnt
     text: str
+    loses: Literal["relief"] | None = None
 
 
 def verdicts(
@@ -85,9 +103,11 @@ def verdicts(
     return tuple(sorted(result, key=lambda each: -_WORSE[each.learnt]))
 
 
-def not_learnt(of: Iterable[MaterialVerdict]) -> tuple[str, float]:
-    """Materials with a part that is not learnt, in words, and their share of the visible area."""
-    those = [each for each in of if each.learnt == "not"]
+def not_learnt(
+    of: Iterable[MaterialVerdict], loses: Literal["relief"] | None = None
+) -> tuple[str, float]:
+    """Materials that are not learnt, or lose only `loses`, and their share of the visible area."""
+    those = [each for each in of if each.learnt == "not" and each.loses == loses]
     share = sum(each.share for each in those)
     seen = f" ({share_text(share)} of what is seen)" if share < 1.0 else ""
     return ", ".join(repr(each.name) for each in those) + seen, share
@@ -129,10 +149,13 @@ def _verdict(
     learnt = max((r.learnt for r in reasons), key=_WORSE.__getitem__, default="well")
     reasons.sort(key=lambda reason: -_WORSE[reason.learnt])
     texts = tuple(reason.text for reason in reasons)
+    lost = {reason.loses for reason in reasons if reason.learnt == "not"}
     return MaterialVerdict(
         name=facts.name,
+        full_name=facts.full_name,
         is_=_in_words(facts),
         learnt=learnt,
+        loses=lost.pop() if len(lost) == 1 else None,
         reasons=texts,
         scatters=not _SCATTERING.isdisjoint(facts.kinds),
     )
@@ -195,6 +218,7 @@ def _of_detail(detail: Detail, least: float, obstacle: str | None) -> _Reason | 
             "not" if is_lost else "roughly",
             f"its relief by {detail.node!r} is finer than the planes {finer} and {becomes}: "
             f"{_remedy(obstacle, 'a normal map')}, {coarser}",
+            "relief",
         )
     if detail.of == "gloss":
         return _Reason(

@@ -60,14 +60,14 @@ def fiber_lights(
     tangent: np.ndarray, wo: np.ndarray, rng: np.random.Generator
 ) -> Iterator[LightSamples]:
     """`LIGHTS` directions of each point of strands; tangent, wo: (k, 3) float32, unit."""
-    at = np.zeros_like(tangent), tangent, wo
+    no_normals = np.zeros_like(tangent)
     shift = rng.random((len(tangent), 2))
     for number in range(LIGHTS):
         u = np.stack(
             [(number + shift[:, 0]) / LIGHTS, (shift[:, 1] + number * GOLDEN) % 1.0], axis=1
         )
-        wi = _FIBER.sample(*at, u)
-        yield LightSamples(wi, _FIBER.pdf(*at, wi).astype(np.float64))
+        wi = _FIBER.sample(no_normals, tangent, wo, u)
+        yield LightSamples(wi, _FIBER.pdf(no_normals, tangent, wo, wi).astype(np.float64))
 
 
 def _density(n: np.ndarray, wo: np.ndarray, narrowest: float, wi: np.ndarray) -> np.ndarray:

@@ -54,8 +54,17 @@ class Inputs(torch.autograd.Function):
         sources = features.detach(), p, axis, axis.new_empty(0) if h is None else h, wo
         arrays = [_whole(x) for x in (*sources, wo if wi is None else wi)]
         queries = torch.empty(len(arrays[0]), query_width(blocks, features.shape[1]))
-        into = columns, h is not None, queries.numpy()
-        _fill(arrays[0], arrays[1], arrays[2], arrays[3], arrays[4], arrays[5], *into)
+        _fill(
+            arrays[0],
+            arrays[1],
+            arrays[2],
+            arrays[3],
+            arrays[4],
+            arrays[5],
+            columns,
+            h is not None,
+            queries.numpy(),
+        )
         ctx.arrays, ctx.columns = arrays, columns
         # The whole tensor, or a copy: autograd lets nobody write into a function's view.
         rows = len(features)

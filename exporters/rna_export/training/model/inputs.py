@@ -29,8 +29,7 @@ def assemble(blocks: tuple[str, ...], features: Tensor, p: Tensor, at: Points) -
         axis, h = at["normal"], None
     else:
         axis, h = at["tangent"], at["h"]
-    columns = blocks, features, p, axis, h, at["wo"], at.get("wi")
-    queries: Tensor = Inputs.apply(*columns)  # type: ignore[no-untyped-call]
+    queries: Tensor = Inputs.apply(blocks, features, p, axis, h, at["wo"], at.get("wi"))  # type: ignore[no-untyped-call]
     return queries
 
 

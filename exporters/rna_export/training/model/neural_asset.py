@@ -99,29 +99,14 @@ class NeuralAsset(nn.Module):
 
     def forward(self, at: Points, blur: float | Tensor = 1.0) -> Tensor:
         """y = log(x / unit + 1) of each colour, (k, 1 to 3, 3)."""
-        return self.seen(self.answer(at, blur), at.get("nearby"))
-
-    def seen(self, answer: Tensor, nearby: Tensor | None) -> Tensor:
-        """y of an `answer`, for nearby light (k, lengths); None for a model without."""
-        if not self.config.nearby or nearby is None:
-            return answer
-        shares = torch.cat([torch.ones_like(nearby[:, :1]), nearby], dim=1)
-        return torch.log1p(torch.einsum("k...sc,ks->k...c", answer, shares).clamp(min=_LEAST - 1.0))
-
-    def answer(self, at: Points, blur: float | Tensor = 1.0) -> Tensor:
-        """y of each colour, (k, 1 to 3, 3).
-
-        Of a model with nearby light x / unit instead, (k, 1 to 3, 1 + lengths, 3): a part of its
-        own, and one for each length that nearby light multiplies; see `seen`.
-        """
         features, p = self._features(at, blur), self._place(at)
         colours = [self._colours_of_decoder(features, p, at)]
         if self.shadow is not None:
             colours.append(self._shadowed(self.shadow, features, p, at))
         return torch.cat(colours, dim=1)
 
-    def own_answer(self, at: Points, lit: int, blur: float | Tensor = 1.0) -> Tensor:
-        """The `answer`, (k, 3), of visible light at the first `lit` points, of shadowed at others.
+    def own_light(self, at: Points, lit: int, blur: float | Tensor = 1.0) -> Tensor:
+        """y, (k, 3), of visible light at the first `lit` points, of shadowed at others.
 
         Of a surface's model with a decoder for shadowed light: each decoder sees its points alone.
         """
@@ -135,7 +120,7 @@ class NeuralAsset(nn.Module):
         return torch.cat([visible, shadowed]).squeeze(1)
 
     def _colours_of_decoder(self, features: Tensor, p: Tensor, at: Points) -> Tensor:
-        """The answer of all colours except `shadow`."""
+        """y of all colours except `shadow`."""
         queries = assemble(self.config.inputs, features, p, at)
         y = through(self.decoder, queries, self._in_bfloat16)
         if self.config.material == "gltf":
@@ -146,13 +131,13 @@ class NeuralAsset(nn.Module):
         return self._colours(y, at, counts if self.shadow is None else counts[:-1])
 
     def _shadowed(self, shadow: ShadowDecoder, features: Tensor, p: Tensor, at: Points) -> Tensor:
-        """The answer of the colour of `shadow`."""
+        """y of the colour of `shadow`."""
         queries = assemble(shadow.inputs, features, p, at)
         # Much of it is black. What is below 0 costs nothing, so blacks need not be hit exactly.
         return self._colours(_cut_off(shadow(queries)), at, (True,))
 
     def _colours(self, y: Tensor, at: Points, counts_nearby: tuple[bool, ...]) -> Tensor:
-        """The answer of colours from outputs of a decoder.
+        """y of colours from outputs of a decoder.
 
         These are those of each colour, of two terms where base colour is a factor; then those for
         each length of nearby light, of the colours that count it, the last ones.
@@ -162,11 +147,12 @@ class NeuralAsset(nn.Module):
             return self._with_base_color(y, at)
         terms, lengths = 2 if self.config.uses_base_color else 1, len(self.config.nearby)
         x, every = _cut_off(y), len(counts_nearby)
-        own = self._terms_summed(x[:, : terms * every], at)[:, :, None]
-        counting = x[:, terms * every :].unflatten(1, (lengths, -1))
-        of_nearby = self._terms_summed(counting, at).transpose(1, 2)
+        total = self._terms_summed(x[:, : terms * every], at)
+        of_lengths = self._terms_summed(x[:, terms * every :].unflatten(1, (lengths, -1)), at)
+        of_nearby = torch.einsum("klsc,kl->ksc", of_lengths, at["nearby"])
         silent = every - of_nearby.shape[1]
-        return torch.cat([own, nn.functional.pad(of_nearby, (0, 0, 0, 0, silent, 0))], dim=2)
+        total = total + nn.functional.pad(of_nearby, (0, 0, silent, 0))
+        return torch.log1p(total.clamp(min=_LEAST - 1.0))
 
     def _terms_summed(self, y: Tensor, at: Points) -> Tensor:
         """x / unit of colours, (k, ..., colours, 3), of y of their terms."""

@@ -10,7 +10,6 @@ import torch
 from torch import Tensor
 
 from rna_export.capture.dataset.dataset_part import DatasetPart
-from rna_export.capture.dataset.nearby_rows import ESTIMATES
 from rna_export.training.model.inputs import Points
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.model.tensor_vectors import dot
@@ -40,29 +39,26 @@ def sample_loss(
     with a decoder for shadowed light, each of whose decoders then sees its own samples alone.
     """
     v = at["visible"]
-    answer = model.answer(at, blur) if lit is None else model.own_answer(at, lit, blur)
-    ys = [model.seen(answer, at[name]) for name in ESTIMATES if name in at] or [answer]
     if not model.config.separates_direct:
         weight = _weights(v, shadow_weight)
         if lit is None:
-            picked = [_of_visibility(y, model.units, v) for y in ys]
-            ys, unit = [y for y, _ in picked], picked[0][1]
+            y, unit = _of_visibility(model(at, blur), model.units, v)
         else:
+            y = model.own_light(at, lit, blur)
             of_visible, of_shadowed = model.units
             unit = torch.cat([of_visible.expand(lit, 1), of_shadowed.expand(len(v) - lit, 1)])
         if model.shadow is not None:
-            weight = weight * _weights_of_glow(at, ys[0], unit, model.shadow.unit)
-        return _LOSSES[loss](ys[0], at["radiance"], unit, weight, ys[-1])
-    y = ys[0]
+            weight = weight * _weights_of_glow(at, y, unit, model.shadow.unit)
+        return _LOSSES[loss](y, at["radiance"], unit, weight)
+    y = model(at, blur)
     scattered, unit = _of_visibility(y[:, 1:], model.units[1:], v)
-    again = _of_visibility(ys[-1][:, 1:], model.units[1:], v)[0] if len(ys) > 1 else scattered
     of_light = at["direct"]
     if v.dim() == 1:
         v = v[:, None]
     else:  # weakened by what it came through
         of_light = of_light / v.clamp(min=_LEAST_VISIBLE)
     direct = _LOSSES[loss](y[:, 0], of_light, model.unit, v)
-    return direct + unbiased_l2(scattered, at["radiance"] - at["direct"], unit, again=again)
+    return direct + unbiased_l2(scattered, at["radiance"] - at["direct"], unit)
 
 
 def _weights(visible: Tensor, of_shadow: float) -> Tensor | float:
@@ -101,51 +97,27 @@ def _of_visibility(y: Tensor, units: Tensor, v: Tensor) -> tuple[Tensor, Tensor]
 
 
 def log_l2(
-    y: Tensor,
-    target: Tensor,
-    unit: Tensor | float = 1.0,
-    weight: Tensor | float = 1.0,
-    again: Tensor | None = None,
+    y: Tensor, target: Tensor, unit: Tensor | float = 1.0, weight: Tensor | float = 1.0
 ) -> Tensor:
     """Squared error of log(x / unit + 1): the paper, section 4.2, where the unit is 1.
 
-    Noise in the targets darkens what it learns: see `darkening`. again: y by another estimate of
-    nearby light; the product of both errors has no bias of the estimates' variance.
+    Noise in the targets darkens what it learns: see `darkening`.
     """
-    wanted = torch.log1p(target / unit)
-    if again is None or again is y:
-        return (weight * (y - wanted).square()).mean()
-    return (weight * (y - wanted) * (again - wanted)).mean()
+    return (weight * (y - torch.log1p(target / unit)).square()).mean()
 
 
 def unbiased_l2(
-    y: Tensor,
-    target: Tensor,
-    unit: Tensor | float = 1.0,
-    weight: Tensor | float = 1.0,
-    again: Tensor | None = None,
+    y: Tensor, target: Tensor, unit: Tensor | float = 1.0, weight: Tensor | float = 1.0
 ) -> Tensor:
     """Squared error of x over (x + unit)^2, x as predicted: near the truth it is `log_l2`.
 
     Its minimum is the mean of noisy targets, since the denominator is held fixed: Lehtinen et
     al., "Noise2Noise", 2018, section 3.2; Mueller et al., "Real-time Neural Radiance Caching for
     Path Tracing", 2021, section 4.1.
-
-    again: y by another estimate of nearby light. Its error scales the gradient of the first, and
-    the first error the gradient of the second, so that the factors of each are independent and the
-    gradient is 0 in the mean at the truth. Values are twice as large then, gradients are not.
     """
-    wanted, x = target / unit, torch.expm1(y)
-    if again is None or again is y:
-        return (weight * (_over_denominator(x) * (x - wanted)).square()).mean()
-    other = torch.expm1(again)
-    of_first = (other - wanted).detach() * (x - wanted) * _over_denominator(x).square()
-    of_other = (x - wanted).detach() * (other - wanted) * _over_denominator(other).square()
-    return (weight * (of_first + of_other)).mean()
-
-
-def _over_denominator(x: Tensor) -> Tensor:
-    return 1.0 / (x.detach().clamp(min=0.0) + 1.0)
+    x_over_unit = torch.expm1(y)
+    scale = 1.0 / (x_over_unit.detach().clamp(min=0.0) + 1.0)
+    return (weight * (scale * (x_over_unit - target / unit)).square()).mean()
 
 
 _LOSSES = {"log": log_l2, "unbiased": unbiased_l2}

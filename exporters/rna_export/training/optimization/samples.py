@@ -13,10 +13,9 @@ import torch
 from torch import Tensor
 from torch.utils.data import IterableDataset
 
-from rna_export.capture.dataset.nearby_rows import ESTIMATES
-
 _DIM = 0.02  # of the mean of what an asset emits
 _STRAY = 8.0  # times the 99th percentile of shadowed radiance
+_HIGHLIGHT, _TERMINATOR = 0.9, -0.05  # cosines: of normal and half vector, of normal and light
 _GATHERED = 32  # batches at once: random rows of a large table come from memory one by one
 _MOST_GATHERED = 2**22  # rows
 _MOST_ON_CARD = 0.6  # of a card's free memory, for the table; the rest is for steps
@@ -87,7 +86,7 @@ class SampleTable(IterableDataset[Tensor]):
         """Mean nearby light where samples see the light and where they do not, (2, lengths)."""
         samples = columns(self.rows, self.fields)
         lit = samples["visible"].reshape(len(self), -1).mean(dim=1) > 0.5
-        means = [samples[ESTIMATES[0]][k].mean(dim=0) for k in (lit, ~lit)]
+        means = [samples["nearby"][k].mean(dim=0) for k in (lit, ~lit)]
         return torch.stack(means).nan_to_num().clamp(max=1.0)
 
     @cached_property
@@ -154,11 +153,12 @@ class SampleTable(IterableDataset[Tensor]):
 
 
 def without_stray_highlights(samples: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
-    """The samples of a surface, shadowed ones clipped at 8 times their 99th percentile.
+    """The samples of a surface, direct highlights in shadow clipped at 8 times its 99th percentile.
 
     Near the terminator Cycles sees some highlights where our visibility ray is blocked: one
     shadowed sample in 1,000 or 10,000, as bright as a lit one, and such samples rule the fit of
-    all others (docs/decisions/losses.md). Strands, whose direct light is apart, and emission stay.
+    all others (docs/decisions/losses.md). What is as bright beside the mirrored direction is light
+    that metal reflects into shadow. Strands, whose direct light is apart, and emission stay.
     """
     if "visible" not in samples or "direct" in samples:
         return samples
@@ -169,8 +169,17 @@ def without_stray_highlights(samples: dict[str, np.ndarray]) -> dict[str, np.nda
     most = _STRAY * np.percentile(radiance[shadowed].max(axis=1), 99.0)
     if most == 0.0:
         return samples
-    clipped = np.where(shadowed[:, None], np.minimum(radiance, most), radiance)
+    is_stray = shadowed & (radiance.max(axis=1) > most)
+    is_stray[is_stray] = _mirrors_the_light(*(samples[k][is_stray] for k in ("normal", "wo", "wi")))
+    clipped = np.where(is_stray[:, None], np.minimum(radiance, most), radiance)
     return {**samples, "radiance": clipped}
+
+
+def _mirrors_the_light(normal: np.ndarray, wo: np.ndarray, wi: np.ndarray) -> np.ndarray:
+    """Whether directions (n, 3) lie in the highlight that a light makes on a surface: (n,) bool."""
+    h = wi + wo
+    along = np.sum(normal * h, axis=1) / np.maximum(np.linalg.norm(h, axis=1), 1e-9)
+    return np.asarray((along > _HIGHLIGHT) & (np.sum(normal * wi, axis=1) > _TERMINATOR))
 
 
 def _kinds(samples: dict[str, np.ndarray]) -> list[Tensor]:

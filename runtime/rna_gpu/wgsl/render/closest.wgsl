@@ -32,6 +32,7 @@ fn closest(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     let far = min(followed.first / rna_instances[path.ignored].scale, RNA_FAR);
     let way = RnaRay(path.leaving, 0.0, query.wi, far);
+    queries[k].at_point.far = far;
     queries[k].at_point.visible = start_visibility(path.ignored, way, query.strand);
     queries[k].at_point.weight = query.weight * followed.weight;
 }

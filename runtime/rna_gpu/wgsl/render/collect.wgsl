@@ -56,7 +56,7 @@ fn collect_emission(k: u32, path: Path, record: RnaPrimitive) {
     let v = vertex_of(path);
     let none = vec3f(0.0);
     queries[k].at_point = Query(
-        v.x, v.h, v.axis, v.part, v.wo, light, v.wo, NONE, weight, 0.0, none, 0u, none,
+        v.x, v.h, v.axis, v.part, v.wo, light, v.wo, NONE, weight, 0.0, none, 0.0, none, none,
     );
 }
 

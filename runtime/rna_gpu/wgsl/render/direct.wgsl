@@ -28,12 +28,6 @@ fn chosen_light(pixel: u32) -> u32 {
     return chosen;
 }
 
-fn light_point(pixel: u32) -> vec2f {
-    let which = select(frame.light, 0u, frame.light == NONE);
-    let dimension = (frame.depth - 1u) * DIMENSIONS + LIGHT + which;
-    return square(pixel, dimension, path_of_pixel() * frame.parts + frame.part);
-}
-
 // Queries what an asset emits at the sampled point of it, towards the path's point, weighted by the
 // share that does not let light through; evaluates it for an object. Returns the sample with its radiance.
 fn shining(k: u32, light: u32, sampled: LightSample) -> LightSample {
@@ -51,7 +45,7 @@ fn shining(k: u32, light: u32, sampled: LightSample) -> LightSample {
     let none = vec3f(0.0);
     let part = surface_part(rna_surface(record));
     queries[k].at_light = Query(
-        there.x, 0.0, there.axis, part, -d, light, -d, NONE, none, 0.0, none, 0u, none,
+        there.x, 0.0, there.axis, part, -d, light, -d, NONE, none, 0.0, none, 0.0, none, none,
     );
     return lit;
 }
@@ -115,8 +109,8 @@ fn direct_neural(k: u32, path: Path, v: Vertex, light: u32, sampled: LightSample
     let pdf_of_ray = lobe_density(lobe_frame(v.shading, tangent, v.wo), surface_lobes(v.surface), wi);
     let weight = path.beta * sampled.radiance * light_share(light, sampled.pdf, pdf_of_ray) * tau;
     queries[k].at_point = Query(
-        v.x, v.h, v.axis, v.part, v.wo, light, wi, v.strand, weight, 0.0, visible, 0u,
-        base_color_of(path, v),
+        v.x, v.h, v.axis, v.part, v.wo, light, wi, v.strand, weight, 0.0, visible, far,
+        base_color_of(path, v), vec3f(0.0),
     );
     count_seen(k, mean_of(visible) * mean_of(tau));
 }
@@ -149,7 +143,7 @@ fn direct(@builtin(global_invocation_id) id: vec3<u32>) {
     if (catches && frame.depth != 1u) || is_same_light(light, v) {
         return;
     }
-    var sampled = sample_light(light, v.x_world, light_point(path.pixel));
+    var sampled = sample_light(light, v.x_world, at_light_sample(path.pixel, LIGHT));
     if sampled.pdf > 0.0 && sampled.primitive != NONE {
         sampled = shining(k, light, sampled);
     }

@@ -1,10 +1,11 @@
 // What rays pass through: rna_trace/embree/filters.py. Rays pass hits at random, as often as these
-// let light through; shadow rays pass all and are weakened.
+// let light through; shadow rays pass all and are weakened; columns of nearby light pass what lets through most.
 
 const ALL_STOP: u32 = 0u;
 const AT_RANDOM: u32 = 1u; // the mean of the colours
 const WEAKEN: u32 = 2u;
 const WEIGH: u32 = 3u; // stops at nothing; colour over mean of what AT_RANDOM has passed
+const PASS_MOST: u32 = 4u; // what lets through half of the light or more: spec/RNA.md, 7.3
 
 var<private> passing: u32;
 var<private> passed_weight: vec3f;
@@ -52,6 +53,9 @@ fn rna_stops(primitive: u32, ray: RnaRay, crossing: vec3f, instance: u32) -> boo
         return all(passed_weight <= vec3f(0.0));
     }
     let mean = (tau.x + tau.y + tau.z) / 3.0;
+    if passing == PASS_MOST {
+        return mean < 0.5;
+    }
     let passes = mean > 0.0 && chance(primitive, instance) < mean;
     if passing == AT_RANDOM {
         return pass_at_random(tau, mean, passes);

@@ -53,7 +53,7 @@ fn gather(@builtin(global_invocation_id) id: vec3<u32>) {
     rows[row] = RnaRow(
         bits_of(query.x), bitcast<u32>(query.h), bits_of(query.axis), bitcast<u32>(query.base_color.x),
         bits_of(query.wo), bitcast<u32>(query.base_color.y), bits_of(query.wi),
-        bitcast<u32>(query.base_color.z),
+        bitcast<u32>(query.base_color.z), bits_of(query.nearby), 1u,
     );
     path_of_row[row] = k;
     if (frame.flags & (FOR_EMISSION | FOR_LIGHT)) == 0u && !is_counted(query.visible) {

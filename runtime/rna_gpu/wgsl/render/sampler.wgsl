@@ -45,6 +45,13 @@ fn at_point(pixel: u32, dimension: u32) -> vec2f {
     return square(pixel, (frame.depth - 1u) * DIMENSIONS + dimension, path_of_pixel());
 }
 
+// For the sample of a light that the step is about, or its nearby light.
+fn at_light_sample(pixel: u32, dimension: u32) -> vec2f {
+    let which = select(frame.light, 0u, frame.light == NONE);
+    let of_light = (frame.depth - 1u) * DIMENSIONS + dimension + which;
+    return square(pixel, of_light, path_of_pixel() * frame.parts + frame.part);
+}
+
 // What a path's next ray passes at random through.
 fn chance_of(pixel: u32) -> u32 {
     let path = hash_bits(hash_bits(frame.seed + 1u) ^ hash_bits(pixel + 1u));

@@ -45,8 +45,8 @@ fn scatter(@builtin(global_invocation_id) id: vec3<u32>) {
         pdf = lobe_density(at, lobes, wi);
         let weight = beta / max(pdf, 1e-30);
         queries[k].at_point = Query(
-            v.x, v.h, v.axis, v.part, v.wo, NONE, wi, v.strand, weight, 0.0, vec3f(0.0), 0u,
-            base_color_of(path, v),
+            v.x, v.h, v.axis, v.part, v.wo, NONE, wi, v.strand, weight, 0.0, vec3f(0.0), 0.0,
+            base_color_of(path, v), vec3f(0.0),
         );
         paths[k].leaving = leaving_point(v, wi);
         beta = vec3f(0.0); // until the decoder has answered

@@ -19,6 +19,7 @@ const CHOICES: u32 = 1u;
 const DIRECTION: u32 = 2u;
 const ROULETTE: u32 = 3u;
 const LIGHT: u32 = 4u;
+const NEARBY: u32 = 0x200000u;
 const LENS: u32 = 0x100000u;
 const DIMENSIONS: u32 = 7u;
 const HAS_SKY: u32 = 1u;
@@ -30,7 +31,7 @@ const TRANSMITS: u32 = 32u;
 const FOR_VISIBLE: u32 = 64u;
 const FOR_SHADOWED: u32 = 128u;
 
-struct Frame { // 192 bytes
+struct Frame { // 208 bytes
     camera: vec3f, // 0
     width: u32, // 12
     corner: vec3f, // 16; direction through the image's top left corner
@@ -64,6 +65,7 @@ struct Frame { // 192 bytes
     lens_x: vec3f, // 160; to the right, as long as the lens's radius
     focus: f32, // 172; distance of the sharp plane; 0 of a pinhole
     lens_y: vec3f, // 176; likewise, up
+    lengths: vec3f, // 192; of the nearby light that neural_part counts; object space
 }
 
 struct Path { // 96 bytes
@@ -83,7 +85,7 @@ struct Path { // 96 bytes
     b2: f32, // 92
 }
 
-struct Query { // 112 bytes
+struct Query { // 128 bytes
     x: vec3f, // 0
     h: f32, // 12
     axis: vec3f, // 16
@@ -95,11 +97,12 @@ struct Query { // 112 bytes
     weight: vec3f, // 64
     seen: f32, // 76; mean of what all that is in the way leaves of the light
     visible: vec3f, // 80; what the asset itself leaves of it
-    reserved: u32, // 92
+    far: f32, // 92; distance of the light, object space; RNA_FAR of one without
     base_color: vec3f, // 96
+    nearby: vec3f, // 112; nearby light, where the part counts it
 }
 
-struct PathQueries { // 224 bytes
+struct PathQueries { // 256 bytes
     at_point: Query, // 0; what the path's point scatters or emits
-    at_light: Query, // 112; what an asset emits at its point that was sampled as a light
+    at_light: Query, // 128; what an asset emits at its point that was sampled as a light
 }

@@ -88,8 +88,9 @@ class AssetEmission(TriangleLight):
         result = np.zeros_like(d_world)
         for mesh, (start, stop) in zip(self._meshes.values(), pairwise(self._cuts), strict=True):
             row = np.flatnonzero((triangle >= start) & (triangle < stop))
-            at = triangle[row] - np.int32(start), u[row], v[row], -d_world[row]
-            result[row] = mesh.emission(*at) * mesh.opacity(*at)
+            own, wo = triangle[row] - np.int32(start), -d_world[row]
+            emitted = mesh.emission(own, u[row], v[row], wo)
+            result[row] = emitted * mesh.opacity(own, u[row], v[row], wo)
         return result
 
 
@@ -133,8 +134,12 @@ class AssetLight(ShapeLight):
     def eval_hit(
         self, x_world: np.ndarray, d_world: np.ndarray, hits: ClosestHits, ng_world: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
-        lines = self._in_object(x_world), d_world @ self._rotation
-        radiance, pdf = self._emission.eval_hit(*lines, hits, hits.ng)
+        radiance, pdf = self._emission.eval_hit(
+            x_world=self._in_object(x_world),
+            d_world=d_world @ self._rotation,
+            hits=hits,
+            ng_world=hits.ng,
+        )
         return self.factor * radiance, pdf
 
     def _in_object(self, x_world: np.ndarray) -> np.ndarray:
@@ -186,12 +191,13 @@ class _MeshEmitter:
         points = points_of_a_triangle(divisions)
         result = np.zeros(count)
         for k, (u, v) in enumerate(points):
-            at = triangle, np.full(count, u, np.float32), np.full(count, v, np.float32)
-            normals = interpolate_normals(mesh.normals, mesh.triangles, *at)
+            b1, b2 = np.full(count, u, np.float32), np.full(count, v, np.float32)
+            normals = interpolate_normals(mesh.normals, mesh.triangles, triangle, b1, b2)
             for j, cosine in enumerate((*_COSINES, *-_COSINES)):
                 azimuth = _GOLDEN * (triangle + count * (4 * k + j))
                 wo = _about(normals, cosine, azimuth)
-                result += luminance(self.emission(*at, wo) * self.opacity(*at, wo))
+                emitted = self.emission(triangle, b1, b2, wo)
+                result += luminance(emitted * self.opacity(triangle, b1, b2, wo))
         result /= 4.0 * len(points)
         floor = result.mean() if count else 0.0
         return (1.0 - EMISSION_FLOOR) * result + EMISSION_FLOOR * floor

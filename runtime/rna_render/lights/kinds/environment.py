@@ -74,14 +74,22 @@ class EnvironmentImageLight(InfiniteLight):
         return EnvironmentImageLight(self.model, self._image.compensated())
 
     def _fill(self, x_world: np.ndarray, u: np.ndarray, samples: LightSamples) -> None:
-        out = samples.wi_world, samples.radiance, samples.pdf
-        sample_image_batch(self.colour, self.image.numbers, self.image.words, u, *out)
+        sample_image_batch(
+            self.colour,
+            self.image.numbers,
+            self.image.words,
+            u,
+            samples.wi_world,
+            samples.radiance,
+            samples.pdf,
+        )
         samples.distance[:] = np.inf
 
     def eval_environment(self, d_world: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        out = np.empty((len(d_world), 3), np.float32), np.empty(len(d_world), np.float32)
-        look_up_image_batch(self.colour, self.image.numbers, self.image.words, d_world, *out)
-        return out
+        numbers, words = self.image.numbers, self.image.words
+        radiance, pdf = np.empty_like(d_world, np.float32), np.empty(len(d_world), np.float32)
+        look_up_image_batch(self.colour, numbers, words, d_world, radiance, pdf)
+        return radiance, pdf
 
 
 @compiled(fastmath=())

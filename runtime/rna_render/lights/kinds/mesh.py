@@ -77,9 +77,19 @@ class TriangleLight(ShapeLight):
         """
         place = np.zeros((len(x_world), 3))
         if len(self.cumulative):
-            mesh = self._corners, self._normals, self._cumulative, self._per_area
-            out = samples.wi_world, samples.distance, samples.pdf
-            _sample(numbers, *mesh, x_world, u, *out, place)
+            _sample(
+                numbers,
+                self._corners,
+                self._normals,
+                self._cumulative,
+                self._per_area,
+                x_world,
+                u,
+                samples.wi_world,
+                samples.distance,
+                samples.pdf,
+                place,
+            )
         return place
 
     def sent(self, place: np.ndarray, d_world: np.ndarray) -> np.ndarray:
@@ -107,8 +117,7 @@ class TriangleLight(ShapeLight):
         x_world = vectors("x_world", x_world)
         d_world = vectors("d_world", d_world, len(x_world))
         pdf = np.empty(len(x_world), np.float32)
-        mesh = self._corners, self._normals, self._per_area
-        _mesh_pdf(*mesh, x_world, d_world, triangle, pdf)
+        _mesh_pdf(self._corners, self._normals, self._per_area, x_world, d_world, triangle, pdf)
         return pdf
 
 

@@ -25,8 +25,9 @@ class PointLight(Light):
         return float(4.0 * np.pi * luminance(self.colour))
 
     def _fill(self, x_world: np.ndarray, u: np.ndarray, samples: LightSamples) -> None:
-        out = samples.wi_world, samples.distance, samples.radiance, samples.pdf
-        _sample(self.numbers, x_world, *out)
+        _sample(
+            self.numbers, x_world, samples.wi_world, samples.distance, samples.radiance, samples.pdf
+        )
 
 
 make = PointLight

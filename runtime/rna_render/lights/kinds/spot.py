@@ -38,8 +38,9 @@ class SpotLight(Light):
         return float(2.0 * np.pi * self._cap * luminance(self.colour))
 
     def _fill(self, x_world: np.ndarray, u: np.ndarray, samples: LightSamples) -> None:
-        out = samples.wi_world, samples.distance, samples.radiance, samples.pdf
-        _sample(self.numbers, x_world, *out)
+        _sample(
+            self.numbers, x_world, samples.wi_world, samples.distance, samples.radiance, samples.pdf
+        )
 
 
 make = SpotLight

@@ -25,6 +25,9 @@ WIDTHS_OF_ATTRIBUTES = {"POSITION": 3, "NORMAL": 3, "TANGENT": 4, "TEXCOORD_0": 
 # Extensions that a file may require of its reader. Those of materials may be left out of the look.
 KNOWN_EXTENSIONS = {"KHR_mesh_quantization", "KHR_texture_transform", "EXT_texture_webp"}
 
+# Of nodes. A package is an asset of the scene, beside its objects; its fallback is shown.
+NOT_SHOWN = {"EXT_mesh_gpu_instancing", "RNA_relightable_asset"}
+
 
 def read_gltf(path: Path, with_materials: bool) -> MeshFile:
     """The parts of a .gltf or .glb file, in the world of its scene.
@@ -73,8 +76,7 @@ def _primitives(
         node = nodes[number]
         matrix = world_from_parent @ local_matrix(node)
         stack += [(matrix, child) for child in reversed(node.get("children", ()))]
-        if "EXT_mesh_gpu_instancing" in node.get("extensions", {}):
-            left_out.add("EXT_mesh_gpu_instancing")
+        left_out |= NOT_SHOWN & set(node.get("extensions", {}))
         if "mesh" not in node:
             continue
         mesh = document["meshes"][node["mesh"]]

@@ -98,7 +98,7 @@ function packLayer(pieces, { weight, bias, rows, columns, step: int8_step = 0, s
 }
 
 function partRecord(part, decoder, { queryGroups, gain, slots, layers, matrix }) {
-  const { resolution, channels, precision, scales } = part.planes, { low, high, top, unit, factors = 0 } = decoder;
+  const { resolution, channels, precision, scales } = part.planes, { low, high, top, unit, factors = 0, nearbyColumns = 0, means = [] } = decoder;
   const spreadScales = new Float32Array(3 * 4 * RNA_CHANNEL_GROUPS);
   for (let k = 0; scales && k < 3; k++) {
     spreadScales.set(scales.subarray(k * channels, (k + 1) * channels), 4 * RNA_CHANNEL_GROUPS * k);
@@ -107,6 +107,7 @@ function partRecord(part, decoder, { queryGroups, gain, slots, layers, matrix })
     low: part.bounds.min, high: part.bounds.max, resolution, channel_groups: groupsOf(channels), query_groups: queryGroups,
     layer_count: layers.length, plane_precision: constants[`RNA_${precision.toUpperCase()}`], gain, query_low: low,
     query_high: high, top, unit, matrix: matrix ?? {}, scales: spreadScales, layers, slots, factors,
+    nearby_columns: nearbyColumns, means,
   });
 }
 

@@ -197,7 +197,7 @@ export class Viewer extends EventTarget {
     engine.trace(camera, round, from, to);
     const all = lights.length ? lights : [DARKNESS];
     all.forEach((light, k) =>
-      engine.light({ ...light, ground: this.ground }, { isFirst: round === 0 && k === 0, countsCoverage: k === 0 }));
+      engine.light({ ...light, ground: this.ground }, { isFirst: round === 0 && k === 0, countsCoverage: k === 0, number: k }));
     if (engine.emits) engine.emission();
   }
 

@@ -12,7 +12,7 @@ export async function readImage(bytes, where) {
   const wrong = (found) => fail("BASE_COLOR_IMAGE", where, `found ${found}, expected a PNG, JPEG or WebP of 1 to ${WIDEST} pixels a side`);
   if (!isKnown) wrong("another file");
   const sides = sidesOf(bytes);  // before any memory is taken
-  if (!sides) wrong("a file without a size");
+  if (!sides) wrong("a file without a size, or in inks");
   if (!sides.every((side) => side >= 1 && side <= WIDEST)) wrong(`${sides.join(" x ")} pixels`);
   needBrowser(where);
   const bitmap = await createImageBitmap(new Blob([withoutOrientation(bytes)]), AS_STORED).catch(() => wrong("what cannot be decoded"));
@@ -23,7 +23,7 @@ function needBrowser(what) {
   if (!globalThis.createImageBitmap) throw new NotSupported(`${what}: expected a browser, which decodes images; there is no createImageBitmap here`);
 }
 
-/** [width, height] by the file's header; null where it has none. */
+/** [width, height] by the file's header; null where it has none, or is of a JPEG in inks. */
 function sidesOf(bytes) {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
   try {
@@ -32,7 +32,10 @@ function sidesOf(bytes) {
     for (let at = 2; ; at += 2 + view.getUint16(at + 2)) {
       const marker = view.getUint16(at);
       if (marker < 0xffc0 || marker === 0xffda) return null;
-      if (marker <= 0xffcf && ![0xffc4, 0xffc8, 0xffcc].includes(marker)) return [view.getUint16(at + 7), view.getUint16(at + 5)];
+      if (marker <= 0xffcf && ![0xffc4, 0xffc8, 0xffcc].includes(marker)) {
+        const isGreyOrColour = [1, 3].includes(view.getUint8(at + 9));  // not of four inks
+        return isGreyOrColour ? [view.getUint16(at + 7), view.getUint16(at + 5)] : null;
+      }
     }
   } catch {
     return null;  // it ends before

@@ -84,6 +84,7 @@ class Reader {
       if (++this.fields > MOST_FIELDS) this.outside("too many fields");
       let key, value;
       [key, at] = this.varint(bytes, at);
+      if (key < 8) this.outside("a field without a number");
       [value, at] = this.value(bytes, at, key % 8);
       lists[Math.floor(key / 8)]?.push(value);
     }

@@ -5,8 +5,9 @@ import { readCurves } from "./curves.js";
 import { readDecoder } from "./decoder.js";
 import { decodeEntry } from "./deflate.js";
 import { entriesOf, environmentOf, readHarmonics, VISIBILITY_COLUMNS } from "./environment_form.js";
-import { fail, NotSupported } from "./errors.js";
+import { fail } from "./errors.js";
 import { variantsOf } from "./extensions.js";
+import { packageIn } from "./gltf_package.js";
 import { readImage } from "./images.js";
 import { checkEntries, readManifest } from "./manifest.js";
 import { readMesh } from "./mesh.js";
@@ -18,10 +19,11 @@ import { checkRecord, readNormalMap, readTransmittance } from "./textures.js";
 const GAP = 65536;
 
 export class Package {
+  /** source: of a package, or of a binary glTF that has one. */
   static async open(source) {
     const opened = new Package();
-    opened.source = source;
-    opened.directory = await readDirectory(source);
+    opened.source = await packageIn(source);
+    opened.directory = await readDirectory(opened.source);
     opened.cache = new Map();
     opened.images = new Map();  // decoded
     opened.manifest = readManifest(await opened._stored(MANIFEST));
@@ -109,7 +111,7 @@ export class Package {
   _part(part, tierPart, k, data) {
     const { kind, bounds, geometry } = part, where = `/parts/${k}`;
     const bytes = data.get(geometry);
-    const result = { name: part.name, kind, bounds: roundedBounds(bounds), inputs: tierPart.inputs, sampling: samplingOf(this.manifest, k) };
+    const result = { name: part.name, kind, bounds: roundedBounds(bounds), inputs: tierPart.inputs, sampling: samplingOf(this.manifest, k), lengths: tierPart.nearby?.lengths };
     if (kind === "surface") result.mesh = readMesh(bytes, geometry);
     else result.curves = readCurves(bytes, geometry);
     result.transmittance = (part.transmittance ?? []).map((record) => {
@@ -128,21 +130,24 @@ export class Package {
     return result;
   }
 
-  /** By the name of their form, with their colours and the column where factors of base colour begin: of transport, or of visible and of shadowed light; and of emission. */
+  /**
+   * By the name of their form: of transport, or of visible and of shadowed light; and of emission. With their colours, the column
+   * where factors of base colour begin, and of nearby light the columns of a set and the means of each colour.
+   */
   _decoders(tierPart, data) {
-    const { nearby, shadowed, emission } = tierPart, sets = (tierPart.usesBaseColor ? 2 : 1) * (nearby ? 4 : 1);
-    const make = (record, form, colours, sets) => {
-      const columns = 3 * colours, decoder = decoderOf(data, tierPart, record, form, columns * sets);
-      return { ...decoder, inputs: record.inputs, colours, factors: sets > 1 ? columns : 0 };
+    const { nearby, usesBaseColor, shadowed, emission } = tierPart;
+    const make = (record, form, names) => {
+      const colours = names.length, columns = 3 * colours, all = columns * (usesBaseColor ? 2 : 1);
+      const decoder = decoderOf(data, tierPart, record, form, nearby ? 4 * all : all), factors = usesBaseColor ? columns : 0;
+      const counted = nearby && { nearbyColumns: all, means: names.flatMap((name) => [...nearby[name], 0]) };
+      return { ...decoder, ...counted, inputs: record.inputs, colours, factors };
     };
-    const decoders = {
+    return {
       ...(shadowed
-        ? { visible: make(tierPart, "visible", 1, sets), shadowed: make(shadowed, "shadowed", 1, sets) }
-        : { transport: make(tierPart, "transport", 2, sets) }),
-      ...(emission && { emission: make(emission, "emission", 1, 1) }),
+        ? { visible: make(tierPart, "visible", ["visible"]), shadowed: make(shadowed, "shadowed", ["shadowed"]) }
+        : { transport: make(tierPart, "transport", ["visible", "shadowed"]) }),
+      ...(emission && { emission: { ...decoderOf(data, tierPart, emission, "emission", 3), inputs: emission.inputs, colours: 1 } }),
     };
-    if (nearby) throw new NotSupported("The asset counts nearby light, which this viewer does not trace.");
-    return decoders;
   }
 
   /** Base colour of a part, with its images. */

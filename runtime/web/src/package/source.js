@@ -22,6 +22,11 @@ export class BlobSource {
   async read(start, end) {
     return new Uint8Array(await this.blob.slice(start, end).arrayBuffer());
   }
+
+  /** Bytes `start` to `end` of it, as a source. */
+  async part(start, end) {
+    return new BlobSource(this.blob.slice(start, end), this.name);
+  }
 }
 
 /** Bytes at an address; `progress(got, all)` hears how many of those that are expected have arrived. name: for messages. */
@@ -30,7 +35,7 @@ export class UrlSource {
 
   static async open(url, progress = () => {}, signal, name = nameOf(url)) {
     const source = new UrlSource();
-    Object.assign(source, { url, progress, signal, name, fetched: 0, begun: 0, expected: null });
+    Object.assign(source, { url, progress, signal, name, fetched: 0, begun: 0, expected: null, from: 0 });
     let answer = await source._askHead();
     const total = /\/(\d+)$/.exec(answer.headers.get("Content-Range") ?? "");
     source.ranged = answer.status === 206 && total !== null;
@@ -56,6 +61,14 @@ export class UrlSource {
     return (await this.tail).subarray(start - last, end - last);
   }
 
+  /** Bytes `start` to `end` of it, as a source; the whole is read no more. */
+  async part(start, end) {
+    const size = end - start, part = Object.assign(new UrlSource(), this, { from: this.from + start, size, tail: undefined });
+    const head = this.head.subarray(start, end);
+    part.head = head.length ? head : await part._range(0, Math.min(HEAD, size));
+    return part;
+  }
+
   /** What is read next: progress counts these ranges alone. */
   expect(ranges) {
     if (!this.ranged) return;
@@ -65,7 +78,7 @@ export class UrlSource {
   }
 
   async _range(start, end) {
-    const bytes = await this._transfer(null, start, end - start);
+    const bytes = await this._transfer(null, this.from + start, end - start);
     if (bytes.length < end - start) {
       throw new NotSupported(`${this.name}: the server sent ${bytes.length} bytes of ${end - start}`);
     }
@@ -90,7 +103,7 @@ export class UrlSource {
       if (error.name === "AbortError") throw error;
       const { protocol, origin } = new URL(this.url, location.href), here = new URL(location.href).origin;
       if (protocol === "file:") {
-        throw new NotSupported("a page opened from a file cannot load packages: serve the folder (rna-view, any web server), or drop the .rna file here");
+        throw new NotSupported("a page opened from a file cannot load packages: serve the folder (rna-view, any web server), or drop the file here");
       }
       const orCors = origin === here ? "" : `, or its server does not allow ${here} (CORS)`;
       throw new NoAnswer(`cannot load ${this.url}: no answer${orCors}`);

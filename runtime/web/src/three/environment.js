@@ -1,6 +1,7 @@
 // Light from all sides: the scene's environment, and lights of three.js that have no place. One function; a decoder of
 // its own for whole environments would take the place of the sum in it.
 import { float, interleavedGradientNoise, isolate, materialEnvIntensity, mix, screenCoordinate, vec3 } from "three/tsl";
+import { columnsOf } from "./nearby.js";
 import { eachSample } from "./samples.js";
 import { objectToWorld } from "./spaces.js";
 
@@ -17,7 +18,7 @@ export function environmentLight(material, builder) {
     const roughness = float(1 / (4 * Math.PI * count)).div(drawn.w).pow(0.25).clamp();
     const selfVisibility = functions.selfVisibility(wi, false).x;
     const arriving = radiance.map((of) => of(world, roughness)).reduce((a, b) => a.add(b));
-    sum.addAssign(functions.sent(wi, selfVisibility).mul(arriving).div(drawn.w));
+    sum.addAssign(functions.sent(wi, selfVisibility, ...columnsOf(material, null, count, number)).mul(arriving).div(drawn.w));
   });
   builder.context.reflectedLight.indirectDiffuse.addAssign(sum.div(count));
 }

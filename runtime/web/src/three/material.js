@@ -53,9 +53,9 @@ export class RnaMaterial extends NodeMaterial {
   /** options: those of RnaAsset. part: planes and decoders of a part in a tier. */
   constructor(shared, kind, part, options) {
     super();
-    const { planes, decoders } = part, forms = Object.keys(decoders);
+    const { planes, decoders } = part, forms = Object.keys(decoders), lengths = options.visibility === "rays" ? part.lengths : null;
     this.given = [shared, kind, part, options];
-    Object.assign(this, { lights: true, side: kind === "fiber" ? FrontSide : DoubleSide, isRnaMaterial: true, options, kind });
+    Object.assign(this, { lights: true, side: kind === "fiber" ? FrontSide : DoubleSide, isRnaMaterial: true, options, kind, tracesColumns: !!lengths });
     // As three.js' own have it: without a `null` here it leaves scene.environmentRotation out.
     Object.assign(this, { envMap: null, envMapIntensity: 1, envMapRotation: new Euler() });
     // For exporters, which read a colour of every material: they write the shape in white. Here nothing depends on it.
@@ -71,7 +71,7 @@ export class RnaMaterial extends NodeMaterial {
     ];
     this.storageBuffers = buffers.filter(({ isStorageBufferNode }) => isStorageBufferNode).length;
     const groups = Math.max(...Object.values(decoders).map((decoder) => decoder.groups));
-    const source = partSource({ kind, groups, forms, planeWords: planes.length / 3, ...shared.facts });
+    const source = partSource({ kind, groups, forms, planeWords: planes.length / 3, lengths, ...shared.facts });
     this.functions = functionsOf(source, buffers, "emission" in decoders);
     this.fragment = fragmentOf(this);
     if (decoders.emission) this.emissiveNode = Fn((builder) => this.functions.emitted(towardsViewer(builder)))();
@@ -164,7 +164,7 @@ function functionsOf(source, buffers, emits) {
   return {
     begin: (x, wo, width) => begin(primitive, x, wo, width),
     selfVisibility: (wi, entry) => selfVisibility(wi, bool(entry)),
-    sent: make("sent(wi: vec3f, visibility: f32) -> vec3f", "sent(wi, visibility)"),
+    sent: make("sent(wi: vec3f, visibility: f32, far: f32, columns: f32, turn: f32) -> vec3f", "sent(wi, visibility, far, columns, turn)"),
     direction: make("direction(number: f32, count: f32, turn: f32) -> vec4f", "direction_about(number, count, turn)"),
     emitted: (wo) => emitted(primitive, positionGeometry, wo),
   };

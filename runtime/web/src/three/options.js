@@ -7,6 +7,7 @@ const OPTIONS = {
   visibility: { usual: "rays", expected: '"rays" or "shadow-map"', isRight: (value) => ["rays", "shadow-map"].includes(value) },
   environmentSamples: { usual: 4, ...whole(64) },
   areaSamples: { usual: 2, ...whole(16) },
+  nearbySamples: { usual: 4, ...whole(64) },
   maxError: { usual: 0.1, expected: "a number from 0 to 1", isRight: (value) => value >= 0 && value <= 1 },
 };
 const USUAL = Object.fromEntries(Object.entries(OPTIONS).map(([name, { usual }]) => [name, usual]));

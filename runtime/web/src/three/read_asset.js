@@ -115,7 +115,7 @@ function decoders(part) {
   };
   const stored = [0, 1, 2].map((k) => planeWords(part.planes, k)), bytes = stored[0].byteLength, planes = new Uint8Array(3 * bytes);
   stored.forEach((plane, k) => planes.set(new Uint8Array(plane.buffer, plane.byteOffset, bytes), k * bytes));
-  return { planes: new Uint32Array(planes.buffer), decoders: Object.fromEntries(Object.entries(part.decoders).map(([form, decoder]) => [form, make(decoder)])) };
+  return { lengths: part.lengths, planes: new Uint32Array(planes.buffer), decoders: Object.fromEntries(Object.entries(part.decoders).map(([form, decoder]) => [form, make(decoder)])) };
 }
 
 /** What the package has and this module does not show. */

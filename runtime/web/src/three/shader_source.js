@@ -6,6 +6,7 @@ import baseColorFile from "./shaders/base_color.wgsl";
 import emittedFile from "./shaders/emitted.wgsl";
 import fiberFile from "./shaders/fiber.wgsl";
 import lightFile from "./shaders/light.wgsl";
+import nearbyFile from "./shaders/nearby.wgsl";
 import sentFile from "./shaders/sent.wgsl";
 import sentApartFile from "./shaders/sent_apart.wgsl";
 import surfaceFile from "./shaders/surface.wgsl";
@@ -17,18 +18,19 @@ export const LETTERS = { transport: "", visible: "", shadowed: "s", emission: "e
 // Buffers of three.js are members `value` of structs; it declares them itself.
 const BUFFER = /\brna([se]?)_(nodes|primitives|points|weights|planes|images)\[/g;
 const WITHOUT_BASE_COLOR = "fn base_color_on(record: RnaPrimitive, p: mat3x3f, b: vec3f, width: f32) -> vec3f { return vec3f(1.0); }";
+const WITH_MEANS = "fn nearby_of(wi: vec3f, far: f32, columns: f32, turn: f32) -> vec4f { return vec4f(0.0); }";
 const SAMPLING = ["render/directions.wgsl", "render/ggx.wgsl", "render/lobes.wgsl"];
 const filesOf = (name) => (name in sharedFiles ? [name] : compositions[name].flatMap(filesOf));
 
 /**
  * mixtures: of all surfaces, by their number. groups: RNA_GROUPS. forms: of the decoders. planeWords: of a plane. normalsAt: place of the first normal among the points.
- * hasSegments: some part is of strands. printed: { texturesAt, imagesAt } of the words of base colour, or null.
+ * hasSegments: some part is of strands. printed: { texturesAt, imagesAt } of the words of base colour, or null. lengths: of the nearby light whose columns are traced, or null.
  */
-export function partSource({ kind, mixtures, groups, forms, planeWords, normalsAt, extent, hasSegments, printed }) {
+export function partSource({ kind, mixtures, groups, forms, planeWords, normalsAt, extent, hasSegments, printed, lengths }) {
   // The name of a query is that of a triangle's surface in geometry.wgsl; what part.wgsl has is below.
   const instead = { "surface.wgsl": sharedFiles["surface.wgsl"].replace(/\brna_surface\(/g, "rna_surface_query("), "part.wgsl": "" };
   if (!hasSegments) instead["segment.wgsl"] = withoutSegments;
-  const names = [...new Set([...filesOf(kind), ...filesOf("trace"), "visibility.wgsl", ...SAMPLING, ...(printed ? ["images.wgsl"] : [])])];
+  const names = [...new Set([...filesOf(kind), ...filesOf("trace"), "visibility.wgsl", ...SAMPLING, ...(printed ? ["images.wgsl"] : []), ...(lengths ? ["render/nearby_light.wgsl"] : [])])];
   const shared = names.map((name) => instead[name] ?? sharedFiles[name]).join("\n")
     .replace(/^@group.*;.*$/gm, "");
   const declarations = `
@@ -45,6 +47,7 @@ export function partSource({ kind, mixtures, groups, forms, planeWords, normalsA
   `;
   const host = [
     vertexFile, printed ? placesOf(printed) + baseColorFile : WITHOUT_BASE_COLOR, kind === "fiber" ? fiberFile : surfaceFile, lightFile,
+    lengths ? `const LENGTHS = vec3f(${lengths.map(float).join(", ")});\n${nearbyFile}` : WITH_MEANS,
     forms.includes("shadowed") ? copyOf(kind, "shadowed") + sentApartFile : sentFile,
     forms.includes("emission") ? copyOf(kind, "emission") + emittedFile : "",
   ];

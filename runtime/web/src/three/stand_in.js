@@ -2,21 +2,22 @@
 import { normalView, positionViewDirection, vec3, vec4 } from "three/tsl";
 
 const warned = new WeakSet();  // renderers
+const GREY = "assets are shown as grey shapes";
 
-/** Whether this renderer has WebGPU; one that has not has a warning once. */
-export function hasWebGPU(renderer) {
-  return !!renderer.backend?.isWebGPUBackend || warn(renderer, "needs WebGPURenderer with WebGPU");
+/** Whether this renderer has WebGPU; one that has not has a warning once. instead: what is shown then. */
+export function hasWebGPU(renderer, instead = GREY) {
+  return !!renderer.backend?.isWebGPUBackend || warn(renderer, "needs WebGPURenderer with WebGPU", instead);
 }
 
 /** Whether it can show a material with so many storage buffers: GPUs of WebGPU's compatibility level have few or none for fragments. */
-export function canShow(renderer, buffers) {
-  if (!hasWebGPU(renderer)) return false;
+export function canShow(renderer, buffers, instead = GREY) {
+  if (!hasWebGPU(renderer, instead)) return false;
   const most = renderer.backend.device.limits.maxStorageBuffersInFragmentStage ?? Infinity;
-  return buffers <= most || warn(renderer, `needs ${buffers} storage buffers in the fragment stage; this GPU allows ${most}`);
+  return buffers <= most || warn(renderer, `needs ${buffers} storage buffers in the fragment stage; this GPU allows ${most}`, instead);
 }
 
-function warn(renderer, why) {
-  if (!warned.has(renderer)) console.warn(`rna-three ${why}: assets are shown as grey shapes`);
+function warn(renderer, why, instead) {
+  if (!warned.has(renderer)) console.warn(`rna-three ${why}: ${instead}`);
   warned.add(renderer);
   return false;
 }

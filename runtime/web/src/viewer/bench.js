@@ -2,9 +2,9 @@
 
 const TRIALS = 5, TRIAL_MS = 400;
 
-/** Rows in the part's bounds, with directions all over. */
-function randomRows({ bounds: { min, max } }, count) {
-  const rows = new Float32Array(16 * count);
+/** Rows of so many words in the part's bounds, with directions all over. */
+function randomRows({ bounds: { min, max } }, words, count) {
+  const rows = new Float32Array(words * count);
   let state = 1;
   const random = () => (state = (Math.imul(state, 1664525) + 1013904223) >>> 0) / 2 ** 32;
   const direction = () => {
@@ -13,7 +13,7 @@ function randomRows({ bounds: { min, max } }, count) {
   };
   for (let k = 0; k < count; k++) {
     const x = min.map((low, axis) => low + random() * (max[axis] - low));
-    rows.set([...x, 0, ...direction(), 0, ...direction(), 0, ...direction(), 0], 16 * k);
+    rows.set([...x, 0, ...direction(), 0, ...direction(), 0, ...direction(), 0], words * k);
   }
   return rows;
 }
@@ -24,13 +24,13 @@ const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.l
 async function queriesPerSecond(reader, parts, k = 0) {
   let count = 1024, ms = 0;
   for (;;) {
-    const rows = randomRows(parts[k], count), begun = performance.now();
+    const rows = randomRows(parts[k], reader.rowWords, count), begun = performance.now();
     await reader.answer(k, "transport", rows, false);
     ms = performance.now() - begun;
     if (ms > TRIAL_MS / 2 || count >= reader.engine.bandPixels) break;
     count *= 2;
   }
-  const rows = randomRows(parts[k], count), rates = [];
+  const rows = randomRows(parts[k], reader.rowWords, count), rates = [];
   for (let trial = 0; trial < TRIALS; trial++) {
     const begun = performance.now();
     await reader.answer(k, "transport", rows, false);

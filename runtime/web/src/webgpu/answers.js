@@ -4,14 +4,17 @@ import { dispatch, read } from "./gpu_device.js";
 
 const CAMERA = { position: [0, 0, 0], corner: [0, 0, 0], stepX: [0, 0, 0], stepY: [0, 0, 0] };
 
-/** (n, colours, 3) numbers for rows of 16: position and h; n or t and red; wo and green; wi and blue, of the base colour. */
+/** Words of a row: position and h; n or t and red; wo and green; wi and blue, of the base colour; nearby light, and not 0 where it is there. */
+export const ROW_WORDS = records.RnaRow.words;
+
+/** (n, colours, 3) numbers for rows. */
 export async function evaluate(engine, part, output, rows, wantsAnswers = true) {
   const { [output]: one, visible, shadowed } = engine.parts[part], { device, queue, bandPixels } = engine;
   const evaluators = one ? [one] : [visible, shadowed], all = output === "transport" ? 2 : 1, colours = all / evaluators.length;
-  const count = rows.length / 16, result = new Float32Array(3 * all * count);
+  const count = rows.length / ROW_WORDS, result = new Float32Array(3 * all * count);
   for (let first = 0; first < count; first += bandPixels) {
     const some = Math.min(bandPixels, count - first);
-    device.queue.writeBuffer(queue.rows, 0, rows, 16 * first, 16 * some);
+    device.queue.writeBuffer(queue.rows, 0, rows, ROW_WORDS * first, ROW_WORDS * some);
     device.queue.writeBuffer(queue.count, 0, Uint32Array.of(some));
     for (const [place, evaluator] of evaluators.entries()) {
       engine._run((pass) => evaluator.run(pass, queue, some));

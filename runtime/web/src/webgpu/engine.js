@@ -93,12 +93,13 @@ export class WebGPUEngine {
   async _compileKernels(parts, hasGlass, hasLobes) {
     const { pipelines } = this, isThere = (kind) => parts.some(kind);
     this.raySources = rayKernels({ hasSegments: isThere(({ kind }) => kind === "fiber"), hasTextures: isThere(hasTextures), hasBaseColor: isThere(hasBaseColor), hasGlass });
-    const look = hasLobes ? ["remember", "smooth_edges"] : [];
-    const [hit, light, remember, smooth] = await Promise.all([
+    const look = hasLobes ? ["remember", "smooth_edges"] : [], countsNearby = isThere(({ lengths }) => lengths);
+    const [hit, light, nearby, remember, smooth] = await Promise.all([
       pipelines.get(this.raySources.hit, "trace_pixels", this.rayLayout), pipelines.get(this.raySources.light, "light_pixels", this.rayLayout),
+      countsNearby && pipelines.get(this.raySources.nearby, "find_nearby", this.rayLayout),
       ...look.map((name) => pipelines.get(sources.look, name, this.lookLayout)),
     ]);
-    this.kernels = { hit, light, remember, smooth, ...this.queueKernels };
+    this.kernels = { hit, light, nearby, remember, smooth, ...this.queueKernels };
   }
 
   async _makePart(part) {
@@ -111,7 +112,7 @@ export class WebGPUEngine {
       this.lobeLight && PartLobes.make(device, pipelines, part, ofLobes ?? planes, this.lobeLight),
       ...forms.map((form) => PartEvaluator.make(device, pipelines, part, form, planes)),
     ]);
-    return { planes: [...planes, ...(ofLobes ?? [])], environment, ...Object.fromEntries(forms.map((form, k) => [form, made[k]])) };
+    return { lengths: part.lengths, planes: [...planes, ...(ofLobes ?? [])], environment, ...Object.fromEntries(forms.map((form, k) => [form, made[k]])) };
   }
 
   get emits() {
@@ -194,15 +195,16 @@ export class WebGPUEngine {
   }
 
   /** What one light brings to the band. */
-  light(light, { isFirst, countsCoverage }) {
+  light(light, { isFirst, countsCoverage, number }) {
     this._writeLight(light);
-    this.view = { ...light, isFirst, countsCoverage };
+    this.view = { ...light, isFirst, countsCoverage, number };
     this._writeView(this.view);
     this._run((pass) => {
       dispatch(pass, this.kernels.light, this.groups.rays, this.span.pixels);
       dispatch(pass, this.kernels.begin, this.groups.queue, this.span.pixels);
     });
     if (light.kind === "mirror") this.lobeLight.set(light);
+    else this._findNearby();
     for (const form of light.kind === "mirror" ? ["environment"] : LIT) this._decode(form);
   }
 
@@ -258,6 +260,14 @@ export class WebGPUEngine {
     return new Float32Array(await read(this.device, this.sums, 16 * width * height));
   }
 
+  _findNearby() {
+    for (const [k, { lengths }] of this.parts.entries()) {
+      if (!lengths) continue;
+      this._writeView({ ...this.view, part: k + 1, lengths });
+      this._run((pass) => dispatch(pass, this.kernels.nearby, this.groups.rays, this.span.pixels));
+    }
+  }
+
   _decode(form) {
     for (const [k, part] of this.parts.entries()) {
       const decoder = part[form];
@@ -288,13 +298,13 @@ export class WebGPUEngine {
     }));
   }
 
-  _writeView({ kind = "sun", direction = [0, 0, 0], colour = [0, 0, 0], ground, isFirst = false, countsCoverage = false, part = 0, form = 0, shares = 1, size = this.target }) {
+  _writeView({ kind = "sun", direction = [0, 0, 0], colour = [0, 0, 0], ground, isFirst = false, countsCoverage = false, part = 0, form = 0, shares = 1, size = this.target, lengths = [0, 0, 0], number = 0 }) {
     const { first, jitter, shift = [0, 0] } = this.span, { width, height } = this.target;
     const under = ground && { ground: ground.height, ground_colour: ground.colour, ground_size: ground.size, middle: [ground.x, ground.z] };
     this.device.queue.writeBuffer(this.viewRecord, 0, packed("View", {
       first, jitter, kind: viewerLights[kind], is_first: Number(isFirst), direction, counts_coverage: Number(countsCoverage), colour, part,
       form, shift, shares, texel: this.texel ?? 0,
-      light_width: width, light_height: height, light_scale: [width / size.width, height / size.height], ...under,
+      light_width: width, light_height: height, light_scale: [width / size.width, height / size.height], lengths, number, ...under,
     }));
   }
 
@@ -323,7 +333,7 @@ export class WebGPUEngine {
   }
 }
 
-function deletePart({ planes, ...decoders }) {
+function deletePart({ lengths, planes, ...decoders }) {
   planes.forEach((plane) => plane.destroy());
   for (const one of Object.values(decoders)) one?.delete();
 }

@@ -9,6 +9,7 @@ import light from "./shaders/light.wgsl";
 import look from "./shaders/look.wgsl";
 import lobes from "./shaders/lobes.wgsl";
 import pastGlass from "./shaders/past_glass.wgsl";
+import nearby from "./shaders/nearby.wgsl";
 import queue from "./shaders/queue.wgsl";
 import show from "./shaders/show.wgsl";
 import withoutGlass from "./shaders/without_glass.wgsl";
@@ -39,7 +40,9 @@ export function rayKernels({ hasSegments, hasTextures, hasBaseColor, hasGlass })
   if (!hasGlass) instead["render/solid_glass.wgsl"] = withoutGlass;
   if (!hasBaseColor) instead["render/base_color.wgsl"] = withoutBaseColor;
   const ofLight = [joined(compositions.light, instead), band, lightKinds, light, hasGlass ? pastGlass : withoutPastGlass];
-  return { hit: joined(compositions.hit, instead) + band + hit, light: ofLight.join("\n") };
+  return {
+    hit: joined(compositions.hit, instead) + band + hit, light: ofLight.join("\n"), nearby: joined(compositions.nearby, instead) + band + nearby,
+  };
 }
 
 export const sources = {

@@ -6,5 +6,5 @@ fn emitted(primitive: u32, x: vec3f, wo: vec3f) -> vec3f {
     if !is_there {
         return vec3f(0.0);
     }
-    return rnae_query(vertex.x, vertex.axis, vertex.h, wo, wo, vec3f(1.0)).visible;
+    return rnae_query(vertex.x, vertex.axis, vertex.h, wo, wo, vec3f(1.0), vec4f(0.0)).visible;
 }

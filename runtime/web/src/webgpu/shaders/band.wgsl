@@ -20,6 +20,8 @@ struct View {
     shares: f32,   // rays a pixel of the first look's edges
     texel: f32,    // of the lobes' planes, object space
     light_scale: vec2f, // width and height of that picture over those of the band's
+    lengths: vec3f, // of the nearby light that the part counts
+    number: u32,    // of the light
 }
 
 const FORM_TRANSPORT = 0u;
@@ -42,6 +44,7 @@ struct Pixel {
     coverage: f32, // of the ground
     base_color: vec3f,
     detail: vec3f, // factor of the lobes' first half
+    nearby: vec3f, // nearby light, where the part counts it
 }
 
 const BENT_AWAY = 1u;

@@ -44,7 +44,10 @@ fn gather(
     let color = bitcast<vec3<u32>>(pixel.base_color);
     let detail = vec3<u32>(pack2x16float(pixel.detail.xy), pack2x16float(pixel.detail.zz), bitcast<u32>(free));
     let more = select(color, detail, view.form == FORM_ENVIRONMENT);
-    rows[at] = RnaRow(pixel.position.xyz, pixel.position.w, pixel.axis.xyz, more.x, pixel.wo.xyz, more.y, wi.xyz, more.z);
+    rows[at] = RnaRow(
+        pixel.position.xyz, pixel.position.w, pixel.axis.xyz, more.x, pixel.wo.xyz, more.y, wi.xyz, more.z,
+        bitcast<vec3<u32>>(pixel.nearby), 1u,
+    );
 }
 
 @compute @workgroup_size(64)

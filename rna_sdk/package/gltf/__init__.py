@@ -1,0 +1,1 @@
+"""Packages inside binary glTF files: the extension RNA_relightable_asset."""

@@ -1,0 +1,101 @@
+"""Write a package into a binary glTF; `carrier` is the inverse."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from rna_sdk.errors import PackageError, RnaError
+from rna_sdk.files.regular_file import read_regular
+from rna_sdk.package.container.glb_chunks import CHUNK, HEADER, pack_glb
+from rna_sdk.package.gltf.carrier import EXTENSION, MIME_TYPE, split_carrier
+from rna_sdk.package.limits import ALIGNMENT, MAX_FILE_BYTES
+from rna_sdk.package.package import Package
+
+
+def carrying(view: int) -> dict[str, Any]:
+    """The `extensions` of a node whose package is in this buffer view."""
+    return {EXTENSION: {"package": view, "mimeType": MIME_TYPE}}
+
+
+def packed(document: dict[str, Any], blob: bytes) -> bytes:
+    """A .glb whose binary chunk has its data at a multiple of 64 bytes of the file.
+
+    Raises RnaError for one that is too large.
+    """
+    whole = {**document, "buffers": [{"byteLength": len(blob)}, *document.get("buffers", ())[1:]]}
+    text = json.dumps(whole, separators=(",", ":"), ensure_ascii=False).encode()
+    text += b" " * (-(HEADER.size + CHUNK.size + len(text) + CHUNK.size) % ALIGNMENT)
+    if len(text) + len(blob) > MAX_FILE_BYTES - ALIGNMENT:
+        raise RnaError(f"a .glb of {len(text) + len(blob)} bytes: expected less than 4 GiB")
+    return pack_glb(text, blob)
+
+
+def with_package(glb: Path, package: Package, nodes: Sequence[str] = ()) -> bytes:
+    """A .glb of another program, which becomes the package's fallback; all in it stays as it is.
+
+    nodes: names of the nodes that carry the package, each in its own space. Without any, a new node
+    about all that the default scene shows.
+
+    Raises:
+        RnaError: what cannot carry a package, or has no such node.
+    """
+    try:
+        return _with_package(*_opened(glb), package, nodes, glb)
+    except (AttributeError, LookupError, TypeError, ValueError) as error:
+        raise RnaError(f"{glb}: is no valid glTF: {error}") from error
+
+
+def _with_package(
+    document: dict[str, Any], blob: bytes, package: Package, nodes: Sequence[str], glb: Path
+) -> bytes:
+    view = len(document.setdefault("bufferViews", []))
+    for node in _named(document, nodes, glb) if nodes else [_root(document, package.manifest.name)]:
+        node["extensions"] = {**node.get("extensions", {}), **carrying(view)}
+    start = len(blob) + -len(blob) % ALIGNMENT
+    size = len(package.file_data)
+    document["bufferViews"].append({"buffer": 0, "byteOffset": start, "byteLength": size})
+    document["extensionsUsed"] = [*document.get("extensionsUsed", ()), EXTENSION]
+    return packed(document, b"".join((blob.ljust(start, b"\0"), package.file_data)))
+
+
+def _opened(glb: Path) -> tuple[dict[str, Any], bytes]:
+    """The JSON of a .glb without a package, and its buffer."""
+    try:
+        data = memoryview(read_regular(glb))
+        document, place = split_carrier(data)
+    except OSError as error:
+        raise RnaError(f"{glb}: {error.strerror}") from error
+    except PackageError as error:
+        raise RnaError(f"{glb}: {error.issues[0]}") from error
+    if EXTENSION in document.get("extensionsUsed", ()):
+        raise RnaError(f"{glb}: carries a package; expected a .glb without one")
+    buffers = document.get("buffers", [])
+    if buffers and "uri" in buffers[0]:
+        raise RnaError(f"{glb}: its first buffer is another file; expected it inside the .glb")
+    return document, bytes(data[place])
+
+
+def _named(document: dict[str, Any], names: Sequence[str], glb: Path) -> list[dict[str, Any]]:
+    """The nodes of these names; a name of several nodes is that of all of them."""
+    nodes = document.get("nodes", [])
+    found = [node for node in nodes if node.get("name") in names]
+    known = [str(node["name"]) for node in nodes if "name" in node]
+    if missing := [name for name in names if name not in known]:
+        raise RnaError(f"{glb}: has no node {missing[0]!r}; its nodes: {', '.join(known[:20])}")
+    return found
+
+
+def _root(document: dict[str, Any], name: str) -> dict[str, Any]:
+    """A new node about all roots of the default scene."""
+    nodes = document.setdefault("nodes", [])
+    scenes = document.setdefault("scenes", [{}])
+    scene = scenes[document.setdefault("scene", 0)]
+    root: dict[str, Any] = {"name": name}
+    if roots := scene.get("nodes"):
+        root["children"] = roots
+    scene["nodes"] = [len(nodes)]
+    nodes.append(root)
+    return root

@@ -1,0 +1,69 @@
+"""The file in which a package travels, by its name: a `.rna`, or a `.glb` with a fallback."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rna_sdk.files.atomic_file import write_atomically
+from rna_sdk.files.file_kinds import glass_of
+from rna_sdk.package.gltf.carrier_writer import with_package
+from rna_sdk.package.gltf.fallback import glb_of
+from rna_sdk.package.manifest.extensions import Standin, of_part
+from rna_sdk.package.package import Package
+
+
+def write_glb(
+    package: Path, out: Path, fallback: Path | None = None, nodes: Sequence[str] = ()
+) -> None:
+    """Write a .glb that carries a package, atomically.
+
+    fallback: a .glb that becomes the fallback, as `with_package`; None for one of the package's
+    geometry with its stand-in materials.
+
+    Raises:
+        PackageError: a broken package.
+        RnaError: a fallback that cannot carry it.
+        OSError: the file cannot be written.
+    """
+    with Package.open(package) as opened:
+        if fallback is None:
+            data = glb_of(opened, _colors(package, opened))
+        else:
+            data = with_package(fallback, opened, nodes)
+    write_atomically(out, data)
+
+
+@contextmanager
+def package_to_write(out: Path) -> Iterator[Path]:
+    """The `.rna` to write for an output: `out`, or a temporary one that becomes the .glb `out`.
+
+    Smooth glass that is written beside the package goes beside the output.
+    """
+    if out.suffix.lower() != ".glb":
+        yield out
+        return
+    with TemporaryDirectory() as folder:
+        package = Path(folder) / f"{out.stem}.rna"
+        yield package
+        write_glb(package, out)
+        if (glass := glass_of(package)).is_file():
+            write_atomically(glass_of(out), glass.read_bytes())
+
+
+def _colors(path: Path, package: Package) -> dict[int, NDArray[np.float32]]:
+    """What the first tier reflects at the vertices of surfaces that are not metal, by part."""
+    from rna_sdk.runtime import load  # slow to import
+    from rna_sdk.runtime.standin_colors import surface_colors
+
+    colors = {}
+    for i, part in enumerate(load(path).parts):
+        standin = of_part(package.manifest, Standin, i)
+        if part.kind == "surface" and not (standin and standin.metallic):
+            colors[i] = np.minimum(surface_colors(part), 1)
+    return colors

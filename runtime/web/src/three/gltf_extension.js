@@ -1,0 +1,89 @@
+// A plugin of GLTFLoader: the packages of a glTF file, in place of the meshes that stand for them where nothing reads them.
+import { Group, Matrix4, Quaternion, Vector3 } from "three/webgpu";
+import { EXTENSION, packagesIn } from "../package/gltf_package.js";
+import { RnaAsset } from "./asset.js";
+import { optionsOf } from "./options.js";
+import { read } from "./reading.js";
+import { canShow, hasWebGPU } from "./stand_in.js";
+
+const INSTANCING = "EXT_mesh_gpu_instancing", PLACES = ["TRANSLATION", "ROTATION", "SCALE"];
+const INSTEAD = "glTF files show their fallback";
+
+export class RNAExtension {
+  /** options: renderer, that of the scene; tier and variant, as RnaLoader has them; those of RnaAsset. */
+  constructor(parser, { renderer, tier = null, variant = null, ...options } = {}) {
+    if (!renderer) throw new Error("RNAExtension: expected the option renderer, as in loader.register((parser) => new RNAExtension(parser, { renderer }))");
+    Object.assign(this, { name: EXTENSION, parser, renderer, tier, variant, options: optionsOf(options), assets: new Map(), unused: new Set() });
+  }
+
+  /** Reads the packages. Of nodes that are shown by one, GLTFLoader then loads neither mesh nor children. */
+  async beforeRoot() {
+    const { parser, renderer } = this, { json } = parser, { header, body } = parser.extensions.KHR_binary_glTF ?? {};
+    const bin = { start: (header?.length ?? 0) - (body?.byteLength ?? 0), length: body?.byteLength ?? 0 };
+    let packages = new Map();
+    try {
+      packages = packagesIn(json, bin, "glTF");
+    } catch (error) {
+      warn(error);
+    }
+    await renderer.init?.();
+    if (!packages.size || !hasWebGPU(renderer, INSTEAD)) return;
+    const take = ([index, [start, end]]) => this._take(index, new Blob([new Uint8Array(body, start - bin.start, end - start)])).catch(warn);
+    await Promise.all([...packages].map(take));
+    parser.json = { ...json, nodes: json.nodes.map((node) => (this._assetOf(node) ? withoutFallback(node) : node)) };
+  }
+
+  createNodeMesh(index) {
+    const node = this.parser.json.nodes[index], asset = this._assetOf(node), places = node.extensions?.[INSTANCING];
+    if (!asset) return null;
+    if (places) return this._instances(asset, places.attributes);
+    return Promise.resolve(this.unused.delete(asset) ? asset : asset.clone());
+  }
+
+  /** userData.rnaAssets: of each package the asset, of which the scene has copies or instances. */
+  afterRoot(gltf) {
+    gltf.userData.rnaAssets = [...this.assets.values()];
+  }
+
+  /** Reads the package of a buffer view; it is dropped where this GPU cannot show it. */
+  async _take(index, bytes) {
+    const asset = new RnaAsset(await read(bytes, "glTF", this), this.options);
+    const isShown = asset.meshes.every(({ material }) => canShow(this.renderer, material.storageBuffers, INSTEAD));
+    if (!isShown) return asset.dispose();
+    this.assets.set(index, asset);
+    this.unused.add(asset);
+  }
+
+  _assetOf(node) {
+    return this.assets.get(node.extensions?.[EXTENSION]?.package);
+  }
+
+  async _instances(asset, attributes) {
+    const places = await this._places(attributes), isMirrored = (place) => place.determinant() < 0;
+    const groups = [[places.filter((place) => !isMirrored(place)), 1], [places.filter(isMirrored), -1]];
+    const meshes = groups.filter(([{ length }]) => length).flatMap(([these, side]) => asset.instanced(these.length).map((mesh) => {
+      mesh.scale.x = side;  // three.js culls by the matrix of the mesh, whatever those of its instances are
+      these.forEach((place, k) => mesh.setMatrixAt(k, new Matrix4().makeScale(side, 1, 1).multiply(place)));
+      return mesh;
+    }));
+    return new Group().add(...meshes);
+  }
+
+  /** The matrices of instances. */
+  async _places(attributes) {
+    const { parser } = this, p = new Vector3(), q = new Quaternion(), s = new Vector3(1, 1, 1);
+    const [place, turn, size] = await Promise.all(PLACES.map((name) => name in attributes && parser.getDependency("accessor", attributes[name])));
+    return Array.from({ length: parser.json.accessors[Object.values(attributes)[0]].count }, (_, k) => {
+      if (place) p.fromBufferAttribute(place, k);
+      if (turn) q.fromBufferAttribute(turn, k);
+      if (size) s.fromBufferAttribute(size, k);
+      return new Matrix4().compose(p, q, s);
+    });
+  }
+}
+
+const warn = ({ message }) => console.warn(`rna-three: ${message}: ${INSTEAD}`);
+
+function withoutFallback({ mesh, skin, weights, children, ...node }) {
+  return node;
+}

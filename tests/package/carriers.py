@@ -1,0 +1,110 @@
+"""Small .glb files that carry a package, good and broken."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from rna_sdk.package.container.glb_chunks import HEADER, MAGIC, pack_glb
+from rna_sdk.package.gltf.carrier import EXTENSION
+from rna_sdk.package.gltf.glb_file import write_glb
+
+Document = dict[str, Any]
+
+
+def make_carrier(package: Path, path: Path) -> Path:
+    """A .glb with the package and the usual fallback."""
+    write_glb(package, path)
+    return path
+
+
+def opened(path: Path) -> tuple[Document, bytes]:
+    """JSON and buffer of a .glb."""
+    data = path.read_bytes()
+    size = int.from_bytes(data[12:16], "little")
+    return json.loads(data[20 : 20 + size]), data[28 + size :]
+
+
+def written(document: Document, blob: bytes, path: Path, padding: int | None = None) -> Path:
+    """A .glb whose buffer starts at a multiple of 64, or `padding` spaces behind the JSON."""
+    text = json.dumps(document).encode()
+    text += b" " * (-(28 + len(text)) % 64 if padding is None else padding)
+    path.write_bytes(pack_glb(text, blob))
+    return path
+
+
+def changed(path: Path, out: Path, change: Callable[[Document], object]) -> Path:
+    """A copy with another JSON."""
+    document, blob = opened(path)
+    change(document)
+    return written(document, blob, out)
+
+
+def _record(document: Document) -> dict[str, Any]:
+    record: dict[str, Any] = document["nodes"][-1]["extensions"][EXTENSION]
+    return record
+
+
+def _second(document: Document) -> None:
+    view = {"buffer": 0, "byteOffset": 0, "byteLength": 64}
+    document["bufferViews"].append(view)
+    node = {"mesh": 0, "extensions": {EXTENSION: {**_record(document), "package": 99}}}
+    node["extensions"][EXTENSION]["package"] = len(document["bufferViews"]) - 1
+    document["nodes"].append(node)
+
+
+def _deep(document: Document) -> None:
+    nested: list[Any] = []
+    for _ in range(100):
+        nested = [nested]
+    document["extras"] = nested
+
+
+CHANGES: dict[str, tuple[str, Callable[[Document], object]]] = {
+    "no_extension": ("GLB_NO_PACKAGE", lambda d: d["nodes"][-1].pop("extensions")),
+    "two_packages": ("GLB_SEVERAL", _second),
+    "nodes_of_an_object": ("GLB_CONTAINER", lambda d: d.update(nodes={})),
+    "nested_json": ("GLB_CONTAINER", _deep),
+    "no_such_view": ("GLB_PACKAGE", lambda d: _record(d).update(package=999)),
+    "negative_view": ("GLB_PACKAGE", lambda d: _record(d).update(package=-1)),
+    "view_that_is_true": ("GLB_PACKAGE", lambda d: _record(d).update(package=True)),
+    "no_view": ("GLB_PACKAGE", lambda d: _record(d).pop("package")),
+    "another_type": ("GLB_PACKAGE", lambda d: _record(d).update(mimeType="image/png")),
+    "record_of_text": (
+        "GLB_PACKAGE",
+        lambda d: d["nodes"][-1]["extensions"].update({EXTENSION: "x"}),
+    ),
+    "view_out_of_the_buffer": (
+        "GLB_PACKAGE",
+        lambda d: d["bufferViews"][0].update(byteLength=2**31),
+    ),
+    "view_behind_the_buffer": (
+        "GLB_PACKAGE",
+        lambda d: d["bufferViews"][0].update(byteOffset=2**31),
+    ),
+    "view_of_text": ("GLB_PACKAGE", lambda d: d["bufferViews"][0].update(byteLength="64")),
+    "buffer_of_a_file": ("GLB_PACKAGE", lambda d: d["buffers"][0].update(uri="a.bin")),
+    "another_buffer": ("GLB_PACKAGE", lambda d: d["bufferViews"][0].update(buffer=1)),
+    "moved_view": (
+        "GLB_ALIGNMENT",
+        lambda d: d["bufferViews"][0].update(byteOffset=4, byteLength=64),
+    ),
+    "package_cut": ("ZIP_TRUNCATED", lambda d: d["bufferViews"][0].update(byteLength=1024)),
+    "empty_package": ("GLB_PACKAGE", lambda d: d["bufferViews"][0].update(byteLength=0)),
+}
+"""Name of a broken file -> its code, and what makes it of a good one's JSON."""
+
+CUTS: dict[str, Callable[[bytes], bytes]] = {
+    "cut": lambda data: data[:-100],
+    "longer": lambda data: data + bytes(4),
+    "four_bytes": lambda data: data[:4],
+    "header_alone": lambda data: HEADER.pack(MAGIC, 2, 12),
+    "version_1": lambda data: data[:4] + b"\1\0\0\0" + data[8:],
+    "endless_json": lambda data: data[:12] + b"\xff\xff\xff\xff" + data[16:],
+    "json_of_another_kind": lambda data: data[:16] + b"NOSJ" + data[20:],
+    "no_json": lambda data: data[:20] + b"]" + data[21:],
+    "bomb": lambda data: pack_glb(b'{"extras":[' + b"[]," * 2**22 + b"0]}", data[-4:]),
+}
+"""Name of a broken file -> what makes it of a good one's bytes; the code is GLB_CONTAINER."""

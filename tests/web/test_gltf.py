@@ -1,0 +1,230 @@
+"""`<rna-viewer src="x.glb">`: the package inside a binary glTF."""
+
+from __future__ import annotations
+
+import io
+import json
+import shutil
+import subprocess
+from base64 import b64decode
+from pathlib import Path
+from typing import Any, ClassVar
+
+import pytest
+
+from rna_view.site_files import ELEMENT, viewer_file
+from tests.conftest import REPOSITORY
+from tests.web.element_pages import SMALL, finished, line, loads, show
+from tests.web.gltf_files import EXTENSION, GltfFile, asset_node, write_gltf
+from tests.web.pages import TIMEOUT, Ranges, served_folder
+from tests.web.three.pages import TOY
+
+SOURCES = REPOSITORY / "runtime" / "web" / "src" / "package"
+KIT = REPOSITORY / "spec" / "conformance" / "packages"
+TINY, STRANDS = KIT / "surface-tiny.rna", KIT / "fiber-float16.rna"
+FOUND = """
+import {{ readFileSync }} from "node:fs";
+import {{ packageIn }} from "{module}";
+import {{ BlobSource }} from "{source}";
+const said = [];
+for (const [name, path] of Object.entries({files})) {{
+  try {{
+    const found = await packageIn(new BlobSource(new Blob([readFileSync(path)]), name));
+    said.push([found.name, Buffer.from(await found.read(0, found.size)).toString("base64")]);
+  }} catch (error) {{
+    said.push(error.message);
+  }}
+}}
+console.log(JSON.stringify(said));
+"""
+
+
+def found(*paths: Path) -> list[tuple[str, bytes] | str]:
+    """What comes of each file in node: its name and the package's bytes, or a line."""
+    program = FOUND.format(
+        module=(SOURCES / "gltf_package.js").as_uri(),
+        source=(SOURCES / "source.js").as_uri(),
+        files=json.dumps({path.name: str(path) for path in paths}),
+    )
+    command = ["node", "--input-type=module", "-e", program]
+    done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=120)
+    said = json.loads(done.stdout)
+    return [one if isinstance(one, str) else (one[0], b64decode(one[1])) for one in said]
+
+
+@pytest.mark.skipif(shutil.which("node") is None, reason="needs Node")
+def test_the_package_of_a_file(tmp_path):
+    """Also where several nodes show it, and bytes follow it."""
+    file = GltfFile()
+    view = file.view(TINY.read_bytes())
+    file.view(b"something else")
+    file.document["nodes"] = [asset_node(view), {"mesh": 0}, asset_node(view, scale=[-1, 1, 1])]
+    write_gltf(tmp_path / "one.glb", [TINY])
+    (tmp_path / "twice.glb").write_bytes(file.to_bytes())
+    plain = GltfFile()
+    plain.document |= {"nodes": [{"mesh": 0}], "extensionsUsed": []}
+    (tmp_path / "plain.glb").write_bytes(plain.to_bytes())
+    names = ("one.glb", "twice.glb", "plain.glb")
+    expected = [*[TINY.read_bytes()] * 2, plain.to_bytes()]
+    assert found(*(tmp_path / name for name in names)) == list(zip(names, expected, strict=True))
+
+
+def hostile(folder: Path) -> dict[str, bytes]:
+    """Files without exactly one package, by their messages."""
+    good = write_gltf(folder / "good.glb", [TINY]).read_bytes()
+
+    def changed(**values: Any) -> bytes:
+        file = GltfFile()
+        file.view(TINY.read_bytes())
+        file.document["nodes"] = [asset_node(2)]
+        file.document["nodes"][0]["extensions"][EXTENSION] |= values
+        return file.to_bytes()
+
+    def placed(**values: Any) -> bytes:
+        file = GltfFile()
+        file.document["nodes"] = [asset_node(file.view(TINY.read_bytes()))]
+        file.document["bufferViews"][2] |= values
+        return file.to_bytes()
+
+    two = write_gltf(folder / "two.glb", [TINY, STRANDS]).read_bytes()
+    bomb = GltfFile()
+    bomb.document["extras"] = json.loads("[" * 99 + "]" * 99)
+    jumbled = bytearray(good)
+    jumbled[good.index(b"BIN\0")] = 0
+    return {
+        "GLB_SEVERAL": two,
+        "/package: expected the index of a buffer view, found null": changed(package=None),
+        "/package: expected the index of a buffer view, found -1": changed(package=-1),
+        "/bufferViews/99: no such buffer view": changed(package=99),
+        'mimeType: expected "model/vnd.rna", found "model/gltf"': changed(mimeType="model/gltf"),
+        "1073741824 bytes at 256 of": placed(byteLength=2**30),
+        "expected a view of the BIN chunk, buffer 0": placed(buffer=1),
+        "no multiple of 64 [GLB_ALIGNMENT]": placed(byteOffset=132, byteLength=100),
+        "bytes that the header says, found 3000 [GLB_CONTAINER]": good[:3000],
+        "found a chunk to byte": good[:100],
+        "expected a BIN chunk at byte": bytes(jumbled),
+        "nested too deep": bomb.to_bytes(),
+    }
+
+
+@pytest.mark.skipif(shutil.which("node") is None, reason="needs Node")
+def test_a_file_that_breaks_the_rules_has_a_line(tmp_path):
+    expected = hostile(tmp_path)
+    paths = [tmp_path / f"{k}.glb" for k in range(len(expected))]
+    for path, data in zip(paths, expected.values(), strict=True):
+        path.write_bytes(data)
+    for said, part in zip(found(*paths), expected, strict=True):
+        assert isinstance(said, str) and part in said and "\n" not in said
+
+
+ASKED = """
+import {{ readFileSync }} from "node:fs";
+import {{ packageIn }} from "{module}";
+import {{ UrlSource }} from "{source}";
+globalThis.location = {{ href: "http://here/" }};
+const file = readFileSync("{path}"), ranges = [];
+globalThis.fetch = async (url, {{ headers }}) => {{
+  const [start, end] = headers.Range.slice(6).split("-").map(Number);
+  const part = file.subarray(start, end + 1);
+  ranges.push([start, end]);
+  const told = {{ "Content-Range": `bytes ${{start}}-${{end}}/${{file.length}}` }};
+  return new Response(part, {{ status: 206, headers: told }});
+}};
+const found = await packageIn(await UrlSource.open("http://there/a.glb")), {{ size }} = found;
+const places = [[0, 512], [size - 22, size], [size - 9000, size - 22]];
+places.push([512, 20000], [70000, 90000]);
+const read = [];
+for (const [start, end] of places) read.push(Buffer.from(await found.read(start, end)));
+console.log(JSON.stringify({{ ranges, read: Buffer.concat(read).toString("base64") }}));
+"""
+
+
+@pytest.mark.skipif(shutil.which("node") is None, reason="needs Node")
+@pytest.mark.parametrize("before", [0, 2**20])
+def test_the_ends_of_a_package_come_at_once(tmp_path, before):
+    """Where it begins with the file, what came with the JSON is not asked for again."""
+    file, package = GltfFile(), TOY.read_bytes()
+    file.view(bytes(before))
+    file.document["nodes"] = [asset_node(file.view(package))]
+    file.view(bytes(2**20))
+    data = file.to_bytes()
+    (tmp_path / "a.glb").write_bytes(data)
+    program = ASKED.format(
+        module=(SOURCES / "gltf_package.js").as_uri(),
+        source=(SOURCES / "source.js").as_uri(),
+        path=tmp_path / "a.glb",
+    )
+    command = ["node", "--input-type=module", "-e", program]
+    done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=120)
+    actual, start, size = json.loads(done.stdout), data.index(package), len(package)
+    heads = [[0, 65535], *([[start, start + 65535]] if before else [])]
+    ends = [[start + size - 16384, start + size - 1], [start + 70000, start + 89999]]
+    assert actual["ranges"] == heads + ends
+    places = [(0, 512), (size - 22, size), (size - 9000, size - 22), (512, 20000), (70000, 90000)]
+    assert b64decode(actual["read"]) == b"".join(package[first:last] for first, last in places)
+
+
+class Counted(Ranges):
+    """`sent` has path and bytes of each answer to a range."""
+
+    sent: ClassVar[list[tuple[str, int]]] = []
+
+    def send_head(self) -> Any:
+        answer = super().send_head()
+        if isinstance(answer, io.BytesIO):
+            self.sent.append((self.path, len(answer.getvalue())))
+        return answer
+
+
+PICTURE = """
+(async () => {{
+    const {{ engine, viewer, opened }} = {element}.stage;
+    viewer.pause();
+    await engine.done();
+    return [Array.from(new Uint32Array((await engine.picture()).buffer)), opened.source.name];
+}})()
+"""
+
+
+@pytest.mark.chromium
+def test_the_element_shows_the_same_bits_from_ranges_of_either_file(page, tmp_path):
+    """The JSON of the .glb comes on top; the fallback and other bytes are not requested."""
+    (tmp_path / ELEMENT).write_bytes(viewer_file(ELEMENT))
+    shutil.copy(TOY, tmp_path / "toy.rna")
+    file = GltfFile()
+    file.view(bytes(2**20))
+    file.document["nodes"] = [asset_node(file.view(TOY.read_bytes()))]
+    (tmp_path / "toy.glb").write_bytes(file.to_bytes())
+    once = f'jitter="0" first-look="off" {SMALL}'
+    body = "".join(
+        f'<rna-viewer id="{name}" src="toy.{suffix}" {once}></rna-viewer>'
+        for name, suffix in (("one", "rna"), ("two", "glb"))
+    )
+    Counted.sent.clear()
+    with served_folder(tmp_path, Counted) as url:
+        show(page, tmp_path, url, body)
+        loads(page, "one")
+        loads(page, "two")
+        finished(page, "one")
+        finished(page, "two")
+    one, two = (page.evaluate(PICTURE.format(element=name)) for name in ("one", "two"))
+    assert (one[1], two[1]) == ("toy.rna", "toy.glb")
+    assert one[0] == two[0] and len(set(one[0])) > 1000
+    packages, gltfs = (
+        [size for path, size in Counted.sent if path.endswith(end)] for end in ("rna", "glb")
+    )
+    assert len(gltfs) == len(packages) + 1 and sum(gltfs) == sum(packages) + 65536
+
+
+@pytest.mark.chromium
+def test_what_the_element_cannot_show_has_a_line(page, folder, url):
+    packages = [folder / "tiny.rna", folder / "fibers.rna"]
+    write_gltf(folder / "two.glb", packages)
+    show(page, folder, url, f'<rna-viewer id="one" src="two.glb" {SMALL}></rna-viewer>')
+    page.wait_for("count('error', 'one') === 1", TIMEOUT)
+    assert "two.glb: expected one package, found 2" in line(page)
+    assert page.evaluate("heard.at(-1).code") == "GLB_SEVERAL"
+    write_gltf(folder / "one.glb", packages[:1])
+    page.evaluate("one.src = 'one.glb', 0")
+    page.wait_for("count('load', 'one') === 1", TIMEOUT)
+    assert line(page) is None
