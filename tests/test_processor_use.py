@@ -8,23 +8,11 @@ from runpy import run_path
 
 import pytest
 
-from rna_bench.speed.cores import measure
 from tests.conftest import REPOSITORY
-
-MOST = 1.1  # processor seconds a second
 
 pytestmark = pytest.mark.skipif(
     len(os.sched_getaffinity(0)) < 2, reason="on one core nothing can take a second one"
 )
-
-
-@pytest.mark.parametrize(
-    "work",
-    ["trainer", "rna-run", "evaluate", "lobes", pytest.param("capture", marks=pytest.mark.blender)],
-)
-def test_one_thread_takes_one_core(work: str) -> None:
-    (row,) = measure(work, [1], [], 2.0)["threads"]
-    assert row["cores_a_thread"] <= MOST
 
 
 def test_workers_that_start_together_import_blender_on_different_cores() -> None:

@@ -36,8 +36,6 @@ OTHER_HALF = {
     "rna_render.world.domain_watch",
 }
 """What rna_gpu alone may import of the renderer, for the same lights, materials and paths."""
-MEASURED = {"rna_render.world.world_loading"}
-"""Insides that rna_bench alone measures."""
 EXPORTED = {"rna_render.lights", "rna_render.materials", "rna_render.world.neural_sampling"}
 """Where the exporter measures lobes as renderers use them, with the brightest directions apart,
 trains them along directions that paths would take, and fits the material of meshes."""
@@ -45,7 +43,7 @@ USERS = {
     "runtime/rna_gpu": OTHER_HALF,
     "runtime/rna_view": set(),
     "exporters/rna_export": EXPORTED,
-    "benchmarks/rna_bench": MEASURED,
+    "benchmarks/rna_bench": set(),
 }
 RENDERERS = {"rna_trace": OUR_TOOLS, "rna_render": OUR_TOOLS, "rna_mitsuba": set()}
 
@@ -135,3 +133,17 @@ def test_other_imports_are_noticed(line: str) -> None:
 def test_insides_of_renderers_are_noticed(line: str, count: int) -> None:
     public = {"rna_render", "rna_trace"}
     assert len(private_names(line, public, public, set())) == count
+
+
+def test_tests_of_the_product_need_no_benchmarks() -> None:
+    """Except those of the pages that name commands of `rna-bench`."""
+    own = [REPOSITORY / "tests" / name for name in ("bench", "frontier", "stability")]
+    excepted = {"test_tutorials.py"}
+    found = [
+        str(path)
+        for path in (REPOSITORY / "tests").rglob("*.py")
+        if not any(map(path.is_relative_to, own)) and path.name not in excepted
+        for module, _ in imports(path.read_text())
+        if module.split(".")[0] == "rna_bench"
+    ]
+    assert found == []

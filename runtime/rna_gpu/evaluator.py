@@ -20,7 +20,7 @@ _COLOUR_BYTES = 16
 _WORK = 1 << 31
 """Multiply-adds of a dispatch: some 10 ms of a small GPU, so that a desktop stays usable."""
 
-_LARGEST_BATCH = 1 << 18  # rows: 16 MiB of them
+_LARGEST_BATCH = 1 << 18  # rows: 20 MiB of them
 
 _SHORT_S = 0.02
 """Time of a dispatch that is far from disturbing a desktop."""

@@ -50,7 +50,8 @@ def scene_site(path: Path) -> Site:
 
 def _add_asset(scene_file: SceneFile, site: Site) -> str:
     """The name in the page of the scene's first asset."""
-    path = scene_file.asset_path(0)
+    path = scene_file.resolved.assets[0].path
+    scene_file.check(("assets", 0, "path"), path)
     _note_if_outside(scene_file, path, site)
     try:
         return site.add_package(path)
@@ -60,7 +61,7 @@ def _add_asset(scene_file: SceneFile, site: Site) -> str:
 
 def _add_glass(scene_file: SceneFile, site: Site) -> ObjectModel | None:
     """The object that is the smooth glass of the first asset, where that is; None for none."""
-    scene, beside = scene_file.scene, glass_of(scene_file.asset_path(0))
+    scene, beside = scene_file.scene, glass_of(scene_file.resolved.assets[0].path)
     for index, model in enumerate(scene.objects):
         stands_there = model.transform == scene.assets[0].transform and model.material is None
         if scene_file.resolve(model.path) != beside or not stands_there:

@@ -25,7 +25,7 @@ for (const [name, { folder, site, file, more }] of Object.entries(PAGES)) {
     format: "iife",
     target: "es2022",
     legalComments: "eof",
-    loader: { ".wgsl": "text" },
+    loader: { ".wgsl": "text", ".glsl": "text" },
     plugins: [imports],
     logLevel: "warning",
   });

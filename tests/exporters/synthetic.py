@@ -37,11 +37,9 @@ def tiny(preset: str = "small", kind: str = "surface", **training: object) -> Pr
 
 @contextmanager
 def hurried_packages() -> Iterator[None]:
-    """Little tuning of int8 decoders and short timings, where no test looks at their results."""
+    """Little tuning of int8 decoders, where no test looks at its result."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("rna_export.export.int8_tuning._STEPS", 8)
-        patch.setattr("rna_bench.frontier.trials.cost._SECONDS", 0.005)
-        patch.setattr("rna_bench.frontier.trials.cost._FEWEST", 1024)
         yield
 
 

@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import dataclasses
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
 
+from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.validation_view import ValidationView
+from rna_export.make.round_images import RoundImages
 from rna_export.training.optimization.losses import darkening, with_fitting_loss
 from rna_export.training.presets import PRESETS
 from rna_export.training.validation import mean_psnr, noiseless_psnr
@@ -64,6 +68,20 @@ def test_presets_of_surfaces_choose(dataset: NoisyPart, deviation: float, loss: 
     requested = tiny(loss="log")
     assert with_fitting_loss(requested, dataset, UNIT) is requested
     assert {PRESETS[kind]["paper-hq"].training.loss for kind in PRESETS} == {"log"}
+
+
+@pytest.mark.parametrize(
+    ("samples", "given", "noisy"),
+    [(16, (), True), (64, (), False), (16, ("validation_samples",), False)],
+)
+def test_images_of_few_paths_are_noisy_unless_they_were_asked_for(
+    samples: int, given: tuple[str, ...], noisy: bool
+) -> None:
+    settings = CaptureSettings(validation_samples=samples)
+    dataset = SimpleNamespace(manifest=SimpleNamespace(settings=settings))
+    rays: Any = SimpleNamespace(dataset=dataset)
+    state: Any = SimpleNamespace()
+    assert RoundImages(rays, state, given).are_noisy == noisy
 
 
 def test_noise_of_few_paths_does_not_count_against_a_goal_in_rounds(dataset: NoisyPart) -> None:

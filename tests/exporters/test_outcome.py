@@ -104,7 +104,8 @@ def test_promises_are_compared_with_errors(
     promise: MaterialVerdict | None, flip: float | None, ends: str
 ) -> None:
     told = MaterialOutcome(name="m", share=0.3, flip=flip, shown=4, lost=0, promise=promise)
-    assert told.line.startswith("  'm' (30% of the pixels)") and told.line.endswith(ends)
+    assert told.told().startswith("  'm' (30% of the pixels)") and told.told().endswith(ends)
+    assert told.told(is_sketch=True).endswith(ends.removesuffix(", worse than promised"))
 
 
 def test_a_perfect_model_keeps_its_promises(tmp_path: Path) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -10,9 +9,6 @@ import numpy as np
 import OpenEXR
 import pytest
 
-from rna_bench.peers.views_plan import INTENSITY, ViewsPlan
-from rna_bench.peers.views_reader import read_views
-from rna_bench.peers.views_rendering import render_views
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.compare.cycles_scene import cycles_scene
 from rna_render.paths.integrator_factory import make_integrator
@@ -21,7 +17,7 @@ from rna_render.paths.world_in_time import load_world
 from rna_render.scene.scene_file import SceneFile
 from rna_render.scene.scene_model import Scene
 from rna_render.world.camera import Camera
-from rna_sdk.errors import CaptureError, SceneError
+from rna_sdk.errors import SceneError
 from tests.exporters.conftest import OpenWorker
 from tests.exporters.cycles import unit
 from tests.render.assets import sphere
@@ -131,32 +127,6 @@ def test_a_scene_leaves_later_renders_as_they_were(open_worker: OpenWorker, tmp_
     scene = _scene(LIGHTS["sun"])
     _cycles(worker, scene, tmp_path, seed=1)
     assert np.array_equal(worker.render_view(*view), before)
-    _assert_views_are_lamberts(worker, tmp_path / "views", np.array([0.9, 0.5, 0.1]))
-
-
-def _assert_views_are_lamberts(worker: BlenderWorker, folder: Path, albedo: np.ndarray) -> None:
-    """Views of `rna-bench peers-data` of a unit ball: places, depth, light; nothing made twice."""
-    plan = ViewsPlan(3, 1, 0, 16, 64, 64)
-    render_views(plan, worker, folder)
-    views = read_views(folder, "train")
-    assert views.depth is not None and views.radius == pytest.approx(1.0, abs=1e-3)
-    k = int(np.argmax(views.rgba[..., 0]))
-    pixel = views.batch(np.array([k]))
-    point = pixel.origins[0] + views.depth.reshape(-1)[k] * pixel.directions[0]
-    assert np.linalg.norm(point) == pytest.approx(1.0, abs=0.1)  # not through the pixel's middle
-    way = pixel.lights[0] - point
-    cosine = point @ way / np.linalg.norm(point) / np.linalg.norm(way)
-    expected = albedo / np.pi * INTENSITY * cosine / (way @ way)
-    np.testing.assert_allclose(pixel.colour[0], expected, rtol=0.1)
-    written = {path: path.stat().st_mtime_ns for path in folder.rglob("*.exr")}
-    (folder / "train" / "r_0001.exr").unlink()
-    render_views(plan, worker, folder)
-    again = {path: path.stat().st_mtime_ns for path in folder.rglob("*.exr")}
-    made = {path.name for path in again if again[path] != written[path]}
-    assert made == {"r_0001.exr", "r_0001_depth.exr"}
-    np.testing.assert_allclose(read_views(folder, "train").rgba, views.rgba, atol=0.05)
-    with pytest.raises(CaptureError, match=r"samples 64, now 8\): choose another --out"):
-        render_views(replace(plan, samples=8), worker, folder)
 
 
 BULB = {"type": "sphere", "position": (0, 1, 0), "radius": 1, "radiance": (1, 1, 1)}

@@ -25,6 +25,14 @@ def test_ordinary_objects_fit_their_steps(size: float) -> None:
     assert too_coarse("asset", scaled(merged(sphere(4), rivet), size)) is None
 
 
+def test_a_mesh_without_an_area_in_16_bits_is_kept() -> None:
+    """As of a file with one coordinate that is wrong."""
+    positions = np.float32([[0, 0, 0], [0, 1, 0], [0, 1, 1], [4e9, 1, 1]])
+    triangles = np.uint32([[0, 1, 2], [0, 1, 3]])
+    note = too_coarse("asset", Mesh(positions, np.float32([[0, 0, 1]] * 4), None, triangles))
+    assert note is not None and "no triangle has an area" in note
+
+
 def test_fine_details_of_one_surface_are_no_objects() -> None:
     """A pole of a fine sphere has tiny triangles that belong to large ones."""
     mesh = sphere(3)

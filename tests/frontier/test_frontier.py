@@ -20,7 +20,8 @@ from rna_bench.frontier.trials.trial import Trial
 from rna_bench.frontier.trials.trial_pool import TrialWorkers
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_work.threads import Threads
-from tests.exporters.synthetic import hurried_packages, make_dataset, tiny
+from tests.exporters.synthetic import make_dataset, tiny
+from tests.frontier.hurried import hurried_trials
 
 
 def grid(kind: str, steps: int) -> list[Trial]:
@@ -39,7 +40,7 @@ def grid(kind: str, steps: int) -> list[Trial]:
 
 @pytest.fixture(scope="module", autouse=True)
 def hurried() -> Iterator[None]:
-    with hurried_packages():
+    with hurried_trials():
         yield
 
 

@@ -22,8 +22,9 @@ from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.training_run import train
 from rna_sdk.errors import TrainingError
 from rna_sdk.runtime import load
-from tests.exporters.synthetic import hurried_packages, make_dataset, tiny
+from tests.exporters.synthetic import make_dataset, tiny
 from tests.exporters.two_parts import hairy_ball
+from tests.frontier.hurried import hurried_trials
 
 CPU = TrialWorkers(count=1, threads=1, device="cpu")
 
@@ -34,7 +35,7 @@ def trial(name: str = "tiny", **training: object) -> Trial:
 
 @pytest.fixture(scope="module", autouse=True)
 def hurried() -> Iterator[None]:
-    with hurried_packages():
+    with hurried_trials():
         yield
 
 

@@ -10,6 +10,7 @@ import jsonschema
 import numpy as np
 import pytest
 
+from rna_render.materials.files.mesh_file import MeshFileWarning, read_mesh_object
 from rna_sdk.errors import PackageError, RnaError
 from rna_sdk.files.file_kinds import kind_of, not_a
 from rna_sdk.package import Package, validate
@@ -17,6 +18,7 @@ from rna_sdk.package.command import rna_info, rna_pack, rna_validate
 from rna_sdk.package.gltf.carrier import EXTENSION
 from rna_sdk.package.gltf.carrier_writer import with_package
 from rna_sdk.package.gltf.fallback import glb_of
+from rna_sdk.package.packing import Unpacked
 from rna_sdk.runtime import load
 from tests.conftest import REPOSITORY
 from tests.package.carriers import CHANGES, CUTS, Document, changed, make_carrier, opened, written
@@ -77,6 +79,24 @@ def test_the_fallback_takes_little(package: Path) -> None:
     with Package.open(package) as of:
         colors = {} if package is CURLS else {0: np.zeros((len(of.mesh().positions), 3), "f4")}
         assert len(glb_of(of, colors)) < 1.35 * package.stat().st_size
+
+
+def test_the_fallback_is_geometry_of_the_package(carrier: Path, tiny: Path, tmp_path: Path) -> None:
+    """In place; beside the package, if that holds it in coded form."""
+    coded = tmp_path / "coded.rna"
+    Unpacked.read(tiny).deflated().write(coded)
+    with Package.open(tiny) as package:
+        mesh = package.mesh()
+    for path in (carrier, make_carrier(coded, tmp_path / "coded.glb")):
+        document, _ = opened(path)
+        package_view, *views = document["bufferViews"]
+        attributes = document["meshes"][0]["primitives"][0]["attributes"]
+        place = views[document["accessors"][attributes["POSITION"]]["bufferView"] - 1]
+        assert (place["byteOffset"] < package_view["byteLength"]) == (path is carrier)
+        with pytest.warns(MeshFileWarning, match="RNA_relightable_asset"):
+            shown = read_mesh_object(path)
+        np.testing.assert_allclose(shown.positions, mesh.positions, atol=1e-6)
+        np.testing.assert_array_equal(shown.triangles, mesh.triangles)
 
 
 @pytest.mark.parametrize("name", CHANGES)

@@ -17,7 +17,7 @@ from rna_render.materials.mesh_object import MeshObject
 from rna_render.scene.material_models import DiffuseModel
 from rna_sdk.package import Curves, Package
 from rna_sdk.package.command.rna_info import main
-from rna_sdk.package.gltf.strand_tubes import tubes
+from rna_sdk.package.gltf.strand_ribbons import ribbons
 from tests.conftest import REPOSITORY
 from tests.exporters.in_blender import answer_of
 
@@ -90,28 +90,28 @@ def test_parts_are_nodes_and_holes_are_alpha(tmp_path: Path) -> None:
     np.testing.assert_allclose(alpha, 255.0 - texture.mean(axis=2), atol=0.5)
 
 
-def test_strands_become_tubes_of_their_width_and_stay_below_the_limit() -> None:
+def test_strands_become_ribbons_of_their_width_and_stay_below_the_limit() -> None:
     along = np.linspace(0.0, 1.0, 20, dtype=np.float32)
     strand = np.stack([along, along**2, np.zeros(20, np.float32)], axis=1)
     points = (strand + np.arange(50, dtype=np.float32)[:, None, None]).reshape(-1, 3)
     radii = np.full(1000, 0.01, np.float32)
     curves = Curves(points, radii, np.arange(0, 1001, 20, dtype=np.uint32))
-    full = tubes(curves)
-    assert len(full.triangles) == 50 * 19 * 6
-    away = np.linalg.norm(full.positions.reshape(-1, 3, 3) - points[:, None], axis=2)
-    np.testing.assert_allclose(away, 0.01 * 2 * np.pi / 27**0.5, rtol=1e-3)
+    full = ribbons(curves)
+    assert len(full.triangles) == 50 * 19 * 2
+    away = np.linalg.norm(full.positions.reshape(-1, 2, 3) - points[:, None], axis=2)
+    np.testing.assert_allclose(away, 0.01 * np.pi / 2, rtol=1e-3)
     corners = full.positions[full.triangles]
     faces = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     assert (np.einsum("ij,ij->i", faces, full.normals[full.triangles].sum(axis=1)) > 0).all()
-    few = tubes(curves, max_triangles=600)
-    assert len(few.triangles) == 480
-    near = np.linalg.norm(few.positions[:3].astype(float) - points[0], axis=1)
-    np.testing.assert_allclose(near, 5 * away.max(), rtol=1e-3)
+    few = ribbons(curves, max_triangles=600)
+    assert len(few.triangles) == 400
+    near = np.linalg.norm(few.positions[:2].astype(float) - points[0], axis=1)
+    np.testing.assert_allclose(near, 2 * away.max(), rtol=1e-3)
 
 
 def test_a_strand_that_turns_back_stays_finite() -> None:
     points = np.float32([[0, 0, 0], [1, 0, 0], [0, 0, 0], [0, 1, 0]])
-    mesh = tubes(Curves(points, np.full(4, 0.1, np.float32), np.uint32([0, 4])))
+    mesh = ribbons(Curves(points, np.full(4, 0.1, np.float32), np.uint32([0, 4])))
     np.testing.assert_allclose(np.linalg.norm(mesh.normals, axis=1), 1.0, atol=1e-5)
     assert np.isfinite(mesh.positions).all()
 

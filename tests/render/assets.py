@@ -29,7 +29,6 @@ class LambertAsset:
     shadowed: tuple[float, float, float] = (0.0, 0.0, 0.0)
     kind: str = "surface"
     emits: bool = False
-    environment_form: None = None
     nearby_lengths: None = None
     sampling: tuple[Mixture, ...] = (USUAL_SAMPLING["surface"],)
     transmittance_records: tuple = ()
@@ -61,7 +60,6 @@ class FiberProbe:
     shadowed: tuple[float, float, float] = (0.0, 0.0, 0.0)
     kind: str = "fiber"
     emits: bool = False
-    environment_form: None = None
     nearby_lengths: None = None
     sampling: tuple[Mixture, ...] = (USUAL_SAMPLING["fiber"],)
 

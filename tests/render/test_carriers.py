@@ -11,6 +11,7 @@ from rna_render.command.rna_run import main
 from rna_render.command.terminal import tell_size
 from rna_render.image.images import read_exr
 from rna_render.scene import read_scene
+from rna_render.world.scene_sources import check_files
 from rna_sdk.errors import SceneError
 from tests.package.carriers import changed, make_carrier
 from tests.render.assets import sphere
@@ -58,7 +59,7 @@ def test_a_glb_without_a_package_says_what_makes_one(tmp_path: Path) -> None:
     (tmp_path / "plain.glb").write_bytes(b"glTF")
     (tmp_path / "scene.yaml").write_text(SCENE.format(name="plain.glb"))
     with pytest.raises(SceneError, match=r"plain\.glb is a model, not a package; rna-make"):
-        read_scene(tmp_path / "scene.yaml").asset_path(0)
+        check_files(read_scene(tmp_path / "scene.yaml"))
 
 
 def test_what_a_scene_shows_beside_its_package_is_told(

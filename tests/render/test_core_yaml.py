@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 import yaml
 
-from rna_render.scene.core_yaml import dump_yaml, load_yaml
+from rna_render.scene.core_yaml import CoreLoader, dump_yaml
 from rna_render.scene.scene_file import read_scene
 from rna_sdk.errors import SceneError
 
@@ -38,9 +38,14 @@ SCALARS: dict[str, object] = {
 }
 
 
+def parsed(text: str) -> object:
+    loader = CoreLoader(text)
+    return loader.construct_document(loader.get_single_node())
+
+
 @pytest.mark.parametrize("text", SCALARS)
 def test_scalars_are_those_of_the_core_schema(text: str) -> None:
-    actual = load_yaml(f"a: {text}")["a"]
+    actual = parsed(f"a: {text}")["a"]
     assert actual == SCALARS[text] and type(actual) is type(SCALARS[text])
 
 
@@ -53,7 +58,7 @@ def test_scalars_are_those_of_the_core_schema(text: str) -> None:
 )
 def test_other_tags_are_errors_with_a_line(text: str, tmp_path: Path) -> None:
     with pytest.raises(yaml.MarkedYAMLError):
-        load_yaml(f"a: {text}")
+        parsed(f"a: {text}")
     path = tmp_path / "scene.yaml"
     path.write_text(f"ground: {{}}\nexposure: {text}\n")
     with pytest.raises(SceneError, match=r"scene\.yaml:2: not YAML: ") as caught:
@@ -63,7 +68,7 @@ def test_other_tags_are_errors_with_a_line(text: str, tmp_path: Path) -> None:
 
 def test_what_is_written_is_read_again() -> None:
     data = {"group": "1e3", "other": ["0o17", "yes", "~", "", "a"], "numbers": [1e3, 8]}
-    assert load_yaml(dump_yaml(data)) == data
+    assert parsed(dump_yaml(data)) == data
 
 
 CAMERA = "camera: {position: [1, 1, 1], look_at: [0, 0, 0]}\nground: {}\n"

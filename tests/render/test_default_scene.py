@@ -12,7 +12,14 @@ from rna_render.command.rna_run import main
 from rna_render.image.images import read_exr
 from rna_render.scene.scene_file import read_scene
 from rna_render.scene.scene_model import Scene
-from rna_render.scene.scene_of_package import Shown, default_scene, scene_text, shown
+from rna_render.scene.scene_of_package import (
+    _NOTES,
+    Shown,
+    default_scene,
+    scene_text,
+    scene_values,
+    shown,
+)
 from rna_sdk.commands.size_note import size_note
 from rna_sdk.errors import PackageError, SceneError
 from rna_sdk.files.file_kinds import glass_of
@@ -27,7 +34,7 @@ TOWER = np.array([-0.1, 0.0, -0.1]), np.array([0.1, 5.0, 0.1])
 
 
 def scene_of(of: Shown) -> Scene:
-    return Scene.model_validate(yaml.safe_load(scene_text(of, "it.rna")))
+    return Scene.model_validate(yaml.safe_load(scene_text(scene_values(of, "it.rna"))))
 
 
 @pytest.mark.parametrize("scale", [1e-4, 1.0, 3e4])
@@ -97,7 +104,9 @@ def test_a_package_is_rendered_alone(tmp_path: Path, capsys) -> None:
 
 def test_it_is_what_the_text_says(tmp_path: Path) -> None:
     package = write_lambert_package(tmp_path / "ball.rna", sphere(2))
-    (tmp_path / "scene.yaml").write_text(default_scene(package))
+    text = scene_text(default_scene(package))
+    assert all(f"# {note}" in text for note in _NOTES.values())
+    (tmp_path / "scene.yaml").write_text(text)
     assert read_scene(tmp_path / "scene.yaml").scene == read_scene(package).scene
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterator
 from pathlib import Path
 from types import UnionType
 from typing import Annotated, Any, Literal, Union, get_args, get_origin
@@ -11,59 +13,24 @@ from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
-from rna_render.scene.light_models import (
-    DirectionalModel,
-    DiskModel,
-    EnvironmentModel,
-    PointModel,
-    RectangleModel,
-    SphereModel,
-    SpotModel,
-)
-from rna_render.scene.material_models import (
-    CoatedModel,
-    ConductorModel,
-    DiffuseModel,
-    ShadowCatcherModel,
-)
-from rna_render.scene.model_base import TransformModel
 from rna_render.scene.scene_file import read_scene
-from rna_render.scene.scene_model import (
-    AnimationModel,
-    AssetModel,
-    CameraModel,
-    GroundModel,
-    MotionModel,
-    ObjectModel,
-    QualityModel,
-    Scene,
-    TurnModel,
-)
+from rna_render.scene.scene_model import Scene
 
 DOCS = Path(__file__).parents[2] / "docs" / "scene.md"
-MODELS = [
-    Scene,
-    AssetModel,
-    MotionModel,
-    TransformModel,
-    ObjectModel,
-    GroundModel,
-    DiffuseModel,
-    ConductorModel,
-    CoatedModel,
-    ShadowCatcherModel,
-    CameraModel,
-    DirectionalModel,
-    PointModel,
-    SpotModel,
-    RectangleModel,
-    DiskModel,
-    SphereModel,
-    EnvironmentModel,
-    QualityModel,
-    AnimationModel,
-    TurnModel,
-]
+RUNTIME = DOCS.parents[1] / "runtime"
+
+
+def models(part: Any) -> Iterator[type[BaseModel]]:
+    """The models of a part of a scene file, and of all below it."""
+    if isinstance(part, type) and issubclass(part, BaseModel):
+        yield part
+        for field in part.model_fields.values():
+            yield from models(field.annotation)
+    for inner in get_args(part):
+        yield from models(inner)
+
+
+MODELS = list(dict.fromkeys(models(Scene)))
 
 
 def row(name: str, field: FieldInfo) -> str:
@@ -110,6 +77,19 @@ def test_the_docs_describe_no_key_that_is_not_there():
     keys = DOCS.read_text("utf-8").split("## Light transport")[0]
     written = [line for line in keys.splitlines() if line.startswith("| `")]
     assert sorted(written) == sorted(rows)
+
+
+def test_every_key_is_read_by_the_renderer() -> None:
+    """By its name, beside the models; `up` of a camera or a light, for one, is read as `.up`."""
+    files = [path for path in RUNTIME.rglob("*.py") if not path.name.endswith("_model.py")]
+    text = "\n".join(path.read_text("utf-8") for path in files)
+    keys = {name for model in MODELS for name in model.model_fields}
+    assert {key for key in keys if not re.search(rf"\.{key}\b", text)} == set()
+
+
+def test_models_of_every_light_and_material_are_among_them() -> None:
+    names = {model.__name__ for model in MODELS}
+    assert {"EnvironmentModel", "SphereModel", "ShadowCatcherModel", "QualityModel"} <= names
 
 
 def test_the_example_in_the_docs_is_a_scene(tmp_path):

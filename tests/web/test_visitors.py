@@ -34,9 +34,10 @@ def test_without_webgpu(page, folder, url):
     show(page, folder, url, WITHOUT_GPU)
     page.wait_for("count('error', 'one') && count('error', 'three') > 1", TIMEOUT)
     unavailable = "Die interaktive Ansicht ist hier nicht verfügbar."
+    page.wait_for(f"{SHOWN % 'one'} !== null", TIMEOUT)
     assert page.evaluate(SHOWN % "one") == unavailable
     assert page.evaluate("one.notices.place.role") == "status"
-    assert line(page) == "WebGPU has no adapter here: no more than a poster is shown"
+    assert line(page) == "WebGPU has no adapter here: no more than a stand-in or a poster is shown"
     assert page.evaluate("heard.find(({ id }) => id === 'one').message") == line(page)
     assert page.evaluate("getComputedStyle(one.parts.poster).display") != "none"
     # Nothing is asked for that has no address; no mistake of the page is shown.

@@ -9,7 +9,6 @@ from typing import Any
 
 import pytest
 
-from rna_bench.frontier.trials.trial_pool import TrialWorkers
 from rna_sdk.errors import WorkError
 from rna_work.backend import Needs
 from rna_work.executors import Executor, open_executor
@@ -125,15 +124,11 @@ def test_workers_share_a_gpu(cluster: Any, executor: Executor) -> None:
     try:
         while not executor.gpus():
             time.sleep(0.1)
-        workers = TrialWorkers.usual("auto", 2, executor)
-        assert workers.device == "cuda"
-        with Pool(workers.backend(), Doubling) as pool:
+        with Pool(executor.workers(Needs("processes", 1, 0.5), 2), Doubling) as pool:
             actual = [o.value() for o in pool.run(["gpus"] * 8)]
             assert pool.nodes().total() == 2
         assert actual == ["0"] * 8
-        whole = TrialWorkers.usual("cuda", None, executor).backend()
-        assert whole.width() == 1 and whole.options()["num_gpus"] == 1.0
-        assert TrialWorkers.usual("cuda", 4, executor).backend().options()["num_gpus"] == 0.25
+        assert executor.workers(Needs("processes", 1, 1.0), None).width() == 1
     finally:
         cluster.remove_node(node)
 

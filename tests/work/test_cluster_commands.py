@@ -7,14 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_bench.frontier.trials.trial import Trial
-from rna_bench.frontier.trials.trial_pool import TrialPool, TrialWorkers
 from rna_export.capture.rna_capture import main as capture
 from rna_render.command.rna_run import main as render
 from rna_sdk.motion import write_motion
-from rna_work.executors import open_executor
 from tests.exporters.scenes import write_scene
-from tests.exporters.synthetic import make_dataset, tiny
 from tests.render.assets import sphere
 from tests.render.packages import write_lambert_package
 from tests.render.test_sequence import SCENE
@@ -85,20 +81,3 @@ def test_a_large_image_has_the_same_bits(ray_address: str, tmp_path: Path) -> No
     assert render([str(scene), "--out", str(one)]) == 0
     assert render([str(scene), "--out", str(other), "--cluster", ray_address]) == 0
     assert one.read_bytes() == other.read_bytes()
-
-
-def test_a_training_has_the_same_bits(ray_address: str, tmp_path: Path) -> None:
-    dataset = make_dataset(tmp_path / "ball.rays")
-    trial = Trial(name="tiny", family="ours", preset=tiny(steps=12), seed=1)
-
-    def points(workers: TrialWorkers, folder: Path) -> dict[str, object]:
-        with TrialPool(dataset.folder, workers) as pool:
-            (record,) = pool.run([(trial, folder)])
-        return record.points
-
-    with open_executor(None) as here:
-        expected = points(TrialWorkers(1, 1, "cpu", here), tmp_path / "a")
-    with open_executor(ray_address) as there:
-        assert points(TrialWorkers(None, 1, "cpu", there), tmp_path / "b") == expected
-    packages = [(tmp_path / name / "int8-int8.rna").read_bytes() for name in "ab"]
-    assert packages[0] == packages[1]

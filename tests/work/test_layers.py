@@ -24,7 +24,7 @@ def test_without_the_option_there_is_no_ray() -> None:
     """In a process that imports all commands, what they import late, and opens an executor."""
     steps = [
         "from rna_work.executors import open_executor; open_executor(None).__enter__()",
-        "import rna_export.capture.capture_run, rna_bench.frontier.trials.trial_pool",
+        "import rna_export.capture.capture_run",
         "import rna_render.command.sequence, rna_render.command.pieces",
         "import rna_work.cluster.ray_cluster, rna_work.cluster.ray_slots",
         *(f"import {entry.partition(':')[0]}" for entry in COMMANDS.values()),

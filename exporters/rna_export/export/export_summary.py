@@ -47,7 +47,8 @@ def closing_lines(
     asset = load(package)
     shaded, notes = [_shaded(asset, view) for view in views], dataset.manifest.materials
     write_sheet(sheet_of(package), shaded, views, preflight_lines(notes))
-    lines += Outcome.of(shaded, views, dataset).told(worst_of(package))
+    is_sketch = next(iter(efforts.values())).is_little
+    lines += Outcome.of(shaded, views, dataset).told(worst_of(package), is_sketch=is_sketch)
     if dataset.glass is not None:
         name = glass_of(package)
         lines.append(f"{name}: the smooth glass, an ordinary mesh that a scene places with it")

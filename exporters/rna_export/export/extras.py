@@ -9,6 +9,7 @@ from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.export.poster_rendering import render_poster
 from rna_export.export.proxy import proxy_of
 from rna_export.export.sampling_fit import fitted_sampling
+from rna_export.export.standin_fit import textures_within
 from rna_export.export.standin_textures import standin_material, textures_of
 from rna_export.training.checkpoint import Trained
 from rna_sdk.errors import ExportError
@@ -29,14 +30,15 @@ def add_extras(
     deflate: bool,
     say: Callable[[str], None],
     source: bool = False,
-    analytic: Sequence[Trained] = (),
+    analytic: Sequence[Trained] | None = None,
 ) -> None:
     """Add poster, stand-ins, lobes for rays and proxies to the package; code it if `deflate`.
 
     poster: a PNG; None: one is rendered. proxies: their heights in pixels, each below the one
     before. source: whether to add the source's vertices. analytic: trainings that the stand-ins'
-    textures are baked from. Raises ExportError where the poster is no PNG, the dataset does not
-    have these vertices, or a training is not one of its analytic ones.
+    textures are baked from, none for no textures; None: see `textures_within`. Raises ExportError
+    where the poster is no PNG, the dataset does not have these vertices, or a training is not one
+    of its analytic ones.
     """
     png = render_poster(package) if poster is None else _read_png(poster)
     materials = [standin_material(part.training_samples(_SHARDS)) for part in dataset.parts]
@@ -44,11 +46,12 @@ def add_extras(
     unpacked = Unpacked.read(package).with_poster(png).with_extension(standin, {})
     if (sampling := fitted_sampling(package, say)) is not None:
         unpacked = unpacked.with_extension(sampling, {})
-    if analytic:
-        textures, lines = textures_of(analytic, dataset)
-        say("\n".join([*lines, f"stand-in: textures of {sum(map(bool, textures))} parts"]))
-        if any(textures):
-            unpacked = unpacked.with_standin_textures(textures)
+    if analytic is None:
+        textures = textures_within(dataset, package.stat().st_size, say)
+    else:
+        textures = _given(analytic, dataset, say)
+    if any(textures):
+        unpacked = unpacked.with_standin_textures(textures)
     if dataset.manifest.variants:
         unpacked = unpacked.with_extension(*variants_of(dataset))
     with Package.open(package) as opened:
@@ -58,6 +61,16 @@ def add_extras(
     if source:
         unpacked = unpacked.with_source(_sources(dataset))
     (unpacked.deflated() if deflate else unpacked).write(package)
+
+
+def _given(
+    analytic: Sequence[Trained], dataset: Dataset, say: Callable[[str], None]
+) -> list[dict[str, bytes] | None]:
+    if not analytic:
+        return []
+    textures, lines = textures_of(analytic, dataset)
+    say("\n".join([*lines, f"stand-in: textures of {sum(map(bool, textures))} parts"]))
+    return textures
 
 
 def variants_of(dataset: Dataset) -> tuple[Variants, dict[str, bytes]]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from rna_export.export.package_options import add_credit, add_environment, check_environment
 from rna_export.export.precision import MAX_LOSS, add_precision, precisions_of
@@ -13,6 +14,11 @@ from rna_sdk.commands.console import command_line, command_parser, run_command
 from rna_sdk.files.file_kinds import kind_of
 from rna_sdk.files.outputs import check_outputs, check_package_name
 from rna_sdk.package.gltf.glb_file import package_to_write
+
+if TYPE_CHECKING:
+    from rna_export.training.checkpoint import Trained
+
+_NONE = Path("none")  # of --standin
 
 
 def parser() -> argparse.ArgumentParser:
@@ -71,8 +77,9 @@ def parser() -> argparse.ArgumentParser:
         type=Path,
         metavar="FOLDER",
         help="folder of rna-train --preset analytic on the same dataset; its materials become the "
-        "textures of rna-info --glb, for parts with texture coordinates (path, default: one colour "
-        "per part)",
+        "textures that web pages show first and rna-info --glb writes, for parts with texture "
+        "coordinates; none: no textures (path, default: a short fit, for parts without base "
+        "colour, in up to 15%% of the package's size)",
     )
     p.add_argument(
         "--source-vertices",
@@ -136,6 +143,15 @@ def _add_lobes(args: argparse.Namespace) -> None:
     print(f"next: {command_line('rna-view', args.out)}")
 
 
+def _analytic(folder: Path | None) -> list[Trained] | None:
+    from rna_export.export.trained_tiers import checkpoint_paths
+    from rna_export.training.checkpoint import load_checkpoint
+
+    if folder is None:
+        return None
+    return [] if folder == _NONE else [load_checkpoint(path) for path in checkpoint_paths([folder])]
+
+
 def _run(args: argparse.Namespace) -> None:
     from rna_export.capture.dataset.completeness import check_complete
     from rna_export.capture.dataset.dataset_folder import Dataset
@@ -153,12 +169,11 @@ def _run(args: argparse.Namespace) -> None:
     given = [*checkpoints, *args.environment_files]
     check_outputs([args.out], given if args.poster is None else [*given, args.poster])
     trained = [load_checkpoint(path) for path in checkpoints]
-    of_standin = checkpoint_paths([args.standin]) if args.standin else []
-    analytic = [load_checkpoint(path) for path in of_standin]
+    analytic = _analytic(args.standin)
     whole = Dataset(args.dataset or trained[0].dataset)
     check_complete(whole, args.incomplete)
     dataset = as_cut(whole, trained[0].cut)
-    check_analytic(analytic, dataset)
+    check_analytic(analytic or (), dataset)
     presets = dict.fromkeys(one.preset_name for one in trained)
     precisions = precisions_of(args.precision, presets)
     proxies = sorted(set(args.proxies), reverse=True)

@@ -229,12 +229,17 @@ def textures_of(
 def _of_part(part: DatasetPart, trained: Trained | None) -> dict[str, bytes]:
     if trained is None:
         raise ExportError("no checkpoint of it is given")
+    return standin_textures(trained.model, texture_mesh(part))
+
+
+def texture_mesh(part: DatasetPart) -> Mesh:
+    """The mesh of a part that may have textures; raises `ExportError` for another."""
     mesh = part.geometry()
     if not isinstance(mesh, Mesh):
         raise ExportError("strands have none")
     if part.captured.transmittance or part.captured.normal_maps:
         raise ExportError("it has holes or a normal map")
-    return standin_textures(trained.model, mesh)
+    return mesh
 
 
 def _filled(values: np.ndarray, texel: np.ndarray, side: int) -> np.ndarray:

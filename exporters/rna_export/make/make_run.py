@@ -245,7 +245,7 @@ class Make:
             phase.run(shards, stage)
         stage.done()
         trained = trained_in(phase.folder, phase.dataset)
-        round_.score = score(trained, phase.dataset, self._images.are_small)
+        round_.score = score(trained, phase.dataset, self._images.are_noisy)
         self._save()
         text = f"{round_.lights:,} lights, {lead} has {_score_text(round_.score)}"
         self._progress.say(f"round {number + 1}: {text}")
@@ -263,7 +263,8 @@ class Make:
             phase = self._phase(preset, last.phase, None)
             with self._timed("training"):
                 phase.run(phase.dataset.finished_shards(), stage)
-            last.score = score(trained_in(phase.folder, phase.dataset), phase.dataset)
+            trained = trained_in(phase.folder, phase.dataset)
+            last.score = score(trained, phase.dataset, self._images.are_noisy)
             self._save()
             self._progress.say(f"last training: {preset} has {_score_text(last.score)}")
         stage.done()

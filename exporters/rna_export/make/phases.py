@@ -108,8 +108,7 @@ def trained_in(folder: Path, dataset: Dataset) -> list[Trained]:
 def score(trained: Sequence[Trained], dataset: Dataset, is_noisy: bool = False) -> Score:
     """Score of the models of all parts, over the whole validation images.
 
-    is_noisy: whether the images are those of rounds, whose noise a PSNR must not count: of the toy
-    it has 37 dB alone.
+    is_noisy: whether the images have so few paths a pixel that a PSNR must not count their noise.
     """
     views = dataset.whole_views()
     radiance = [

@@ -14,6 +14,7 @@ from rna_export.make.state import State
 
 _A_REST = IMAGE_SHARE / (1.0 - IMAGE_SHARE)  # time of images over that of all else, at most
 _ROUND = 1.5  # time of a first round over that of its rays, at least
+_FEW_PATHS = 64  # a pixel: of the toy their noise has 43 dB alone (docs/decisions/capture.md)
 _WORTH = 2.0  # times as many paths, from which new images are worth their time
 _CHANGED = "validation_resolution", "validation_samples", "validation_views"
 
@@ -28,9 +29,11 @@ class RoundImages:
         self._rays, self._state, self._given = rays, state, given
 
     @property
-    def are_small(self) -> bool:
-        """Whether they are those of rounds, with few paths a pixel."""
-        return self._state.images is not None
+    def are_noisy(self) -> bool:
+        """Whether they were shrunk to so few paths a pixel that their noise would rule a PSNR."""
+        return "validation_samples" not in self._given and (
+            self._settings().validation_samples < _FEW_PATHS
+        )
 
     def shrink(self, lights: int) -> None:
         """Plan images that fit to a first round of so many lights, if those planned are larger."""

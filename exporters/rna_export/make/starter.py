@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from rna_render.scene import default_scene
+from rna_render.scene import default_scene, scene_text
 
 SCENE_NAME = "scene.yaml"
 
@@ -14,7 +14,7 @@ def write_starter(package: Path) -> Path | None:
 
     Raises OSError if it cannot be written, PackageError for a broken package.
     """
-    path, text = package.with_name(SCENE_NAME), default_scene(package)
+    path, text = package.with_name(SCENE_NAME), scene_text(default_scene(package))
     try:
         with path.open("x", encoding="utf-8") as file:
             file.write(text)

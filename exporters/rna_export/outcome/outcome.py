@@ -42,24 +42,20 @@ class MaterialOutcome:
     lost: int
     promise: MaterialVerdict | None
 
-    @property
-    def line(self) -> str:
-        """In words, beside the promise."""
+    def told(self, is_sketch: bool = False) -> str:
+        """In words, beside the promise, of which a sketch cannot fall short."""
         promised = "" if self.promise is None else f", promised: {self.promise.promise}"
         first = f"  {self.name!r} ({share_text(self.share)} of the pixels){promised}: "
         if self.flip is None:
             return f"{first}too little is seen of it to tell"
         lost = f"; lost in {self.lost} of {self.shown} images that show it" if self.lost else ""
         word, _, _ = error_in_words(self.flip).partition(":")
-        return f"{first}FLIP {self.flip:.3f} ({word}){self._compared}{lost}"
-
-    @property
-    def _compared(self) -> str:
-        if self.promise is None or self.flip is None:
-            return ""
-        if self.promise.learnt == "well":
-            return ", worse than promised" if self.flip >= FAIR else ""
-        return ", better than promised" if self.flip < GOOD else ""
+        compared = ""
+        if self.promise is not None and self.promise.learnt != "well" and self.flip < GOOD:
+            compared = ", better than promised"
+        elif self.promise is not None and self.promise.learnt == "well" and self.flip >= FAIR:
+            compared = "" if is_sketch else ", worse than promised"
+        return f"{first}FLIP {self.flip:.3f} ({word}){compared}{lost}"
 
 
 @dataclass(frozen=True)
@@ -113,14 +109,19 @@ class Outcome:
             worst=WorstPlace.of(images, names),
         )
 
-    def told(self, picture: Path, what: str = "validation images") -> list[str]:
-        """In words; writes a PNG of the worst place. what: what the images are."""
+    def told(
+        self, picture: Path, what: str = "validation images", is_sketch: bool = False
+    ) -> list[str]:
+        """In words; writes a PNG of the worst place.
+
+        what: what the images are. is_sketch: whether little was done for the model yet.
+        """
         if self.worst is None:
             return []
         told, more = self.materials[:_LISTED], self.materials[_LISTED:]
-        came_true = "what came true, " if self.materials else ""
+        came_true = f"what came true{' so far' if is_sketch else ''}, " if self.materials else ""
         lines = [f"{came_true}in {self.images} lit {what}:"]
-        lines += [each.line for each in told]
+        lines += [each.told(is_sketch) for each in told]
         if more:
             worst = max((each.flip for each in more if each.flip is not None), default=0.0)
             lines.append(f"  {len(more)} more materials: FLIP {worst:.3f} or less")
@@ -183,8 +184,9 @@ def _flip_of(images: Sequence[JudgedImage], rows: np.ndarray) -> float:
 def _luminance(images: Sequence[JudgedImage]) -> tuple[np.ndarray, np.ndarray]:
     """Luminance of all pixels: (n,) of ours, (2, n) of both references."""
     ours = _joined(images, lambda image: image.ours @ LUMINANCE)
-    halves = [_joined(images, lambda image, k=k: image.halves[k] @ LUMINANCE) for k in (0, 1)]
-    return ours, np.stack(halves)
+    first = _joined(images, lambda image: image.halves[0] @ LUMINANCE)
+    second = _joined(images, lambda image: image.halves[1] @ LUMINANCE)
+    return ours, np.stack([first, second])
 
 
 def _of_brightest(ours: np.ndarray, halves: np.ndarray) -> float | None:

@@ -26,7 +26,8 @@ class TriangleMaterials:
     def __init__(self, dataset: Dataset) -> None:
         whole = Dataset(dataset.folder)  # in one piece, as its triangles are counted
         self._first_part = len(whole.manifest.materials)
-        names = [each.name for each in (*whole.manifest.materials, *whole.parts)]
+        materials = [material.name for material in whole.manifest.materials]
+        names = [*materials, *(part.name for part in whole.parts)]
         self.names = names if len(names) > 1 else [""]
         self._scene, numbers = whole.scene, whole.materials
         for part, geometry in zip(whole.parts, self._scene.geometries, strict=True):

@@ -37,14 +37,15 @@ class WorstPlace:
     @classmethod
     def of(cls, images: Sequence[JudgedImage], names: Sequence[str]) -> WorstPlace | None:
         """That of all images; None where none shows the asset. names: of materials."""
-        found = []
+        found: list[tuple[float, JudgedImage | None, int, int]] = []
         for image in images:
             errors = image.nearby_error(_PLACE)
             row, column = (int(k) for k in np.unravel_index(errors.argmax(), errors.shape))
             found.append((float(errors[row, column]), image, row, column))
-        flip, image, row, column = max(found, key=lambda one: one[0], default=(0.0, None, 0, 0))
-        if image is None or flip == 0.0:
+        worst = max(found, key=lambda one: one[0], default=None)
+        if worst is None or worst[0] == 0.0:
             return None
+        flip, image, row, column = worst
         square = _around(row, _PLACE, image), _around(column, _PLACE, image)
         material, asset = image.material[square], image.asset[square]
         numbers = material[asset & (material >= 0)]

@@ -53,16 +53,26 @@ class Effort:
         """As "16 of 2,000 lights"."""
         return _told(self.lights, self.usual_lights, "lights")
 
+    @property
+    def is_little(self) -> bool:
+        """Whether less than a tenth of the usual was done."""
+        return bool(self._few)
+
+    @property
+    def _few(self) -> list[str]:
+        """Numbers that are less than a tenth of the usual ones."""
+        shares = [
+            (self.steps < _LITTLE * self.usual_steps, self.steps_text),
+            (self.lights < _LITTLE * self.usual_lights, self.lights_text),
+        ]
+        return [text for is_little, text in shares if is_little]
+
     def warnings(self, flip: float | None) -> list[str]:
         """A line where less than a tenth of the usual was done.
 
         flip: the model's error; None where it is not known.
         """
-        shares = [
-            (self.steps < _LITTLE * self.usual_steps, self.steps_text),
-            (self.lights < _LITTLE * self.usual_lights, self.lights_text),
-        ]
-        few = " and ".join(line for is_little, line in shares if is_little)
+        few = " and ".join(self._few)
         if not few:
             return []
         if flip is not None and flip < GOOD:
@@ -93,5 +103,6 @@ def closing_lines(best: Path, part: DatasetPart) -> list[str]:
         if returned is not None:
             text = albedo_text(returned.ratio, returned.at80)
             lines.append(f"{trained.preset_name}: {text}")
-    lines += Outcome.of(radiance, views, part.dataset).told(best.parent / "worst.png")
+    outcome, worst = Outcome.of(radiance, views, part.dataset), best.parent / "worst.png"
+    lines += outcome.told(worst, is_sketch=effort.is_little)
     return [*lines, *reference_warnings(views), *effort.warnings(error.mean)]

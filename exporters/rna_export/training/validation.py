@@ -130,7 +130,8 @@ def score(radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> Scores:
 def noiseless_psnr(radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> NoiselessPsnr:
     """Mean PSNR of shaded rows against what both halves of the captured ones converge to."""
     pairs, e = zip(radiance, views, strict=True), exposure(views)
-    return NoiselessPsnr.mean([psnr_without_noise(r, *v.halves, e) for r, v in pairs])
+    each = [psnr_without_noise(r, v.halves[0], v.halves[1], e) for r, v in pairs]
+    return NoiselessPsnr.mean(each)
 
 
 def mean_psnr(radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> float:

@@ -1,6 +1,6 @@
 """A package inside a binary glTF, with a fallback: its geometry with the stand-in materials.
 
-Holes become alpha, normal maps those of glTF, strands tubes. Of what the network knows, the
+Holes become alpha, normal maps those of glTF, strands ribbons. Of what the network knows, the
 fallback has a colour at each vertex, at most. Geometry and textures that the package holds are not
 stored again.
 """
@@ -23,7 +23,7 @@ from rna_sdk.package.geometry.glb_writer import mesh_to_glb
 from rna_sdk.package.geometry.quantised_mesh import quantise_mesh
 from rna_sdk.package.gltf.carrier import EXTENSION
 from rna_sdk.package.gltf.carrier_writer import carrying, packed
-from rna_sdk.package.gltf.strand_tubes import MAX_TRIANGLES, tubes
+from rna_sdk.package.gltf.strand_ribbons import MAX_TRIANGLES, ribbons
 from rna_sdk.package.manifest.extensions import Standin, StandinMaterial, StandinTextures, of_part
 from rna_sdk.package.manifest.manifest_fields import Record
 from rna_sdk.package.package import Package
@@ -35,9 +35,8 @@ _REPEAT = 10497
 _FULL = 65535
 
 _FEWEST_TRIANGLES = 10_000
-_STRAND_SHARE = 0.3
-_TRIANGLE_BYTES = 20
-"""Tubes take at most this share of the package's size; of each triangle, at three sides a tube."""
+_STRAND_SHARE, _TRIANGLE_BYTES = 0.34, 30
+"""Ribbons take at most this share of the package's size; of a triangle, at 8 segments each."""
 
 
 def glb_of(package: Package, colors: Mapping[int, NDArray[np.float32]] | None = None) -> bytes:
@@ -95,7 +94,7 @@ class _File:
         if isinstance(geometry, Curves):
             most = int(_STRAND_SHARE * len(self._package.file_data)) // _TRIANGLE_BYTES
             most = min(MAX_TRIANGLES, max(most, _FEWEST_TRIANGLES))
-            data = memoryview(mesh_to_glb(quantise_mesh(tubes(geometry, most))))
+            data = memoryview(mesh_to_glb(quantise_mesh(ribbons(geometry, most))))
             return _PartMesh(self, data, self._append(data), name)
         data, start = self._package.entry(name)
         return _PartMesh(self, data, self._append(data) if start is None else start, name)
@@ -233,9 +232,9 @@ class _Looks:
 
     def material_at(self, triangle: int) -> int:
         """Index of the material of a triangle."""
-        key = _of(self._holes, triangle), _of(self._reliefs, triangle)
+        holes, relief = key = _of(self._holes, triangle), _of(self._reliefs, triangle)
         if key not in self._made:
-            self._made[key] = self._file.add("materials", self._material(*key))
+            self._made[key] = self._file.add("materials", self._material(holes, relief))
         return self._made[key]
 
     def _textured(self) -> dict[str, Any]:

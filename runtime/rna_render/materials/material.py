@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, fields, replace
+from typing import assert_never
 
 from rna_render.materials.textures import SRGB, Texture, read_texels
 from rna_render.scene.material_models import (
     CoatedModel,
     ConductorModel,
+    DiffuseModel,
     MaterialModel,
     ShadowCatcherModel,
 )
@@ -84,9 +86,12 @@ def make_material(model: MaterialModel) -> Material:
     if model.texture is not None:
         texture = Texture(read_texels(model.texture, model.texture), SRGB)
     plain = Material(model.color, emission=model.emission, base_color_texture=texture)
-    if isinstance(model, ConductorModel):
-        return replace(plain, metallic=1.0, roughness=model.roughness)
-    if isinstance(model, CoatedModel):
-        f0 = reflectance_of_ior(model.ior)
-        return replace(plain, roughness=model.roughness, coat_f0=f0)
-    return plain
+    match model:
+        case DiffuseModel():
+            return plain
+        case ConductorModel():
+            return replace(plain, metallic=1.0, roughness=model.roughness)
+        case CoatedModel():
+            f0 = reflectance_of_ior(model.ior)
+            return replace(plain, roughness=model.roughness, coat_f0=f0)
+    assert_never(model)

@@ -14,5 +14,6 @@ from .scene_model import GroundModel as GroundModel
 from .scene_model import ObjectModel as ObjectModel
 from .scene_model import Scene as Scene
 from .scene_of_package import default_scene as default_scene
+from .scene_of_package import scene_text as scene_text
 from .transforms import from_origin as from_origin
 from .transforms import world_from_object as world_from_object

@@ -76,12 +76,6 @@ class CoreLoader(
         return super().construct_object(node, deep)
 
 
-def load_yaml(text: str) -> object:
-    """Contents of a document. Raises yaml.YAMLError."""
-    loader = CoreLoader(text)
-    return loader.construct_document(loader.get_single_node())
-
-
 def _scalar(name: str) -> Callable[[CoreLoader, ScalarNode], object]:
     pattern, _, make = _SCALARS[name]
 
@@ -114,4 +108,4 @@ class _CoreDumper(yaml.SafeDumper):
 def dump_yaml(data: object) -> str:
     """A document that says `data`, with short lists and mappings on a line."""
     style: dict[str, Any] = {"sort_keys": False, "default_flow_style": None, "width": 100}
-    return str(yaml.dump(data, Dumper=_CoreDumper, **style))
+    return str(yaml.dump(data, Dumper=_CoreDumper, allow_unicode=True, **style))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +12,7 @@ import yaml
 from pydantic import BaseModel, ValidationError
 
 from rna_render.scene.animation import frame_scene
-from rna_render.scene.core_yaml import CoreLoader, load_yaml
+from rna_render.scene.core_yaml import CoreLoader
 from rna_render.scene.limits import MAX_SCENE_BYTES
 from rna_render.scene.scene_messages import Key, Mistake, mistakes
 from rna_render.scene.scene_model import CameraModel, Scene
@@ -65,28 +66,26 @@ class SceneFile:
         """`path`, which the file gives relative to itself."""
         return (self.path.parent / path).resolve()
 
-    @property
+    @cached_property
     def resolved(self) -> Scene:
         """The scene with all paths as they can be opened."""
         scene: Scene = _with_paths(self.scene, self.resolve)
         return scene
 
     def check(self, key: Key, path: Path) -> None:
-        """Raises SceneError, which points at `key`, where `path` is not a regular file."""
+        """Raises SceneError, which points at `key`, where `path` is not a regular file.
+
+        An asset's path has to have the name of a package, too.
+        """
         try:
             check_regular(path)
         except FileNotFoundError as error:
             raise self.error(key, f"no such file: {path}") from error
         except OSError as error:
             raise self.error(key, f"{error.strerror}: {path}") from error
-
-    def asset_path(self, index: int) -> Path:
-        """The package of one of the scene's assets. Raises SceneError if there is no such file."""
-        path, key = self.resolve(self.scene.assets[index].path), ("assets", index, "path")
-        self.check(key, path)
-        if (wrong := not_a("package", path)) is not None:
+        is_asset = key[:1] == ("assets",) and key[2:] == ("path",)
+        if is_asset and (wrong := not_a("package", path)) is not None:
             raise self.error(key, f"{path.name} is {wrong}")
-        return path
 
     def with_changes(self, tier: str | None = None, **changes: Any) -> SceneFile:
         """This scene with other values for top-level keys, and `tier` for every asset."""
@@ -110,7 +109,7 @@ def read_scene(path: Path) -> SceneFile:
     except OSError as error:
         raise SceneError(error.strerror or str(error), file=path) from error
     if kind_of(path) == "package":
-        scene = Scene.model_validate(load_yaml(default_scene(path)))
+        scene = Scene.model_validate(default_scene(path))
         return SceneFile(path, scene, {})  # no lines: the person has no file with them
     if (wrong := not_a("scene", path)) is not None:
         raise SceneError(wrong, file=path)

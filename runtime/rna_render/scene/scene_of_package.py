@@ -1,7 +1,6 @@
 """The scene that a package is shown in when there is no scene file: a camera, a ground and light.
 
-It is written as the text of a scene file, which `rna-make` puts beside a package and `rna-run`
-renders, so that both show the same.
+`rna-run` renders these values, and `rna-make` writes them beside a package as a scene file.
 """
 
 from __future__ import annotations
@@ -10,60 +9,31 @@ import json
 import math
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
+from rna_render.scene.core_yaml import dump_yaml
 from rna_sdk.errors import SceneError
 from rna_sdk.files.file_kinds import glass_of
 from rna_sdk.package import Cone, Curves, Package
 
-_TEXT = """\
-# A first scene. Change what you like: docs/scene.md lists all keys.
-assets:
-  - path: {path}
-{glass}{ground}camera:
-  position: {eye}
-  look_at: {middle}
-{up}  vertical_fov_deg: {fov:g}
-lights:
-  - type: directional          # the key light
-    direction: {key}
-    irradiance: {key_light}
-    angular_diameter_deg: 6    # soft shadows; 0.53 for the sun
-  - type: directional          # from behind, for the outline and what shines through
-    direction: {rim}
-    irradiance: {rim_light}
-    angular_diameter_deg: 10
-{sky}resolution: [{width}, {height}]
-samples: {samples}
-animation:                     # for rna-run --frames all
-  frames: 48
-  turntable: {{}}
-"""
-_GLASS = """\
-objects:
-  - path: {path}               # the asset's smooth glass, an ordinary mesh
-"""
-_SKY_LIGHT = """\
-  - type: environment          # an even sky; path: NAME.hdr for an image
-    radiance: {radiance}
-"""
-_GROUND = """\
-ground:
-  height: {height}
-  material: {{type: diffuse, color: [0.4, 0.4, 0.4]}}
-"""
-
-_UP = """\
-  up: [0, 0, -1]
-"""
+_NOTES = {
+    "- type: directional": "the key light; the next one shines from behind, for the outline",
+    "  angular_diameter_deg: 6.0": "soft shadows; 0.53 for the sun",
+    "- type: environment": "an even sky; path: NAME.hdr for an image",
+    "animation:": "for rna-run --frames all",
+}
+_GREY = {"type": "diffuse", "color": [0.4, 0.4, 0.4]}
 _WIDTH, _HEIGHT, _SAMPLES, _FOV_DEG = 800, 600, 32, 30.0
 _MARGIN = 1.2  # of the image around the asset
 _GAP = 1e-3  # from the asset down to the ground, of its size: a flat base has no plane with it
 
 _EYE = (0.54, 0.36, 0.77)  # from the front, right and above
-_KEY, _KEY_LIGHT = (-0.4, 0.75, 0.55), (2.5, 2.4, 2.25)
-_RIM, _RIM_LIGHT = (0.45, 0.55, -0.7), (0.9, 0.95, 1.05)
+_KEY = (-0.4, 0.75, 0.55), (2.5, 2.4, 2.25), 6.0
+_RIM = (0.45, 0.55, -0.7), (0.9, 0.95, 1.05), 10.0  # for the outline and what shines through
+_LIGHTS = (_KEY, _RIM)
+"""Direction, irradiance and angular diameter, degrees: of soft shadows; the sun has 0.53."""
 _SKY = (0.28, 0.29, 0.31)
 _BESIDE_EMISSION = 0.15  # of this light, where the asset has light of its own
 
@@ -130,47 +100,55 @@ def _box_corners(glb: Path) -> np.ndarray:
         raise SceneError("it cannot be read as .glb", file=glb) from error
 
 
-def default_scene(package: Path) -> str:
-    """YAML of the scene that shows a package; it names the package relative to its folder.
+def default_scene(package: Path) -> dict[str, Any]:
+    """Keys and values of the scene that shows a package, named relative to its folder.
 
     The asset stands on a ground and fills the image. Directions lie within those that it was
     captured for. The glass beside the package is part of the scene. Raises PackageError for a
     broken package, SceneError for glass that cannot be read.
     """
-    return scene_text(shown(package), package.name)
+    return scene_values(shown(package), package.name)
 
 
-def scene_text(of: Shown, name: str) -> str:
-    """YAML of the scene for a package of this name."""
-    middle = (of.low + of.high) / 2
-    towards_eye = _within(_EYE, of.wo)
-    eye = middle + towards_eye * _distance(of, towards_eye)
+def scene_values(of: Shown, name: str) -> dict[str, Any]:
+    """Keys and values of the scene for a package of this name."""
+    places = max(0, 4 - math.floor(math.log10(of.size)))  # less than a thousandth of the size
+    middle, towards_eye = (of.low + of.high) / 2, _within(_EYE, of.wo)
+    scene: dict[str, Any] = {"assets": [{"path": name}]}
+    if of.glass is not None:
+        scene["objects"] = [{"path": of.glass}]
+    if towards_eye[1] > 0.0:  # the eye is above the ground
+        (height,) = _rounded(np.array([of.low[1] - _GAP * of.size]), places)
+        scene["ground"] = {"height": height, "material": _GREY}
+    scene["camera"] = {
+        "position": _rounded(middle + towards_eye * _distance(of, towards_eye), places),
+        "look_at": _rounded(middle, places),
+        "up": [0.0, 1.0, 0.0] if _is_level(towards_eye) else [0.0, 0.0, -1.0],
+        "vertical_fov_deg": _FOV_DEG,
+    }
     dimmed = _BESIDE_EMISSION if of.emits else 1.0
-    return _TEXT.format(
-        path=json.dumps(name, ensure_ascii=False),
-        glass="" if of.glass is None else _GLASS.format(path=json.dumps(of.glass)),
-        ground=_ground(of, towards_eye),
-        eye=_places(eye, of.size),
-        middle=_places(middle, of.size),
-        up="" if _is_level(towards_eye) else _UP,
-        fov=_FOV_DEG,
-        key=_numbers(_within(_KEY, of.wi)),
-        key_light=_numbers(np.multiply(_KEY_LIGHT, dimmed)),
-        rim=_numbers(_within(_RIM, of.wi)),
-        rim_light=_numbers(np.multiply(_RIM_LIGHT, dimmed)),
-        sky="" if of.wi else _SKY_LIGHT.format(radiance=_numbers(np.multiply(_SKY, dimmed))),
-        width=_WIDTH,
-        height=_HEIGHT,
-        samples=_SAMPLES,
-    )
+    scene["lights"] = [
+        {
+            "type": "directional",
+            "direction": _rounded(_within(direction, of.wi)),
+            "irradiance": _rounded(np.multiply(irradiance, dimmed)),
+            "angular_diameter_deg": diameter,
+        }
+        for direction, irradiance, diameter in _LIGHTS
+    ]
+    if not of.wi:
+        radiance = _rounded(np.multiply(_SKY, dimmed))
+        scene["lights"].append({"type": "environment", "radiance": radiance})
+    turn = {"frames": 48, "turntable": {}}
+    return scene | {"resolution": [_WIDTH, _HEIGHT], "samples": _SAMPLES, "animation": turn}
 
 
-def _ground(of: Shown, towards_eye: np.ndarray) -> str:
-    """None where the eye is below it."""
-    if towards_eye[1] <= 0.0:
-        return ""
-    height = of.low[1] - _GAP * of.size
-    return _GROUND.format(height=_place(height, of.size))
+def scene_text(scene: dict[str, Any]) -> str:
+    """The text of a scene file with the values of `scene_values`, and notes for its reader."""
+    text = dump_yaml(scene)
+    for line, note in _NOTES.items():
+        text = text.replace(line, f"{line}  # {note}", 1)
+    return f"# A first scene. Change what you like: docs/scene.md lists all keys.\n{text}"
 
 
 def _is_level(towards_eye: np.ndarray) -> bool:
@@ -201,20 +179,5 @@ def _within(direction: tuple[float, float, float], cones: tuple[Cone, ...]) -> n
     return unit
 
 
-def _numbers(values: np.ndarray) -> str:
-    """Directions and light."""
-    return f"[{', '.join(_rounded(value, 3) for value in values)}]"
-
-
-def _places(values: np.ndarray, size: float) -> str:
-    return f"[{', '.join(_place(value, size) for value in values)}]"
-
-
-def _place(value: float, size: float) -> str:
-    """Rounded to less than a thousandth of the asset's size."""
-    return _rounded(value, max(0, 4 - math.floor(math.log10(size))))
-
-
-def _rounded(value: float, digits: int) -> str:
-    """Without an exponent, which YAML takes for text where it has no point."""
-    return np.format_float_positional(value + 0.0, precision=digits, trim="-")
+def _rounded(values: np.ndarray, digits: int = 3) -> list[float]:
+    return [round(value, digits) + 0.0 for value in values.tolist()]

@@ -55,7 +55,7 @@ class TierChoice:
 
     def __init__(self, scene_file: SceneFile, views: Sequence[Scene]) -> None:
         self._named = [asset.tier for asset in scene_file.scene.assets]
-        paths = [scene_file.asset_path(index) for index in range(len(self._named))]
+        paths = [asset.path for asset in scene_file.resolved.assets]
         opened = {path: Package.open(path) for path in dict.fromkeys(paths)}
         self._packages = [(path, opened[path]) for path in paths]
         boxes = [_bounds(opened[path]) for path in paths]

@@ -96,7 +96,7 @@ def _placed_assets(
     load, motions = loaded.assets, loaded.motions
     placements = []
     for index, (model, chosen) in enumerate(zip(scene_file.resolved.assets, tiers, strict=True)):
-        path, pixels = scene_file.asset_path(index), chosen.pixels
+        path, pixels = model.path, chosen.pixels
         if model.motion is not None:
             pixels = None  # a proxy has other vertices
         try:

@@ -1,5 +1,6 @@
 // Types of rna-three. Those of three.js itself are in @types/three.
-import type { Camera, ColorRepresentation, Euler, Group, InstancedMesh, Loader, LoadingManager, Mesh, NodeMaterial, Texture, WebGPURenderer } from "three/webgpu";
+import type { WebGLRenderer } from "three";
+import type { Camera, ColorRepresentation, Euler, Group, InstancedMesh, Loader, LoadingManager, Mesh, NodeMaterial, Scene, Texture, WebGPURenderer } from "three/webgpu";
 
 export interface RnaOptions {
   /** What hides light from the asset itself: rays through its own hierarchy, or the light's shadow map. Default "rays". */
@@ -41,7 +42,7 @@ export class RNAExtension {
 
 export interface RNAExtensionOptions extends RnaOptions {
   /** What draws the scene: one without WebGPU shows the fallback. */
-  renderer: WebGPURenderer | { isWebGLRenderer: true };
+  renderer: WebGPURenderer | WebGLRenderer;
   /** As setTier and setVariant of RnaLoader. */
   tier?: string | null;
   variant?: string | null;
@@ -85,4 +86,17 @@ export class RnaMaterial extends NodeMaterial {
   envMapRotation: Euler;
   /** Shares the buffers of the asset. */
   clone(): this;
+}
+
+/** A picture that loses the noise of environments while camera, objects and lights rest. */
+export class StillPicture {
+  /** pictures: of the mean, after which nothing is drawn any more. Default 64. */
+  constructor(renderer: WebGPURenderer, scene: Scene, camera: Camera, options?: { pictures?: number });
+  /** How many pictures the mean has. */
+  readonly count: number;
+  /** In the place of renderer.render(scene, camera). */
+  render(): void;
+  /** After a change that is none of places and lights, as of a material or of an image. */
+  restart(): void;
+  dispose(): void;
 }

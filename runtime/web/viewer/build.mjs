@@ -44,7 +44,7 @@ const manifest = {
 mkdirSync(out, { recursive: true });
 await build({
   absWorkingDir: web, entryPoints: { "rna-viewer": "src/element/rna_viewer.js" }, outdir: out, bundle: true, minify: true, format: "esm",
-  target: "es2022", legalComments: "eof", loader: { ".wgsl": "text" }, plugins: [imports], logLevel: "warning", sourcemap: true,
+  target: "es2022", legalComments: "eof", loader: { ".wgsl": "text", ".glsl": "text" }, plugins: [imports], logLevel: "warning", sourcemap: true,
 });
 shortenSources(join(out, "rna-viewer.js.map"), web);
 writeFileSync(join(out, "custom-elements.json"), `${JSON.stringify(manifest, null, 1)}\n`);

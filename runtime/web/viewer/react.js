@@ -5,7 +5,7 @@ import "./rna-viewer.js";
 
 const EVENTS = {
   onLoad: "onload", onError: "onerror", onProgress: "onprogress", onPosterDismissed: "onposter-dismissed",
-  onCameraChange: "oncamera-change", onLightChange: "onlight-change",
+  onStandIn: "onstand-in", onCameraChange: "oncamera-change", onLightChange: "onlight-change",
 };
 
 export function RnaViewer(props) {

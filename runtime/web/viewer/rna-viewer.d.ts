@@ -66,6 +66,7 @@ export interface RnaViewerEvents {
   progress: CustomEvent<{ totalProgress: number }>;
   load: CustomEvent<{ url: string }>;
   "poster-dismissed": CustomEvent<null>;
+  "stand-in": CustomEvent<null>;
   "camera-change": CustomEvent<{
     cameraOrbit: string; cameraTarget: string; fieldOfView: string; source: "user-interaction" | "none";
   }>;

@@ -1,10 +1,13 @@
-"""Renderers without WebGPU: the asset's shape in grey, and one line."""
+"""Renderers without WebGPU: the asset's shape in grey, and one line; at its compatibility level
+the asset itself.
+"""
 
 from __future__ import annotations
 
 import shutil
 from collections.abc import Iterator
 
+import numpy as np
 import pytest
 
 from tests.render.chromium import Page
@@ -14,13 +17,18 @@ from tests.web.three.pages import PAGE, TINY, installed, opened
 pytestmark = pytest.mark.chromium
 
 PRINT = TINY.with_name("surface-print.rna")
-"""Base colour is a fifth storage buffer of a material."""
+"""Base colour is one more storage buffer of a material."""
 
 RENDERERS = {
     "WebGL 2 backend": "new THREE.WebGPURenderer({ forceWebGL: true })",
     "WebGLRenderer": "new classic.WebGLRenderer()",
-    "compatibility level": "compatible()",
+    "no storage buffers": "bare()",
 }
+BARE = """() => {
+    const limit = "maxStorageBuffersInFragmentStage";
+    Object.defineProperty(GPUSupportedLimits.prototype, limit, { get: () => 0 });
+    return new THREE.WebGPURenderer();
+}"""
 COMPATIBLE = """() => {
     const { requestDevice } = GPUAdapter.prototype, core = "core-features-and-limits";
     GPUAdapter.prototype.requestDevice = function ({ requiredFeatures = [], ...more }) {
@@ -43,6 +51,49 @@ def page(tmp_path_factory) -> Iterator[Page]:
         yield page
 
 
+AT_BOTH_LEVELS = """(async () => {{
+    const {{ THREE, rna }} = test, compatible = {COMPATIBLE}, told = [];
+    console.warn = console.error = (...words) => told.push(words.join(" "));
+    const pictures = [], limits = [];
+    for (const open of [() => new THREE.WebGPURenderer(), compatible]) {{
+        const renderer = open();
+        await renderer.init();
+        const {{ device }} = renderer.backend;
+        device.addEventListener("uncapturederror", ({{ error }}) => told.push(error.message));
+        limits.push(device.limits.maxStorageBuffersInFragmentStage);
+        limits.push(device.limits.maxUniformBufferBindingSize);
+        const asset = await new rna.RnaLoader().loadAsync("{NAME}");
+        const {{ center, radius }} = asset.content.sphere, scene = new THREE.Scene();
+        const camera = new THREE.PerspectiveCamera(30, 1, radius, 100);
+        camera.position.copy(center).add(new THREE.Vector3(0, 0, 4 * radius));
+        scene.add(asset, test.sun());
+        const target = new THREE.RenderTarget(48, 48, {{ type: THREE.FloatType }});
+        renderer.setRenderTarget(target);
+        for (const tier of asset.tiers) {{
+            asset.tier = tier;
+            renderer.render(scene, camera);
+            const pixels = await renderer.readRenderTargetPixelsAsync(target, 0, 0, 48, 48);
+            pictures.push([...pixels]);
+        }}
+        asset.dispose();
+    }}
+    return {{ pictures, limits, told }};
+}})()"""
+
+
+def test_the_compatibility_level_shows_the_asset(page):
+    """With four storage buffers, and weights that do not fit its uniform buffers."""
+    text = AT_BOTH_LEVELS.format(COMPATIBLE=COMPATIBLE, NAME=PRINT.name)
+    actual = page.evaluate(text)
+    assert actual["told"] == []
+    most, uniform, most_there, uniform_there = actual["limits"]
+    assert (most_there, uniform_there) == (4, 16384) and most >= 8 and uniform >= 65536
+    pictures = np.float32(actual["pictures"])
+    whole, there = pictures[: len(pictures) // 2], pictures[len(pictures) // 2 :]
+    assert (whole[..., :].max(axis=1) > 0.01).all() and np.abs(whole[0] - whole[1]).max() > 1e-3
+    np.testing.assert_allclose(there, whole, atol=2e-3)
+
+
 @pytest.mark.parametrize("renderer", RENDERERS)
 def test_grey_shape_and_one_line(page, renderer):
     """Before a red box; of an instanced mesh, too."""
@@ -50,8 +101,7 @@ def test_grey_shape_and_one_line(page, renderer):
         f"""(async () => {{
             const {{ THREE, rna }} = test;
             const classic = await import("./node_modules/three/build/three.module.js");
-            const compatible = {COMPATIBLE};
-            const renderer = {RENDERERS[renderer]};
+            const bare = {BARE}, renderer = {RENDERERS[renderer]};
             const told = [], warn = console.warn;
             console.warn = (...words) => told.push(words.join(" "));
             await renderer.init?.();

@@ -116,3 +116,21 @@ def end_of(tree: bpy.types.NodeTree) -> bpy.types.Node | None:
     """The node that a group's outputs come from."""
     ends = [node for node in tree.nodes if node.type == "GROUP_OUTPUT"]
     return next((node for node in ends if node.is_active_output), None)
+
+
+def combined(
+    tree: bpy.types.NodeTree,
+    operation: str,
+    a: bpy.types.NodeSocket,
+    b: bpy.types.NodeSocket | float,
+    kind: str = "ShaderNodeMath",
+) -> bpy.types.NodeSocket:
+    """Output of a new math node of a tree; kind: "ShaderNodeVectorMath" for colours."""
+    node = tree.nodes.new(kind)
+    node.operation = operation
+    tree.links.new(a, node.inputs[0])
+    if isinstance(b, float):
+        node.inputs[1].default_value = b
+    else:
+        tree.links.new(b, node.inputs[1])
+    return node.outputs[0]

@@ -6,11 +6,14 @@ It comes from transparent shaders, mixes of them, and the Alpha of a Principled 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 
 import bpy
 import numpy as np
-from rna_materials.node_sources import as_output, end_of, linked
+from rna_materials.node_sources import as_output, combined, end_of, linked
 from rna_materials.uv_render import surface_output
+
+_math = partial(combined, kind="ShaderNodeVectorMath")
 
 _LEAST_IOR = 0.01  # relative, that a package holds; the greatest is its inverse
 
@@ -171,13 +174,3 @@ def _one_minus(tree: bpy.types.NodeTree, colour: bpy.types.NodeSocket) -> bpy.ty
     white = tree.nodes.new("ShaderNodeRGB")
     white.outputs[0].default_value = (1.0, 1.0, 1.0, 1.0)
     return _math(tree, "SUBTRACT", white.outputs[0], colour)
-
-
-def _math(
-    tree: bpy.types.NodeTree, operation: str, a: bpy.types.NodeSocket, b: bpy.types.NodeSocket
-) -> bpy.types.NodeSocket:
-    node = tree.nodes.new("ShaderNodeVectorMath")
-    node.operation = operation
-    tree.links.new(a, node.inputs[0])
-    tree.links.new(b, node.inputs[1])
-    return node.outputs[0]

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import bpy
 from rna_materials.emission import nodes_of
+from rna_materials.node_sources import combined
 
 _ROUGHNESS = {
     "BSDF_PRINCIPLED": ("Roughness", "Coat Roughness"),
@@ -38,8 +39,4 @@ def _raise(socket: bpy.types.NodeSocket, least: float) -> None:
         socket.default_value = max(socket.default_value, least)
         return
     tree = socket.id_data
-    floor = tree.nodes.new("ShaderNodeMath")
-    floor.operation = "MAXIMUM"
-    floor.inputs[1].default_value = least
-    tree.links.new(socket.links[0].from_socket, floor.inputs[0])
-    tree.links.new(floor.outputs[0], socket)
+    tree.links.new(combined(tree, "MAXIMUM", socket.links[0].from_socket, least), socket)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import bpy
+from rna_materials.node_sources import combined
 
 
 def new() -> bpy.types.World:
@@ -33,22 +34,6 @@ def _is_within(tree: bpy.types.NodeTree, cones: list[list[float]]) -> bpy.types.
         along.operation = "DOT_PRODUCT"
         along.inputs[1].default_value = axis
         tree.links.new(direction, along.inputs[0])
-        within = _math(tree, "GREATER_THAN", along.outputs["Value"], cosine)
-        found = within if found is None else _math(tree, "MAXIMUM", within, found)
+        within = combined(tree, "GREATER_THAN", along.outputs["Value"], cosine)
+        found = within if found is None else combined(tree, "MAXIMUM", within, found)
     return found
-
-
-def _math(
-    tree: bpy.types.NodeTree,
-    operation: str,
-    a: bpy.types.NodeSocket,
-    b: bpy.types.NodeSocket | float,
-) -> bpy.types.NodeSocket:
-    node = tree.nodes.new("ShaderNodeMath")
-    node.operation = operation
-    tree.links.new(a, node.inputs[0])
-    if isinstance(b, float):
-        node.inputs[1].default_value = b
-    else:
-        tree.links.new(b, node.inputs[1])
-    return node.outputs[0]

@@ -55,15 +55,23 @@ def doubled(name: str, mesh: Mesh, materials: np.ndarray) -> str | None:
 
 
 def too_coarse(name: str, mesh: Mesh) -> str | None:
-    """A note if an object of the mesh is too small for 16 bits over the mesh's box, or None."""
+    """A note if an object of the mesh is too small for 16 bits over the mesh's box, or None.
+
+    Likewise if all of its triangles are.
+    """
     low, high = (corner.astype(np.float64) for corner in mesh.box())
     step = float((high - low).max()) / POSITION_STEPS
-    smallest = _smallest_island(mesh, _DETAIL_STEPS * step) if step > 0.0 else None
+    if step == 0.0:
+        return None
+    long = f"part {name!r} is {metres(POSITION_STEPS * step)} long, in 16 bits steps of"
+    corners = np.rint((mesh.positions - low) / step)[mesh.triangles]
+    if not np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]).any():
+        return f"{long} {metres(step)}, where no triangle has an area: it is kept in float32"
+    smallest = _smallest_island(mesh, _DETAIL_STEPS * step)
     if smallest is None:
         return None
-    longest = metres(POSITION_STEPS * step)
     return (
-        f"part {name!r} is {longest} long, in 16 bits steps of {metres(step)}, but its smallest "
+        f"{long} {metres(step)}, but its smallest "
         f"object is {metres(smallest)}: its geometry is kept in float32; without a "
         "backdrop (hidden in renders), more view rays would meet the object"
     )

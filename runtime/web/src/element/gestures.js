@@ -16,7 +16,7 @@ export function actions(stage) {
     stage.glide.stop();
     change(...values);
     stage.isTouched = true;
-    stage.viewer.restart(values.at(-1) === true);
+    stage.restart(values.at(-1) === true);
     stage.emit("camera", { byUser: true });
   };
   return {
@@ -30,7 +30,7 @@ export function actions(stage) {
       stage.setLight({ rotation, sunHeight }, { moving: moving === true, byUser: true });
     },
     remember: () => remembered(stage),
-    settle: () => stage.viewer.moving && stage.viewer.restart(),
+    settle: () => stage.viewer?.moving && stage.restart(),
     reset: () => stage.glideTo(() => stage.reset()),
   };
 }
@@ -45,7 +45,7 @@ function remembered(stage) {
     if (!differs(orbit, view)) return;
     Object.assign(orbit, view);
     stage.isTouched = isTouched;
-    stage.viewer?.restart();
+    stage.restart();
     stage.emit("camera", { byUser: false });
   };
 }

@@ -17,7 +17,7 @@ export class Glide {
 
   /** Does `place`, which moves the camera, and has it glide there; decay: ms, 0 for none. */
   to(place, decay) {
-    const { orbit, viewer } = this.#stage, from = viewOf(orbit);
+    const { orbit } = this.#stage, from = viewOf(orbit);
     this.stop();
     place();
     const goal = viewOf(orbit), isSame = JSON.stringify(from) === JSON.stringify(goal);
@@ -26,7 +26,7 @@ export class Glide {
     const turns = Math.round((goal.azimuth - from.azimuth) / (2 * Math.PI));
     Object.assign(orbit, from, { azimuth: from.azimuth + 2 * Math.PI * turns });
     Object.assign(this, { goal, left: 1, decay, last: performance.now() });
-    viewer.restart(true);
+    this.#stage.restart(true);
   }
 
   /** Leaves the camera where it is. */
@@ -45,11 +45,11 @@ export class Glide {
   }
 
   _step(ms) {
-    const { orbit, viewer } = this.#stage, { goal } = this, share = 1 - Math.exp(-ms / (2 * this.decay));
+    const { orbit } = this.#stage, { goal } = this, share = 1 - Math.exp(-ms / (2 * this.decay));
     this.left *= 1 - share;
     const isThere = this.left < NEAR, view = viewOf(orbit);
     Object.assign(orbit, isThere ? goal : Object.fromEntries(Object.keys(goal).map((name) => [name, mixed(view[name], goal[name], share)])));
     if (isThere) this.stop();
-    viewer?.restart(!isThere);
+    this.#stage.restart(!isThere);
   }
 }

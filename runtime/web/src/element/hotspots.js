@@ -48,7 +48,7 @@ export class Hotspots {
 
   /** All of them to where the picture that is shown has them. */
   update() {
-    const known = this._known(), slots = new Set([...known.keys()].map(({ slot }) => slot)), camera = this.stage.viewer?.shownCamera;
+    const known = this._known(), slots = new Set([...known.keys()].map(({ slot }) => slot)), camera = this.stage.shownCamera;
     for (const slot of [...this.place.children]) if (!slots.has(slot.name)) slot.remove();
     for (const [child, spot] of known) {
       const slot = this._slot(child.slot), at = camera && placeOf(camera, spot.position), isSeen = !!at && this._isSeen(camera, spot);
@@ -70,7 +70,7 @@ export class Hotspots {
   _isSeen({ position }, spot) {
     const away = minus(spot.position, position), distance = Math.hypot(...away);
     if (spot.normal && dot(spot.normal, away) >= 0) return false;
-    const hit = nearestHit(this.stage.arrays, position, unit(away));
+    const { hitArrays } = this.stage, hit = hitArrays && nearestHit(hitArrays, position, unit(away));
     return !hit || hit.distance > (1 - NEAR) * distance;
   }
 }

@@ -17,8 +17,8 @@ export class LastingEngine extends EventTarget {
   /** place: what the canvas fills. notices: lines for people. settings: by property, the attributes' values. */
   constructor(place, notices, settings) {
     super();
-    Object.assign(this, { place, notices, settings, losses: 0, lives: 0, isResting: false });
-    this.look = { backdrop: null, exposure: 0, view: "srgb", denoise: true, rounds: 256, jitter: 1, isCovered: () => false };
+    Object.assign(this, { place, notices, settings, losses: 0, lives: 0, isResting: false, canvas: null, size: { width: 1, height: 1 } });
+    this.look = { backdrop: null, exposure: 0, view: "srgb", denoise: true, rounds: 256, jitter: 1, coarsestSeen: () => Infinity };
     new ResizeObserver(() => this.resize()).observe(place);
   }
 
@@ -55,8 +55,7 @@ export class LastingEngine extends EventTarget {
     this.since = performance.now();
     const begun = this._begin().then(() => (begun === this.begun ? !!this.engine : this.begun), (error) => {
       if (begun !== this.begun) return this.begun;
-      this.end();
-      this.failed(error, "engine");
+      this._giveUp(error);
       return false;
     });
     return (this.begun = begun);
@@ -66,19 +65,37 @@ export class LastingEngine extends EventTarget {
     const life = this.lives, canvas = document.createElement("canvas");
     const engine = await WebGPUEngine.open(canvas);
     if (life !== this.lives) return engine.close();
-    Object.assign(this, { engine, canvas, living: new AbortController() });
-    this.place.replaceChildren(canvas);
+    this.engine = engine;
+    this.resize();
+    this.mount(canvas);
     engine.onlost = (reason) => this._lost(engine, reason);
     this.viewer = Object.assign(new Viewer(engine, canvas, this.orbit), this.look, { resting: this.isResting });
     this.viewer.addEventListener("shown", () => this.pictured());
     this.viewer.addEventListener("failed", ({ error }) => this._lost(engine, lineOf(error)));
     performance.mark("engine");
-    listen(canvas, actions(this), (event) => isForPicture(this, event), this.living.signal);
     copyForPaper(canvas, () => this.viewer.show(), this.living.signal);
     this.emit("engine");
     this._followScreen();
-    this.resize();
     await this.restore(engine);
+  }
+
+  /** A canvas in its place, which takes the gestures; the one that was there goes. */
+  mount(canvas) {
+    this.living?.abort();
+    this.canvas?.remove();
+    Object.assign(this, { canvas, living: new AbortController() });
+    Object.assign(canvas, this.size);
+    this.place.append(canvas);
+    listen(canvas, actions(this), (event) => isForPicture(this, event), this.living.signal);
+    this.emit("canvas");
+  }
+
+  /** Without an engine from now on. */
+  _giveUp(error) {
+    this.end();
+    this.canvas?.remove();
+    this.canvas = null;
+    this.failed(error, "engine");
   }
 
   /** Holds samples back while nobody can see them. */
@@ -88,15 +105,15 @@ export class LastingEngine extends EventTarget {
   }
 
   resize() {
-    if (!this.viewer) return;
     const { clientWidth: w, clientHeight: h } = this.place;
     const ratio = this.settings.pixelRatio ?? Math.min(devicePixelRatio, 2);
     const scale = Math.min(ratio, Math.sqrt(MOST_PIXELS / Math.max(1, w * h)));
     const width = Math.max(1, Math.round(w * scale)), height = Math.max(1, Math.round(h * scale));
-    if (this.canvas.width === width && this.canvas.height === height) return;
-    Object.assign(this.canvas, { width, height });
+    if (this.size.width === width && this.size.height === height) return;
+    this.size = { width, height };
+    if (this.canvas) Object.assign(this.canvas, this.size);
     this.resized();
-    this.viewer.restart();
+    this.viewer?.restart();
   }
 
   /** The shaders, for the test that they are rna_gpu's. */
@@ -122,8 +139,7 @@ export class LastingEngine extends EventTarget {
     if (engine !== this.engine) return;
     this.losses = performance.now() - this.since > LONG_MS ? 1 : this.losses + 1;
     if (this.losses >= MOST_LOSSES) {
-      this.end();
-      return this.failed(new NotSupported(`${why}, ${this.losses} times`), "engine");
+      return this._giveUp(new NotSupported(`${why}, ${this.losses} times`));
     }
     this.notices.say(`${why}; starting again`, true, "engine");
     if (await this.replace()) this.notices.say(null, false, "engine");

@@ -11,6 +11,7 @@ import { spokenView } from "./spoken.js";
 import { Stage } from "./stage.js";
 import { textOf } from "./texts.js";
 import { Turntable } from "./turntable.js";
+import { SHARP } from "./viewer.js";
 import { VisitorNotices } from "./visitor_notices.js";
 
 const BUILT_IN = ["studio", "white"];  // environments
@@ -51,7 +52,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     this.settings = Object.fromEntries(Object.keys(READERS).map((name) => [propertyOf(name), null]));
     this.notices = new VisitorNotices(part("notice"), this);
     this.stage = new Stage(this.parts.view, this.notices, this.settings);
-    this.stage.look.isCovered = () => this._isCovered;
+    this.stage.look.coarsestSeen = () => (this.stage.standIn.isShown || this._isCovered ? SHARP : Infinity);
     this.turntable = new Turntable(this.stage);
     new Hotspots(this, part("hotspots"), this.stage);
     this.stillness = matchMedia("(prefers-reduced-motion: reduce)");
@@ -147,7 +148,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
   dismissPoster() {
     this.isDismissed = true;
     this._begin();
-    if (this.loaded) this._hidePoster();
+    if (this.loaded || this.stage.standIn.isShown) this._hidePoster();
   }
 
   /** Where the asset is at a place of the window, in pixels of CSS: { position, normal }, each x, y, z; null beside it. */
@@ -283,9 +284,9 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
   _listen() {
     const { stage, parts } = this, on = (name, action) => stage.addEventListener(name, action);
     parts.tint.addEventListener("transitionend", () => this._tint());
-    on("engine", () => this._describe());
+    on("canvas", () => this._describe());
     on("progress", ({ got, all }) => this._showProgress(got, all));
-    on("poster", ({ blob }) => this.settings.poster || this._showImage(blob && URL.createObjectURL(blob)));
+    on("poster", ({ blob }) => this.settings.poster || stage.standIn.isShown || this._showImage(blob && URL.createObjectURL(blob)));
     on("package", () => this._describe());
     on("loading", () => this.failures.delete("asset"));
     on("shown", () => this._reveal(stage.isTouched));
@@ -297,10 +298,14 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
       this._fire("load", { url: this.requestedSrc });
       this._prompt();
     });
-    on("ended", () => { parts.loading.hidden = true; });
+    on("stand-in", () => this._stand());
+    on("ended", () => {
+      parts.loading.hidden = true;
+      this.notices.show();
+    });
     on("failed", ({ error, about }) => {
       this.failures.add(about);
-      if (about === "engine") parts.poster.hidden = false;
+      if (about === "engine") parts.poster.hidden = stage.standIn.isShown;
       this._fire("error", { type: about, message: error.message, code: error.code ?? null, sourceError: error });
     });
     for (const name of ["camera", "light"]) on(name, () => this._reveal(true));
@@ -313,13 +318,25 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     on("light", ({ byUser }) => this._fire("light-change", { ...lightText(stage.lighting), source: byUser ? "user-interaction" : "none" }));
   }
 
+  /** The stand-in is there, or gone: with the network's picture in its place, or none. */
+  _stand() {
+    const { parts, stage } = this;
+    this.notices.show();
+    if (!stage.standIn.isShown) return void (parts.poster.hidden &&= this.loaded || stage.isWhole);
+    parts.loading.hidden = true;
+    this._hidePoster();
+    parts.status.textContent = textOf(this, "shown", { name: this._name() });
+    this._fire("stand-in");
+    this._prompt();
+  }
+
   /** Says that the asset can be turned, to those who have not moved it for a while and do not mind motion. */
   _prompt() {
     clearTimeout(this.prompting);
     const { cameraControls, interactionPrompt } = this.settings;
     const isWanted = () => cameraControls && interactionPrompt !== "none" && !this.hasMoved && !this.stage.isStill;
     this.parts.prompt.hidden = true;
-    if (this.loaded && isWanted()) this.prompting = setTimeout(() => { this.parts.prompt.hidden = !isWanted(); }, PROMPT_MS);
+    if ((this.loaded || this.stage.standIn.isShown) && isWanted()) this.prompting = setTimeout(() => { this.parts.prompt.hidden = !isWanted(); }, PROMPT_MS);
   }
 
   /** People have moved it: the prompt is no longer wanted. */
@@ -335,7 +352,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
 
   _showProgress(got, all) {
     const { loading, bar, bytes } = this.parts;
-    loading.hidden = false;
+    loading.hidden = this.stage.standIn.isShown;
     if (all) Object.assign(bar, { max: Math.max(all, got), value: got });
     else bar.removeAttribute("value");
     bytes.textContent = all ? `${readableBytes(got)} / ${readableBytes(Math.max(all, got))}` : readableBytes(got);
@@ -375,7 +392,12 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
   /** Whether there is anything to see of the asset. */
   get isSeen() {
     const { image } = this.parts, isPoster = this._isCovered && (image.hidden || image.naturalWidth > 0);
-    return isPoster || (this.loaded && !!this.stage.viewer);
+    return isPoster || this.stage.standIn.isShown || (this.loaded && !!this.stage.viewer);
+  }
+
+  /** Whether the asset is seen, or may be soon, in whatever way. */
+  get isStoodFor() {
+    return this.stage.standIn.isShown || !!this.stage.loading;
   }
 
   _hidePoster() {

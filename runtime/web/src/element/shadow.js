@@ -32,7 +32,10 @@ const STYLE = `
 #view, canvas, #poster, #poster img, ::slotted([slot="poster"]) { position: absolute; inset: 0; width: 100%; height: 100%; }
 #tint { position: absolute; background-color: inherit; transition: background-color 1ms; }
 canvas { display: block; }
-canvas:focus-visible { outline: 2px solid #fff; outline-offset: -2px; }
+#view > :last-child { transition: opacity 0.3s; }
+#view.standing > :last-child { opacity: 0; transition: none; }
+canvas:focus-visible { outline: none; }
+#view:has(> :focus-visible)::after { content: ""; position: absolute; inset: 0; outline: 2px solid #fff; outline-offset: -2px; pointer-events: none; }
 :host([camera-controls]:not([camera-controls="false"])) canvas { cursor: grab; }
 :host([camera-controls]:not([camera-controls="false"])) canvas.dragging { cursor: grabbing; }
 #hotspots { position: absolute; inset: 0; pointer-events: none; }

@@ -18,6 +18,7 @@ import { rayThrough } from "./hotspots.js";
 import { LastingEngine } from "./lasting_engine.js";
 import { Lighting } from "./lighting.js";
 import { limitsOf, Orbit, viewFrom } from "./orbit.js";
+import { StandIn } from "./stand_in.js";
 import { beforeFilmic } from "./view_transform.js";
 import { SHARP } from "./viewer.js";
 
@@ -25,14 +26,16 @@ const DECAY_MS = 50;  // of the way of a camera that glides
 
 /**
  * Events: "engine"; "loading", "progress" (got, all), "package", "load", "ended", of an asset; "shown", of a picture;
- * "camera" and "light" (byUser), "set" of any control; "failed" (error, about).
+ * "camera" and "light" (byUser), "set" of any control; "canvas", another one; "stand-in", there or gone; "failed" (error, about).
  */
 export class Stage extends LastingEngine {
   constructor(place, notices, settings) {
     super(place, notices, settings);
     Object.assign(this, { orbit: new Orbit(), lighting: new Lighting(), labels: {}, ground: false, scene: null, isTouched: false, isStill: false });
     this.glide = new Glide(this);
+    this.standIn = new StandIn(this);
     Object.assign(this, { opened: null, shown: null, loading: null, lit: Promise.resolve(), placing: Promise.resolve() });
+    Object.assign(this, { isWhole: false, arrived: null });
   }
 
   /** Lets the GPU go; begin() takes up what was shown. */
@@ -40,12 +43,41 @@ export class Stage extends LastingEngine {
     this.loading?.abort();
     this.requestedScene = null;
     this.end();
+    this.standIn.end();
+  }
+
+  /** With the stand-in of what was shown until then. */
+  replace() {
+    this.isWhole = false;
+    const begun = super.replace();
+    this.standIn.again();
+    return begun;
+  }
+
+  _giveUp(error) {
+    this.isWhole = false;
+    super._giveUp(error);
+    if (this.standIn.isShown) this.mount(document.createElement("canvas"));  // for gestures
+    else this.standIn.again();
+  }
+
+  /** The picture once more: see Viewer.restart. */
+  restart(moving, coarsest) {
+    this.standIn.draw();
+    if (moving && this.standIn.isShown) this.viewer?.hold();
+    else this.viewer?.restart(moving, coarsest);
+  }
+
+  rest(on) {
+    super.rest(on);
+    this.standIn.draw();
   }
 
   /** Lets asset and GPU go; begin() starts without an asset. */
   clear() {
     this.close();
-    Object.assign(this, { opened: null, shown: null, arrays: null, box: undefined });
+    this.standIn.forget();
+    Object.assign(this, { opened: null, shown: null, arrays: null, box: undefined, canvas: null });
     this.place.replaceChildren();
     this.notices.say(null, false, "asset");
   }
@@ -65,14 +97,17 @@ export class Stage extends LastingEngine {
         : await UrlSource.open(from, progress, signal, this.labels[nameOf(from)]);
       const opened = Object.assign(await Package.open(source), { glass });
       signal.throwIfAborted();
-      if (opened.environment && this._wantsLobes(opened)) this.lit.then(() => this.lighting.prepare());
       const wanted = this.settings.tier, tier = this._known(opened, wanted), print = this.settings.variantName;
       opened.variant = this._knownVariant(opened, print);
+      this.isWhole = false;
+      const standing = this.standIn.show(opened);
+      if (opened.environment && this._wantsLobes(opened)) this.lit.then(() => this.lighting.prepare());
       if (await this.begun) opened.prefetch(tier, this._wantsLobes(opened));
       await this._offerPoster(opened);
       await this._show(opened, tier, true, signal);
       if (this.settings.tier !== wanted) await this._show(opened, this._known(opened, this.settings.tier), false, signal);
       if (this.settings.variantName !== print) await this.switchVariant(this.settings.variantName);
+      await standing;
     } catch (error) {
       if (!signal.aborted) this.failed(error, "asset");
     } finally {
@@ -197,7 +232,7 @@ export class Stage extends LastingEngine {
   _printed() {
     Object.assign(this.arrays, this.arrays.surfaces.arrays());
     this.engine?.setSurfaces(this.arrays);
-    this.viewer?.restart();
+    this.restart();
   }
 
   leaveScene() {
@@ -238,7 +273,7 @@ export class Stage extends LastingEngine {
 
   /** Something about the light changed. moving, coarsest: see Viewer.restart. */
   changed(moving = false, coarsest = undefined) {
-    if (!this.viewer) return;
+    if (!this.viewer) return this.standIn.draw();
     if (this.engine.hasLobes && !this.lighting.isPrepared) return void this.lighting.prepare().then(() => this.changed(moving, coarsest));
     const { lights, irradiance } = this.lighting.lights();
     if (lights.some(({ kind }) => kind === "environment") && this.uploaded !== this.lighting.tables()) {
@@ -250,7 +285,7 @@ export class Stage extends LastingEngine {
     this.viewer.lights = lights;
     this.viewer.firstLights = this.engine.hasLobes ? this.lighting.firstLights() : null;
     this.viewer.ground = this._ground(irradiance);
-    this.viewer.restart(moving, coarsest);
+    this.restart(moving, coarsest);
   }
 
   /** Camera and lights as the scene and the attributes have them, which go before it. */
@@ -272,15 +307,15 @@ export class Stage extends LastingEngine {
     this.isTouched = false;
     this.glide.stop();
     this.orbit.limits = limitsOf(settings);
-    const { width, height } = this.canvas ?? { width: 1, height: 1 };
+    const { width, height } = this.size;
     this.orbit.place(views, this.box, width / height);
     this.emit("camera", { byUser: false });
-    this.viewer?.restart();
+    this.restart();
   }
 
   /** What `place` does to the camera, gliding there where it is seen. */
   glideTo(place) {
-    if (!this.viewer?.hasShown || this.isNew) return place();
+    if (!this.standIn.isShown && (!this.viewer?.hasShown || this.isNew)) return place();
     this.glide.to(place, this.isStill ? 0 : this.settings.interpolationDecay ?? DECAY_MS);
   }
 
@@ -295,13 +330,28 @@ export class Stage extends LastingEngine {
     this.orbit.limits = limitsOf(this.settings);
     this.orbit.limit();
     this.emit("camera", { byUser: false });
-    this.viewer?.restart();
+    this.restart();
   }
 
   /** Where the asset is at a place of the picture, shares of its width and height: { position, normal }, or null. */
   hitAt(x, y) {
-    const camera = this.viewer?.shownCamera;
-    return camera && this.arrays ? nearestHit(this.arrays, camera.position, rayThrough(camera, x, y)) : null;
+    const { shownCamera: camera, hitArrays } = this;
+    return camera && hitArrays ? nearestHit(hitArrays, camera.position, rayThrough(camera, x, y)) : null;
+  }
+
+  /** Of the picture that is seen. */
+  get shownCamera() {
+    return this.standIn.isShown ? this.standIn.shownCamera : this.viewer?.shownCamera;
+  }
+
+  /** Of the asset that is seen; null while they are not there. */
+  get hitArrays() {
+    return this.standIn.isShown && this.standIn.opened !== this.opened ? null : this.arrays;
+  }
+
+  /** Whether the network's picture is still to come, at least as sharp as what is seen in its place. */
+  get isWaited() {
+    return !!this.viewer && this.look.coarsestSeen() <= SHARP;
   }
 
   placeLights() {
@@ -360,6 +410,7 @@ export class Stage extends LastingEngine {
     Object.assign(this.viewer ?? {}, values);
     this.emit("set");
     if (relights) this.changed();
+    this.standIn.draw();
     this.viewer?.show();
   }
 
@@ -387,16 +438,24 @@ export class Stage extends LastingEngine {
     if (this.engine.hasLobes) await this.lighting.prepare();
     signal?.throwIfAborted();
     performance.mark("asset");
-    Object.assign(this, { opened, shown, arrays, box: arrays.box, isNew });
+    Object.assign(this, { opened, shown, arrays, isNew });
     if (isNew) await this.print();
-    if (isNew && this.scene) this.reset();
-    else if (isNew) this.placeCamera();
+    if (isNew) this.arrive(opened, arrays.box);
     const { warnings } = opened.manifest;
     if (warnings.length) this.notices.say(warnings.join("; "), true, "asset");
     this.emit("package", { opened, shown });
     this.viewer.stats.ms = 0;
     this.changed();
     this.viewer.start();
+  }
+
+  /** Camera and, of a scene, lights for a package's asset in its box, where nobody has seen it yet. */
+  arrive(opened, box) {
+    const isThere = this.arrived === opened;
+    Object.assign(this, { arrived: opened, box });
+    if (isThere) return;
+    if (this.scene) this.reset();
+    else this.placeCamera();
   }
 
   /** Hands the asset to the engine, and to the next one where that is lost meanwhile; false if there is none any more. */
@@ -426,14 +485,24 @@ export class Stage extends LastingEngine {
   }
 
   resized() {
-    if (this.shown && !this.isTouched) this.placeCamera();
+    if (this.box && !this.isTouched) this.placeCamera();
+    this.standIn.resize();
   }
 
   pictured() {
     this.emit("shown");
-    if (!this.isNew || !this.viewer.stats.isSharp) return;
+    const { isSharp, scale } = this.viewer.stats;
+    if (isSharp && scale === 1) this._whole();
+    if (!this.isNew || !isSharp) return;
     this.isNew = false;
     this.emit("load");
+  }
+
+  /** The network's picture of this asset is there at full size. */
+  _whole() {
+    if (this.arrived !== this.opened || this.standIn.opened !== this.opened) return;
+    this.isWhole = true;
+    this.standIn.leave();
   }
 
   async _offerPoster(opened) {

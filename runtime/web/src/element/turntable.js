@@ -7,7 +7,7 @@ export class Turntable {
   constructor(stage) {
     Object.assign(this, { stage, angle: 0, isOn: false, isTurning: false, delay: 3000, speed: 30 });
     stage.addEventListener("shown", () => this._next());
-    for (const name of ["load", "camera", "light"]) stage.addEventListener(name, () => this.wait());
+    for (const name of ["load", "stand-in", "camera", "light"]) stage.addEventListener(name, () => this.wait());
   }
 
   /** Turns once `delay` has passed from now. */
@@ -16,7 +16,7 @@ export class Turntable {
     const wasTurning = this.isTurning;
     this.isTurning = false;
     if (this.isOn) this.timer = setTimeout(() => this._start(), this.delay);
-    else if (wasTurning) this.stage.viewer?.restart();  // all samples
+    else if (wasTurning) this.stage.restart();  // all samples
   }
 
   switch(on) {
@@ -29,9 +29,9 @@ export class Turntable {
     this.stage.turnTable(angle, this.isTurning);
   }
 
-  /** Not below a poster, which would stay: pictures that turn are coarse on slow devices. */
+  /** Not where the network's picture waits to be as sharp as what covers it: pictures that turn are coarse on slow devices. */
   _start() {
-    if (this.stage.look.isCovered()) return;
+    if (this.stage.isWaited) return;
     Object.assign(this, { isTurning: true, last: performance.now() });
     this._next();
   }

@@ -18,17 +18,23 @@ export class Viewer extends EventTarget {
     Object.assign(this, { engine, canvas, orbit });
     Object.assign(this, {
       lights: [], firstLights: null, sky: null, shownCamera: null, ground: null, exposure: 0, view: "srgb", denoise: true, rounds: 256, jitter: 1, generation: 0, msPerPixel: 0.005, shown: null, rowsAhead: 0,
-      ready: false, stopped: false, moving: false, resting: false, backdrop: null, coarsest: COARSEST, isCovered: () => false, stats: { ms: 0, rounds: 0 },
+      ready: false, stopped: false, moving: false, isHeld: false, resting: false, backdrop: null, coarsest: COARSEST, coarsestSeen: () => Infinity, stats: { ms: 0, rounds: 0 },
     });
     this.wake = null;
   }
 
   /** Starts the picture again, since something changed. `moving`: more changes will follow at once. coarsest: size, as one in so many. */
   restart(moving = false, coarsest = COARSEST) {
-    Object.assign(this, { moving, coarsest });
+    Object.assign(this, { moving, coarsest, isHeld: false });
     Object.assign(this.stats, { rounds: 0, scale: 0, isSharp: false });
     this.generation += 1;
     this.wake?.();
+  }
+
+  /** No picture until a restart, since something moves that is seen elsewhere. */
+  hold() {
+    Object.assign(this, { moving: true, isHeld: true });
+    this.generation += 1;
   }
 
   start() {
@@ -96,6 +102,7 @@ export class Viewer extends EventTarget {
   /** All sizes of the picture, until something changes. One of many that follow at once is finished: else none would be seen. */
   async _picture(generation) {
     this.isFleeting = this.moving;
+    if (this.isHeld) return;
     for (const scale of this._scales()) {
       const rounds = scale === 1 && !this.moving ? this.rounds : Number(!this.firstLights);
       if (!(await this._stage(generation, scale, rounds))) return;
@@ -103,15 +110,10 @@ export class Viewer extends EventTarget {
     }
   }
 
-  /** Nothing of the asset has been seen, and a poster is there until a picture is as sharp. */
-  get _isHidden() {
-    return !this.hasShown && this.isCovered();
-  }
-
   /** Sizes to go through: what is quick enough first, then finer ones, the last of them in steps of a half. */
   _scales() {
     const pixels = this.canvas.width * this.canvas.height * Math.max(1, (this.firstLights ?? this.lights).length);
-    const coarsest = this._isHidden ? SHARP : this.coarsest;
+    const coarsest = Math.min(this.coarsest, this.coarsestSeen());
     let scale = 1;
     while (scale < coarsest && (pixels * this.msPerPixel) / scale ** 2 > MOVING_MS) scale *= 2;
     const scales = [scale];
@@ -127,7 +129,7 @@ export class Viewer extends EventTarget {
     const camera = { ...this.orbit.camera(width, height), jitter: this.jitter }, { firstLights } = this;
     if (firstLights) {
       if (!(await this._look(generation, { ...camera, jitter: 0 }, scale))) return false;
-    } else if (!this.hasShown && !this._isHidden) {  // one light is better than none
+    } else if (!this.hasShown && this.coarsestSeen() > SHARP) {  // one light is better than none
       if (!(await this._round(generation, camera, 0, this.lights.slice(0, 1)))) return false;
       this._present(camera, 1, scale, 0, engine.target, false);
     }

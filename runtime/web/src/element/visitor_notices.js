@@ -22,7 +22,8 @@ export class VisitorNotices extends Notices {
 
   show() {
     if (this.#element.settings.messages === "whole") return this._showWhole();
-    const about = Object.keys(MISSED).find((one) => this.lines.get(one)?.calm === false), missed = about ? MISSED[about] : null;
+    const isMissed = (one) => this.lines.get(one)?.calm === false && !(one === "engine" && this.#element.isStoodFor);
+    const about = Object.keys(MISSED).find(isMissed), missed = about ? MISSED[about] : null;
     if (missed === this.missed) return;
     this.missed = missed;
     clearTimeout(this.timer);

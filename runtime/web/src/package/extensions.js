@@ -34,6 +34,7 @@ const SCHEMAS = {
       baseColor: { type: "array", items: share, minItems: 3, maxItems: 3 }, roughness: share, metallic: share,
     })),
   }),
+  RNA_standin_textures: record({ parts: forParts(orNull(record({ baseColor: path, metallicRoughness: path, normal: path }))) }),
   RNA_proxy: record({
     parts: forParts(orNull({ type: "array", minItems: 1, maxItems: 8, items: record({ geometry: path, height: integer(1) }) })),
   }),
@@ -98,6 +99,15 @@ const CHECKS = {
   },
   RNA_standin({ parts }, manifest, where) {
     checkCount(parts, manifest, where);
+  },
+  RNA_standin_textures({ parts }, manifest, where) {
+    checkCount(parts, manifest, where);
+    if (!parts.some((textures) => textures)) fail("FIELD_VALUE", where, "textures of no part");
+    parts.forEach((textures, k) => {
+      const { kind, transmittance, normalMaps } = manifest.parts[k];
+      if (textures && (kind !== "surface" || transmittance || normalMaps)) fail("FIELD_VALUE", where, "textures of a part that has none");
+      for (const name of Object.values(textures ?? {})) checkReference(manifest, name, where);
+    });
   },
   RNA_proxy({ parts }, manifest, where) {
     checkCount(parts, manifest, where);

@@ -66,6 +66,12 @@ export class Package {
     return { name: tier.name, tier, parts };
   }
 
+  /** The bytes of entries, by name, which are fetched with the images of base colour. */
+  async read(names) {
+    this._fetch([...new Set([...names, ...this._images()])]);
+    return new Map(await Promise.all(names.map(async (name) => [name, await this._data(name)])));
+  }
+
   /** Names of the prints that `variant` may be. */
   get variants() {
     return variantsOf(this.manifest).map(({ name }) => name);

@@ -2,7 +2,7 @@
 // its own for whole environments would take the place of the sum in it.
 import { float, interleavedGradientNoise, isolate, materialEnvIntensity, mix, screenCoordinate, vec3 } from "three/tsl";
 import { columnsOf } from "./nearby.js";
-import { eachSample } from "./samples.js";
+import { eachSample, turnOfPicture } from "./samples.js";
 import { objectToWorld } from "./spaces.js";
 
 /** Adds what comes from all sides, as `environmentSamples` directions find it. */
@@ -10,7 +10,7 @@ export function environmentLight(material, builder) {
   const radiance = radianceOf(builder);
   if (!radiance.length) return;
   const { functions, options } = material, count = options.environmentSamples;
-  const turn = interleavedGradientNoise(screenCoordinate.xy).toVar(), sum = vec3(0).toVar();
+  const turn = interleavedGradientNoise(screenCoordinate.xy).add(turnOfPicture).fract().toVar(), sum = vec3(0).toVar();
   eachSample(material, count, (number) => {
     const drawn = functions.direction(float(number), float(count), turn).toVar(), wi = drawn.xyz.toVar();
     const world = objectToWorld(wi, builder).toVar();

@@ -73,7 +73,8 @@ export class RNAExtension {
   async _places(attributes) {
     const { parser } = this, p = new Vector3(), q = new Quaternion(), s = new Vector3(1, 1, 1);
     const [place, turn, size] = await Promise.all(PLACES.map((name) => name in attributes && parser.getDependency("accessor", attributes[name])));
-    return Array.from({ length: parser.json.accessors[Object.values(attributes)[0]].count }, (_, k) => {
+    const length = parser.json.accessors[Object.values(attributes)[0]]?.count ?? 0;
+    return Array.from({ length }, (_, k) => {
       if (place) p.fromBufferAttribute(place, k);
       if (turn) q.fromBufferAttribute(turn, k);
       if (size) s.fromBufferAttribute(size, k);

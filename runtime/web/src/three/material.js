@@ -7,7 +7,7 @@ import { fragmentOf, towardsViewer } from "./fragment.js";
 import { RnaLighting, shadowPosition } from "./lighting.js";
 import { LETTERS, partSource } from "./shader_source.js";
 import { instanceColumns } from "./spaces.js";
-import { canShow, STAND_IN, standInNode } from "./stand_in.js";
+import { canShow, hasSmallUniforms, STAND_IN, standInNode } from "./stand_in.js";
 
 /** What the name of each function that three.js calls begins with. */
 export const MARK = "rna_three_";
@@ -15,14 +15,13 @@ export const MARK = "rna_three_";
 /** Buffers of all parts and tiers of an asset. */
 export class SharedBuffers {
   constructor({ nodes, primitives, points, surfaces, ...facts }) {
-    this.facts = { ...facts, mixtures: surfaces.surfaces };
+    const { words, places } = sceneOf(nodes, primitives, points);
+    this.facts = { ...facts, ...places, mixtures: surfaces.surfaces };
     this.surfaces = new SurfaceTable(surfaces);
     const { hasBaseColor, texturesAt, table } = this.surfaces.arrays();
     this.facts.printed = hasBaseColor ? { texturesAt: 4 * texturesAt, imagesAt: table.length } : null;
     this.images = hasBaseColor ? named(this._printed(), "uint", "rna_images") : null;
-    this.nodes = new StorageBufferAttribute(nodes, 8);
-    this.primitives = new StorageBufferAttribute(primitives, 4);
-    this.points = new StorageBufferAttribute(points, 4);
+    this.scene = new StorageBufferAttribute(words, 4);
   }
 
   /** Takes the images and the tint of `surfaces` over. */
@@ -39,11 +38,23 @@ export class SharedBuffers {
   }
 
   dispose() {
-    for (const stored of [this.nodes, this.primitives, this.points, this.images?.value]) stored?.dispose();
+    for (const stored of [this.scene, this.images?.value]) stored?.dispose();
   }
 }
 
+/** One buffer of all geometry, as GPUs of WebGPU's compatibility level may have four for fragments; places: of vec4u in it. */
+function sceneOf(nodes, primitives, points) {
+  const words = new Uint32Array(nodes.length + primitives.length + points.length), primitivesAt = nodes.length, pointsAt = primitivesAt + primitives.length;
+  words.set(nodes);
+  words.set(primitives, primitivesAt);
+  new Float32Array(words.buffer).set(points, pointsAt);
+  return { words, places: { primitivesAt: primitivesAt / 4, pointsAt: pointsAt / 4 } };
+}
+
 const named = (attribute, type, name) => storage(attribute, type, attribute.count).toReadOnly().setName(name);
+
+/** Of the nearby light whose columns are traced, or null. */
+const lengthsOf = ({ lengths }, { visibility }) => (visibility === "rays" ? lengths : null);
 
 export class RnaMaterial extends NodeMaterial {
   static get type() {
@@ -53,28 +64,39 @@ export class RnaMaterial extends NodeMaterial {
   /** options: those of RnaAsset. part: planes and decoders of a part in a tier. */
   constructor(shared, kind, part, options) {
     super();
-    const { planes, decoders } = part, forms = Object.keys(decoders), lengths = options.visibility === "rays" ? part.lengths : null;
     this.given = [shared, kind, part, options];
-    Object.assign(this, { lights: true, side: kind === "fiber" ? FrontSide : DoubleSide, isRnaMaterial: true, options, kind, tracesColumns: !!lengths });
+    Object.assign(this, { lights: true, side: kind === "fiber" ? FrontSide : DoubleSide, isRnaMaterial: true, options, kind, tracesColumns: !!lengthsOf(part, options) });
     // As three.js' own have it: without a `null` here it leaves scene.environmentRotation out.
     Object.assign(this, { envMap: null, envMapIntensity: 1, envMapRotation: new Euler() });
     // For exporters, which read a colour of every material: they write the shape in white. Here nothing depends on it.
     Object.assign(this, { color: new Color(), colorNode: vec4(1) });
     Object.assign(this, STAND_IN);
     this.receivedShadowPositionNode = shadowPosition;
-    this.stored = [];
-    // With the weights of three decoders, eight storage buffers: what WebGPU's core level has.
+    Object.assign(this, { stored: [], storesAll: null });
+    this._compose(false);
+    if (part.decoders.emission) this.emissiveNode = Fn((builder) => this.functions.emitted(towardsViewer(builder)))();
+  }
+
+  /** The WGSL and its buffers. storesAll: weights are not uniform, which is faster, where they would fit. */
+  _compose(storesAll) {
+    if (storesAll === this.storesAll) return;
+    this._letGo();
+    const [shared, kind, part, options] = this.given, { planes, decoders } = part, forms = Object.keys(decoders);
+    const { weightsAt, weights } = storedWeights(decoders, storesAll), isUniform = (form) => weightsAt[form] === undefined;
+    // Four storage buffers at most.
     const buffers = [
-      named(shared.nodes, "RnaNode", "rna_nodes"), named(shared.primitives, "RnaPrimitive", "rna_primitives"),
-      named(shared.points, "vec4", "rna_points"), named(this._store(planes, 1), "uint", "rna_planes"),
-      ...(shared.images ? [shared.images] : []), ...forms.flatMap((form) => this._decoder(decoders[form], `rna${LETTERS[form]}_`)),
+      named(shared.scene, "uvec4", "rna_scene"), named(this._store(planes, 1), "uint", "rna_planes"),
+      ...(shared.images ? [shared.images] : []), ...(weights.length ? [named(this._store(weights, 4), "vec4", "rna_stored")] : []),
+      ...forms.map((form) => buffer(new Float32Array(decoders[form].record.buffer), "RnaPart", 1).setName(`rna${LETTERS[form]}_part`)),
+      ...forms.filter(isUniform).map((form) => buffer(decoders[form].weights, "vec4", decoders[form].weights.length / 4).setName(`rna${LETTERS[form]}_weights`)),
     ];
-    this.storageBuffers = buffers.filter(({ isStorageBufferNode }) => isStorageBufferNode).length;
     const groups = Math.max(...Object.values(decoders).map((decoder) => decoder.groups));
-    const source = partSource({ kind, groups, forms, planeWords: planes.length / 3, lengths, ...shared.facts });
-    this.functions = functionsOf(source, buffers, "emission" in decoders);
+    const source = partSource({ kind, groups, forms, weightsAt, planeWords: planes.length / 3, lengths: lengthsOf(part, options), ...shared.facts });
+    Object.assign(this, {
+      storesAll, storageBuffers: buffers.filter(({ isStorageBufferNode }) => isStorageBufferNode).length,
+      functions: functionsOf(source, buffers, "emission" in decoders),
+    });
     this.fragment = fragmentOf(this);
-    if (decoders.emission) this.emissiveNode = Fn((builder) => this.functions.emitted(towardsViewer(builder)))();
   }
 
   _store(array, items) {
@@ -83,13 +105,8 @@ export class RnaMaterial extends NodeMaterial {
     return attribute;
   }
 
-  /** Up to 64 KiB the weights are uniform, which is faster. */
-  _decoder({ record, weights, uniform }, prefix) {
-    const name = `${prefix}weights`;
-    return [
-      buffer(new Float32Array(record.buffer), "RnaPart", 1).setName(`${prefix}part`),
-      uniform ? buffer(weights, "vec4", weights.length / 4).setName(name) : named(this._store(weights, 4), "vec4", name),
-    ];
+  _letGo() {
+    for (const attribute of this.stored.splice(0)) attribute.dispose();
   }
 
   /** Materials have buffers of their own, which three.js keeps with the program. */
@@ -99,6 +116,7 @@ export class RnaMaterial extends NodeMaterial {
 
   setup(builder) {
     const { fragmentNode } = this;
+    this._compose(hasSmallUniforms(builder.renderer));
     if (!canShow(builder.renderer, this.storageBuffers)) this.fragmentNode = standInNode();
     super.setup(builder);
     this.fragmentNode = fragmentNode;
@@ -129,8 +147,21 @@ export class RnaMaterial extends NodeMaterial {
 
   dispose() {
     super.dispose();
-    for (const attribute of this.stored) attribute.dispose();
+    this._letGo();
   }
+}
+
+/** { weights, weightsAt }: of all decoders whose weights are in storage, one behind the other, and where those of a form begin, in vec4f. */
+function storedWeights(decoders, storesAll) {
+  const stored = Object.entries(decoders).filter(([, { uniform }]) => storesAll || !uniform), weightsAt = {};
+  const weights = new Float32Array(stored.reduce((sum, [, decoder]) => sum + decoder.weights.length, 0));
+  let at = 0;
+  for (const [form, decoder] of stored) {
+    weights.set(decoder.weights, at);
+    weightsAt[form] = at / 4;
+    at += decoder.weights.length;
+  }
+  return { weights, weightsAt };
 }
 
 /** Of an instance's matrix. three.js 0.186, which has no referenceAttribute, has a program for each InstancedMesh. */

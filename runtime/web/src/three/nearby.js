@@ -1,5 +1,6 @@
 // The columns of nearby light at a fragment.
 import { float, interleavedGradientNoise, screenCoordinate } from "three/tsl";
+import { turnOfPicture } from "./samples.js";
 
 const DISTANT = 1e30;
 
@@ -10,6 +11,6 @@ const DISTANT = 1e30;
 export function columnsOf({ tracesColumns, options }, far, samples = 1, number = float(0)) {
   const columns = Math.ceil(options.nearbySamples / samples);
   // Another noise than that of the environment's directions: columns must not go by these.
-  const turn = tracesColumns ? interleavedGradientNoise(screenCoordinate.yx).add(float(number).mul(0.7548777)).fract() : float(0);
+  const turn = tracesColumns ? interleavedGradientNoise(screenCoordinate.yx).add(turnOfPicture).add(float(number).mul(0.7548777)).fract() : float(0);
   return [far ?? float(DISTANT), float(columns), turn];
 }

@@ -1,5 +1,8 @@
 // What is done for each sample of a light that has many.
-import { int, Loop } from "three/tsl";
+import { int, Loop, uniform } from "three/tsl";
+
+/** By how much all directions are turned: another value for each picture of a mean. */
+export const turnOfPicture = /*@__PURE__*/ uniform(0);
 
 /**
  * body(number), an integer node, for each below `count`. A loop, since drivers inline all that is written out; but about

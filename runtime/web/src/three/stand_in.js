@@ -1,5 +1,6 @@
 // What is shown of an asset without WebGPU, and the line that says so: its shape in grey, lit from the camera.
 import { normalView, positionViewDirection, vec3, vec4 } from "three/tsl";
+import { constants } from "../decoder/records.js";
 
 const warned = new WeakSet();  // renderers
 const GREY = "assets are shown as grey shapes";
@@ -15,6 +16,9 @@ export function canShow(renderer, buffers, instead = GREY) {
   const most = renderer.backend.device.limits.maxStorageBuffersInFragmentStage ?? Infinity;
   return buffers <= most || warn(renderer, `needs ${buffers} storage buffers in the fragment stage; this GPU allows ${most}`, instead);
 }
+
+/** Whether uniform buffers are too small for weights, as on GPUs of the compatibility level. */
+export const hasSmallUniforms = ({ backend }) => backend?.device?.limits.maxUniformBufferBindingSize < 16 * constants.UNIFORM_WEIGHTS;
 
 function warn(renderer, why, instead) {
   if (!warned.has(renderer)) console.warn(`rna-three ${why}: ${instead}`);

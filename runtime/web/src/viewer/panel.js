@@ -29,7 +29,7 @@ export class Panel {
     const hear = (name, action) => stage.addEventListener(name, action);
     hear("set", () => this._showControls());
     hear("package", ({ opened, shown }) => this._showPackage(opened, shown));
-    hear("shown", () => this._showStats(stage.viewer.stats));
+    hear("shown", () => stage.viewer && this._showStats(stage.viewer.stats));
     this._showControls();
   }
 

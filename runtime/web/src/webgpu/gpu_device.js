@@ -10,7 +10,7 @@ export async function openDevice() {
   if (!adapter) {
     const why = navigator.gpu ? "WebGPU has no adapter here"
       : isSecureContext ? "this browser has no WebGPU" : "WebGPU needs HTTPS, or a page from this machine";
-    throw new NotSupported(`${why}: no more than a poster is shown`);
+    throw new NotSupported(`${why}: no more than a stand-in or a poster is shown`);
   }
   const requiredLimits = Object.fromEntries(WANTED.map((name) => [name, adapter.limits[name]]));
   return adapter.requestDevice({ requiredLimits });

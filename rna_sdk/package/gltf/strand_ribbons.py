@@ -1,4 +1,4 @@
-"""Strands as a mesh of three-sided tubes, for programs that show triangles alone."""
+"""Strands as a mesh of flat ribbons, for programs that show triangles alone."""
 
 from __future__ import annotations
 
@@ -11,21 +11,21 @@ from rna_sdk.package.geometry.curves import Curves
 from rna_sdk.package.geometry.mesh import Mesh
 
 MAX_TRIANGLES = 300_000
-_SIDES = 3
+_A_SEGMENT = 2  # triangles
 _FEWEST_SEGMENTS = 8  # of a strand, before strands are left out
-_AS_WIDE = 2.0 * math.pi / (_SIDES * math.sqrt(3.0))  # circumradius of a triangle as wide as r = 1
+_AS_WIDE = math.pi / 2.0  # half the width of a ribbon that is as wide as r = 1, seen from all sides
 
 Array = NDArray[np.float64]
 
 
-def tubes(curves: Curves, max_triangles: int = MAX_TRIANGLES) -> Mesh:
-    """The strands as tubes, open at their ends, of the same mean width; smooth normals.
+def ribbons(curves: Curves, max_triangles: int = MAX_TRIANGLES) -> Mesh:
+    """The strands as ribbons of the same mean width, which have two sides.
 
     More than `max_triangles` are avoided first by fewer points a strand, 9 at least, then by
     every k-th strand alone, k times as thick.
     """
     counts = np.diff(curves.offsets.astype(np.int64))
-    most = max_triangles // (2 * _SIDES)  # segments
+    most = max_triangles // _A_SEGMENT  # segments
     segments = int(counts.max()) - 1
     segments = min(segments, max(_FEWEST_SEGMENTS, most // len(counts)))
     every = math.ceil(len(counts) / max(1, most // segments))
@@ -47,16 +47,15 @@ def _resampled(curves: Curves, count: int, every: int) -> tuple[Array, Array]:
 
 def _swept(points: Array, radii: Array) -> Mesh:
     strands, count = radii.shape
-    out = _outward(_tangents(points))
-    positions = points[:, :, None] + radii[:, :, None, None] * out
-    ring = np.arange(_SIDES)
-    beside = (ring + 1) % _SIDES
-    quads = np.stack([ring, beside, ring + _SIDES, beside, beside + _SIDES, ring + _SIDES], axis=1)
-    starts = (np.arange(strands)[:, None] * count + np.arange(count - 1)) * _SIDES
-    triangles = starts.reshape(-1, 1, 1) + quads
+    across, face = _frames(_tangents(points))
+    half = radii[..., None] * across
+    positions = np.stack([points - half, points + half], axis=2)
+    quad = np.array([[0, 2, 1], [1, 2, 3]])
+    starts = (np.arange(strands)[:, None] * count + np.arange(count - 1)) * 2
+    triangles = starts.reshape(-1, 1, 1) + quad
     return Mesh(
         positions.reshape(-1, 3).astype(np.float32),
-        out.reshape(-1, 3).astype(np.float32),
+        np.repeat(face.reshape(-1, 3), 2, axis=0).astype(np.float32),
         None,
         triangles.reshape(-1, 3).astype(np.uint32),
     )
@@ -71,19 +70,16 @@ def _tangents(points: Array) -> Array:
     return _unit(np.where(short, directions, sums))
 
 
-def _outward(tangents: Array) -> Array:
-    """Unit directions of the corners, (s, n, sides, 3), carried along without a twist."""
-    angles = 2.0 * math.pi * np.arange(_SIDES) / _SIDES
-    out = np.empty((*tangents.shape[:2], _SIDES, 3))
+def _frames(tangents: Array) -> tuple[Array, Array]:
+    """Unit directions across the strands and out of their ribbons, without a twist: (s, n, 3)."""
+    out = np.empty_like(tangents)
     across = _across(tangents[:, 0])
     for j in range(tangents.shape[1]):
         t = tangents[:, j]
         carried = across - t * (across * t).sum(axis=1, keepdims=True)
         lost = np.linalg.norm(carried, axis=1, keepdims=True) < 1e-6
-        across = _unit(np.where(lost, _across(t), carried))
-        pair = across[:, None], np.cross(t, across)[:, None]
-        out[:, j] = np.cos(angles)[:, None] * pair[0] + np.sin(angles)[:, None] * pair[1]
-    return out
+        out[:, j] = across = _unit(np.where(lost, _across(t), carried))
+    return out, np.cross(tangents, out)
 
 
 def _across(t: Array) -> Array:
