@@ -9,6 +9,7 @@ import threading
 from collections.abc import Iterator
 from pathlib import Path
 from types import FrameType
+from typing import NamedTuple
 
 import pytest
 
@@ -65,31 +66,97 @@ def test_files_exist() -> None:
 
 
 def test_the_walk_is_short() -> None:
-    assert len(set(WALK)) == len(WALK) <= 15
+    assert len(set(WALK)) == len(WALK) <= 14
 
 
-def test_the_walk_is_what_a_render_does(tmp_path: Path) -> None:
+MILESTONES = {
+    ("scene_file.py", "read_scene"),
+    ("world.py", "__init__"),
+    ("integrator.py", "__init__"),
+    ("instances.py", "intersect"),
+}
+"""Functions in whose calls the scene is read, its world and its integrator are made, and the first
+rays are traced."""
+
+
+class Rendered(NamedTuple):
+    """What a render went through.
+
+    on_stack: files on the stacks of the decoder. way: to the first rays, file by file, from each
+    milestone back to what it and the next one were called by.
+    """
+
+    on_stack: set[str]
+    way: list[str]
+
+
+@pytest.fixture(scope="module")
+def rendered(tmp_path_factory: pytest.TempPathFactory) -> Rendered:
+    decoder, main_thread = REPOSITORY / WALK[-1], threading.main_thread()
+    on_stack: set[str] = set()
+    stacks: dict[tuple[str, str], list[str]] = {}
+
+    def profile(frame: FrameType, event: str, argument: object) -> None:
+        code, main_frame = frame.f_code, None
+        in_main = threading.current_thread() == main_thread
+        if code.co_filename == str(decoder) and not in_main:
+            on_stack.update(files_on_stack(frame))
+            on_stack.update(files_on_stack(sys._current_frames()[main_thread.ident]))
+        milestone = Path(code.co_filename).name, code.co_name
+        if event == "call" and milestone in MILESTONES and milestone not in stacks:
+            if not in_main:
+                main_frame = sys._current_frames()[main_thread.ident]
+            files = [*files_on_stack(frame), *files_on_stack(main_frame)]
+            if files and "rna_work/" not in files[0]:
+                stacks[milestone] = files[::-1]
+
+    scene = REPOSITORY / "examples" / "quickstart" / "scene.yaml"
+    out = tmp_path_factory.mktemp("walk") / "a.exr"
+    small = ["--samples", "1", "--resolution", "32x18"]
+    threading.setprofile(profile)
+    sys.setprofile(profile)
+    try:
+        assert main([str(scene), "--out", str(out), *small]) == 0
+    finally:
+        sys.setprofile(None)
+        threading.setprofile(None)  # type: ignore[arg-type]
+    assert stacks.keys() == MILESTONES
+    return Rendered(on_stack, way_through(list(stacks.values())))
+
+
+def way_through(stacks: list[list[str]]) -> list[str]:
+    """The files of stacks, from the outermost call on; of each what the one before has not."""
+    way: list[str] = []
+    before: list[str] = []
+    for stack in stacks:
+        common = 0
+        while common < min(len(before), len(stack)) and before[common] == stack[common]:
+            common += 1
+        way += stack[max(common - 1, 0) :]
+        before = stack
+    return [file for file, last in zip(way, ["", *way], strict=False) if file != last]
+
+
+def test_the_walk_is_what_a_render_does(rendered: Rendered) -> None:
     """No file of ours is on the stack of the decoder, in its thread or in the main one, but these.
 
     The kernel that fills the decoder's inputs is compiled, and so on no stack of Python's.
     """
-    scene = REPOSITORY / "examples" / "quickstart" / "scene.yaml"
-    decoder, main_thread = REPOSITORY / WALK[-1], threading.main_thread()
-    entered: set[str] = set()
-
-    def profile(frame: FrameType, event: str, argument: object) -> None:
-        if frame.f_code.co_filename == str(decoder) and threading.current_thread() != main_thread:
-            entered.update(files_on_stack(frame))
-            entered.update(files_on_stack(sys._current_frames()[main_thread.ident]))
-
-    small = ["--samples", "1", "--resolution", "32x18"]
-    threading.setprofile(profile)
-    try:
-        assert main([str(scene), "--out", str(tmp_path / "a.exr"), *small]) == 0
-    finally:
-        threading.setprofile(None)  # type: ignore[arg-type]
     compiled = {"rna_sdk/runtime/kernels/query_kernel.py"}
-    assert entered | compiled == set(WALK)
+    assert rendered.on_stack | compiled == set(WALK)
+
+
+def test_the_way_to_the_first_ray_is_short(rendered: Rendered) -> None:
+    """Its last file is that of the rays."""
+    files = set(rendered.way) - {"runtime/rna_trace/embree/instances.py"}
+    assert len(files) <= 12, sorted(files)
+    assert len(rendered.way) - len(set(rendered.way)) <= 8, rendered.way
+
+
+def test_a_way_comes_back_to_what_called_both() -> None:
+    assert way_through([["a", "b", "c"], ["a", "b", "b", "d"], ["a", "e"]]) == [
+        *("a", "b", "c", "b", "d", "a", "e")
+    ]
 
 
 def files_on_stack(frame: FrameType | None) -> Iterator[str]:

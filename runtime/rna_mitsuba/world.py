@@ -50,8 +50,8 @@ class AssetHits(Hits):
 
     DRJIT_STRUCT: ClassVar = {**Hits.DRJIT_STRUCT, "instance": mi.UInt32}
 
-    def __init__(self, *of_hits: Any, instance: Any = None) -> None:
-        super().__init__(*of_hits)
+    def __init__(self, instance: Any = None, **of_hits: Any) -> None:
+        super().__init__(**of_hits)
         self.instance = instance
 
 

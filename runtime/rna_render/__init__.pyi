@@ -11,9 +11,9 @@ from .materials.files.mesh_file import read_mesh_object as read_mesh_object
 from .materials.ground_plane import ground as ground
 from .materials.mesh_object import MeshObject as MeshObject
 from .motion.asset_motion import open_asset_motion as open_asset_motion
+from .paths.bands import render as render
 from .paths.integrator import Integrator as Integrator
 from .paths.integrator_factory import make_integrator as make_integrator
-from .paths.render import render as render
 from .paths.sampling import Sampler as Sampler
 from .paths.world_in_time import load_world as load_world
 from .world.camera import Camera as Camera

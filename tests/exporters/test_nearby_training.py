@@ -22,6 +22,7 @@ from rna_export.export.decoder import decoders_of
 from rna_export.export.package_build import build_package
 from rna_export.training import nearby_choice
 from rna_export.training.checkpoint import load_checkpoint
+from rna_export.training.model import neural_asset
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.optimization.fitting import Fitting
 from rna_export.training.optimization.samples import SampleTable
@@ -95,6 +96,14 @@ def error(rows: dict[str, np.ndarray], exact: np.ndarray, lengths: tuple[float, 
 def test_light_beside_shadows_is_learnt() -> None:
     rows, exact = glowing_rows(8000)
     assert error(rows, exact, LENGTHS) < 0.2 * error(rows, exact, ())
+
+
+def test_outputs_below_0_are_those_of_packages_and_return() -> None:
+    y = torch.tensor([-2.0, -2.0, 2.0, 2.0], requires_grad=True)
+    cut = neural_asset._cut_off(y)
+    assert cut.tolist() == [0.0, 0.0, 2.0, 2.0]
+    cut.backward(torch.tensor([-1.0, 1.0, -1.0, 1.0]))
+    assert y.grad is not None and y.grad.tolist() == pytest.approx([-0.01, 0.0, -1.0, 1.0])
 
 
 @pytest.mark.parametrize("name", PACKAGEABLE)

@@ -11,8 +11,8 @@ import pytest
 
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.compare.cycles_scene import cycles_scene
+from rna_render.paths.bands import render
 from rna_render.paths.integrator_factory import make_integrator
-from rna_render.paths.render import render
 from rna_render.paths.world_in_time import load_world
 from rna_render.scene.scene_file import SceneFile
 from rna_render.scene.scene_model import Scene

@@ -18,8 +18,9 @@ import sys
 import tempfile
 import threading
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -99,8 +100,13 @@ def mutations(
         yield path
 
 
-def check_all(python: Path, paths: Iterable[Path], folder: Path) -> tuple[Counter[str], list[str]]:
-    """Counts of "SUFFIX VERDICT", and a line for each file. folder: of the files."""
+def check_all(
+    python: Path, paths: Iterable[Path], folder: Path, say: Callable[[str], None] = lambda _: None
+) -> tuple[Counter[str], list[str]]:
+    """Counts of "SUFFIX VERDICT", and a line for each file, which is said at once.
+
+    folder: of the files.
+    """
     counts, lines = Counter[str](), []
     home = folder / "home"
     home.mkdir(exist_ok=True)
@@ -117,6 +123,7 @@ def check_all(python: Path, paths: Iterable[Path], folder: Path) -> tuple[Counte
                 verdict, said = "failed", f"{verdict}, and wrote {left}: {said}"
             counts[f"{path.suffix} {verdict}"] += 1
             lines.append(f"{verdict} {path.name}: {said}")
+            say(lines[-1])
     finally:
         LimitedWorker.end_idle()
         for name, value in before.items():
@@ -154,8 +161,8 @@ def main() -> int:
     paths = [] if args.mutations_only else write_hostile(folder)
     paths = [path for path in paths if not kinds or path.suffix in kinds]
     paths += mutations(args.first, args.first + args.count, seeds, kinds)
-    counts, lines = check_all(python, paths, folder)
-    print(*lines, *sorted(f"{count} {kind}" for kind, count in counts.items()), sep="\n")
+    counts, lines = check_all(python, paths, folder, partial(print, flush=True))
+    print(*sorted(f"{count} {kind}" for kind, count in counts.items()), sep="\n")
     return int(any(line.startswith("failed") for line in lines))
 
 

@@ -14,8 +14,8 @@ from rna_render.image.film import Film
 from rna_render.lights import PlacedLight, make_light
 from rna_render.materials import Material, MeshObject, Texture
 from rna_render.materials.textures import LINEAR, SRGB
+from rna_render.paths.bands import render
 from rna_render.paths.integrator_factory import make_integrator
-from rna_render.paths.render import render
 from rna_render.scene.scene_file import SceneFile
 from rna_render.scene.scene_model import Scene
 from rna_render.scene.transforms import world_from_object

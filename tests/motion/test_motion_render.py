@@ -172,7 +172,7 @@ def test_an_animation_without_motion_is_refused(tmp_path: Path) -> None:
 
 
 def test_motion_is_for_the_cpu(tmp_path: Path) -> None:
-    from rna_render.command.devices import check_device
+    from rna_render.paths.integrator_factory import check_device
 
     moving_node(tmp_path / "up.gltf", load(TOY).mesh, [("scale", [0, 1], [[1, 1, 1]] * 2)])
     file = read_scene(scene(tmp_path, "motion: up.gltf"))

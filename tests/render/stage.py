@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from rna_render.paths.bands import render
 from rna_render.paths.integrator_factory import make_integrator
-from rna_render.paths.render import render
 from rna_render.scene.scene_model import Scene
 from rna_render.scene.transforms import world_from_object
 from rna_render.world.placements import Placement

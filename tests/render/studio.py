@@ -13,8 +13,8 @@ import numpy as np
 from rna_render.lights import AssetLight, PlacedLight, make_light
 from rna_render.materials import MeshObject
 from rna_render.materials.material import Material
+from rna_render.paths.bands import render
 from rna_render.paths.integrator import Integrator
-from rna_render.paths.render import render
 from rna_render.scene.scene_model import Scene
 from rna_render.scene.transforms import world_from_object
 from rna_render.world.camera import Camera

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from rna_render.image.film import Layers
-from rna_render.paths.render import render
+from rna_render.paths.bands import render
 from rna_render.paths.sampling import Sampler
 from rna_render.scene import Scene
 

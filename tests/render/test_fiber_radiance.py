@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from rna_render.paths.bands import render
 from rna_render.paths.integrator_factory import make_integrator
-from rna_render.paths.render import render
 from rna_render.paths.world_in_time import load_world
 from rna_render.scene.scene_file import read_scene
 from rna_render.scene.scene_model import TransformModel

@@ -11,8 +11,8 @@ import trimesh
 from rna_render.command.terminal import tell_clamp
 from rna_render.image.film import Film, Layers
 from rna_render.image.images import write_exr
+from rna_render.paths.bands import render
 from rna_render.paths.integrator_factory import AUTO, indirect_clamp, make_integrator
-from rna_render.paths.render import render
 from rna_render.paths.world_in_time import load_world
 from rna_render.scene.scene_file import SceneFile
 from rna_render.scene.scene_model import Scene

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from rna_render.paths.bands import render
 from rna_render.paths.integrator_factory import make_integrator
-from rna_render.paths.render import render
 from rna_render.world.placements import Placement
 from rna_render.world.world import World
 from tests.render.assets import LambertAsset, sphere, square

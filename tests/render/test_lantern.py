@@ -11,8 +11,8 @@ import pytest
 
 from rna_render.command.terminal import cost_lines
 from rna_render.lights import AssetLight
+from rna_render.paths.bands import render
 from rna_render.paths.integrator_factory import make_integrator
-from rna_render.paths.render import render
 from rna_render.paths.world_in_time import load_world
 from rna_render.scene.scene_file import read_scene
 from rna_render.world.domain_watch import DomainWarning, WatchedAsset, warn_of_extrapolation

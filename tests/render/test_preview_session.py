@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from rna_render.paths.bands import render
 from rna_render.paths.integrator_factory import make_integrator
-from rna_render.paths.render import render
 from rna_render.paths.world_in_time import load_world
 from rna_render.preview.change import Change
 from rna_render.preview.lighting import Lighting, lighting_choices

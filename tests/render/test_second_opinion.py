@@ -18,8 +18,8 @@ import yaml
 from PIL import Image
 
 from rna_render.image.images import write_exr
+from rna_render.paths.bands import render
 from rna_render.paths.integrator_factory import make_integrator
-from rna_render.paths.render import render
 from rna_render.paths.world_in_time import load_world
 from rna_render.scene.scene_file import read_scene
 from tests.render.stage import rgb

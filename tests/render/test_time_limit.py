@@ -11,10 +11,10 @@ from rna_render.command.rna_run import main
 from rna_render.image.film import Layers
 from rna_render.image.images import read_exr
 from rna_render.paths import time_limit, world_in_time
+from rna_render.paths.bands import in_time, render
 from rna_render.paths.integrator_factory import make_integrator
-from rna_render.paths.render import render
 from rna_render.paths.sampling import Sampler
-from rna_render.paths.time_limit import in_time, seconds_a_sample
+from rna_render.paths.time_limit import seconds_a_sample
 from rna_render.paths.world_in_time import load_world
 from rna_render.scene.scene_file import read_scene
 from tests.package.builders import make_measured_tier

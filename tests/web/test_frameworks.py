@@ -29,7 +29,7 @@ BUILDS = {
 """The command of each framework, and the folder of the pages that it writes."""
 STATIC = {"svelte": "static"}
 """The folder of files that are copied as they are, where it is not `public`."""
-CHOSEN = os.environ.get("RNA_FRAMEWORKS", "svelte").split()
+CHOSEN = os.environ.get("RNA_FRAMEWORKS", "astro").split()
 QUIET = {"ASTRO_TELEMETRY_DISABLED": "1", "NEXT_TELEMETRY_DISABLED": "1", "NG_CLI_ANALYTICS": "0"}
 
 

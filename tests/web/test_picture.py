@@ -8,8 +8,8 @@ import numpy as np
 import OpenEXR
 import pytest
 
+from rna_render.paths.bands import render
 from rna_render.paths.integrator_factory import make_integrator
-from rna_render.paths.render import render
 from rna_render.paths.world_in_time import load_world
 from rna_render.preview.picture import rgba
 from rna_render.scene.scene_file import read_scene
@@ -116,14 +116,19 @@ def test_suns(asset, tmp_path):
     assert psnr(actual, expected) >= LEAST_PSNR
 
 
-@pytest.mark.parametrize("asset", [GLOWING, GLOWING_CURLS], ids=["surface", "strands"])
+@pytest.mark.parametrize(
+    ("asset", "least"), [(GLOWING, LEAST_PSNR), (GLOWING_CURLS, 30.0)], ids=["surface", "strands"]
+)
 @pytest.mark.usefixtures("middles_of_pixels")
-def test_nearby_light(asset, tmp_path):
-    """By the same columns, of which the first sample of the first light has the same numbers."""
+def test_nearby_light(asset, least, tmp_path):
+    """By the same columns, of which the first sample of the first light has the same numbers.
+
+    A column that grazes a strand may meet it or not.
+    """
     path = write_scene(tmp_path, asset, DIM_SUN, [64, 40], 1)
     expected = by_rna_run(path)
     actual = by_viewer(path, "&jitter=0")
-    assert psnr(actual, expected) >= LEAST_PSNR
+    assert psnr(actual, expected) >= least
     assert expected.max() < 1.5
 
 

@@ -37,7 +37,7 @@ class WorstPlace:
     @classmethod
     def of(cls, images: Sequence[JudgedImage], names: Sequence[str]) -> WorstPlace | None:
         """That of all images; None where none shows the asset. names: of materials."""
-        found: list[tuple[float, JudgedImage | None, int, int]] = []
+        found: list[tuple[float, JudgedImage, int, int]] = []
         for image in images:
             errors = image.nearby_error(_PLACE)
             row, column = (int(k) for k in np.unravel_index(errors.argmax(), errors.shape))

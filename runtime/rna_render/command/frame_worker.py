@@ -11,10 +11,10 @@ from functools import partial
 from pathlib import Path
 from typing import Self
 
-from rna_render.command.devices import open_renderer
 from rna_render.command.terminal import render_with_bar, tell_tiers
 from rna_render.image.output import Output
 from rna_render.paths.bands import BandRenderer
+from rna_render.paths.integrator_factory import open_renderer
 from rna_render.paths.shutter import ShutterRenderer, shutter_times
 from rna_render.paths.world_in_time import load_world
 from rna_render.scene.scene_file import SceneFile

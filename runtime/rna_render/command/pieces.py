@@ -14,12 +14,11 @@ from pathlib import Path
 
 import numpy as np
 
-from rna_render.command.devices import CPU
 from rna_render.command.finished_pieces import FinishedPieces, Piece, missing_pieces
 from rna_render.command.frame_worker import SceneWorker
 from rna_render.image.film import Film
-from rna_render.paths.bands import SMALL_BAND, BandRenderer
-from rna_render.paths.render import render
+from rna_render.paths.bands import SMALL_BAND, BandRenderer, render
+from rna_render.paths.integrator_factory import CPU
 from rna_render.paths.time_limit import SomePixels
 from rna_render.scene.scene_file import SceneFile
 from rna_render.world.scene_sources import carried_scene, scene_key

@@ -234,11 +234,11 @@ def _run(options: argparse.Namespace) -> int:
 
 
 def _shown(options: argparse.Namespace) -> int:
-    from rna_render.command.devices import check_device
     from rna_render.command.sequence import animated, frame_numbers, render_sequence
     from rna_render.command.terminal import tell_size
     from rna_render.image.denoise import Denoiser
     from rna_render.image.output import Output
+    from rna_render.paths.integrator_factory import check_device
     from rna_render.scene.scene_file import read_scene
     from rna_work.executors import open_executor
 
@@ -280,7 +280,6 @@ def _use_threads(count: int | None) -> int:
 
 
 def _render_still(scene_file: SceneFile, output: Output, options: argparse.Namespace) -> int:
-    from rna_render.command.devices import open_renderer
     from rna_render.command.terminal import (
         Interim,
         Interrupt,
@@ -289,6 +288,7 @@ def _render_still(scene_file: SceneFile, output: Output, options: argparse.Names
         tell_clamp,
         tell_tiers,
     )
+    from rna_render.paths.integrator_factory import open_renderer
     from rna_render.paths.world_in_time import load_world
     from rna_render.world.scene_sources import files_of
     from rna_render.world.world_loading import warn_of_darkness

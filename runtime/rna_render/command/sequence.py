@@ -10,9 +10,9 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-from rna_render.command.devices import CPU
 from rna_render.command.frame_worker import Frame, FrameFiles, FrameJob, FrameWorker
 from rna_render.image.output import Output
+from rna_render.paths.integrator_factory import CPU
 from rna_render.paths.world_in_time import QualityWarning
 from rna_render.scene.animation import frame_scene
 from rna_render.scene.scene_file import SceneFile

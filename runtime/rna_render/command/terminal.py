@@ -10,8 +10,7 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 from rna_render.image.film import Film
-from rna_render.paths.bands import BandRenderer
-from rna_render.paths.render import render
+from rna_render.paths.bands import BandRenderer, render
 from rna_render.scene.scene_model import QualityModel, Scene
 from rna_render.world.domain_watch import warn_of_extrapolation
 from rna_render.world.world import World

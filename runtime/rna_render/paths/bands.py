@@ -1,4 +1,4 @@
-"""Samples of an image, cut into bands of pixels, several of which are rendered at once.
+"""The samples of an image, cut into bands of pixels, several of which are rendered at once.
 
 Each band is rendered by one thread from its camera rays to its light. The loops within are long
 enough to keep a thread busy, and what Python does between them for one band is done while the other
@@ -8,7 +8,8 @@ and for Python.
 
 from __future__ import annotations
 
-from collections.abc import Generator, Iterable, Iterator, Sequence
+import time
+from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
 from contextlib import closing
 from dataclasses import dataclass, replace
 from functools import partial
@@ -17,8 +18,9 @@ from typing import Protocol
 
 import numpy as np
 
-from rna_render.image.film import Layers
+from rna_render.image.film import Film, Layers
 from rna_render.paths.sampling import Sampler
+from rna_render.scene.scene_model import Scene
 from rna_sdk.machine.kernel_threads import kernel_threads, limit_kernel_threads
 from rna_work.pool import Pool
 from rna_work.threads import Threads
@@ -54,6 +56,58 @@ class BandRenderer(Protocol):
 
     def render(self, pixels: np.ndarray, sampler: Sampler) -> Layers:
         """The sum of `sampler.count` samples."""
+
+
+def render(
+    scene: Scene,
+    renderer: BandRenderer,
+    stop: Callable[[], bool] = lambda: False,
+    progress: Callable[[int], None] = lambda pixels: None,
+    on_sample: Callable[[Film], None] = lambda film: None,
+) -> Film:
+    """Render `scene.samples` samples of every pixel, or fewer if `stop` or `quality` says so.
+
+    stop: called after every band; the sample under way is then dropped. progress: called after
+    every band with its number of pixels times its samples. on_sample: given the film after every
+    sample but the last; where the renderer takes several at once, after these.
+    """
+    film = Film(scene.resolution, renderer.groups)
+    samplers: Iterator[Sampler] = (Sampler(scene.seed, number) for number in range(scene.samples))
+    if scene.quality is not None and scene.quality.seconds is not None:
+        samplers = in_time(samplers, scene.quality.seconds, lambda: film.samples)
+    sample: list[Layers] = []
+    pixels = film.width * film.height
+    with closing(rendered_bands(renderer, pixels, samplers, samples=scene.samples)) as bands:
+        for band, samples, last in bands:
+            sample.append(band)
+            progress(len(band.hit) * samples)
+            if last:
+                film.add(sample, samples)
+                sample.clear()
+                if film.samples < scene.samples:
+                    on_sample(film)
+            if stop():
+                break
+    return film
+
+
+def in_time(
+    samplers: Iterable[Sampler], seconds: float, finished: Callable[[], int]
+) -> Iterator[Sampler]:
+    """The first of the samplers, and as many more as fit into `seconds` from the first on.
+
+    One more fits if all given so far and it take as long each as the mean of those finished;
+    before any is, if there is time left at all.
+
+    finished: how many of the samples are done; it may lag behind those given.
+    """
+    start = time.perf_counter()
+    for given, sampler in enumerate(samplers):
+        elapsed, done = time.perf_counter() - start, finished()
+        expected = elapsed * (given + 1) / done if done else elapsed
+        if given and expected > seconds:
+            return
+        yield sampler
 
 
 def rendered_bands(

@@ -1,9 +1,8 @@
-"""Rendering within a time: how long a sample takes, and how many fit."""
+"""How long a sample of an image takes, measured on some of its pixels."""
 
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable, Iterator
 from contextlib import closing
 
 import numpy as np
@@ -14,25 +13,6 @@ from rna_render.paths.sampling import Sampler
 
 # Below this many samples a pixel noise is worse than what a cheaper tier costs.
 ENOUGH_SAMPLES = 16
-
-
-def in_time(
-    samplers: Iterable[Sampler], seconds: float, finished: Callable[[], int]
-) -> Iterator[Sampler]:
-    """The first of the samplers, and as many more as fit into `seconds` from the first on.
-
-    One more fits if all given so far and it take as long each as the mean of those finished;
-    before any is, if there is time left at all.
-
-    finished: how many of the samples are done; it may lag behind those given.
-    """
-    start = time.perf_counter()
-    for given, sampler in enumerate(samplers):
-        elapsed, done = time.perf_counter() - start, finished()
-        expected = elapsed * (given + 1) / done if done else elapsed
-        if given and expected > seconds:
-            return
-        yield sampler
 
 
 def seconds_a_sample(renderer: BandRenderer, count: int) -> float:

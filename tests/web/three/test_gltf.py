@@ -122,12 +122,15 @@ def test_a_scene_has_the_same_bits_as_its_packages(page):
         const box = new THREE.Mesh(cube.geometry, cube.material);
         const moved = at(box, {{ translation: [-2, 0, 0], scale: [0.3, 0.3, 0.3] }});
         pictures.push(await picture(group(fox, mirrored, moved, far), 96, 60, view));
-        return [facts, ...pictures];
+        gltf.scene.traverse((object) => object.isRnaAsset && object.dispose());
+        const left = gltf.userData.rnaAssets.map((asset) => asset.content.users.size);
+        return [facts, ...pictures, left];
         """,
     )
     types = ["RnaAsset", "RnaAsset", "Mesh", "RnaAsset"]
     assert actual[0] == [types, 1, "fox", 2, True]
     assert actual[1] == actual[2]
+    assert actual[3] == [0, 0]  # all disposed of
 
 
 @pytest.mark.parametrize(("name", "package"), [("surfaces", SURFACE), ("strands", STRANDS)])

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import torch
 from torch import Tensor, nn
 
@@ -14,8 +16,7 @@ from rna_export.training.model.triplane import Triplane
 from rna_export.training.presets import ModelConfig
 from rna_sdk.package import query_width
 
-_LEAK = 0.01  # slope below 0
-_LEAST = 0.1  # of x / unit + 1, which the leak may bring below 1
+_LEAK = 0.01  # of gradients below 0
 
 
 class NeuralAsset(nn.Module):
@@ -152,7 +153,7 @@ class NeuralAsset(nn.Module):
         of_nearby = torch.einsum("klsc,kl->ksc", of_lengths, at["nearby"])
         silent = every - of_nearby.shape[1]
         total = total + nn.functional.pad(of_nearby, (0, 0, silent, 0))
-        return torch.log1p(total.clamp(min=_LEAST - 1.0))
+        return torch.log1p(total)
 
     def _terms_summed(self, y: Tensor, at: Points) -> Tensor:
         """x / unit of colours, (k, ..., colours, 3), of y of their terms."""
@@ -169,7 +170,7 @@ class NeuralAsset(nn.Module):
             return y
         rest, factor = _cut_off(y).chunk(2, dim=1)
         total = torch.exp(rest) + at["base_color"][:, None] * torch.expm1(factor)
-        return torch.log(total.clamp(min=_LEAST))
+        return torch.log(total)
 
     @property
     def _in_bfloat16(self) -> bool:
@@ -208,4 +209,22 @@ class NeuralAsset(nn.Module):
 
 def _cut_off(y: Tensor) -> Tensor:
     """y as packages have it, 0 at least; in training a gradient leads back from below."""
-    return nn.functional.leaky_relu(y, _LEAK if torch.is_grad_enabled() else 0.0)
+    return _CutOff.apply(y) if torch.is_grad_enabled() else y.clamp(min=0.0)
+
+
+class _CutOff(torch.autograd.Function):
+    """Values of ReLU, as packages have them; below 0 a part of the gradients that lead upwards.
+
+    A leaky ReLU trains with sums of negative terms, which packages cut off: their pictures are too
+    bright (docs/decisions/model.md).
+    """
+
+    @staticmethod
+    def forward(ctx: Any, y: Tensor) -> Tensor:
+        ctx.save_for_backward(y)
+        return y.clamp(min=0.0)
+
+    @staticmethod
+    def backward(ctx: Any, gradient: Tensor) -> Tensor:
+        (y,) = ctx.saved_tensors
+        return torch.where(y > 0.0, gradient, _LEAK * gradient.clamp(max=0.0))

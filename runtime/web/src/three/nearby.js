@@ -10,7 +10,9 @@ const DISTANT = 1e30;
  */
 export function columnsOf({ tracesColumns, options }, far, samples = 1, number = float(0)) {
   const columns = Math.ceil(options.nearbySamples / samples);
-  // Another noise than that of the environment's directions: columns must not go by these.
-  const turn = tracesColumns ? interleavedGradientNoise(screenCoordinate.yx).add(turnOfPicture).add(float(number).mul(0.7548777)).fract() : float(0);
+  if (!tracesColumns) return [float(DISTANT), float(columns), float(0)];
+  // Another noise than that of the environment's directions, and another step from picture to picture: columns that went by these
+  // would be wrong in the mean of all pictures, too.
+  const turn = interleavedGradientNoise(screenCoordinate.yx).add(turnOfPicture.mul(3)).add(float(number).mul(0.7548777)).fract();
   return [far ?? float(DISTANT), float(columns), turn];
 }
