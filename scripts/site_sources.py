@@ -1,4 +1,4 @@
-"""Gathers what the site is built from: every page of the repository, and what its pages link to.
+"""Gathers the site's sources: every page of the repository, and the files that pages link to.
 
     python scripts/site_sources.py FOLDER
 

@@ -1,4 +1,4 @@
-"""docs/decisions/: every record has the same form, and a row in the table of the first page."""
+"""docs/decisions/: every record has the same form, and the first page leads to every page."""
 
 from __future__ import annotations
 
@@ -15,16 +15,10 @@ _FORM = re.compile(
     r"(\*\*Figures\.\*\*\s.+\n\n)?\*\*Outcome\.\*\* .+",
     re.DOTALL,
 )
-_ROW = re.compile(r"\| ([\d-]+) \| \[(.+)\]\((.+)#(.+)\) \| (.+) \|")
 
 
 def _records(page: str) -> list[str]:
     return re.split(r"(?m)^## ", (FOLDER / page).read_text())[1:]
-
-
-def _anchor(title: str) -> str:
-    """As GitHub and MkDocs make it, of titles that both treat alike."""
-    return re.sub(r"[^\w\s-]", "", title.lower()).replace(" ", "-")
 
 
 @pytest.mark.parametrize("page", PAGES)
@@ -33,14 +27,6 @@ def test_records_have_date_context_options_and_outcome(page: str) -> None:
     assert titles == []
 
 
-def test_the_table_has_every_record_once_newest_first() -> None:
-    rows = _ROW.findall((FOLDER / "README.md").read_text())
-    expected = []
-    for page in PAGES:
-        subject = (FOLDER / page).read_text().splitlines()[0].removeprefix("# Decisions: ")
-        for record in _records(page):
-            title = record.splitlines()[0]
-            date = record.partition("Date: ")[2][:10]
-            expected.append((date, title, page, _anchor(title), subject))
-    assert sorted(rows) == sorted(expected)
-    assert [row[0] for row in rows] == sorted((row[0] for row in rows), reverse=True)
+def test_the_first_page_leads_to_every_page() -> None:
+    linked = re.findall(r"^\| \[.+\]\((.+)\) \|", (FOLDER / "README.md").read_text(), re.MULTILINE)
+    assert sorted(linked) == PAGES

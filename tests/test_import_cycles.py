@@ -123,7 +123,7 @@ def test_there_are_none() -> None:
 
 
 def test_the_longest_chain_is_short() -> None:
-    """A face ends a chain: who imports from it need not know what is behind it."""
+    """A face ends a chain: an importer need not know the modules behind it."""
     longest = longest_chain({name: imports(name, path, set(FILES)) for name, path in FILES.items()})
     assert len(longest) <= LONGEST, longest
 

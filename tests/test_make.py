@@ -127,7 +127,7 @@ def test_lights_and_steps_make_the_package_of_the_three_commands(
 
 
 def test_half_a_minute_is_kept(tmp_path: Path) -> None:
-    """What is neither rays nor training may take 33 s, 3 of which are kept for the export.
+    """Steps beside rays and training may take 33 s, 3 of which are kept for the export.
 
     It takes 9 s on an idle machine, and longer on a slow one beside another test.
     """

@@ -51,7 +51,7 @@ RECORDS = {
     "small": ("float32", 24320, 40.12, (0.08413, 0.07496, 0.06383, 0.05890)),
     "hq-int8": ("int8", 240256, 40.57, (0.0773, 0.0685, 0.0576, 0.0527)),
 }
-"""Of the page's package: decoder, multiply-adds, dB, FLIP at 160, 80, 40 and 20 pixels."""
+"""The page's package: decoder, multiply-adds, dB, FLIP at 160, 80, 40 and 20 pixels."""
 
 
 def record(name: str) -> Tier:

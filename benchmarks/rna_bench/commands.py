@@ -23,7 +23,7 @@ class Command:
 
     @property
     def sentence(self) -> str:
-        """First line of the module's docstring: what it measures. Read without an import."""
+        """First line of the module's docstring, its subject. Read without an import."""
         spec = find_spec(f"rna_bench.{self.module}")
         assert spec is not None and spec.origin is not None, self.module
         docstring = ast.get_docstring(ast.parse(Path(spec.origin).read_text()))

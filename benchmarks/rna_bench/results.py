@@ -1,4 +1,4 @@
-"""How every command writes what it measured: JSON with the stamp first, written atomically."""
+"""Results of commands: JSON with the stamp first, written atomically."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def write_results(path: Path, stamp: dict[str, Any] | None, report: dict[str, An
 
 
 def read_scenes(path: Path, taken: Callable[[dict[str, Any]], T]) -> T:
-    """What is taken of a result of `rna-bench scenes`; SceneError where the file is none."""
+    """A result of `rna-bench scenes`, as `taken` reads it. Raises SceneError for other files."""
     try:
         return taken(json.loads(path.read_text()))
     except (OSError, ValueError, KeyError, TypeError) as error:

@@ -1,4 +1,4 @@
-"""What a result was measured with: commit, machine, load, date, command."""
+"""Conditions of a result: commit, machine, load, date, command."""
 
 from __future__ import annotations
 

@@ -85,6 +85,6 @@ def ball():
 
 
 parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-parser.add_argument("--words", choices=("first", "other"), default="first", help="what is printed")
+parser.add_argument("--words", choices=("first", "other"), default="first", help="printed words")
 slab(parser.parse_args().words == "other")
 ball()

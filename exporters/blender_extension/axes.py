@@ -1,4 +1,4 @@
-"""Blender's axes (+Z up) and those of packages and scene files (+Y up), side by side."""
+"""Blender's axes (+Z up) and the axes of packages and scene files (+Y up), side by side."""
 
 import mathutils
 import numpy as np

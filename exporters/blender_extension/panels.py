@@ -1,4 +1,4 @@
-"""Panels: what a package is, the options of the engine, the bake."""
+"""Panels: facts of a package, options of the engine, the bake."""
 
 import bpy
 

@@ -58,15 +58,15 @@ class RnaRenderSettings(bpy.types.PropertyGroup):
     )
     max_depth: bpy.props.IntProperty(
         name="Max Depth",
-        description="Things that light may meet on its way to the camera, the first one seen "
-        "included; 1 is direct light alone",
+        description="Surfaces on the path of light to the camera, the visible one included; "
+        "1 is direct light only",
         default=8,
         min=1,
         max=64,
     )
     auto_clamp: bpy.props.BoolProperty(
         name="Automatic Clamp",
-        description="Clamp indirect light at 10 times what a white ball in the scene would send",
+        description="Clamp indirect light at 10 times the mean radiance of a white ball there",
         default=True,
     )
     clamp_indirect: bpy.props.FloatProperty(

@@ -1,4 +1,4 @@
-"""Commands of the SDK as processes of their own, which write what they say into a log."""
+"""Commands of the SDK as separate processes, whose output goes to a log."""
 
 import os
 import re

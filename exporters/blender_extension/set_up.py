@@ -20,7 +20,7 @@ def last_line():
 
 
 class SetUp(bpy.types.Operator):
-    """Install the RNA SDK and what it needs into an environment of its own, outside of Blender"""
+    """Install the RNA SDK and its dependencies into a separate environment, outside of Blender"""
 
     bl_idname = "rna.set_up"
     bl_label = "Set Up the RNA SDK"

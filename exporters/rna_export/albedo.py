@@ -28,7 +28,7 @@ Shaded = tuple[np.ndarray, WhiteView]
 
 
 def albedo(parts: Iterable[Shaded]) -> Albedo | None:
-    """Of the parts of an asset together; None where Cycles' asset is black."""
+    """Albedo of all parts of an asset together; None if Cycles' asset is black."""
     sums = np.zeros((2, len(_BANDS)))
     rays = np.zeros(len(_BANDS))
     for radiance, view in parts:
@@ -50,6 +50,6 @@ def albedo(parts: Iterable[Shaded]) -> Albedo | None:
 
 
 def white_views(parts: Sequence[DatasetPart]) -> list[WhiteView] | None:
-    """Of each part; None of a dataset without them."""
+    """Rays in a white world of each part; None for a dataset without such rays."""
     views = [view for part in parts if (view := part.white_view()) is not None]
     return views if len(views) == len(parts) else None

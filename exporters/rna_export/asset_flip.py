@@ -57,7 +57,7 @@ class AssetFlip:
 
 
 class Exposure(NamedTuple):
-    """Of one picture of a set: `factor`, for `metrics.display`, and whether the picture is lit."""
+    """Exposure of a picture of a set: `factor` for `metrics.display`; whether it is lit."""
 
     factor: float
     is_lit: bool = True

@@ -17,7 +17,7 @@ _LEAST_SHARE = 0.01  # of an asset's light; a channel with less in shadow is not
 
 @dataclass(frozen=True)
 class Brightness:
-    """Sums of radiance over those of the references, (3,) float64 each; NaN of no light."""
+    """Sums of radiance over the references' sums, (3,) float64 each; NaN without light."""
 
     lit: np.ndarray
     shadowed: np.ndarray

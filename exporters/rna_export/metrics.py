@@ -36,7 +36,7 @@ scores are taken at the exposure that shows this percentile so. At any other, a 
 asset's darkness."""
 
 RAYS_ALONG_A_PIXEL = 4
-"""Of pixels in which strands are seen as pictures show them: several strands in each."""
+"""Rays along a side of a pixel that shows several strands, as pictures do."""
 
 _BLACK = 1e-4  # displayed level below which nothing is to be seen at any exposure
 _ONE_COLOUR = 2.0 / 255.0  # displayed difference
@@ -70,7 +70,7 @@ def _level(references: Sequence[np.ndarray]) -> float:
 
 
 def plain(references: Sequence[np.ndarray]) -> str | None:
-    """What the references are if a PSNR says nothing of them: "black" or "of one colour"."""
+    """"black" or "of one colour" for references for which a PSNR has no meaning."""
     rows = np.concatenate([np.zeros((0, 3)), *references])
     if not len(rows) or _level(references) <= _BLACK:
         return "black"

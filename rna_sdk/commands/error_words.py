@@ -16,7 +16,7 @@ _WORST = "unusable: noise or wrong colours all over"
 
 
 def error_in_words(flip: float) -> str:
-    """What a mean FLIP of an asset's pixels looks like."""
+    """A mean FLIP of an asset's pixels in words."""
     return next((words for below, words in _STEPS if flip < below), _WORST)
 
 

@@ -7,7 +7,7 @@ _REMEDIES = {
     "EXT_meshopt_compression": ("cp", "without meshopt's compression"),
     "KHR_draco_mesh_compression": ("cp", "without Draco's compression"),
 }
-"""Extension -> command of glTF Transform (gltf-transform.dev), and what it writes."""
+"""Extension -> command of glTF Transform (gltf-transform.dev), and its output."""
 
 
 def with_remedy(error: str) -> str:

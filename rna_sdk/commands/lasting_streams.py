@@ -11,7 +11,7 @@ from typing import Any, TextIO, cast
 
 @contextmanager
 def lasting_streams() -> Iterator[None]:
-    """Standard output and error drop what is written after their readers have ended."""
+    """Standard output and error drop text once their readers have ended."""
     before = sys.stdout, sys.stderr
     names = "standard output", "standard error"
     lasting = [_Lasting(*given) for given in zip(before, names, strict=True)]

@@ -107,7 +107,7 @@ class LocalServer(ThreadingHTTPServer):
         return self._free.acquire(timeout=PATIENCE_S)
 
     def process_request_thread(self, request: Any, client_address: Any) -> None:
-        """What the connection's thread does."""
+        """Work of the connection's thread."""
         try:
             super().process_request_thread(request, client_address)
         finally:
@@ -134,7 +134,7 @@ class LocalHandler(BaseHTTPRequestHandler):
         super().handle_one_request()
 
     def parse_request(self) -> bool:
-        """Reads the headers; what has a body is whole with that, and short."""
+        """Reads the headers; a request with a body is then complete, and short."""
         is_whole = super().parse_request()
         if self.command in ("GET", "HEAD"):
             self.server.is_waiting(self.connection, False)

@@ -44,7 +44,7 @@ class LobeQueries:
         return cls(position, axis, column[6], wo, column[10], primitive, column[12], column[13])
 
     def arguments(self, kind: str) -> tuple[Rows, ...]:
-        """Those of `lobes` of a part of this kind, but for the visibility of vertices."""
+        """Arguments of `lobes` for a part of this kind, except the visibility of vertices."""
         across = (self.h,) if kind == "fiber" else ()
         return self.position, self.axis, *across, self.wo, self.free
 

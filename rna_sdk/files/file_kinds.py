@@ -1,4 +1,4 @@
-"""What a file is by its name, for errors that name another kind, and what lies beside it."""
+"""Kinds of files by their names, for errors that name another kind, and files beside it."""
 
 from __future__ import annotations
 

@@ -161,7 +161,7 @@ def _opened_and_locked(marker: Path, folder: Path) -> TextIOWrapper:
 
 
 def _is_at(file: TextIOWrapper, path: Path) -> bool:
-    """Whether an open file is still the one of this name."""
+    """Whether an open file is still the file of this name."""
     try:
         return os.path.samestat(os.fstat(file.fileno()), path.stat())
     except FileNotFoundError:

@@ -26,6 +26,6 @@ def check_regular(path: Path) -> os.stat_result:
 
 
 def read_regular(path: Path) -> bytes:
-    """The bytes of a file; errors are those of `check_regular` and of reading."""
+    """The bytes of a file; raises the errors of `check_regular` and of reading."""
     check_regular(path)
     return path.read_bytes()

@@ -167,7 +167,7 @@ class RowKernel:
 
 
 _PIECES = 4
-"""Of the rows for each thread: the last ones then leave few threads idle."""
+"""Pieces of the rows a thread; small last pieces leave few threads idle."""
 
 
 def _cut(argument: Any, rows: slice, count: int) -> Any:

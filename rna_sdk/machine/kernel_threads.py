@@ -16,7 +16,7 @@ from functools import cache
 from rna_sdk.machine.cores import core_count
 
 _caller = threading.local()
-"""Of each thread: `count`, how many threads a call of it may take, where that is limited."""
+"""Per thread: `count`, the limit on the threads of its calls, if there is one."""
 
 
 class _Helpers:

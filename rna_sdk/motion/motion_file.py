@@ -44,7 +44,7 @@ _CODES = TensorCodes(
     Code.PLANES_SHAPE,
     Code.PLANES_ALIGNMENT,
 )
-"""Never seen: every issue becomes a MotionError that says what was found and expected."""
+"""Never seen: every issue becomes a MotionError with the found and the expected value."""
 
 _MOST_READ = 1 << 26
 """Bytes of a file that is read at once: what happens to it then does not matter."""

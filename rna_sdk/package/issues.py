@@ -18,7 +18,7 @@ class Severity(StrEnum):
 
 
 class Code(Enum):
-    """The stable issue codes. Each value is (severity, what is wrong, in one sentence).
+    """The stable issue codes. Each value is (severity, the fault in one sentence).
 
     `spec/ISSUES.md` is generated from this table.
     """

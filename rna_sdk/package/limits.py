@@ -1,4 +1,4 @@
-"""Limits a reader enforces before it touches what a file declares (spec, "Limits")."""
+"""Limits that a reader enforces before it uses declared sizes (spec, "Limits")."""
 
 import numpy as np
 
@@ -35,7 +35,7 @@ MAX_NARROW_LOBES = 3
 """Mirror lobes, or cones, of a mixture of RNA_sampling."""
 
 MAX_MIXTURES = 16
-"""Of a part."""
+"""Mixtures of a part."""
 
 MAX_VALIDATIONS = 64
 """Environments under which the error of lobes is recorded."""
@@ -51,7 +51,7 @@ MAX_TEXTURE_SIDE = 8192
 MAX_TENSORS_HEADER_BYTES = 2**16
 MAX_GLTF_JSON_BYTES = 2**16
 MAX_CARRIER_JSON_BYTES = 2**23
-"""Of a .glb that carries a package: it may be a whole scene."""
+"""Bytes of a .glb that carries a package: it may be a whole scene."""
 
 MAX_CURVE_POINTS = 2**26
 MAX_STRANDS = 2**25

@@ -1,4 +1,4 @@
-"""Check a whole package: container, manifest, entries, then what is inside each entry."""
+"""Check a whole package: container, manifest, entries, then the contents of each entry."""
 
 from __future__ import annotations
 
@@ -104,7 +104,7 @@ def validate(path: str | PathLike[str]) -> list[Issue]:
 
 
 def inspect(path: str | PathLike[str]) -> Inspection:
-    """Check a `.rna`, or a `.glb` that carries one, and keep what was opened on the way."""
+    """Check a `.rna`, or a `.glb` that carries one, and keep the opened parts."""
     result = Inspection()
     with result.collect():
         data = read_file(path)
@@ -165,11 +165,11 @@ def _decode_entries(
 
 
 class _Noted(PackageError):
-    """Of an entry whose issue is among the others: it has none of its own."""
+    """Error of an entry whose issue is already reported."""
 
 
 class _Contents:
-    """Checks what is inside the entries that are intact."""
+    """Checks the contents of intact entries."""
 
     def __init__(
         self, result: Inspection, container: Container, manifest: Manifest, intact: set[str]

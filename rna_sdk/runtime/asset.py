@@ -193,7 +193,7 @@ class AssetPart(Asset):
     """
 
     _labels: ClassVar[Mapping[str, str]]
-    """Names of arrays in errors: those of the arguments of `evaluate`."""
+    """Names of arrays in errors, as the arguments of `evaluate`."""
 
     def __init__(
         self,
@@ -480,5 +480,5 @@ def _results(
         if any(np.may_share_memory(array, other) for other in value[:k]):
             raise QueryError("out: expected arrays of their own memory, found one memory twice")
         if any(np.may_share_memory(array, other) for other in arrays.values()):
-            raise QueryError("out: expected arrays of their own memory, found that of the query")
+            raise QueryError("out: expected arrays of their own memory, found memory of the query")
     return value

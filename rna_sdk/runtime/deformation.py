@@ -22,7 +22,7 @@ _NEIGHBOURS = 6
 """Strands on either side, in the order of a space-filling curve, that tell a root's rotation."""
 
 _TO_IDENTITY = 1e-9
-"""Share of the identity in what a root's rotation is fitted to: decides what nothing else does."""
+"""Share of the identity in the fit of a root's rotation, which decides ambiguous cases."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,4 @@
-"""Colours of an asset for plain materials: what it reflects of light from the side."""
+"""Colours of an asset for plain materials: its reflectance under light from the side."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def fiber_colors(part: FiberAsset, curves: Curves) -> Array:
 
 
 def _vertices(mesh: Mesh) -> tuple[NDArray[np.int64], Array, Array, Array]:
-    """Of each vertex a triangle that it is a corner of, u, v there, and the triangle's width."""
+    """For each vertex: a triangle with this corner, u and v there, and the triangle's width."""
     corner = np.zeros(len(mesh.positions), np.int64)
     corner[mesh.triangles.ravel()] = np.arange(mesh.triangles.size)
     triangle, k = np.divmod(corner, 3)

@@ -100,7 +100,7 @@ def expected_error(tier: Tier, pixels: float | None = None) -> float:
 
 
 def is_no_worse(tier: Tier, other: Tier) -> bool:
-    """Whether the tier's recorded PSNR is at least that of the other, to within 0.1 dB.
+    """Whether the tier's recorded PSNR is at least the other's, to within 0.1 dB.
 
     Examples:
         >>> tier = load("toy.rna").tier
@@ -128,7 +128,7 @@ def _cheapest(
 
 
 def _work(tier: Tier) -> float:
-    """Multiply-adds per query, those of int8 decoders counted half.
+    """Multiply-adds per query; int8 decoders count half.
 
     Half is between the measured extremes: a query with an int8 decoder takes 1/1.05 (AVX2, width
     64) to 1/5 (AVX-512 VNNI, width 512) of the time in float32 (docs/results.md).

@@ -133,7 +133,7 @@ def _placed(values: NDArray[np.float32], columns: NDArray[np.intp], groups: int)
 def _pack_layer(
     layer: ProfileLayer, pieces: _Pieces, columns: NDArray[np.intp] | None = None, inputs: int = 0
 ) -> NDArray[Any]:
-    """Of dtype LAYER.
+    """A layer's record of dtype LAYER.
 
     columns, inputs: of the first layer, where its rows go and the groups that they fill.
     """

@@ -19,7 +19,7 @@ _WANTED = (
     "max-buffer-size",
     "max-storage-buffers-per-shader-stage",
 )
-"""Limits that are raised to what the adapter has; all others stay at WebGPU's guaranteed values."""
+"""Limits that are raised to the adapter's; all others stay at WebGPU's guaranteed values."""
 
 
 @dataclass(frozen=True)

@@ -98,7 +98,7 @@ class BaseColors:
 
 
 def _linear(c: mi.Color3f) -> mi.Color3f:
-    """Of sRGB: IEC 61966-2-1."""
+    """Linear values of sRGB: IEC 61966-2-1."""
     return dr.select(c <= 0.04045, c / 12.92, dr.power((c + 0.055) / 1.055, 2.4))
 
 

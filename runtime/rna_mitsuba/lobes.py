@@ -19,7 +19,7 @@ LOBES = len(Mixture().lobes)
 
 
 class PointMixture:
-    """Shares and widths of the lobes at points: those of the triangle that each is on."""
+    """Shares and widths of the lobes at points, by their triangles."""
 
     DRJIT_STRUCT: ClassVar = {
         "is_fiber": mi.Bool,

@@ -1,4 +1,4 @@
-"""What the geometry of a part says of a hit, in object space: spec/RNA.md, 4.1 to 4.6, 7.1."""
+"""Geometry of a part at a hit, in object space: spec/RNA.md, 4.1 to 4.6, 7.1."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ class Points:
             setattr(self, name, kind(value))
 
     def query(self, wo: mi.Vector3f) -> dict[str, Any]:
-        """Arguments of decoders, but for what they take of the light."""
+        """Arguments of decoders, except arguments of the light."""
         where = {"position": self.x, "axis": self.axis, "h": self.h}
         return {**where, "wo": wo, "base_color": self.color}
 

@@ -1,4 +1,4 @@
-"""Where a coordinate falls between the texels of an image, and what is outside of it."""
+"""Position of a coordinate between the texels of an image, and its wrapping."""
 
 from __future__ import annotations
 

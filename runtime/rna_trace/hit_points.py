@@ -188,8 +188,8 @@ def _uncertain(e1: Vector, e2: Vector) -> float:
 
 @compiled(fastmath=())
 def _reach(rotation: np.ndarray, place: Vector, x: Vector, n: Vector) -> float:
-    """The size of what is rounded where a point x of the world is taken to object space and back,
-    along the normal n there: 0 at any distance along a level plane through the origin."""
+    """Magnitude of the numbers that are rounded when a point x of the world goes to object space
+    and back, along its normal n: 0 at any distance along a level plane through the origin."""
     result = 0.0
     for row in range(3):
         size = 0.0

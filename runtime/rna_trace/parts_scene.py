@@ -106,7 +106,7 @@ class PartsScene(GeometryScene):
 
     @cached_property
     def diagonal(self) -> float:
-        """Of the box of all parts."""
+        """Diagonal of the box of all parts."""
         low, high = zip(*(geometry.box() for geometry in self.geometries), strict=True)
         return float(np.linalg.norm(np.max(high, axis=0) - np.min(low, axis=0)))
 

@@ -136,7 +136,7 @@ def _tag(name: str, content: Path | bytes) -> str:
 
 
 def _tags(header: str | None) -> list[str]:
-    """Those of an If-None-Match header, weak ones as strong ones (RFC 9110, 13.1.2)."""
+    """Tags of an If-None-Match header, weak ones as strong ones (RFC 9110, 13.1.2)."""
     return [tag.strip().removeprefix("W/") for tag in (header or "").split(",")]
 
 

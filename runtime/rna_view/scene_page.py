@@ -15,7 +15,7 @@ from rna_view.site_files import Site
 
 
 def scene_site(path: Path) -> Site:
-    """The page for a scene; `notes` name what it does not show, and files of other folders.
+    """The page for a scene; `notes` name omitted things, and files of other folders.
 
     A scene file may be a stranger's: what it names becomes public with the page, so only packages
     and images do. Raises SceneError, with the key, for a file that is neither.

@@ -31,7 +31,7 @@ MARKER = "rna-view.json"
 
 
 def export_site(site: Site, folder: Path) -> list[Path]:
-    """Write the page; returns the files. Of an earlier export, what is no longer used is removed.
+    """Write the page; returns its files. Unused files of an earlier export are removed.
 
     So is what an export that was killed left half written. One that fails, as on a full disk,
     leaves nothing new.

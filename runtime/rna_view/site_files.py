@@ -1,4 +1,4 @@
-"""The files of a viewer page: those of the viewer itself, the asset, what lights it."""
+"""The files of a viewer page: the viewer, the asset, its lighting."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ LIGHT = ' sun="40deg 45deg 2" ground'
 """Attributes that the page's element has where there is no scene file."""
 SCENE = "scene.json"
 SITE_NAME = re.compile(rf"[0-9a-f]{{32}}\.(rna|glb|exr|hdr|png|jpg|webp)|{re.escape(SCENE)}")
-"""Names that a page's own files can have; those of the viewer are none of them."""
+"""Names that a page's own files can have; no file of the viewer has such a name."""
 
 # First bytes of the file, by which images are distinguished everywhere.
 _IMAGE_SUFFIXES = {b"\x76\x2f\x31\x01": ".exr", b"#?": ".hdr"}
@@ -88,7 +88,7 @@ class Site:
         self.maps[label] = self._add_image(path, _PRINT_SUFFIXES, "a PNG, JPEG or WebP image")
 
     def add_scene(self, record: object) -> str:
-        """Add what the page reads of a scene; returns its name in the page."""
+        """Add the scene's facts for the page; returns its name in the page."""
         self.contents[SCENE] = json.dumps(record).encode()
         return SCENE
 

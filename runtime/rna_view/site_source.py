@@ -46,7 +46,7 @@ def gallery_for(sources: Sequence[Path], environment: Path | None = None) -> Gal
     gallery = Gallery()
     for source in sources:
         if source.is_file() and kind_of(source) == "scene":
-            raise ViewError(f"{source}: expected packages alone where there are several files")
+            raise ViewError(f"{source}: expected only packages, since there are several files")
         gallery.add(source.stem, site_for(source))
     if environment is not None:
         _light(gallery, environment)

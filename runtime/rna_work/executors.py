@@ -1,4 +1,4 @@
-"""Where work runs: what the option `--cluster` of a command decides, and nobody else knows."""
+"""Where work runs, which only the option `--cluster` of a command decides."""
 
 from __future__ import annotations
 

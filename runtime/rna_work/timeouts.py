@@ -26,7 +26,7 @@ class Timeouts:
     _processor_rates: list[float] = field(default_factory=list)  # the same of processor time
 
     def learn(self, item: Any, seconds: float, processor_seconds: float | None = None) -> None:
-        """Record what a finished item took; processor time where it is known."""
+        """Record the time of a finished item; processor time if it is known."""
         for rates, taken in ((self._rates, seconds), (self._processor_rates, processor_seconds)):
             if taken is not None and len(rates) < _REMEMBERED:
                 insort(rates, taken / max(self.cost(item), 1e-9))

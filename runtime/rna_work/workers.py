@@ -1,4 +1,4 @@
-"""What a worker is, and what comes of the items that it is given."""
+"""Workers, and the outcomes of their items."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class Worker(Protocol):
     def __exit__(self, *exception: object) -> None: ...
 
     def run(self, item: Any) -> Any:
-        """The result of one item. What it raises is the item's failure."""
+        """The result of one item. Its exceptions are the item's failure."""
 
     def kill(self) -> None:
         """Stop the worker's current item; called from another thread, possibly more than once."""

@@ -227,7 +227,7 @@ def test_a_finished_bake_goes_on_for_more_minutes(
             "bake running: last training",
             "the bake is running",
             "the bake is not finished: Continue",
-            "found no rays to go on from, expected those of the bake; Bake Anew captures them",
+            "found no rays to continue with, expected rays of the bake; Bake Anew captures them",
         ),
         strict=True,
     ):

@@ -217,7 +217,7 @@ print("LEFT", "rna_render.command.rna_run" in subprocess.run(
 
 
 def test_frames_of_an_animation(run_in_blender: RunInBlender, tmp_path: Path) -> None:
-    """Of an asset that goes to the right, posed by an armature."""
+    """Frames of an asset that moves to the right, posed by an armature."""
     printed = run_in_blender(
         STAGE
         + """

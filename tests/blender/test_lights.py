@@ -159,7 +159,7 @@ def test_both_engines_give_one_picture(
 
 
 def read_passes(path: Path) -> dict[str, np.ndarray]:
-    """Of the one view layer of Blender's multilayer EXR, whose parts are passes since 5.0."""
+    """Passes of the view layer of Blender's multilayer EXR, whose parts are passes since 5.0."""
     actual: dict[str, np.ndarray] = {}
     with OpenEXR.File(str(path)) as file:
         for part in file.parts:

@@ -1,4 +1,4 @@
-"""Small scenes for Blender, as text: each ends with what is to be captured in the scene.
+"""Small scenes for Blender, as text: each ends with the captured objects in the scene.
 
 Vertices and faces are spelled out, without Blender's operators: those number their vertices
 differently from process to process.

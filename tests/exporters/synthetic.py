@@ -44,7 +44,7 @@ def hurried_packages() -> Iterator[None]:
 
 
 def manifest_of(settings: CaptureSettings, **others: Any) -> CaptureManifest:
-    """Of a capture of one ball, but for `others`."""
+    """Manifest of a capture of one ball, except for `others`."""
     ball = {
         "name": "ball",
         "source": "ball.py",

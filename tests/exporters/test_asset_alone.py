@@ -59,7 +59,7 @@ add(*square(1), material)
 
 
 def seen_from_above(worker) -> np.ndarray:
-    """Radiance of the upper side, lit from below only: black for what is opaque."""
+    """Radiance of the upper side, lit from below only: black for opaque objects."""
     traced = trace(worker, BELOW, 512)
     assert traced.front.sum() > 100
     return traced.radiance[traced.front]

@@ -119,7 +119,7 @@ def print_of(folder: Path, ending: str = "png", alpha: bool = False) -> Path:
 def sampled(
     open_worker: OpenWorker, folder: Path, diffuse: str, glowing: str
 ) -> tuple[ExportedParts, dict[str, np.ndarray], np.ndarray, np.ndarray]:
-    """What is exported of a scene, samples of it, Cycles' colours there, and which are on red.
+    """Exported parts of a scene, samples, Cycles' colours there, and which are on red.
 
     diffuse, glowing: scripts of the scene, which scatters or emits light of its colours.
     """
@@ -140,7 +140,7 @@ def sampled(
 def captured(
     open_worker: OpenWorker, folder: Path, path: Path, changes: list[str]
 ) -> tuple[ExportedParts, list[tuple[str, np.ndarray, np.ndarray]]]:
-    """What is exported; and of each square, the image's name, base colours, and Cycles' own."""
+    """Exported parts; for each square the image's name, base colours, and Cycles' colours."""
     source = {"path": str(path), "changes": changes}
     scripts = [PRINTED.format(**source, shader=shader) for shader in SHADERS]
     exported, at, shown, on_red = sampled(open_worker, folder, *scripts)
@@ -250,7 +250,7 @@ def test_what_nodes_make_of_uv_coordinates_is_baked(
 def test_images_that_are_baked_with_fewer_texels_are_told(
     open_worker: OpenWorker, tmp_path: Path
 ) -> None:
-    """As tiles of UDIM are, where all of them together are larger than what is baked."""
+    """Like UDIM tiles that together are larger than a baked image."""
     source = {"path": str(print_of(tmp_path)), "changes": [TWO_IMAGES]}
     worker = open_worker(PRINTED.format(**source, shader="ShaderNodeBsdfDiffuse"))
     (note,) = exported_parts(worker, CaptureSettings(texture_size=512)).notes
@@ -290,7 +290,7 @@ def test_plain_colours_are_factors_where_they_differ(
 
 
 def test_textures_that_planes_blur_are_told() -> None:
-    """Of 0.5 mm on a sheet of 1 m, where planes have 3.9 mm; coarse ones are not."""
+    """Details of 0.5 mm on a sheet of 1 m, where planes have 3.9 mm; coarse ones are not."""
     sheet = {
         "positions": np.float32([[0, 0, 0], [1, 0, 0], [1, 0, 1], [0, 0, 0], [1, 0, 1], [0, 0, 1]]),
         "uvs": np.float32([[0, 0], [2, 0], [2, 2], [0, 0], [2, 2], [0, 2]]),

@@ -27,7 +27,7 @@ SHADOW = {"shadow_width": 16, "shadow_inputs": PRESETS["surface"]["paper-small"]
 
 
 def printed_samples(rows: int) -> dict[str, np.ndarray]:
-    """A ball of checks under a coat: what is diffuse has their colour, what shines has none."""
+    """A ball of checks under a coat: diffuse light has their colour, highlights have none."""
     rng = np.random.default_rng(0)
     samples = samples_of_light(rng, unit_vectors(rng, rows))
     odd = np.floor(samples["position"] * CHECKS / 2).astype(int).sum(axis=1) % 2 == 1

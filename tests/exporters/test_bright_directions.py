@@ -1,4 +1,4 @@
-"""What is far brighter than its surroundings in an environment, as a few directions."""
+"""Bright regions of an environment as a few directions."""
 
 import numpy as np
 import pytest

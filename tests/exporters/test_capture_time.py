@@ -1,4 +1,4 @@
-"""Shards of a capture; `--minutes`: what is planned for them, and that they are kept."""
+"""Shards of a capture; the plan of `--minutes`, and that it is kept."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def clock(monkeypatch: pytest.MonkeyPatch) -> Clock:
 
 
 def seconds(settings: CaptureSettings, rate: float) -> tuple[float, float]:
-    """Of the validation images and the white world, and of training."""
+    """Seconds of the validation images with the white world, and of the training rays."""
     return settings.held_out_paths / rate, settings.lights * settings.rays * settings.samples / rate
 
 

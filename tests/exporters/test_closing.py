@@ -1,4 +1,4 @@
-"""Last lines of rna-train and rna-export: what was done beside what is usual, and what it means."""
+"""Last lines of rna-train and rna-export: the work beside the usual work, and its meaning."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is told of an asset's speed in scenes before its capture: the arithmetic and the words."""
+"""The predicted speed of an asset in scenes before its capture: arithmetic and words."""
 
 from __future__ import annotations
 

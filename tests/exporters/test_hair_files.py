@@ -1,4 +1,4 @@
-"""Groom files: what is written is read back, what is wrong is named."""
+"""Groom files: written strands are read back, faults are named."""
 
 from __future__ import annotations
 

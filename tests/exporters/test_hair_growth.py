@@ -1,4 +1,4 @@
-"""Strands grown between guides, and what is done to each strand alone."""
+"""Strands grown between guides, and changes of single strands."""
 
 from __future__ import annotations
 

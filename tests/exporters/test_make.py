@@ -164,7 +164,7 @@ def test_without_a_goal_it_ends_when_the_error_stops_falling(make: Any, tmp_path
 
 @pytest.fixture(scope="module")
 def whole_run() -> list[tuple[Made, Cycles]]:
-    """Of `whole`, once it was made."""
+    """Calls of `whole`, once it was made."""
     return []
 
 
@@ -393,7 +393,7 @@ def test_the_better_model_is_kept(make: Any, monkeypatch: pytest.MonkeyPatch) ->
 
 
 def test_more_needs_rays(make: Any) -> None:
-    with pytest.raises(TrainingError, match="found no rays to go on from"):
+    with pytest.raises(TrainingError, match="found no rays to continue with"):
         make(more=0.05)
 
 

@@ -79,7 +79,7 @@ def glowing_rows(count: int) -> tuple[dict[str, np.ndarray], np.ndarray]:
 
 
 def error(rows: dict[str, np.ndarray], exact: np.ndarray, lengths: tuple[float, ...]) -> float:
-    """Of a short training, asked with exact nearby light."""
+    """Error of a short training, queried with exact nearby light."""
     preset = tiny(loss="unbiased").with_model(nearby=lengths)
     kept = {k: v for k, v in rows.items() if lengths or k != "nearby"}
     table = SampleTable(kept)

@@ -42,7 +42,7 @@ def is_above(view: WholeView) -> np.ndarray:
 
 
 def outcome(dataset: Dataset, factors: tuple[float, float]) -> Outcome:
-    """Of a model that is the reference times one factor above, and another one below."""
+    """A model that is the reference times one factor above, and another one below."""
     views, (above, below) = dataset.whole_views(), factors
     shaded = [v.reference * np.where(is_above(v), above, below)[:, None] for v in views]
     return Outcome.of([s.astype(np.float32) for s in shaded], views, dataset)

@@ -40,7 +40,7 @@ USERS = ("notes.txt", "scratch/mine.exr", "rays/mine", "train/work.part", "s.obj
 def home(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, dataset: Dataset
 ) -> Callable[[], dict[str, bytes]]:
-    """A folder of the user, which is the working directory; returns what is in it."""
+    """A folder of the user, which is the working directory; returns its contents."""
     home = tmp_path / "home"
     for name in USERS:
         (home / name).parent.mkdir(parents=True, exist_ok=True)

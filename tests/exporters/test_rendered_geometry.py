@@ -1,4 +1,4 @@
-"""What is exported is what renders show to camera rays, not what a viewport shows."""
+"""The exported geometry is that of renders for camera rays, not of a viewport."""
 
 from __future__ import annotations
 

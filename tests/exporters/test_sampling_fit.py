@@ -19,7 +19,7 @@ POINTS, EACH = 240, 4
 
 
 def scattered(widths: np.ndarray) -> Weighted:
-    """Of points that reflect by GGX of these widths, (n,), and nothing else."""
+    """Light of points that reflect only by GGX of these widths, (n,)."""
     n, rng, lobes = len(widths), np.random.default_rng(0), LOBES["surface"]
     axis, wo = unit_vectors(rng, n), unit_vectors(rng, n)
     axis = np.where(np.sum(axis * wo, axis=1, keepdims=True) < 0, -axis, axis)

@@ -1,4 +1,4 @@
-"""Batch, optimizer and device of a training; what is said where a GPU's memory is too small."""
+"""Batch, optimizer and device of a training; the error if a GPU's memory is too small."""
 
 from __future__ import annotations
 

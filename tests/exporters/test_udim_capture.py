@@ -18,7 +18,7 @@ pytestmark = pytest.mark.blender
 SIZES = {1001: (64, 64), 1002: (240, 96), 1012: (512, 256)}
 NOWHERE, ACROSS = 1005, 0
 TILES = 1002, ACROSS, 1012, NOWHERE, 1001, 1002
-"""Of squares in a row: the tile of each."""
+"""Tiles of squares in a row."""
 
 TILED = """
 # One material on squares in a row, each with its corners in a tile, or across two of them.
@@ -85,7 +85,7 @@ def write_tiles(folder: Path) -> None:
 def captured(
     open_worker: OpenWorker, folder: Path, changes: str = "", tiles: tuple[int, ...] = TILES
 ) -> tuple[ExportedParts, dict[int, tuple[np.ndarray, np.ndarray]]]:
-    """What is exported; and by square, the base colours of samples and Cycles' own."""
+    """Exported parts; by square, the base colours of samples and Cycles' colours."""
     write_tiles(folder)
     source = {"folder": str(folder), "tiles": tiles}
     diffuse = (TILED + changes).format(**source, shader=SHADERS[0])

@@ -13,7 +13,7 @@ POINTS = np.array([[0, 0, 0], [0, 1, 0], [1, 0, 0], [1, 1, 2], [3, 1, 2], [4, 0,
 @pytest.mark.parametrize("wrap", ["nonperiodic", "pinned", "periodic"])
 @pytest.mark.parametrize("basis", ["bezier", "bspline", "catmullRom"])
 def test_counts_are_those_of_openusd(basis: str, wrap: str) -> None:
-    """Of seven points: pieces as the schema's table "Number of segments" has them."""
+    """Pieces of seven points, as in the schema's table "Number of segments"."""
     points = 6 if (basis, wrap) == ("bezier", "periodic") else 7
     pieces = {"bezier": (2, 2, 2), "bspline": (4, 6, 7), "catmullRom": (4, 6, 7)}[basis]
     spline = Spline(points, "cubic", basis, wrap)
@@ -24,7 +24,7 @@ def test_counts_are_those_of_openusd(basis: str, wrap: str) -> None:
 
 def test_a_bspline_is_that_of_cox_and_de_boor() -> None:
     def weight(i: int, degree: int, t: float) -> float:
-        """Of point i, knots at the whole numbers."""
+        """Weight of point i with knots at the whole numbers."""
         if degree == 0:
             return float(i <= t < i + 1)
         rising, falling = (t - i) / degree, (i + degree + 1 - t) / degree

@@ -82,7 +82,7 @@ def _change_values(data: bytes, rng: np.random.Generator) -> bytes:
 
 
 Field = tuple[int, bytes]
-"""Of a protobuf message: its tag, and what follows: a varint's bytes, or those of a length."""
+"""A field of a protobuf message: its tag, and the bytes of a varint or of a length."""
 
 
 def _change_message(data: bytes, rng: np.random.Generator, depth: int = 0) -> bytes:

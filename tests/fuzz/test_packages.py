@@ -26,7 +26,7 @@ needs_node = pytest.mark.skipif(shutil.which("node") is None, reason="needs Node
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Of the C host's program, in which faults can be switched on."""
+    """Folder of the C host's program, in which faults can be switched on."""
     folder = tmp_path_factory.mktemp("fuzz")
     try:
         build_planted(folder)

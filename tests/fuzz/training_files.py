@@ -45,7 +45,7 @@ def write_training_files(folder: Path) -> dict[str, list[Path]]:
 
 
 def mutate_checkpoint(path: Path, rng: np.random.Generator) -> bytes:
-    """A value of what is saved is another one; or bytes of the file, most near its pickle."""
+    """Changes a saved value, or bytes of the file, most of them near its pickle."""
     mutated, data = path.with_name("changed.ckpt"), path.read_bytes()
     if rng.integers(2):
         saved = copy.deepcopy(torch.load(path, weights_only=True))

@@ -1,4 +1,4 @@
-"""Assets with holes, glass and light of their own, and what is asked outside their domain."""
+"""Assets with holes, glass and emission, and queries outside their domain."""
 
 from __future__ import annotations
 

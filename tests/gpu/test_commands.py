@@ -1,4 +1,4 @@
-"""`rna-run --device gpu`: stills, sequences, pieces of an image, and what is refused."""
+"""`rna-run --device gpu`: stills, sequences, pieces of an image, and refusals."""
 
 from __future__ import annotations
 

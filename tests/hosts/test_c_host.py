@@ -170,7 +170,7 @@ def test_null_and_nan_are_answered(programs: dict[str, Path]) -> None:
 
 
 def test_data_of_extensions_are_as_in_the_file(programs: dict[str, Path]) -> None:
-    """The text of the JSON, and the bytes of an entry; NULL for what is not there."""
+    """The text of the JSON, and the bytes of an entry; NULL for missing ones."""
     rna, size = ctypes.CDLL(str(programs["librna.so"])), ctypes.c_size_t()
     for name in ("rna_open", "rna_extension", "rna_entry"):
         getattr(rna, name).restype = ctypes.c_void_p

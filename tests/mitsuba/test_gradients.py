@@ -43,7 +43,7 @@ def scene(llvm: None) -> Any:
 
 
 def derivative(scene: Any, key: str, value: Callable[[Any], Any]) -> np.ndarray:
-    """Of the image by x at 0, where the parameter is value(x); forward mode."""
+    """Derivative of the image by x at 0, where the parameter is value(x); forward mode."""
     import drjit as dr
     import mitsuba as mi
 

@@ -1,4 +1,4 @@
-"""Motion files: what is written comes back, mapped; what does not fit is refused in one line."""
+"""Motion files: a written motion comes back, mapped; wrong ones are refused in one line."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def test_frames_of_a_motion_come_back(tmp_path: Path) -> None:
 
 
 def test_a_motion_that_is_written_in_place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """What was read stays; what is mapped is refused; a file of its name changes nothing."""
+    """A read motion stays; a mapped one is refused; a file of its name changes nothing."""
     path = written(tmp_path / "a.rnam")
     read = open_motion(path, PARTS)
     monkeypatch.setattr(motion_file, "_MOST_READ", 0)

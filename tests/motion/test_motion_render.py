@@ -1,4 +1,4 @@
-"""`rna-run` with assets in motion: pictures, frames, motion blur, and what is refused."""
+"""`rna-run` with assets in motion: pictures, frames, motion blur, and refusals."""
 
 from __future__ import annotations
 

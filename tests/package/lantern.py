@@ -40,7 +40,7 @@ def make_textures() -> dict[str, Texture]:
 
 
 def make_lantern_manifest(**changes: Any) -> Manifest:
-    """Of a surface, `body`, and fibers, `tuft`, in two tiers; the body emits."""
+    """Manifest of a surface, `body`, and fibers, `tuft`, in two tiers; the body emits."""
     holes = (
         TransmittanceRecord(triangles=(0, 2), texture=LEAF, cutoff=0.5),
         TransmittanceRecord(triangles=(3, 1), texture=PANE, ior=(1.5, 1.5)),

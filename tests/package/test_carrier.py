@@ -1,4 +1,4 @@
-"""RNA_relightable_asset: packages in .glb files, their bytes and fallbacks, and what is refused."""
+"""RNA_relightable_asset: packages in .glb files, their bytes, fallbacks and refusals."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The decoder profile: what is of it comes back and runs as in ONNX; other graphs are refused."""
+"""The decoder profile: its graphs come back and run as in ONNX; other graphs are refused."""
 
 from __future__ import annotations
 

@@ -37,7 +37,7 @@ def test_it_says_what_the_package_records(capsys: pytest.CaptureFixture[str]) ->
         "3,520 lights, 4,096 rays a light, 16 samples a ray",
         "hq: 24,000 steps",
         "320 x 291 pixels",
-        "lobes alone 27.86 dB",
+        "only lobes 27.86 dB",
         "RNA_poster, RNA_standin, RNA_environment",
         "CC0-1.0",
     ):
@@ -59,7 +59,7 @@ def test_lobes_are_told_with_their_error(tmp_path: Path) -> None:
     assert info["parts"][0]["has"] == ["4 lobes"]
     assert info["lobes"] == [FOREST.model_dump(mode="json", by_alias=False)]
     lines = list(info_lines(info))
-    assert "lobes       PSNR 30.50 dB, FLIP 0.0500 under forest; lobes alone 28.50 dB" in lines
+    assert "lobes       PSNR 30.50 dB, FLIP 0.0500 under forest; only lobes 28.50 dB" in lines
     assert any(line.endswith("RNA_environment") for line in lines)
 
 

@@ -1,4 +1,4 @@
-"""Packages with normal maps: what is written is what is read, in any form of the file."""
+"""Packages with normal maps are read as written, in any form of the file."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Packages of several parts: what is written is what is read, a tier after the other."""
+"""Packages of several parts are read as written, one tier after the other."""
 
 from __future__ import annotations
 

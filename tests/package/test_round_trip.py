@@ -1,4 +1,4 @@
-"""What is written is what is read, byte for byte the same each time, and never copied."""
+"""Packages are read as written, byte for byte the same each time, and never copied."""
 
 from __future__ import annotations
 

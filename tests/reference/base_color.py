@@ -55,7 +55,7 @@ def _levels(record: BaseColor) -> list[Float]:
 
 
 def linear(value: Float, space: str) -> Float:
-    """Of values from 0 to 1."""
+    """Linear values of encoded values from 0 to 1."""
     if space == "linear":
         return value
     return np.where(value <= 0.04045, value / 12.92, ((value + 0.055) / 1.055) ** 2.4)

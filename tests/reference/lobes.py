@@ -14,7 +14,7 @@ WIDE, NARROW = 2.0, 10.0
 """kappa of a lobe that the decoder leaves as it is: of the first half of them, and of the rest."""
 
 SHIFT = 8.0
-"""Of axes in the output, in which nothing is negative."""
+"""Shift of axes in the output, which is never negative."""
 
 SMALLEST_KAPPA = 0.01
 

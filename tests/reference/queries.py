@@ -28,7 +28,7 @@ def queries_reference(
     wi: Rows,
     of_lobes: bool = False,
 ) -> NDArray[np.float32]:
-    """Of surfaces. of_lobes: wi is the mirror direction of wo, and the half vector is n."""
+    """Queries of surfaces. of_lobes: wi is the mirror direction of wo; the half vector is n."""
     h = np.zeros(len(normals))
     blocks = _blocks(planes, bounds, positions, h, normals, wo, wi)
     if of_lobes:
@@ -43,7 +43,7 @@ def queries_reference(
 def fiber_queries_reference(
     planes: Rows, bounds: Rows, inputs: tuple[str, ...], at: Rows, t: Rows, h: Rows, *wo_wi: Rows
 ) -> NDArray[np.float32]:
-    """Of fibers."""
+    """Queries of fibers."""
     blocks = _blocks(planes, bounds, at, np.clip(np.float64(h), -1, 1), t, *wo_wi)
     return np.hstack([blocks[name] for name in inputs]).astype(np.float32)
 

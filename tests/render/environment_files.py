@@ -18,7 +18,7 @@ HEIGHT, WIDTH = 12, 24
 
 @dataclass(frozen=True)
 class Case:
-    """A file. texels: (h, w, 3) float32 that it is read as, or None. message: or what is said."""
+    """A file with its texels, (h, w, 3) float32, or None and the message of its refusal."""
 
     path: Path
     texels: np.ndarray | None = None

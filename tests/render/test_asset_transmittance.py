@@ -1,4 +1,4 @@
-"""Holes and thin glass of assets: what is seen through them, their shadows, and their own light."""
+"""Holes and thin glass of assets: the view through them, their shadows, their own light."""
 
 from __future__ import annotations
 
@@ -135,7 +135,7 @@ def test_halves_of_a_cut_out_are_where_its_texels_are():
 
 
 def test_visibility_is_the_product_of_all_parts():
-    """Of points of three parts; opaque triangles and strands make it 0, directions below do not."""
+    """Points of three parts: opaque triangles and strands make it 0, directions below do not."""
     first, second = window(1.0, 1.0), window(1.0, 2.0, colour=(0.5,))
     strand = straight(((0.5, 1.5, -1), (0.5, 1.5, 1)))
     low = square(1.0)

@@ -1,4 +1,4 @@
-"""What is said while kernels are compiled, and that a second start says nothing."""
+"""The message while kernels are compiled, and its absence at a second start."""
 
 from __future__ import annotations
 

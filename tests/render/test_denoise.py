@@ -1,4 +1,4 @@
-"""Intel Open Image Denoise, where it is installed, and what is said where it is not."""
+"""Intel Open Image Denoise, if it is installed, and the message if it is not."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ def test_texture_is_kept_and_noise_is_not():
 
 
 def test_rare_bright_noise_is_no_texture():
-    """Of few samples, whose variance from two halves scatters widely; the filter is right."""
+    """Few samples have a widely scattered variance from two halves; the filter is right."""
     halves = np.random.default_rng(0).gamma(0.2, 5.0, (2, 96, 96, 3))
     noisy = halves.mean(axis=0).astype(np.float32)
     variance = np.square(halves[0] - halves[1]) / 4

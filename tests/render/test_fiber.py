@@ -19,7 +19,7 @@ def scene_of(curves: Curves) -> PartsScene:
 
 
 def visible(scene: PartsScene, x, segment, wi, tfar=np.inf) -> np.ndarray:
-    """Of points x of the first part; their normals and tangents have no say in it."""
+    """Visibility of points x of the first part, whatever their normals and tangents."""
     return scene.visible(0, FiberPoints(x, x, x, segment), wi, tfar)
 
 

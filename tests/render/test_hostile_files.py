@@ -79,7 +79,7 @@ def test_texture_transforms_are_finite(key, value, tmp_path):
 
 @pytest.mark.parametrize("wrap", WRAPS)
 def test_large_transforms_of_large_coordinates(wrap, tmp_path):
-    """What is within the limits is looked up within the image."""
+    """Coordinates within the limits are looked up within the image."""
     path = transformed(tmp_path, wrap, GLTF_UVS * np.float32(1e17), scale=[1e18, -1e18])
     at = np.zeros(50, np.int32), np.linspace(0, 1, 50).astype(np.float32), np.zeros(50, np.float32)
     actual = read(path).scattering(*at).base_color

@@ -89,7 +89,7 @@ def test_parts_of_a_watched_asset_are_counted_together(tmp_path, scene_file):
 
 
 def test_lookups_are_those_of_the_sdk(tmp_path):
-    """Of records of a package: a cut-out, glass met from both sides, and opaque triangles."""
+    """Records of a package: a cut-out, glass met from both sides, and opaque triangles."""
     part = load(make_lantern(tmp_path / "lantern.rna")).parts[0]
     records = [replace(r, ior=r.ior and (1.5, 1 / 1.5)) for r in part.transmittance_records]
     mesh = part.mesh

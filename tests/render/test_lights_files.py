@@ -1,4 +1,4 @@
-"""Images of environments: what is read, and what is refused."""
+"""Images of environments: read files and refused files."""
 
 from __future__ import annotations
 

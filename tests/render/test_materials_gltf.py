@@ -44,7 +44,7 @@ def uniform(*colour):
 
 
 def tau(mesh) -> np.ndarray:
-    """Of the middle of the first triangle, met straight on."""
+    """Transmittance of the middle of the first triangle, met straight on."""
     return mesh.transmittance.at(*CENTRE, -TOWARDS, np.ones(1, bool))[0]
 
 

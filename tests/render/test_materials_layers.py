@@ -20,7 +20,7 @@ from tests.runtime.points import unit_vectors
 
 
 def albedo(material, cosine, count=400_000) -> tuple[np.ndarray, np.ndarray]:
-    """Of samples, and its error."""
+    """Albedo from samples, and its error."""
     points, n, wo = made_of(count, **material), rows(Z, count), at_angle(cosine, count)
     wi, pdf = points.sample_and_pdf(n, n, wo, np.random.default_rng(2).random((count, 3)))
     assert (pdf > 0).all()
@@ -31,7 +31,7 @@ def albedo(material, cosine, count=400_000) -> tuple[np.ndarray, np.ndarray]:
 
 @pytest.mark.parametrize("cosine", [1.0, 0.6, 0.2, 0.05])
 def test_white_furnace(cosine):
-    """What is white below a clear coat gives back all light but some of the mirrors'."""
+    """A white base below a clear coat returns all light except a part of the mirrors'."""
     for material, least in (
         (MATT, 0.995),
         (WHITE_COATED, 0.97),

@@ -1,4 +1,4 @@
-"""Mesh files: what is read, where it stands, and what is said of files that cannot be shown."""
+"""Mesh files: geometry, placement, and messages about files that cannot be shown."""
 
 from __future__ import annotations
 
@@ -384,7 +384,7 @@ def test_the_scene_files_material_replaces_all(tmp_path):
 
 
 def errors(folder: Path) -> dict[str, tuple[Path, str, dict | None]]:
-    """Files that cannot be read, each with what is said of it, and the material it is given."""
+    """Files that cannot be read, each with its message and its material."""
     cases = {}
 
     def case(name, content, said, **material):

@@ -1,4 +1,4 @@
-"""What is checked of a scene beside its file: the files that it names, and whether it has light."""
+"""Checks of a scene beside its file: the files that it names, and whether it has light."""
 
 from __future__ import annotations
 

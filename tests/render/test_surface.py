@@ -117,7 +117,7 @@ def test_facets_do_not_see_light_that_is_behind_the_smooth_surface(subdivisions)
 
 
 def test_points_are_lifted_onto_the_smooth_surface():
-    """Of triangles of a unit sphere, by the mean of the ways onto its corners' tangent planes."""
+    """Triangles of a unit sphere: lifted by the mean of the ways onto the tangent planes."""
     points = points_on(sphere(2), 1000)
     radius = np.linalg.norm(points.x + points.lift, axis=1)
     facets = 1.0 - np.linalg.norm(points.x, axis=1)

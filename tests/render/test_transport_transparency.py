@@ -44,7 +44,7 @@ def test_white_things_vanish_in_a_white_furnace(material, smooth):
 
 @pytest.mark.parametrize("tint", [np.ones(3), TINT])
 def test_a_pane_of_glass_before_the_sky(tint):
-    """What shines through and what is mirrored, at an angle: Schlick's share of a white sky."""
+    """Transmitted and mirrored light at an angle: Schlick's share of a white sky."""
     pane = made_of(square(2.0), base_color=tuple(tint), **GLASS)
     camera = at_point((0, 0, 0), (0, 1.0, 1.0))
     actual = seen(shoot([(pane, {})], [SKY], camera=camera, max_depth=8, samples=64))

@@ -189,7 +189,7 @@ def test_motion_that_bends_a_sheet_turns_normals_with_it() -> None:
 
 @pytest.mark.parametrize(("x", "z"), [(2.0, 1.0), (0.5, 0.5), (1.0, 3.0)])
 def test_motion_that_stretches_along_axes_turns_nothing(x: float, z: float) -> None:
-    """Of a flat sheet: the stretch is symmetric, so its polar rotation is the identity."""
+    """A flat sheet: the stretch is symmetric, so its polar rotation is the identity."""
     flat = grid()
     up = np.tile(np.float32([0, 1, 0]), (len(flat.positions), 1))
     sheet = Mesh(np.float32(flat.positions * (1, 0, 1)), up, None, flat.triangles)

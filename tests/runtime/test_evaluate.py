@@ -232,7 +232,7 @@ def test_results_that_cannot_be_written_are_refused(asset: Asset, bad: object, a
 
 
 def test_results_in_the_place_of_the_query_are_refused(asset: Asset) -> None:
-    """Of two decoders the second one would read what the first has written."""
+    """The second of two decoders would read the results of the first."""
     points = points_for(asset, 7)
     for array in points:
         if array.shape == (7, 3):

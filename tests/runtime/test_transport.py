@@ -50,7 +50,7 @@ def test_transport_blends_by_visibility(tmp_path: Path, kind: str, apart: bool, 
 @pytest.mark.parametrize("apart", [False, True])
 @pytest.mark.parametrize("columns", [1, 3])
 def test_any_visibility_gives_transport(tmp_path: Path, apart: bool, columns: int) -> None:
-    """spec/RNA.md, 8.1: outside [0, 1] as the nearer of the two; 0 for what is not finite."""
+    """spec/RNA.md, 8.1: values outside [0, 1] are clamped; values that are not finite are 0."""
     asset, rows = load(package(tmp_path, apart, "surface")), arguments("surface")
     odd = np.float32([0.3, -1, 2, -1e30, 1e30, np.nan, np.inf, -np.inf])
     v = np.random.default_rng(2).choice(odd, (ROWS, columns))

@@ -1,4 +1,4 @@
-"""The suite's frame: what is finished stays, what cannot be measured says why."""
+"""The suite's frame: finished cases are kept, skipped cases have a reason."""
 
 from __future__ import annotations
 

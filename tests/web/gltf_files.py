@@ -20,7 +20,7 @@ TYPES = {1: "SCALAR", 3: "VEC3", 4: "VEC4"}
 
 
 class GltfFile:
-    """A red cube as mesh 0, and what is added; `document` is the JSON."""
+    """A red cube as mesh 0, and additions; `document` is the JSON."""
 
     def __init__(self) -> None:
         self.binary = b""

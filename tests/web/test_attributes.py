@@ -139,7 +139,7 @@ def test_a_property_takes_what_it_gives(page, folder, url):
 
 
 def test_false_is_off(page, folder, url):
-    """As Vue and Svelte write what is false; on is any other text, as in HTML."""
+    """Vue and Svelte write "false"; any other text is on, as in HTML."""
     attributes = 'auto-rotate="false" camera-controls="true" ground=""'
     show(page, folder, url, f'<rna-viewer id="one" hidden {attributes}></rna-viewer>')
     is_on = "[one.autoRotate, one.cameraControls, one.ground, one.skybox, one.settings.autoRotate]"

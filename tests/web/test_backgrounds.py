@@ -1,4 +1,4 @@
-"""What is behind the asset: any colour of CSS, when the page changes it, or the page."""
+"""The background of the asset: any colour of CSS, changes of it, or the page."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def test_ground_needs_an_opaque_background(page):
 
 
 def test_the_environment_behind_the_asset(page, folder, url):
-    """Of a colour that tells the direction; turned with the light, and as bright."""
+    """An environment whose colour tells the direction, turned with the light, and as bright."""
     d, _ = sphere(64, 128)
     write_image(folder / "sky.hdr", (0.3 * (d + 1)).astype(np.float32))
     view = 'camera-orbit="30deg 70deg 9m" interpolation-decay="0" skybox environment="sky.hdr"'

@@ -39,7 +39,7 @@ def views(settings: dict[str, str], *acts: str) -> list[dict[str, Any]]:
 
 
 def numbers(view: dict[str, Any]) -> list[float]:
-    """Of cameraOrbit: degrees, degrees, metres."""
+    """Numbers of cameraOrbit: degrees, degrees, metres."""
     return [float(word.rstrip("degm")) for word in view["cameraOrbit"].split()]
 
 

@@ -26,7 +26,7 @@ BUILDS = {
     "nuxt": ("nuxt generate", ".output/public"),
     "svelte": ("vite build", "build"),
 }
-"""Of each framework the command, and the folder of the pages that it writes."""
+"""The command of each framework, and the folder of the pages that it writes."""
 STATIC = {"svelte": "static"}
 """The folder of files that are copied as they are, where it is not `public`."""
 CHOSEN = os.environ.get("RNA_FRAMEWORKS", "svelte").split()

@@ -1,4 +1,4 @@
-"""Smooth glass beside a package: the picture is rna-run's, and what is no such glass is named."""
+"""Smooth glass beside a package: the picture is rna-run's, and other files are named."""
 
 from __future__ import annotations
 

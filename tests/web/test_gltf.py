@@ -70,7 +70,7 @@ def test_the_package_of_a_file(tmp_path):
 
 
 def hostile(folder: Path) -> dict[str, bytes]:
-    """Files of which none has one package, by what is told of them."""
+    """Files without exactly one package, by their messages."""
     good = write_gltf(folder / "good.glb", [TINY]).read_bytes()
 
     def changed(**values: Any) -> bytes:
@@ -188,7 +188,7 @@ PICTURE = """
 
 @pytest.mark.chromium
 def test_the_element_shows_the_same_bits_from_ranges_of_either_file(page, tmp_path):
-    """Of the .glb its JSON comes on top; the fallback and other bytes stay where they are."""
+    """The JSON of the .glb comes on top; the fallback and other bytes are not requested."""
     (tmp_path / ELEMENT).write_bytes(viewer_file(ELEMENT))
     shutil.copy(TOY, tmp_path / "toy.rna")
     file = GltfFile()

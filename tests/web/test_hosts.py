@@ -47,7 +47,7 @@ FETCHES = """(() => {
 
 
 def test_progress_goes_up_and_ranges_are_asked_for_together(page, folder, elsewhere):
-    """Of the toy, with a poster and lobes: two requests for the directory, then all others."""
+    """The toy, with a poster and lobes: two requests for the directory, then all others."""
     shutil.copy(TOY, folder)
     show(page, folder, elsewhere, f'<rna-viewer id="one" loading="eager" {SMALL}></rna-viewer>')
     page.wait_for("one.stage.engine", TIMEOUT)

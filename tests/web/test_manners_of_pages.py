@@ -84,7 +84,7 @@ SCREEN = """<script>
 
 
 def test_pixels_of_another_screen(page, folder, url):
-    """Of a phone at first, then of two desktops; nothing else of the page changes."""
+    """The screen of a phone, then of two desktops; nothing else of the page changes."""
     show(page, folder, url, SCREEN)
     loads(page, "one")
     widths = [page.evaluate(f"{move}one.stage.canvas.width") for move in ("", "move(1), ")]

@@ -1,4 +1,4 @@
-"""What is packed as rna-viewer: types, the manifest of its element, where it can be imported."""
+"""The packed rna-viewer: types, the manifest of its element, places of import."""
 
 from __future__ import annotations
 

@@ -44,7 +44,7 @@ def test_hierarchy_is_built_in_steps(page, folder, url):
 
 @pytest.mark.parametrize("name", ["quickstart/toy", "jade/fox", "fibers/curly_ball"])
 def test_no_task_is_long(page, folder, url, name):
-    """Of the bundled assets, from the address to the first picture; the main thread's own time."""
+    """The bundled assets from the address to the first picture; the main thread's own time."""
     package = EXAMPLES / f"{name}.rna"
     shutil.copy(package, folder)
     show(page, folder, url, f'<rna-viewer id="one" loading="eager" {SMALL}></rna-viewer>')

@@ -77,7 +77,7 @@ def test_the_line_to_embed_is_that_of_the_command(tmp_path: Path, capsys):
 
 @pytest.mark.parametrize(("page", "text"), [("viewer", VIEWER), ("preview", PREVIEW)])
 def test_controls_that_are_named_are_there(page, text):
-    """What is set in bold or italics at the start of a sentence is a label of the panel."""
+    """Bold or italic words at the start of a sentence are labels of the panel."""
     named = {"viewer": r"\*([A-Z][\w ]+)\*", "preview": r"\*\*([A-Z][\w ]+)\*\*"}[page]
     labels = re.findall(named, text)
     assert labels and [label for label in labels if label not in PANEL[page]] == []

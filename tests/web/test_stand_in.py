@@ -25,7 +25,7 @@ BROWSERS = {"none": NO_GPU, "software": SOFTWARE_GPU}
 
 @pytest.fixture
 def browser(request) -> Iterator[Page]:
-    """Of the flags that the test names."""
+    """The page with the flags that the test names."""
     with open_page(160, 100, BROWSERS[request.param]) as page:
         yield page
 

@@ -21,7 +21,7 @@ MOMENTS = {
     "hierarchy": "performance, 'mark', (name) => name === 'hierarchy'",
     "first-rays": "GPUQueue.prototype, 'onSubmittedWorkDone', () => true",
 }
-"""What is called when the element goes: an object, its method, and which of its calls."""
+"""Calls of the engine when the element goes: an object, its method, and which call."""
 BODY = """<link rel="icon" href="data:,"><script>
   globalThis.devices = [];
   const hear = (object, name, before) => {

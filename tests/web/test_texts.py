@@ -42,7 +42,7 @@ def test_texts_of_the_page_go_first(told):
 
 
 def test_visitors_see_a_calm_line_and_the_console_has_all(told):
-    """Nothing of the page's mistakes; what is missed, for a while; for good in an empty place."""
+    """No mistakes of the page; a line for a while; permanently in an empty place."""
     german = told["languages"]["de"]
     *visitors, whole = told["steps"]
     assert visitors == [None, [german["unavailable"]], None, [german["failed"]]]

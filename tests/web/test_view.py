@@ -34,7 +34,7 @@ def page() -> Iterator[Page]:
 
 
 def canvas(page: Page) -> np.ndarray:
-    """What is on the screen: (h, w, 3), 0 to 255."""
+    """The picture on the screen: (h, w, 3), 0 to 255."""
     data = base64.b64decode(page.evaluate(DATA_URL))
     return np.asarray(Image.open(io.BytesIO(data)).convert("RGB"), np.float64)
 

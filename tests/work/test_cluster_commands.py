@@ -52,7 +52,7 @@ def test_a_capture_has_the_same_bits(
 
 
 def test_frames_have_the_same_bits(ray_address: str, tmp_path: Path) -> None:
-    """Of a ball, and of one in motion beside it, whose file travels with the scene."""
+    """Frames of a ball and of a ball in motion, whose file travels with the scene."""
     models, ball = tmp_path / "models", sphere(4)
     models.mkdir()
     write_lambert_package(models / "ball.rna", ball)

@@ -39,7 +39,7 @@ def free_port() -> int:
 
 @pytest.fixture(scope="module")
 def environment(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
-    """Of the cluster's processes; with its token alone also of the commands."""
+    """Environment of the cluster's processes; with its token also of the commands."""
     home = tmp_path_factory.mktemp("home")
     named = {"RAY_AUTH_TOKEN": random.randbytes(32).hex(), "HOME": str(home)}
     cache = os.environ.get("XDG_CACHE_HOME", str(Path.home() / ".cache"))
@@ -49,7 +49,7 @@ def environment(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
 
 @pytest.fixture(scope="module")
 def address(environment: dict[str, str], tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    """Of a head with two cores, in another process."""
+    """Address of a head with two cores, in another process."""
     log = tmp_path_factory.mktemp("head") / "log"
     port, head_port = free_port(), free_port()
     environment["HEAD"] = f"127.0.0.1:{head_port}"

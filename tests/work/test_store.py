@@ -57,7 +57,7 @@ def test_addresses_that_cannot_be_used_say_so() -> None:
 def test_a_capture_is_gathered(
     store: Store, dataset: Dataset, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """What is finished goes through the store; what it has is not rendered again."""
+    """Finished shards go through the store; its shards are not rendered again."""
     made: list[str] = []
 
     def run(task: object, dataset: Dataset, *_: object) -> None:

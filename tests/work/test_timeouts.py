@@ -16,7 +16,7 @@ linux = pytest.mark.skipif(sys.platform != "linux", reason="no /proc")
 
 
 def timeouts() -> Timeouts:
-    """Of a capture whose items took 40 s, of the processor too."""
+    """Time-outs of a capture whose items took 40 s, also of the processor."""
     actual = Timeouts()
     for _ in range(5):
         actual.learn("shard", 40.0, 40.0)

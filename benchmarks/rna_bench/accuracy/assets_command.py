@@ -41,7 +41,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         type=Path,
         nargs="+",
         metavar="FOLDER",
-        help="dataset of each package, to measure on (paths, default: what the packages record)",
+        help="dataset of each package, to measure on (paths, default: the records of the packages)",
     )
     add_out(parser)
 
@@ -143,7 +143,7 @@ def _shaded(asset: Asset, view: WholeView) -> np.ndarray:
 
 
 def _cosine(view: WholeView) -> float:
-    """Of the angle between light and eye, in the middle of an image."""
+    """Cosine of the angle between light and camera at the middle of an image."""
     wo, wi = (np.concatenate([p.samples[name] for p in view.parts]) for name in ("wo", "wi"))
     to_eye = wo.mean(axis=0)
     return float(wi[0] @ to_eye / np.linalg.norm(to_eye))

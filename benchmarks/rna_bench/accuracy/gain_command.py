@@ -42,7 +42,7 @@ def add_options(p: argparse.ArgumentParser) -> None:
         "--table",
         type=Path,
         metavar="JSON",
-        help="table to write into (path, default: that of the package)",
+        help="table to write into (path, default: the table of the package)",
     )
 
 

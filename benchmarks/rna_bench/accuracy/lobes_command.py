@@ -61,7 +61,7 @@ def _rounded(
 
 
 def _parts(path: Path) -> list[dict[str, Any]]:
-    """Lobes of each part that has them, and what they cost."""
+    """Lobes of each part that has them, and their cost."""
     result = []
     with Package.open(path) as package:
         for k, part in enumerate(package.manifest.parts):

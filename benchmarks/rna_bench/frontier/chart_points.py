@@ -1,4 +1,4 @@
-"""What a chart shows: every model at every precision, with its cost and its error, as JSON."""
+"""Points of a chart: every model at every precision, with its cost and its error, as JSON."""
 
 from __future__ import annotations
 

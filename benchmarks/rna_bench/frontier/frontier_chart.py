@@ -63,7 +63,7 @@ def _draw_row(axes: Any, asset: str, reports: list[dict[str, Any]]) -> None:
 
 
 def _flip_of(report: dict[str, Any]) -> str:
-    """What the report's FLIP is of, as its definition begins."""
+    """Pixels of the report's FLIP, as its definition begins."""
     return "\n".join(wrap(report["definitions"]["flip"].split(";")[0], 40))
 
 

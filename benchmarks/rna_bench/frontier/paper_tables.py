@@ -27,7 +27,7 @@ Row = tuple[dict[str, Any], list[str]]
 
 
 def paper_tables(points: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """Tables of `title`, `head`, `rows` and each row's point; what was not trained is left out."""
+    """Tables of `title`, `head`, `rows` and each row's point, without untrained models."""
     on_lego = ["PSNR here", "the paper's, on Lego"]
     return [
         _table(

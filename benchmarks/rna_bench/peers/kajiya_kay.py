@@ -1,4 +1,4 @@
-"""A material of strands: what a network's outputs mean, and how they shade.
+"""A material of strands: the meaning of a network's outputs, and their shading.
 
 Kajiya and Kay, "Rendering Fur with Three Dimensional Textures", 1989, with the exponent of the
 highlight, and a colour of its own, as parameters of a point.
@@ -16,7 +16,7 @@ from torch.nn.functional import softplus
 from rna_export.training.model.tensor_vectors import dot
 
 HAIR_OUTPUTS = 7
-"""Of the network."""
+"""Number of outputs of the network."""
 
 _EXPONENTS = 1.0, 9.0  # of two: narrow highlights have the larger one
 

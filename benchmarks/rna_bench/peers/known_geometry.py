@@ -41,7 +41,7 @@ class KnownGeometry:
         self._centre, self._radius = np.array(views.centre), views.radius
 
     def hits(self, origins: np.ndarray, directions: np.ndarray, lights: np.ndarray) -> Hits:
-        """Of n rays with their lights, (n, 3) float32 each."""
+        """Hits of n rays; origins, directions and lights are (n, 3) float32."""
         starts = self._placed(origins)
         hits = self._scene.intersect(starts, directions)
         normals, tangents = np.zeros_like(directions), np.zeros_like(directions)

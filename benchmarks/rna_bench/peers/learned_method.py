@@ -35,7 +35,7 @@ class Rays:
 
 @dataclass(frozen=True)
 class Targets:
-    """Pixels on the device: their rays and what they show; shapes as in `PixelBatch`."""
+    """Pixels on the device: their rays and colours; shapes as in `PixelBatch`."""
 
     rays: Rays
     colour: Tensor
@@ -77,7 +77,7 @@ class LearnedMethod:
         """Radiance (n, 3), linear, over black."""
 
     def rate_factor(self, progress: float, steps: int) -> float:
-        """Of the rate, at a share of the planned training and after so many steps."""
+        """Factor of the rate at a share `progress` of the training, after `steps` steps."""
         return 1.0
 
     @property
@@ -86,7 +86,7 @@ class LearnedMethod:
         return sum(p.numel() for p in self.model.parameters() if p.requires_grad)
 
     def train(self, data: Views, budget: Budget, work: Path) -> Training:
-        """As `Method.train`; what is in `work` must be of the same model."""
+        """As `Method.train`; files in `work` must belong to the same model."""
         optimizer = torch.optim.Adam(self.model.parameters(), lr=self.rate)
         done = self._resume(optimizer, work)
         clock = time.perf_counter if self.device.type == "cuda" else time.process_time

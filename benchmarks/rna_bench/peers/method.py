@@ -37,7 +37,7 @@ class LossPoint:
 
 @dataclass(frozen=True)
 class Training:
-    """What a training has used so far.
+    """Steps, samples and time of a training so far.
 
     seconds: of processor time (of wall time on a GPU). samples: pixels seen, with repetition.
     """
@@ -56,7 +56,7 @@ class Method(Protocol):
         """Number of parameters that are trained."""
 
     def train(self, data: Views, budget: Budget, work: Path) -> Training:
-        """Train on the images until the budget is used; resumes from what is in `work`."""
+        """Train on the images until the budget is used; resumes from the files in `work`."""
 
     def render(self, camera: PeerCamera, light: np.ndarray) -> np.ndarray:
         """Radiance (h, w, 3) float32, linear, over black, with a point light at `light`, (3,)."""

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Setting:
-    """What a method is made with.
+    """Arguments that a method is made with.
 
     seed: of its initialisation and training. device: of PyTorch. full: the published sizes of
     batches and numbers of samples a ray, instead of those for a CPU. geometry: of our package of
@@ -48,7 +48,7 @@ class MethodRow:
     needs_geometry: bool = False
 
     def share(self, samples: int) -> float | None:
-        """Of the published number of pixels seen, with repetition."""
+        """Share of the published number of training pixels, counted with repetition."""
         if self.published_steps is None or self.published_batch is None:
             return None
         return samples / (self.published_steps * self.published_batch)

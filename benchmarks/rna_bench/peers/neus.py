@@ -48,7 +48,7 @@ def transmittances(opacity: Tensor) -> Tensor:
 
 
 def lengths_of(places: Tensor, last: Tensor) -> Tensor:
-    """Of the sections that begin at sorted places; last: (n, 1), of the last section."""
+    """Lengths of the sections that begin at sorted places; last: (n, 1), length of the last one."""
     return torch.cat([places.diff(dim=1), last.expand(len(places), 1)], dim=1)
 
 
@@ -84,7 +84,7 @@ def _distances(origins: Tensor, directions: Tensor, places: Tensor, distance: Di
 def _coarse_weights(
     origins: Tensor, directions: Tensor, places: Tensor, there: Tensor, sharpness: float
 ) -> Tensor:
-    """Of the sections between places, by the slope between them and the one before: (n, m - 1)."""
+    """Weights (n, m - 1) of the sections, by the slopes in each section and the one before."""
     inside = points_on(origins, directions, places).norm(dim=2) < 1.0
     lengths = places.diff(dim=1)
     slope = there.diff(dim=1) / (lengths + _EPSILON)

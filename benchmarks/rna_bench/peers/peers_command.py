@@ -1,4 +1,4 @@
-"""Train other methods for relightable assets for equal times, and render what they learned.
+"""Train other methods for relightable assets for equal times, and render their results.
 
     rna-bench peers bench/toy.views --package examples/quickstart/toy.rna --out bench/peers-toy
 
@@ -102,7 +102,7 @@ def run(args: argparse.Namespace) -> None:
 
 
 def _settings(args: argparse.Namespace) -> dict[str, Any]:
-    """What the records depend on."""
+    """Settings that the records depend on."""
     return {
         "views": args.views.name,
         "minutes": None if args.steps else args.minutes,

@@ -50,7 +50,7 @@ class HeldOut:
         return [(self.views.camera(k), self.views.lights[k]) for k in range(len(self.views))]
 
     def score(self, images: list[np.ndarray]) -> Scores:
-        """Of images (h, w, 3) of all views."""
+        """Scores of the images (h, w, 3) of all views."""
         rows, flips = [], []
         for image, reference in zip(images, self.views.rgba, strict=True):
             ours, theirs = image / IRRADIANCE, reference[..., :3] / IRRADIANCE

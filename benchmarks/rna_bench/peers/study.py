@@ -1,4 +1,4 @@
-"""Trains one method step by step, and measures it after each step; what is done is kept."""
+"""Trains one method in steps and measures it after each step; finished steps are kept."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from rna_bench.scenes.stored import StoredResults
 from rna_export.capture.dataset.sample_files import write_arrays
 
 PARTS = (1 / 8, 1 / 4, 1 / 2, 1.0)
-"""Of the budget, after which a method is measured."""
+"""Shares of the budget after which a method is measured."""
 
 REMEDY = "choose another --out, or --again to start anew"
 

@@ -93,7 +93,7 @@ class Views:
 
     @property
     def shown_intensity(self) -> float:
-        """Of the lights; where it is not known, such that a white point at the centre is white."""
+        """Intensity of the lights; by default a white point at the centre is displayed white."""
         return self.intensity or math.pi * float((self.lights**2).sum(axis=1).mean())
 
     def camera(self, view: int) -> PeerCamera:

@@ -37,7 +37,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def run(args: argparse.Namespace) -> None:
-    """Render what is missing."""
+    """Render the missing images."""
     from tqdm import tqdm
 
     from rna_bench.cycles_worker import cycles

@@ -25,7 +25,7 @@ Sphere = tuple[np.ndarray, float]
 def render_views(
     plan: ViewsPlan, worker: BlenderWorker, out: Path, step: Callable[[], object] = lambda: None
 ) -> None:
-    """Render what is missing of all splits into `out`; step: called after each image.
+    """Render the missing images of all splits into `out`; step: called after each image.
 
     Raises CaptureError where the folder holds views of another plan.
     """
@@ -50,7 +50,7 @@ def render_views(
 
 
 def bounding_sphere(worker: BlenderWorker) -> Sphere:
-    """Of the opened source: about the middle of its box."""
+    """Bounding sphere of the opened source, about the middle of its box."""
     points, thickest = [], 0.0
     for part in worker.parts:
         if part.kind == "fiber":

@@ -46,7 +46,7 @@ class Beside:
         return psnr_without_noise(ours[rows], *(self._shown(h)[rows] for h in self.halves))
 
     def flip(self, image: np.ndarray) -> AssetFlip:
-        """Of the asset's pixels, without the references' noise."""
+        """FLIP of the asset's pixels without the noise of the references."""
         return asset_flip(
             [ImageFlip.of(self._shown(image), self._shown(self.halves), self.asset, exposure=1.0)]
         )

@@ -1,4 +1,4 @@
-"""What a measured scene says: errors, noise apart from the package's own error, equal error."""
+"""Errors of a measured scene: noise apart from the package's own error, equal error."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""All scenes as one picture: what was rendered, FLIP below it, and the charts."""
+"""All scenes as one picture: renders, FLIP below them, and the charts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""All scenes of one asset: what is measured, with which settings, and what is written of it."""
+"""All scenes of one asset: the measurements, their settings and the written result."""
 
 from __future__ import annotations
 

@@ -23,7 +23,7 @@ class StoredResults:
     """A folder of results that were all made with the same settings."""
 
     def __init__(self, folder: Path, settings: dict[str, Any], again: bool, remedy: str):
-        """again: forget what was made with other settings.
+        """again: forget results of other settings.
 
         Raises RnaError, which names the remedy, where there is some and it is not to be forgotten.
         """

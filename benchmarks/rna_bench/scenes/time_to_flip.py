@@ -71,7 +71,7 @@ def wait_for(target: float, curve: Sequence[dict[str, Any]], floor: float | None
 
 
 def sooner(waits: Sequence[Wait]) -> Wait:
-    """The shortest wait; where none reached the target, the one that came nearest."""
+    """The shortest wait; if no picture reached the target, the wait for the nearest one."""
     reached = [wait for wait in waits if wait.seconds is not None]
     if reached:
         return min(reached, key=lambda wait: wait.seconds or 0.0)

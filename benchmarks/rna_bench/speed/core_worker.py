@@ -29,7 +29,7 @@ WORK = {
     "capture": "paths/s",
     "lobes": "steps/s",
 }
-"""Kind of work -> what is counted."""
+"""Kind of work -> unit of its rate."""
 
 Task = Callable[[float], float]
 """Works for about so many seconds; returns how much was done."""

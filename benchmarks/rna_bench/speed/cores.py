@@ -36,7 +36,7 @@ _LOOP = "while True: pass"
 _LOOPS, _SECONDS = [2, 4], 8.0
 """Busy processes beside the work, each number in turn; time of a measurement."""
 EFFICIENCY = 0.8
-"""Of so many times the rate of one thread: the mark for captures, renders and queries."""
+"""Least share of linear speed-up that captures, renders and queries must reach."""
 
 
 def run(args: argparse.Namespace) -> None:
@@ -125,7 +125,9 @@ def draw(rows: dict[str, Any], path: Path) -> None:
             "o-",
             label=name,
         )
-    axes.set(xlabel="threads", ylabel="rate over that of one thread", xscale="log", yscale="log")
+    axes.set(
+        xlabel="threads", ylabel="rate over the rate of one thread", xscale="log", yscale="log"
+    )
     ticks = [1 << k for k in range(most.bit_length())]
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_ticks(ticks, [str(tick) for tick in ticks], minor=False)

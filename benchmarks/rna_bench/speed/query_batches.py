@@ -1,4 +1,4 @@
-"""Batches of queries: scattered over an asset, and coherent as those of a camera."""
+"""Batches of queries: scattered over an asset, and coherent as from a camera."""
 
 from __future__ import annotations
 

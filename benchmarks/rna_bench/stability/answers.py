@@ -20,7 +20,7 @@ Answers = Callable[[Queries], tuple[np.ndarray, np.ndarray]]
 
 
 def picked(answers: Answers, samples: dict[str, np.ndarray]) -> np.ndarray:
-    """Radiance (n, 3): of both answers the one that each sample's `visible` calls for."""
+    """Radiance (n, 3), lit or shadowed by each sample's `visible`."""
     visible, shadowed = answers(validation_view.queries_of(samples))
     return validation_view.picked(samples["visible"], visible, shadowed)
 

@@ -1,4 +1,4 @@
-"""What a case of the suite is: what it varies, how it measures, when it passes, how it is drawn."""
+"""A case of the suite: its variation, measurement, threshold and chart."""
 
 from __future__ import annotations
 

@@ -76,8 +76,8 @@ class Job:
             raise SdkError("the bake is not finished: Continue, then go on for more minutes")
         if not all((self.folder / name).is_file() for name in _RAYS):
             raise SdkError(
-                f"{self.folder / 'make'}: found no rays to go on from, expected those of the bake; "
-                "Bake Anew captures them again"
+                f"{self.folder / 'make'}: found no rays to continue with, expected rays of the "
+                "bake; Bake Anew captures them again"
             )
         self._store({**self._stored(), "more": minutes})
         self._made.unlink()
@@ -153,7 +153,7 @@ class Job:
         return _is_bake(int(self._pid.read_text()), self.folder)
 
     def remove(self):
-        """Delete what it wrote, if it is this user's; the package and all other files stay."""
+        """Delete the job's files, if it is this user's; the package and all other files stay."""
         if not self.is_begun():
             return
         source = self.source
@@ -195,7 +195,7 @@ class Job:
             return None
 
     def _sealed(self, settings):
-        """What the seal is of: the folder, too, so that a copy elsewhere is no job."""
+        """Sealed text: with the folder, so that a copy elsewhere is no job."""
         return json.dumps([self._key(), settings])
 
     def _key(self):

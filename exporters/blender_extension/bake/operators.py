@@ -122,7 +122,7 @@ def _asset_name(item):
 
 
 def _file_name(item):
-    """Name of the object as that of a file: letters and digits of any script stay."""
+    """File name for the name of an object: letters and digits of any script stay."""
     return re.sub(r"[^\w-]", "_", item.name)
 
 
@@ -138,7 +138,7 @@ def _package_path(item):
 
 
 def _options(settings):
-    """Of rna-make. Raises SdkError for those that a .blend file may not ask for."""
+    """Options of rna-make. Raises SdkError for options that a .blend file may not set."""
     result = ["--presets", *settings.presets.split()]
     if settings.minutes > 0.0:
         result.append(f"--minutes={settings.minutes:g}")

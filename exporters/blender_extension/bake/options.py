@@ -1,4 +1,4 @@
-"""Options of a bake: those of rna-make that choose what is made, none that names files or machines.
+"""Options of a bake: the options of rna-make that name neither files nor machines.
 
 A .blend file stores them, and may be a stranger's.
 """

@@ -18,7 +18,7 @@ def seal_of(text):
 
 
 def is_sealed(text, seal):
-    """Whether `seal` is that of the text, by this user."""
+    """Whether `seal` is this user's seal of the text."""
     return isinstance(seal, str) and hmac.compare_digest(seal.encode(), seal_of(text).encode())
 
 

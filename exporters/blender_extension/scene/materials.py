@@ -1,4 +1,4 @@
-"""Materials of Blender as those of glTF 2.0, as far as they go."""
+"""Materials of Blender as materials of glTF 2.0, as far as possible."""
 
 from .textures import Textures
 

@@ -8,7 +8,7 @@ class Notes:
         self._names = {}
 
     def add(self, text, name=None):
-        """text: what is done instead. name: of the thing, put before it."""
+        """text: the replacement that is rendered. name: name of the object, put before the text."""
         names = self._names.setdefault(text, [])
         if name is not None and name not in names:
             names.append(name)

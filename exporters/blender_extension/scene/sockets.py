@@ -1,4 +1,4 @@
-"""What is behind a socket of a shader: a value, or a channel of an image."""
+"""Input of a shader's socket: a value, or a channel of an image."""
 
 from dataclasses import dataclass
 

@@ -1,4 +1,4 @@
-"""What a capture says of its plan before it starts."""
+"""Lines about the plan of a capture before it starts."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _COUNTED = 4096
 
 
 def plan_lines(dataset: Dataset, geometries: Mapping[str, Mesh | Curves], rate: float) -> str:
-    """What a capture is going to render, and how long that takes. rate: paths a second."""
+    """The planned renders of a capture, and their time. rate: paths a second."""
     settings = dataset.manifest.settings
     paths = sum(task.paths_to_trace(dataset) for task in all_tasks(dataset))
     samples = settings.lights * settings.rays

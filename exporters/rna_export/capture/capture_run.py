@@ -120,7 +120,7 @@ def measured_pilot(
 
 
 def no_gain(opened: OpenedSource) -> str | None:
-    """Why no gain is promised, or None: where a tenth of what is seen will not be learnt."""
+    """Reason for promising no gain, or None; from a tenth of the visible area not learnt on."""
     names, share = not_learnt(opened.materials)
     if share < _MATTERS:
         return None
@@ -128,7 +128,7 @@ def no_gain(opened: OpenedSource) -> str | None:
 
 
 def without_relief(opened: OpenedSource) -> list[str]:
-    """A line on what the gain is of, where a tenth of what is seen will lose its relief."""
+    """A line about the gain without relief, if a tenth of the visible area will lose it."""
     names, share = not_learnt(opened.materials, "relief")
     if share < _MATTERS:
         return []
@@ -282,7 +282,7 @@ def finish(
 
 
 def _drop_late(dataset: Dataset, tasks: Sequence[Task], say: Callable[[str], None]) -> None:
-    """Take out of the plan what a time limit left undone of the tasks."""
+    """Remove from the plan the tasks that a time limit left undone."""
     settings = dataset.manifest.settings
     lights, there = settings.lights, dataset.lights_finished()
     if there < lights and any(isinstance(task, TrainingShard) for task in tasks):

@@ -9,7 +9,7 @@ SHARPEST = 0.14  # roughness
 LEAST_ROUGHNESS = 0.035
 """Cycles lights sharper lobes wrongly, and mirrors not at all (docs/decisions/capture.md)."""
 MAX_LIGHTS = 1_000_000
-"""Far above what is useful: a manifest with more would take forever to look through."""
+"""Far above useful numbers; reading a manifest with more lights would take very long."""
 MAX_FRAME = 1_048_574
 """That Blender knows."""
 WHITE_RAYS = 2048
@@ -18,7 +18,7 @@ _MAX_POSES = 32
 _SHARDS = 32  # at least, where there are as many lights
 _MAX_RAYS, _MAX_SAMPLES, _MAX_VIEWS, _MAX_SIDE = 1 << 24, 1 << 20, 1000, 8192
 CLAMP_DIRECT, CLAMP_INDIRECT = 0.0, 30.0
-"""Of radiance, 0: none. The paper, section 4.1, has 20 and 10 (docs/decisions/capture.md)."""
+"""Clamps on radiance, 0: none. The paper, 4.1, has 20 and 10 (docs/decisions/capture.md)."""
 
 
 class DatasetModel(BaseModel):

@@ -25,7 +25,7 @@ def add_frames(p: argparse.ArgumentParser) -> None:
         "--poses",
         type=_frames,
         metavar="N,N",
-        help=f"{poses} (frames such as 12,24, default: the rest frame alone)",
+        help=f"{poses} (frames such as 12,24, default: only the rest frame)",
     )
 
 

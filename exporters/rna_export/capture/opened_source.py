@@ -31,12 +31,12 @@ from rna_sdk.errors import CaptureError
 from rna_sdk.package import Domain
 
 CHECK_RENDERS = 6
-"""Of `OpenedSource.checked`."""
+"""Number of renders of `OpenedSource.checked`."""
 
 
 @dataclass(frozen=True)
 class Speed:
-    """Of one worker: paths a second, and processor time of a path, s."""
+    """Speed of one worker: paths a second, and processor time of a path, s."""
 
     rate: float
     path_seconds: float
@@ -97,7 +97,7 @@ class OpenedSource:
         return _scene(self.exported, self.settings, positions)
 
     def checked(self, scene: AssetScene, tick: Callable[[], object]) -> tuple[SelfCheck, Speed]:
-        """The comparison with Cycles of what the worker shows, and how fast Cycles is.
+        """The comparison of the shown geometry with Cycles, and the speed of Cycles.
 
         tick: called after each of CHECK_RENDERS renders.
         """

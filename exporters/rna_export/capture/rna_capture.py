@@ -73,7 +73,7 @@ def parser() -> argparse.ArgumentParser:
         "Render an asset under all view and light directions with Blender Cycles.",
         "rna-capture helmet.gltf --out helmet.rays/ --minutes 30",
         epilog="The same command resumes an interrupted capture.\nArguments after -- are passed to "
-        "a Python source, or set what a groom, Alembic or\nUSD file lacks; to list them: "
+        "a Python source, or set properties of a groom, Alembic or\nUSD file; to list them: "
         "rna-capture groom.tfx -- --help",
     )
     p.add_argument("source", nargs="?", type=Path, help=f"model (path), one of {SUFFIXES}")
@@ -120,7 +120,7 @@ def add_scene(p: argparse.ArgumentParser) -> None:
 
 
 def add_settings(p: argparse.ArgumentParser, names: Sequence[str]) -> None:
-    """Options for these fields of `CaptureSettings`, and for those of the geometry."""
+    """Options for these fields of `CaptureSettings`, and for the geometry."""
     for name in names:
         info = CaptureSettings.model_fields[name]
         p.add_argument(
@@ -159,7 +159,7 @@ def _usual(name: str) -> str:
     default = CaptureSettings.model_fields[name].default
     hair, both = (getattr(CaptureSettings.usual(kind), name) for kind in ("fiber", "both"))
     if name == "sharpest":
-        return "float, default: that of the smoothest material, within 0.035 to 0.14"
+        return "float, default: of the smoothest material, within 0.035 to 0.14"
     text = f"{type(default).__name__}, default {default}"
     text += f", for hair {hair}" if hair != default else ""
     return text + (f", with a surface {both}" if both != hair else "")
@@ -251,7 +251,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
 
 
 def _estimate(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
-    """Print what the source is made of and is expected to gain."""
+    """Print the materials of the source and its expected gain."""
     from rna_export.capture.blender_process.blender_process import Source
     from rna_export.capture.capture_run import CaptureWorkers, measured_pilot
     from rna_export.capture.estimate.gain import gain_text, table_of

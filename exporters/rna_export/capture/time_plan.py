@@ -12,7 +12,7 @@ from rna_sdk.errors import CaptureError
 LEAST_LIGHTS, LEAST_IMAGES = 16, 2
 
 IMAGE_SHARE = 0.15
-"""Of the time, for validation images at most."""
+"""Largest share of the time for validation images."""
 _PLANNED_SHARE = 0.12  # so that a machine that slows down stays below
 _LEAST_RESOLUTION, _LEAST_SAMPLES, _LEAST_VIEWS = 48, 16, 16
 _LEAST_RAYS = 1024  # of a light, of surfaces

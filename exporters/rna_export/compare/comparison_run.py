@@ -62,7 +62,7 @@ class Pair:
 
     @property
     def light(self) -> tuple[float, float]:
-        """Sums of luminance of both images, ours first; what is not the asset is black."""
+        """Sums of luminance of both images, ours first; pixels beside the asset are black."""
         ours, cycles = (float((image @ LUMINANCE).sum()) for image in (self.ours, self.cycles))
         return ours, cycles
 

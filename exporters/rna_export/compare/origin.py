@@ -1,4 +1,4 @@
-"""What a package says of its making, for a comparison: source, training, recorded error."""
+"""Origin of a package, for a comparison: source, training, recorded error."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _IN_TEXT = re.compile(r"\(sha256 ([0-9a-f]{64})\)")
 
 @dataclass(frozen=True)
 class Origin:
-    """Of one tier of a package.
+    """Origin of one tier of a package.
 
     source: its credit. sha256: of the file that was captured; None where the package does not say.
     front, up: axes that rna-capture was given. rest_frame: of the source, that the geometry is of;

@@ -18,7 +18,7 @@ def parser() -> argparse.ArgumentParser:
         "rna-compare",
         "Render a package with rna-run and its original with Cycles; write an HTML comparison.",
         "rna-compare helmet.rna helmet.gltf --out compare/helmet",
-        epilog="Renders three cameras, one of them a close-up (hair alone: a fourth, of single "
+        epilog="Renders three cameras, one of them a close-up (only hair: a fourth, of single "
         "strands),\nunder three suns and in a white world each. Arguments after -- are passed to a "
         "Python\nsource.",
     )
@@ -71,7 +71,7 @@ def main(argv: list[str] | None = None) -> int:
         options.error(
             f"argument --cycles-samples: expected at least 2, found {args.cycles_samples}"
         )
-    stopped = f"what is finished is in {args.out}"
+    stopped = f"finished images are in {args.out}"
     return run_command(lambda: _run(args, arguments), args.debug, stopped, "train")
 
 

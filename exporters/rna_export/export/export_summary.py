@@ -1,4 +1,4 @@
-"""Last lines of commands that write a package: what was made, how good it is, what is missing."""
+"""Last lines of commands that write a package: files, error, shares of the usual work."""
 
 from __future__ import annotations
 

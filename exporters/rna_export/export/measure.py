@@ -29,7 +29,7 @@ from rna_sdk.package import Albedo, Cost, FlipAtHeight, Tier, Validation
 from rna_sdk.runtime import Asset, FiberAsset, SurfaceAsset
 
 Emitted = tuple[np.ndarray, EmissionView]
-"""What a part emits, (n, 3), in one of its images of emission."""
+"""Emission of a part, (n, 3), in one of its images of emission."""
 
 _COST_ROWS = 200_000
 _SMALLEST, _HALVINGS = 8, 4  # pixels of small images, of which fewer say little; their sizes

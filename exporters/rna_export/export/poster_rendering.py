@@ -75,7 +75,7 @@ def first_view(size: np.ndarray) -> tuple[float, np.ndarray]:
 
 
 def _axes(azimuth: float) -> np.ndarray:
-    """Of a camera at the first view's height: right, up and away from the asset, (3, 3)."""
+    """Axes (3, 3) of a camera at the first view's height: right, up, away from the asset."""
     side, level = np.array([np.cos(azimuth), 0.0, -np.sin(azimuth)]), np.cos(_ELEVATION)
     away = np.array([level * np.sin(azimuth), np.sin(_ELEVATION), level * np.cos(azimuth)])
     return np.stack([side, np.cross(away, side), away])

@@ -33,8 +33,8 @@ def parser() -> argparse.ArgumentParser:
         nargs="+",
         type=Path,
         help="checkpoints or output folders of rna-train, one per tier, the default tier first; an "
-        "asset of several parts needs its folder. With --environment alone, a package to add lobes "
-        "to (paths)",
+        "asset of several parts needs its folder. With --environment and no checkpoint, a "
+        "package to add lobes to (paths)",
     )
     p.add_argument(
         "--out",
@@ -46,7 +46,7 @@ def parser() -> argparse.ArgumentParser:
     p.add_argument(
         "--dataset",
         type=Path,
-        help="dataset of rna-capture (path, default: the one the first checkpoint was trained on)",
+        help="dataset of rna-capture (path, default: the dataset of the first checkpoint)",
     )
     add_precision(p)
     p.add_argument(

@@ -1,4 +1,4 @@
-"""Mixtures of lobes in which rays that leave an asset fit what it scatters (RNA_sampling).
+"""Mixtures of lobes for rays that leave an asset, fitted to its transport (RNA_sampling).
 
 The variance of one ray is the integral of T^2 / pdf less the square of what the point sends. The
 integral is convex in the shares of given lobes, so that the shares of lobes of many widths are
@@ -121,7 +121,7 @@ def _fitted(views: PartViews, say: Callable[[str], None]) -> tuple[Mixture, ...]
     before, after = (unseen.noise(unseen.pdf(one)) for one in (usual, mixtures))
     say(
         f"{views.part.name}: rays in {len(mixtures)} mixtures of lobes, relative variance "
-        f"{after:.3g}; in that of all assets {before:.3g}"
+        f"{after:.3g}; in the mixture of all assets {before:.3g}"
     )
     return mixtures
 

@@ -30,7 +30,7 @@ LOBES: dict[Kind, list[LobeMixture]] = {
         *(LobeMixture(cone=(Lobe(1.0, width),)) for width in _CONES),
     ],
 }
-"""What is mixed, each alone; all directions alike first."""
+"""Mixtures of one lobe each, which are mixed; the uniform one is first."""
 
 
 def fitted_shares(kind: Kind, weight: Array, densities: Array, steps: int = STEPS) -> Array:
@@ -74,7 +74,7 @@ def _worth_keeping(kind: Kind, kept: NDArray[np.int64], shares: Array) -> NDArra
 
 
 def _form(lobe: LobeMixture) -> str:
-    """Of a mixture of one lobe."""
+    """Form of the lobe of a mixture of one lobe."""
     if lobe.forward.share:
         return "forward"
     return "mirror" if lobe.mirror else "cone" if lobe.cone else "broad"

@@ -18,7 +18,7 @@ from rna_export.training.training_run import padded_bounds
 from rna_sdk.errors import ExportError
 
 LARGEST_SHARE = 0.15
-"""Of a package's size, that textures may add to it."""
+"""Share of a package's size that textures may add to it."""
 
 _SIDES = (TEXELS, TEXELS // 2, TEXELS // 4)
 _RESOLUTION = 128  # of planes: so few steps fit no finer ones

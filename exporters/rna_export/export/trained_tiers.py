@@ -22,7 +22,7 @@ class TrainedTier:
 
 
 def checkpoint_paths(given: Sequence[Path]) -> list[Path]:
-    """The checkpoints themselves; a folder of rna-train stands for those of all its parts.
+    """The checkpoints; a folder of rna-train stands for the checkpoints of all its parts.
 
     Raises `ExportError` for a folder without any.
     """

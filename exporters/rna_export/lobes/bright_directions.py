@@ -1,4 +1,4 @@
-"""What is far brighter than its surroundings in an environment, as a few directions; and the rest.
+"""Bright regions of an environment as a few directions, and the rest.
 
 The sphere is cut into 64 rows of equal height along y and 128 columns, cells of equal solid angle.
 Brightness is the mean of RGB. What a cell has above BRIGHT times the mean cell's flux is its
@@ -102,7 +102,7 @@ def _overlap(edges: np.ndarray, of_cells: np.ndarray) -> np.ndarray:
 
 
 def _bilinear(weights: np.ndarray) -> np.ndarray:
-    """Of texels' boxes those of texels' tents, around the seam: a tent has 3/4 of it in its box."""
+    """Weights of texels' tents from weights of their boxes: a tent has 3/4 of it in its box."""
     around = np.roll(weights, 1, axis=1) + np.roll(weights, -1, axis=1)
     return np.asarray((6.0 * weights + around) / 8.0)
 

@@ -27,12 +27,12 @@ from rna_sdk.runtime import Asset, FiberAsset, SurfaceAsset, load
 from rna_work.bar import Bar
 
 STEPS = 10_000
-"""Of training, all parts together."""
+"""Training steps of all parts together."""
 ROUGH_DB = 25.0
 """dB with bright directions, below which a user is warned that the look is rough."""
 
 BAR = "{desc}: {percentage:3.0f}%|{bar}| {elapsed}<{remaining}"
-"""Of a progress bar whose total is 1."""
+"""Format of a progress bar whose total is 1."""
 
 _TRAINED, _MEASURED = 0.8, 0.2  # shares of the time
 
@@ -72,7 +72,7 @@ def _trained(
     bar: tqdm,
     say: Callable[[str], None],
 ) -> list[Lobes | None]:
-    """Of each part; None of parts that nobody sees. end: of the time, as `monotonic` has it."""
+    """Lobes of each part; None for invisible parts. end: time limit, as `monotonic` has it."""
     seen = [k for k, one in enumerate(views) if not one.is_hidden]
     if not seen:
         raise ExportError(f"{package}: no ray from outside meets the asset; it needs no lobes")

@@ -75,7 +75,7 @@ class LobePictures:
         return LobePictures(self.names, self.size, pixel, truth, lobes, both)
 
     def errors(self) -> list[EnvironmentValidation]:
-        """Of each environment, in order.
+        """Errors of each environment, in order.
 
         Scored at the exposure that shows 95% of the values of the truth below white.
         """

@@ -26,7 +26,7 @@ LIMIT = 80.0  # of exponents: exp, compiled, knows no smaller ones than -174
 
 _SUMS = ("contract", "reassoc", "nsz")  # sums in any order, several at a time
 SMALLEST_KAPPA = 0.01
-"""Of an axis: `spec/RNA.md`, 12.1."""
+"""Least length of an axis: `spec/RNA.md`, 12.1."""
 
 _SMALLEST, _TWO_PI = np.float32(SMALLEST_KAPPA), np.float32(2.0 * math.pi)
 _ZERO, _ONE, _TWO = np.float32(0.0), np.float32(1.0), np.float32(2.0)
@@ -110,7 +110,7 @@ def _loss_rows(
 
 @compiled(fastmath=_SUMS)
 def _exponentials(rows: Rows) -> None:
-    """exp of rows in their place, of what is within LIMIT; what is beyond counts as there."""
+    """exp of rows in place; arguments beyond LIMIT count as LIMIT."""
     flat = rows.reshape(rows.size)
     for start in range(0, rows.size, LANES):
         x = between(load_lanes(flat, start), -LIMIT, LIMIT)

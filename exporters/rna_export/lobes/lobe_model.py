@@ -48,7 +48,7 @@ class LobeModel(nn.Module):
 
     @property
     def multiply_adds(self) -> int:
-        """Of a query."""
+        """Multiply-adds of a query."""
         return sum(m.weight.numel() for m in self.decoder if isinstance(m, nn.Linear))
 
     def forward(self, inputs: LobeInputs) -> tuple[Tensor, Tensor]:
@@ -80,7 +80,7 @@ class LobeModel(nn.Module):
 
 
 def densities(axis: Tensor, directions: Tensor) -> Tensor:
-    """Of lobes (n, L, 3) along directions (n or 1, 3, D): (n, L, D), 1 / sr.
+    """Densities (n, L, D), 1 / sr, of lobes (n, L, 3) along directions (n or 1, 3, D).
 
     A lobe of axis a has the density c(|a|) exp(a.d), with c(k) = k / (4 pi sinh k).
     """

@@ -98,7 +98,7 @@ LobesAt = Callable[[ViewPoints], tuple[Rows, Rows]]
 
 
 def part_views(asset: Asset, visibility: Sequence[Harmonics | None] = ()) -> list[PartViews]:
-    """Of each part of a loaded asset. visibility: of `PartViews`, to save its rays."""
+    """Views of each part of a loaded asset. visibility: of earlier views, to save its rays."""
     scene = PartsScene(
         [part_geometry(part) for part in asset.parts],
         [part_transmittance(part) for part in asset.parts],
@@ -139,7 +139,7 @@ class PartViews:
 
     @property
     def visibility_columns(self) -> int:
-        """Of ViewPoints.visibility."""
+        """Number of columns of ViewPoints.visibility."""
         return 0 if self.visibility is None else HARMONICS
 
     @cached_property

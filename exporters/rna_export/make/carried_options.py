@@ -1,4 +1,4 @@
-"""Options of an `rna-make` that goes on from an earlier one: what is not given is that one's."""
+"""Options of an `rna-make` that continues an earlier one: omitted options keep their values."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class CarriedOptions:
 def carried_options(
     args: argparse.Namespace, work: Path, arguments: tuple[str, ...], elsewhere: float = 0.0
 ) -> CarriedOptions:
-    """The options of this command, with those of the run in the work folder if it goes on from it.
+    """The options of this command, with the options of the run that it continues.
 
     `--minutes` above those of the run there are more minutes for it. elsewhere: of the given
     minutes, those that are not for rays and models. Raises `TrainingError` for a damaged run, and

@@ -1,4 +1,4 @@
-"""Which plan a run of `rna-make` follows, by its options and by what was done before."""
+"""The plan of a run of `rna-make`, by its options and by earlier work."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from rna_export.training.presets import PRESETS
 
 
 def chosen_plan(options: MakeOptions, state: State, dataset: Dataset) -> Plan:
-    """The plan of a run; state: of what was done of it, or before it."""
+    """The plan of a run; state: of its earlier work."""
     lights, more = state.lights, state.more
     shard = dataset.manifest.settings.lights_per_shard
     if more is not None:
@@ -46,7 +46,7 @@ def end_of(options: MakeOptions, state: State) -> float:
 
 
 def plan_text(plan: Plan, options: MakeOptions, state: State, dataset: Dataset) -> str:
-    """What is going to happen, in a line."""
+    """The planned work, in a line."""
     rounds, presets = plan.rounds, " and ".join(options.presets)
     settings, more = dataset.manifest.settings, state.more
     if more is not None:

@@ -38,7 +38,7 @@ class MakeOptions:
 
     @property
     def requested(self) -> RunSettings:
-        """What has to be the same for a run to go on."""
+        """Options that must be equal for a run to resume."""
         source, scene = self.source, self.for_scene
         return RunSettings(
             source=source.path.name,

@@ -44,7 +44,7 @@ def _in_words(seconds: float) -> str:
 
 
 class _Bar(Bar):
-    """A bar whose time is that of a clock, and which says how much of it is left."""
+    """A bar with the time of a clock, and the time left."""
 
     def __init__(self, clock: Clock, **options: Any):
         self.clock = clock

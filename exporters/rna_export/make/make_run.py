@@ -128,7 +128,7 @@ class Make:
         return Made(dataset, why, rounds, tuple(folders.values()), self._lead, without_noise)
 
     def _opened_state(self, say: Callable[[str], None]) -> State:
-        """That of the work folder, with what is requested now; a new one if there is none."""
+        """State of the work folder with the present request; a new one if there is none."""
         options = self._options
         state = read_state(options.work)
         if options.update and (state is None or state.is_finished or state.starts is None):
@@ -137,8 +137,8 @@ class Make:
         if state is None:
             if options.more is not None:
                 raise TrainingError(
-                    f"{options.work}: found no rays to go on from, expected those of an rna-make "
-                    "without --discard"
+                    f"{options.work}: found no rays to continue with, expected rays of an "
+                    "rna-make without --discard"
                 )
             return self._first_state(say)
         new = check_same(state, options.requested, options.work, for_more=options.more is not None)
@@ -359,7 +359,7 @@ def export(
     precisions: Mapping[str, Sequence[Precision]],
     name: str | None,
 ) -> Manifest:
-    """Write the package of what was made; precisions: of each preset's tiers."""
+    """Write the package of the trained models; precisions: of each preset's tiers."""
     models, dataset, loss = made.trained(), made.dataset, math.inf
     manifest = build_package(
         models, dataset, out, credit, license_, quiet, precisions, max_loss=loss, name=name

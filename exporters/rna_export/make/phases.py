@@ -151,7 +151,7 @@ class Trainer:
             self._running = self._pool.submit(train)
 
     def wait(self) -> None:
-        """Return when nothing is trained any more. Raises the error of what was."""
+        """Return when no training runs any more. Raises the error of a training."""
         running, self._running = self._running, None
         if running is not None:
             running.result()

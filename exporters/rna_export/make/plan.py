@@ -124,13 +124,13 @@ class FixedPlan:
         """No training between captures."""
 
     def last_phase(self, left: float, models: int) -> Length:
-        """The one of a model."""
+        """The last phase of a model."""
         return Length(steps=self.steps)
 
 
 @dataclass(frozen=True)
 class TimedPlan:
-    """Rounds that fill a time: each stage gets its share of what is left.
+    """Rounds that fill a time: each stage gets its share of the time left.
 
     seconds: in all. lights: that fit into the share of it that is for capture. tiers: to export.
     has_goal: whether a round may end it earlier. capture: share of the time for capture. overlaps:

@@ -175,7 +175,7 @@ def _tell_next(args: argparse.Namespace) -> None:
 
 
 def _saved_picture(options: MakeOptions, out: Path) -> Path | None:
-    """A copy, beside the package, of what the capture's check marked; None if it found nothing."""
+    """A copy of the self-check's picture beside the package; None without a picture."""
     from rna_export.capture.check.self_check import PICTURE
     from rna_export.make.capture_rounds import rays_folder
 

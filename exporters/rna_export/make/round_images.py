@@ -76,7 +76,7 @@ class RoundImages:
         return self._rays.dataset.manifest.settings
 
     def _change(self, settings: CaptureSettings) -> None:
-        """Plan images of other sizes; what is rendered is of no use any more."""
+        """Plan images of other sizes; the rendered images are of no use any more."""
         dataset = self._rays.dataset
         paths = [task.path(dataset) for task in self._rays.images()]
         forget(dataset, paths)

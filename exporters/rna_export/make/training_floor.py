@@ -20,7 +20,7 @@ _TRAINED = 1 / 3  # of more minutes, at least
 def too_few_steps(
     work: Path, folders: Mapping[str, Path], dataset: Dataset, seconds: float
 ) -> str | None:
-    """What a user is told instead of a package, whose models have too few steps; or None.
+    """Message instead of a package whose models have too few steps; or None.
 
     folders: of each preset's models. seconds: that the trainings took, about.
     """

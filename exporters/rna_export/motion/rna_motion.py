@@ -58,7 +58,7 @@ def parser() -> argparse.ArgumentParser:
         "--rest-frame",
         type=int,
         metavar="N",
-        help="frame of the source that has the package's shape (int, default: that of its capture)",
+        help="frame of the source that has the package's shape (int, default: as captured)",
     )
     for name in ("front", "up"):
         add(f"--{name}", choices=AXES, metavar="AXIS", help="as for rna-capture (default: none)")
@@ -117,7 +117,7 @@ def _run(options: argparse.Namespace, script: tuple[str, ...]) -> None:
 
 
 def _rest_frame(options: argparse.Namespace, captured: int | None) -> int | None:
-    """The requested frame, or that of the package's capture."""
+    """The requested frame, or the frame of the package's capture."""
     from rna_sdk.errors import MotionError
 
     given: int | None = options.rest_frame

@@ -42,7 +42,7 @@ class JudgedImage:
         factor: int,
         materials: TriangleMaterials,
     ) -> JudgedImage:
-        """Of one view's shaded rows (n, 3), in pixels of `factor` x `factor` of the image's."""
+        """Image of a view's shaded rows (n, 3), in pixels of `factor` x `factor` of the image's."""
         flip = image_flip(rows, view, exposure, factor)
         shown, ours, *halves = (
             reduced(view.image(of), factor) for of in (np.ones_like(rows), rows, *view.halves)

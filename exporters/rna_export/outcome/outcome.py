@@ -80,7 +80,7 @@ class Outcome:
     def of(
         cls, radiance: Sequence[np.ndarray], views: Sequence[CapturedImage], dataset: Dataset
     ) -> Outcome:
-        """Of validation images. radiance: shaded rows of the views, (n, 3) each."""
+        """The outcome of validation images. radiance: shaded rows of the views, (n, 3) each."""
         materials = TriangleMaterials(dataset)
         images = judged_images(radiance, views, materials)
         told = _by_material(images, materials, dataset.manifest.materials)
@@ -182,7 +182,7 @@ def _flip_of(images: Sequence[JudgedImage], rows: np.ndarray) -> float:
 
 
 def _luminance(images: Sequence[JudgedImage]) -> tuple[np.ndarray, np.ndarray]:
-    """Of all pixels: (n,) of ours, (2, n) of both references."""
+    """Luminance of all pixels: (n,) of ours, (2, n) of both references."""
     ours = _joined(images, lambda image: image.ours @ LUMINANCE)
     first = _joined(images, lambda image: image.halves[0] @ LUMINANCE)
     second = _joined(images, lambda image: image.halves[1] @ LUMINANCE)

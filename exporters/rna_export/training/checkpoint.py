@@ -78,7 +78,7 @@ def save_checkpoint(
 
 
 def _saved(path: Path) -> dict[str, Any]:
-    """What is in the file, in memory of a few times its size.
+    """Contents of the file, in memory of a few times its size.
 
     Raises ValueError where its records are compressed, as torch saves none, or share bytes. Readers
     of ZIP files disagree on where a directory is, so torch gets a file of the records checked here.

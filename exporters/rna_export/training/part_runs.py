@@ -29,5 +29,5 @@ def shared_minutes(minutes: float | None, parts: Sequence[DatasetPart]) -> dict[
 
 
 def part_folder(folder: Path, dataset: Dataset, part: str) -> Path:
-    """Folder of a part's checkpoints: that of the training itself if it is the only part."""
+    """Folder of a part's checkpoints: the training's own folder for the only part."""
     return folder if len(dataset.parts) == 1 else folder / part

@@ -1,4 +1,4 @@
-"""What a model is and how it is trained: the paper's two presets and ours."""
+"""Models and their training: the paper's two presets and ours."""
 
 from __future__ import annotations
 
@@ -186,11 +186,11 @@ class Preset(BaseModel, extra="forbid", frozen=True):
         return self.knows_base_color
 
     def with_model(self, **fields: Any) -> Preset:
-        """This preset, but for these fields of `ModelConfig`."""
+        """This preset with changed fields of `ModelConfig`."""
         return self.model_copy(update={"model": self.model.model_copy(update=fields)})
 
     def with_training(self, **fields: Any) -> Preset:
-        """This preset, but for these fields of `TrainingConfig`."""
+        """This preset with changed fields of `TrainingConfig`."""
         return self.model_copy(update={"training": self.training.model_copy(update=fields)})
 
     def with_base_color(self, has_images: bool) -> Preset:

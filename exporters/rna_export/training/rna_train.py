@@ -185,7 +185,7 @@ def _to_export(out: Path, dataset: Dataset) -> Path:
 
 
 def _chosen(args: argparse.Namespace, kind: str, device: str) -> Preset:
-    """The named preset, with what the options change of it."""
+    """The named preset with the changes of the options."""
     if args.preset == ANALYTIC_NAME and kind != "surface":
         raise TrainingError(f"--preset {ANALYTIC_NAME}: found a part of strands, expected surfaces")
     preset = named_preset(kind, args.preset).on_device(device)

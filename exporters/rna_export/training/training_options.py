@@ -31,7 +31,7 @@ def add_device(parser: argparse.ArgumentParser, what: str) -> None:
 
 
 def device_name(device: str) -> str:
-    """What the user knows a device of PyTorch by."""
+    """Name of a device of PyTorch for the user."""
     if device == "cpu":
         return "the CPU"
     import torch
@@ -55,6 +55,6 @@ def add_incomplete(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--incomplete",
         action="store_true",
-        help="accept a dataset with missing, replaced or uncaptured files, and use what is there "
+        help="accept a dataset with missing, replaced or uncaptured files, and use the others "
         "(default: refuse it)",
     )

@@ -1,4 +1,4 @@
-"""Last lines of a training: how good the model is, and what it was trained with."""
+"""Last lines of a training: the error of the model, and its training."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class Effort:
 
     @classmethod
     def of(cls, trained: Sequence[Trained], dataset: Dataset) -> Effort:
-        """Of the models of all parts in one preset; of the part with the fewest steps."""
+        """Effort of the models of all parts in one preset; steps of the part with the fewest."""
         least = min(trained, key=lambda one: one.steps)
         kinds = {part.kind for part in dataset.parts}
         usual = CaptureSettings.usual(kinds.pop() if len(kinds) == 1 else "both")

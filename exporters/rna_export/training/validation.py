@@ -99,7 +99,7 @@ def exposure(views: Sequence[CapturedImage]) -> float:
 
 
 def reference_warnings(views: Sequence[CapturedImage]) -> list[str]:
-    """What keeps a PSNR of these images from saying what it seems to say."""
+    """Warnings about references for which a PSNR misleads."""
     appearance = plain([view.reference for view in views])
     if appearance is not None:
         return [

@@ -1,4 +1,4 @@
-"""What a package is: size, parts, tiers, error, cost and origin, as data and as text."""
+"""Facts of a package: size, parts, tiers, error, cost and origin, as data and as text."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ Info = dict[str, Any]
 
 
 def package_info(path: Path) -> Info:
-    """What the package's files say, with names of keys for programs; JSON's types alone.
+    """Facts of the package's files, with keys for programs; only JSON's types.
 
     Lengths are in metres. Raises PackageError for a broken package.
     """
@@ -97,7 +97,7 @@ def _images(package: Package, part: int) -> list[Info]:
 
 
 def contents(manifest: Manifest) -> list[tuple[Part, list[str]]]:
-    """Each part, and what it has beside geometry and transport: normal maps, emission, ...
+    """Each part, and its contents beside geometry and transport: normal maps, emission, ...
 
     Decoders are those of the first tier.
     """
@@ -245,7 +245,7 @@ def _tier_text(tier: Info) -> str:
 def _lobes_text(error: Info) -> str:
     """Error under an environment: as viewers use lobes, its brightest directions apart; without."""
     score = f"PSNR {error['psnr_with_lights']:.2f} dB, FLIP {error['flip']:.4f}"
-    return f"{score} under {error['environment']}; lobes alone {error['psnr']:.2f} dB"
+    return f"{score} under {error['environment']}; only lobes {error['psnr']:.2f} dB"
 
 
 def _directions_text(domain: Info) -> str:

@@ -1,4 +1,4 @@
-"""`rna-info`: what a package is."""
+"""`rna-info`: facts of a package."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`rna-validate`: check packages and print what is wrong with them."""
+"""`rna-validate`: check packages and print their faults."""
 
 from __future__ import annotations
 

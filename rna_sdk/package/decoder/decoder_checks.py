@@ -1,4 +1,4 @@
-"""Check a decoder: its file, what the manifest says of it, its cost, and its results."""
+"""Check a decoder: its file, its declaration in the manifest, its cost, and its results."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def check_decoder(data: memoryview, part_decoder: PartDecoder) -> list[Issue]:
 
 
 def _check_declared(decoder: ProfileDecoder, part_decoder: PartDecoder) -> None:
-    """Whether the decoder is the one of the manifest."""
+    """Whether the decoder matches the manifest."""
     precision = "int8" if decoder.is_int8 else "float32"
     for where, found, expected in (
         (

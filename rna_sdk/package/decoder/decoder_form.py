@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 INPUT_NAME = "queries"
 
 COLUMNS = 3
-"""Of each result: RGB, or XYZ."""
+"""Columns of each result: RGB, or XYZ."""
 
 NEARBY_LENGTHS = 3
 NEARBY_SETS = 1 + NEARBY_LENGTHS
@@ -89,10 +89,10 @@ SHADOWED = DecoderForm("shadowed", ("shadowed",), _COLOURED, "shadowed", has_fac
 EMISSION = DecoderForm("emission", ("radiance",), ("position", "axis", "h", "wo"), "emission")
 
 FORMS = (TRANSPORT, EMISSION)
-"""What a tier part answers: always the first, and the other where it has a decoder of it."""
+"""Forms of a tier part: always the first, and the other if it has a decoder of it."""
 
 ENVIRONMENT = DecoderForm("environment", ("visible", "shadowed", "axis"), _LIT, count="lobes")
-"""Of the extension RNA_environment; wi is the mirror direction of wo."""
+"""Form of the extension RNA_environment; wi is the mirror direction of wo."""
 
 
 def form_named(name: str) -> DecoderForm:

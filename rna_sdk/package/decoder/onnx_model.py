@@ -19,7 +19,7 @@ DTYPES: dict[int, np.dtype[Any]] = {
     fields.DataType.INT8: np.dtype("i1"),
     fields.DataType.INT32: np.dtype("<i4"),
 }
-"""TensorProto.DataType -> that of arrays, for the types that layers are made of."""
+"""TensorProto.DataType -> dtype of arrays, for the types of layers."""
 
 _DEFAULT_DOMAINS = ("", "ai.onnx")
 _OF_MODEL = fields.ModelProto.TRAINING_INFO, fields.ModelProto.FUNCTIONS
@@ -55,7 +55,7 @@ class Tensor:
         return known and len(self.raw) == math.prod(self.dims) * DTYPES[self.dtype].itemsize
 
     def values(self) -> NDArray[Any]:
-        """Those of a tensor that is whole."""
+        """Values of a complete tensor."""
         return np.frombuffer(self.raw, DTYPES[self.dtype]).reshape(self.dims)
 
 

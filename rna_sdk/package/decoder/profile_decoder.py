@@ -96,12 +96,12 @@ class ProfileDecoder:
 
     @property
     def values(self) -> int:
-        """Outputs of all layers together, the result's included: what a query makes."""
+        """Outputs of all layers together, the result included: values of a query."""
         return sum(len(layer.bias) for layer in self.layers) + self.outputs
 
     @property
     def multiply_adds(self) -> int:
-        """Of a query, in all layers and the matrix."""
+        """Multiply-adds of a query, in all layers and the matrix."""
         products = [layer.weight for layer in self.layers]
         return sum(weight.size for weight in products) + (
             0 if self.matrix is None else self.matrix.size

@@ -46,7 +46,7 @@ NEARBY = QueryArray("nearby", 3, is_factor=True)
 """Nearby light, of a tier part that counts it; where a query lacks it, the part's means count."""
 
 INPUT_ARRAYS = tuple(array for array in QUERY_ARRAYS if not array.is_factor)
-"""Those that the decoder's blocks are made of, in the order of the kernel's arguments."""
+"""Arrays of the decoder's blocks, in the order of the kernel's arguments."""
 
 _NONE = np.empty(0, np.float32)
 

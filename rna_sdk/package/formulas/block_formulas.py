@@ -66,7 +66,7 @@ class BlockFormulas:
 
     @classmethod
     def read(cls) -> BlockFormulas:
-        """Those of the specification in this checkout."""
+        """Formulas of the specification in this checkout."""
         return cls(SPECIFICATION.read_text(encoding="utf-8"))
 
     def type_of(self, node: ast.expr) -> str:
@@ -89,7 +89,7 @@ class BlockFormulas:
         return sum(widths) or None
 
     def kinds(self, block: str) -> list[str]:
-        """The kinds of parts that have what it needs."""
+        """The kinds of parts that have its inputs."""
         needed = {_KINDS[name] for name in self.needs(block) if name in _KINDS}
         return [kind for kind in ("surface", "fiber") if needed <= {kind}]
 

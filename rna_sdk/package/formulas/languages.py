@@ -11,7 +11,7 @@ _OF_VECTORS = {"dot", "cross", "length", "largest"}
 
 
 class Language:
-    """Statements of formulas; as it stands, those of Python for the arrays of any library.
+    """Statements of formulas, by default in Python for the arrays of any library.
 
     Attributes:
         by_components: whether vectors are written as their three components.
@@ -59,7 +59,7 @@ class Language:
         return [f'blocks["{block}"] = ({values},)']
 
     def terms(self, name: str) -> list[str]:
-        """Statements of what a block needs, or of a term and what it needs."""
+        """Statements of the inputs of a block, or of a term and its inputs."""
         needed = self.formulas.needs(name, self.formulas.terms)
         own = [name] if name in self.formulas.terms else []
         return [self.assigned(n) for n in needed + own]

@@ -1,4 +1,4 @@
-"""What the accessors of the package's glTF must be: float32 throughout, or quantised throughout."""
+"""Forms of the accessors of the package's glTF: float32 throughout, or quantised throughout."""
 
 from __future__ import annotations
 

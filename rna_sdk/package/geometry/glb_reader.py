@@ -97,7 +97,7 @@ def _document(data: bytes, name: str) -> gltf.Gltf:
 
 
 def _refuse_null(value: Any, name: str, *path: str | int) -> None:
-    """glTF leaves out what has no value; only `extras` are free."""
+    """glTF omits members without a value; only `extras` are free."""
     if value is None:
         refuse(Code.GEOMETRY_PROFILE, f"{name}#{pointer(*path)}", "null", "a value, or no member")
     is_list = isinstance(value, list)
@@ -108,7 +108,7 @@ def _refuse_null(value: Any, name: str, *path: str | int) -> None:
 
 
 def _array(document: gltf.Gltf, blob: memoryview, form: AccessorForm, name: str) -> NDArray[Any]:
-    """(count, width) of what the accessor is; a view of `blob`."""
+    """The accessor's values, (count, width); a view of `blob`."""
     where = form.where(name)
     accessor = document.accessors[form.index]
     view = document.buffer_views[accessor.buffer_view]
@@ -149,7 +149,7 @@ def check_mesh(mesh: Mesh, name: str) -> None:
 
 
 def _check_range(positions: NDArray[Any], accessor: gltf.Accessor, where: str) -> None:
-    """POSITION's min and max are those of its values, as they are stored."""
+    """POSITION's min and max must match its values, as stored."""
     low, high = positions.min(axis=0), positions.max(axis=0)
     for found, actual in ((accessor.min, low), (accessor.max, high)):
         with np.errstate(over="ignore"):

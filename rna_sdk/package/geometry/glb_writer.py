@@ -23,7 +23,7 @@ _COMPONENTS: dict[np.dtype[Any], gltf.ComponentType] = {
 
 @dataclass(frozen=True)
 class _Array:
-    """An array of the file: its rows, what they are, and the bytes from one to the next."""
+    """An array of the file: its rows, their type, and the bytes from one to the next."""
 
     rows: NDArray[Any]
     is_index: bool = False

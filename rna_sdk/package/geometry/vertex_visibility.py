@@ -17,7 +17,7 @@ from rna_sdk.package.issues import Code
 from rna_sdk.package.manifest.extensions import HARMONICS
 
 STEPS = 127
-"""Of a coefficient of 1."""
+"""Integer that stands for a coefficient of 1."""
 
 _TENSOR = "harmonics"
 _CODES = TensorCodes(*[Code.ENVIRONMENT_VISIBILITY] * 6)

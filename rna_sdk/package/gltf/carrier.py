@@ -57,7 +57,7 @@ class Carrier:
         }
 
     def warnings(self) -> Iterator[Issue]:
-        """What is wrong about the file beside the package."""
+        """Faults of the file beside the package."""
         listed = (self.document.get(f"extensions{use}") for use in ("Used", "Required"))
         used, required = (isinstance(names, list) and EXTENSION in names for names in listed)
         if not used or required:
@@ -74,7 +74,7 @@ class Carrier:
                 yield Issue.of(Code.GLB_FALLBACK, pointer("nodes", number), found, expected)
 
     def _instances(self, number: int) -> int:
-        """Of a node: 1, or as many as its attributes have items; 0 where they are malformed."""
+        """Instances of a node: 1, or the items of its attributes; 0 if they are malformed."""
         data = _members(_members(self.document["nodes"][number], "extensions"), _INSTANCING)
         counts = [
             accessor.get("count")

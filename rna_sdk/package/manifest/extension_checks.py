@@ -106,7 +106,7 @@ def _part_issues(
 
 
 def _mixture_issues(item: Mixture, kind: Kind, where: str) -> Iterator[Issue]:
-    """Whether the lobes are those of a kind, and leave a share to all directions."""
+    """Whether the lobes fit a kind of part, and leave a share to all directions."""
     known = ("cosine", "mirror") if kind == "surface" else ("forward", "cone")
     for name in sorted(item.model_fields_set - {"first", *known}):
         expected = f"of a {kind}: {' and '.join(known)}"

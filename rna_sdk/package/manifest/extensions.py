@@ -155,7 +155,7 @@ HARMONICS = 16
 
 
 class EnvironmentPart(TierPartFields, SparseRecord):
-    """Lobes of a part: what it sends to a viewer under light from all sides."""
+    """Lobes of a part: its radiance to a viewer under light from all sides."""
 
     lobes: int = Field(ge=2, le=MAX_LOBES, multiple_of=2, description="How many.")
     visibility: Annotated[EntryPath | None, NotNull()] = Field(
@@ -210,11 +210,11 @@ class FiberLobe(RayLobe):
 
 
 LARGEST_SHARE = 0.99
-"""Of all lobes of a mixture together; all directions alike have the rest."""
+"""Largest share of all lobes of a mixture; uniform directions have the rest."""
 
 
 class Mixture(SparseRecord):
-    """Mixture of lobes in which rays that leave triangles, or strands, fit what they scatter."""
+    """Mixture of lobes for rays that leave triangles, or strands, fitted to their transport."""
 
     first: Count = Field(default=0, description="Number of the first triangle; 0 for strands.")
     cosine: Annotated[Share | None, NotNull()] = Field(
@@ -265,7 +265,7 @@ USUAL_SAMPLING: dict[Kind, Mixture] = {
         forward=FiberLobe(share=0.25, width=0.45), cone=(FiberLobe(share=0.45, width=0.06),)
     ),
 }
-"""Of parts without a mixture of their own: docs/decisions/renderer.md, "Rays leave assets in a
+"""Mixtures for parts without their own: docs/decisions/renderer.md, "Rays leave assets in a
 mixture of lobes"."""
 
 

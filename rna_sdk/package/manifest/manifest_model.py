@@ -140,7 +140,7 @@ class Provenance(Record):
 
 
 VERSION: Literal["2.0"] = "2.0"
-"""Of the format: the one that this package reads and writes."""
+"""Version of the format that this package reads and writes."""
 
 
 class Manifest(Record):

@@ -53,7 +53,7 @@ class FlipAtHeight(Record):
 
 
 class Albedo(SparseRecord):
-    """Light returned from a uniform white world, over that of the reference; 1 is all of it."""
+    """Reflected light of a uniform white world, over the reference's; 1 is all of it."""
 
     ratio: Measure = Field(description="Of rays from all sides.")
     facing: Annotated[Measure | None, NotNull()] = Field(
@@ -170,7 +170,7 @@ class TierPart(TierPartFields, SparseRecord):
 
     @property
     def decoders(self) -> tuple[PartDecoder, ...]:
-        """Its decoders: that of transport or of visible light first, then those that it has."""
+        """Its decoders: transport or visible light first, then the others."""
         records: tuple[tuple[DecoderForm, TierPart | TierDecoder | None], ...] = (
             (TRANSPORT if self.shadowed is None else VISIBLE, self),
             (SHADOWED, self.shadowed),

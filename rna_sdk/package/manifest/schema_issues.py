@@ -1,4 +1,4 @@
-"""What a model of JSON finds wrong, as issues."""
+"""Faults that a model of JSON finds, as issues."""
 
 from __future__ import annotations
 

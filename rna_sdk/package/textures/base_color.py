@@ -61,7 +61,7 @@ class BaseColor:
     def of(
         cls, record: BaseColorRecord, image: Texture | None, label: str | None = None
     ) -> BaseColor:
-        """What a record of the manifest says, with its image. label: None for its entry's."""
+        """A record of the manifest with its image. label: None for its entry's."""
         return cls(
             *record.triangles,
             image,
@@ -74,7 +74,7 @@ class BaseColor:
 
 
 def label_of(record: BaseColorFields) -> str:
-    """What the image of a record is called: its entry's name without folder and suffix."""
+    """Label of a record's image: its entry's name without folder and suffix."""
     return PurePosixPath(record.image or "").stem
 
 

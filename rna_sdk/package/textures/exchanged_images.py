@@ -1,4 +1,4 @@
-"""Another print for a part: images in the place of those of its package, and a tint."""
+"""Another print for a part: replacements of its package's images, and a tint."""
 
 from __future__ import annotations
 

@@ -31,7 +31,7 @@ class Entry:
 
     @classmethod
     def of(cls, decoder: ProfileDecoder) -> Entry | None:
-        """That of a decoder in int8; None for one in float32."""
+        """Entry of a decoder in int8; None for a decoder in float32."""
         if decoder.gain is None or decoder.offset is None:
             return None
         step = np.float32(decoder.layers[0].step)  # 1 in what rna-export writes
@@ -40,7 +40,7 @@ class Entry:
 
     @property
     def columns(self) -> int:
-        """Number of columns of the uint8 array: those of the queries, zero-padded."""
+        """Number of columns of the uint8 array: the columns of the queries, zero-padded."""
         return -(-len(self.gain) // _COLUMN_STEP) * _COLUMN_STEP
 
     def quantized(self, queries: NDArray[np.float32]) -> NDArray[np.uint8]:

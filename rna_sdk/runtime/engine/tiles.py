@@ -92,7 +92,7 @@ class QueryFiller:
 
 
 def _parts(planes: Planes) -> tuple[NDArray[Any], NDArray[np.float32]]:
-    """The texels, and the scales: none but for int8."""
+    """The texels, and the scales: only for int8."""
     if isinstance(planes, Int8Planes):
         return planes.texels, planes.scales
     return planes, np.empty(0, np.float32)

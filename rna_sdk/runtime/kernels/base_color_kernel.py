@@ -12,7 +12,7 @@ from rna_sdk.machine.compiled import compiled
 REPEAT, CLAMP, MIRROR = 0, 1, 2
 
 LEVELS = 14
-"""Of an image at most: 8192 texels a side to 1."""
+"""Largest number of levels of an image: from 8192 texels a side to 1."""
 
 
 @compiled(fastmath=())

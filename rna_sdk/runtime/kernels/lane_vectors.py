@@ -1,4 +1,4 @@
-"""Compiled: what the query kernel calculates with, on lanes; a vector is three of them."""
+"""Compiled arithmetic of the query kernel on lanes; a vector is three of them."""
 
 from __future__ import annotations
 

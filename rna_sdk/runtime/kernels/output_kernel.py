@@ -18,7 +18,7 @@ OUTPUT = numba.types.Array(numba.types.float32, 2, "C", readonly=True)
 
 @compiled()
 def sanitised(value: Any) -> Any:
-    """A decoder's value as results have it: 0 for NaN and what is negative, and never infinite."""
+    """A decoder's value as results have it: 0 for NaN and negative values, never infinite."""
     return min(value, _LARGEST) if value > 0.0 else np.float32(0.0)  # NaN fails the comparison
 
 

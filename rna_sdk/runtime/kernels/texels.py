@@ -166,7 +166,7 @@ _STORED = {
     types.uint16: (ir.HalfType(), 2),
     types.float32: (ir.FloatType(), 4),
 }
-"""Element type of the flat planes -> what it is to LLVM, and its bytes."""
+"""Element type of the flat planes -> its LLVM type, and its bytes."""
 _WORD = ir.IntType(64)
 
 

@@ -1,4 +1,4 @@
-"""What the steps of the renderer read and write: their numbers, paths and queries."""
+"""Data of the renderer's steps: their numbers, paths and queries."""
 
 from __future__ import annotations
 

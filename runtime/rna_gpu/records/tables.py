@@ -120,7 +120,7 @@ def lobe_fields(mixture: Mixture) -> dict[str, tuple[float, ...]]:
 
 
 USUAL_LOBES = {kind: lobe_fields(mixture) for kind, mixture in USUAL_SAMPLING.items()}
-"""Of packages without lobes for rays."""
+"""Lobes for packages without their own."""
 
 
 def light_accessors() -> str:

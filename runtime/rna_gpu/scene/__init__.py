@@ -1,1 +1,1 @@
-"""Scenes on the GPU: tables of what they hold, and the wavefront path tracer."""
+"""Scenes on the GPU: their tables, and the wavefront path tracer."""

@@ -41,7 +41,7 @@ class Bindings:
         return self._device.pipeline(source, name, [self.path, *layouts])
 
     def group(self, layout: Any, buffers: Sequence[Any], uniform: Any = None) -> Any:
-        """Buffers, bound; `uniform` is the one of them that steps read a row of."""
+        """Bound buffers; steps read a row of the buffer `uniform`."""
         entries = [
             {
                 "binding": k,

@@ -66,7 +66,7 @@ class GpuRenderer:
 
     @property
     def samples(self) -> int:
-        """Of the same pixels that it renders at once, at most."""
+        """Largest number of samples of a pixel that are rendered at once."""
         one = self._cameras or self._gpu.is_software  # a motion is that of one sample
         return 1 if one else _MOST_SAMPLES
 

@@ -29,7 +29,7 @@ _BAND and _OTHER by turns."""
 
 @dataclass(frozen=True)
 class Step:
-    """What is recorded together.
+    """Dispatches that are recorded together.
 
     name: of a pipeline; or of a decoder's form: evaluation of a part; or "clear", of the number of
         queries; or "keep", "restore": copies of the paths at the points that the camera sees.

@@ -25,7 +25,7 @@ from rna_render.lights import Light
 from rna_render.scene import Scene
 
 _MOST_PATHS = 1 << 18
-"""Of a band. More are no faster: the film of a larger band is read more slowly, into new pages."""
+"""Paths of a band. More are no faster: the film of a larger band is read more slowly."""
 
 _HEADER = 16  # bytes at the start of a list of paths, and of the count of rows
 _NOTHING = 0, 0, 1, 1, 0  # no rows; from the second number on an empty list

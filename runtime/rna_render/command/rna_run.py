@@ -186,7 +186,7 @@ def _frames(text: str) -> tuple[int, int | None]:
 
 
 def _sort_images(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
-    """A PNG that --out names becomes that of --png."""
+    """A PNG that --out names becomes the PNG of --png."""
     if options.out is None or options.out.suffix.lower() != ".png":
         return
     if options.png is not None:

@@ -1,4 +1,4 @@
-"""Rendering with a bar of progress, which Ctrl-C ends early; what is printed of a scene."""
+"""Rendering with a progress bar, which Ctrl-C ends early; printed lines about a scene."""
 
 from __future__ import annotations
 

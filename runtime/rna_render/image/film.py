@@ -155,7 +155,7 @@ class Film:
 
     @property
     def clamped_share(self) -> float:
-        """What the clamp on indirect light took, as a share of the light of the whole image."""
+        """Light removed by the clamp on indirect light, as a share of the image's light."""
         taken = float(self._sum.clamped.sum())
         kept = float(self._sum.beauty[:, :3].sum()) / 3.0
         return taken / (taken + kept) if taken > 0.0 else 0.0

@@ -28,7 +28,7 @@ class Halves:
 
     @classmethod
     def empty(cls, count: int) -> Halves:
-        """Of no samples, for `count` pixels."""
+        """Halves without samples for `count` pixels."""
         return cls(np.zeros((count, 3)), np.zeros((count, 3)))
 
     @property

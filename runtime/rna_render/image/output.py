@@ -91,7 +91,7 @@ class Output:
             )
 
     def _is_of(self, scene: Scene, attributes: dict[str, str]) -> bool:
-        """Whether attributes are those of the finished image; a time limit may end it early."""
+        """Whether attributes match the finished image; a time limit may end it early."""
         limited = scene.quality is not None and scene.quality.seconds is not None
         samples = attributes.get("rnaSamples") if limited else scene.samples
         return attributes == self._attributes(scene, samples)

@@ -1,4 +1,4 @@
-"""View transforms: from linear radiance to what a screen shows."""
+"""View transforms: from linear radiance to displayed values."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Lights: what the integrator knows of them.
+"""Lights, as the integrator sees them.
 
 The names below are loaded at their first use, so that a scene file's models need no Embree.
 """

@@ -1,4 +1,4 @@
-"""What the integrator knows of a light; `kinds` has a file for each kind.
+"""A light as the integrator sees it; `kinds` has a file for each kind.
 
 The transport T of an asset contains the cosine, so there is none here: a light gives, for points
 of the scene, directions towards itself, and what arrives from there.

@@ -81,7 +81,7 @@ class EquirectangularImage:
         self._turn(angle)
 
     def _choice(self, mean: float) -> _Choice:
-        """What directions are chosen with, in proportion to what is brighter than `mean`."""
+        """Sampler of directions, in proportion to the radiance above `mean`."""
         h, w, _ = self._texels.shape
         columns = np.empty((h + 1, w + 1))
         sums_of_cells(self._texels, np.arange(h + 1), self._heights, mean, columns)
@@ -105,7 +105,7 @@ class EquirectangularImage:
 
     @property
     def members(self) -> dict[str, float]:
-        """What the row of a light of this image holds beside its colour."""
+        """Members of the row of a light of this image beside its colour."""
         rows, columns, _ = self._texels.shape
         members = dict(zip(IMAGE_NUMBERS, self.numbers.tolist(), strict=True))
         return members | {"rows": rows, "columns": columns}

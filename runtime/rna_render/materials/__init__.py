@@ -1,4 +1,4 @@
-"""Meshes that are not neural, and what they are made of; `models` has what a scene file says.
+"""Conventional meshes and their materials; `models` has the scene file's keys.
 
 The names below are loaded at their first use, so that a scene file's models need no Embree.
 """

@@ -1,4 +1,4 @@
-"""What a GGX surface reflects in all directions, by quadrature.
+"""Albedo of a GGX surface, by quadrature.
 
     python -m rna_render.materials.ggx_quadrature
 

@@ -1,4 +1,4 @@
-"""What a part of a mesh is made of: factors and textures, as in glTF 2.0, section 3.9."""
+"""Material of a part of a mesh: factors and textures, as in glTF 2.0, section 3.9."""
 
 from __future__ import annotations
 

@@ -192,7 +192,7 @@ class MeshObject:
 
     @cached_property
     def solid_ior(self) -> np.ndarray:
-        """Index of refraction of each material, (m,) float64; 0 of what is no solid glass."""
+        """Index of refraction of each material, (m,) float64; 0 without solid glass."""
         insides = (material.inside for material in self.materials)
         return np.array([0.0 if inside is None else inside.ior for inside in insides])
 
@@ -204,7 +204,7 @@ class MeshObject:
 
     @cached_property
     def solid_tint(self) -> np.ndarray:
-        """What is left of light at each interface of solid glass, (m, 3) float64."""
+        """Transmitted share of light at each interface of solid glass, (m, 3) float64."""
         return np.array([material.base_color for material in self.materials], np.float64)
 
     @property

@@ -167,7 +167,7 @@ class GltfMotion:
 
 
 def _reason(error: Exception) -> str:
-    """What is wrong with a file, by the error of reading it."""
+    """The fault of a file, from the error of reading it."""
     if isinstance(error, KeyError):
         return f"the property {error} is missing"
     if isinstance(error, IndexError):
@@ -215,7 +215,7 @@ def _primitives(container: GltfContainer, number: int) -> Iterable[dict[str, Any
 def _check_size(
     container: GltfContainer, skins: list[dict[str, Any]], primitives: list[dict[str, Any]]
 ) -> None:
-    """Refuses, before any of it is read, what is too large with a copy for each node.
+    """Refuses, before reading it, a file that is too large with a copy for each node.
 
     Morph targets and influences of joints count as vertices, and a skin's matrices as four.
     """

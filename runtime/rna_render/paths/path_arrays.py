@@ -1,4 +1,4 @@
-"""What the integrator knows of a band's paths between two of its steps."""
+"""State of a band's paths between two steps of the integrator."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ KINDS = 2
 
 @dataclass(frozen=True, slots=True)
 class Rays:
-    """Rays of a band and what they met.
+    """Rays of a band and their hits.
 
     path: (n,) place of their path in the band. origin, direction: (n, 3) float32, world space.
     beta: (n, 3) float32, throughput of their path so far. pdf: (n,) float32, density of the
@@ -43,7 +43,7 @@ class Rays:
 
 @dataclass(frozen=True, slots=True)
 class Paths:
-    """Of the path of each of m vertices.
+    """State of the path of each of m vertices.
 
     path: (m,) its place in the band. beta: (m, 3) float32, its throughput. share: (m,) float32, as
     of rays. kind: (m,) int8, of the vertex. numbers: random numbers.

@@ -132,7 +132,7 @@ class SolidGlass:
         weight: np.ndarray,
         inside: np.ndarray,
     ) -> None:
-        """Take the rays of the rows to what they meet behind an interface, in place."""
+        """Take the rays of the rows to their hits behind an interface, in place."""
         d = direction[row].astype(np.float64)
         enters = np.sum(d * at.ng, axis=1) < 0.0
         # A ray that began inside leaves what it was not known to be in.
@@ -168,7 +168,7 @@ class SolidGlass:
             weight[row] *= behind.weight
 
     def _on_glass(self, hits: ClosestHits, row: np.ndarray) -> np.ndarray:
-        """Those of the rows that meet solid glass."""
+        """Rows that meet solid glass."""
         met = np.zeros(len(row), bool)
         for number, mesh in self._meshes.items():
             here = np.flatnonzero(hits.instance[row] == number)

@@ -1,4 +1,4 @@
-"""What the integrator does with light that was found: which of it counts, its weight, its sum."""
+"""Weights of found light in the integrator: its selection, its weight, its sum."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the page may ask for."""
+"""Requests that the page may send."""
 
 from __future__ import annotations
 

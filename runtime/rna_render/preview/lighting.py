@@ -1,4 +1,4 @@
-"""What the preview can light a scene with, and how that is turned."""
+"""Lighting of the preview, and its rotation."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the page is sent: a picture as it was rendered, and what there is to say of it."""
+"""A picture as it was rendered, and its facts, for the page."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the preview shows, as text for the scene file."""
+"""The preview's view as text for the scene file."""
 
 from __future__ import annotations
 

@@ -39,7 +39,7 @@ COARSEST = 16
 
 @dataclass(frozen=True)
 class View:
-    """What the preview shows: camera, lighting, exposure, view transform, denoising."""
+    """The shown view: camera, lighting, exposure, view transform, denoising."""
 
     orbit: Orbit
     lighting: str
@@ -229,7 +229,7 @@ class Session:
         return scene.model_copy(update=changes)
 
     def _divisors(self, resolution: tuple[int, int]) -> Iterator[int]:
-        """Divisors of the image's sides: from that of the first look down to 1, by halves."""
+        """Divisors of the image's sides: from the first look's down to 1, by halves."""
         divisor = 1
         while divisor < COARSEST and self._expected_ms(resolution, divisor) > FIRST_LOOK_MS:
             divisor *= 2

@@ -1,4 +1,4 @@
-"""What a scene file says: its models, read or built, and scenes that we build ourselves."""
+"""Scene files: their models, read or built, and scenes that we build ourselves."""
 
 import lazy_loader
 

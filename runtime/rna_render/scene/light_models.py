@@ -29,7 +29,7 @@ class _LightModel(Model):
 
     @property
     def bounding_radius(self) -> float:
-        """Of a sphere about its position that contains it, metres."""
+        """Radius of a sphere about the light's position that contains the light, metres."""
         return 0.0
 
 

@@ -1,4 +1,4 @@
-"""The scene file's schema of materials: those of glTF 2.0, and the shadow catcher."""
+"""The scene file's schema of materials: materials of glTF 2.0, and the shadow catcher."""
 
 from __future__ import annotations
 

@@ -55,7 +55,7 @@ class SceneFile:
 
     @property
     def camera_after(self) -> CameraModel:
-        """The camera of the next frame; that of this one where it does not move."""
+        """The camera of the next frame; this frame's camera if it does not move."""
         return self.next_camera or frame_scene(self.scene, 1.0).camera
 
     def error(self, key: Key, message: str) -> SceneError:

@@ -37,7 +37,7 @@ _OTHER_NAMES = {
 
 @dataclass(frozen=True)
 class Mistake:
-    """One thing that is wrong: its key in the file, and what is wrong with it."""
+    """A mistake: its key in the file, and its message."""
 
     key: Key
     message: str

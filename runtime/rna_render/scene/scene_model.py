@@ -103,8 +103,8 @@ class CameraModel(Model):
     )
     focus: Length | None = Field(
         default=None,
-        description="Distance of the sharp plane from the camera, metres; that of look_at if "
-        "omitted.",
+        description="Distance of the sharp plane from the camera, metres; the distance of "
+        "look_at if omitted.",
     )
 
     @property

@@ -40,7 +40,7 @@ _BESIDE_EMISSION = 0.15  # of this light, where the asset has light of its own
 
 @dataclass(frozen=True)
 class Shown:
-    """What the scene depends on.
+    """Facts that the scene depends on.
 
     low, high: (3,) corners of the asset's box, metres. points: (n, 3), the image shows them all.
     emits: whether it has light of its own. wo, wi: cones of the directions that it was captured
@@ -62,7 +62,7 @@ class Shown:
 
 
 def shown(package: Path) -> Shown:
-    """What a package's scene depends on. Raises PackageError for a broken one."""
+    """Facts that a package's scene depends on. Raises PackageError for a broken package."""
     with Package.open(package) as opened:
         manifest = opened.manifest
         low, high = (corner.astype(np.float64) for corner in opened.box())

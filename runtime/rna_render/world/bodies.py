@@ -1,4 +1,4 @@
-"""What stands in the scene, as bodies: what rays hit, and what the hits send to the viewer.
+"""Bodies of a scene: their hits, and the radiance of hits to the viewer.
 
 One class a kind of object holds its geometry in Embree, and one holds points on it. The rest of
 the renderer does not ask which kind it has.

@@ -24,7 +24,7 @@ _CLOSED = 0.01  # of an asset's size, how far the ends of a loop may be apart
 
 
 class MotionLoader:
-    """Opens each motion once, and makes each shape once a frame; those of one frame are cached."""
+    """Opens each motion once, and makes each shape once a frame; shapes of a frame are cached."""
 
     def __init__(self) -> None:
         self._motions: dict[tuple[object, ...], Motion] = {}

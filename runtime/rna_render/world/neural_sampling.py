@@ -138,7 +138,7 @@ class PartLobes(NamedTuple):
 
     @classmethod
     def of(cls, mixtures: Sequence[Mixture]) -> PartLobes:
-        """Those that a package has of a part."""
+        """Lobes that a package has for a part."""
         numbers = np.stack([LobeMixture.of(mixture).numbers for mixture in mixtures])
         return cls(numbers, np.array([mixture.first for mixture in mixtures]))
 

@@ -1,4 +1,4 @@
-"""Objects, where they stand, and what they shine with."""
+"""Objects, their placement and their emission."""
 
 from __future__ import annotations
 

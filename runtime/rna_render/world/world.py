@@ -233,7 +233,7 @@ class World:
 
     @property
     def assets(self) -> list[Asset]:
-        """Those of `objects` that are assets."""
+        """The assets among `objects`."""
         others = MeshObject | PlacedLight
         return [placed for placed in self.objects if not isinstance(placed, others)]
 

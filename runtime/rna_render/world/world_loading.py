@@ -31,7 +31,7 @@ _REACH = 100.0
 
 
 class Loaded:
-    """What a scene's files hold, each loaded once: for the worlds of several frames.
+    """Contents of a scene's files, each loaded once, for the worlds of several frames.
 
     Attributes:
         tiers: of the last world that was placed.

@@ -1,4 +1,4 @@
-"""Embree 4: geometry, rays and filters; `tracing` has what the rest of the renderer calls."""
+"""Embree 4: geometry, rays and filters; `tracing` has the calls of the renderer."""
 
 from rna_trace.embree.scenes import DiscScene, SphereScene, TriangleScene
 

@@ -1,4 +1,4 @@
-"""What a ray passes through: compiled filters that Embree calls for every hit.
+"""Filters of hits that a ray passes through, compiled, which Embree calls for every hit.
 
 A filter gets the address of RTCFilterFunctionNArguments and sets `valid` to 0 to refuse the hit.
 What to refuse stands in the ray's id; what a ray carries through refused hits stands in the
@@ -158,7 +158,7 @@ def _pass_all(arguments: Any) -> None:
 
 @compiled(fastmath=())
 def _is_last(arguments: Any) -> bool:
-    """Whether the hit is the one that the context names."""
+    """Whether the hit is named by the context."""
     hit, result = _word(arguments, FILTER_HIT), True
     last = _word(arguments, FILTER_CONTEXT) + np.uint64(8 * CONTEXT_LAST)
     for k, word in enumerate((FILTER_HIT_PRIMITIVE, FILTER_HIT_GEOMETRY, FILTER_HIT_INSTANCE)):

@@ -25,7 +25,7 @@ from rna_bench.peers.views import PeerCamera, Views
 from rna_sdk.errors import TrainingError
 
 PEAK, SPREAD = 4.0, 0.25
-"""Of a Gaussian density about the centre."""
+"""Peak and spread of a Gaussian density about the centre."""
 LIGHT = torch.tensor([3.0, 2.0, -2.0])
 
 

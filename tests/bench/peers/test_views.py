@@ -1,4 +1,4 @@
-"""Views in NRHints' layout: what is read, and one line for what cannot be."""
+"""Views in NRHints' layout: read folders, and one line for broken ones."""
 
 from __future__ import annotations
 

@@ -19,7 +19,7 @@ __all__ = ["open_worker"]
 
 @pytest.mark.blender
 def test_views_are_lamberts(open_worker: OpenWorker, tmp_path: Path) -> None:
-    """Of a unit ball: places, depth, light; nothing made twice."""
+    """Views of a unit ball: places, depth, light; nothing made twice."""
     worker, folder = open_worker("add(*BALL, diffuse((0.9, 0.5, 0.1)))"), tmp_path / "views"
     albedo = np.array([0.9, 0.5, 0.1])
     plan = ViewsPlan(3, 1, 0, 16, 64, 64)

@@ -48,7 +48,7 @@ Queried = tuple[Decoder | Int8Decoder, tuple[str, ...]]
 
 @dataclass(frozen=True)
 class Query:
-    """What is queried of a package."""
+    """A query of a package."""
 
     tier: str
     part: int
@@ -174,7 +174,7 @@ def _part(part: PartPlan, alone: bool) -> Part:
 
 
 def _color(name: str, record: BaseColor) -> BaseColorRecord:
-    """The record of the manifest, without what is as if it were left out."""
+    """The record of the manifest without members that have their default."""
     plain = BaseColor(0, 1, None)
     names = [*("color_space", "factor", "wrap", "transform")]
     given = {n: getattr(record, n) for n in names if getattr(record, n) != getattr(plain, n)}
@@ -249,7 +249,7 @@ def _decoder(
 def _answers(
     seed: int, part: PartPlan, tier: TierPlan, form: str, queried: list[Queried], planes: np.ndarray
 ) -> Answers:
-    """form: what is queried for; queried: decoders whose results, side by side, are the answer."""
+    """form: queried form; queried: decoders whose results, side by side, are the answer."""
     queries, classes = make_queries(seed, part.is_fiber, part.bounds)
     if tier.resolution == 1 and not part.is_fiber:
         queries, classes = _with_cancelled_normals(queries, classes)

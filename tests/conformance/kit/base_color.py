@@ -81,7 +81,7 @@ def pyramid(data: bytes, shape: tuple[int, ...], space: str) -> list[np.ndarray]
 
 
 def linear(values: np.ndarray, space: str) -> np.ndarray:
-    """Of values from 0 to 1."""
+    """Linear values of encoded values from 0 to 1."""
     if space == "linear":
         return values
     return np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)

@@ -25,7 +25,7 @@ def short(values: np.ndarray, bits: int = 12) -> np.ndarray:
 
 @dataclass(frozen=True)
 class Layer:
-    """Of float32: weight (inputs, outputs), bias (outputs,)."""
+    """A layer of float32: weight (inputs, outputs), bias (outputs,)."""
 
     weight: np.ndarray
     bias: np.ndarray

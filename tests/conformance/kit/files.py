@@ -225,7 +225,7 @@ def _json(index: dict[str, Any]) -> str:
 
 
 def write_files(folder: Path, files: Files) -> None:
-    """Write the kit to `folder`; what is there of an older one goes."""
+    """Write the kit to `folder`; files of an older kit are removed."""
     for path in _present(folder) - set(files):
         (folder / path).unlink()
     for name, data in files.items():

@@ -12,7 +12,7 @@ from rna_sdk.package import Mesh, NormalMap
 from tests.conformance.kit.base_color import moved
 
 TOLERANCE = 1e-4
-"""Of a component of a well-conditioned normal."""
+"""Tolerance of a component of a well-conditioned normal."""
 LARGEST = 1e-3
 """Tolerance of a hit that is kept."""
 TRIALS = 32

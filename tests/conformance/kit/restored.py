@@ -11,7 +11,7 @@ from rna_sdk.package import Curves, Mesh, quantise
 PLAIN = ("surface-odd", "surface-tiny")
 """Packages that are asked for geometry as it is: with an odd mesh, and without coordinates."""
 NORMAL_TOLERANCE = 2.0**-22
-"""Of a component of a normal, which is divided by its length; all else is the same to the bit."""
+"""Tolerance of a component of a normal; all other values are the same to the bit."""
 
 
 def with_extremes(mesh: Mesh) -> Mesh:

@@ -14,7 +14,7 @@ from tests.render.round_cones import depths, entries
 
 STEP, SMOOTH_BELOW = 2.0**-18, 0.1
 LARGEST_CHANGE = 2e-4
-"""Of a visibility, by moves of the ray like those of rounding."""
+"""Largest change of a visibility by moves of the ray as large as rounding."""
 
 
 @dataclass(frozen=True)

@@ -175,7 +175,7 @@ def coded_entries_beyond_a_file_together(entries: Entries) -> bytes:
 
 @CASES.case("DEFLATE_SIZE")
 def coded_entry_of_zeros(entries: Entries) -> bytes:
-    """Of 2 MiB in 2 KB: a small file would take much memory."""
+    """An entry of 2 MiB in 2 KB: a small file would take much memory."""
     zeros = bytes(2**21)
     return with_coded_mesh(entries, zlib.compress(zeros), size=len(zeros), distance=0)
 
@@ -230,7 +230,7 @@ def standin_brighter_than_white(entries: Entries) -> bytes:
 
 @CASES.case("STANDIN_TEXTURE")
 def standin_texture_that_is_no_png(entries: Entries) -> bytes:
-    """Of 64 KB, which keeps it out of the conformance kit: other readers have no such textures."""
+    """64 KB keep it out of the conformance kit, since other readers have no such textures."""
     members = dict.fromkeys(("baseColor", "metallicRoughness", "normal"), TEXTURE)
     data = {"parts": [members]}
     png = b"JFIF" * 16_384

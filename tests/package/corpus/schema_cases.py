@@ -68,7 +68,7 @@ UNREACHED = {
     *(Constraint(("manifest", "Domain", way, k), "type") for way in ("wo", "wi") for k in "01"),
     *(Constraint(("manifest", "Tier", "parts"), limit) for limit in ("minItems", "maxItems")),
 }
-"""Constraints without a case: the corpus has a manifest that is no object; what is of neither type
+"""Constraints without a case: the corpus has a manifest that is no object; a value of neither type
 of two alternatives breaks none alone; a tier of too many parts has others than the package."""
 
 

@@ -192,7 +192,7 @@ def replaced(document: Any, path: tuple[str | int, ...], value: Any) -> Any:
 
 
 def all_constraints() -> set[Constraint]:
-    """Of all schemas, wherever a document may have them."""
+    """Constraints of all schemas, wherever a document may have them."""
     found: set[Constraint] = set()
     for name, root in schemas().items():
         seen: set[str] = set()

@@ -1,4 +1,4 @@
-"""Packages in glTF files that GLTFLoader loads: what is shown of them, and what is not loaded."""
+"""Packages in glTF files that GLTFLoader loads: their pictures, and omitted loads."""
 
 from __future__ import annotations
 

@@ -40,7 +40,7 @@ LOBES = tuple(
     )
     for first, cosine, share in ((0, 0.46, 0.21), (4809, 0.6, 0.07))
 )
-"""Of rays that leave the toy, by triangles, as `rna-export` fits them."""
+"""Lobes of rays that leave the toy, by triangles, as `rna-export` fits them."""
 SUN = "{type: directional, direction: [0.55, 0.75, 0.65], irradiance: [2.5, 2.5, 2.5]}"
 POINT = "{type: point, position: [0.9, 1.0, 0.8], intensity: [3.0, 2.5, 2.0]}"
 POINT_OF_THREE = 'light("PointLight", [0.9, 1, 0.8], new THREE.Color(3, 2.5, 2), 1)'
@@ -78,7 +78,7 @@ def page(tmp_path_factory) -> Iterator[Page]:
 def by_three(
     page: Page, asset: dict, light: str, size: list[int], more: str = "", load: str = LOAD
 ) -> np.ndarray:
-    """(h, w, 4) float32. light, more of what `picture` takes, what is loaded: JavaScript."""
+    """The picture, (h, w, 4) float32. light, more, load: JavaScript of `picture`."""
     view = json.dumps({"position": asset["position"], "lookAt": asset["look_at"]})
     actual = page.evaluate(
         f"""(async () => {{

@@ -1,4 +1,4 @@
-"""What is packed as rna-three: its files, its size, what it imports."""
+"""The packed rna-three: its files, its size, its imports."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import pytest
 from tests.web.three.pages import REPOSITORY, TOY, installed
 
 MOST_BYTES = 5_000_000
-"""Of page, module and toy; three.js is the page's own."""
+"""Bytes of page, module and toy; three.js belongs to the page."""
 KIT = REPOSITORY / "spec" / "conformance" / "packages"
 READ_IN_NODE = """
     import fs from "node:fs";

@@ -83,7 +83,7 @@ def test_abort_rejects(page):
 
 @pytest.mark.parametrize("name", ["surface-float32.rna", "fiber-float16.rna"])
 def test_raycaster_meets_the_asset(page, name):
-    """Where three.js' own search meets what is drawn; of instances, too; not where it was."""
+    """Hits of three.js' own search lie on the drawn asset and its instances."""
     actual = run(
         page,
         f"""

@@ -95,7 +95,7 @@ class NetworkAsset(NeuralAsset):
 
     @property
     def multiply_adds(self) -> int:
-        """Of all matrix products of a query."""
+        """Multiply-adds of all matrix products of a query."""
         layers: list[Any] = [*self.network.layers]
         return super().multiply_adds + sum(layer.weight.numel() for layer in layers)
 

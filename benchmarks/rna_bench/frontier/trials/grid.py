@@ -8,7 +8,7 @@ from rna_bench.frontier.trials.trial import Family, Trial, name_of
 from rna_export.training.presets import PRESETS, Preset
 
 FULL_STEPS, SHORT_STEPS = 20_000, 5_000
-"""Steps per training: those of our presets, and what takes 40 minutes on 2 cores."""
+"""Steps per training: of our presets, and of 40 minutes on 2 cores."""
 
 PAPER_ARCHITECTURES = (
     *((4, width) for width in (16, 32, 64, 128, 256)),
@@ -41,7 +41,7 @@ def full_grid(kind: str, steps: int = FULL_STEPS) -> list[Trial]:
 
 
 def short_grid(kind: str, steps: int = SHORT_STEPS) -> list[Trial]:
-    """Two dozen models that span the same range, but for our widest."""
+    """Two dozen models that span the same range, except our widest."""
     planes, channels = _PLANES[kind][1][:2], _CHANNELS[kind][1][:2]
     smallest = {"planes": planes[0], "channels": channels[0]}
     shapes = [

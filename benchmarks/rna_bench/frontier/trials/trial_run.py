@@ -90,7 +90,7 @@ def _model_class(trial: Trial) -> type[NeuralAsset]:
 
 
 def _finish(run: Run, table: SampleTable | None) -> float:
-    """Train to the end; returns the seconds that it took, with those of stopped calls."""
+    """Train to the end; returns the seconds of all calls, stopped ones included."""
     finished = run.out / "seconds.txt"
     if finished.is_file():
         return float(finished.read_text())

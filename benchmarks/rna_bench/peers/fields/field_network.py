@@ -28,7 +28,7 @@ _LEAST_ROUGHNESS = 0.1
 
 
 class FieldPoint(NamedTuple):
-    """What the field has at k points: density (k,), unit axes (k, 3), reflectance (k, p)."""
+    """The field at k points: density (k,), unit axes (k, 3), reflectance (k, p)."""
 
     density: Tensor
     axis: Tensor

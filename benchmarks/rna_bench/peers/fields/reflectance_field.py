@@ -92,7 +92,7 @@ class ReflectanceField(LearnedMethod):
         return super().render(camera, light)
 
     def loss(self, targets: Targets, progress: float) -> Tensor:
-        """Squared error of what a picture shows."""
+        """Squared error of displayed values."""
         result = self._rendered(targets.rays, None, is_training=True)
         return (result - targets.colour.clamp(max=1.0)).square().mean()
 

@@ -22,7 +22,7 @@ from rna_bench.frontier.trials.feature_network import (
 
 WIDTH, FEATURES = 256, 256
 RADIUS = 0.5
-"""Of the sphere that the distance is of before any training."""
+"""Radius of the sphere whose signed distance the untrained network returns."""
 
 COLOUR_INPUTS = 361
 

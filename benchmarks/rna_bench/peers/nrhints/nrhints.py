@@ -55,7 +55,7 @@ class Sampling:
 
 FULL = Sampling((64, 64), (64, 64), BATCH)
 REDUCED = Sampling((8, 16), (16, 16), 32, light_near=2.0)
-"""For a CPU: a step takes a hundredth. Fewer samples from the light shadow what is lit: a sphere of
+"""For a CPU: a step takes a hundredth. Fewer samples from the light shadow lit points: a sphere of
 radius 0.7 had a mean visibility of 0.23 with 4 + 4 from the light, 1.00 with these.
 """
 
@@ -208,7 +208,7 @@ class NRHints(LearnedMethod):
 
 
 def scheduled(progress: float, steps: int) -> float:
-    """Of the rate: a cosine over the training, times a line to 1 over the first steps."""
+    """Factor of the rate: a cosine over the training, times a linear rise over the first steps."""
     cosine = 0.5 * (1.0 + math.cos(math.pi * progress))
     return min(1.0, steps / WARM_UP) * (_LEAST_RATE + (1.0 - _LEAST_RATE) * cosine)
 

@@ -114,7 +114,7 @@ def draw(figure: FigureBase, rows: list[Row]) -> None:
 CASE = Case(
     name="energy",
     title="Energy",
-    varies="points and views in a white furnace; the suite's white asset, and the one given",
+    varies="points and views in a white furnace; the suite's white asset, and the given asset",
     mark="the integral of T over wi at most 1.01, at 99% of the points; at least 97% of the light "
     "that Cycles' asset returns from a white world",
     measure=measure,

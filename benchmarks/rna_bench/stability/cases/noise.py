@@ -60,7 +60,7 @@ def judge(rows: list[Row]) -> Verdict:
     one = {loss: values(rows, "bias", loss=loss, paths=1)[0] for loss in LOSSES}
     return Verdict(
         abs(chosen) <= BIAS,
-        f"from 4 paths on {chosen:+.1%}, with the log loss alone {log:+.1%}; "
+        f"from 4 paths on {chosen:+.1%}, with only the log loss {log:+.1%}; "
         f"at 1 path log {one['log']:+.1%}, unbiased {one['unbiased']:+.1%}",
     )
 

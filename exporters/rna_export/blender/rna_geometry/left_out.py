@@ -1,4 +1,4 @@
-"""What of a scene a capture leaves out because renders do, and what is far larger than the rest."""
+"""Objects that a capture leaves out because renders do, and objects far larger than the rest."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def _is_shaped(user: bpy.types.ID, item: bpy.types.Object) -> bool:
 
 
 def notes() -> list[str]:
-    """For the user, of what is left out, and of a backdrop; within `as_rendered`."""
+    """Notes for the user about left-out objects and backdrops; within `as_rendered`."""
     result, names = [], unrendered()
     if names is not None:
         result.append(f"what renders do not show is left out: {names}")

@@ -140,7 +140,7 @@ def seen() -> Iterator[bpy.types.DepsgraphObjectInstance]:
 
 
 def longest_side() -> float:
-    """Of the box around all that camera rays see, about: around the boxes of the objects."""
+    """Longest side of the box around the boxes of all objects that camera rays see."""
     corners = [
         np.array([*map(list, instance.object.bound_box)]) @ matrix[:3, :3].T + matrix[:3, 3]
         for instance in seen()

@@ -1,4 +1,4 @@
-"""Strands of hair as arrays, and what is done to each strand alone: resample, taper."""
+"""Strands of hair as arrays, and changes of single strands: resample, taper."""
 
 from __future__ import annotations
 

@@ -47,7 +47,7 @@ def file_of(node: bpy.types.Node, tile: int = 0) -> tuple[bytes, str] | None:
 
 
 def _bytes(image: bpy.types.Image, tile: int) -> bytes:
-    """Of an image's file, or of a tile's; b"" without one."""
+    """Bytes of the file of an image or a tile; b"" without a file."""
     packed = [each for each in image.packed_files if tile in (0, each.tile_number)]
     if packed:
         return bytes(packed[0].packed_file.data)

@@ -1,4 +1,4 @@
-"""Which nodes a material's base colour comes from: a factor, times what one socket gives."""
+"""Nodes of a material's base colour: a factor, times the value of one socket."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ def _product(socket: bpy.types.NodeSocket, inside: Inside) -> BaseColour:
 
 
 def _step(source: Source) -> tuple[np.ndarray, bpy.types.NodeSocket | None, Inside] | None:
-    """What a node multiplies by, and the input that it multiplies; None of any other node."""
+    """Factor of a node, and the input that it multiplies; None for any other node."""
     node, _, inside = source
     if node.type == "RGB":
         return np.array(node.outputs[0].default_value[:3]), None, inside

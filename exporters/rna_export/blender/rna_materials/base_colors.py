@@ -43,7 +43,7 @@ Piece = tuple[str, int]
 
 @dataclass
 class Wish:
-    """What is wanted of base colours.
+    """A request for base colours.
 
     largest: texels a side of what is baked. as_texels: of which no files are wanted. whole: full
     names of materials whose tiles are to be baked as one image. only: full names of the materials
@@ -57,7 +57,7 @@ class Wish:
 
     @classmethod
     def of(cls, request: dict[str, Any]) -> Wish:
-        """Of a worker's request."""
+        """The wish in a worker's request."""
         as_texels = {(name, tile) for name, tile in request["asTexels"]}
         return cls(request["largest"], as_texels, request["whole"], request["only"])
 
@@ -233,7 +233,7 @@ def _image(
 def _baked(
     found: _Found, points: UvPoints, chart: Chart, largest: int, notes: list[str]
 ) -> tuple[np.ndarray, dict[str, Any]]:
-    """As `_image`, of what is no image. Raises NotOfUv.
+    """As `_image`, for colours that are no single image. Raises NotOfUv.
 
     notes: gets one where the images have more texels than that.
     """
@@ -252,7 +252,7 @@ def _baked(
 
 
 def _chart(found: _Found, points: UvPoints, taken: dict[str, Any] | None) -> Chart:
-    """The chart of a material: that of its other textures if it has any. Raises NotOfUv."""
+    """The chart of a material: the chart of its other textures if any. Raises NotOfUv."""
     if taken is None:
         return Chart(points.layer, IDENTITY)
     chart = replace(Chart.of(taken), tiles=None)

@@ -58,7 +58,7 @@ def bump_of(material: bpy.types.Material, normal: Source | None) -> Bump | str |
 
 
 def _bump(source: Source, strength: str | None, distance: str) -> Bump | str | None:
-    """Of a node that has a height; strength, distance: names of its inputs."""
+    """Bump of a node with a height input; strength, distance: names of its inputs."""
     node, _, inside = source
     height = origin(node.inputs["Height"], inside)
     if height is None:

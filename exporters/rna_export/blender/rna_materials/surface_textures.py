@@ -50,7 +50,7 @@ class _Textures:
     notes: list[str] = field(default_factory=list)
 
     def chart(self) -> Chart | None:
-        """That of its textures, unless they are constant."""
+        """The chart of its textures, unless they are constant."""
         if self.normals is not None:
             return self.normals.chart
         is_constant = self.holes is None or self.holes.texture.shape[:2] == (1, 1)
@@ -114,8 +114,8 @@ def _textures_of(surface: Surface, side: int) -> _Textures:
         except NotOfUv as problem:
             textures.captured = True
             textures.notes.append(
-                f"is transparent by {problem}, which is no function of its UV coordinates: what is "
-                "seen through it is part of the captured light"
+                f"is transparent by {problem}, which is no function of its UV coordinates: "
+                "light from behind it is part of the captured light"
             )
     textures.obstacle = surface.no_normal
     if surface.normal is not None and surface.uses:
@@ -156,7 +156,7 @@ def _holes_of(surface: Surface, textures: _Textures) -> Fit | None:
     if surface.on_hair:
         textures.captured = True
         textures.notes.append(
-            "lets light through on strands: what is seen through them is part of the captured light"
+            "lets light through on strands: light from behind them is part of the captured light"
         )
     if fit.error > _NOTED:
         textures.notes.append(
@@ -181,7 +181,7 @@ def _check_hair(shown: ColourOfUv) -> None:
 def _fit_holes(
     surface: Surface, cutoff: float | None, tried: list[Chart], points: UvPoints, truth: np.ndarray
 ) -> Fit:
-    """The best texture of a material's holes; with a cutoff, of what is compared with it."""
+    """The best texture of a material's holes; with a cutoff, of the value it is compared with."""
     shown = surface.shown
     holes = shown if cutoff is None else surface.holes
     assert holes is not None and shown is not None  # the caller has checked

@@ -23,7 +23,7 @@ def is_tiled(node: bpy.types.Node) -> bool:
 
 
 def size_of(image: bpy.types.Image, number: int = 0) -> tuple[int, int]:
-    """Texels of a tile; of 0, those of an image without tiles, or the most of all its tiles."""
+    """Texels of a tile; for 0, of an image without tiles, or the most of all its tiles."""
     sizes = [image.size]
     if image.source == "TILED":
         sizes = [tile.size for tile in image.tiles if number in (0, tile.number)]
@@ -32,7 +32,7 @@ def size_of(image: bpy.types.Image, number: int = 0) -> tuple[int, int]:
 
 
 def onto_tile(mapping: np.ndarray, number: int) -> np.ndarray:
-    """The map (2, 3) onto the unit square of a tile; mapping: onto that of 1001."""
+    """The map (2, 3) onto the unit square of a tile; mapping: onto the square of tile 1001."""
     v, u = divmod(number - 1001, _ACROSS)
     return np.asarray(mapping - [(0.0, 0.0, u), (0.0, 0.0, v)])
 

@@ -1,4 +1,4 @@
-"""What a colour of a material's nodes depends on: texture coordinates, attributes, images."""
+"""Inputs of a colour of a material's nodes: texture coordinates, attributes, images."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class ImageUse:
 
 @dataclass
 class Dependence:
-    """What the value of sockets depends on.
+    """Inputs that the value of sockets depends on.
 
     problems: nodes whose values no texture over UV coordinates has. layers: names of UV maps, ""
     for the one that renders use by default. attributes: their components, by name; "" for the
@@ -61,7 +61,7 @@ class Dependence:
 
 
 def dependence(sources: Iterable[Source]) -> Dependence:
-    """Of the value that comes from these nodes: all that are before it."""
+    """Dependence of a value on all nodes before these sources."""
     result = Dependence()
     for node, output, inside in sources:
         if node.type in _OUTSIDE_UV and output.name in (_OUTSIDE_UV[node.type] or (output.name,)):

@@ -32,7 +32,7 @@ _GLOW = ("Emission Color", "Emission Strength")
 
 
 def facts() -> list[dict[str, Any]]:
-    """Of each shown material but the glass that is left to hosts; within `as_rendered`.
+    """Facts of each shown material except glass left to hosts; within `as_rendered`.
 
     name, fullName; kinds: what it is, of `Kind` in `preflight/material_record.py`; roughness: of
     its sharpest highlight, None where it has none or a texture gives it; details: of relief, gloss,
@@ -108,7 +108,7 @@ def _kinds(shader: Shader) -> Iterator[str]:
 
 
 def _constant_alpha(shader: Shader) -> float | None:
-    """Of a Principled BSDF; None where nodes give it; 1 of other shaders."""
+    """Alpha of a Principled BSDF; None if nodes give it; 1 for other shaders."""
     if shader[0].type != "BSDF_PRINCIPLED":
         return 1.0
     value = constant(shader, "Alpha")
@@ -116,7 +116,7 @@ def _constant_alpha(shader: Shader) -> float | None:
 
 
 def _roughnesses(shader: Shader) -> Iterator[tuple[float, ...] | None]:
-    """Of a shader's highlights."""
+    """Roughness of each of a shader's highlights."""
     node = shader[0]
     shows = ("Metallic", "Specular IOR Level", "Transmission Weight")
     if node.type in _MIRRORS or (
@@ -156,7 +156,7 @@ def _of_displacement(material: bpy.types.Material) -> Iterator[Shader]:
 
 
 def _of_mixes(material: bpy.types.Material) -> Iterator[Shader]:
-    """Textures that choose between shaders, but for those of holes."""
+    """Textures that choose between shaders, except textures of holes."""
     for node, _, inside in surface_sources(material):
         if node.type == "MIX_SHADER":
             mixed = [origin(socket, inside) for socket in node.inputs[1:3]]

@@ -15,7 +15,7 @@ _SHADERS = ("BSDF_", "EMISSION", "SUBSURFACE_SCATTERING", "EEVEE_SPECULAR", "HOL
 
 
 def surface_shaders(material: bpy.types.Material) -> list[Shader]:
-    """Those that the surface of a material shows; none without a surface."""
+    """Shaders of the surface of a material; none without a surface."""
     return [
         (node, inside)
         for node, _, inside in surface_sources(material)
@@ -24,7 +24,7 @@ def surface_shaders(material: bpy.types.Material) -> list[Shader]:
 
 
 def volume_shaders(material: bpy.types.Material) -> list[Shader]:
-    """Those that the volume of a material shows."""
+    """Shaders of the volume of a material."""
     output = None if material.node_tree is None else material.node_tree.get_output_node("CYCLES")
     if output is None:
         return []

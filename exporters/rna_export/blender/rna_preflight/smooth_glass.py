@@ -43,7 +43,7 @@ def is_left(name: str | None) -> bool:
 
 
 def leave_to_hosts(how: str) -> list[Glass]:
-    """Take smooth glass out of what cameras see; returns what it is.
+    """Hide smooth glass from cameras; returns its materials.
 
     how: "keep": it refracts and shadows the light of the rest. "leave": it does nothing.
     """
@@ -72,7 +72,7 @@ def _shown() -> list[bpy.types.Material]:
 
 
 def glass_of(material: bpy.types.Material) -> Glass | None:
-    """What a material is as glass; None if it is anything else as well."""
+    """Glass parameters of a material; None if it has other shaders as well."""
     shaders = [s for s in surface_shaders(material) if s[0].type != "BSDF_TRANSPARENT"]
     if not shaders or not all(map(is_smooth_glass, shaders)):
         return None
@@ -113,7 +113,7 @@ def is_smooth_glass(shader: Shader) -> bool:
 
 
 def _absorption(material: bpy.types.Material) -> tuple[float, ...]:
-    """Of the volume, 1/m; scattered light is counted as absorbed."""
+    """Absorption of the volume, 1/m; scattered light is counted as absorbed."""
     total = [0.0, 0.0, 0.0]
     for shader in volume_shaders(material):
         density = (constant(shader, "Density") or (0.0,))[0]
@@ -126,7 +126,7 @@ def _absorption(material: bpy.types.Material) -> tuple[float, ...]:
 
 
 def _make_clear(material: bpy.types.Material, to_camera_alone: bool) -> None:
-    """Let rays pass: all of them, or those of the camera alone."""
+    """Let rays pass: all rays, or only camera rays."""
     tree, output = material.node_tree, surface_output(material)
     assert output is not None  # it has shaders
     clear = tree.nodes.new("ShaderNodeBsdfTransparent").outputs[0]

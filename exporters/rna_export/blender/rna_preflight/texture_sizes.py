@@ -35,7 +35,7 @@ class Extent:
 
 
 def extents() -> dict[str, Extent]:
-    """Of each shown material, by its full name; within `as_rendered`."""
+    """Extents of each shown material by its full name; within `as_rendered`."""
     result: dict[str, Extent] = {}
     seen: dict[int, Extent] = {}
     for instance in shown_objects.seen():
@@ -92,7 +92,7 @@ def detail(texture: Shader, extent: Extent, of_slopes: bool) -> float | None:
 
 
 def _period(texture: Shader, of_slopes: bool) -> float | None:
-    """Of a texture, in its own coordinates; 0 for white noise."""
+    """Period of a texture in its own coordinates; 0 for white noise."""
     node = texture[0]
     if node.type == "TEX_WHITE_NOISE":
         return 0.0

@@ -111,14 +111,14 @@ def apply() -> None:
 
 
 def owners(scene: bpy.types.Scene, layer: bpy.types.ViewLayer) -> list[bpy.types.bpy_struct]:
-    """What has the properties of `OWNED`, in its order."""
+    """Owners of the properties of `OWNED`, in its order."""
     render = scene.render
     curves = scene.cycles_curves
     return [render, render.image_settings, scene.cycles, curves, layer, layer.cycles]
 
 
 def _clear_passes(layer: bpy.types.ViewLayer) -> None:
-    """No pass of the file's: they cost time, and their names may be those of ours."""
+    """Remove the file's passes: they cost time, and their names may clash with ours."""
     for owner in (layer, layer.cycles):
         for prop in owner.bl_rna.properties:
             is_pass = prop.identifier.startswith(("use_pass_", "pass_")) and prop.type == "BOOLEAN"

@@ -1,4 +1,4 @@
-"""A world of radiance 1 in all directions, or in those of some cones."""
+"""A world of radiance 1 in all directions, or in some cones."""
 
 from __future__ import annotations
 

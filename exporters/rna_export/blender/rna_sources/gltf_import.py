@@ -11,7 +11,7 @@ _VISIBILITY = "KHR_node_visibility"
 
 
 def load(source: str) -> list[str]:
-    """Add what a .gltf or .glb file holds to the scene; returns notes for the user."""
+    """Add the contents of a .gltf or .glb file to the scene; returns notes for the user."""
     from io_scene_gltf2.io.imp.gltf2_io_gltf import glTFImporter
 
     notes: list[str] = []

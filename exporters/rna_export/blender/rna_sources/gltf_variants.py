@@ -47,7 +47,7 @@ def opening() -> None:
 
 
 def described(data: Any) -> list[dict[str, Any]]:
-    """What a file says of its materials; before Blender imports it, which changes them."""
+    """A file's materials before Blender imports and changes them."""
     textures = [texture.to_dict() for texture in data.textures or []]
     return [_described(material, textures) for material in data.materials or []]
 
@@ -79,7 +79,7 @@ def found() -> list[dict[str, Any]]:
 
 
 def show(name: str | None) -> None:
-    """Show the materials of a variant; None: those of the file."""
+    """Show the materials of a variant; None: the materials of the file."""
     if not _slots:
         for mesh in bpy.data.meshes:
             _slots.extend((mesh, k, m) for k, m in enumerate(mesh.materials) if m is not None)
@@ -90,7 +90,7 @@ def show(name: str | None) -> None:
 
 
 def _changes(data: Any, variant: int) -> dict[Material | None, set[Material | None]]:
-    """What is in the place of each material of the file, on any of its primitives."""
+    """Material of the file -> its replacements in a variant, on any primitive."""
     result: dict[Material | None, set[Material | None]] = {}
     for mesh in data.meshes or []:
         for primitive in mesh.primitives:

@@ -1,4 +1,4 @@
-"""Colours by point, face or strand of imported files, for what has no material there."""
+"""Colours by point, face or strand of imported files, for objects without a material."""
 
 from __future__ import annotations
 

@@ -19,7 +19,7 @@ _STEPS = 4  # straight segments between two points of a spline
 
 
 def load(source: str, arguments: list[str], frame: int | None) -> list[str]:
-    """Add what the file holds to the scene; returns notes for the user.
+    """Add the contents of the file to the scene; returns notes for the user.
 
     arguments: see `source_formats`. frame: of strands that have to be copied; None for the first.
     """

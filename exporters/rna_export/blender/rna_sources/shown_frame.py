@@ -25,7 +25,7 @@ def is_fixed() -> bool:
 
 
 def go_to(frame: int | None) -> list[str]:
-    """Show a frame, None for the one that is shown; returns notes for the user."""
+    """Show a frame, None for the shown one; returns notes for the user."""
     scene = bpy.context.scene
     if frame is None:
         return []

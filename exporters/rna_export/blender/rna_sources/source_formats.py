@@ -71,7 +71,7 @@ def _add_of_material(p: argparse.ArgumentParser) -> None:
 
 
 class SourceFormat(NamedTuple):
-    """What a suffix stands for.
+    """Format of a suffix.
 
     up: axis that is up where neither the file nor `--up` says so; "USD" for what the file says.
     options: which ones `parser` has for it after `--`.

@@ -209,7 +209,7 @@ class BlenderProcess:
             self._ask(op="showVariant", name=name)
 
     def show_frame(self, frame: int) -> None:
-        """Go to another frame of the source, for what is exported and rendered then."""
+        """Go to another frame of the source, for later exports and renders."""
         if frame != self._frame:
             self._frame = frame
             self._ask(op="showFrame", frame=frame)

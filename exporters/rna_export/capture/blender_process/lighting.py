@@ -19,7 +19,7 @@ class WhiteWorld:
 
 
 Light = np.ndarray | WhiteWorld | None
-"""(3,) towards a sun of irradiance 1; a world; or None for what the asset emits."""
+"""(3,) towards a sun of irradiance 1; a world; or None for the asset's emission."""
 
 
 def asked_light(light: Light) -> dict[str, Any]:

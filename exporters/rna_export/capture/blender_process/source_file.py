@@ -13,7 +13,7 @@ SUFFIXES = ", ".join(SOURCE_FORMATS)
 
 
 def check_source(source: Path) -> None:
-    """Raises `CaptureError` for what is no file, or of an unsupported format."""
+    """Raises `CaptureError` for a missing file or an unsupported format."""
     try:
         check_regular(source)
     except FileNotFoundError:

@@ -1,4 +1,4 @@
-"""The check of a capture against Cycles: is what was exported what is rendered?
+"""The check of a capture against Cycles: do exported and rendered geometry agree?
 
 Radiance is recorded at the hits of our own scene. Where Cycles shows another surface, or none,
 the record is wrong, and nothing later can tell: training and validation know our hits alone.
@@ -46,7 +46,7 @@ _FROM = np.array([0.5, 0.4, 1.0])  # direction of the picture's camera, if all a
 _CLUSTER = np.cos(np.radians(40.0))
 _CANDIDATES = 64
 _WORDS = {
-    MISSING: "of what is exported is not in Cycles' images",
+    MISSING: "of the exported geometry is not in Cycles' images",
     EXTRA: "of what Cycles shows is not exported",
     ELSEWHERE: "of the hits are elsewhere in Cycles",
     TURNED: "of the normals differ by more than 30 degrees",
@@ -73,7 +73,7 @@ class SelfCheck:
     _towards: list[np.ndarray] = field(default_factory=list)  # viewers of what differs, (n, 3)
 
     def render_card(self, worker: BlenderWorker) -> None:
-        """Render what has a known radiance."""
+        """Render a card of known radiance."""
         self.brightness = float(np.pi) * worker.render_card()
 
     def render_chords(

@@ -31,8 +31,8 @@ def check_complete(dataset: Dataset, accepts: bool) -> None:
     said = f"{dataset.folder}: {'; '.join(found)}"
     if not accepts:
         raise CaptureError(
-            f"{said}: delete what was replaced and run the same rna-capture again, or add "
-            "--incomplete to use what is there"
+            f"{said}: delete the replaced files and run the same rna-capture again, or add "
+            "--incomplete to use the others"
         )
     print(f"warning: {said}", file=sys.stderr)
 
@@ -51,13 +51,13 @@ def check_kept(dataset: Dataset) -> None:
 
 
 def differences(dataset: Dataset) -> list[str]:
-    """What is uncaptured, missing or replaced, a phrase each with numbers and names of files."""
+    """Uncaptured, missing and replaced files, a phrase each with numbers and names."""
     groups, total = _groups(dataset)
     return [_phrase(names, total, what) for what, names in groups.items() if names]
 
 
 def _groups(dataset: Dataset) -> tuple[dict[str, list[str]], int]:
-    """Names of files by what is wrong with them, and how many files there should be."""
+    """Names of files by their fault, and the number of files of a whole dataset."""
     folder, recorded = dataset.folder, _recorded(dataset.folder)
     paths = (task.path(dataset) for task in all_tasks(dataset))
     planned = [path.relative_to(folder).as_posix() for path in paths]

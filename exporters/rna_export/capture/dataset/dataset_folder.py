@@ -126,7 +126,7 @@ class Dataset:
 
     @cached_property
     def geometry_digest(self) -> str:
-        """Of the files of all geometry and of what it lets through."""
+        """Digest of the files of all geometry and transmittance."""
         digest = hashlib.sha256()
         for folder in ("geometry", "transmittance"):
             for path in sorted((self.folder / folder).glob("*.safetensors")):
@@ -151,7 +151,7 @@ class Dataset:
 
     @property
     def materials(self) -> dict[str, np.ndarray]:
-        """Of each surface, the material of each triangle: see `create`. None of older datasets."""
+        """Material of each triangle by surface: see `create`. None for older datasets."""
         path = _materials_path(self.folder)
         try:
             return load_file(path) if path.is_file() else {}
@@ -196,13 +196,13 @@ class Dataset:
         self.change_settings({"lights": lights})
 
     def change_settings(self, changes: Mapping[str, int | float]) -> None:
-        """Change settings of what is not captured yet."""
+        """Change settings of files that are not captured yet."""
         settings = self.manifest.settings.model_copy(update=dict(changes))
         self.manifest = self.manifest.model_copy(update={"settings": settings})
         self.manifest.write(self.folder / "manifest.json")
 
     def remove_unfinished(self) -> None:
-        """Delete what a killed capture left: files with temporary names of finished ones."""
+        """Delete the unfinished files of a killed capture, by their temporary names."""
         for folder in FOLDERS:
             for path in (self.folder / folder).glob("*.safetensors.*.part"):
                 path.unlink(missing_ok=True)

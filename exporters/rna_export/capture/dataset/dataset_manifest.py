@@ -1,4 +1,4 @@
-"""`manifest.json` of a dataset: the parts, the source, what is planned."""
+"""`manifest.json` of a dataset: parts, source, plan."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ from rna_sdk.package.manifest.manifest_model import (
 )
 
 MAX_NUMBER = 1e18
-"""Of samples and bounds: float32 holds its square."""
+"""Largest number of samples and bounds: float32 holds its square."""
 MIN_SIZE = 1e-5
-"""Of a part, as a share of its distance: nearer numbers are equal in float32."""
+"""Least size of a part over its distance: smaller differences vanish in float32."""
 
 SAMPLE_FIELDS: dict[str, dict[str, int]] = {
     "surface": {"position": 3, "normal": 3, "wo": 3, "wi": 3, "radiance": 3, "visible": 1},
@@ -39,7 +39,7 @@ SAMPLE_FIELDS: dict[str, dict[str, int]] = {
         "visible": 1,
     },
 }
-"""Kind of part -> what a sample holds, with its number of columns."""
+"""Kind of part -> arrays of a sample, with their number of columns."""
 
 BASE_COLOR = "base_color"
 """A sample's base colour, float16; of parts that have any."""
@@ -80,7 +80,7 @@ class CapturedPart(DatasetModel):
     variants: tuple[tuple[BaseColorFields | None, ...], ...] = ()  # of each; none: as it is
 
     def changes(self, variant: int) -> tuple[BaseColorFields | None, ...]:
-        """What a variant has in the place of each record of base colour."""
+        """Replacement of each record of base colour in a variant."""
         return self.variants[variant] or (None,) * len(self.base_color)
 
     @model_validator(mode="after")
@@ -131,7 +131,7 @@ class CaptureManifest(DatasetModel):
 
     @property
     def pose_count(self) -> int:
-        """Of poses that rays are captured in: rays, and images, take turns."""
+        """Number of captured poses; rays and images alternate between them."""
         return max(len(self.poses), 1)
 
     @property

@@ -1,4 +1,4 @@
-"""One part of a dataset: what a model is trained on."""
+"""One part of a dataset: the samples that a model is trained on."""
 
 from __future__ import annotations
 
@@ -92,7 +92,7 @@ class DatasetPart:
         return self.geometry() if exact is None else exact
 
     def _checked_geometry(self, arrays: dict[str, np.ndarray]) -> Mesh | Curves:
-        """What a package could hold; raises TypeError and PackageError for all else."""
+        """Geometry that a package can hold; raises TypeError and PackageError for others."""
         geometry = geometry_from_arrays(arrays, self.kind)
         if isinstance(geometry, Mesh):
             check_mesh(geometry, "/geometry")
@@ -268,7 +268,7 @@ class DatasetPart:
         if pixel.dtype.kind not in "iu" or not there.all():
             raise damaged(paths[0], f"pixels that an image of {resolution} has not")
         if len(pixel) < _SHARED * max(len(first["pixel"]), len(second["pixel"])):
-            raise damaged(paths[1], "its pixels are not those of the first half")
+            raise damaged(paths[1], "its pixels differ from the pixels of the first half")
         halves = np.stack([first["radiance"][rows[0]], second["radiance"][rows[1]]])
         samples = {name: first[name][rows[0]] for name in fields}
         samples["radiance"] = halves.mean(axis=0)

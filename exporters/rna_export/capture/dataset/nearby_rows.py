@@ -29,7 +29,7 @@ OF_DIAGONAL = {"surface": (0.005, 0.015, 0.045), "fiber": (0.004, 0.015, 0.05)}
 """Kind of part -> lengths, over the diagonal of the asset's box (docs/decisions/model.md)."""
 
 TRAINING_RAYS = 48
-"""Of a row: their noise is 2 to 5% of the variance of nearby light (docs/decisions/model.md)."""
+"""Rays of a row: noise of 2 to 5% of the variance of nearby light (docs/decisions/model.md)."""
 
 IMAGE_RAYS = 256
 _BLOCK = 1 << 17  # rows of a file
@@ -39,7 +39,7 @@ Samples = dict[str, np.ndarray]
 
 
 def nearby_folder(part: DatasetPart) -> Path:
-    """Folder of what is found out of a part's nearby light; it may not exist."""
+    """Folder of a part's nearby light and its verdict; it may not exist."""
     return part.folder / "nearby"
 
 

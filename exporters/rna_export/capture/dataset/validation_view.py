@@ -119,7 +119,7 @@ class WhiteView(ValidationView):
 
     @property
     def cosine(self) -> np.ndarray:
-        """Of the angle between wo and the normal, or the plane across the strand: (n,)."""
+        """Cosine of the angle between wo and the normal, or the plane across the strand: (n,)."""
         axis = self.samples["tangent" if self.is_of_strands else "normal"]
         along = np.minimum(np.abs(np.sum(axis * self.samples["wo"], axis=1)), 1.0)
         return np.asarray(np.sqrt(1.0 - along**2) if self.is_of_strands else along)
@@ -127,7 +127,7 @@ class WhiteView(ValidationView):
 
 @dataclass(frozen=True)
 class WholeView:
-    """All parts in a captured image; rows are those of the parts, one after the other."""
+    """All parts in a captured image; rows of the parts, one part after the other."""
 
     parts: tuple[ValidationView, ...]  # in the dataset's order; some may have no row
 

@@ -68,7 +68,7 @@ def predicted(pilot: Pilot, assets: Sequence[MeasuredAsset]) -> float:
 
 
 def left_out(assets: dict[str, MeasuredAsset]) -> dict[str, float]:
-    """For each asset, what the others let expect over what was measured."""
+    """For each asset, the gain predicted from the others over the measured gain."""
     return {
         name: predicted(one.pilot, [other for other in assets.values() if other is not one])
         / one.times
@@ -77,7 +77,7 @@ def left_out(assets: dict[str, MeasuredAsset]) -> dict[str, float]:
 
 
 def gain(pilot: Pilot, assets: dict[str, MeasuredAsset]) -> Gain:
-    """What the assets let expect of a pilot."""
+    """Gain that the measured assets predict for a pilot."""
     times = predicted(pilot, list(assets.values()))
     factor = float(np.exp(max(abs(np.log(off)) for off in left_out(assets).values())))
     ratios = [asset.pilot.noise_ratio for asset in assets.values()]
@@ -86,7 +86,7 @@ def gain(pilot: Pilot, assets: dict[str, MeasuredAsset]) -> Gain:
 
 
 def gain_text(pilot: Pilot, assets: dict[str, MeasuredAsset]) -> str:
-    """What a path costs in Cycles and a query here, and the gain: two lines."""
+    """Cost of a path in Cycles and of a query here, and the gain: two lines."""
     cost = (
         f"a path of Cycles takes {pilot.path_us:.2g} us, and its variance is "
         f"{pilot.noise_ratio:.2g} times that of its pixel; here a query of {PRESET} takes "

@@ -63,7 +63,7 @@ _SHOWN, _QUANTILE = 0.8, 0.95
 
 
 class Pilot(BaseModel, extra="forbid", frozen=True):
-    """What was measured of a source, on one thread."""
+    """Measurements of a source on one thread."""
 
     path_us: float = Field(gt=0, description="processor time of a path in Cycles, us")
     path_variance: float = Field(ge=0, description="of the luminance of a path along a fixed ray")
@@ -127,7 +127,7 @@ def pilot_paths(settings: CaptureSettings) -> int:
 
 
 def variances(luminance: np.ndarray, samples: int) -> tuple[float, float]:
-    """Of a path along a fixed ray, and within a pixel, of what rays showed.
+    """Variances of a path along a fixed ray, and of rays within a pixel.
 
     luminance: (3, n) float32, means of `samples` paths: along rays, along them once more with other
     random numbers, and along others through the same pixels. Exposed and clamped to [0, 1], as the

@@ -63,7 +63,7 @@ class BaseColors:
 
     @classmethod
     def of(cls, worker: BlenderWorker, charts: dict[str, Any], largest: int) -> BaseColors:
-        """Of all materials of the source, and of its variants.
+        """Base colours of all materials of the source and of its variants.
 
         charts: that other textures have taken. largest: texels a side of what is baked, at most.
 
@@ -82,7 +82,7 @@ class BaseColors:
         return tuple(dict.fromkeys(name for name, _ in self.of_piece))
 
     def _add(self, worker: BlenderWorker, largest: int, only: Collection[str] | None) -> None:
-        """Base colours of what the worker shows; only: of these materials; None: of all."""
+        """Base colours of the shown materials; only: of these materials; None: of all."""
         charts = self.charts
         first = worker.export_base_colors(charts, largest, only=only)
         self.of_piece |= first.of_piece
@@ -96,7 +96,7 @@ class BaseColors:
             self._add_checked({piece: again[piece] for piece in wrong})
 
     def _add_checked(self, colors: dict[Piece, MaterialColor]) -> None:
-        """Those that have Cycles' colours; a note of each other."""
+        """Base colours that agree with Cycles' colours; a note of each other one."""
         for piece, color in colors.items():
             self.of_piece[piece] = color
             if not self._add_image(piece):
@@ -205,7 +205,7 @@ class BaseColors:
         return {piece: self._record(piece, pieces[piece]) for piece in pieces if piece in stored}
 
     def changes(self, material: str, variant: str) -> BaseColorFields | None:
-        """What a variant has in the place of a material's record; None: the same."""
+        """Replacement of a material's record in a variant; None: the same."""
         changed = self.variants[variant]
         other = changed.materials.get(material)
         return None if other is None else BaseColorFields(**changed.colors._members((other, 0)))

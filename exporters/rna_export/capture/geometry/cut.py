@@ -95,7 +95,7 @@ class Piece(DatasetPart):
         """Not known of a piece."""
 
     def training_samples(self, shards: int | None = None) -> dict[str, np.ndarray]:
-        """Samples in the piece's bounds: those of its neighbours' edges, too."""
+        """Samples in the piece's bounds, with the edges of its neighbours."""
         return self._near(self._whole.training_samples(shards))
 
     def emission_samples(self) -> dict[str, np.ndarray]:
@@ -148,7 +148,7 @@ class _Seams:
 def _with_margin(
     seams: _Seams, number: int, whole: DatasetPart
 ) -> tuple[tuple[float, ...], tuple[float, ...]]:
-    """The box of a piece and a margin around it, within that of the whole surface."""
+    """The box of a piece with a margin, within the box of the whole surface."""
     low, high = seams.meshes[number].box()
     margin = _MARGIN * (high - low).max()
     least, most = np.array(whole.bounds, np.float32)

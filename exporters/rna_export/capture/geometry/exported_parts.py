@@ -64,7 +64,7 @@ class ExportedParts:
     notes: list[str] = field(default_factory=list)
 
     def material_numbers(self, full_names: Sequence[str]) -> dict[str, np.ndarray]:
-        """Of each surface, (t,) int16, places of its materials among these; -1 for none of them."""
+        """By surface, (t,) int16: places of its materials among these; -1 for other materials."""
         place = {name: k for k, name in enumerate(full_names)}
         return {
             part: np.array([place.get(str(name), -1) for name in names], np.int16)
@@ -153,7 +153,7 @@ def _check_not_empty(exported: ExportedParts, worker: BlenderWorker) -> None:
 
 
 def _quantise(exported: ExportedParts) -> None:
-    """Geometry in the package's steps, but for surfaces whose details are too small for them."""
+    """Geometry in the package's steps, except surfaces whose details are too small for them."""
     for name, geometry in exported.geometries.items():
         if isinstance(geometry, Mesh):
             if note := too_coarse(name, geometry):
@@ -171,7 +171,7 @@ def _add_surface(
     colors: BaseColors,
     largest: int,
 ) -> None:
-    """largest: texels a side of what is baked."""
+    """Add a surface; largest: texels a side of baked images."""
     last = list(dict.fromkeys([*of.normals, *of.see_through, *colors.materials]))
     corners = with_last(worker.export_corners(part.owner, colors.charts), last)
     if not len(corners["material"]):

@@ -70,7 +70,7 @@ class MaterialVerdict(DatasetModel):
 
 
 class _Reason(NamedTuple):
-    """loses: see `MaterialVerdict`, of what is not learnt."""
+    """loses: the part that is not learnt, see `MaterialVerdict`."""
 
     learnt: Learnt
     text: str
@@ -106,7 +106,7 @@ def verdicts(
 def not_learnt(
     of: Iterable[MaterialVerdict], loses: Literal["relief"] | None = None
 ) -> tuple[str, float]:
-    """The materials that are not learnt, or lose this alone, and their share of what is seen."""
+    """Materials that are not learnt, or lose only `loses`, and their share of the visible area."""
     those = [each for each in of if each.learnt == "not" and each.loses == loses]
     share = sum(each.share for each in those)
     seen = f" ({share_text(share)} of what is seen)" if share < 1.0 else ""
@@ -119,7 +119,7 @@ def share_text(share: float) -> str:
 
 
 def preflight_lines(of: Iterable[MaterialVerdict]) -> list[str]:
-    """What is said of all materials before the first ray; those without a loss share a line."""
+    """Lines about all materials before the first ray; materials without a loss share a line."""
     of = list(of)
     lines = [line for each in of if each.reasons for line in each.lines]
     well: dict[str, list[str]] = {}

@@ -1,4 +1,4 @@
-"""How much of what is seen of an asset is of which material."""
+"""Share of each material in the visible area of an asset."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""Which rays and lights a capture has, and what they hit."""
+"""Rays and lights of a capture, and their hits."""

@@ -13,7 +13,7 @@ from rna_sdk.package.manifest.manifest_fields import Region
 _R2 = 1.0 / np.array([1.32471795724474602596, 1.32471795724474602596**2])
 
 GOLDEN = (np.sqrt(5.0) - 1.0) / 2.0
-"""Of a turn: multiples are spread evenly over it, whatever those of R2 beside them are."""
+"""Share of a turn whose multiples are spread evenly, beside any multiples of R2."""
 
 BEHIND = float(np.cos(np.radians(120.0)))
 """Cosine of the least angle between the eye and a light that is behind."""

@@ -57,7 +57,7 @@ class SurfaceShape:
     def highlight_views(
         self, points: PartPoints, wi: np.ndarray, rng: np.random.Generator
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Mirrors of wi about half vectors of GGX, alpha from that of the sharpest lobe to 0.8."""
+        """Mirrors of wi about half vectors of GGX, alpha from the sharpest lobe's to 0.8."""
         assert isinstance(points, SurfacePoints)
         lit = np.flatnonzero(points.mapped @ wi > 0.02)
         width = self._narrowest * (WIDEST / self._narrowest) ** rng.random(len(lit))

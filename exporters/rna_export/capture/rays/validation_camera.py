@@ -23,9 +23,9 @@ from rna_sdk.errors import CaptureError
 from rna_sdk.package.manifest.manifest_fields import Region
 
 LIT_FROM_BEHIND = (1, 3, 6)
-"""Of eight validation images."""
+"""Indices among eight validation images."""
 CLOSE_UPS = (3, 15)
-"""Of sixteen validation images; the first of them is lit from behind."""
+"""Indices among sixteen validation images; the first one is lit from behind."""
 
 _FOV = np.radians(40.0)
 

@@ -1,4 +1,4 @@
-"""The metallic-roughness material of glTF by place: what a decoder's outputs mean, how it shades.
+"""The metallic-roughness material of glTF by place: a decoder's outputs and their shading.
 
 Instead of colours, the decoder gives the material's parameters at each point. It is what baking a
 material gives, fitted to the captured radiance: what a neural asset has to be better than.
@@ -20,7 +20,7 @@ from rna_export.training.model.tensor_vectors import dot
 from rna_render.materials import ALBEDO_MEANS, ALBEDO_TABLE
 
 GLTF_OUTPUTS = 8
-"""Of the decoder."""
+"""Number of outputs of the decoder."""
 
 COAT_F0 = 0.04
 """Reflectance of glTF's dielectrics seen straight on."""

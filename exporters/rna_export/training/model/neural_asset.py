@@ -121,7 +121,7 @@ class NeuralAsset(nn.Module):
         return torch.cat([visible, shadowed]).squeeze(1)
 
     def _colours_of_decoder(self, features: Tensor, p: Tensor, at: Points) -> Tensor:
-        """y of all colours but the one of `shadow`."""
+        """y of all colours except `shadow`."""
         queries = assemble(self.config.inputs, features, p, at)
         y = through(self.decoder, queries, self._in_bfloat16)
         if self.config.material == "gltf":

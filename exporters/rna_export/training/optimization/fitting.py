@@ -1,4 +1,4 @@
-"""A model and its optimizers: what a step of training does."""
+"""A model and its optimizers: a step of training."""
 
 from __future__ import annotations
 
@@ -152,7 +152,7 @@ def multiplies_in_bfloat16(preset: Preset, device: str) -> bool:
 
 
 def rate(config: TrainingConfig, progress: float) -> float:
-    """Learning rate over that of the start."""
+    """Learning rate over the initial rate."""
     if config.schedule == "halving":
         return 0.5 ** min(int(5.0 * progress), 4)
     return 0.5 * (1.0 + math.cos(math.pi * progress)) + 1e-3

@@ -42,7 +42,7 @@ class Muon(torch.optim.Optimizer):
         self._dtype = torch.bfloat16 if bfloat16 else torch.float32
 
     def stacks(self) -> list[Tensor]:
-        """Zeros in the shapes (k, rows, columns) and the dtype of what a step orthogonalises."""
+        """Zeros in the shapes (k, rows, columns) and dtype of the matrices of a step."""
         result = []
         for group in self.param_groups:
             first, columns = group["params"][0], max(m.shape[1] for m in group["params"])

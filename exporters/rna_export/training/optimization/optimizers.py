@@ -87,7 +87,7 @@ def optimizers_of_networks(
 
 
 def muon_matrices(model: NeuralAsset, config: TrainingConfig) -> list[Tensor]:
-    """What Muon takes: the matrices of networks, but for those of their last layers.
+    """Matrices for Muon: all matrices of networks, except of their last layers.
 
     Jordan et al. leave the layers that read out, and all vectors, to Adam.
     """
@@ -95,7 +95,7 @@ def muon_matrices(model: NeuralAsset, config: TrainingConfig) -> list[Tensor]:
 
 
 def set_rates(optimizers: Iterable[torch.optim.Optimizer], factor: float) -> None:
-    """Set all rates to `factor` times those of the start."""
+    """Set all rates to `factor` times the initial rates."""
     for group in _groups(optimizers):
         rate = factor * group["initial_lr"]
         if isinstance(group["lr"], Tensor):

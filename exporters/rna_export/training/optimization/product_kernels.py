@@ -90,6 +90,6 @@ def products_repeat(products: Iterable[Product], stacks: Iterable[Tensor], most:
 
 
 def _products(x: Tensor, gradient: Tensor, weight: Tensor, bias: Tensor) -> list[Tensor]:
-    """Of a layer, forwards and backwards."""
+    """Matrix products of a layer, forwards and backwards."""
     forwards = torch.addmm(bias, x, weight.t())
     return [forwards, weight_gradient(gradient, x), gradient.sum(dim=0), gradient @ weight]

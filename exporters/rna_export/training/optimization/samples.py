@@ -127,7 +127,7 @@ class SampleTable(IterableDataset[Tensor]):
             yield torch.cat([x for kinds in itertools.islice(of_kinds, together) for x in kinds])
 
     def _orders_of(self, kind: Tensor, count: int) -> Iterator[Tensor]:
-        """Of a kind's rows alone, `count` in a batch, one batch at a time."""
+        """Batches of `count` rows of one kind."""
         whole = len(kind) // count * count  # of an epoch
         first, done = divmod(self._done * count, whole)
         generator = torch.Generator(kind.device)

@@ -60,7 +60,7 @@ class StepThreads:
 
     @classmethod
     def of(cls, fitting: Fitting, batches: tuple[int, int]) -> StepThreads:
-        """Of the calling thread's number, for steps of a model.
+        """Threads of a model's steps, from the number that the calling thread has.
 
         batches: rows of a step, of transport and of emission. On a GPU, or where results would
         depend on the number, it stays as it is.
@@ -153,7 +153,7 @@ class StepThreads:
 def step_products(
     model: NeuralAsset, batches: tuple[int, int], lit: int | None = None
 ) -> list[Product]:
-    """Products of the model's layers in a step: those of visible light alone may be bfloat16.
+    """Products of the model's layers in a step; only layers of visible light may be bfloat16.
 
     batches: rows of a step, of transport and of emission. lit: as `Fitting` has it.
     """

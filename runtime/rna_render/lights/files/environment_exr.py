@@ -1,4 +1,4 @@
-"""Environments in OpenEXR files: which part and window is the picture, and what is refused.
+"""Environments in OpenEXR files: part and window of the picture, refused files.
 
 `runtime/web/src/light/exr_file.js` does the same for the viewer; docs/scene.md has the table.
 """
@@ -102,7 +102,7 @@ def _check_layout(path: Path, header: Header, parts: int) -> None:
 
 
 def _name(value: object) -> str:
-    """Of a number that has one; nothing for an attribute that is missing or of another type."""
+    """Name of an enumeration's value; nothing for a missing attribute or another type."""
     return str(getattr(value, "name", ""))
 
 

@@ -121,7 +121,7 @@ def _read_pixels(path: Path, data: bytes, header: _Header) -> np.ndarray:
 
 @compiled(fastmath=())
 def _decode(data: np.ndarray, at: int, rgbe: np.ndarray) -> tuple[int, int]:
-    """Fill rgbe, (h, w, 4) uint8, from the bytes after the header; what is wrong, and its line."""
+    """Fill rgbe, (h, w, 4) uint8, from the bytes after the header; returns a fault and its line."""
     height, width, _ = rgbe.shape
     for row in range(height):
         line = rgbe[row]

@@ -123,7 +123,7 @@ class AssetLight(ShapeLight):
 
     @property
     def cumulative(self) -> np.ndarray:
-        """Of AssetEmission."""
+        """Cumulative power of the triangles of AssetEmission."""
         return self._emission.cumulative
 
     def _fill(self, x_world: np.ndarray, u: np.ndarray, samples: LightSamples) -> None:

@@ -25,7 +25,7 @@ DTYPES = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126:
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
 
 _LONGEST_URI = 512
-"""Of a file beside this one: longer ones are data without their `data:`, which floods errors."""
+"""Longest URI of another file; longer ones are data without `data:`, which flood errors."""
 
 # Section 4.4: the binary container.
 GLB_MAGIC, GLB_VERSION, CHUNK_JSON, CHUNK_BINARY = b"glTF", 2, b"JSON", b"BIN\0"
@@ -64,7 +64,7 @@ class GltfContainer:
         return values
 
     def count(self, number: int) -> int:
-        """Items of an accessor, as the file says; ValueError for what is no count."""
+        """Number of items of an accessor. Raises ValueError if the file's value is no count."""
         count = self._item("accessors", number)["count"]
         if not isinstance(count, int) or count < 0:
             raise ValueError(f"accessor {number} has a count of {count!r}")

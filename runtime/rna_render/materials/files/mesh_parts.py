@@ -44,7 +44,7 @@ class MeshFile:
 def join_parts(
     path: Path, parts: Sequence[Part], materials: Sequence[Material], catches_shadows: bool = False
 ) -> MeshObject:
-    """All parts as one mesh; a part without normals gets those of its flat triangles.
+    """All parts as one mesh; a part without normals gets normals of its flat triangles.
 
     Raises SceneError, which names the file, where there are no triangles, numbers that are not
     finite, triangles of vertices that are not there, or textures but no texture coordinates.

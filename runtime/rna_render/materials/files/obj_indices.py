@@ -46,7 +46,7 @@ def with_plain_indices(path: Path, text: str) -> str:
 
 
 def _is_plain(faces: str, counts: dict[str, int]) -> bool:
-    """Whether all corners have one form, and name what is there; false where that is not known."""
+    """Whether all corners have one form and name existing items; false if not known."""
     first = (faces.split(maxsplit=1) or [""])[0]
     form, slashes = (len([*filter(None, first.split("/"))]), first.count("/")), faces.count("/")
     numbers = _integers(faces.replace("/", " "))
