@@ -39,9 +39,9 @@ def test_what_is_missing_replaced_or_not_captured_is_told(tmp_path: Path) -> Non
     geometry.write_bytes(geometry.read_bytes() + b" ")
     dataset.plan_lights(4 * dataset.manifest.settings.lights_per_shard)
     assert differences(dataset) == [
-        "1 of 11 files are not captured yet (train/00003.safetensors)",
-        "1 of 11 files are missing (train/00001.safetensors)",
-        "2 of 11 files are replaced since the capture "
+        "1 of 10 files are not captured yet (train/00003.safetensors)",
+        "1 of 10 files are missing (train/00001.safetensors)",
+        "2 of 10 files are replaced since the capture "
         "(geometry/asset.safetensors, train/00002.safetensors)",
     ]
 

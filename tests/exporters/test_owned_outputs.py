@@ -22,7 +22,6 @@ from rna_export.export.rna_export import main as export
 from rna_export.make.rna_make import main as make
 from rna_export.training import report
 from rna_export.training import training_run as training_run
-from rna_export.training import training_summary as closing
 from rna_export.training.rna_train import main as train
 from rna_sdk.errors import TrainingError
 from rna_sdk.files.owned_folder import owned
@@ -153,10 +152,11 @@ def test_one_command_writes_a_folder_at_a_time(
 def test_leftovers_are_deleted_by_name(
     dataset: Dataset, home: Callable[[], dict[str, bytes]], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """A dataset of an earlier version, without a marker, is resumed; files of the user stay."""
+    """A dataset is resumed; files of the user stay."""
     Path("s.obj").write_bytes(b"the source")
     out = Path("s.rays")
     make_dataset(out)
+    (out / ".rna-capture").touch()
     manifest = json.loads((out / "manifest.json").read_text())
     manifest["sourceSha256"] = hashlib.sha256(b"the source").hexdigest()
     (out / "manifest.json").write_text(json.dumps(manifest))
@@ -209,15 +209,3 @@ def test_a_manifest_with_a_huge_number_of_lights_is_refused(
     assert train([str(folder), "--out", str(tmp_path / "run")]) == 1
     error = capsys.readouterr().err
     assert "manifest.json: settings.lights: " in error and str(MAX_LIGHTS) in error
-
-
-def test_trainings_of_an_earlier_version_are_resumed(
-    dataset: Dataset, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    out = tmp_path / "run"
-    out.mkdir()
-    (out / "last.ckpt").touch()
-    monkeypatch.setattr(training_run, "train", lambda run: run.out / "best.ckpt")
-    monkeypatch.setattr(closing, "closing_lines", lambda best, part: [])
-    assert train([str(dataset.folder), "--out", str(out)]) == 0
-    assert (out / ".rna-train").is_file()
