@@ -37,7 +37,9 @@ def begun(source: Path, tmp_path: Path) -> Path:
     manifest = manifest_of(
         CaptureSettings(lights=64), name="asset", source=source.name, source_sha256=sha256
     )
-    return Dataset.create(tmp_path / "begun.rays", manifest, {"asset": sphere(1)}).folder
+    folder = Dataset.create(tmp_path / "begun.rays", manifest, {"asset": sphere(1)}).folder
+    (folder / ".rna-capture").touch()
+    return folder
 
 
 def refusal(capsys: pytest.CaptureFixture[str], *arguments: object) -> str:
