@@ -35,7 +35,7 @@ def choose_tier(
 
     Examples:
         >>> with Package.open("toy.rna") as package:
-        ...     choose_tier(package, max_error=0.08, pixels=60).name
+        ...     choose_tier(package, max_error=0.09, pixels=60).name
         'small'
     """
     if sum(choice is not None for choice in (name, min_psnr, max_error)) > 1:

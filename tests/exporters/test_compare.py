@@ -213,7 +213,7 @@ def _package(folder: Path, **provenance: object) -> Path:
     unpacked = Unpacked.read(TOY)
     tier, *others = unpacked.manifest.tiers
     assert tier.validation is not None
-    errors = {"psnr": 39.5, "flip": 0.07, "flip_p95": 0.2}
+    errors = {"psnr": 39.5, "flip": 0.07, "flip_p95": 0.2, "images": 8}
     recorded = tier.validation.model_copy(update=errors)
     manifest = unpacked.manifest.model_copy(
         update={

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from rna_gpu import Device
-from rna_render.command import devices
+from rna_render.paths import integrator_factory as devices
 from rna_render.command import rna_run as cli
 from rna_render.command.finished_pieces import Piece
 from rna_render.command.pieces import render_pieces

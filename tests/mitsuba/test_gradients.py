@@ -91,9 +91,11 @@ def test_by_the_light(scene: Any) -> None:
 
 
 @pytest.mark.parametrize(("motion", "step"), [("turn", 0.02), ("move", 1e-4)])
-def test_by_the_pose(scene: Any, motion: str, step: float) -> None:
-    """Where no edge and no shadow crosses a sample: visibility is held fixed."""
+def test_by_the_pose(scene: Any, motion: str, step: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where no edge and no shadow crosses a sample: visibility and nearby light are held fixed."""
     import mitsuba as mi
+
+    monkeypatch.setattr("rna_mitsuba.world.nearby_estimate", lambda *_: mi.Vector3f(0.5))
 
     def posed(x: Any) -> Any:
         if motion == "turn":

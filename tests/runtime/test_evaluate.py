@@ -236,5 +236,5 @@ def test_results_in_the_place_of_the_query_are_refused(asset: Asset) -> None:
     points = points_for(asset, 7)
     for array in points:
         if array.shape == (7, 3):
-            with pytest.raises(QueryError, match="that of the query"):
+            with pytest.raises(QueryError, match="memory of the query"):
                 asset.evaluate(*points, out=(array, np.empty((7, 3), np.float32)))

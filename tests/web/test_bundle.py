@@ -62,6 +62,8 @@ def test_decoder_and_rays_are_the_wgsl_of_rna_gpu():
         kernels = page.evaluate(
             "rnaViewer.wgsl.rayKernels({ hasSegments: true, hasTextures: true })"
         )
+        nearby = kernels.pop("nearby")
+        assert files["bvh.wgsl"] in nearby and files["render/nearby_light.wgsl"] in nearby
         for source in kernels.values():
             for name in SHARED_BY_RAYS:
                 assert files[name] in source

@@ -354,4 +354,4 @@ def test_several_packages_are_a_gallery(package, tmp_path, capsys):
     scene = tmp_path / "scene.yaml"
     scene.write_text(f"asset: {package.name}\n")
     assert main([str(package), str(scene), "--export", str(tmp_path / "two")]) == 1
-    assert "expected packages alone" in capsys.readouterr().err
+    assert "expected only packages" in capsys.readouterr().err

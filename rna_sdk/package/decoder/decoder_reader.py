@@ -40,7 +40,7 @@ def decoder_from_bytes(data: bytes | memoryview, name: str) -> ProfileDecoder:
         >>> with Package.open("toy.rna") as package:
         ...     decoder = decoder_from_bytes(package.decoder("small"), "small")
         ...     [layer.weight.shape[1] for layer in decoder.layers]
-        [64, 64, 64, 64, 6]
+        [64, 64, 64, 64, 24]
     """
     try:
         return _Chain(read_model(memoryview(data))).read()

@@ -77,12 +77,12 @@ class _WatchedPart:
     def __getattr__(self, name: str) -> object:
         return getattr(self._part, name)
 
-    def transport(self, *arguments: np.ndarray) -> np.ndarray:
+    def transport(self, *arguments: np.ndarray, **more: np.ndarray) -> np.ndarray:
         """Like the part's own; wo and wi follow position and axis, and h of strands."""
         first = 3 if self._part.kind == "fiber" else 2
         self._watched.count(*arguments[first : first + 2])
         transport: Callable[..., np.ndarray] = self._part.transport
-        return transport(*arguments)
+        return transport(*arguments, **more)
 
 
 def watched(asset: Asset, name: str) -> Asset:

@@ -12,9 +12,9 @@ from rna_bench.peers.views_plan import INTENSITY, ViewsPlan
 from rna_bench.peers.views_reader import read_views
 from rna_bench.peers.views_rendering import render_views
 from rna_sdk.errors import CaptureError
-from tests.exporters.conftest import OpenWorker, open_worker
+from tests.exporters.conftest import OpenWorker, lent_workers, open_worker
 
-__all__ = ["open_worker"]
+__all__ = ["lent_workers", "open_worker"]
 
 
 @pytest.mark.blender

@@ -106,7 +106,7 @@ def by_three(
     [
         (TOY, SUN, "sun()", SIZE, 1, 40.0),
         (TOY, SUN, "shadowingSun()", SIZE, 1, 40.0),  # the map's shadow of the asset is not seen
-        (CURLS, SUN, "sun()", SIZE, 1, 40.0),
+        (CURLS, SUN, "sun()", SIZE, 1, 30.0),  # of four columns of nearby light
         (TOY, POINT, POINT_OF_THREE, SIZE, 1, 40.0),
         (TOY, SPOT, SPOT_OF_THREE, SIZE, 1, 40.0),
         (TOY, RECTANGLE, RECTANGLE_OF_THREE, [48, 30], 256, 35.0),  # of four points of the lamp
