@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 from rna_gpu import Device
-from rna_render.paths import integrator_factory as devices
 from rna_render.command import rna_run as cli
 from rna_render.command.finished_pieces import Piece
 from rna_render.command.pieces import render_pieces
 from rna_render.image.images import read_exr
 from rna_render.image.output import Output
+from rna_render.paths import integrator_factory as devices
 from rna_render.paths.world_in_time import load_world
 from rna_render.scene.scene_file import read_scene
 from rna_sdk.errors import WorkError
