@@ -167,7 +167,10 @@ def test_a_missing_extra_is_one_line(command: str, extra: str, refusals: dict[st
 def test_what_the_base_can_do_it_does() -> None:
     output, valid = run(["rna-info", TOY], ["rna-validate", TOY])
     assert output.status == 0 and "PSNR 41.28 dB" in output.out
-    part = "part asset: surface, base colour, a decoder of shadowed light, 8 lobes"
+    part = (
+        "part asset: surface, base colour, a decoder of shadowed light, nearby light, 8 lobes, "
+        "rays in 3 mixtures of lobes"
+    )
     assert (valid.status, valid.out) == (0, f"{TOY}: {part}\n{TOY}: valid\n")
     assert set(COMMANDS) >= set(EXTRAS)
 
