@@ -173,5 +173,5 @@ def test_standin(page, tmp_path):
     assert np.mean((actual[..., 3] > 0.5) != (expected[..., 3] > 0.5)) < 0.002
     seen = expected[..., 3] > 0
     shown = [np.minimum(image[seen], 1.0).mean(0) for image in (actual, expected)]
-    assert shown[0] == pytest.approx(shown[1], rel=0.15)
+    assert shown[0] == pytest.approx(shown[1], rel=0.2)
     assert psnr(actual, expected) >= 24.0
