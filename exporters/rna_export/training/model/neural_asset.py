@@ -209,7 +209,10 @@ class NeuralAsset(nn.Module):
 
 def _cut_off(y: Tensor) -> Tensor:
     """y as packages have it, 0 at least; in training a gradient leads back from below."""
-    return _CutOff.apply(y) if torch.is_grad_enabled() else y.clamp(min=0.0)
+    if not torch.is_grad_enabled():
+        return y.clamp(min=0.0)
+    result: Tensor = _CutOff.apply(y)  # type: ignore[no-untyped-call]
+    return result
 
 
 class _CutOff(torch.autograd.Function):
