@@ -143,16 +143,17 @@ class NeuralAsset(nn.Module):
         These are those of each colour, of two terms where base colour is a factor; then those for
         each length of nearby light, of the colours that count it, the last ones.
         """
-        y = y.reshape(len(y), -1, 3)
-        if not self.config.nearby:
-            return self._with_base_color(y, at)
-        terms, lengths = 2 if self.config.uses_base_color else 1, len(self.config.nearby)
-        x, every = _cut_off(y), len(counts_nearby)
-        total = self._terms_summed(x[:, : terms * every], at)
-        of_lengths = self._terms_summed(x[:, terms * every :].unflatten(1, (lengths, -1)), at)
-        of_nearby = torch.einsum("klsc,kl->ksc", of_lengths, at["nearby"])
-        silent = every - of_nearby.shape[1]
-        total = total + nn.functional.pad(of_nearby, (0, 0, silent, 0))
+        y, lengths = y.reshape(len(y), -1, 3), len(self.config.nearby)
+        if not (lengths or self.config.uses_base_color):
+            return y
+        terms, every = 2 if self.config.uses_base_color else 1, len(counts_nearby)
+        y = _cut_off(y)
+        total = self._terms_summed(y[:, : terms * every], at)
+        if lengths:
+            of_lengths = self._terms_summed(y[:, terms * every :].unflatten(1, (lengths, -1)), at)
+            of_nearby = torch.einsum("klsc,kl->ksc", of_lengths, at["nearby"])
+            silent = every - of_nearby.shape[1]
+            total = total + nn.functional.pad(of_nearby, (0, 0, silent, 0))
         return torch.log1p(total)
 
     def _terms_summed(self, y: Tensor, at: Points) -> Tensor:
@@ -163,14 +164,6 @@ class NeuralAsset(nn.Module):
         rest, factor = x.chunk(2, dim=-2)
         color = at["base_color"].reshape(len(x), *[1] * (x.dim() - 2), 3)
         return rest + color * factor
-
-    def _with_base_color(self, y: Tensor, at: Points) -> Tensor:
-        """y of colours, (k, colours, 3), from outputs of a decoder (k, terms * colours, 3)."""
-        if not self.config.uses_base_color:
-            return y
-        rest, factor = _cut_off(y).chunk(2, dim=1)
-        total = torch.exp(rest) + at["base_color"][:, None] * torch.expm1(factor)
-        return torch.log(total)
 
     @property
     def _in_bfloat16(self) -> bool:
