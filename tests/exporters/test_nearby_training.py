@@ -214,17 +214,19 @@ def test_an_asset_that_gains_too_little_does_not_get_it(
 
     monkeypatch.setattr(nearby_choice, "_flip", flip)
     for _ in range(2):  # the second time by what is kept
-        chosen = nearby_choice.with_nearby(run, "auto", say=said.append)
+        chosen = nearby_choice.with_nearby(run, "auto", part.training_samples(), say=said.append)
         assert chosen.preset.model.nearby == (usual_lengths(part) if counted else ())
         assert chosen == run or counted
     assert len(trials) == 2 and "0.1000 without" in said[1]
-    assert nearby_choice.with_nearby(run, "off") == run
-    assert nearby_choice.with_nearby(run, "on").preset.model.nearby == usual_lengths(part)
+    assert nearby_choice.with_nearby(run, "off", part.training_samples()) == run
+    assert nearby_choice.with_nearby(
+        run, "on", part.training_samples()
+    ).preset.model.nearby == usual_lengths(part)
     (nearby_folder(part) / "verdict.json").write_text("[]")
     with pytest.raises(
         TrainingError, match=r"verdict\.json: not a verdict of rna-train; delete it"
     ):
-        nearby_choice.with_nearby(run, "auto")
+        nearby_choice.with_nearby(run, "auto", part.training_samples())
 
 
 def test_an_opaque_asset_is_told_by_its_materials(tmp_path: Path) -> None:
@@ -232,14 +234,14 @@ def test_an_opaque_asset_is_told_by_its_materials(tmp_path: Path) -> None:
     opaque = MaterialVerdict(name="steel", is_="metal", learnt="well", scatters=False)
     part.dataset.manifest = part.manifest.model_copy(update={"materials": (opaque,)})
     run, said = Run(part, tiny(), "small", tmp_path / "run"), []
-    assert nearby_choice.with_nearby(run, "auto", say=said.append) == run
+    assert nearby_choice.with_nearby(run, "auto", part.training_samples(), say=said.append) == run
     assert said == ["nearby light: not counted, light enters no material"]
 
 
 def test_presets_of_the_paper_do_not_get_it(tmp_path: Path) -> None:
     part = make_dataset(tmp_path / "ball.rays", shards=1, views=1)
     run = Run(part, PRESETS["surface"]["paper-small"], "paper-small", tmp_path / "run")
-    assert nearby_choice.with_nearby(run, "auto") == run
+    assert nearby_choice.with_nearby(run, "auto", part.training_samples()) == run
 
 
 def test_short_trainings_leave_nothing_but_their_verdict(
@@ -248,7 +250,7 @@ def test_short_trainings_leave_nothing_but_their_verdict(
     part = make_dataset(tmp_path / "ball.rays", shards=1, views=1)
     monkeypatch.setattr(Curves, "draw", lambda _: None)
     run = Run(part, tiny(steps=20), "small", tmp_path / "run")
-    nearby_choice.with_nearby(run, "auto", say=lambda _: None)
+    nearby_choice.with_nearby(run, "auto", part.training_samples(), say=lambda _: None)
     assert not run.out.exists() and (nearby_folder(part) / "verdict.json").is_file()
 
 
@@ -258,8 +260,8 @@ def test_several_poses_do_not_get_it(tmp_path: Path) -> None:
     part.dataset.manifest = manifest
     run, said = Run(part, tiny(), "small", tmp_path / "run"), []
     assert (
-        nearby_choice.with_nearby(run, "auto", say=said.append) == run
+        nearby_choice.with_nearby(run, "auto", part.training_samples(), say=said.append) == run
         and "several poses" in said[0]
     )
     with pytest.raises(TrainingError, match="expected a capture of one pose"):
-        nearby_choice.with_nearby(run, "on")
+        nearby_choice.with_nearby(run, "on", part.training_samples())

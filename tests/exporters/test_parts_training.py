@@ -12,6 +12,7 @@ from rna_export.export.rna_export import main as export
 from rna_export.metrics import psnr
 from rna_export.training import training_run as run_module
 from rna_export.training.checkpoint import load_checkpoint
+from rna_export.training.optimization.samples import SampleTable
 from rna_export.training.part_runs import shared_minutes
 from rna_export.training.report import Curves
 from rna_export.training.rna_train import main as train
@@ -88,11 +89,11 @@ def test_a_stopped_run_goes_on_with_the_part_that_it_was_at(
     trained = []
     real = run_module.train
 
-    def stopping(run: run_module.Run) -> Path:
+    def stopping(run: run_module.Run, table: SampleTable) -> Path:
         if run.dataset.name == "hair" and not trained:
             trained.append("stopped")
             raise KeyboardInterrupt
-        return real(run)
+        return real(run, table)
 
     monkeypatch.setattr(run_module, "train", stopping)
     assert train(arguments(dataset, tmp_path)) == 130

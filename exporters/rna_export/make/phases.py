@@ -19,10 +19,10 @@ from rna_export.make.plan import Length
 from rna_export.make.state import Score
 from rna_export.training.asset_error import worse_error
 from rna_export.training.checkpoint import Trained, load_checkpoint
-from rna_export.training.nearby_choice import with_nearby
+from rna_export.training.nearby_choice import run_on
 from rna_export.training.part_runs import part_folder, shared_minutes
 from rna_export.training.presets import PRESETS, Preset
-from rna_export.training.training_run import Run, table_of, train
+from rna_export.training.training_run import Run, train
 from rna_export.training.validation import mean_psnr, noiseless_psnr, shade, shade_emission
 from rna_sdk.files.atomic_file import write_atomically
 from rna_work.bar import Bar
@@ -67,9 +67,8 @@ class Phase:
                 after_checkpoint=partial(self._show, out),
                 start=self.starts.get(part.name),
             )
-            samples = part.samples_of(shards)
-            run = with_nearby(run, self.nearby, samples, quiet)
-            table = table_of(run, samples, partial(Bar, disable=True))
+            no_bar = partial(Bar, disable=True)
+            run, table = run_on(run, self.nearby, part.samples_of(shards), quiet, no_bar)
             train(run, table, quiet, stage.part(k / len(parts), 1 / len(parts)))
 
     def _show(self, training: Path) -> None:

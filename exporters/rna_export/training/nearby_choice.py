@@ -7,7 +7,7 @@ Translucent assets gain; opaque ones lose, since all that it tells them is noise
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
@@ -15,9 +15,11 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import numpy as np
+from tqdm import tqdm
 
 from rna_export.capture.dataset.nearby_rows import nearby_folder, usual_lengths
 from rna_export.training.checkpoint import load_progress
+from rna_export.training.optimization.samples import SampleTable
 from rna_export.training.presets import PRESETS, Preset
 from rna_export.training.report import read_curves
 from rna_export.training.training_run import Run, table_of, train
@@ -34,18 +36,29 @@ _KEPT = "verdict.json"
 _NO_BAR = partial(Bar, disable=True)
 
 
+def run_on(
+    run: Run,
+    mode: str,
+    samples: dict[str, np.ndarray],
+    say: Callable[[str], None] = print,
+    bars: Callable[..., tqdm] = Bar,
+) -> tuple[Run, SampleTable]:
+    """The run of `with_nearby`, and the table of its samples, which the caller need not keep."""
+    chosen = with_nearby(run, mode, samples, say)
+    return chosen, table_of(chosen, samples, bars)
+
+
 def with_nearby(
     run: Run,
     mode: str,
-    samples: Mapping[str, np.ndarray] | None = None,
+    samples: dict[str, np.ndarray],
     say: Callable[[str], None] = print,
 ) -> Run:
     """The run, with the part's lengths of nearby light in its model where `mode` says so.
 
-    mode: one of NEARBY_MODES. "auto" decides by two short trainings, once a dataset; a stopped run
-    goes on as it began, presets of the paper never have it. samples: of the run; None: all of the
-    dataset's. Raises `TrainingError` for "on" where rays were captured in several poses: rows do
-    not say in which.
+    mode: one of NEARBY_MODES. "auto" decides by two short trainings on some of the samples, once a
+    dataset; a stopped run goes on as it began, presets of the paper never have it. Raises
+    `TrainingError` for "on" where rays were captured in several poses: rows do not say in which.
     """
     if mode == "off" or (mode == "auto" and not run.preset.may_count_nearby):
         return run
@@ -78,7 +91,7 @@ def _counting(run: Run) -> Run:
     return replace(run, preset=run.preset.with_model(nearby=usual_lengths(run.dataset)))
 
 
-def _flips(run: Run, samples: Mapping[str, np.ndarray] | None) -> tuple[float, float]:
+def _flips(run: Run, samples: dict[str, np.ndarray]) -> tuple[float, float]:
     """FLIP after short trainings without and with nearby light: found earlier, or now."""
     kept = nearby_folder(run.dataset) / _KEPT
     if kept.is_file():
@@ -87,9 +100,8 @@ def _flips(run: Run, samples: Mapping[str, np.ndarray] | None) -> tuple[float, f
             return float(found["without"]), float(found["with"])
         except (ValueError, KeyError, TypeError):
             raise TrainingError(f"{kept}: not a verdict of rna-train; delete it") from None
-    every = run.dataset.training_samples() if samples is None else samples
-    rows = np.random.default_rng(0).permutation(len(every["wi"]))[:_TRIAL_ROWS]
-    some = {name: values[np.sort(rows)] for name, values in every.items()}
+    rows = np.random.default_rng(0).permutation(len(samples["wi"]))[:_TRIAL_ROWS]
+    some = {name: values[np.sort(rows)] for name, values in samples.items()}
     preset = PRESETS[run.dataset.kind][_PRESET]
     steps = min(run.preset.training.steps, _TRIAL_STEPS)
     trial = replace(run, preset=preset.with_training(steps=steps), preset_name=_PRESET)

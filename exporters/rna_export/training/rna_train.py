@@ -138,7 +138,7 @@ def _run(args: argparse.Namespace) -> None:
     from rna_export.capture.dataset.dataset_folder import Dataset
     from rna_export.capture.geometry.cut import as_cut
     from rna_export.machine import keep_freed_memory
-    from rna_export.training.nearby_choice import with_nearby
+    from rna_export.training.nearby_choice import run_on
     from rna_export.training.part_runs import part_folder, shared_minutes
     from rna_export.training.training_run import Run, train
     from rna_export.training.training_summary import closing_lines
@@ -169,7 +169,8 @@ def _run(args: argparse.Namespace) -> None:
                 begun=begun,
                 device=device,
             )
-            best = train(with_nearby(run, args.nearby))
+            run, table = run_on(run, args.nearby, part.training_samples())
+            best = train(run, table)
             print("\n".join(closing_lines(best, part)))
             written.append(f"wrote {best}, {out / 'curves.png'}, {out / 'sheet.png'}")
             begun = monotonic()
