@@ -113,7 +113,7 @@ def compiled(
 
 
 class _Kernel(CPUDispatcher):
-    """What Python calls; kernels call a twin without the wrapper for Python.
+    """The function that Python calls; kernels call a twin without the wrapper for Python.
 
     The wrapper takes half the compilation of a short kernel. A twin's code is on disk within that
     of its callers alone.
@@ -130,7 +130,7 @@ class _Kernel(CPUDispatcher):
 
 
 def _compile_declared(kernel: Any, signature: tuple[Any, ...], *_arguments: Any) -> Any:
-    """What numba calls for arguments of a kernel that is not compiled; returns what to call."""
+    """numba calls this for arguments of a kernel without code; returns the function to call."""
     with global_compiler_lock:
         if not kernel.signatures:
             kernel.compile(numba.void(*signature))

@@ -433,7 +433,7 @@ class AssetPart(Asset):
 
 
 def _by_answer(evaluators: dict[str, Evaluator]) -> dict[str, tuple[Evaluator, ...]]:
-    """What answers each of FORMS: one evaluator for all results, or one for each."""
+    """The evaluator of each of FORMS: one for all results, or one for each."""
     apart = [evaluators[form.name] for form in (VISIBLE, SHADOWED) if form.name in evaluators]
     answers = {TRANSPORT.name: tuple(apart)} if apart else {}
     others = {name: (one,) for name, one in evaluators.items() if one not in apart}

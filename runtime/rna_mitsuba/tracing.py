@@ -209,7 +209,7 @@ def _mesh_geometry(package: Package, part: int, mesh: Mesh, variant: str | None)
 
 
 def geometry_of(shape: Shape) -> Mesh | Curves:
-    """What rays meet of a part in motion."""
+    """The geometry of a part in motion, for rays."""
     return shape.curves if isinstance(shape, DeformedCurves) else shape.mesh
 
 

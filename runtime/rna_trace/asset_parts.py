@@ -1,4 +1,4 @@
-"""What rays need of an asset and of its parts, at rest and in motion."""
+"""An asset and its parts, as rays need them, at rest and in motion."""
 
 from __future__ import annotations
 

@@ -110,7 +110,7 @@ def _measured(
 def parts_with_lobes(
     asset: Asset, visibility: Sequence[Harmonics | None] = ()
 ) -> list[tuple[PartViews, LobesAt]]:
-    """What `lobe_pictures` measures of a loaded asset. visibility: as of `part_views`."""
+    """The measurement by `lobe_pictures` of a loaded asset. visibility: as of `part_views`."""
     views = part_views(asset, visibility)
     return [
         (part_views, _lobes_of(part))

@@ -1,4 +1,4 @@
-"""What came true: errors by material, of highlights and of outlines, beside what was promised."""
+"""The outcome of a bake: errors by material, of highlights, of outlines, beside the promises."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ class MaterialOutcome:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What lit images say of an asset.
+    """The findings of an asset's lit images.
 
     images: how many there are. materials: the worst first. brightest: light of the brightest 1% of
     the pixels over Cycles'. outline, outline_light, outline_share: FLIP of the outlines' pixels,

@@ -78,7 +78,7 @@ def answer(model: NeuralAsset, queries: dict[str, np.ndarray]) -> tuple[np.ndarr
 def in_batches(
     model: NeuralAsset, queries: dict[str, np.ndarray], of: Callable[[Tensor], Tensor]
 ) -> np.ndarray:
-    """What `of` makes of the model's output y, (n, k, 3) float32, with some queries at a time.
+    """The results of `of` for the model's output y, (n, k, 3) float32, some queries at a time.
 
     queries: as `ValidationView.queries` has them, n rows. of: `NeuralAsset.colours` or `transport`.
     """

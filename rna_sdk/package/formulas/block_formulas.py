@@ -107,7 +107,7 @@ class BlockFormulas:
         return [a for a in ARGUMENTS if any(a in self.needs(name) for name in names)]
 
     def needs(self, name: str, of: Iterable[str] = (), *given: str) -> list[str]:
-        """What of `of`, or of all arguments and terms, a block or a term needs, in order.
+        """The names of `of`, or of all arguments and terms, that a block or a term needs, in order.
 
         What is given, and what that alone needs, is left out.
         """

@@ -126,7 +126,7 @@ class Steps:
         return [*stages, [self._step("accumulate")]]
 
     def _continued(self, max_depth: int) -> list[list[Step]]:
-        """What follows the samples of lights at the first points."""
+        """The steps after the samples of lights at the first points."""
         stages = []
         for depth in range(1, max_depth + 1):
             if depth > 1:

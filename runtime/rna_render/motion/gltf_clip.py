@@ -17,7 +17,7 @@ _KINDS = ("LINEAR", "STEP", "CUBICSPLINE")
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Track:
-    """What moves one property of a node.
+    """The keys that move one property of a node.
 
     path: translation, rotation, scale or weights. times: (k,) float64, seconds, ascending.
     values: (k, 1, width), or (k, 3, width) of CUBICSPLINE: tangents in, values, tangents out.

@@ -39,5 +39,5 @@ class BodyCache:
 
 
 def body_key(placement: Placement) -> Key:
-    """What placements of one body share."""
+    """Data that placements of one body share."""
     return id(placement.object), id(placement.indirect), id(placement.shapes)

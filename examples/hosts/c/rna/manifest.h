@@ -28,7 +28,7 @@ static bool check_version(const Json *version, RnaReport *report) {
     return refuse(report, code, "/version", "2.0", "%s", text);
 }
 
-/* What must hold before the members of this version mean anything. */
+/* The checks that come before the members of this version. */
 static bool manifest_is_readable(const Json *root, RnaReport *report) {
     if (!is_string(member(root, "format"), "rna"))
         return refuse(report, "FORMAT_UNKNOWN", "/format", "\"rna\"", "something else");

@@ -1,4 +1,4 @@
-/* What records of a range of triangles with a texture have in common (sections 4.4 and 4.5). */
+/* Records of a range of triangles with a texture: their common members (sections 4.4 and 4.5). */
 #ifndef RNA_TEXTURES_H
 #define RNA_TEXTURES_H
 

@@ -25,7 +25,7 @@ _FLIP = np.array([(1.0, 0.0, 0.0), (0.0, -1.0, 1.0), (0.0, 0.0, 1.0)])  # of v, 
 
 
 def wrap_of(node: bpy.types.Node) -> str:
-    """What lies beyond the edges of an image node's image, in a package's words."""
+    """The extension of an image node beyond the image's edges, in a package's words."""
     return _WRAPS[node.extension]
 
 

@@ -34,7 +34,7 @@ def leave_out_unseen() -> list[str]:
 
 
 def _reason(item: bpy.types.Object, layer: bpy.types.ViewLayer) -> str | None:
-    """What keeps camera rays from seeing an object; None if they do."""
+    """The reason why camera rays do not see an object; None if they do."""
     if item.is_shadow_catcher:
         return "a shadow catcher"
     if item.holdout_get(view_layer=layer):

@@ -239,7 +239,7 @@ def _of_detail(detail: Detail, least: float, obstacle: str | None) -> _Reason | 
 
 
 def _remedy(obstacle: str | None, texture: str) -> str:
-    """What makes a texture of its UVs of a detail; texture: "an image"."""
+    """The remedy for a texture of a detail; texture: "an image"."""
     bake = f"bake it into {texture} of its UVs"
     return bake if obstacle is None else f"{obstacle} keeps it from being {texture}: {bake}"
 

@@ -29,7 +29,7 @@ class PartRows:
     """Ray hits on one part.
 
     rows: (k,) int64, which of the rays. points: (k) of them. fields: what a sample records of the
-    point, but for its directions: name -> (k,) or (k, c) rows. rest: of a deformed part, the points
+    point, except its directions: name -> (k,) or (k, c) rows. rest: of a deformed part, the points
     at rest, whose rotations take directions there.
     """
 
