@@ -16,7 +16,7 @@ from rna_render.lights import LUMINANCE
 from rna_sdk.package import Albedo
 
 DEFINITION = (
-    "luminance that rays from all sides meet in a uniform white world, over that of Cycles; "
+    "luminance that rays from all sides meet in a uniform white world, over Cycles' luminance; "
     "facing: below 50 degrees from the normal, at60: 50 to 70, at80: above"
 )
 _BANDS = ("facing", "at60", "at80")

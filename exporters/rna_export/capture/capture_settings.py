@@ -43,7 +43,7 @@ class CaptureSettings(DatasetModel):
     parts: str = Field(
         "kinds",
         pattern="^(kinds|objects)$",
-        description="what has planes and a decoder of its own: kinds (all surfaces, all hair) or "
+        description="units with their own planes and decoder: kinds (all surfaces, all hair) or "
         "objects (each top-level object)",
     )
     exact_geometry: bool = Field(

@@ -82,7 +82,7 @@ class OpenedSource:
         )
         lines = preflight_lines(judged)
         if of is not None and "sharpest" not in given:
-            lines += [f"views look for highlights of roughness {sharpest:.2g}, those of {of!r}"]
+            lines += [f"views look for the highlights of {of!r}, of roughness {sharpest:.2g}"]
         opened = cls(worker, settings, exported, scene, limited, judged, tuple(lines))
         exported.notes += check_seen(worker.source.path, scene, geometries, opened.domain.wo)
         return opened

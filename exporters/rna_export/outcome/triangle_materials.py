@@ -33,7 +33,7 @@ class TriangleMaterials:
         for part, geometry in zip(whole.parts, self._scene.geometries, strict=True):
             of_part = numbers.get(part.name)
             if of_part is not None and not self._fits(of_part, geometry):
-                raise CaptureError(f"{whole.folder}: its materials are not those of its triangles")
+                raise CaptureError(f"{whole.folder}: its materials do not fit its triangles")
         self._numbers = [numbers.get(part.name) for part in whole.parts]
         self._step = _STEP * np.float32(self._scene.diagonal)
 

@@ -47,7 +47,7 @@ _CLUSTER = np.cos(np.radians(40.0))
 _CANDIDATES = 64
 _WORDS = {
     MISSING: "of the exported geometry is not in Cycles' images",
-    EXTRA: "of what Cycles shows is not exported",
+    EXTRA: "of the surfaces that Cycles shows is not exported",
     ELSEWHERE: "of the hits are elsewhere in Cycles",
     TURNED: "of the normals differ by more than 30 degrees",
 }
@@ -153,7 +153,7 @@ class SelfCheck:
     def note(self) -> str | None:
         """A sentence on what differs, None if all agrees."""
         differs = "; ".join(self.worth_telling().values())
-        said = [f"the exported geometry is not what Cycles renders: {differs}"] if differs else []
+        said = [f"the exported geometry differs from Cycles' renders: {differs}"] if differs else []
         if abs(self.brightness - 1.0) >= WORTH_A_NOTE:
             said.append(
                 f"a white card is {self.brightness:.3g} times as bright as it should be: a setting "

@@ -89,7 +89,7 @@ def gain_text(pilot: Pilot, assets: dict[str, MeasuredAsset]) -> str:
     """Cost of a path in Cycles and of a query here, and the gain: two lines."""
     cost = (
         f"a path of Cycles takes {pilot.path_us:.2g} us, and its variance is "
-        f"{pilot.noise_ratio:.2g} times that of its pixel; here a query of {PRESET} takes "
+        f"{pilot.noise_ratio:.2g} times its pixel's variance; here a query of {PRESET} takes "
         f"{pilot.query_us:.2g} us and its ray {pilot.ray_us:.2g} us (processor time)"
     )
     return f"{cost}\ngain: {_in_words(gain(pilot, assets))}"
