@@ -18,7 +18,7 @@ class SdkError(Exception):
 
 
 def find_python():
-    """The interpreter: the preference's, the variable's, our environment's, or that of `rna-run`.
+    """The interpreter: the preference's, the variable's, our environment's, or `rna-run`'s.
 
     Raises SdkError, which says how to get one.
     """

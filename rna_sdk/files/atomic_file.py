@@ -23,7 +23,7 @@ def atomic_file(path: Path) -> Iterator[Path]:
 
     A block that raises leaves `path` as it was and no temporary file. The name ends in ".part" and
     is one that no other process has, on this machine or on another that shares the folder. An
-    OSError without a file name, or with the temporary one, gets that of `path`.
+    OSError without a file name, or with the temporary one, gets the name of `path`.
     """
     check_replaceable(path)
     temporary = temporary_path(path)

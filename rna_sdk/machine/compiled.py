@@ -180,7 +180,7 @@ def _cut(argument: Any, rows: slice, count: int) -> Any:
 def callback(*signature: numba.types.Type) -> Callable[[Kernel], Any]:
     """Decorator: a C function of these argument types, compiled when its `address` is asked for.
 
-    Its code on disk is renewed as that of `compiled` is.
+    Its code on disk is renewed as for `compiled`.
     """
     cache_type: Any = _SourcesCache
 

@@ -187,9 +187,9 @@ class AssetPart(Asset):
         normal_maps: normal maps of a surface; see `mapped_normals`.
         base_colors: base colour of a surface whose tier uses it; see `base_color_at`.
         environment_form: the manifest's record of the part's lobes, `lobes` of them; see `mirror`.
-            None if the package has none for the part, or the geometry is that of a proxy.
+            None if the package has none for the part, or the geometry is a proxy's.
         sampling: lobes for rays that leave the part, by triangles; the usual ones if the package
-            has none, or the geometry is that of a proxy.
+            has none, or the geometry is a proxy's.
     """
 
     _labels: ClassVar[Mapping[str, str]]

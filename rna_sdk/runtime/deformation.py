@@ -134,7 +134,7 @@ class DeformedMesh:
         triangle: (n,) int32, indices of triangles. u, v: (n,) float32, barycentric coordinates of
         the second and third corner.
 
-        The rotation is that of the triangle (the polar factor of its deformation gradient, normal
+        The rotation is the triangle's (the polar factor of its deformation gradient, normal
         to normal), and then the smallest one that takes the deformed mesh's interpolated normal
         to that at rest. A triangle without area turns as its normal does.
 

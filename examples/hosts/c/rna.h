@@ -50,7 +50,7 @@ typedef enum RnaStatus {
 
 typedef struct RnaTier {
     const char *name;
-    bool is_int8;         /* the arithmetic of the decoders, where it is that of all parts */
+    bool is_int8;         /* the arithmetic of the decoders, where all parts have the same */
     double multiply_adds; /* a query; int8 ones count half when tiers are compared.  Below 0: unknown */
     double flip;          /* mean error on images the training never saw.  Below 0: unknown */
     double psnr;          /* of the same images, dB.  NaN: unknown */

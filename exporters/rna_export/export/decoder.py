@@ -83,7 +83,7 @@ class DecoderModel:
 
 
 def decoders_of(model: NeuralAsset) -> list[DecoderModel]:
-    """The decoders of a model: that of transport, or of visible light, first."""
+    """The decoders of a model; the first is for transport, or for visible light."""
     config, triplane = model.config, model.triplane
     assert isinstance(triplane, Triplane)
     terms = np.eye(2 if config.uses_base_color else 1, dtype=int)

@@ -53,7 +53,7 @@ def begin_update(work: Path) -> None:
 
 
 def same_parts(work: Path, dataset: Dataset) -> tuple[str, ...]:
-    """Names of the parts whose geometry is that of the models before."""
+    """Names of the parts with the same geometry as in the models before."""
     before = work / _BEFORE / _GEOMETRY
     return tuple(
         part.name

@@ -190,7 +190,7 @@ def _luminance(images: Sequence[JudgedImage]) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _of_brightest(ours: np.ndarray, halves: np.ndarray) -> float | None:
-    """Light of the pixels that are the brightest in one reference, over that of the other one.
+    """Light of the pixels that are the brightest in one reference, over the other's light.
 
     The noise by which a pixel comes to be among the brightest is not in the other one.
     """

@@ -1,4 +1,4 @@
-"""The material of captured points: that of the triangle which they lie on."""
+"""The material of captured points: the material of their triangle."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ class TriangleMaterials:
         return numbers.dtype == np.int16 and bool(known.all())
 
     def is_part(self, material: int) -> bool:
-        """Whether a number is that of a part."""
+        """Whether a number is a part's."""
         return material >= self._first_part
 
     def of_image(self, view: CapturedImage) -> np.ndarray:

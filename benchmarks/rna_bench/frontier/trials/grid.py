@@ -22,7 +22,7 @@ PAPER_CHANNELS = (4, 8, 16, 32)
 
 _PLANES = {"surface": (256, (128, 512, 1024)), "fiber": (32, (16, 64, 128))}
 _CHANNELS = {"surface": (8, (4, 16, 32)), "fiber": (16, (4, 8, 32))}
-"""Kind -> that of our presets, and the others."""
+"""Kind -> the kind of our presets, and the others."""
 
 _WIDTHS = (16, 32, 64, 128, 256, 512, 1024)
 _LAYERS = (2, 3, 4, 5)

@@ -158,7 +158,7 @@ def single_bounce(
 ) -> Tensor:
     """Radiance of rays, (n, 3), of what their sections reflect of unweakened light, (n, m, 3).
 
-    from_light: transmittance from the light (n, m); None: that of the ray, whose light is at its
+    from_light: transmittance from the light (n, m); None: the ray's own, whose light is at its
     origin.
     """
     tau = transmittances(density, lengths)

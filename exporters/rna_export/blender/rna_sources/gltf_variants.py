@@ -30,7 +30,7 @@ material of each pair."""
 
 @dataclass
 class Variant:
-    """materials: by the full name of a material, that of the one in its place."""
+    """materials: by the full name of a material, the full name of its replacement."""
 
     name: str
     materials: dict[str, str]

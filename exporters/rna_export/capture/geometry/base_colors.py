@@ -236,7 +236,7 @@ class BaseColors:
 
 @dataclass
 class Variant:
-    """Base colours of a variant's materials. materials: by name, that of the one in its place."""
+    """Base colours of a variant's materials. materials: by name, its replacement's name."""
 
     colors: BaseColors
     materials: dict[str, str]

@@ -26,7 +26,7 @@ class TriangleLight(ShapeLight):
     it uniformly. The triangles stay those of the object they belong to, which says whether a camera
     sees them.
 
-    positions: (v, 3) float32, world space, or that of the points and directions which
+    positions: (v, 3) float32, world space, or the space of the points and directions which
     the light is asked for. triangles: (t, 3) uint32; t may be 0. luminance: (t,)
     float, the mean over each triangle; a triangle of luminance 0 is never chosen.
 

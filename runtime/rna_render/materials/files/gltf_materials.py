@@ -36,7 +36,7 @@ READ_EXTENSIONS = {
     "KHR_materials_volume",
 }
 
-# Transmission is that of a smooth wall; up to this roughness it is taken for one.
+# Transmission is for smooth walls; up to this roughness a wall counts as smooth.
 SMOOTH = 0.1
 
 Json = dict[str, Any]

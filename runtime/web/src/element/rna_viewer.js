@@ -71,7 +71,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     this._begin();
   }
 
-  /** It has come to another document, as that of an iframe. */
+  /** It has come to another document, such as an iframe's. */
   adoptedCallback() {
     dress(this.shadowRoot);
   }
@@ -262,7 +262,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     else this.stage.chooseImage(environment ?? "studio");
   }
 
-  /** The background colour as it is now: that of the page's theme, which may change. */
+  /** The present background colour: it may follow the page's theme. */
   _tint() {
     this.stage.setBackdrop(linearColour(getComputedStyle(this.parts.tint).backgroundColor));
   }
@@ -381,7 +381,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     if (this.loaded && isWanted && (isOther || this._isAsSharp())) this._hidePoster();
   }
 
-  /** Of a poster in a slot the size is not known: as that of the canvas. */
+  /** The size of a poster in a slot is not known: it takes the canvas'. */
   _isAsSharp() {
     const { viewer, canvas } = this.stage, { image } = this.parts, { isSharp, scale } = viewer?.stats ?? {};
     if (!isSharp) return false;

@@ -104,7 +104,7 @@ export class RnaAsset extends Group {
     buffers.print();
   }
 
-  /** Chooses the tier; the picture's height is that of the one before, at first the window's. */
+  /** Chooses the tier; the picture's height is the previous picture's, at first the window's. */
   update(camera) {
     if (isShadowPass(rootOf(this))) return;
     const wanted = this.choice === "auto" ? chooseTier(this.content.data.tiers, this.content.options.maxError, this.pixels(camera)) : this.choice;
