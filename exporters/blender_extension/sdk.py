@@ -10,7 +10,7 @@ VARIABLE = "RNA_SDK_PYTHON"
 SOURCE = Path(__file__).parent / "sdk"
 """The SDK as the extension brings it, for an environment of its own."""
 DONE = "installed"
-"""File in that environment with the version of what was installed; pip has come to its end."""
+"""File in that environment with the installed version; it exists after pip's end."""
 
 
 class SdkError(Exception):

@@ -1,4 +1,4 @@
-"""Light that a model returns from a white world, over Cycles': what highlights are worth in it.
+"""Light that a model returns from a white world, over Cycles': the energy of its highlights.
 
 Validation lights are suns and end at display white, so no other score sees how much of a highlight
 there is above that.

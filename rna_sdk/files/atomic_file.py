@@ -69,7 +69,7 @@ def is_temporary(path: Path) -> bool:
 
 @cache
 def remove_leftovers(folder: Path) -> None:
-    """Delete what killed processes left in a folder, once a process; nothing while others write."""
+    """Delete leftovers of killed processes in a folder, once a process; none while others write."""
     with _locked(folder, alone=True) as locked:
         for path in filter(is_temporary, folder.iterdir() if locked else ()):
             path.unlink(missing_ok=True)

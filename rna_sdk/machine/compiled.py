@@ -33,7 +33,7 @@ _watchers: list[Callable[[bool], None]] = []
 
 
 def _hold_compiler() -> None:
-    """A fork waits for what another thread compiles or frees: the locks would stay locked in it."""
+    """A fork waits while another thread compiles or frees: the locks would stay locked in it."""
     _compiler_lock.acquire()
     _llvm_lock.__enter__()
 

@@ -1,4 +1,4 @@
-"""A loaded asset: what all kinds have in common, and an asset of several parts."""
+"""A loaded asset: the common members of all kinds, and an asset of several parts."""
 
 from __future__ import annotations
 
@@ -112,7 +112,7 @@ class Asset:
         raise NotImplementedError
 
     def _twin(self) -> Self:
-        """Another object with the same members: `copy` is refused, as of what maps a file."""
+        """Another object with the same members: `copy` is refused, since the asset maps a file."""
         other = object.__new__(type(self))
         other.__dict__.update(self.__dict__)
         return other

@@ -80,7 +80,7 @@ class RestPoints:
 
 
 class RestMesh:
-    """The mesh of a part at rest, and what all its deformed shapes share."""
+    """The mesh of a part at rest, with the data that all its deformed shapes share."""
 
     def __init__(self, mesh: Mesh, threads: int | None = None) -> None:
         self.mesh, self.threads = mesh, threads
@@ -157,7 +157,7 @@ class DeformedMesh:
 
 
 class RestCurves:
-    """The strands of a part at rest, and what all their deformed shapes share."""
+    """The strands of a part at rest, with the data that all their deformed shapes share."""
 
     def __init__(self, curves: Curves, threads: int | None = None) -> None:
         self.curves, self.threads = curves, threads

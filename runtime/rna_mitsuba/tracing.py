@@ -116,7 +116,7 @@ class PackageScene:
         return state[0]
 
     def first_opaque(self, o: mi.Point3f, d: mi.Vector3f, active: mi.Bool) -> mi.Float:
-        """Distance along rays to what stops a column of light; infinity for nothing."""
+        """Distance along rays to the hit that stops a column of light; infinity for none."""
         if not self.transmits:
             return self.closest(o, d, mi.Float(dr.inf), active).t
         state = dr.while_loop(

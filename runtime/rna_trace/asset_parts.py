@@ -13,7 +13,7 @@ from rna_trace.normal_maps import NormalMaps, texture_numbers
 from rna_trace.transmittance import Transmittance, TransmittanceTexture
 
 Shape = DeformedMesh | DeformedCurves
-"""The geometry of a part in motion: what its `deformed` gives."""
+"""The geometry of a part in motion: the result of its `deformed`."""
 
 
 AssetPart = SurfaceAsset | FiberAsset

@@ -350,7 +350,7 @@ class _TaskClock:
 
 
 def _write_picture(checks: Sequence[SelfCheck], path: Path) -> str | None:
-    """Write the first picture of what differs; returns a line that names it, None without one."""
+    """Write the first picture of differences; returns a line that names it, None without one."""
     picture = next((check.picture for check in checks if check.picture is not None), None)
     if picture is None:
         return None

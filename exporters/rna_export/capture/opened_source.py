@@ -117,7 +117,7 @@ class OpenedSource:
         return check, speed
 
     def pilot(self, speed: Speed, tick: Callable[[], object], lights: int = LIGHTS) -> Pilot:
-        """How noisy paths are, and what rays cost here; tick, lights: of `measure_pilot`."""
+        """Noise of paths, and cost of rays here; tick, lights: of `measure_pilot`."""
         cutouts, path_seconds = self.exported.has_opaque_cutouts, speed.path_seconds
         return measure_pilot(
             self.scene,

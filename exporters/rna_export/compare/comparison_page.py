@@ -23,7 +23,7 @@ _NUMBERS = ("psnr", "coverage", "exposure", "seconds_ours", "seconds_cycles")
 
 
 Made = tuple[Path, Path, Origin, str | None]
-"""Package, source, what the package says of its making, and why the source may be another one."""
+"""Package, source, the package's record of its making, and signs of another source."""
 
 _WORDS = {
     "tier": "tier",

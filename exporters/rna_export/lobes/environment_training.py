@@ -120,7 +120,7 @@ def parts_with_lobes(
 
 
 def filling(bar: tqdm, share: float = 1.0) -> Callable[[float], None]:
-    """Fills a share of a bar by parts of what the share stands for; sums may be rounded up."""
+    """Fills a share of a bar by parts of its work; sums may be rounded up."""
     return lambda part: bar.update(min(share * part, bar.total - bar.n))
 
 

@@ -15,7 +15,7 @@ SPECIFICATION = Path(__file__).parents[3] / "spec" / "RNA.md"
 VECTOR, SCALAR, FLAG = "vector", "scalar", "flag"
 ARGUMENTS = {"p": VECTOR, "n": VECTOR, "t": VECTOR, "h": SCALAR}
 ARGUMENTS |= {"f": VECTOR, "wo": VECTOR, "wi": VECTOR}
-"""Name -> type of what formulas are of."""
+"""Name -> type of the arguments of formulas."""
 _KINDS = {"n": "surface", "t": "fiber", "h": "fiber"}
 """Arguments that one kind of part alone has."""
 FUNCTIONS = {

@@ -42,7 +42,7 @@ class Batch:
         return len(self.arrays[0])
 
     def complete(self, tile: slice, queries: Rows, valid: NDArray[np.bool_]) -> None:
-        """Write what stands in `queries` (m, K) behind the input blocks, for m rows: nothing."""
+        """Write the columns of `queries` (m, K) behind the input blocks, for m rows: none here."""
 
     def write(self, tile: slice, output: Rows, valid: NDArray[np.bool_]) -> None:
         """Write the results of a tile from the decoder's output."""

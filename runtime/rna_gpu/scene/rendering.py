@@ -1,4 +1,4 @@
-"""`rna-run --device gpu`: what renders bands of a scene on the GPU."""
+"""`rna-run --device gpu`: the renderer of bands of a scene on the GPU."""
 
 from __future__ import annotations
 

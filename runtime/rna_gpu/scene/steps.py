@@ -86,7 +86,7 @@ class Steps:
     def fill(
         self, scene: Scene, tables: SceneTables, clamp: float | None, sums: int, words: int
     ) -> None:
-        """Write what all steps have in common. words: of a list of paths, uint32."""
+        """Write the data that all steps share. words: of a list of paths, uint32."""
         camera = Camera(scene.camera, scene.resolution, scene.samples)
         common = {
             "camera": camera.position,

@@ -44,7 +44,7 @@ LEFT_TO_RAYS = 0.5
 
 @dataclass(frozen=True)
 class _Choice:
-    """Tables by which directions are chosen, and what kernels read of them.
+    """Tables by which directions are chosen, and their form for kernels.
 
     held: the arrays that addresses in `words` point into. words, numbers: see the image.
     """

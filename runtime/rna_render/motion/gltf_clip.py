@@ -1,4 +1,4 @@
-"""The animation of a glTF 2.0 file: what its nodes and weights are at a time (section 3.11)."""
+"""The animation of a glTF 2.0 file: its nodes and weights at a time (section 3.11)."""
 
 from __future__ import annotations
 

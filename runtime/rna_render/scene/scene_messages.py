@@ -264,7 +264,7 @@ def _types(kind: Any) -> list[str]:
 
 
 def _tags(kind: Any) -> tuple[str, ...]:
-    """The values of a model's `type`; none for what has no such field."""
+    """The values of a model's `type`; none for a model without such a field."""
     field = kind.model_fields.get("type") if _is_model(kind) else None
     return () if field is None else get_args(field.annotation)
 

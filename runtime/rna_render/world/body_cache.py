@@ -1,4 +1,4 @@
-"""Bodies of a scene's worlds, frame after frame: what does not move is made once."""
+"""Bodies of a scene's worlds, frame after frame: parts that do not move are made once."""
 
 from __future__ import annotations
 

@@ -103,14 +103,14 @@ def nrhints(kind: str) -> Trial:
 
 
 def with_our_optimizer(trial: Trial) -> Trial:
-    """A model of others under Muon: what it gains by that is not its own, nor ours."""
+    """A model of others under Muon: the gain by Muon is neither its own nor ours."""
     preset = trial.preset.with_training(optimizer="muon")
     named = {"name": f"{trial.name}-muon", "family": "ablation", "tables": ("our-optimizer",)}
     return trial.model_copy(update={"preset": preset, **named})
 
 
 def ablations(kind: str, widths: tuple[int, ...]) -> list[Trial]:
-    """Our preset's shape at these widths without what we or the paper added to it."""
+    """Our preset's shape at these widths, without additions of ours or the paper's."""
     trials = []
     for width in widths:
         preset = ours(kind, width).preset

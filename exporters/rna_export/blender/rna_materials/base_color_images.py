@@ -82,7 +82,7 @@ def texels_of(
 
 
 def baked(colour: ColourOfUv, points: UvPoints, largest: int) -> tuple[np.ndarray, Chart]:
-    """(h, w, 3) uint8 sRGB, repeated, over a chart, which fits what nodes give. Raises NotOfUv.
+    """(h, w, 3) uint8 sRGB, repeated, over a chart that fits the nodes. Raises NotOfUv.
 
     largest: texels a side, at most.
     """

@@ -29,7 +29,7 @@ class UvPoints:
 
     @classmethod
     def of(cls, uses: list[Use], colour: ColourOfUv) -> UvPoints:
-        """Also tells the colour what its quads need. Raises NotOfUv."""
+        """Also passes the colour the data that its quads need. Raises NotOfUv."""
         if colour.depends.problems:
             raise NotOfUv(colour.depends.problems[0])
         attributes = {n for use in uses for n in colour.depends.attributes if n in use.layers and n}

@@ -58,7 +58,7 @@ def leave_to_hosts(how: str) -> list[Glass]:
 
 
 def _shown() -> list[bpy.types.Material]:
-    """The materials of what cameras see, each once."""
+    """The materials that cameras see, each once."""
     shown = shown_objects.as_rendered(
         lambda: {
             material.name_full

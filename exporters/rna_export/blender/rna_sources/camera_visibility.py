@@ -8,7 +8,7 @@ from rna_geometry.shown_objects import HAIR, SURFACES
 
 
 def leave_out_unseen() -> list[str]:
-    """Make what holds out, or catches shadows, invisible to camera rays alone.
+    """Make holdouts and shadow catchers invisible to camera rays alone.
 
     Before, it would cut holes into what lies behind it. Returns a note for each reason.
     """

@@ -116,7 +116,7 @@ class BlenderProcess:
             raise
 
     def _launch(self) -> subprocess.Popen[str]:
-        """A process that has opened nothing yet; what Blender writes for itself is in `folder`."""
+        """A process that has opened nothing yet; Blender's own files are in `folder`."""
         folder = str(self._folder.resolve())
         return subprocess.Popen(
             [str(self._python), str(_WORKER), str(self._threads), str(os.getpid())],

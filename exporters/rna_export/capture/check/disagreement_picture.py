@@ -33,7 +33,7 @@ def disagreement_picture(
     name: str,
     said: Mapping[str, str],
 ) -> bytes:
-    """PNG of three labelled images: Cycles', the exported geometry, and what differs, in colours.
+    """PNG of three labelled images: Cycles', the exported geometry, their differences, in colours.
 
     rays: of a square image, by rows. said: what to write of each kind of disagreement.
     """

@@ -143,7 +143,7 @@ class SelfCheck:
             self._towards.append(-rays.directions[differ])
 
     def worth_telling(self) -> dict[str, str]:
-        """Kinds of disagreement, and what to say of each."""
+        """Kinds of disagreement, and the words for each."""
         return {
             kind: f"{share:.1%} {_WORDS[kind]}"
             for kind, share in self.shares.items()
@@ -151,7 +151,7 @@ class SelfCheck:
         }
 
     def note(self) -> str | None:
-        """A sentence on what differs, None if all agrees."""
+        """A sentence on the differences, None if all agrees."""
         differs = "; ".join(self.worth_telling().values())
         said = [f"the exported geometry differs from Cycles' renders: {differs}"] if differs else []
         if abs(self.brightness - 1.0) >= WORTH_A_NOTE:

@@ -243,7 +243,7 @@ class Variant:
 
 
 def blurred(mesh: Mesh, color: BaseColor) -> float:
-    """RMS difference, linear, of a base colour from what texels of planes would show of it."""
+    """RMS difference, linear, of a base colour from its values at texels of planes."""
     low, high = mesh.box()
     corners = mesh.positions[mesh.triangles[color.first : color.first + color.count]]
     corners = corners.astype(np.float64)

@@ -1,4 +1,4 @@
-"""Verdicts on materials: learnt well, roughly or not, and what to do."""
+"""Verdicts on materials: learnt well, roughly or not, with remedies."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Triangles that shine: a mesh whose material does, and what all such lights have in common."""
+"""Triangles that shine: a mesh with an emissive material, and the base of all such lights."""
 
 from __future__ import annotations
 
@@ -93,7 +93,7 @@ class TriangleLight(ShapeLight):
         return place
 
     def sent(self, place: np.ndarray, d_world: np.ndarray) -> np.ndarray:
-        """Radiance (n, 3) float32 against d, (n, 3) float32, of what stops rays along d.
+        """Radiance (n, 3) float32 against d, (n, 3) float32, of the hits that stop rays along d.
 
         place: see `fill_directions`.
         """
@@ -104,7 +104,7 @@ class TriangleLight(ShapeLight):
     def _sent(
         self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray, d_world: np.ndarray
     ) -> np.ndarray:
-        """Radiance (n, 3) float32 against d, of what stops a ray along d.
+        """Radiance (n, 3) float32 against d, of the hit that stops a ray along d.
 
         At barycentrics u, v (n,) float32 of triangles (n,) int32; the point is
         (1 - u - v) p0 + u p1 + v p2, as in ClosestHits. d_world: (n, 3) float32, unit.

@@ -92,7 +92,7 @@ class GltfMaterials:
         return material
 
     def _opacity(self, data: Json, metal_rough: Json) -> Json:
-        """Section 3.9.4: what alphaMode makes of the base colour's alpha."""
+        """Section 3.9.4: the effect of alphaMode on the base colour's alpha."""
         mode = data.get("alphaMode", "OPAQUE")
         if mode == "OPAQUE":
             return {}
