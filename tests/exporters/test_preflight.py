@@ -56,7 +56,7 @@ def test_ten_materials_in_one_scene(open_worker: OpenWorker, tmp_path: Path) -> 
         assert actual[name].learnt == learnt, actual[name].lines
         assert re.fullmatch(words, actual[name].is_)
     assert opened.settings.sharpest == pytest.approx(0.035)
-    assert "highlights of roughness 0.035, those of 'paint'" in opened.preflight[-1]
+    assert "the highlights of 'paint', of roughness 0.035" in opened.preflight[-1]
     assert no_gain(opened) is None  # one of ten that are seen
     assert re.search(
         r"learnt without its relief \(\d% of the visible surface\)$", actual["paint"].lines[0]
