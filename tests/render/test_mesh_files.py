@@ -485,9 +485,10 @@ def test_what_is_not_shown_is_said_once(tmp_path):
     with pytest.warns(MeshFileWarning) as caught:
         read(path)
     assert [str(warning.message) for warning in caught] == [
-        f"{path}: not shown: alphaMode of what transmits, clear coats of what transmits, normal "
-        "textures of clear coats, points and lines, refraction of what transmits in part, "
-        "roughness of what is transmitted, the colour of KHR_materials_specular, vertex colours"
+        f"{path}: not shown: alphaMode of transmissive materials, "
+        "clear coats of transmissive materials, normal textures of clear coats, "
+        "points and lines, refraction of partly transmissive materials, "
+        "roughness of transmission, the colour of KHR_materials_specular, vertex colours"
     ]
     with pytest.warns(MeshFileWarning, match="not shown: points and lines$"):
         read(path, {"type": "diffuse"})

@@ -152,7 +152,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
         line = f"kept {work}, {size_of([work]) / 1e6:,.0f} MB of rays and models"
         print(f"{line}: --more 10 goes on from them, --discard deletes them")
     if marked is not None:
-        print(f"note: the exported geometry is not what Cycles renders; {marked} marks it")
+        print(f"note: the exported geometry differs from Cycles' renders; {marked} marks it")
     _tell_next(args)
 
 

@@ -45,7 +45,7 @@ class Carrier:
         return self.instances > 1 or sum("mesh" in node for node in nodes) > own
 
     def facts(self) -> dict[str, Any]:
-        """How often the file shows the package, and what its fallback is: JSON's types alone."""
+        """The package's number of instances in the file, and its fallback: JSON's types alone."""
         below = [node for number in self.nodes for node in self._fallback(number)]
         record = _members(self.document["nodes"][self.nodes[0]]["extensions"], EXTENSION)
         flip = record.get("fallbackFlip")

@@ -79,7 +79,7 @@ def _opened(glb: Path) -> tuple[dict[str, Any], bytes]:
 
 
 def _named(document: dict[str, Any], names: Sequence[str], glb: Path) -> list[dict[str, Any]]:
-    """The nodes of these names; a name of several nodes is that of all of them."""
+    """The nodes of these names; a name may belong to several nodes."""
     nodes = document.get("nodes", [])
     found = [node for node in nodes if node.get("name") in names]
     known = [str(node["name"]) for node in nodes if "name" in node]

@@ -57,7 +57,7 @@ def package_to_write(out: Path) -> Iterator[Path]:
 
 
 def _colors(path: Path, package: Package) -> dict[int, NDArray[np.float32]]:
-    """What the first tier reflects at the vertices of surfaces that are not metal, by part."""
+    """The first tier's reflectance at the vertices of surfaces that are not metal, by part."""
     from rna_sdk.runtime import load  # slow to import
     from rna_sdk.runtime.standin_colors import surface_colors
 

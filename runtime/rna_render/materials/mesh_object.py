@@ -30,7 +30,7 @@ EMISSION_FLOOR = 0.05
 
 @dataclass(frozen=True, eq=False)
 class MeshObject:
-    """A mesh, and what each of its triangles is made of.
+    """A mesh, and the material of each of its triangles.
 
     positions, normals: (v, 3) float32; normals are unit, or 0 where the file's are unusable.
     uvs: (v, 2) float32, (0, 0) the upper left corner of images; None if no part has any.

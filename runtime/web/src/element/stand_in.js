@@ -31,7 +31,7 @@ export class StandIn {
     }
   }
 
-  /** What was shown, once more. */
+  /** Shows the former picture again. */
   again() {
     if (this.opened && !this.isShown) this.show(this.opened);
   }

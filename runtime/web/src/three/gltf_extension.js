@@ -10,7 +10,7 @@ const INSTANCING = "EXT_mesh_gpu_instancing", PLACES = ["TRANSLATION", "ROTATION
 const INSTEAD = "glTF files show their fallback";
 
 export class RNAExtension {
-  /** options: renderer, that of the scene; tier and variant, as RnaLoader has them; those of RnaAsset. */
+  /** options: renderer, the scene's; tier and variant, as RnaLoader has them; those of RnaAsset. */
   constructor(parser, { renderer, tier = null, variant = null, ...options } = {}) {
     if (!renderer) throw new Error("RNAExtension: expected the option renderer, as in loader.register((parser) => new RNAExtension(parser, { renderer }))");
     Object.assign(this, { name: EXTENSION, parser, renderer, tier, variant, options: optionsOf(options), assets: new Map(), unused: new Set() });
