@@ -197,6 +197,39 @@ def test_a_package_is_put_back(carrier: Path, tiny: Path, tmp_path: Path) -> Non
         assert bytes(package.file_data) == tiny.read_bytes()
 
 
+@pytest.mark.parametrize("view", [0, 1, 999], ids=["gone", "other", "none"])
+def test_an_extension_without_its_package_gets_it_back(
+    view: int, carrier: Path, tiny: Path, tmp_path: Path
+) -> None:
+    """As after gltf-pipeline: the node keeps the extension, with the number of another view."""
+
+    def drop(document: Document) -> None:
+        document["bufferViews"][0]["byteLength"] = document["bufferViews"][0]["byteOffset"] = 64
+        document["nodes"][-1]["extensions"][EXTENSION] |= {"package": view, "fallbackFlip": 0.1}
+
+    left = changed(carrier, tmp_path / "left.glb", drop)
+    assert [issue.code for issue in validate(left)] != []
+    out = tmp_path / "whole.glb"
+    assert rna_info.main([str(tiny), "--glb", str(out), "--fallback", str(left)]) == 0
+    assert validate(out) == []
+    whole, before = opened(out)[0], opened(left)[0]
+    assert whole["extensionsUsed"] == before["extensionsUsed"]
+    record = whole["nodes"][-1]["extensions"][EXTENSION]
+    assert record["package"] == len(before["bufferViews"]) and "fallbackFlip" not in record
+    assert len(whole["nodes"]) == len(before["nodes"])
+    with Package.open(out) as package:
+        assert bytes(package.file_data) == tiny.read_bytes()
+
+
+def test_a_fallback_with_packages_is_refused(carrier: Path, tiny: Path, tmp_path: Path) -> None:
+    several = changed(carrier, tmp_path / "several.glb", CHANGES["two_packages"][1])
+    cut = changed(carrier, tmp_path / "cut.glb", CHANGES["package_cut"][1])
+    with Package.open(tiny) as package:
+        for path in (several, cut):
+            with pytest.raises(RnaError, match="carries a package; expected"):
+                with_package(path, package)
+
+
 def test_named_nodes_carry_the_package(carrier: Path, tiny: Path, tmp_path: Path) -> None:
     document = {
         "asset": {"version": "2.0"},

@@ -9,11 +9,26 @@ from pathlib import Path
 import numpy as np
 
 from rna_export.capture.dataset.validation_view import ValidationView, WholeView
+from rna_export.metrics import plain
 from rna_export.training.asset_error import asset_error
 from rna_render import World, read_mesh_object
 from rna_render.world.placements import Placement
+from rna_sdk.files.atomic_file import write_atomically
+from rna_sdk.package.gltf.carrier_writer import with_fallback_flip
 from rna_trace.embree.instances import CAMERA_RAY
 from rna_trace.points import Role
+
+
+def record_fallback_flip(package: Path, views: Sequence[WholeView]) -> list[str]:
+    """Write the error of its fallback into a package that is a .glb, and a line about it.
+
+    Nothing for a .rna, or where the images show nothing to compare.
+    """
+    if package.suffix.lower() != ".glb" or plain([view.reference for view in views]):
+        return []
+    flip = round(fallback_flip(package, views), 4)
+    write_atomically(package, with_fallback_flip(package, flip))
+    return [f"fallback: FLIP {flip:.4f} in viewers that do not know RNA"]
 
 
 def fallback_flip(glb: Path, views: Sequence[WholeView]) -> float:
