@@ -17,7 +17,7 @@ from rna_sdk.package import Package, validate
 from rna_sdk.package.command import rna_info, rna_pack, rna_validate
 from rna_sdk.package.gltf.carrier import EXTENSION
 from rna_sdk.package.gltf.carrier_writer import with_package
-from rna_sdk.package.gltf.fallback import glb_of
+from rna_sdk.package.gltf.fallback import VertexColors, glb_of
 from rna_sdk.package.packing import Unpacked
 from rna_sdk.runtime import load
 from tests.conftest import REPOSITORY
@@ -77,7 +77,11 @@ def test_the_example_of_the_text_fits_the_schema() -> None:
 def test_the_fallback_takes_little(package: Path) -> None:
     """Geometry of the package is not stored again; strands are fewer."""
     with Package.open(package) as of:
-        colors = {} if package is CURLS else {0: np.zeros((len(of.mesh().positions), 3), "f4")}
+        colors = (
+            {}
+            if package is CURLS
+            else {0: VertexColors(np.zeros((len(of.mesh().positions), 3), "f4"))}
+        )
         assert len(glb_of(of, colors)) < 1.35 * package.stat().st_size
 
 

@@ -8,27 +8,48 @@ from pathlib import Path
 
 import numpy as np
 
+from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.validation_view import ValidationView, WholeView
 from rna_export.metrics import plain
 from rna_export.training.asset_error import asset_error
 from rna_render import World, read_mesh_object
+from rna_render.materials.files.gltf_container import open_gltf
+from rna_render.motion.gltf_clip import clip_names
 from rna_render.world.placements import Placement
+from rna_sdk.commands.console import command_line
 from rna_sdk.files.atomic_file import write_atomically
+from rna_sdk.files.file_kinds import is_gltf
 from rna_sdk.package.gltf.carrier_writer import with_fallback_flip
 from rna_trace.embree.instances import CAMERA_RAY
 from rna_trace.points import Role
 
 
-def record_fallback_flip(package: Path, views: Sequence[WholeView]) -> list[str]:
-    """Write the error of its fallback into a package that is a .glb, and a line about it.
+def complete_fallback(package: Path, dataset: Dataset, source: Path | None = None) -> list[str]:
+    """Write the error of its fallback into a package that is a .glb; lines about the fallback.
 
-    Nothing for a .rna, or where the images show nothing to compare.
+    Nothing for a .rna. No error where the dataset's validation images show nothing to compare.
+    source: the model that was captured, if it is at hand.
     """
-    if package.suffix.lower() != ".glb" or plain([view.reference for view in views]):
+    if package.suffix.lower() != ".glb":
         return []
-    flip = round(fallback_flip(package, views), 4)
-    write_atomically(package, with_fallback_flip(package, flip))
-    return [f"fallback: FLIP {flip:.4f} in viewers that do not know RNA"]
+    lines, views = [], dataset.whole_views()
+    if not plain([view.reference for view in views]):
+        flip = round(fallback_flip(package, views), 4)
+        write_atomically(package, with_fallback_flip(package, flip))
+        lines = [f"fallback: FLIP {flip:.4f} in viewers that do not know RNA"]
+    if source is not None and _moves(source):
+        glb = f"{source.stem}.glb"
+        put = command_line("rna-info", package, "--glb", "OUT.glb", "--fallback", glb)
+        lines.append(f"note: the fallback does not move; {put} makes your model the fallback")
+    return lines
+
+
+def _moves(source: Path) -> bool:
+    """Whether a source is glTF with animations."""
+    try:
+        return is_gltf(source) and bool(clip_names(open_gltf(source)))
+    except (OSError, ValueError, LookupError):
+        return False
 
 
 def fallback_flip(glb: Path, views: Sequence[WholeView]) -> float:

@@ -158,7 +158,7 @@ def _run(args: argparse.Namespace) -> None:
     from rna_export.capture.geometry.cut import as_cut
     from rna_export.export.export_summary import closing_lines
     from rna_export.export.extras import add_extras
-    from rna_export.export.fallback_error import record_fallback_flip
+    from rna_export.export.fallback_error import complete_fallback
     from rna_export.export.package_build import build_package
     from rna_export.export.standin_textures import check_analytic
     from rna_export.export.trained_tiers import checkpoint_paths
@@ -195,7 +195,7 @@ def _run(args: argparse.Namespace) -> None:
         if args.environment:
             lobes = add_lobes(out, out, args.environment_minutes, args.environment_files)
     lines = [*closing_lines(args.out, manifest, trained, dataset), *lobes]
-    print("\n".join([*lines, *record_fallback_flip(args.out, dataset.whole_views())]))
+    print("\n".join([*lines, *complete_fallback(args.out, dataset)]))
     size = args.out.stat().st_size / 1e6
     print(f"wrote {args.out}, {size:.2f} MB, {sheet_of(args.out)}")
     print(f"next: {command_line('rna-validate', args.out)}")

@@ -1,8 +1,8 @@
 """A package inside a binary glTF, with a fallback: its geometry with the stand-in materials.
 
-Holes become alpha, normal maps those of glTF, strands ribbons. Of what the network knows, the
-fallback has a colour at each vertex, at most. Geometry and textures that the package holds are not
-stored again.
+Holes become alpha, normal maps those of glTF, strands ribbons, images of base colour textures. Of
+what the network knows, the fallback has a colour at each vertex, at most. Geometry and textures
+that the package holds are not stored again.
 """
 
 from __future__ import annotations
@@ -10,7 +10,8 @@ from __future__ import annotations
 import io
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
-from typing import Any
+from pathlib import PurePosixPath
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,25 +27,40 @@ from rna_sdk.package.gltf.carrier_writer import carrying, packed
 from rna_sdk.package.gltf.strand_ribbons import MAX_TRIANGLES, ribbons
 from rna_sdk.package.manifest.extensions import Standin, StandinMaterial, StandinTextures, of_part
 from rna_sdk.package.manifest.manifest_fields import Record
+from rna_sdk.package.manifest.manifest_model import BaseColorRecord, Wrap
 from rna_sdk.package.package import Package
+from rna_sdk.package.textures.base_color import IDENTITY, WHITE
 from rna_sdk.package.textures.normal_maps import NormalMap
 from rna_sdk.package.textures.transmittance import Transmittance
 
 _GREY = StandinMaterial(base_color=(0.5, 0.5, 0.5), roughness=1.0, metallic=0.0)
-_REPEAT = 10497
+_WRAPS = {"repeat": 10497, "clamp": 33071, "mirror": 33648}
+_REPEAT: tuple[Wrap, Wrap] = ("repeat", "repeat")
+_IMAGES = {".png": "image/png", ".jpg": "image/jpeg", ".jpeg": "image/jpeg"}
 _FULL = 65535
+_DARK = 1.0 / 255.0  # base colour that nothing is divided by
 
 _FEWEST_TRIANGLES = 10_000
 _STRAND_SHARE, _TRIANGLE_BYTES = 0.34, 30
 """Ribbons take at most this share of the package's size; of a triangle, at 8 segments each."""
 
 
-def glb_of(package: Package, colors: Mapping[int, NDArray[np.float32]] | None = None) -> bytes:
+class VertexColors(NamedTuple):
+    """Colours of a part's vertices, (v, 3) float32, linear.
+
+    base: the part of `color` that is the package's base colour; None where it has none.
+    """
+
+    color: NDArray[np.float32]
+    base: NDArray[np.float32] | None = None
+
+
+def glb_of(package: Package, colors: Mapping[int, VertexColors] | None = None) -> bytes:
     """A package as a .glb that other viewers show, too: metres, +Y up, a node for each part.
 
     A package without stand-in materials (RNA_standin) gets grey ones. Textures of these, and else
     colors, take the place of the base colour. colors: of the vertices of some parts, by the part's
-    number, (v, 3), linear.
+    number.
     """
     file = _File(package)
     manifest = package.manifest
@@ -53,17 +69,71 @@ def glb_of(package: Package, colors: Mapping[int, NDArray[np.float32]] | None = 
         base = of_part(manifest, Standin, i) or _GREY
         textures = of_part(manifest, StandinTextures, i)
         vertex_colors = None if textures else (colors or {}).get(i)
-        if vertex_colors is not None:
-            base = base.model_copy(update={"base_color": (1.0, 1.0, 1.0)})
-            mesh.attributes["COLOR_0"] = file.colors(vertex_colors)
         holes, reliefs = package.transmittance(i), package.normal_maps(i)
-        looks = _Looks(file, part.name, base, holes, reliefs, dict(textures or ()))
+        prints: list[_Print] = []
+        if vertex_colors is not None:
+            if vertex_colors.base is not None:
+                prints = _prints(part.base_color, holes)
+            base = base.model_copy(update={"base_color": WHITE})
+            rest = _without_prints(vertex_colors, prints, package.mesh(i).triangles)
+            mesh.attributes["COLOR_0"] = file.colors(rest)
+        looks = _Looks(file, part.name, base, holes, reliefs, prints, dict(textures or ()))
         file.add("meshes", {"name": part.name, "primitives": mesh.primitives(looks)})
         file.add("nodes", {"mesh": i, "name": part.name, **mesh.transform})
     return file.packed(
         generator=f"rna-info {__version__}",
         copyright=f"{manifest.provenance.source}; {manifest.license}",
     )
+
+
+class _Range(Protocol):
+    """A range of triangles."""
+
+    @property
+    def first(self) -> int: ...
+
+    @property
+    def count(self) -> int: ...
+
+
+class _Print(NamedTuple):
+    """An image of base colour on a range of triangles, as a texture of glTF can have it."""
+
+    first: int
+    count: int
+    image: str
+    factor: tuple[float, float, float]
+    wrap: tuple[Wrap, Wrap]
+
+
+def _prints(records: Sequence[BaseColorRecord], holes: Sequence[Transmittance]) -> list[_Print]:
+    """The images of base colour that viewers know, where alpha needs no texture of its own."""
+    result = []
+    for record in records:
+        first, count = record.triangles
+        is_known = record.color_space in (None, "srgb") and record.transform in (None, IDENTITY)
+        is_free = not any(
+            hole.texture[..., 0].size > 1
+            and hole.first < first + count
+            and first < hole.first + hole.count
+            for hole in holes
+        )
+        if record.image and PurePosixPath(record.image).suffix in _IMAGES and is_known and is_free:
+            wrap = record.wrap or _REPEAT
+            result.append(_Print(first, count, record.image, record.factor or WHITE, wrap))
+    return result
+
+
+def _without_prints(
+    colors: VertexColors, prints: Sequence[_Print], triangles: NDArray[np.uint32]
+) -> NDArray[np.float32]:
+    """Colours of vertices (v, 3), divided by the base colour where a texture has that."""
+    result = colors.color.copy()
+    for each in prints:
+        vertices = np.unique(triangles[each.first : each.first + each.count])
+        base = colors.base[vertices] if colors.base is not None else 1.0
+        result[vertices] = colors.color[vertices] / np.maximum(base, _DARK)
+    return result
 
 
 class _File:
@@ -74,6 +144,7 @@ class _File:
         self._lists: dict[str, list[dict[str, Any]]] = {}
         self._blob: list[bytes | memoryview] = []
         self._size = 0
+        self._textures: dict[tuple[str, tuple[Wrap, Wrap]], dict[str, int]] = {}
         self.view(self._append(package.file_data), len(package.file_data))
         self.is_quantised = False
 
@@ -109,12 +180,16 @@ class _File:
 
     def texture(self, png: bytes) -> dict[str, int]:
         """A texture that repeats."""
-        return self._texture(self._append(png), len(png))
+        return self._texture(self._append(png), len(png), "image/png", _REPEAT)
 
-    def texture_of(self, entry: str) -> dict[str, int]:
-        """A texture that is a PNG of the package."""
-        data, start = self._package.entry(entry)
-        return self._texture(self._append(data) if start is None else start, len(data))
+    def texture_of(self, entry: str, wrap: tuple[Wrap, Wrap] = _REPEAT) -> dict[str, int]:
+        """A texture that is an image of the package."""
+        if (entry, wrap) not in self._textures:
+            data, start = self._package.entry(entry)
+            start = self._append(data) if start is None else start
+            kind = _IMAGES[PurePosixPath(entry).suffix]
+            self._textures[entry, wrap] = self._texture(start, len(data), kind, wrap)
+        return self._textures[entry, wrap]
 
     def packed(self, **asset: str) -> bytes:
         """The file."""
@@ -133,12 +208,14 @@ class _File:
             document["extensionsRequired"] = [gltf.QUANTIZATION]
         return packed(document, b"".join(self._blob))
 
-    def _texture(self, start: int, size: int) -> dict[str, int]:
-        view = self.view(start, size)
-        image = self.add("images", {"bufferView": view, "mimeType": "image/png"})
-        if "samplers" not in self._lists:
-            self.add("samplers", {"wrapS": _REPEAT, "wrapT": _REPEAT})
-        return {"index": self.add("textures", {"source": image, "sampler": 0})}
+    def _texture(self, start: int, size: int, kind: str, wrap: tuple[Wrap, Wrap]) -> dict[str, int]:
+        image = self.add("images", {"bufferView": self.view(start, size), "mimeType": kind})
+        sampler = dict(zip(("wrapS", "wrapT"), (_WRAPS[side] for side in wrap), strict=True))
+        samplers = self._lists.setdefault("samplers", [])
+        if sampler not in samplers:
+            samplers.append(sampler)
+        place = {"source": image, "sampler": samplers.index(sampler)}
+        return {"index": self.add("textures", place)}
 
     def _append(self, data: bytes | memoryview) -> int:
         """Where the bytes are in the buffer, once they are in it; a multiple of 4."""
@@ -219,22 +296,24 @@ class _Looks:
         base: StandinMaterial,
         holes: list[Transmittance],
         reliefs: list[NormalMap],
+        prints: list[_Print],
         textures: Mapping[str, str],
     ) -> None:
         self._file, self._name, self._base, self._textures = file, name, base, textures
-        self._holes, self._reliefs = holes, reliefs
-        self._made: dict[tuple[int | None, int | None], int] = {}
+        self._records: tuple[Sequence[_Range], ...] = (holes, reliefs, prints)
+        self._holes, self._reliefs, self._prints = holes, reliefs, prints
+        self._made: dict[tuple[int | None, ...], int] = {}
 
     def borders(self) -> list[int]:
         """The triangles at which another material may begin or end."""
-        records: list[Transmittance | NormalMap] = [*self._holes, *self._reliefs]
-        return [end for r in records for end in (r.first, r.first + r.count)]
+        every = (record for records in self._records for record in records)
+        return [end for r in every for end in (r.first, r.first + r.count)]
 
     def material_at(self, triangle: int) -> int:
         """Index of the material of a triangle."""
-        holes, relief = key = _of(self._holes, triangle), _of(self._reliefs, triangle)
+        key = tuple(_of(records, triangle) for records in self._records)
         if key not in self._made:
-            self._made[key] = self._file.add("materials", self._material(holes, relief))
+            self._made[key] = self._file.add("materials", self._material(*key))
         return self._made[key]
 
     def _textured(self) -> dict[str, Any]:
@@ -246,7 +325,7 @@ class _Looks:
         }
         return {"pbrMetallicRoughness": surface, "normalTexture": images["normal"]}
 
-    def _material(self, hole: int | None, relief: int | None) -> dict[str, Any]:
+    def _material(self, hole: int | None, relief: int | None, print_: int | None) -> dict[str, Any]:
         if self._textures:
             return {"name": self._name, "doubleSided": True, **self._textured()}
         base = self._base
@@ -256,6 +335,10 @@ class _Looks:
             "roughnessFactor": base.roughness,
         }
         material = {"name": self._name, "pbrMetallicRoughness": surface, "doubleSided": True}
+        if print_ is not None:
+            of = self._prints[print_]
+            surface["baseColorFactor"][:3] = of.factor
+            surface["baseColorTexture"] = self._file.texture_of(of.image, of.wrap)
         if hole is not None:
             record = self._holes[hole]
             alpha = 255 - record.texture.mean(axis=2).round().astype(np.uint8)
@@ -273,7 +356,7 @@ class _Looks:
         return material
 
 
-def _of(records: Sequence[Transmittance | NormalMap], triangle: int) -> int | None:
+def _of(records: Sequence[_Range], triangle: int) -> int | None:
     """Number of the record whose range has the triangle."""
     for i, record in enumerate(records):
         if record.first <= triangle < record.first + record.count:
