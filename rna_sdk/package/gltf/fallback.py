@@ -107,18 +107,15 @@ class _Print(NamedTuple):
 
 
 def _prints(records: Sequence[BaseColorRecord], holes: Sequence[Transmittance]) -> list[_Print]:
-    """The images of base colour that viewers know, where alpha needs no texture of its own."""
+    """The images of base colour that viewers know, where no hole needs their alpha."""
     result = []
     for record in records:
         first, count = record.triangles
         is_known = record.color_space in (None, "srgb") and record.transform in (None, IDENTITY)
-        is_free = not any(
-            hole.texture[..., 0].size > 1
-            and hole.first < first + count
-            and first < hole.first + hole.count
-            for hole in holes
+        is_solid = all(
+            hole.first + hole.count <= first or first + count <= hole.first for hole in holes
         )
-        if record.image and PurePosixPath(record.image).suffix in _IMAGES and is_known and is_free:
+        if record.image and PurePosixPath(record.image).suffix in _IMAGES and is_known and is_solid:
             wrap = record.wrap or _REPEAT
             result.append(_Print(first, count, record.image, record.factor or WHITE, wrap))
     return result
