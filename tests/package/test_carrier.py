@@ -182,6 +182,20 @@ def test_info_says_what_carries_it(
     assert "carried by" not in capsys.readouterr().out
 
 
+@pytest.mark.parametrize(
+    ("flip", "shown"),
+    [(0.274, ", FLIP 0.274"), (1, ", FLIP 1.000"), ("x", ""), (True, ""), (1e300, ""), (-1, "")],
+)
+def test_info_shows_the_error_of_the_fallback(
+    flip: object, shown: str, carrier: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def change(document: Document) -> None:
+        document["nodes"][-1]["extensions"][EXTENSION]["fallbackFlip"] = flip
+
+    assert rna_info.main([str(changed(carrier, tmp_path / "a.glb", change))]) == 0
+    assert capsys.readouterr().out.splitlines()[1].endswith(f"its fallback: 1 mesh{shown}")
+
+
 def test_a_package_is_put_back(carrier: Path, tiny: Path, tmp_path: Path) -> None:
     """What a tool wrote again without the extension gets the package back; the rest stays."""
     document, blob = opened(carrier)
