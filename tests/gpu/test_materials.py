@@ -36,7 +36,7 @@ MOVED = np.array([[0.8, -0.5, 0.2], [0.6, 1.1, -0.3]])
 
 
 COLORS = np.random.default_rng(9).uniform(0.2, 1.0, (49, 3)).astype(np.float32)
-"""Of the bent square's vertices."""
+"""Colours of the bent square's vertices."""
 
 
 def in_a_row(

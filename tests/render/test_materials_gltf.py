@@ -168,7 +168,7 @@ def test_thin_glass(tmp_path):
 
 
 def test_colours_of_vertices_are_factors_of_the_base_colour(tmp_path):
-    """Of their own primitive; interpolated; without the alpha that they may have."""
+    """They count for their own primitive, interpolated, without their alpha."""
     colors = np.uint16(np.random.default_rng(3).integers(0, 65536, (4, 4)))
     gltf = Gltf().square(material=0).square(material=0, normals=False).node(mesh=0)
     gltf.node(mesh=1)
