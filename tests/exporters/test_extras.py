@@ -45,6 +45,13 @@ def test_standin_of_metal_has_the_colour_of_its_lobe() -> None:
     np.testing.assert_allclose(material.base_color, (0.8, 0.8, 0.8), atol=0.1)
 
 
+def test_standin_of_a_print_under_clear_coat_is_no_metal() -> None:
+    """The coat's narrow lobe is fitted by a wide one that reflects more than arrives."""
+    material = standin_material(samples_of((0.5, 0.5, 0.5), 4.5, 0.1))
+    assert material.metallic == 0.0
+    np.testing.assert_allclose(material.base_color, (0.5, 0.5, 0.5), atol=0.05)
+
+
 def test_standin_of_strands_has_the_colour_of_light_from_the_viewers_side() -> None:
     """And not of the glow that comes through hair from behind."""
     axis = np.float32([[0.0, 0.0, 1.0]] * 100)

@@ -58,7 +58,8 @@ def standin_material(samples: Mapping[str, np.ndarray]) -> StandinMaterial:
     fits = [_fit(left, _ggx(cos_h, roughness) / (4.0 * cos_o)) for roughness in _ROUGHNESS]
     best = int(np.argmin([error for error, _ in fits]))
     reflectance = fits[best][1]
-    metal = reflectance.mean() > _METAL * albedo.mean()
+    # A lobe narrower than all of these would need to reflect more than 1.
+    metal = np.minimum(reflectance, 1.0).mean() > _METAL * albedo.mean()
     return _material(reflectance if metal else albedo, float(_ROUGHNESS[best]), metal)
 
 
