@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from rna_export.export.fallback_error import complete_fallback, fallback_flip
+from rna_export.fallback_error import complete_fallback, fallback_flip
 from rna_sdk.package import validate
 from rna_sdk.package.geometry.glb_writer import mesh_to_glb
 from tests.conftest import REPOSITORY

@@ -3,10 +3,7 @@
 from __future__ import annotations
 
 import io
-import json
-import struct
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -22,17 +19,12 @@ from rna_sdk.runtime import load
 from rna_sdk.runtime.standin_colors import surface_colors, vertex_base_colors
 from tests.conftest import REPOSITORY
 from tests.exporters.in_blender import answer_of
+from tests.package.carriers import opened
 
 TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
 CURLS = REPOSITORY / "examples" / "fibers" / "curly_ball.rna"
 PLAIN = DiffuseModel(type="diffuse")
 KIT = REPOSITORY / "spec" / "conformance" / "packages"
-
-
-def _document(path: Path) -> tuple[dict[str, Any], bytes]:
-    data = path.read_bytes()
-    size = struct.unpack_from("<I", data, 12)[0]
-    return json.loads(data[20 : 20 + size]), data[28 + size :]
 
 
 def _glb(package: Path, folder: Path) -> Path:
@@ -48,7 +40,7 @@ def _mesh(path: Path) -> MeshObject:
 
 def test_a_mesh_has_its_triangles_and_its_material(tmp_path: Path) -> None:
     path = _glb(TOY, tmp_path)
-    document, blob = _document(path)
+    document, blob = opened(path)
     with Package.open(TOY) as package:
         mesh, manifest = package.mesh(), package.manifest
     stated = manifest.extensions["RNA_standin"]["parts"][0]
@@ -73,7 +65,7 @@ def test_a_mesh_has_its_triangles_and_its_material(tmp_path: Path) -> None:
 
 def test_parts_are_nodes_and_holes_are_alpha(tmp_path: Path) -> None:
     path = _glb(KIT / "parts-lantern.rna", tmp_path)
-    document, blob = _document(path)
+    document, blob = opened(path)
     with Package.open(KIT / "parts-lantern.rna") as package:
         names = [part.name for part in package.manifest.parts]
         holes = [package.transmittance(i) for i in range(len(names))]
@@ -95,7 +87,7 @@ def test_parts_are_nodes_and_holes_are_alpha(tmp_path: Path) -> None:
 def test_images_of_base_colour_are_textures_and_vertices_have_the_rest(tmp_path: Path) -> None:
     """In the package's own bytes; but for linear or moved images, which viewers would get wrong."""
     path = _glb(KIT / "surface-print.rna", tmp_path)
-    document, blob = _document(path)
+    document, blob = opened(path)
     primitives = document["meshes"][0]["primitives"]
     corners = [document["accessors"][p["indices"]]["count"] // 3 for p in primitives]
     materials = [document["materials"][p["material"]] for p in primitives]

@@ -158,10 +158,10 @@ def _run(args: argparse.Namespace) -> None:
     from rna_export.capture.geometry.cut import as_cut
     from rna_export.export.export_summary import closing_lines
     from rna_export.export.extras import add_extras
-    from rna_export.export.fallback_error import complete_fallback
     from rna_export.export.package_build import build_package
     from rna_export.export.standin_textures import check_analytic
     from rna_export.export.trained_tiers import checkpoint_paths
+    from rna_export.fallback_error import complete_fallback
     from rna_export.lobes.environment_training import add_lobes
     from rna_export.pictures import sheet_of
     from rna_export.training.checkpoint import load_checkpoint

@@ -86,7 +86,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     from rna_export.capture.capture_run import CaptureWorkers
     from rna_export.capture.capture_settings import CaptureSettings
     from rna_export.export.export_summary import closing_lines
-    from rna_export.export.fallback_error import complete_fallback
+    from rna_export.fallback_error import complete_fallback
     from rna_export.lobes.environment_training import add_lobes
     from rna_export.machine import keep_freed_memory
     from rna_export.make.carried_options import carried_options
