@@ -17,7 +17,6 @@ from rna_trace.vectors import along, vector_at
 if TYPE_CHECKING:
     from rna_trace.parts_scene import PartsScene
 
-_NEWTON = 2  # steps: relative error below 1e-6
 _BELOW_ONE = 1.0 - 2.0**-24
 _FAR = 2.0  # times the diagonal of the asset: where columns of distant light begin
 _CHUNK = 1 << 17  # rows at a time
@@ -85,14 +84,13 @@ def _add_estimate(
 
 @compiled(inline=True, fastmath=())
 def gamma_quantile(share: float) -> float:
-    """r with 1 - (1 + r) exp(-r) = share, of the Gamma distribution of shape 2."""
-    rest = -np.log1p(-min(share, _BELOW_ONE))
-    root = np.sqrt(2.0 * rest)
-    # The series of the Lambert W function about its branch point.
-    r = root * (1.0 + root * (1.0 / 3.0 + root / 36.0))
-    for _ in range(_NEWTON):
-        r = max(r + (np.log1p(r) - r + rest) * (1.0 + r) / max(r, 1e-12), 0.0)
-    return float(r)
+    """r with 1 - (1 + r) exp(-r) = share, of the Gamma distribution of shape 2; within 3e-6 of it.
+
+    The first terms are of the series of the Lambert W function about its branch point.
+    """
+    c = np.sqrt(-2.0 * np.log1p(-min(share, _BELOW_ONE)))
+    rest = 0.0278336 + c * (-0.00385199 + c * (0.00038292 + c * (-2.2748e-05 + c * 5.68073e-07)))
+    return float(c * (1.0 + c * (1.0 / 3.0 + c * rest)))
 
 
 @compiled(rows="x wi u reach origin rho", fastmath=())

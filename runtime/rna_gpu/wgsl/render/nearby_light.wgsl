@@ -1,20 +1,14 @@
 // Nearby light by one column: spec/RNA.md, 7.3, and rna_trace/nearby.py, which draws the same.
 
 const COLUMNS_BEGIN: f32 = 2.0; // of distant light, times the diagonal of the asset
-const SERIES_IS_ENOUGH: f32 = 0.1; // of c: its error is below 1e-5
 
 // r with 1 - (1 + r) exp(-r) = p, of the Gamma distribution of shape 2.
 fn gamma_quantile(share: f32) -> f32 {
     let p = min(share, 1.0 - 0x1p-24f);
     let e = select(-log(1.0 - p), p * (1.0 + p * (0.5 + p / 3.0)), p < 0.01);
     let c = sqrt(2.0 * e);
-    var r = c * (1.0 + c * (1.0 / 3.0 + c / 36.0));
-    if c > SERIES_IS_ENOUGH {
-        for (var k = 0u; k < 2u; k++) {
-            r += (log(1.0 + r) - r + e) * (1.0 + r) / r;
-        }
-    }
-    return r;
+    let rest = 0.0278336 + c * (-0.00385199 + c * (0.00038292 + c * (-2.2748e-05 + c * 5.68073e-07)));
+    return c * (1.0 + c * (1.0 / 3.0 + c * rest));
 }
 
 // The estimate of a column rho beside x, that meets the asset height above it along wi. Exponents are compared before
