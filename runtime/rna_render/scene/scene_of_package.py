@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,10 +14,9 @@ from typing import Any
 import numpy as np
 
 from rna_render.scene.core_yaml import dump_yaml
-from rna_sdk.errors import PackageError, SceneError
+from rna_sdk.errors import SceneError
 from rna_sdk.files.file_kinds import glass_of
 from rna_sdk.package import Cone, Curves, Package
-from rna_sdk.package.gltf.carrier import split_carrier
 
 _NOTES = {
     "- type: directional": "the key light; the next one shines from behind, for the outline",
@@ -90,11 +90,13 @@ def _box_corners(glb: Path) -> np.ndarray:
     Raises SceneError for a file that is none.
     """
     try:
-        document, _ = split_carrier(memoryview(glb.read_bytes()))
-        ranges = [(a["min"], a["max"]) for a in document["accessors"] if "min" in a]
+        data = glb.read_bytes()
+        size = int.from_bytes(data[12:16], "little")
+        accessors = json.loads(data[20 : 20 + size])["accessors"]
+        ranges = [(a["min"], a["max"]) for a in accessors if "min" in a]
         low, high = np.min([a for a, _ in ranges], axis=0), np.max([b for _, b in ranges], axis=0)
         return np.array(np.meshgrid(*zip(low, high, strict=True))).reshape(3, 8).T
-    except (OSError, PackageError, ValueError, LookupError, TypeError) as error:
+    except (OSError, ValueError, LookupError, TypeError) as error:
         raise SceneError("it cannot be read as .glb", file=glb) from error
 
 

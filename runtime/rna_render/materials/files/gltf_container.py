@@ -19,7 +19,6 @@ import numpy as np
 from rna_render.scene.limits import MAX_ZERO_ITEMS
 from rna_sdk.errors import SceneError
 from rna_sdk.files.regular_file import read_regular
-from rna_sdk.package.container.glb_chunks import CHUNK, CHUNK_BIN, CHUNK_JSON, HEADER, MAGIC
 
 # glTF 2.0, section 3.6.2.2: component types, and the divisors of normalised ones.
 DTYPES = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
@@ -27,6 +26,9 @@ WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "M
 
 _LONGEST_URI = 512
 """Longest URI of another file; longer ones are data without `data:`, which flood errors."""
+
+# Section 4.4: the binary container.
+GLB_MAGIC, GLB_VERSION, CHUNK_JSON, CHUNK_BINARY = b"glTF", 2, b"JSON", b"BIN\0"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -151,20 +153,22 @@ def open_gltf(path: Path) -> GltfContainer:
 
 
 def _glb_chunks(data: bytes) -> tuple[bytes, bytes | None]:
-    if data[:4] != MAGIC or int.from_bytes(data[4:8], "little") != 2:
+    if data[:4] != GLB_MAGIC or int.from_bytes(data[4:8], "little") != GLB_VERSION:
         raise ValueError("it does not start as a .glb of version 2 does")
     chunks: dict[bytes, bytes] = {}
-    start = HEADER.size
-    while start + CHUNK.size <= len(data):
-        length, kind = CHUNK.unpack_from(data, start)
-        start += CHUNK.size
-        if start + length > len(data):
+    start = 12
+    while start + 8 <= len(data):
+        length, kind = (
+            int.from_bytes(data[start : start + 4], "little"),
+            data[start + 4 : start + 8],
+        )
+        if start + 8 + length > len(data):
             raise ValueError("it ends within a chunk")
-        chunks.setdefault(kind, data[start : start + length])
-        start += length
+        chunks.setdefault(kind, data[start + 8 : start + 8 + length])
+        start += 8 + length
     if CHUNK_JSON not in chunks:
         raise ValueError("it has no JSON chunk")
-    return chunks[CHUNK_JSON], chunks.get(CHUNK_BIN)
+    return chunks[CHUNK_JSON], chunks.get(CHUNK_BINARY)
 
 
 def _data_uri(uri: str) -> bytes:
