@@ -129,15 +129,30 @@ def _checked(path: Path, part: Part, materials: Sequence[Material]) -> Part:
         if part.tangents is not None:
             tangents = _unit_tangents(_numbers(part.tangents, count, 4, "tangents"))
         normals = _unit(_numbers(part.normals, count, 3, "normals"))
-        vectors = {"second_uvs": uvs[1], "tangents": tangents, "colors": colors}
-        return Part(positions, normals, uvs[0], triangles, part.material, **vectors)
+        return Part(
+            positions=positions,
+            normals=normals,
+            uvs=uvs[0],
+            triangles=triangles,
+            material=part.material,
+            second_uvs=uvs[1],
+            tangents=tangents,
+            colors=colors,
+        )
     corners = triangles.ravel()
     normals = np.repeat(flat_normals(positions, triangles), 3, axis=0).astype(np.float32)
     uvs = [None if values is None else values[corners] for values in uvs]
     colors = None if colors is None else colors[corners]
     apart = np.arange(len(corners)).reshape(-1, 3)
-    vectors = {"second_uvs": uvs[1], "colors": colors}
-    return Part(positions[corners], normals, uvs[0], apart, part.material, **vectors)
+    return Part(
+        positions=positions[corners],
+        normals=normals,
+        uvs=uvs[0],
+        triangles=apart,
+        material=part.material,
+        second_uvs=uvs[1],
+        colors=colors,
+    )
 
 
 def _numbers(values: np.ndarray, count: int, width: int, name: str) -> np.ndarray:
