@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import PurePosixPath
-from typing import Any, NamedTuple, Protocol
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,7 +28,8 @@ class _Range(Protocol):
     def count(self) -> int: ...
 
 
-class Print(NamedTuple):
+@dataclass(frozen=True)
+class Print:
     """An image of base colour on a range of triangles, as a texture of glTF can have it."""
 
     first: int
