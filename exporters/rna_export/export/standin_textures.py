@@ -71,7 +71,8 @@ def _of_strands(picked: Mapping[str, np.ndarray]) -> np.ndarray:
     """
     from_front = _dots(picked["wo"], picked["wi"]) > 0.0
     radiance = picked["radiance"][from_front]
-    return 8.0 * np.pi * (radiance if len(radiance) else picked["radiance"]).mean(axis=0)
+    mean: np.ndarray = (radiance if len(radiance) else picked["radiance"]).mean(axis=0)
+    return 8.0 * np.pi * mean
 
 
 def _material(colour: np.ndarray, roughness: float, metal: bool) -> StandinMaterial:
