@@ -33,7 +33,7 @@ export class RnaLoader extends Loader<RnaAsset> {
 
 /**
  * A plugin of three.js' GLTFLoader: shows the packages of glTF files (RNA_relightable_asset) in place of their fallback.
- * `loader.register((parser) => new RNAExtension(parser, { renderer }))`. Of what is loaded, `userData.rnaAssets` has the assets.
+ * `loader.register((parser) => new RNAExtension(parser, { renderer }))`. Of what is loaded, `userData.rnaAssets` has the assets, and `userData.fallbackFlip` of an asset the error of its fallback, if the file has it.
  */
 export class RNAExtension {
   constructor(parser: unknown, options: RNAExtensionOptions);

@@ -40,8 +40,12 @@ export class RNAExtension {
     return Promise.resolve(this.unused.delete(asset) ? asset : asset.clone());
   }
 
-  /** userData.rnaAssets: of each package the asset, of which the scene has copies or instances. */
+  /** userData.rnaAssets: of each package the asset, of which the scene has copies or instances; its userData.fallbackFlip: what the fallback lacks. */
   afterRoot(gltf) {
+    for (const node of this.parser.json.nodes ?? []) {
+      const asset = this._assetOf(node), { fallbackFlip } = node.extensions?.[EXTENSION] ?? {};
+      if (asset && fallbackFlip !== undefined) asset.userData.fallbackFlip = fallbackFlip;
+    }
     gltf.userData.rnaAssets = [...this.assets.values()];
   }
 
