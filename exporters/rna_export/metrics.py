@@ -70,7 +70,7 @@ def _level(references: Sequence[np.ndarray]) -> float:
 
 
 def plain(references: Sequence[np.ndarray]) -> str | None:
-    """"black" or "of one colour" for references for which a PSNR has no meaning."""
+    """ "black" or "of one colour" for references for which a PSNR has no meaning."""
     rows = np.concatenate([np.zeros((0, 3)), *references])
     if not len(rows) or _level(references) <= _BLACK:
         return "black"
