@@ -17,8 +17,10 @@ from rna_trace.vectors import along, vector_at
 if TYPE_CHECKING:
     from rna_trace.parts_scene import PartsScene
 
-_NEWTON = 2  # steps: relative error below 1e-6
-_BELOW_ONE = 1.0 - 2.0**-24
+# How far columns stand beside x: the log-logistic distribution of this median, times the geometric
+# mean of the outer lengths, and of this shape. It was fitted to the noise of pictures.
+_OF_LENGTHS, _SHAPE = 1.2, 1.5
+_LEAST = 2.0**-24  # of a random number
 _FAR = 2.0  # times the diagonal of the asset: where columns of distant light begin
 _CHUNK = 1 << 17  # rows at a time
 # Two irrational steps whose multiples fill the square evenly: Roberts, "The Unreasonable
@@ -80,19 +82,7 @@ def _add_estimate(
     reach = np.broadcast_to(reach, len(x))
     origin, rho = np.empty_like(x), np.empty(len(x))
     column_rays(x, wi, u, lengths, np.ascontiguousarray(reach), origin, rho)
-    column_shares(rho, reach - scene.first_opaque(origin, -wi), lengths, shares)
-
-
-@compiled(inline=True, fastmath=())
-def gamma_quantile(share: float) -> float:
-    """r with 1 - (1 + r) exp(-r) = share, of the Gamma distribution of shape 2."""
-    rest = -np.log1p(-min(share, _BELOW_ONE))
-    root = np.sqrt(2.0 * rest)
-    # The series of the Lambert W function about its branch point.
-    r = root * (1.0 + root * (1.0 / 3.0 + root / 36.0))
-    for _ in range(_NEWTON):
-        r = max(r + (np.log1p(r) - r + rest) * (1.0 + r) / max(r, 1e-12), 0.0)
-    return float(r)
+    column_shares(u, rho, reach - scene.first_opaque(origin, -wi), lengths, shares)
 
 
 @compiled(rows="x wi u reach origin rho", fastmath=())
@@ -110,11 +100,10 @@ def column_rays(
     x, wi: (n, 3) float32, wi of unit length. u: (n, 2) from 0 to 1. lengths: (3,) float64. reach:
     (n,) float32, how far along wi they begin.
     """
-    count = len(lengths)
+    median = _OF_LENGTHS * np.sqrt(lengths[0] * lengths[-1])
     for i in range(len(x)):
-        scaled = u[i, 0] * count
-        k = min(int(scaled), count - 1)
-        radius = lengths[k] * gamma_quantile(scaled - k)
+        share = _inside(u[i, 0])
+        radius = median * (share / (1.0 - share)) ** (1.0 / _SHAPE)
         angle = 2.0 * np.pi * u[i, 1]
         side = radius * np.cos(angle), radius * np.sin(angle)
         offset = along(vector_at(wi, i), side[0], side[1], np.float64(reach[i]))
@@ -123,21 +112,25 @@ def column_rays(
         rho[i] = radius
 
 
-@compiled(rows="rho height shares", fastmath=())
+@compiled(rows="u rho height shares", fastmath=())
 def column_shares(
-    rho: np.ndarray, height: np.ndarray, lengths: np.ndarray, shares: np.ndarray
+    u: np.ndarray, rho: np.ndarray, height: np.ndarray, lengths: np.ndarray, shares: np.ndarray
 ) -> None:
     """The estimate of each column, added to (n, 3) float32.
 
-    rho: (n,) how far it stands beside x. height: (n,) where it meets the asset, along wi from x;
-    not finite where it meets nothing.
+    u: as for `column_rays`. rho: (n,) how far it stands beside x. height: (n,) where it meets the
+    asset, along wi from x; not finite where it meets nothing.
     """
     for i in range(len(rho)):
         if np.isfinite(height[i]):
+            share = _inside(u[i, 0])
             distance = np.sqrt(rho[i] * rho[i] + height[i] * height[i])
-            density = 0.0
-            for length in lengths:
-                density += np.exp(-rho[i] / length) / (length * length) / len(lengths)
+            density = _SHAPE * share * (1.0 - share)
             for k in range(len(lengths)):
-                weight = np.exp(-distance / lengths[k]) / (lengths[k] * lengths[k])
-                shares[i, k] += weight / density
+                beside = rho[i] / lengths[k]
+                shares[i, k] += np.exp(-distance / lengths[k]) * beside * beside / density
+
+
+@compiled(inline=True, fastmath=())
+def _inside(share: float) -> float:
+    return float(min(max(share, _LEAST), 1.0 - _LEAST))

@@ -112,7 +112,7 @@ def test_a_column_is_that_of_the_cpu(columns: Columns) -> None:
     for far in (np.float32(1e30), np.float32(0.3)):
         actual = columns.on_gpu(x, wi, u, far)
         expected = nearby_estimate(columns.scene, LENGTHS, x, wi, u.astype(float), far)
-        assert 0.1 < (expected > 0).mean() < 0.95 and actual.max() <= 3.0
+        assert 0.1 < (expected > 0).mean() < 0.95 and actual.max() < 10.0
         same = np.isclose(actual, expected, rtol=1e-3, atol=1e-4).all(axis=1)
         assert same.mean() > 0.998
 

@@ -1,45 +1,23 @@
 // Nearby light by one column: spec/RNA.md, 7.3, and rna_trace/nearby.py, which draws the same.
 
 const COLUMNS_BEGIN: f32 = 2.0; // of distant light, times the diagonal of the asset
-const SERIES_IS_ENOUGH: f32 = 0.1; // of c: its error is below 1e-5
-
-// r with 1 - (1 + r) exp(-r) = p, of the Gamma distribution of shape 2.
-fn gamma_quantile(share: f32) -> f32 {
-    let p = min(share, 1.0 - 0x1p-24f);
-    let e = select(-log(1.0 - p), p * (1.0 + p * (0.5 + p / 3.0)), p < 0.01);
-    let c = sqrt(2.0 * e);
-    var r = c * (1.0 + c * (1.0 / 3.0 + c / 36.0));
-    if c > SERIES_IS_ENOUGH {
-        for (var k = 0u; k < 2u; k++) {
-            r += (log(1.0 + r) - r + e) * (1.0 + r) / r;
-        }
-    }
-    return r;
-}
-
-// The estimate of a column rho beside x, that meets the asset height above it along wi. Exponents are compared before
-// exp, so that lengths of any size stay in float32.
-fn shares_of_column(lengths: vec3f, rho: f32, height: f32) -> vec3f {
-    let scale = 2.0 * log(vec3f(lengths.z) / lengths);
-    let of_rho = scale - vec3f(rho) / lengths;
-    let largest = max(of_rho.x, max(of_rho.y, of_rho.z));
-    let density = dot(exp(of_rho - largest), vec3f(1.0 / 3.0));
-    return exp(scale - vec3f(length(vec2f(rho, height))) / lengths - largest) / density;
-}
+const OF_LENGTHS: f32 = 1.2; // median of rho, times the geometric mean of the outer lengths
+const SHAPE: f32 = 1.5; // of the distribution of rho
 
 // x, wi, far (the distance of the light): object space of the body below `root`. u: from 0 to 1. A host whose triangles
 // let light through says which of them columns pass.
 fn nearby_light(root: u32, lengths: vec3f, x: vec3f, wi: vec3f, far: f32, u: vec2f) -> vec3f {
-    let scaled = 3.0 * u.x;
-    let k = min(u32(scaled), 2u);
-    let rho = lengths[k] * gamma_quantile(scaled - f32(k));
+    let share = clamp(u.x, 0x1p-24f, 1.0 - 0x1p-24f);
+    let rho = OF_LENGTHS * sqrt(lengths.x) * sqrt(lengths.z) * pow(share / (1.0 - share), 1.0 / SHAPE);
     let phi = 2.0 * PI * u.y;
-    let beside = tangents_of(wi);
+    let axes = tangents_of(wi);
     let reach = min(far, COLUMNS_BEGIN * distance(rna_nodes[root].low, rna_nodes[root].high));
-    let origin = x + rho * (cos(phi) * beside.s + sin(phi) * beside.t) + reach * wi;
+    let origin = x + rho * (cos(phi) * axes.s + sin(phi) * axes.t) + reach * wi;
     var hit = rna_miss(RNA_FAR);
     if !rna_trace_body(root, RnaRay(origin, 0.0, -wi, RNA_FAR), RNA_NOTHING, false, &hit) {
         return vec3f(0.0);
     }
-    return shares_of_column(lengths, rho, reach - hit.t);
+    let beside = vec3f(rho) / lengths;
+    let far_away = vec3f(length(vec2f(rho, reach - hit.t))) / lengths;
+    return exp(-far_away) * beside * beside / (SHAPE * share * (1.0 - share));
 }
