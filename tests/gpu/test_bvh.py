@@ -11,6 +11,7 @@ from rna_gpu.bvh import LEAF, MAX_DEPTH, build_tree
 from rna_gpu.geometry import Geometry, Placed, Strands, Triangles, build_geometry
 from rna_gpu.shaders import compose
 from rna_sdk import runtime
+from rna_sdk.package import Curves
 from rna_trace.embree.instances import Instance, InstanceScene
 from rna_trace.parts_scene import PartsScene
 from tests.gpu.test_evaluate import BALL, TOY
@@ -131,3 +132,21 @@ def test_hits_are_those_of_embree(device: Device) -> None:
     assert (cosine > 0.999).mean() > 0.99
     any_hit = traced(device, geometry, origins, directions, any_hit=True)
     assert np.array_equal(any_hit["instance"] != 0xFFFFFFFF, hit)
+
+
+def test_hits_of_tapered_strands_are_placed_as_by_embree(device: Device) -> None:
+    """Of cones whose radius changes by half of their length: u of the sphere that touches there."""
+    points = np.array([[0, 0, 0], [0, 0, 0.2], [0.1, 0.1, 0.3]], np.float32)
+    curves = Curves(points, np.array([0.12, 0.02, 0.05], np.float32), np.array([0, 3], np.uint32))
+    geometry = build_geometry([[Strands(curves, 1)]], [Placed(0, np.eye(4), 7)])
+    rng = np.random.default_rng(0)
+    origins = rng.normal(size=(2000, 3)).astype(np.float32)
+    aims = points[rng.integers(0, 3, 2000)] + rng.uniform(-0.08, 0.08, (2000, 3))
+    directions = aims - origins
+    directions = (directions / np.linalg.norm(directions, axis=1, keepdims=True)).astype("f4")
+    expected = PartsScene([curves]).intersect(origins, directions)
+    actual = traced(device, geometry, origins, directions, any_hit=False)
+    both = (actual["instance"] == 0) & (expected.geometry == 0)
+    places = actual["b"][both, 0]
+    assert both.mean() > 0.5 and ((places > 0.05) & (places < 0.95)).mean() > 0.2
+    assert (np.abs(places - expected.u[both]) < 1e-3).mean() > 0.99

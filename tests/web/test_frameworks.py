@@ -1,6 +1,6 @@
 """The element in small apps of frameworks: defined, heard, and still where a finger scrolls.
 
-`scripts/web-frameworks` builds all of them; the suite one, beside React in Vite.
+`scripts/web-frameworks` builds all of them; the suite two. Nuxt takes Node 22 from npm.
 """
 
 from __future__ import annotations
@@ -24,12 +24,14 @@ BUILDS = {
     "astro": ("astro build", "dist"),
     "next": ("next build", "out"),
     "nuxt": ("nuxt generate", ".output/public"),
+    "react": ("vite build", "dist"),
     "svelte": ("vite build", "build"),
+    "vite": ("vite build", "dist"),
 }
 """The command of each framework, and the folder of the pages that it writes."""
 STATIC = {"svelte": "static"}
 """The folder of files that are copied as they are, where it is not `public`."""
-CHOSEN = os.environ.get("RNA_FRAMEWORKS", "svelte").split()
+CHOSEN = os.environ.get("RNA_FRAMEWORKS", "react svelte").split()
 QUIET = {"ASTRO_TELEMETRY_DISABLED": "1", "NEXT_TELEMETRY_DISABLED": "1", "NG_CLI_ANALYTICS": "0"}
 
 

@@ -10,8 +10,6 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import REPOSITORY
-from tests.render.chromium import NO_GPU, open_page
-from tests.web.pages import TIMEOUT, served_folder
 from tests.web.three.pages import packed
 
 ELEMENT_SOURCES = REPOSITORY / "runtime" / "web" / "src" / "element"
@@ -47,18 +45,6 @@ OPTIONS = {
     "strict": True, "noEmit": True, "jsx": "react-jsx", "module": "nodenext", "target": "es2022",
     "lib": ["es2022", "dom"], "skipLibCheck": False,
 }  # fmt: skip
-PAGE = '<script type="module" src="main.js"></script><div id="root"></div>'
-MAIN = """
-import { createElement, StrictMode } from "react";
-import { createRoot } from "react-dom/client";
-import { RnaViewer } from "rna-viewer/react";
-globalThis.heard = [];
-const viewer = createElement(RnaViewer, {
-  src: "toy.rna", id: "one", alt: "A toy", loading: "eager", "camera-controls": true,
-  onError: ({ detail }) => heard.push(detail.type),
-});
-createRoot(document.getElementById("root")).render(createElement(StrictMode, null, viewer));
-"""
 
 
 @pytest.fixture(scope="module")
@@ -133,20 +119,6 @@ def test_strict_react(tarball, tmp_path):
     (tmp_path / "tsconfig.json").write_text(json.dumps({"compilerOptions": OPTIONS}))
     done = subprocess.run(["npx", "tsc"], cwd=tmp_path, capture_output=True, text=True, timeout=600)
     assert done.stdout == ""
-
-
-@pytest.mark.chromium
-def test_react_in_vite(tarball, tmp_path):
-    """The component is the element in a page that Vite builds, and hears it, here of the GPU."""
-    _install(tmp_path, tarball, "vite@7", "react@19", "react-dom@19")
-    (tmp_path / "index.html").write_text(PAGE)
-    (tmp_path / "main.js").write_text(MAIN)
-    build = ["npx", "vite", "build", "--base=./", "--logLevel=warn"]
-    subprocess.run(build, cwd=tmp_path, check=True, timeout=600)
-    with served_folder(tmp_path / "dist") as url, open_page(200, 200, NO_GPU) as page:
-        page.call("Page.navigate", url=url)
-        page.wait_for("globalThis.heard?.includes('engine')", TIMEOUT)
-        assert page.evaluate("[one.cameraControls, one.alt]") == [True, "A toy"]
 
 
 def test_react_has_a_client_boundary(package):

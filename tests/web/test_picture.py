@@ -117,13 +117,13 @@ def test_suns(asset, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("asset", "least"), [(GLOWING, LEAST_PSNR), (GLOWING_CURLS, 30.0)], ids=["surface", "strands"]
+    ("asset", "least"), [(GLOWING, LEAST_PSNR), (GLOWING_CURLS, 38.0)], ids=["surface", "strands"]
 )
 @pytest.mark.usefixtures("middles_of_pixels")
 def test_nearby_light(asset, least, tmp_path):
     """By the same columns, of which the first sample of the first light has the same numbers.
 
-    A column that grazes a strand may meet it or not.
+    The sphere of a joint has the tangent of either segment (spec/RNA.md, 4.2).
     """
     path = write_scene(tmp_path, asset, DIM_SUN, [64, 40], 1)
     expected = by_rna_run(path)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import shutil
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -11,6 +12,7 @@ import pytest
 from PIL import Image
 
 from rna_sdk.package.packing import Unpacked
+from tests.conftest import REPOSITORY
 from tests.package.builders import make_tiny_package
 from tests.package.prints import image_bytes, make_print
 from tests.render.chromium import NO_GPU, SOFTWARE_GPU, Page, open_page
@@ -127,3 +129,23 @@ def test_a_package_without_colours_has_its_poster(browser, folder: Path, url):
     browser.wait_for("count('error', 'one') && !one.stage.loading", TIMEOUT)
     assert not browser.evaluate("one.stage.standIn.isShown")
     assert not browser.evaluate("one.parts.poster.hidden || one.notices.place.hidden")
+
+
+@pytest.mark.parametrize("browser", ["none"], indirect=True)
+def test_what_has_no_colours_by_place_turns_below_its_poster(browser, folder: Path, url):
+    """Strands, in the one colour that their package has for them: the poster until they move."""
+    shutil.copy(REPOSITORY / "examples" / "fibers" / "curly_ball.rna", folder)
+    turns = 'auto-rotate auto-rotate-delay="0"'
+    show(browser, folder, url, f'<rna-viewer id="one" src="curly_ball.rna" {turns} {LOOKS}>')
+    stands(browser)
+    hidden = "[one.notices.place.hidden, one.parts.poster.hidden]"
+    assert browser.evaluate(hidden) == [True, False]
+    browser.evaluate("new Promise((resolve) => setTimeout(resolve, 300)).then(() => 0)")
+    assert browser.evaluate("one.turntableRotation") == 0
+    drag(browser)
+    drop(browser)
+    browser.wait_for("one.parts.poster.hidden", TIMEOUT)
+    browser.wait_for("one.turntableRotation > 0", TIMEOUT)
+    red, green, blue = seen(browser).reshape(-1, 3).T.astype(int)
+    brown = (red > green) & (green > blue) & (red < 200)
+    assert 0.05 < brown.mean() < 0.4 and len(np.unique(red[brown])) > 20

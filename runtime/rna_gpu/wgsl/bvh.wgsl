@@ -67,7 +67,7 @@ fn rna_meet(primitive: u32, ray: RnaRay, start_strand: u32, hit: ptr<function, R
     if entry.t >= RNA_FAR {
         return false;
     }
-    *hit = RnaHit(entry.t, (*hit).instance, primitive, 0.0, 0.0, entry.normal);
+    *hit = RnaHit(entry.t, (*hit).instance, primitive, entry.u, 0.0, entry.normal);
     return true;
 }
 

@@ -25,7 +25,7 @@ struct RnaHit {
     t: f32,
     instance: u32, // RNA_NOTHING for a miss
     primitive: u32,
-    b1: f32, // barycentric coordinates of a triangle's second and third corner
+    b1: f32, // barycentric coordinates of a triangle's second and third corner; of a segment u of RnaEntry, 0
     b2: f32,
     normal: vec3f, // outward, of a segment
 }

@@ -52,6 +52,7 @@ fn rna_cone_distance(cone: RnaCone, p: vec3f) -> f32 {
 
 struct RnaEntry {
     t: f32,
+    u: f32, // of the sphere that touches the surface there: how far along the segment its middle is, 0 to 1
     normal: vec3f,
 }
 
@@ -60,7 +61,7 @@ struct RnaEntry {
 fn rna_enter_cone(cone: RnaCone, p: vec3f, d: vec3f) -> RnaEntry {
     let ta = rna_enter_sphere(p, d, cone.a, cone.ra);
     let tb = rna_enter_sphere(p, d, cone.b, cone.rb);
-    var entry = RnaEntry(min(ta, tb), vec3f(0.0));
+    var entry = RnaEntry(min(ta, tb), select(1.0, 0.0, ta < tb), vec3f(0.0));
     entry.normal = p + entry.t * d - select(cone.b, cone.a, ta < tb);
     let axis = cone.b - cone.a;
     let v = p - cone.a;
@@ -81,7 +82,7 @@ fn rna_enter_cone(cone: RnaCone, p: vec3f, d: vec3f) -> RnaEntry {
         let y = m1 - cone.ra * dr + side * m2;
         let normal = d2 * (v + side * d) - axis * y;
         if y > 0.0 && y < d2 && side < entry.t && dot(normal, d) < 0.0 {
-            entry = RnaEntry(side, normal);
+            entry = RnaEntry(side, y / d2, normal);
         }
     }
     return entry;
@@ -104,7 +105,7 @@ fn rna_in_neighbour(segment: RnaPrimitive, p: vec3f) -> bool {
 
 // t of RNA_FAR for a miss.
 fn rna_meet_segment(ray: RnaRay, segment: RnaPrimitive) -> RnaEntry {
-    let miss = RnaEntry(RNA_FAR, vec3f(0.0));
+    let miss = RnaEntry(RNA_FAR, 0.0, vec3f(0.0));
     let cone = rna_cone(segment.a);
     let shift = dot(0.5 * (cone.a + cone.b) - ray.origin, ray.direction);
     let p = ray.origin + shift * ray.direction;
@@ -116,5 +117,5 @@ fn rna_meet_segment(ray: RnaRay, segment: RnaPrimitive) -> RnaEntry {
     if rna_in_neighbour(segment, p + entry.t * ray.direction) {
         return miss;
     }
-    return RnaEntry(t, normalize(entry.normal));
+    return RnaEntry(t, entry.u, normalize(entry.normal));
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 import subprocess
 import tarfile
@@ -22,6 +23,8 @@ TINY = REPOSITORY / "spec" / "conformance" / "packages" / "surface-tiny.rna"
 PAGE = Path(__file__).parent / "page.html"
 """Has the module, a renderer and what takes pictures, as `test`."""
 MODULES = REPOSITORY / "runtime" / "web" / "node_modules"
+THREE = Path(os.environ.get("RNA_THREE", MODULES / "three"))
+"""The release of three.js that pages have; scripts/web-threes names others."""
 
 
 _TARBALLS = tempfile.TemporaryDirectory(prefix="rna-npm-")
@@ -39,7 +42,7 @@ def packed(name: str) -> Path:
     return tarball
 
 
-def installed(folder: Path, three: str = "three") -> Path:
+def installed(folder: Path, three: Path = THREE) -> Path:
     """The packed package and a release of three.js below `folder`/node_modules; the tarball."""
     tarball = packed("rna-three")
     modules = folder / "node_modules"
@@ -47,7 +50,7 @@ def installed(folder: Path, three: str = "three") -> Path:
     with tarfile.open(tarball) as archive:
         archive.extractall(modules, filter="data")
     (modules / "package").rename(modules / "rna-three")
-    (modules / "three").symlink_to(MODULES / three)
+    (modules / "three").symlink_to(three)
     return tarball
 
 

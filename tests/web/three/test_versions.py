@@ -5,14 +5,15 @@ from __future__ import annotations
 import base64
 import json
 import shutil
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from tests.web.pages import TIMEOUT
-from tests.web.three.pages import MODULES, PAGE, REPOSITORY, TINY, installed, opened
+from tests.web.three.pages import MODULES, PAGE, REPOSITORY, THREE, TINY, installed, opened
 
-RELEASES = "three", "three-before"
+NEWEST, OLDEST = MODULES / "three", MODULES / "three-oldest"
 SIZE = 48, 30
 TWICE = """(async () => {
   const { THREE, rna, picture } = test, asset = await new rna.RnaLoader().loadAsync("NAME");
@@ -43,19 +44,18 @@ TWICE = """(async () => {
 })()"""
 
 
-def test_peers_are_the_releases_that_are_tested():
+def minor_of(release: Path) -> int:
+    return int(json.loads((release / "package.json").read_text())["version"].split(".")[1])
+
+
+def test_peers_are_from_the_oldest_to_the_newest_that_are_tested():
     wanted = json.loads((REPOSITORY / "runtime/web/three/package.json").read_text())
-    versions = [
-        json.loads((MODULES / name / "package.json").read_text())["version"].split(".")
-        for name in RELEASES
-    ]
-    (new, old) = (int(minor) for _, minor, _ in versions)
-    assert wanted["peerDependencies"] == {"three": f">=0.{old}.0 <0.{new + 1}.0"}
-    assert new == old + 1
+    oldest, after = minor_of(OLDEST), minor_of(NEWEST) + 1
+    assert wanted["peerDependencies"] == {"three": f">=0.{oldest}.0 <0.{after}.0"}
 
 
 @pytest.mark.chromium
-@pytest.mark.parametrize("release", RELEASES)
+@pytest.mark.parametrize("release", [THREE, OLDEST], ids=["newest", "oldest"])
 def test_instances_are_what_clones_are(release, tmp_path):
     installed(tmp_path, release)
     for path in (TINY, PAGE):
@@ -67,8 +67,7 @@ def test_instances_are_what_clones_are(release, tmp_path):
         for word, value in words.items():
             text = text.replace(word, value)
         revision, *pictures = page.evaluate(text)
-    minor = json.loads((MODULES / release / "package.json").read_text())["version"].split(".")[1]
-    assert revision.split(".")[0] == minor
+    assert int(revision.split(".")[0]) == minor_of(release)
     many, clones, moved, moved_clones = (
         np.frombuffer(base64.b64decode(picture), "<f4").reshape(SIZE[1], SIZE[0], 4)
         for picture in pictures

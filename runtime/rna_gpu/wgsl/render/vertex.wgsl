@@ -62,18 +62,16 @@ fn triangle_vertex(record: RnaPrimitive, b1: f32, b2: f32) -> Vertex {
     return v;
 }
 
-fn segment_vertex(path: Path, record: RnaPrimitive, wo: vec3f) -> Vertex {
+// u and n as of the hit: the point of an RnaEntry, without the error of its ray's length.
+fn segment_vertex(record: RnaPrimitive, u: f32, n: vec3f, wo: vec3f) -> Vertex {
     var v: Vertex;
     let cone = rna_cone(record.a);
     let way = cone.b - cone.a;
     let size = max(abs(way.x), max(abs(way.y), abs(way.z)));
     v.axis = normalize(way / size);
-    v.n = path.normal;
-    v.ng = path.normal;
-    v.x = path.t * rna_object_direction(path.direction, path.instance)
-        / rna_instances[path.instance].scale
-        + rna_object_point(path.origin, path.instance);
-    v.x = on_cone(cone, v.x, v.n);
+    v.n = n;
+    v.ng = n;
+    v.x = mix(cone.a, cone.b, u) + mix(cone.ra, cone.rb, u) * n;
     let across = cross(v.axis, wo);
     let width = length(across);
     if width > 1e-6 {
@@ -82,16 +80,6 @@ fn segment_vertex(path: Path, record: RnaPrimitive, wo: vec3f) -> Vertex {
     v.shading = v.n;
     v.strand = rna_strand(record);
     return v;
-}
-
-// The point of the surface of normal n near x: that of the sphere which touches it there. The error
-// of x is that of its ray's length.
-fn on_cone(cone: RnaCone, x: vec3f, n: vec3f) -> vec3f {
-    let way = cone.b - cone.a;
-    let radius = dot(x - cone.a, n);
-    let along = dot(x - cone.a - clamp(radius, 0.0, max(cone.ra, cone.rb)) * n, way);
-    let u = clamp(along / dot(way, way), 0.0, 1.0);
-    return mix(cone.a, cone.b, u) + mix(cone.ra, cone.rb, u) * n;
 }
 
 // Of a triangle's point: its place in the world, and the step of rays from there, both as right where the triangle is
@@ -129,7 +117,7 @@ fn vertex_of(path: Path) -> Vertex {
     if !rna_is_segment(record) {
         v = triangle_vertex(record, path.b1, path.b2);
     } else {
-        v = segment_vertex(path, record, wo);
+        v = segment_vertex(record, path.b1, path.normal, wo);
     }
     v.record = record;
     v.surface = rna_surface(record);

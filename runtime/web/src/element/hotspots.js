@@ -1,14 +1,11 @@
 // Children of the element that stay at places of the asset, and are hidden behind it: slot="hotspot-NAME" with
 // data-position and data-normal, as model-viewer has them.
 import { nearestHit } from "../geometry/nearest_hit.js";
+import { dot, minus, unit } from "../vectors.js";
 import { cameraTarget } from "./attributes.js";
 
 const NEAR = 2e-3;  // of the distance: a hit nearer than the place by more hides it
 const WATCHED = { childList: true, subtree: true, attributes: true, attributeFilter: ["slot", "data-position", "data-normal"] };
-
-const minus = (a, b) => a.map((value, k) => value - b[k]);
-const dot = (a, b) => a.reduce((sum, value, k) => sum + value * b[k], 0);
-const unit = (a) => a.map((value) => value / Math.hypot(...a));
 
 /** The direction of the ray through a place of the picture, shares of its width and height from the upper left. */
 export function rayThrough({ corner, stepX, stepY, width, height }, x, y) {

@@ -1,5 +1,6 @@
 // Where the camera is: on a sphere about the point that it looks at. Angles in radians.
 import { clamp } from "../ui/elements.js";
+import { cross, dot, plus, times, unit } from "../vectors.js";
 
 // Posters have the same camera: rna_export/export/poster_rendering.py.
 const HOME = { azimuth: 0.6, elevation: 0.35, fov: 30 };
@@ -9,13 +10,6 @@ const TURNS = Array.from({ length: 16 }, (_, k) => (k * Math.PI) / 8);
 
 const AUTO = { azimuth: null, elevation: null, distance: null, share: null };
 const NO_LIMITS = { low: AUTO, high: AUTO, lowFov: null, highFov: null };
-
-/** a + factor * b */
-const plus = (a, b, factor = 1) => a.map((value, k) => value + factor * b[k]);
-const times = (a, factor) => a.map((value) => value * factor);
-const dot = (a, b) => a.reduce((sum, value, k) => sum + value * b[k], 0);
-const unit = (a) => times(a, 1 / Math.hypot(...a));
-const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x];
 
 /** The nearest elevation that has an "up" in the image. */
 export const steep = (angle) => clamp(angle, -STEEPEST, STEEPEST);

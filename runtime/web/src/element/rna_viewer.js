@@ -52,7 +52,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     this.settings = Object.fromEntries(Object.keys(READERS).map((name) => [propertyOf(name), null]));
     this.notices = new VisitorNotices(part("notice"), this);
     this.stage = new Stage(this.parts.view, this.notices, this.settings);
-    this.stage.look.coarsestSeen = () => (this.stage.standIn.isShown || this._isCovered ? SHARP : Infinity);
+    this.stage.look.coarsestSeen = () => ((this.stage.standIn.isShown && !this.stage.standIn.isPlain) || this._isCovered ? SHARP : Infinity);
     this.turntable = new Turntable(this.stage);
     new Hotspots(this, part("hotspots"), this.stage);
     this.stillness = matchMedia("(prefers-reduced-motion: reduce)");
@@ -324,7 +324,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     this.notices.show();
     if (!stage.standIn.isShown) return void (parts.poster.hidden &&= this.loaded || stage.isWhole);
     parts.loading.hidden = true;
-    this._hidePoster();
+    if (!stage.standIn.isPlain || !this._isCovered) this._hidePoster();
     parts.status.textContent = textOf(this, "shown", { name: this._name() });
     this._fire("stand-in");
     this._prompt();
@@ -375,10 +375,10 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     return !poster.hidden && (!image.hidden || poster.firstChild.assignedElements().length > 0);
   }
 
-  /** The picture in place of the poster, once it is as sharp, or shows another view or light. */
+  /** The picture in place of the poster, once it is as sharp, or shows another view or light, as a plain stand-in does, too. */
   _reveal(isOther = false) {
     const isWanted = this.settings.reveal !== "manual" || this.isDismissed;
-    if (this.loaded && isWanted && (isOther || this._isAsSharp())) this._hidePoster();
+    if ((this.loaded || this.stage.standIn.isPlain) && isWanted && (isOther || this._isAsSharp())) this._hidePoster();
   }
 
   /** The size of a poster in a slot is not known: it takes the canvas'. */

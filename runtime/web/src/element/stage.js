@@ -58,7 +58,7 @@ export class Stage extends LastingEngine {
     this.isWhole = false;
     super._giveUp(error);
     if (this.standIn.isShown) this.mount(document.createElement("canvas"));  // for gestures
-    else this.standIn.again();
+    else this.standIn.again(!this.loading);  // while a package loads, `open` does
   }
 
   /** The picture once more: see Viewer.restart. */
@@ -104,6 +104,7 @@ export class Stage extends LastingEngine {
       if (opened.environment && this._wantsLobes(opened)) this.lit.then(() => this.lighting.prepare());
       if (await this.begun) opened.prefetch(tier, this._wantsLobes(opened));
       await this._offerPoster(opened);
+      if (!(await this.begun)) await standing.then(() => this.standIn.again(true));
       await this._show(opened, tier, true, signal);
       if (this.settings.tier !== wanted) await this._show(opened, this._known(opened, this.settings.tier), false, signal);
       if (this.settings.variantName !== print) await this.switchVariant(this.settings.variantName);
@@ -349,9 +350,9 @@ export class Stage extends LastingEngine {
     return this.standIn.isShown && this.standIn.opened !== this.opened ? null : this.arrays;
   }
 
-  /** Whether the network's picture is still to come, at least as sharp as what is seen in its place. */
+  /** Whether the network's picture is still to come, at least as sharp as what is seen in its place; or a poster hides a plain stand-in. */
   get isWaited() {
-    return !!this.viewer && this.look.coarsestSeen() <= SHARP;
+    return (!!this.viewer || this.standIn.isPlain) && this.look.coarsestSeen() <= SHARP;
   }
 
   placeLights() {

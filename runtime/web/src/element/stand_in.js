@@ -1,6 +1,6 @@
 // An asset's stand-in: a material of glTF in WebGL 2, below the network's picture, which fades in over it at full size. Where
-// there is no WebGPU it stays.
-import { boxOf, readStandIn } from "../stand_in/content.js";
+// there is no WebGPU it stays; there an asset without colours by place has one, too, below its poster until somebody moves it.
+import { readStandIn } from "../stand_in/content.js";
 import { StandInRenderer } from "../stand_in/renderer.js";
 
 const FADE_MS = 400;  // of shadow.js, and some more
@@ -12,42 +12,43 @@ export class StandIn {
 
   constructor(stage) {
     this.#stage = stage;
-    Object.assign(this, { opened: null, isShown: false, renderer: null, shownCamera: null });
+    Object.assign(this, { opened: null, isShown: false, isPlain: false, renderer: null, shownCamera: null });
   }
 
-  /** Of a package that is open, once its entries are read and its lights known; nothing of one without colours for it. */
-  async show(opened) {
+  /** Of a package that is open, once its entries are read and its lights known; nothing of one without colours for it. takesPlain: as of readStandIn. */
+  async show(opened, takesPlain = false) {
     const stage = this.#stage, request = (this.request = {}), isWanted = () => request === this.request && !stage.isWhole;
     this.opened = opened;
     try {
-      const content = OTHERWISE.some((name) => stage.settings[name]) ? null : await readStandIn(opened);
+      const content = OTHERWISE.some((name) => stage.settings[name]) ? null : await readStandIn(opened, takesPlain);
       if (!content && isWanted()) this.end();
       if (!content) return;
       await stage.lit;
       await stage.lighting.prepare();
-      if (isWanted()) this._begin(content, boxOf(content));
+      if (isWanted()) this._begin(content);
     } catch (error) {
       console.warn(`rna-viewer: no stand-in: ${error.message}`);  // the package's own reading tells what is wrong with it
     }
   }
 
   /** Shows the former picture again. */
-  again() {
-    if (this.opened && !this.isShown) this.show(this.opened);
+  again(takesPlain = false) {
+    if (this.opened && !this.isShown) return this.show(this.opened, takesPlain);
   }
 
-  _begin(content, box) {
+  _begin(content) {
     const stage = this.#stage, canvas = Object.assign(document.createElement("canvas"), stage.size);
     this.end();
-    this.renderer = StandInRenderer.open(canvas, content, box);
+    this.renderer = StandInRenderer.open(canvas, content);
     if (!this.renderer) return;
-    Object.assign(this, { canvas, isShown: true });
+    this.canvas = canvas;
     canvas.addEventListener("webglcontextlost", () => canvas === this.canvas && this.end());
     canvas.setAttribute("aria-hidden", "true");
     stage.place.prepend(canvas);
     stage.place.classList.add("standing");
     if (!stage.canvas) stage.mount(document.createElement("canvas"));
-    stage.arrive(this.opened, box);
+    stage.arrive(this.opened, content.box);
+    Object.assign(this, { isShown: true, isPlain: content.isPlain });
     this._draw();
     performance.mark("stand-in");
     stage.emit("stand-in");
@@ -96,7 +97,7 @@ export class StandIn {
   end() {
     clearTimeout(this.leaving);
     const { canvas, renderer, isShown } = this;
-    Object.assign(this, { canvas: null, renderer: null, shownCamera: null });
+    Object.assign(this, { canvas: null, renderer: null, isPlain: false, shownCamera: null });
     canvas?.remove();
     renderer?.close();
     if (isShown) this._hide();

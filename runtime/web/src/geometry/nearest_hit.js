@@ -1,15 +1,10 @@
 // The nearest place of an asset that a ray meets, through its hierarchy: see sceneArrays. Holes count as surface.
 import { constants, records } from "../decoder/records.js";
+import { cross, dot, minus, plus, times, unit } from "../vectors.js";
 
 const { RNA_IS_SEGMENT } = constants;
 const { words: NODE_WORDS, members: NODE } = records.RnaNode, { words: PRIMITIVE_WORDS, members: PRIMITIVE } = records.RnaPrimitive;
 const ROOT = 1;  // behind the node of the only instance
-
-const minus = (a, b) => a.map((value, k) => value - b[k]);
-const along = (a, b, t) => a.map((value, k) => value + t * b[k]);
-const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x];
-const unit = (a) => a.map((value) => value / (Math.hypot(...a) || 1));
 
 /** { distance, position, normal } of the nearest hit; null if there is none. The direction has length 1; the normal faces the ray. */
 export function nearestHit({ nodes, primitives, points }, origin, direction) {
@@ -27,7 +22,7 @@ export function nearestHit({ nodes, primitives, points }, origin, direction) {
   }
   if (!best) return null;
   const facing = dot(best.normal, direction) > 0 ? -1 : 1;
-  return { distance: best.distance, position: along(origin, direction, best.distance), normal: unit(best.normal).map((value) => facing * value) };
+  return { distance: best.distance, position: plus(origin, direction, best.distance), normal: times(unit(best.normal), facing) };
 }
 
 function meetsBox(floats, at, origin, direction, most) {
@@ -61,9 +56,9 @@ function hitSegment(record, points, origin, direction) {
   const first = record[PRIMITIVE.a.at], start = pointAt(points, first), axis = minus(pointAt(points, first + 1), start), from = minus(origin, start);
   const length = dot(axis, axis), slope = dot(axis, direction), slant = length - slope * slope;
   const reached = slant > 0 ? (dot(from, axis) - slope * dot(from, direction)) / slant : 0, t = Math.min(1, Math.max(0, reached));
-  const middle = along(start, axis, t), nearest = dot(minus(middle, origin), direction), away = minus(along(origin, direction, nearest), middle);
+  const middle = plus(start, axis, t), nearest = dot(minus(middle, origin), direction), away = minus(plus(origin, direction, nearest), middle);
   const radius = points[4 * first + 3] + t * (points[4 * first + 7] - points[4 * first + 3]), rest = radius * radius - dot(away, away);
   if (rest < 0) return null;
   const distance = nearest - Math.sqrt(rest);
-  return distance > 0 ? { distance, normal: minus(along(origin, direction, distance), middle) } : null;
+  return distance > 0 ? { distance, normal: minus(plus(origin, direction, distance), middle) } : null;
 }

@@ -1,5 +1,6 @@
 // An environment for a first look: its brightest places as a few lights, and the rest prefiltered for lobes.
 import { finished } from "../steps.js";
+import { dot } from "../vectors.js";
 import { prefilter } from "./prefilter.js";
 
 const CELLS = [64, 128];     // rows of equal height, and cells around: equal solid angles
@@ -101,8 +102,6 @@ function directionOf(cell) {
   const phi = (2 * Math.PI * ((cell % CELLS[1]) + 0.5)) / CELLS[1] - Math.PI;
   return [r * Math.sin(phi), y, -r * Math.cos(phi)];
 }
-
-const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
 /** The mean direction of cells by their flux: its length, the flux; unit, where it points. */
 function middleOf(cells, excess) {

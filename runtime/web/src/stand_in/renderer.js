@@ -1,11 +1,15 @@
 // Stand-ins in WebGL 2: one draw for each range of triangles, in the light of a first look.
 import { LEAST_KAPPA } from "../light/prefilter.js";
+import { dot } from "../vectors.js";
 import shade from "./shade.glsl";
 
 const MOST_SUNS = 16;  // of shade.glsl
 const UNITS = { image: 0, metallic_roughness: 1, normals: 2, environment: 3, holes: 4 };
 const VERTEX = `#version 300 es
 uniform mat4 seen;
+uniform vec3 eye;
+uniform vec3 middle;
+uniform bool is_strands;
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 place;
@@ -16,19 +20,22 @@ void main() {
     x = position;
     n = normal;
     uv = place;
-    gl_Position = seen * vec4(position, 1.0);
+    if (is_strands) { // across the view, and lit as what they cover together: outwards
+        vec3 t = normalize(normal), across = cross(t, eye - position), outwards = position - middle;
+        x += place.x * across / max(length(across), 1e-20);
+        n = outwards - dot(outwards, t) * t;
+    }
+    gl_Position = seen * vec4(x, 1.0);
 }`;
 
-const dot = (a, b) => a.reduce((sum, value, k) => sum + value * b[k], 0);
-
 export class StandInRenderer {
-  /** Of the content of readStandIn, in its box; null without WebGL 2. */
-  static open(canvas, content, box) {
+  /** Of the content of readStandIn; null without WebGL 2. */
+  static open(canvas, content) {
     const gl = canvas.getContext("webgl2", { antialias: true, preserveDrawingBuffer: true });
-    return gl && new StandInRenderer(gl, content, box);
+    return gl && new StandInRenderer(gl, content);
   }
 
-  constructor(gl, content, { min, max }) {
+  constructor(gl, { parts, box: { min, max } }) {
     Object.assign(this, { gl, middle: min.map((low, k) => (low + max[k]) / 2), radius: Math.hypot(...max.map((high, k) => high - min[k])) / 2 || 1 });
     this.program = programOf(gl, VERTEX, `#version 300 es\n${shade}`);
     gl.useProgram(this.program);
@@ -39,7 +46,8 @@ export class StandInRenderer {
       gl.uniform1i(this.at[name], unit);
       this._bind(name, nothing);
     }
-    this.parts = content.map((part) => this._part(part));
+    this.parts = parts.map((part) => this._part(part));
+    gl.uniform3fv(this.at.middle, this.middle);
     gl.enable(gl.DEPTH_TEST);
   }
 
@@ -94,7 +102,7 @@ export class StandInRenderer {
     gl.uniform3f(at.levels, height, levels, LEAST_KAPPA);
   }
 
-  _part({ mesh: { positions, normals, uvs, indices }, roughness, metallic, metallicRoughness, ranges }) {
+  _part({ mesh: { positions, normals, uvs, indices }, isStrands = false, roughness, metallic, metallicRoughness, ranges }) {
     const { gl } = this, array = gl.createVertexArray();
     gl.bindVertexArray(array);
     [[positions, 3], [normals, 3], [uvs, 2]].forEach(([values, items], location) => {
@@ -108,7 +116,7 @@ export class StandInRenderer {
     gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices, gl.STATIC_DRAW);
     const texture = (image, looks) => image && this._texture(image, looks), linear = { colorSpace: "linear" };
     return {
-      array, roughness, metallic, levels: texture(metallicRoughness, linear),
+      array, isStrands, roughness, metallic, levels: texture(metallicRoughness, linear),
       ranges: ranges.map((range) => ({ ...range, texture: texture(range.image, range), map: texture(range.normals, linear), open: texture(range.holes, linear), relief: !range.normals ? 0 : range.normals.values ? 2 : 1 })),
     };
   }
@@ -133,9 +141,10 @@ export class StandInRenderer {
     return made;
   }
 
-  _draw({ array, roughness, metallic, levels, ranges }) {
+  _draw({ array, isStrands, roughness, metallic, levels, ranges }) {
     const { gl, at } = this;
     gl.bindVertexArray(array);
+    gl.uniform1i(at.is_strands, Number(isStrands));
     gl.uniform2f(at.constants, roughness, metallic);
     gl.uniform1i(at.has_levels, Number(!!levels));
     if (levels) this._bind("metallic_roughness", levels);

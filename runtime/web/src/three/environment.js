@@ -1,6 +1,6 @@
 // Light from all sides: the scene's environment, and lights of three.js that have no place. One function; a decoder of
 // its own for whole environments would take the place of the sum in it.
-import { float, interleavedGradientNoise, isolate, materialEnvIntensity, mix, screenCoordinate, vec3 } from "three/tsl";
+import { float, interleavedGradientNoise, materialEnvIntensity, mix, screenCoordinate, vec3 } from "three/tsl";
 import { columnsOf } from "./nearby.js";
 import { eachSample, turnOfPicture } from "./samples.js";
 import { objectToWorld } from "./spaces.js";
@@ -27,7 +27,7 @@ export function environmentLight(material, builder) {
 function radianceOf(builder) {
   const { rnaEnvironment } = builder.context, sources = [];
   if (rnaEnvironment) {
-    const along = (world, roughness) => isolate(rnaEnvironment.context({ getUV: () => world, getTextureLevel: () => roughness }));
+    const along = (world, roughness) => rnaEnvironment.context({ getUV: () => world, getTextureLevel: () => roughness }).isolate();
     sources.push((world, roughness) => along(world, roughness).mul(materialEnvIntensity));
   }
   for (const { light, colorNode, groundColorNode, lightDirectionNode } of builder.lightsNode.getLightNodes(builder)) {

@@ -71,7 +71,7 @@ export class RnaLoader extends Loader {
   }
 
   _file() {
-    const { path, requestHeader, withCredentials, priority, cache } = this;  // three.js 0.186 has no priority and no cache
+    const { path, requestHeader, withCredentials, priority, cache } = this;  // before three.js 0.187 there is no priority and no cache
     return Object.assign(new FileLoader(this.manager), { path, requestHeader, withCredentials, priority, cache, responseType: "arraybuffer" });
   }
 }

@@ -12,8 +12,10 @@ import { canShow, hasSmallUniforms, STAND_IN, standInNode } from "./stand_in.js"
 /** The prefix of the name of each function that three.js calls. */
 export const MARK = "rna_three_";
 
-/** Buffers of all parts and tiers of an asset. */
+/** Buffers of all parts and tiers of an asset; `renderers`: those that have drawn it. */
 export class SharedBuffers {
+  renderers = new Set();
+
   constructor({ nodes, primitives, points, surfaces, ...facts }) {
     const { words, places } = sceneOf(nodes, primitives, points);
     this.facts = { ...facts, ...places, mixtures: surfaces.surfaces };
@@ -26,7 +28,7 @@ export class SharedBuffers {
 
   /** Takes the images and the tint of `surfaces` over. */
   print() {
-    this.images.value.dispose();
+    this.free(this.images.value);
     this.images.value = this._printed();
   }
 
@@ -37,8 +39,15 @@ export class SharedBuffers {
     return new StorageBufferAttribute(words, 1);
   }
 
+  /** Lets go of an attribute on the GPU. three.js 0.183 has no `dispose` of attributes. */
+  free(attribute) {
+    if (attribute.dispose) attribute.dispose();
+    else for (const { _attributes } of this.renderers) _attributes.delete(attribute);
+  }
+
   dispose() {
-    for (const stored of [this.scene, this.images?.value]) stored?.dispose();
+    for (const stored of [this.scene, this.images?.value]) if (stored) this.free(stored);
+    this.renderers.clear();
   }
 }
 
@@ -106,7 +115,7 @@ export class RnaMaterial extends NodeMaterial {
   }
 
   _letGo() {
-    for (const attribute of this.stored.splice(0)) attribute.dispose();
+    for (const attribute of this.stored.splice(0)) this.given[0].free(attribute);
   }
 
   /** Materials have buffers of their own, which three.js keeps with the program. */
@@ -164,7 +173,7 @@ function storedWeights(decoders, storesAll) {
   return { weights, weightsAt };
 }
 
-/** Of an instance's matrix. three.js 0.186, which has no referenceAttribute, has a program for each InstancedMesh. */
+/** Of an instance's matrix. three.js before 0.187, which has no referenceAttribute, has a program for each InstancedMesh. */
 function columnsOf({ instanceMatrix }) {
   const matrix = tsl.referenceAttribute?.("instanceMatrix", "mat4");
   if (matrix) return [0, 1, 2].map((k) => matrix.element(k));

@@ -5,6 +5,7 @@ import { constants } from "../decoder/records.js";
 import { sceneArrays } from "../geometry/scene_arrays.js";
 import { Package } from "../package/package.js";
 import { BlobSource } from "../package/source.js";
+import { cross, times, unit } from "../vectors.js";
 
 /** The data that `RnaAsset` shows. wanted: a tier's name, or null for all. variant: its name, or null for the package's own print. */
 export async function readAsset(bytes, name, wanted = null, variant = null) {
@@ -92,11 +93,9 @@ function boxes(numbers, { primitives, points }) {
 
 /** Unit vectors along a segment and to the corners of its box. */
 function frameOf(a, b) {
-  const unit = (v) => v.map((value) => value / (Math.hypot(...v) || 1));
-  const cross = ([a, b, c], [d, e, f]) => [b * f - c * e, c * d - a * f, a * e - b * d];
-  const along = unit([b[0] - a[0], b[1] - a[1], b[2] - a[2]]);
-  const u = unit(cross(along, Math.abs(along[0]) > 0.7 ? [0, 1, 0] : [1, 0, 0])), v = cross(along, u), minus = (w) => w.map((value) => -value);
-  return { along, sides: [u, v, minus(u), minus(v)] };
+  const along = unit([0, 1, 2].map((axis) => b[axis] - a[axis]));
+  const u = unit(cross(along, Math.abs(along[0]) > 0.7 ? [0, 1, 0] : [1, 0, 0])), v = cross(along, u);
+  return { along, sides: [u, v, times(u, -1), times(v, -1)] };
 }
 
 /** work: multiply-adds a query; those of int8 decoders count half. */

@@ -30,12 +30,7 @@ fn pixel_of(hit: RnaHit, ray: RnaRay) -> Pixel {
     if !rna_is_segment(record) {
         v = triangle_vertex(record, hit.b1, hit.b2);
     } else {
-        var path: Path;
-        path.origin = ray.origin;
-        path.direction = ray.direction;
-        path.t = hit.t;
-        path.normal = hit.normal;
-        v = segment_vertex(path, record, wo);
+        v = segment_vertex(record, hit.b1, hit.normal, wo);
     }
     pixel.position = words(v.x, bitcast<u32>(v.h));
     pixel.axis = words(v.axis, surface_part(rna_surface(record)) + 1u);

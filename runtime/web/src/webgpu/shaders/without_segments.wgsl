@@ -10,6 +10,7 @@ struct RnaCone {
 
 struct RnaEntry {
     t: f32,
+    u: f32,
     normal: vec3f,
 }
 
@@ -22,5 +23,5 @@ fn rna_enter_sphere(p: vec3f, d: vec3f, centre: vec3f, radius: f32) -> f32 {
 }
 
 fn rna_meet_segment(ray: RnaRay, segment: RnaPrimitive) -> RnaEntry {
-    return RnaEntry(RNA_FAR, vec3f(0.0));
+    return RnaEntry(RNA_FAR, 0.0, vec3f(0.0));
 }
