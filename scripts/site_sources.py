@@ -50,7 +50,7 @@ def _copy(path: Path, folder: Path) -> None:
 def _commands() -> str:
     """A page of all commands' help."""
     scripts = tomllib.loads((REPOSITORY / "pyproject.toml").read_text())["project"]["scripts"]
-    parts = ["# Commands\n\nWhat each says with `--help`.\n"]
+    parts = ["# Commands\n\nThe `--help` text of each command.\n"]
     for name, entry in sorted(scripts.items()):
         command = [sys.executable, "-m", entry.partition(":")[0], "--help"]
         shown = subprocess.run(command, check=True, capture_output=True, text=True).stdout

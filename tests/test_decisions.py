@@ -10,8 +10,9 @@ import pytest
 FOLDER = Path(__file__).parents[1] / "docs" / "decisions"
 PAGES = sorted(path.name for path in FOLDER.glob("*.md") if path.name != "README.md")
 _FORM = re.compile(
-    r"[^\n]+\n\nDate: (\d{4}-\d\d-\d\d)(, revised \d{4}-\d\d-\d\d)?\n\n"
-    r"\*\*Context\.\*\* .+\n\n\*\*Options\.\*\* .+\n\n"
+    r"[^\n]+\n\n"
+    r"\*\*Context\*\* \(\d{4}-\d\d-\d\d(, revised \d{4}-\d\d-\d\d)?\)\. .+\n\n"
+    r"\*\*Options\.\*\* .+\n\n"
     r"(\*\*Figures\.\*\*\s.+\n\n)?\*\*Outcome\.\*\* .+",
     re.DOTALL,
 )

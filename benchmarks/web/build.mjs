@@ -1,5 +1,5 @@
 // node build.mjs OUT.mjs: frames.mjs with the viewer's modules and shaders in one file, as build.mjs of the pages makes them.
-// esbuild is that of runtime/web (npm ci there).
+// esbuild comes from runtime/web (npm ci there).
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "../../runtime/web/node_modules/esbuild/lib/main.js";

@@ -18,7 +18,7 @@ const STEP = Math.PI / 180;  // of the turn from frame to frame, radians
 const SAMPLES = 16;          // of a still
 const WARM_UP = 5;           // pictures that are not timed
 
-/** What Stage takes of a browser: WebGPU, a canvas, a place that it fills. */
+/** The browser's parts that Stage needs: WebGPU, a canvas, a place that it fills. */
 function makeBrowser(width, height) {
   const gpu = create([]), named = { ...globals, navigator: { gpu }, devicePixelRatio: 1 };
   gpu.getPreferredCanvasFormat = () => "rgba8unorm";

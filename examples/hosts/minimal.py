@@ -16,7 +16,7 @@ import numpy as np
 
 
 def evaluate(path, tier_name, part, x, axis, h, wo, wi, base_color, nearby=None):
-    """(n, 6) colours: what leaves x towards wo under irradiance 1 from wi, visible and shadowed.
+    """(n, 6) colours: light from x towards wo under irradiance 1 from wi, visible and shadowed.
 
     axis: the normal of a surface, or the tangent of a fiber, with h the offset across it.
     base_color: of the surface (4.6); tiers that do not use it do not look at it. nearby: (n, 3)
@@ -26,7 +26,7 @@ def evaluate(path, tier_name, part, x, axis, h, wo, wi, base_color, nearby=None)
 
 
 def emission(path, tier_name, part, x, axis, h, wo):
-    """(n, 3) colours: what leaves x towards wo where nothing lights the asset (7.2)."""
+    """(n, 3) colours: light from x towards wo where nothing lights the asset (7.2)."""
     return answer("emission", path, tier_name, part, x, axis, h, wo, wo)  # no block reads wi
 
 
@@ -112,7 +112,7 @@ def triplane(planes, p):
 
 
 def input_blocks(planes, p, h, axis, wo, wi):
-    """Name -> (n, width): what decoders may take. 6.3; half are of surfaces, half of fibers."""
+    """Name -> (n, width): inputs of decoders. 6.3; half are of surfaces, half of fibers."""
     f, n, t = triplane(planes, p), axis, axis
     bent = n + 0.1 * np.pad(f, ((0, 0), (0, 3)))[:, :3]  # features move highlights
     q = np.where(length(bent) < 1e-6, n, unit(bent))

@@ -2,7 +2,7 @@
 
     rna-capture examples/recipes/haired_head.py --out haired_head.rays/ -- FOLDER
 
-FOLDER is that of `head.py`. The hair is grown here: guides fall over the head, are cut at one
+FOLDER is the one for `head.py`. The hair is grown here: guides fall over the head, are cut at one
 height, and strands are spread among them. Runs inside Blender, where `rna_hair` is at hand.
 """
 

@@ -21,7 +21,7 @@ _PIXELS_A_SECOND = 4e5  # to write and to show without slowing the render much
 
 
 class RnaEngine(bpy.types.RenderEngine):
-    """Renders relightable neural assets, and what stands around them, with rna-run."""
+    """Renders relightable neural assets, and their surroundings, with rna-run."""
 
     bl_idname = "RNA"
     bl_label = "RNA"

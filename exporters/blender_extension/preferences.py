@@ -13,7 +13,7 @@ class Preferences(bpy.types.AddonPreferences):
     sdk_python: bpy.props.StringProperty(
         name="Python of the SDK",
         description="Interpreter of the environment that the SDK is installed in; if left empty, "
-        f"that of {sdk.VARIABLE}, of Set Up, or of rna-run on the PATH",
+        f"the interpreter of {sdk.VARIABLE}, of Set Up, or of rna-run on the PATH",
         subtype="FILE_PATH",
     )
 

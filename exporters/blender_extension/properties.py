@@ -1,4 +1,4 @@
-"""What Blender's data keeps of packages: which one a mesh is of, and how an object uses it."""
+"""Properties of Blender's data about packages: a mesh's package, and an object's use of it."""
 
 import json
 

@@ -10,7 +10,7 @@ VARIABLE = "RNA_SDK_PYTHON"
 SOURCE = Path(__file__).parent / "sdk"
 """The SDK as the extension brings it, for an environment of its own."""
 DONE = "installed"
-"""File in that environment with the version of what was installed; pip has come to its end."""
+"""File in that environment with the installed version; it exists after pip's end."""
 
 
 class SdkError(Exception):
@@ -18,7 +18,7 @@ class SdkError(Exception):
 
 
 def find_python():
-    """The interpreter: the preference's, the variable's, our environment's, or that of `rna-run`.
+    """The interpreter: the preference's, the variable's, our environment's, or `rna-run`'s.
 
     Raises SdkError, which says how to get one.
     """

@@ -1,4 +1,4 @@
-"""Light that a model returns from a white world, over Cycles': what highlights are worth in it.
+"""Light that a model returns from a white world, over Cycles': the energy of its highlights.
 
 Validation lights are suns and end at display white, so no other score sees how much of a highlight
 there is above that.
@@ -16,7 +16,7 @@ from rna_render.lights import LUMINANCE
 from rna_sdk.package import Albedo
 
 DEFINITION = (
-    "luminance that rays from all sides meet in a uniform white world, over that of Cycles; "
+    "luminance that rays from all sides meet in a uniform white world, over Cycles' luminance; "
     "facing: below 50 degrees from the normal, at60: 50 to 70, at80: above"
 )
 _BANDS = ("facing", "at60", "at80")

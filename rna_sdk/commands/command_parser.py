@@ -37,7 +37,7 @@ class CommandParser(argparse.ArgumentParser):
             super().exit(status, message)
 
     def error(self, message: str) -> NoReturn:
-        """Prints the example, the message and what an unknown option may have meant; exits."""
+        """Prints the example, the message and known options like an unknown one; exits."""
         usage = f"usage: {self._example or f'{self.prog} ...'}"
         print(f"{usage}    ({self.prog} --help lists all options)", file=sys.stderr)
         line = "; ".join(message.splitlines())  # names of files may have several

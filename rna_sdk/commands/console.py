@@ -108,7 +108,7 @@ def run_command(
 
 @contextmanager
 def _terminated_as_interrupted() -> Iterator[None]:
-    """SIGTERM does what Ctrl-C does, so that workers are ended and temporary files removed.
+    """SIGTERM acts like Ctrl-C, so that workers are ended and temporary files removed.
 
     One whose exception Python ignores, as in a destructor, comes again soon after.
     """

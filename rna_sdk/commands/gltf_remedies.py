@@ -1,4 +1,4 @@
-"""What makes a readable file of a glTF whose compression a reader lacks."""
+"""Remedies for a glTF whose compression a reader lacks: commands that make a readable file."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """Shared by reader programs in Python: command line, input and output files.
 
-The protocol is that of spec/conformance/README.md.
+spec/conformance/README.md defines the protocol.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""`rna-conform`: run a reader on the conformance kit and print what passes."""
+"""`rna-conform`: run a reader on the conformance kit and print the verdict of each level."""
 
 from __future__ import annotations
 

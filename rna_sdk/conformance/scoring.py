@@ -31,7 +31,7 @@ class Score:
 
     Attributes:
         level, package, tier: which case; tier is "" where there is none, and has the part, and
-            the decoder's form but for transport, behind it where there are any.
+            the decoder's form except for transport, behind it where there are any.
         rows, right: how many rows there are, and how many are within their tolerance.
         passed: the verdict.
         in_tolerances, absolute: the largest difference over all rows but those that a step of

@@ -23,7 +23,7 @@ def atomic_file(path: Path) -> Iterator[Path]:
 
     A block that raises leaves `path` as it was and no temporary file. The name ends in ".part" and
     is one that no other process has, on this machine or on another that shares the folder. An
-    OSError without a file name, or with the temporary one, gets that of `path`.
+    OSError without a file name, or with the temporary one, gets the name of `path`.
     """
     check_replaceable(path)
     temporary = temporary_path(path)
@@ -69,7 +69,7 @@ def is_temporary(path: Path) -> bool:
 
 @cache
 def remove_leftovers(folder: Path) -> None:
-    """Delete what killed processes left in a folder, once a process; nothing while others write."""
+    """Delete leftovers of killed processes in a folder, once a process; none while others write."""
     with _locked(folder, alone=True) as locked:
         for path in filter(is_temporary, folder.iterdir() if locked else ()):
             path.unlink(missing_ok=True)

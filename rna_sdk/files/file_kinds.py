@@ -50,7 +50,7 @@ def is_gltf(path: Path) -> bool:
 
 
 def not_a(wanted: Kind, path: Path) -> str | None:
-    """Why a file is not of the wanted kind, and what makes one of it; None if its kind is unknown.
+    """Why a file is not of the wanted kind, with a command for it; None if its kind is unknown.
 
     The text follows the file's name in an error.
     """

@@ -184,7 +184,7 @@ def _lock(file: TextIOWrapper, folder: Path) -> None:
 
 
 def cache_folder() -> Path:
-    """The SDK's folder for what can be made again; it need not exist.
+    """The SDK's folder for files that can be made again; it need not exist.
 
     That of the XDG Base Directory Specification: `$XDG_CACHE_HOME` where it is an absolute path,
     else `~/.cache`. Raises RuntimeError where neither is there, since the user has no home.

@@ -33,7 +33,7 @@ _watchers: list[Callable[[bool], None]] = []
 
 
 def _hold_compiler() -> None:
-    """A fork waits for what another thread compiles or frees: the locks would stay locked in it."""
+    """A fork waits while another thread compiles or frees: the locks would stay locked in it."""
     _compiler_lock.acquire()
     _llvm_lock.__enter__()
 
@@ -113,7 +113,7 @@ def compiled(
 
 
 class _Kernel(CPUDispatcher):
-    """What Python calls; kernels call a twin without the wrapper for Python.
+    """The function that Python calls; kernels call a twin without the wrapper for Python.
 
     The wrapper takes half the compilation of a short kernel. A twin's code is on disk within that
     of its callers alone.
@@ -130,7 +130,7 @@ class _Kernel(CPUDispatcher):
 
 
 def _compile_declared(kernel: Any, signature: tuple[Any, ...], *_arguments: Any) -> Any:
-    """What numba calls for arguments of a kernel that is not compiled; returns what to call."""
+    """numba calls this for arguments of a kernel without code; returns the function to call."""
     with global_compiler_lock:
         if not kernel.signatures:
             kernel.compile(numba.void(*signature))
@@ -180,7 +180,7 @@ def _cut(argument: Any, rows: slice, count: int) -> Any:
 def callback(*signature: numba.types.Type) -> Callable[[Kernel], Any]:
     """Decorator: a C function of these argument types, compiled when its `address` is asked for.
 
-    Its code on disk is renewed as that of `compiled` is.
+    Its code on disk is renewed as for `compiled`.
     """
     cache_type: Any = _SourcesCache
 

@@ -172,7 +172,7 @@ def _mismatch(
     size: float,
     names: tuple[str, str],
 ) -> str:
-    """What differs between a source and a package, in one line."""
+    """The differences between a source and a package, in one line."""
     used = source[np.unique(triangles)]
     other = float(np.linalg.norm(np.ptp(used, axis=0)))
     whole = float(np.linalg.norm(np.ptp(points, axis=0)))

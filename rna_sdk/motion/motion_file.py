@@ -47,7 +47,7 @@ _CODES = TensorCodes(
 """Never seen: every issue becomes a MotionError with the found and the expected value."""
 
 _MOST_READ = 1 << 26
-"""Bytes of a file that is read at once: what happens to it then does not matter."""
+"""Bytes of a file that is read at once: later changes of the file do not matter."""
 
 _MOST_SCALE = 8.0
 """How many times as long, or as short, the edges of a first frame may be on average."""
@@ -251,7 +251,7 @@ def rest_positions(geometry: Mesh | Curves) -> Float32:
 
 
 def topology(geometry: Mesh | Curves) -> bytes:
-    """SHA-256 of what connects a geometry's positions."""
+    """SHA-256 of the connections between a geometry's positions."""
     links = geometry.offsets if isinstance(geometry, Curves) else geometry.triangles
     return hashlib.sha256(np.ascontiguousarray(links, "<u4").tobytes()).digest()
 

@@ -12,7 +12,7 @@ ISSUES_FILE = "spec/ISSUES.md"
 _INTRODUCTION = """\
 # Issue codes
 
-What `rna-validate` and `rna_sdk.package.validate` report. A code, once published, keeps its
+The codes that `rna-validate` and `rna_sdk.package.validate` report. A published code keeps its
 meaning. An error makes a reader refuse the package; a warning does not. Generated from
 `rna_sdk/package/issues.py` by `python -m rna_sdk.package.issue_list`.
 

@@ -56,7 +56,7 @@ class Code(Enum):
     GLB_SEVERAL = (Severity.ERROR, "The glTF carries several packages.")
     GLB_PACKAGE = (Severity.ERROR, "A node names no buffer view that can hold a package.")
     GLB_ALIGNMENT = (Severity.ERROR, "The package does not start on a 64-byte boundary.")
-    GLB_DECLARATION = (Severity.WARNING, "The extension is not declared as one that is optional.")
+    GLB_DECLARATION = (Severity.WARNING, "The extension is not declared as optional.")
     GLB_FALLBACK = (Severity.WARNING, "The package has no fallback of its own.")
 
     # manifest.json, and the JSON inside other entries
@@ -64,7 +64,7 @@ class Code(Enum):
     MANIFEST_NOT_JSON = (Severity.ERROR, "manifest.json is not a JSON object in UTF-8.")
     JSON_DUPLICATE_KEY = (Severity.ERROR, "A JSON object has the same key twice.")
     JSON_NOT_FINITE = (Severity.ERROR, "A JSON number is NaN, infinite or out of range.")
-    FORMAT_UNKNOWN = (Severity.ERROR, "The manifest's format is not that of an RNA package.")
+    FORMAT_UNKNOWN = (Severity.ERROR, "The manifest does not declare the format of RNA packages.")
     VERSION_TOO_NEW = (Severity.ERROR, "The package is of a newer version of the format.")
     VERSION_TOO_OLD = (Severity.ERROR, "The package is of an older version of the format.")
     KIND_UNSUPPORTED = (Severity.ERROR, "This version does not know the kind of part.")
@@ -110,7 +110,7 @@ class Code(Enum):
     GEOMETRY_NOT_FINITE = (Severity.ERROR, "A value of a vertex or curve point is NaN or infinite.")
     GEOMETRY_INDEX = (Severity.ERROR, "A triangle names a vertex that does not exist.")
     GEOMETRY_NORMAL = (Severity.ERROR, "A vertex normal is not of unit length.")
-    GEOMETRY_BOUNDS = (Severity.ERROR, "The accessor's min and max are not those of POSITION.")
+    GEOMETRY_BOUNDS = (Severity.ERROR, "The accessor's min and max differ from its positions'.")
     GEOMETRY_STRANDS = (Severity.ERROR, "The offsets do not part the points into whole strands.")
     GEOMETRY_SEGMENT = (Severity.ERROR, "Two points in a row of a strand are equal.")
     GEOMETRY_STEPS = (Severity.ERROR, "Quantised steps have no length, or a strand too many.")
@@ -142,8 +142,8 @@ class Code(Enum):
     # features/*.safetensors
     PLANES_HEADER = (Severity.ERROR, "The planes are not a well-formed safetensors file.")
     PLANES_TENSOR = (Severity.ERROR, "The file's tensors are not the required ones.")
-    PLANES_DTYPE = (Severity.ERROR, "A tensor's dtype is not that of the tier's planePrecision.")
-    PLANES_SHAPE = (Severity.ERROR, "The tensors' shapes are not those of the tier.")
+    PLANES_DTYPE = (Severity.ERROR, "A tensor's dtype differs from the tier's planePrecision.")
+    PLANES_SHAPE = (Severity.ERROR, "The tensors' shapes differ from the tier's.")
     PLANES_ALIGNMENT = (Severity.ERROR, "The tensor data does not start on a 64-byte boundary.")
     PLANES_NOT_FINITE = (Severity.ERROR, "The planes hold NaN, or values beyond 1e18.")
 

@@ -269,7 +269,7 @@ class _Contents:
         for record in (*records, *of_variants):
             for _, entry in references(record):
                 size = self._texture_size(entry, record)
-                # A transmittance of one texel is that of all triangles.
+                # A transmittance of one texel is the same for all triangles.
                 free = member == "transmittance" and size in (None, (1, 1))
                 if mesh.uvs is None and not free:
                     found, expected = f"no TEXCOORD_0 beside {entry}", "texture coordinates"

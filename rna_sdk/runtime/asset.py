@@ -1,4 +1,4 @@
-"""A loaded asset: what all kinds have in common, and an asset of several parts."""
+"""A loaded asset: the common members of all kinds, and an asset of several parts."""
 
 from __future__ import annotations
 
@@ -112,7 +112,7 @@ class Asset:
         raise NotImplementedError
 
     def _twin(self) -> Self:
-        """Another object with the same members: `copy` is refused, as of what maps a file."""
+        """Another object with the same members: `copy` is refused, since the asset maps a file."""
         other = object.__new__(type(self))
         other.__dict__.update(self.__dict__)
         return other
@@ -187,9 +187,9 @@ class AssetPart(Asset):
         normal_maps: normal maps of a surface; see `mapped_normals`.
         base_colors: base colour of a surface whose tier uses it; see `base_color_at`.
         environment_form: the manifest's record of the part's lobes, `lobes` of them; see `mirror`.
-            None if the package has none for the part, or the geometry is that of a proxy.
+            None if the package has none for the part, or the geometry is a proxy's.
         sampling: lobes for rays that leave the part, by triangles; the usual ones if the package
-            has none, or the geometry is that of a proxy.
+            has none, or the geometry is a proxy's.
     """
 
     _labels: ClassVar[Mapping[str, str]]
@@ -433,7 +433,7 @@ class AssetPart(Asset):
 
 
 def _by_answer(evaluators: dict[str, Evaluator]) -> dict[str, tuple[Evaluator, ...]]:
-    """What answers each of FORMS: one evaluator for all results, or one for each."""
+    """The evaluator of each of FORMS: one for all results, or one for each."""
     apart = [evaluators[form.name] for form in (VISIBLE, SHADOWED) if form.name in evaluators]
     answers = {TRANSPORT.name: tuple(apart)} if apart else {}
     others = {name: (one,) for name, one in evaluators.items() if one not in apart}

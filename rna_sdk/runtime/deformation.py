@@ -80,7 +80,7 @@ class RestPoints:
 
 
 class RestMesh:
-    """The mesh of a part at rest, and what all its deformed shapes share."""
+    """The mesh of a part at rest, with the data that all its deformed shapes share."""
 
     def __init__(self, mesh: Mesh, threads: int | None = None) -> None:
         self.mesh, self.threads = mesh, threads
@@ -134,7 +134,7 @@ class DeformedMesh:
         triangle: (n,) int32, indices of triangles. u, v: (n,) float32, barycentric coordinates of
         the second and third corner.
 
-        The rotation is that of the triangle (the polar factor of its deformation gradient, normal
+        The rotation is the triangle's (the polar factor of its deformation gradient, normal
         to normal), and then the smallest one that takes the deformed mesh's interpolated normal
         to that at rest. A triangle without area turns as its normal does.
 
@@ -157,7 +157,7 @@ class DeformedMesh:
 
 
 class RestCurves:
-    """The strands of a part at rest, and what all their deformed shapes share."""
+    """The strands of a part at rest, with the data that all their deformed shapes share."""
 
     def __init__(self, curves: Curves, threads: int | None = None) -> None:
         self.curves, self.threads = curves, threads

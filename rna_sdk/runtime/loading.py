@@ -34,7 +34,7 @@ def load(
         least this. Cheapest is fewest multiply-adds per query, those of int8 decoders counted half.
     max_error: likewise, the cheapest tier whose recorded mean FLIP is at most this.
     pixels: height in the image of the sphere about the asset's bounds. For a small asset a cheaper
-        tier meets `max_error`, and the geometry is that of a proxy if the package has one for this
+        tier meets `max_error`, and the geometry is a proxy's if the package has one for this
         size. None: as high as the validation images.
     variant: name of a variant of the base colours, see `Package.variants`; None: the default ones.
 

@@ -24,12 +24,17 @@ def surface_colors(part: SurfaceAsset) -> Array:
     """
     positions, normals = part.mesh.positions, part.mesh.normals
     wi = _unit(normals + _across(normals))  # at 45 degrees, so that nothing is mirrored to the eye
-    base_color = part.base_color_at(*_vertices(part.mesh)) if part.uses_base_color else None
+    base_color = vertex_base_colors(part)
     visible, _ = part.evaluate(positions, normals, normals, wi, base_color)
     colors = _as_albedo(visible, np.sqrt(0.5))
     if part.emits:
         colors += np.clip(part.emission(positions, normals, normals), 0.0, 1.0)
     return colors
+
+
+def vertex_base_colors(part: SurfaceAsset) -> Array | None:
+    """Mean base colour about the vertices of its mesh, (v, 3) float32; None where it has none."""
+    return part.base_color_at(*_vertices(part.mesh)) if part.uses_base_color else None
 
 
 def fiber_colors(part: FiberAsset, curves: Curves) -> Array:

@@ -98,7 +98,7 @@ def _reflected(
     weights: Float,
     direction: NDArray[np.floating],
 ) -> Float:
-    """(n, 1): what Fresnel's law keeps from going on."""
+    """(n, 1): the share that Fresnel's law reflects."""
     p = mesh.positions[corners].astype(np.float64)
     d = direction.astype(np.float64)
     outward = np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0])

@@ -74,7 +74,7 @@ class GpuPart:
 
     @property
     def transport(self) -> list[Evaluator]:
-        """What gives visible and shadowed light: one evaluator, or one of each."""
+        """The evaluators of visible and shadowed light: one for both, or one of each."""
         return [one for name, one in self.evaluators.items() if name != EMISSION.name]
 
     def new_rows(self, capacity: int) -> GpuRows:

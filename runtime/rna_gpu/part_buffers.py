@@ -1,4 +1,4 @@
-"""What group 0 of the shaders binds: a tier part's uniform, weights and planes."""
+"""The bindings of the shaders' group 0: a tier part's uniform, weights and planes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Transport and emission of a part in Dr.Jit: what rna_sdk.runtime's `evaluate` is in numpy."""
+"""Transport and emission of a part in Dr.Jit, as rna_sdk.runtime's `evaluate` in numpy."""
 
 from __future__ import annotations
 

@@ -116,7 +116,7 @@ class PackageScene:
         return state[0]
 
     def first_opaque(self, o: mi.Point3f, d: mi.Vector3f, active: mi.Bool) -> mi.Float:
-        """Distance along rays to what stops a column of light; infinity for nothing."""
+        """Distance along rays to the hit that stops a column of light; infinity for none."""
         if not self.transmits:
             return self.closest(o, d, mi.Float(dr.inf), active).t
         state = dr.while_loop(
@@ -209,7 +209,7 @@ def _mesh_geometry(package: Package, part: int, mesh: Mesh, variant: str | None)
 
 
 def geometry_of(shape: Shape) -> Mesh | Curves:
-    """What rays meet of a part in motion."""
+    """The geometry of a part in motion, for rays."""
     return shape.curves if isinstance(shape, DeformedCurves) else shape.mesh
 
 

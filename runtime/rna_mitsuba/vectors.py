@@ -1,4 +1,4 @@
-"""Vectors in Dr.Jit, in float32; among them what formulas of input blocks call (spec, 6.3)."""
+"""Vectors in Dr.Jit, in float32, with the functions of the input blocks' formulas (spec, 6.3)."""
 
 from __future__ import annotations
 

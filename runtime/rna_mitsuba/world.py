@@ -1,4 +1,4 @@
-"""All assets of a scene, placed, beside what Mitsuba itself traces."""
+"""All assets of a scene, placed, beside the shapes that Mitsuba itself traces."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ class World:
         sampler: mi.Sampler,
         active: mi.Bool,
     ) -> tuple[AssetHits, mi.Color3f]:
-        """The first hits nearer than far but on `start_instance`, and weights of what was passed.
+        """The first hits nearer than far, except on `start_instance`, and weights of passed hits.
 
         Where a hit lets light through, the ray goes on at random, as often as it does.
         """

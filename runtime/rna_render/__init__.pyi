@@ -12,6 +12,7 @@ from .materials.ground_plane import ground as ground
 from .materials.mesh_object import MeshObject as MeshObject
 from .motion.asset_motion import open_asset_motion as open_asset_motion
 from .paths.bands import render as render
+from .paths.direct_light import DirectLight as DirectLight
 from .paths.integrator import Integrator as Integrator
 from .paths.integrator_factory import make_integrator as make_integrator
 from .paths.sampling import Sampler as Sampler

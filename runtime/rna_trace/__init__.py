@@ -1,4 +1,4 @@
-"""Rays against the geometry of assets and meshes: what other packages than the renderer use."""
+"""Rays against the geometry of assets and meshes, for the renderer and other packages."""
 
 import lazy_loader
 

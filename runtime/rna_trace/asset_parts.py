@@ -1,4 +1,4 @@
-"""What rays need of an asset and of its parts, at rest and in motion."""
+"""An asset and its parts, as rays need them, at rest and in motion."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rna_trace.normal_maps import NormalMaps, texture_numbers
 from rna_trace.transmittance import Transmittance, TransmittanceTexture
 
 Shape = DeformedMesh | DeformedCurves
-"""The geometry of a part in motion: what its `deformed` gives."""
+"""The geometry of a part in motion: the result of its `deformed`."""
 
 
 AssetPart = SurfaceAsset | FiberAsset

@@ -172,7 +172,7 @@ def _barycentrics(
 def _uncertain(e1: Vector, e2: Vector) -> float:
     """By how many roundings rays miss the plane of a triangle of these edges, whatever its place.
 
-    Their distance is that of a corner, which reaches as far as the triangle, along its normal, each
+    Their distance is a corner's, which reaches as far as the triangle, along its normal, each
     component of which is a difference of products of edges: the volume of the triangle's box over
     twice its area. 0 for a triangle across an axis, about its size for another, more for a sliver.
     """

@@ -111,7 +111,7 @@ class PartsScene(GeometryScene):
         return float(np.linalg.norm(np.max(high, axis=0) - np.min(low, axis=0)))
 
     def first_opaque(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
-        """Distance along rays (n, 3) float32 to what stops light: (n,) float32, inf for nothing.
+        """Distance of rays (n, 3) float32 to the hit that stops light: (n,) float32, inf for none.
 
         Rays pass triangles whose transmittance, the mean of its channels, is PASSED or more, and
         _MOST_LAYERS of them at most.
@@ -130,7 +130,7 @@ class PartsScene(GeometryScene):
         return hits.t
 
     def transmitted(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
-        """The product of what all that rays from outside meet lets through, (n, 3) float32."""
+        """The product of the transmittances that rays from outside meet, (n, 3) float32."""
         origins = vectors("origins", origins)
         directions = vectors("directions", directions, len(origins))
         if self.transmits:

@@ -1,4 +1,4 @@
-"""What triangles let through: textures of transmittance, in tables that compiled code reads.
+"""Transmittance of triangles: textures, in tables that compiled code reads.
 
 The light that leaves a hit is (1 - tau) times that of the surface plus tau times that from behind,
 where tau is a texture's value, without its parts below a cutoff, times what a smooth interface

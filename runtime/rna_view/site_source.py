@@ -38,7 +38,7 @@ def site_for(source: Path, environment: Path | None = None) -> Site:
 
 
 def gallery_for(sources: Sequence[Path], environment: Path | None = None) -> Gallery:
-    """The page for several packages, under one light. Raises what site_for raises.
+    """The page for several packages, under one light. Raises the errors of site_for.
 
     Raises:
         ViewError: a scene file, which has a light and a camera of its own.

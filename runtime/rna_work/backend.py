@@ -45,7 +45,7 @@ class Slot(Protocol):
         """Run an item after those given before. The future raises WorkerLost if the worker ends."""
 
     def processor_seconds(self) -> float | None:
-        """Processor time of the worker and of what it started, s; None where nobody can tell."""
+        """Processor time of the worker and its processes, s; None where nobody can tell."""
 
     def close(self, kill: bool) -> None:
         """End the worker, at once or after its items, and wait until it has ended."""

@@ -1,4 +1,4 @@
-"""One bar for all workers: rate and time left of the whole, who works where, what went wrong."""
+"""One bar for all workers: rate and time left of the whole, places of work, failures."""
 
 from __future__ import annotations
 

@@ -47,7 +47,7 @@ class Timeouts:
 
 @dataclass
 class Watch:
-    """Watches a worker's item: what uses the processor is not hung, only slow.
+    """Watches a worker's item: an item that uses the processor is not hung, only slow.
 
     since: when the item began, s of any clock. processor: the worker's time on the processor then,
     s; None where it cannot be told, and the clock alone decides.

@@ -5,7 +5,7 @@ import { fileURLToPath } from "node:url";
 
 const here = dirname(fileURLToPath(import.meta.url)), SHADERS = join(here, "../rna_gpu/wgsl");
 
-/** What `entries`, names of compositions and files, are composed of: compositions, and the files that they need. */
+/** The parts of `entries`, names of compositions and files: compositions, and the files that they need. */
 export function shaders(entries) {
   const read = (path) => JSON.parse(readFileSync(path, "utf8"));
   const compositions = {

@@ -1,4 +1,4 @@
-"""docs/blender.md: its Python runs in Blender, word for word but for the user's folders."""
+"""docs/blender.md: its Python runs in Blender, word for word except the user's folders."""
 
 from __future__ import annotations
 

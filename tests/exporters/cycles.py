@@ -58,7 +58,7 @@ def trace(worker: BlenderWorker, wi: np.ndarray, rays: int = 2048, samples: int 
 
 
 def assert_same_holes(worker: BlenderWorker, exported: ExportedParts) -> None:
-    """Cycles' alpha and position along view rays are ours, but for 0.5% of the rays.
+    """Cycles' alpha and position along view rays are ours, except for 0.5% of the rays.
 
     The alpha is that of the first hit and all behind it.
     """

@@ -45,10 +45,20 @@ def test_standin_of_metal_has_the_colour_of_its_lobe() -> None:
     np.testing.assert_allclose(material.base_color, (0.8, 0.8, 0.8), atol=0.1)
 
 
-def test_standin_of_strands_is_as_bright_on_average() -> None:
-    radiance = np.float32([[0.05, 0.025, 0.0]] * 100)
-    material = standin_material({"tangent": radiance, "radiance": radiance})
-    np.testing.assert_allclose(material.base_color, np.pi * np.array([0.2, 0.1, 0]), atol=1e-3)
+def test_standin_of_a_print_under_clear_coat_is_no_metal() -> None:
+    """The coat's narrow lobe is fitted by a wide one that reflects more than arrives."""
+    material = standin_material(samples_of((0.5, 0.5, 0.5), 4.5, 0.1))
+    assert material.metallic == 0.0
+    np.testing.assert_allclose(material.base_color, (0.5, 0.5, 0.5), atol=0.05)
+
+
+def test_standin_of_strands_has_the_colour_of_light_from_the_viewers_side() -> None:
+    """And not of the glow that comes through hair from behind."""
+    axis = np.float32([[0.0, 0.0, 1.0]] * 100)
+    wi = np.where(np.arange(100)[:, None] % 2, axis, -axis)
+    radiance = np.where(wi[:, 2:] > 0.0, np.float32([0.01, 0.005, 0.0]), np.float32(2.0))
+    material = standin_material({"tangent": axis, "wo": axis, "wi": wi, "radiance": radiance})
+    np.testing.assert_allclose(material.base_color, 8.0 * np.pi * radiance[1], atol=1e-3)
     assert material.roughness == 1.0
 
 

@@ -144,8 +144,8 @@ def test_the_range_is_the_largest_error_of_a_left_out_asset() -> None:
 def test_two_lines_are_told(ratio: float, words: str) -> None:
     cost, of_gain = gain_text(pilot(ratio), HALF).split("\n")
     assert cost == (
-        f"a path of Cycles takes 12 us, and its variance is {ratio:.2g} times that of its pixel; "
-        "here a query of small takes 0.16 us and its ray 0.3 us (processor time)"
+        f"a path of Cycles takes 12 us, and its variance is {ratio:.2g} times its pixel's "
+        "variance; here a query of small takes 0.16 us and its ray 0.3 us (processor time)"
     )
     assert words in of_gain
     assert ("portability" in of_gain) == (ratio == 2.0)

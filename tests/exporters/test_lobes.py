@@ -228,7 +228,7 @@ def test_a_stopped_training_leaves_no_file(tmp_path, monkeypatch):
     [
         ([], "or one package with --environment"),
         (["--environment", "--environment-minutes", "0"], "expected a number above 0"),
-        (["--environment-files", "a.hdr"], "expected --environment, too"),
+        (["--environment-files", "a.hdr"], "expected --environment as well"),
         (["--environment", "--proxies", "32"], "argument --proxies: expected checkpoints"),
     ],
 )

@@ -28,7 +28,7 @@ def test_singular_values_become_one(shape: tuple[int, int]) -> None:
     matrix = random((1, *shape))
     u, s, vh = torch.linalg.svd(orthogonalised(matrix)[0], full_matrices=False)
     assert 0.6 < s[s > 0.3].min() and s.max() < 1.3
-    assert (s > 0.6).float().mean() > 0.9  # but for what was next to nothing
+    assert (s > 0.6).float().mean() > 0.9  # except for values near 0
     old_u, _, old_vh = torch.linalg.svd(matrix[0], full_matrices=False)
     assert torch.allclose(u @ s.diag() @ vh, orthogonalised(matrix)[0], atol=1e-5)
     along = (old_u.T @ orthogonalised(matrix)[0] @ old_vh.T).diag()

@@ -64,7 +64,7 @@ def test_materials_that_do_not_fit_the_triangles_are_refused(
     dataset = two_materials(tmp_path / "ball.rays")
     wrong = dataset.materials["asset"] + np.int16(1) if numbers is None else numbers
     write_arrays(tmp_path / "ball.rays" / "materials.safetensors", {"asset": wrong})
-    with pytest.raises(CaptureError, match="its materials are not those of its triangles"):
+    with pytest.raises(CaptureError, match="its materials do not fit its triangles"):
         TriangleMaterials(dataset)
 
 

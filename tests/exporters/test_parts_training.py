@@ -46,10 +46,14 @@ def test_all_parts_are_trained_and_exported(
     said = capsys.readouterr().out
     assert f"next: rna-export {out} --out two.rna" in said
     assert export([str(out), "--out", str(package)]) == 0
+    said = capsys.readouterr().out
     asset = load(package)
     with Package.open(package) as opened:
         manifest = opened.manifest
-        assert opened.carrier is not None and opened.carrier.facts()["fallback_meshes"] == 2
+        assert opened.carrier is not None
+        facts = opened.carrier.facts()
+        assert facts["fallback_meshes"] == 2 and 0.0 < facts["fallback_flip"] < 1.0
+        assert f"fallback: FLIP {facts['fallback_flip']:.4f}" in said
         planes = [entry for entry in manifest.entries if entry.startswith("features/")]
     assert [(p.name, p.kind) for p in manifest.parts] == [("surface", "surface"), ("hair", "fiber")]
     assert sorted(planes) == [f"features/{p}/small.safetensors" for p in ("hair", "surface")]

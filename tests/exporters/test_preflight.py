@@ -56,10 +56,10 @@ def test_ten_materials_in_one_scene(open_worker: OpenWorker, tmp_path: Path) -> 
         assert actual[name].learnt == learnt, actual[name].lines
         assert re.fullmatch(words, actual[name].is_)
     assert opened.settings.sharpest == pytest.approx(0.035)
-    assert "highlights of roughness 0.035, those of 'paint'" in opened.preflight[-1]
+    assert "the highlights of 'paint', of roughness 0.035" in opened.preflight[-1]
     assert no_gain(opened) is None  # one of ten that are seen
     assert re.search(
-        r"learnt without its relief \(\d% of what is seen\)$", actual["paint"].lines[0]
+        r"learnt without its relief \(\d% of the visible surface\)$", actual["paint"].lines[0]
     )
     assert sum(each.share for each in opened.materials if each.name != "glass") == pytest.approx(1)
     numbers = opened.exported.material_numbers([each.full_name for each in opened.materials])
@@ -169,7 +169,7 @@ def test_a_given_sharpest_is_kept(open_worker: OpenWorker) -> None:
     assert opened.settings.sharpest == 0.1
     assert not any("views look for" in line for line in opened.preflight)
     assert no_gain(opened) is None
-    said = "the gain is that of the asset without the relief of 'paint' (81% of what is seen)"
+    said = "the gain is for the asset without the relief of 'paint' (81% of the visible surface)"
     assert without_relief(opened) == [said]
 
 
@@ -259,9 +259,9 @@ def test_a_small_part_of_what_is_seen_withholds_no_gain(share: float, promised: 
     said = no_gain(SimpleNamespace(materials=materials))  # type: ignore[arg-type]
     assert (said is None) == promised
     assert promised or said == (
-        "gain: none is promised, since 'm' (30% of what is seen) will not be learnt"
+        "gain: none is promised, since 'm' (30% of the visible surface) will not be learnt"
     )
-    assert f"not learnt ({share:.0%} of what is seen)" in verdict.lines[0]
+    assert f"not learnt ({share:.0%} of the visible surface)" in verdict.lines[0]
 
 
 @pytest.mark.parametrize("share", [0.02, 0.3])
@@ -272,8 +272,8 @@ def test_a_gain_of_an_asset_that_loses_relief_says_so(share: float) -> None:
     )
     opened: Any = SimpleNamespace(materials=materials)
     assert no_gain(opened) is None and verdict.learnt == "not"
-    assert f"learnt without its relief ({share:.0%} of what is seen)" in verdict.lines[0]
-    said = "the gain is that of the asset without the relief of 'm' (30% of what is seen)"
+    assert f"learnt without its relief ({share:.0%} of the visible surface)" in verdict.lines[0]
+    said = "the gain is for the asset without the relief of 'm' (30% of the visible surface)"
     assert without_relief(opened) == ([said] if share == 0.3 else [])
 
 

@@ -30,7 +30,7 @@ box.name = "box"
 
 def test_a_floor_a_hidden_object_and_missing_uvs_are_named(open_worker: OpenWorker) -> None:
     hidden, floor, uvs = open_worker(HIDDEN + FLOOR).opened["notes"]
-    assert hidden == "what renders do not show is left out: 'lost'"
+    assert hidden == "left out, since renders do not show them: 'lost'"
     assert floor.startswith("object 'floor' is 50 times as long as all else together")
     assert "hide it in renders" in floor
     assert uvs.startswith("object 'box' has no UV map, and shows one colour of the image 'letters'")

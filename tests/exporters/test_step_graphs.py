@@ -40,7 +40,7 @@ def test_a_step_is_recorded_after_three_and_reads_the_new_rows() -> None:
 
 
 def as_on_a_gpu(fitting: Fitting) -> Fitting:
-    """With tensors and graphs as there, but for their recording."""
+    """With tensors and graphs as there, except their recording."""
     fitting._graphs = StepGraphs(fitting._descend, lambda step: step)
     fitting._footprint = torch.ones(())
     return fitting

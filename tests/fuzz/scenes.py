@@ -10,7 +10,7 @@ of the project's, a value that is not finite, a message of several lines, or mor
 or SLOW_SECONDS. A signal ends the run: the file is left in --folder, and `number` there has its
 number; go on behind it with --first.
 
-With NUMBA_BOUNDSCHECK an index outside an array is an IndexError in kernels, but for those that
+With NUMBA_BOUNDSCHECK an index outside an array is an IndexError in kernels, except in those that
 read memory by address. Decoders of others (OpenEXR, PIL) run as they are.
 """
 

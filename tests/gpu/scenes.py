@@ -54,7 +54,7 @@ def welch(a: Channels, b: Channels, side: int) -> np.ndarray:
 
 
 def assert_same_numbers(actual: Channels, expected: Channels) -> None:
-    """Equal images but for rounding, which sends some paths elsewhere."""
+    """Equal images up to rounding, which sends some paths elsewhere."""
     assert actual.keys() == expected.keys() and actual["R"].max() > 0.1
     for name, values in expected.items():
         assert _close(actual[name], values) > 0.985, name
@@ -67,7 +67,7 @@ def _close(actual: np.ndarray, expected: np.ndarray) -> float:
 
 
 def assert_same_law(actual: Channels, expected: Channels) -> None:
-    """Equal images but for noise; a darker one is told apart."""
+    """Equal images up to noise; a darker one is told apart."""
     tiles = welch(actual, expected, 8)
     assert np.abs(tiles).max() < 4.5 and np.mean(tiles**2) < 2.0
     assert np.allclose(actual["A"].mean(), expected["A"].mean(), atol=0.01)

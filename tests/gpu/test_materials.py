@@ -35,6 +35,10 @@ CAMERA = {"position": (0.2, 0.4, 4.2), "look_at": (0, 0, 0), "vertical_fov_deg":
 MOVED = np.array([[0.8, -0.5, 0.2], [0.6, 1.1, -0.3]])
 
 
+COLORS = np.random.default_rng(9).uniform(0.2, 1.0, (49, 3)).astype(np.float32)
+"""Colours of the bent square's vertices."""
+
+
 def in_a_row(
     meshes: list, lights: tuple = (SUN, SKY), behind: bool = False, **more: object
 ) -> tuple[SceneFile, World]:
@@ -91,7 +95,7 @@ def test_textures_that_are_moved_and_wrapped(device: Device) -> None:
     scene = in_a_row(
         [
             made(material(wrap=(CLAMP, MIRROR), transform=MOVED), material(transform=MOVED)),
-            made(material(uv_set=1, wrap=(MIRROR, CLAMP)), material(uv_set=1)),
+            made(material(uv_set=1, wrap=(MIRROR, CLAMP)), material(uv_set=1), colors=COLORS),
         ]
     )
     actual = on_gpu(*scene, lambda: device).channels()

@@ -25,7 +25,7 @@ T = mi.ScalarTransform4f
 class Pair:
     """One scene twice.
 
-    ours: keys of a scene file but for camera and size. theirs: entries of Mitsuba's scene.
+    ours: keys of a scene file except camera and size. theirs: entries of Mitsuba's scene.
     max_depth: of rna-run; Mitsuba counts one more.
     """
 

@@ -123,7 +123,7 @@ def random_int8_decoder(
 
 
 def decoder_of(layers: Sequence[ProfileLayer], **overrides: Any) -> ProfileDecoder:
-    """The decoder of these layers; `overrides`: members of it, but for `outputs`."""
+    """The decoder of these layers; `overrides`: members of it, except `outputs`."""
     fields: dict[str, Any] = {"low": -LIMIT, "high": LIMIT, "gain": None, "offset": None}
     fields |= {"top": 11.0, "unit": 1.0, "matrix": None, **overrides}
     fields.pop("outputs", None)

@@ -92,9 +92,24 @@ CHANGES: dict[str, tuple[str, Callable[[Document], object]]] = {
         lambda d: d["bufferViews"][0].update(byteOffset=4, byteLength=64),
     ),
     "package_cut": ("ZIP_TRUNCATED", lambda d: d["bufferViews"][0].update(byteLength=1024)),
+    "view_at_half_a_byte": ("GLB_PACKAGE", lambda d: d["bufferViews"][0].update(byteOffset=64.5)),
+    "view_of_nothing": ("GLB_PACKAGE", lambda d: d["bufferViews"].__setitem__(0, None)),
+    "views_of_an_object": ("GLB_PACKAGE", lambda d: d.update(bufferViews={"0": {}})),
+    "no_buffers": ("GLB_PACKAGE", lambda d: d.pop("buffers")),
+    "extensions_of_a_list": (
+        "GLB_NO_PACKAGE",
+        lambda d: d["nodes"][-1].update(extensions=[EXTENSION]),
+    ),
     "empty_package": ("GLB_PACKAGE", lambda d: d["bufferViews"][0].update(byteLength=0)),
 }
 """Name of a broken file -> its code, and what makes it of a good one's JSON."""
+
+
+def _with_length(data: bytes, length: int) -> bytes:
+    """The file with another length of its binary chunk."""
+    at = data.index(b"BIN\0")
+    return data[: at - 4] + length.to_bytes(4, "little") + data[at:]
+
 
 CUTS: dict[str, Callable[[bytes], bytes]] = {
     "cut": lambda data: data[:-100],
@@ -105,6 +120,10 @@ CUTS: dict[str, Callable[[bytes], bytes]] = {
     "endless_json": lambda data: data[:12] + b"\xff\xff\xff\xff" + data[16:],
     "json_of_another_kind": lambda data: data[:16] + b"NOSJ" + data[20:],
     "no_json": lambda data: data[:20] + b"]" + data[21:],
+    "deep": lambda data: pack_glb(b'{"a":' * 10**5 + b"0" + b"}" * 10**5, data[-4:]),
+    "not_utf8": lambda data: pack_glb(b'{"a":"\xff"}', data[-4:]),
+    "two_json_chunks": lambda data: data.replace(b"BIN\0", b"JSON", 1),
+    "endless_buffer": lambda data: _with_length(data, 0xFFFFFFF0),
     "bomb": lambda data: pack_glb(b'{"extras":[' + b"[]," * 2**22 + b"0]}", data[-4:]),
 }
 """Name of a broken file -> what makes it of a good one's bytes; the code is GLB_CONTAINER."""

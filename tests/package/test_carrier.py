@@ -17,7 +17,7 @@ from rna_sdk.package import Package, validate
 from rna_sdk.package.command import rna_info, rna_pack, rna_validate
 from rna_sdk.package.gltf.carrier import EXTENSION
 from rna_sdk.package.gltf.carrier_writer import with_package
-from rna_sdk.package.gltf.fallback import glb_of
+from rna_sdk.package.gltf.fallback import VertexColors, glb_of
 from rna_sdk.package.packing import Unpacked
 from rna_sdk.runtime import load
 from tests.conftest import REPOSITORY
@@ -77,7 +77,11 @@ def test_the_example_of_the_text_fits_the_schema() -> None:
 def test_the_fallback_takes_little(package: Path) -> None:
     """Geometry of the package is not stored again; strands are fewer."""
     with Package.open(package) as of:
-        colors = {} if package is CURLS else {0: np.zeros((len(of.mesh().positions), 3), "f4")}
+        colors = (
+            {}
+            if package is CURLS
+            else {0: VertexColors(np.zeros((len(of.mesh().positions), 3), "f4"))}
+        )
         assert len(glb_of(of, colors)) < 1.35 * package.stat().st_size
 
 
@@ -178,6 +182,20 @@ def test_info_says_what_carries_it(
     assert "carried by" not in capsys.readouterr().out
 
 
+@pytest.mark.parametrize(
+    ("flip", "shown"),
+    [(0.274, ", FLIP 0.274"), (1, ", FLIP 1.000"), ("x", ""), (True, ""), (1e300, ""), (-1, "")],
+)
+def test_info_shows_the_error_of_the_fallback(
+    flip: object, shown: str, carrier: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def change(document: Document) -> None:
+        document["nodes"][-1]["extensions"][EXTENSION]["fallbackFlip"] = flip
+
+    assert rna_info.main([str(changed(carrier, tmp_path / "a.glb", change))]) == 0
+    assert capsys.readouterr().out.splitlines()[1].endswith(f"its fallback: 1 mesh{shown}")
+
+
 def test_a_package_is_put_back(carrier: Path, tiny: Path, tmp_path: Path) -> None:
     """What a tool wrote again without the extension gets the package back; the rest stays."""
     document, blob = opened(carrier)
@@ -195,6 +213,39 @@ def test_a_package_is_put_back(carrier: Path, tiny: Path, tmp_path: Path) -> Non
     assert root["children"] == document["scenes"][0]["nodes"] and "translation" not in root
     with Package.open(out) as package:
         assert bytes(package.file_data) == tiny.read_bytes()
+
+
+@pytest.mark.parametrize("view", [0, 1, 999], ids=["gone", "other", "none"])
+def test_an_extension_without_its_package_gets_it_back(
+    view: int, carrier: Path, tiny: Path, tmp_path: Path
+) -> None:
+    """As after gltf-pipeline: the node keeps the extension, with the number of another view."""
+
+    def drop(document: Document) -> None:
+        document["bufferViews"][0]["byteLength"] = document["bufferViews"][0]["byteOffset"] = 64
+        document["nodes"][-1]["extensions"][EXTENSION] |= {"package": view, "fallbackFlip": 0.1}
+
+    left = changed(carrier, tmp_path / "left.glb", drop)
+    assert [issue.code for issue in validate(left)] != []
+    out = tmp_path / "whole.glb"
+    assert rna_info.main([str(tiny), "--glb", str(out), "--fallback", str(left)]) == 0
+    assert validate(out) == []
+    whole, before = opened(out)[0], opened(left)[0]
+    assert whole["extensionsUsed"] == before["extensionsUsed"]
+    record = whole["nodes"][-1]["extensions"][EXTENSION]
+    assert record["package"] == len(before["bufferViews"]) and "fallbackFlip" not in record
+    assert len(whole["nodes"]) == len(before["nodes"])
+    with Package.open(out) as package:
+        assert bytes(package.file_data) == tiny.read_bytes()
+
+
+def test_a_fallback_with_packages_is_refused(carrier: Path, tiny: Path, tmp_path: Path) -> None:
+    several = changed(carrier, tmp_path / "several.glb", CHANGES["two_packages"][1])
+    cut = changed(carrier, tmp_path / "cut.glb", CHANGES["package_cut"][1])
+    with Package.open(tiny) as package:
+        for path in (several, cut):
+            with pytest.raises(RnaError, match="carries a package; expected"):
+                with_package(path, package)
 
 
 def test_named_nodes_carry_the_package(carrier: Path, tiny: Path, tmp_path: Path) -> None:

@@ -3,10 +3,7 @@
 from __future__ import annotations
 
 import io
-import json
-import struct
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -18,19 +15,16 @@ from rna_render.scene.material_models import DiffuseModel
 from rna_sdk.package import Curves, Package
 from rna_sdk.package.command.rna_info import main
 from rna_sdk.package.gltf.strand_ribbons import ribbons
+from rna_sdk.runtime import load
+from rna_sdk.runtime.standin_colors import surface_colors, vertex_base_colors
 from tests.conftest import REPOSITORY
 from tests.exporters.in_blender import answer_of
+from tests.package.carriers import opened
 
 TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
 CURLS = REPOSITORY / "examples" / "fibers" / "curly_ball.rna"
-PLAIN = DiffuseModel(type="diffuse")  # rna-run leaves colours of vertices out, with a warning
+PLAIN = DiffuseModel(type="diffuse")
 KIT = REPOSITORY / "spec" / "conformance" / "packages"
-
-
-def _document(path: Path) -> tuple[dict[str, Any], bytes]:
-    data = path.read_bytes()
-    size = struct.unpack_from("<I", data, 12)[0]
-    return json.loads(data[20 : 20 + size]), data[28 + size :]
 
 
 def _glb(package: Path, folder: Path) -> Path:
@@ -46,7 +40,7 @@ def _mesh(path: Path) -> MeshObject:
 
 def test_a_mesh_has_its_triangles_and_its_material(tmp_path: Path) -> None:
     path = _glb(TOY, tmp_path)
-    document, blob = _document(path)
+    document, blob = opened(path)
     with Package.open(TOY) as package:
         mesh, manifest = package.mesh(), package.manifest
     stated = manifest.extensions["RNA_standin"]["parts"][0]
@@ -71,7 +65,7 @@ def test_a_mesh_has_its_triangles_and_its_material(tmp_path: Path) -> None:
 
 def test_parts_are_nodes_and_holes_are_alpha(tmp_path: Path) -> None:
     path = _glb(KIT / "parts-lantern.rna", tmp_path)
-    document, blob = _document(path)
+    document, blob = opened(path)
     with Package.open(KIT / "parts-lantern.rna") as package:
         names = [part.name for part in package.manifest.parts]
         holes = [package.transmittance(i) for i in range(len(names))]
@@ -88,6 +82,38 @@ def test_parts_are_nodes_and_holes_are_alpha(tmp_path: Path) -> None:
     alpha = np.array(Image.open(io.BytesIO(png)))[..., 3]
     texture = next(r.texture for r in records if r.texture.shape[:2] == alpha.shape)
     np.testing.assert_allclose(alpha, 255.0 - texture.mean(axis=2), atol=0.5)
+
+
+def test_images_of_base_colour_are_textures_and_vertices_have_the_rest(tmp_path: Path) -> None:
+    """In the package's own bytes; but for linear or moved images, which viewers would get wrong."""
+    path = _glb(KIT / "surface-print.rna", tmp_path)
+    document, blob = opened(path)
+    primitives = document["meshes"][0]["primitives"]
+    corners = [document["accessors"][p["indices"]]["count"] // 3 for p in primitives]
+    materials = [document["materials"][p["material"]] for p in primitives]
+    surfaces = [material["pbrMetallicRoughness"] for material in materials]
+    printed = {
+        first: surface
+        for first, surface in zip(np.cumsum([0, *corners[:-1]]).tolist(), surfaces, strict=True)
+        if "baseColorTexture" in surface
+    }
+    assert sorted(printed) == [0, 75] and printed[75]["baseColorFactor"][:3] == [0.5, 1.0, 1.0]
+    texture = document["textures"][printed[75]["baseColorTexture"]["index"]]
+    assert document["samplers"][texture["sampler"]] == {"wrapS": 33071, "wrapT": 33648}
+    view = document["bufferViews"][document["images"][texture["source"]]["bufferView"]]
+    part = load(KIT / "surface-print.rna").parts[0]
+    with Package.open(KIT / "surface-print.rna") as package:
+        png, start = package.entry("textures/dot.png")
+    assert view["byteOffset"] == start and blob[start:][: view["byteLength"]] == bytes(png)
+    number = primitives[0]["attributes"]["COLOR_0"]
+    place = document["bufferViews"][document["accessors"][number]["bufferView"]]
+    rows = np.frombuffer(blob[place["byteOffset"] :][: place["byteLength"]], "<u2")
+    colors, whole = rows.reshape(-1, 4)[:, :3] / 65535, np.minimum(surface_colors(part), 1.0)
+    base = np.maximum(vertex_base_colors(part), 1.0 / 255.0)
+    for first, count, is_printed in ((0, 30, True), (30, 25, False)):
+        vertices = np.unique(part.mesh.triangles[first : first + count])
+        expected = whole[vertices] / (base[vertices] if is_printed else 1.0)
+        np.testing.assert_allclose(colors[vertices], np.minimum(expected, 1.0), atol=1e-4)
 
 
 def test_strands_become_ribbons_of_their_width_and_stay_below_the_limit() -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-import json
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +16,7 @@ from rna_sdk.package.command.rna_info import main as info
 from rna_sdk.package.manifest.extensions import PartTextures
 from rna_sdk.package.packing import Unpacked
 from tests.package.builders import read_entries
+from tests.package.carriers import opened
 from tests.package.corpus.registry import with_manifest
 
 MEMBERS = tuple(PartTextures.model_fields)
@@ -47,9 +47,7 @@ def test_they_come_back_and_go_into_the_glb(textured: Path, tiny: Path, tmp_path
     assert has_uvs and validate(textured) == []
     glb = tmp_path / "textured.glb"
     assert info([str(textured), "--glb", str(glb)]) == 0
-    data = glb.read_bytes()
-    size = int.from_bytes(data[12:16], "little")
-    document, blob = json.loads(data[20 : 20 + size]), data[28 + size :]
+    document, blob = opened(glb)
     (material,) = document["materials"]
     surface = material["pbrMetallicRoughness"]
     named = (surface["baseColorTexture"], surface["metallicRoughnessTexture"])

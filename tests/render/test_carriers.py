@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
+from rna_render import load_world
 from rna_render.command.rna_run import main
-from rna_render.command.terminal import tell_size
+from rna_render.command.terminal import tell_packages
 from rna_render.image.images import read_exr
+from rna_render.materials.files.mesh_file import MeshFileWarning
 from rna_render.scene import read_scene
 from rna_render.world.scene_sources import check_files
 from rna_sdk.errors import SceneError
-from tests.package.carriers import changed, make_carrier
+from rna_sdk.runtime import load
+from tests.package.carriers import Document, changed, make_carrier
 from tests.render.assets import sphere
 from tests.render.packages import write_lambert_package
 
@@ -62,13 +67,45 @@ def test_a_glb_without_a_package_says_what_makes_one(tmp_path: Path) -> None:
         check_files(read_scene(tmp_path / "scene.yaml"))
 
 
-def test_what_a_scene_shows_beside_its_package_is_told(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+def _again(**members: Any) -> Callable[[Document], object]:
+    """Adds a second node with the package."""
+    return lambda d: d["nodes"].append({**d["nodes"][-1], "children": [], **members})
+
+
+def _instanced(document: Document) -> None:
+    """Seven places for the node with the package, by EXT_mesh_gpu_instancing."""
+    document["accessors"].append({"componentType": 5126, "count": 7, "type": "VEC3"})
+    attributes = {"attributes": {"TRANSLATION": len(document["accessors"]) - 1}}
+    document["nodes"][-1]["extensions"]["EXT_mesh_gpu_instancing"] = attributes
+
+
+SCENES: dict[str, Callable[[Document], object]] = {
+    "beside.glb": lambda d: d["nodes"].append({"mesh": 0}),
+    "twice.glb": _again(translation=[3, 0, 0]),
+    "mirrored.glb": _again(scale=[-1, 1, 1]),
+    "instanced.glb": _instanced,
+}
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_a_scene_is_its_package_once_and_says_so(
+    name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
+    """Alone, and as an asset of a scene file; `load` takes the package."""
     package = write_lambert_package(tmp_path / "ball.rna", sphere(2))
     carrier = make_carrier(package, tmp_path / "ball.glb")
-    forest = changed(carrier, tmp_path / "forest.glb", lambda d: d["nodes"].append({"mesh": 0}))
-    note = "forest.glb is a scene; its package is shown once, and alone"
-    for path in (carrier, forest):
-        tell_size(path)
-        assert (note in capsys.readouterr().err) == (path is forest)
+    path = changed(carrier, tmp_path / name, SCENES[name])
+    scenes = tmp_path / "scene.yaml", tmp_path / "plain.yaml"
+    for scene, of in zip(scenes, (path, carrier), strict=True):
+        scene.write_text(SCENE.format(name=of.name))
+    note = f"{name} is a scene; its package is shown once, and alone"
+    for shown, expected in ((path, 1), (scenes[0], 1), (carrier, 0), (scenes[1], 0)):
+        tell_packages(read_scene(shown))
+        assert capsys.readouterr().err.count(note) == expected
+    rows = np.random.default_rng(1).normal(size=(4, 50, 3)).astype(np.float32)
+    for a, b in zip(load(path).evaluate(*rows), load(package).evaluate(*rows), strict=True):
+        assert a.tobytes() == b.tobytes()
+    as_object = SCENE.format(name=name).replace("assets:", "objects:")
+    scenes[0].write_text(as_object)
+    with pytest.warns(MeshFileWarning, match=r"not shown: .*RNA_relightable_asset"):
+        load_world(read_scene(scenes[0]))

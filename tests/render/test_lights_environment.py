@@ -145,7 +145,7 @@ def test_intervals_are_found_from_wherever_the_search_starts():
 
 @pytest.mark.parametrize("name", IMAGES)
 def test_the_density_follows_what_is_looked_up(name):
-    """Luminance over density is constant, but for the sine within a row of cells."""
+    """Luminance over density is constant, except for the sine within a row of cells."""
     d, radiance, pdf = EquirectangularImage(IMAGES[name]).sample(squares(10_000))
     ratio = (radiance @ LUMINANCE) / pdf
     assert (pdf > 0).all()

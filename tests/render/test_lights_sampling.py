@@ -89,7 +89,7 @@ def test_directions_follow_the_density(name):
 
 @pytest.mark.parametrize("name", CASES)
 def test_rays_find_what_samples_promise(name):
-    """Equal density and radiance, but for rays past the rim by rounding."""
+    """Equal density and radiance, except for rays past the rim by rounding."""
     of, x, _, _ = CASES[name]
     drawn = sampled(of, x, 16_384, independent=False)
     radiance, pdf = radiance_and_pdf(of, x, drawn.wi_world)

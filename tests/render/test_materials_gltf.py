@@ -11,7 +11,7 @@ from PIL import Image
 
 from rna_render.materials.bumps import bumped_normals
 from rna_sdk.errors import SceneError
-from tests.render.test_mesh_files import GLTF_UVS, Gltf, read
+from tests.render.test_mesh_files import FACES, GLTF_UVS, Gltf, read
 from tests.runtime.points import unit_vectors
 
 CENTRE = np.int32([0]), np.float32([1 / 3]), np.float32([1 / 3])
@@ -165,3 +165,26 @@ def test_thin_glass(tmp_path):
     np.testing.assert_allclose(share[0], 1 - tau(mesh), rtol=1e-6)
     opaque = replace(mesh, materials=(replace(mesh.materials[0], transmission=0.0),))
     assert opaque.base_share(*CENTRE, TOWARDS, TOWARDS) is None
+
+
+def test_colours_of_vertices_are_factors_of_the_base_colour(tmp_path):
+    """They count for their own primitive, interpolated, without their alpha."""
+    colors = np.uint16(np.random.default_rng(3).integers(0, 65536, (4, 4)))
+    gltf = Gltf().square(material=0).square(material=0, normals=False).node(mesh=0)
+    gltf.node(mesh=1)
+    gltf.json["scenes"] = [{"nodes": [0, 1]}]
+    gltf.json["materials"] = [{"pbrMetallicRoughness": {"baseColorFactor": [0.5, 1.0, 0.25, 1.0]}}]
+    attributes = gltf.json["meshes"][1]["primitives"][0]["attributes"]
+    attributes["COLOR_0"] = gltf.accessor(colors, normalized=True)
+    mesh = read(gltf.write(tmp_path / "a.gltf"))
+    triangle = np.arange(4, dtype=np.int32)
+    u, v = np.float32([0.2] * 4), np.float32([0.3] * 4)
+    actual = mesh.scattering(triangle, u, v).base_color
+    corners = (colors[:, :3] / 65535.0)[FACES]
+    mixed = 0.5 * corners[:, 0] + 0.2 * corners[:, 1] + 0.3 * corners[:, 2]
+    expected = np.concatenate([np.ones((2, 3)), mixed]) * [0.5, 1.0, 0.25]
+    np.testing.assert_allclose(actual, expected, atol=1e-5)
+    assert read(tmp_path / "a.gltf", {"type": "diffuse"}).colors is None
+    attributes["COLOR_0"] = gltf.accessor(np.full((4, 3), 2, np.float32))
+    with pytest.raises(SceneError, match=r"a\.gltf.*a vertex has a colour outside \[0, 1\]"):
+        read(gltf.write(tmp_path / "a.gltf"))

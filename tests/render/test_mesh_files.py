@@ -480,14 +480,14 @@ def test_what_is_not_shown_is_said_once(tmp_path):
     }
     gltf.json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = [1, 1, 1, 0.5]
     gltf.json["meshes"][0]["primitives"].append({"attributes": {"POSITION": 0}, "mode": 1})
-    gltf.json["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = 0
     path = gltf.write(tmp_path / "a.gltf")
     with pytest.warns(MeshFileWarning) as caught:
         read(path)
     assert [str(warning.message) for warning in caught] == [
-        f"{path}: not shown: alphaMode of what transmits, clear coats of what transmits, normal "
-        "textures of clear coats, points and lines, refraction of what transmits in part, "
-        "roughness of what is transmitted, the colour of KHR_materials_specular, vertex colours"
+        f"{path}: not shown: alphaMode of transmissive materials, "
+        "clear coats of transmissive materials, normal textures of clear coats, "
+        "points and lines, refraction of partly transmissive materials, "
+        "roughness of transmission, the colour of KHR_materials_specular"
     ]
     with pytest.warns(MeshFileWarning, match="not shown: points and lines$"):
         read(path, {"type": "diffuse"})

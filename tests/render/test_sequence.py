@@ -211,7 +211,7 @@ READ = {
     "f.png": b"texture",
     "g.png": b"ground",
 }
-"""Files that a scene reads, of no use but for the names in them."""
+"""Files that a scene reads, of which only the names count."""
 OBJECTS = """\
 objects: [{path: a.gltf}, {path: d.glb}, {path: e.obj}]
 ground: {material: {type: diffuse, texture: g.png}}

@@ -90,7 +90,7 @@ def test_a_floor_is_lit_through_glass() -> None:
 def test_what_is_not_solid_glass_is_said(tmp_path) -> None:
     path = tmp_path / "half.glb"
     path.write_bytes(box_glb((1.0, 1.0, 1.0), share=0.5))
-    with pytest.warns(UserWarning, match="refraction of what transmits in part"):
+    with pytest.warns(UserWarning, match="refraction of partly transmissive materials"):
         half = read_mesh_object(path)
     assert not half.has_solid_glass and half.transmittance is not None
     assert json.dumps(half.materials[0].transmission) == "0.5"

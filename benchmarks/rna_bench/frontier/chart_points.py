@@ -10,7 +10,7 @@ from rna_bench.frontier.trials.cost import Costs
 from rna_bench.frontier.trials.trial_record import Point, Record
 
 COSTS = {"ns": "ns/query, all threads", "bytes": "bytes of the package"}
-"""Costs of the chart; member of a point -> what it is."""
+"""Costs of the chart; member of a point -> its label."""
 
 
 def points_of(records: list[Record], costs: Costs | None) -> list[dict[str, Any]]:

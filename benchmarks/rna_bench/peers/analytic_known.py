@@ -72,7 +72,7 @@ class KnownMaterial(KnownMethod):
         return super().train(data, budget, work)
 
     def shaded(self, at: Points) -> Tensor:
-        """As `KnownMethod.shaded`; the model's radiance is that of irradiance 1."""
+        """As `KnownMethod.shaded`; the model's radiance is for irradiance 1."""
         way = at.lights - at.points
         squared = way.square().sum(dim=1, keepdim=True)
         asset, axis = self.model.asset, at.tangents if self.model.is_strand else at.normals

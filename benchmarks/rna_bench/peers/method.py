@@ -1,4 +1,4 @@
-"""What `rna-bench peers` asks of a method."""
+"""The interface between `rna-bench peers` and a method."""
 
 from __future__ import annotations
 

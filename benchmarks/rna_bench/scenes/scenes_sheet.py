@@ -17,7 +17,7 @@ _TITLES = 0.45  # inches, of a row of pictures and what is above it
 
 
 def draw_sheet(done: Sequence[MeasuredScene], result: dict[str, Any], path: Path) -> None:
-    """Write the PNG; result: scene -> what `judge` gave."""
+    """Write the PNG; result: scene -> the result of `judge`."""
     heights = [height for one in done for height in (_pictures_height(one), SIZE[1])]
     sheet = figure(SIZE[0], sum(heights))
     parts = sheet.subfigures(len(heights), 1, height_ratios=heights, squeeze=False).flat

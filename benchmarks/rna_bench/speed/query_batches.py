@@ -12,7 +12,7 @@ Arrays = tuple[Any, ...]
 
 
 def random_points(n: int) -> Arrays:
-    """Points all over the box and all directions: nothing is near what came before it."""
+    """Points all over the box and all directions: no query is near the one before it."""
     rng = np.random.default_rng(1)
     positions = rng.uniform(-1, 1, (n, 3)).astype(np.float32)
     return positions, *(unit(rng.normal(size=(n, 3))) for _ in range(3))

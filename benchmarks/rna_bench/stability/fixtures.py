@@ -1,4 +1,4 @@
-"""Makes what cases measure, once: captures, trainings, references from Cycles, packages."""
+"""Makes the data of the cases, once: captures, trainings, references from Cycles, packages."""
 
 from __future__ import annotations
 
@@ -142,7 +142,7 @@ class Fixtures:
 
     @cached_property
     def base(self) -> Trained:
-        """`small` trained on the given dataset: what variants are compared with."""
+        """`small` trained on the given dataset: the base of comparison for variants."""
         return self.train("base", self.dataset, self.preset(self.dataset.kind))
 
     @cached_property

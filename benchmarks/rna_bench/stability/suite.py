@@ -1,4 +1,4 @@
-"""Runs the cases, one after the other, and keeps what each gave."""
+"""Runs the cases, one after the other, and keeps their results."""
 
 from __future__ import annotations
 

@@ -126,7 +126,7 @@ static void load_vector(const unsigned char *bytes, double v[3]) {
     for (int k = 0; k < 3; k++) v[k] = values[k];
 }
 
-/* What is asked of a hit record, three numbers; false where there is no such triangle or segment. */
+/* The three numbers of a hit record; false where there is no such triangle or segment. */
 typedef bool Ask(const RnaAsset *asset, const Tracer *tracer, const unsigned char *record, float result[3]);
 
 static uint32_t word_at(const unsigned char *bytes) {

@@ -111,7 +111,7 @@ static RnaStatus shade(Renderer *renderer, int part) {
     return status;
 }
 
-/* What section 7 requires of a hit of the ray towards `direction`. */
+/* The rule of section 7 for a hit of the ray towards `direction`. */
 static void describe_hit(const Renderer *renderer, const TraceHit *hit, const double direction[3],
                          double x[3], double axis[3], double *h, double v[3]) {
     const RnaMesh *mesh = rna_part(renderer->asset, hit->part)->mesh;

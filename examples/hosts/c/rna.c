@@ -156,7 +156,7 @@ static const TierPart *queried_part(const RnaAsset *asset, int tier, int part, c
 
 enum { EMISSION = 2 }; /* behind visible and shadowed light */
 
-/* What multiplies outputs of a row; NULL where a tier part has no such factors. */
+/* The factors of a row's outputs; NULL where a tier part has none. */
 typedef struct Factors {
     const float *base_color, *nearby;
 } Factors;

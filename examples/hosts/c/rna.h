@@ -50,7 +50,7 @@ typedef enum RnaStatus {
 
 typedef struct RnaTier {
     const char *name;
-    bool is_int8;         /* the arithmetic of the decoders, where it is that of all parts */
+    bool is_int8;         /* the arithmetic of the decoders, where all parts have the same */
     double multiply_adds; /* a query; int8 ones count half when tiers are compared.  Below 0: unknown */
     double flip;          /* mean error on images the training never saw.  Below 0: unknown */
     double psnr;          /* of the same images, dB.  NaN: unknown */
@@ -79,7 +79,7 @@ typedef struct RnaTexture {
     const uint8_t *texels;
 } RnaTexture;
 
-/* What light goes straight through a range of triangles (section 4.4); rna_transmittance looks it up. */
+/* The light that goes straight through a range of triangles (section 4.4); rna_transmittance looks it up. */
 typedef struct RnaTransmittance {
     uint32_t first, count; /* triangles */
     RnaTexture texture;    /* of 1 or 3 channels, over 255 */
@@ -93,7 +93,7 @@ typedef struct RnaNormalMap {
     RnaTexture texture;    /* of 2 channels, 127 + 127 times x and y */
 } RnaNormalMap;
 
-/* What lies beyond the edges of an image. */
+/* The texels beyond the edges of an image. */
 typedef enum RnaWrap { RNA_REPEAT, RNA_CLAMP, RNA_MIRROR } RnaWrap;
 
 /* Base colour of a range of triangles (section 4.6); rna_base_color looks it up. */
@@ -237,7 +237,7 @@ bool rna_rest_point(const RnaShape *shape, uint32_t primitive, const double plac
 /* Frees the shape, which must be before rna_close of its asset.  NULL is fine. */
 void rna_free_shape(RnaShape *shape);
 
-/* What a package holds of an extension (section 9): the JSON text of its data, without a zero byte behind it.  NULL
+/* An extension of a package (section 9): the JSON text of its data, without a zero byte behind it.  NULL
  * where the manifest has none. */
 const char *rna_extension(const RnaAsset *asset, const char *name, size_t *size);
 

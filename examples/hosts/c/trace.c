@@ -107,8 +107,7 @@ static bool meets_box(const Node *node, const Ray *ray) {
     return near <= far * (1 + 1e-12) + 1e-300;
 }
 
-/* What a ray looks for: the first hit behind `after`, or, where `v` is there, what is left of the light
- * behind all hits. */
+/* The aim of a ray: the first hit behind `after`, or, where `v` is there, the light that is left behind all hits. */
 typedef struct Query {
     Ray ray;
     const TraceHit *after;
@@ -276,7 +275,7 @@ void trace_tangent(const Tracer *tracer, int part, uint32_t segment, double t[3]
     normalize(t);
 }
 
-/* What is left of the light along the ray. */
+/* The light that is left along the ray. */
 static void find_visibility(const Tracer *tracer, Query *query, double v[3]) {
     for (int k = 0; k < 3; k++) v[k] = 1;
     query->v = v;

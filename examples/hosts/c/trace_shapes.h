@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-/* What the tracer knows of a part. */
+/* The tracer's record of a part. */
 typedef struct Shape {
     const RnaMesh *mesh;     /* one of the two */
     const RnaCurves *curves;

@@ -180,7 +180,7 @@ class Job:
         return log_lines(self._log)[-count:] if self._log.is_file() else []
 
     def _stored(self):
-        """What `begin` stored; None if there is no job, or one of others."""
+        """The record that `begin` stored; None if there is no job, or one of others."""
         try:
             record = json.loads(self._settings.read_text())
             settings = {
@@ -205,7 +205,7 @@ class Job:
 _FOLDERS = ("make", "compare")
 """Written by rna-make and rna-compare."""
 _RAYS = ("make/make.json", "make/rays/manifest.json")
-"""What more minutes go on from."""
+"""The state from which more minutes continue."""
 _started = {}
 """Processes of this Blender by their job's folder."""
 

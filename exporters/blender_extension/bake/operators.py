@@ -72,7 +72,7 @@ class BakeMore(bpy.types.Operator):
 
 
 def _run(operator, item, begin):
-    """Start the job that `begin` begins as the panel says; returns what `execute` does.
+    """Start the job that `begin` begins, by the panel's options; returns `execute`'s result.
 
     begin: takes the object, its job, the package and the options. In background mode the operator
     waits for the end.

@@ -30,7 +30,7 @@ VALUES = (
     "--validation-views",
     "--workers",
 )
-"""By what follows them: nothing, any number of words, one."""
+"""By the words that follow: none, any number, one."""
 _LENGTHS = ("--lights", "--max-error", "--minutes", "--steps")
 
 

@@ -119,7 +119,7 @@ class _SceneObjects:
         if item.is_holdout:
             self._notes.add("a holdout is rendered as a mesh", item.name)
         if not item.visible_camera:
-            self._notes.add("what the camera shall not see is rendered all the same", item.name)
+            self._notes.add("objects hidden from the camera are rendered nevertheless", item.name)
         even = is_similarity(matrix)
         name = self._meshes.write(item, None if even else matrix)
         if name is None:

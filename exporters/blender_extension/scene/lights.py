@@ -50,7 +50,7 @@ def _colour(item, lamp, notes):
 
 
 def _grouped(item, light, notes):
-    """Adds the light group, renamed to what the scene file allows."""
+    """Adds the light group, under a name that the scene file allows."""
     group = re.sub(r"[^A-Za-z0-9_]", "_", item.lightgroup)
     return {**light, "group": group} if group else light
 

@@ -12,7 +12,7 @@ _LEFT_OUT = {  # inputs of the Principled BSDF that glTF, as rna-run reads it, h
 
 
 def describe_material(material, glb, notes):
-    """A glTF material; its textures go to `glb`. None: what has no material is grey."""
+    """A glTF material; its textures go to `glb`. None, for objects without one, is grey."""
     if material is None:
         return _lambert(_GREY["pbrMetallicRoughness"])
     tree = material.node_tree if getattr(material, "use_nodes", True) else None

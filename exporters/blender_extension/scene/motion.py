@@ -53,7 +53,7 @@ def _size(data):
 
 
 def _shape(item):
-    """What connects a part's points, its points in Blender's axes, and their number."""
+    """Connections of a part's points, the points in Blender's axes, and their number."""
     if item.type == "CURVES":
         data = item.data
         links = _read(data.curve_offset_data, "value", 1, np.int32).reshape(-1)

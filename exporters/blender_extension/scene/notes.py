@@ -1,4 +1,4 @@
-"""What of a Blender scene a scene file cannot say."""
+"""Parts of a Blender scene that a scene file cannot express."""
 
 
 class Notes:

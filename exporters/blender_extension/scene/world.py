@@ -48,7 +48,7 @@ def _image_light(node, strength, folder, notes):
     if not usable or node.image is None:
         notes.add(f"the world's node {node.name!r} is rendered as black")
         return {"radiance": [0.0, 0.0, 0.0]}
-    # The middle of Blender's image lies towards +x, that of a scene file's towards Blender's +y.
+    # The middle of Blender's image lies towards +x, of a scene file's image towards Blender's +y.
     turn = _turn(node.inputs["Vector"], notes) - math.pi / 2.0
     return {
         "radiance": [strength] * 3,

@@ -1,4 +1,4 @@
-"""Short lists of what may be many."""
+"""Short lists of possibly many names."""
 
 from __future__ import annotations
 

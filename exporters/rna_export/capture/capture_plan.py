@@ -37,7 +37,7 @@ def plan_lines(dataset: Dataset, geometries: Mapping[str, Mesh | Curves], rate: 
 
 
 def parts_lines(name: str, geometries: Mapping[str, Mesh | Curves]) -> str:
-    """What an asset is made of: a line, or one a part, each with its end."""
+    """The contents of an asset: a line, or one a part, each with its end."""
     sizes = {part: _size(geometry) for part, geometry in geometries.items()}
     if len(sizes) == 1:
         return f"{name}: {next(iter(sizes.values()))}\n"

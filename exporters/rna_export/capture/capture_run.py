@@ -132,7 +132,7 @@ def without_relief(opened: OpenedSource) -> list[str]:
     names, share = not_learnt(opened.materials, "relief")
     if share < _MATTERS:
         return []
-    return [f"the gain is that of the asset without the relief of {names}"]
+    return [f"the gain is for the asset without the relief of {names}"]
 
 
 def _trial(renders: int) -> tqdm:
@@ -350,10 +350,10 @@ class _TaskClock:
 
 
 def _write_picture(checks: Sequence[SelfCheck], path: Path) -> str | None:
-    """Write the first picture of what differs; returns a line that names it, None without one."""
+    """Write the first picture of differences; returns a line that names it, None without one."""
     picture = next((check.picture for check in checks if check.picture is not None), None)
     if picture is None:
         return None
     path.parent.mkdir(parents=True, exist_ok=True)
     write_atomically(path, picture)
-    return f"{path} marks what differs from Cycles"
+    return f"{path} marks the differences from Cycles"

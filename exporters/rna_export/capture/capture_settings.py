@@ -13,7 +13,7 @@ MAX_LIGHTS = 1_000_000
 MAX_FRAME = 1_048_574
 """That Blender knows."""
 WHITE_RAYS = 2048
-"""In a white world: what an asset returns of it is known within a percent."""
+"""In a white world: they give the light that an asset returns within a percent."""
 _MAX_POSES = 32
 _SHARDS = 32  # at least, where there are as many lights
 _MAX_RAYS, _MAX_SAMPLES, _MAX_VIEWS, _MAX_SIDE = 1 << 24, 1 << 20, 1000, 8192
@@ -43,7 +43,7 @@ class CaptureSettings(DatasetModel):
     parts: str = Field(
         "kinds",
         pattern="^(kinds|objects)$",
-        description="what has planes and a decoder of its own: kinds (all surfaces, all hair) or "
+        description="units with their own planes and decoder: kinds (all surfaces, all hair) or "
         "objects (each top-level object)",
     )
     exact_geometry: bool = Field(

@@ -82,7 +82,7 @@ class OpenedSource:
         )
         lines = preflight_lines(judged)
         if of is not None and "sharpest" not in given:
-            lines += [f"views look for highlights of roughness {sharpest:.2g}, those of {of!r}"]
+            lines += [f"views look for the highlights of {of!r}, of roughness {sharpest:.2g}"]
         opened = cls(worker, settings, exported, scene, limited, judged, tuple(lines))
         exported.notes += check_seen(worker.source.path, scene, geometries, opened.domain.wo)
         return opened
@@ -117,7 +117,7 @@ class OpenedSource:
         return check, speed
 
     def pilot(self, speed: Speed, tick: Callable[[], object], lights: int = LIGHTS) -> Pilot:
-        """How noisy paths are, and what rays cost here; tick, lights: of `measure_pilot`."""
+        """Noise of paths, and cost of rays here; tick, lights: of `measure_pilot`."""
         cutouts, path_seconds = self.exported.has_opaque_cutouts, speed.path_seconds
         return measure_pilot(
             self.scene,

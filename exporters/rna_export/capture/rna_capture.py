@@ -271,7 +271,7 @@ def _estimate(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
 
 
 def _is_dataset(folder: Path) -> bool:
-    """Whether a capture has begun there; CaptureError if the manifest is not that of a dataset."""
+    """Whether a capture has begun there; CaptureError if the manifest is no dataset's."""
     from rna_export.capture.dataset.dataset_folder import Dataset
 
     return (folder / "manifest.json").is_file() and bool(Dataset(folder))

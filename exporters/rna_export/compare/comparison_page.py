@@ -23,7 +23,7 @@ _NUMBERS = ("psnr", "coverage", "exposure", "seconds_ours", "seconds_cycles")
 
 
 Made = tuple[Path, Path, Origin, str | None]
-"""Package, source, what the package says of its making, and why the source may be another one."""
+"""Package, source, the package's record of its making, and signs of another source."""
 
 _WORDS = {
     "tier": "tier",
@@ -90,7 +90,7 @@ def error_of(pairs: list[Pair]) -> AssetFlip:
 
 
 def outcome_of(pairs: list[Pair], is_of_strands: bool) -> Outcome:
-    """What the lit pictures under suns say beyond the error."""
+    """The outcome of the lit pictures under suns."""
     lit = [pair.judged for pair in _under_suns(pairs) if pair.is_lit]
     return Outcome.of_images([image for image in lit if image is not None], is_of_strands)
 

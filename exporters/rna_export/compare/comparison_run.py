@@ -70,7 +70,7 @@ class Pair:
     def error(self) -> str:
         """In words: FLIP and PSNR, neither with Cycles' noise; in a white world the light alone.
 
-        FLIP there is mostly that of our own noise, which suns do not make.
+        FLIP there comes mostly from our own noise, which suns do not make.
         """
         if (returned := returned_light([self])) is not None:
             return albedo_text(returned, None)
@@ -99,7 +99,7 @@ def compare(
 ) -> list[Pair]:
     """The standard shots, one after the other, each program's time its own.
 
-    FLIP is of each at the exposure of a scene, PSNR under suns at that of the first. begin: gets
+    FLIP is of each at the exposure of a scene, PSNR under suns at the first one's. begin: gets
     the number of an image, from 1, how many there are, and its shot. done: gets the images so far;
     a new one may change the exposures of those before.
     """

@@ -77,7 +77,7 @@ class Origin:
         return (
             f"warning: {name} is not the file that the package was captured from, or was changed "
             f"since: found SHA-256 {digest[:12]}..., expected {self.sha256[:12]}...; differences "
-            "may be those of the files"
+            "may come from the files"
         )
 
 

@@ -111,7 +111,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     }
 
     def done(pairs: list[Pair]) -> None:
-        """Report the last image, and write what there is: the next ones may take minutes."""
+        """Report the last image, and write the results so far: the next ones may take minutes."""
         p = pairs[-1]
         print(
             f"{p.error}, coverage differs by {p.coverage:.2%}, "

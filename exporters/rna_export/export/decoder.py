@@ -83,7 +83,7 @@ class DecoderModel:
 
 
 def decoders_of(model: NeuralAsset) -> list[DecoderModel]:
-    """The decoders of a model: that of transport, or of visible light, first."""
+    """The decoders of a model; the first is for transport, or for visible light."""
     config, triplane = model.config, model.triplane
     assert isinstance(triplane, Triplane)
     terms = np.eye(2 if config.uses_base_color else 1, dtype=int)
@@ -200,7 +200,7 @@ def compare_int8_decoder(
 ) -> Agreement:
     """Compare ONNX with the twin in PyTorch; `ExportError` beyond tolerance.
 
-    The twin computes the same integers but for sums that fall next to the middle between two
+    The twin computes the same integers, except for sums that fall next to the middle between two
     steps, which float32 rounds either way: those rows may differ, and must be few.
 
     Returns how far ONNX is from the trained decoder on the real `queries`, (n, K).

@@ -85,7 +85,7 @@ class _TunedLayer(nn.Module):
 
 
 class _Stored(torch.autograd.Function):
-    """Rounding to uint8, whose gradient is that of clamping alone.
+    """Rounding to uint8, with the gradient of clamping alone.
 
     Bengio et al., "Estimating or Propagating Gradients Through Stochastic Neurons for Conditional
     Computation", 2013.

@@ -93,7 +93,7 @@ def _validation_text(validation: Validation | None) -> str:
 
 
 def check_loss(tier: Tier, trained: TrainedTier, views: list[WholeView], max_loss: float) -> None:
-    """Raises ExportError where the tier's PSNR is too far below that of the trained models."""
+    """Raises ExportError where the tier's PSNR is too far below the trained models' PSNR."""
     if tier.validation is None:
         return
     in_torch = mean_psnr([_shaded(trained, view) for view in views], views)

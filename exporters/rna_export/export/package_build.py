@@ -45,7 +45,7 @@ def build_package(
 
     trained: a model of each part of the dataset for each preset. precisions: of each preset's
     tiers, or by its name. Tiers are named for the preset and, unless it is the usual one, the
-    precision. name: of the asset; None for the dataset's, which is that of the source's file.
+    precision. name: of the asset; None for the dataset's, the name of the source's file.
 
     Each tier's error and cost are measured through the runtime, from a package like the one
     written, unless that is not wanted: then the manifest has neither. Raises `ExportError` when

@@ -69,7 +69,7 @@ def check_environment(args: Namespace, options: ArgumentParser) -> None:
         found = f"expected a number above 0, found {args.environment_minutes:g}"
         options.error(f"argument --environment-minutes: {found}")
     if args.environment_files and not args.environment:
-        options.error("--environment-files: expected --environment, too")
+        options.error("--environment-files: expected --environment as well")
 
 
 def lobe_minutes(args: Namespace) -> float:

@@ -26,8 +26,8 @@ _KEY, _SKY = 2.2, 0.35  # irradiance of the sun, W/m^2; radiance of the sky
 def render_poster(package: Path) -> bytes:
     """A PNG, sRGB with alpha, of the package's first tier; its longer side has 320 pixels.
 
-    The camera is that of `<rna-viewer>` when it opens at 16:10, the picture as much of its view as
-    the asset's box needs. The light is a sun from the side and an even, invisible sky.
+    The camera is the one with which `<rna-viewer>` opens at 16:10; the picture is the part of its
+    view that the asset's box needs. The light is a sun from the side and an even, invisible sky.
     """
     asset = load(package)
     geometries = [

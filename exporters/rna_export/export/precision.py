@@ -49,7 +49,7 @@ PRECISIONS = {
     "int8": Precision("int8"),
     "float32-float16": Precision(planes="float16"),
 }
-"""What `--precision` offers."""
+"""The values of `--precision`."""
 
 
 def add_precision(p: ArgumentParser) -> None:

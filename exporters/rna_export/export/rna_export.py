@@ -161,6 +161,7 @@ def _run(args: argparse.Namespace) -> None:
     from rna_export.export.package_build import build_package
     from rna_export.export.standin_textures import check_analytic
     from rna_export.export.trained_tiers import checkpoint_paths
+    from rna_export.fallback_error import complete_fallback
     from rna_export.lobes.environment_training import add_lobes
     from rna_export.pictures import sheet_of
     from rna_export.training.checkpoint import load_checkpoint
@@ -193,7 +194,8 @@ def _run(args: argparse.Namespace) -> None:
         add_extras(out, dataset, args.poster, proxies, coded, print, args.source_vertices, analytic)
         if args.environment:
             lobes = add_lobes(out, out, args.environment_minutes, args.environment_files)
-    print("\n".join([*closing_lines(args.out, manifest, trained, dataset), *lobes]))
+    lines = [*closing_lines(args.out, manifest, trained, dataset), *lobes]
+    print("\n".join([*lines, *complete_fallback(args.out, dataset)]))
     size = args.out.stat().st_size / 1e6
     print(f"wrote {args.out}, {size:.2f} MB, {sheet_of(args.out)}")
     print(f"next: {command_line('rna-validate', args.out)}")

@@ -28,7 +28,7 @@ _DIRECTIONS = 6  # of a point, from each lobe
 
 @dataclass(frozen=True, eq=False)
 class Scattered:
-    """What points send to their viewers of light from directions that all lobes brought.
+    """Light that points send to their viewers, from directions that all lobes brought.
 
     points: n. row: (k,) int64, the directions' points. wi: (k, 3) float32. transport: (k,)
     float64, mean of RGB. densities: (k, lobes) float64, per steradian, of each lobe. sampled: (k,)
@@ -70,7 +70,7 @@ class Scattered:
 
     @property
     def relative(self) -> NDArray[np.float64]:
-        """What makes a variance relative to a point's brightness and to the mean of all: (n,)."""
+        """Factors that relate a variance to a point's brightness and to the mean of all: (n,)."""
         sent = self.sent
         relative: NDArray[np.float64] = 1.0 / np.square(sent + sent.mean() + 1e-30)
         return relative

@@ -24,7 +24,7 @@ _NEAR = 1024  # triangles of a mesh, among which each has a neighbour
 
 
 class Weighted(NamedTuple):
-    """What mixtures are fitted to: k directions at n points.
+    """The data of a fit of mixtures: k directions at n points.
 
     row: (k,) int64, the points. weight, densities: of `fitted_shares`. points: n.
     """

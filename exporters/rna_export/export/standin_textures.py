@@ -42,8 +42,7 @@ def standin_material(samples: Mapping[str, np.ndarray]) -> StandinMaterial:
     rows = np.random.default_rng(0).permutation(len(samples["radiance"]))[:_ROWS]
     picked = {name: values[rows].astype(np.float64) for name, values in samples.items()}
     if "normal" not in picked:
-        colour = 4.0 * np.pi * picked["radiance"].mean(axis=0)
-        return _material(colour, 1.0, metal=False)
+        return _material(_of_strands(picked), 1.0, metal=False)
     n, wo, wi = (picked[name] for name in ("normal", "wo", "wi"))
     cos_i, cos_o = _dots(n, wi), _dots(n, wo)
     lit = is_lit(picked["visible"]) & (cos_i > 0.1) & (cos_o > 0.1)
@@ -59,8 +58,21 @@ def standin_material(samples: Mapping[str, np.ndarray]) -> StandinMaterial:
     fits = [_fit(left, _ggx(cos_h, roughness) / (4.0 * cos_o)) for roughness in _ROUGHNESS]
     best = int(np.argmin([error for error, _ in fits]))
     reflectance = fits[best][1]
-    metal = reflectance.mean() > _METAL * albedo.mean()
+    # A lobe narrower than all of these would need to reflect more than 1.
+    metal = np.minimum(reflectance, 1.0).mean() > _METAL * albedo.mean()
     return _material(reflectance if metal else albedo, float(_ROUGHNESS[best]), metal)
+
+
+def _of_strands(picked: Mapping[str, np.ndarray]) -> np.ndarray:
+    """Base colour of ribbons (3,) that are as bright as strands by light from the viewer's side.
+
+    Not the mean over all light: most of that comes through hair from behind, and ribbons are dark
+    there. Ribbons all around send albedo 5 / (12 pi), and shadow 0.7 of each other.
+    """
+    from_front = _dots(picked["wo"], picked["wi"]) > 0.0
+    radiance = picked["radiance"][from_front]
+    mean: np.ndarray = (radiance if len(radiance) else picked["radiance"]).mean(axis=0)
+    return 8.0 * np.pi * mean
 
 
 def _material(colour: np.ndarray, roughness: float, metal: bool) -> StandinMaterial:

@@ -110,7 +110,7 @@ def _measured(
 def parts_with_lobes(
     asset: Asset, visibility: Sequence[Harmonics | None] = ()
 ) -> list[tuple[PartViews, LobesAt]]:
-    """What `lobe_pictures` measures of a loaded asset. visibility: as of `part_views`."""
+    """The measurement by `lobe_pictures` of a loaded asset. visibility: as of `part_views`."""
     views = part_views(asset, visibility)
     return [
         (part_views, _lobes_of(part))
@@ -120,7 +120,7 @@ def parts_with_lobes(
 
 
 def filling(bar: tqdm, share: float = 1.0) -> Callable[[float], None]:
-    """Fills a share of a bar by parts of what the share stands for; sums may be rounded up."""
+    """Fills a share of a bar by parts of its work; sums may be rounded up."""
     return lambda part: bar.update(min(share * part, bar.total - bar.n))
 
 

@@ -150,7 +150,7 @@ def _light(views: PartViews, points: ViewPoints, d: np.ndarray, flux: np.ndarray
 
 
 def _lobe_light(amplitude: Rows, axis: Rows, d: np.ndarray, flux: np.ndarray) -> np.ndarray:
-    """What lobes give of flux (..., k, 3) along k directions: (..., n, 3)."""
+    """Light of lobes under flux (..., k, 3) along k directions: (..., n, 3)."""
     along = torch.from_numpy(d.T)[None]
     result = [np.zeros((*flux.shape[:-2], 0, 3), np.float32)]
     for start in range(0, len(axis), _AT_ONCE):

@@ -1,4 +1,4 @@
-"""The decoder of a part's lobes in PyTorch, and what its outputs mean."""
+"""The decoder of a part's lobes in PyTorch, and the meaning of its outputs."""
 
 from __future__ import annotations
 

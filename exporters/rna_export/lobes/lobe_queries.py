@@ -13,7 +13,7 @@ from rna_sdk.runtime.engine.tiles import QueryFiller
 
 
 class LobeInputs(NamedTuple):
-    """What lobes are made of: queries (n, K); wide, mirror (n, 3) and free (n,), of ViewPoints."""
+    """Inputs of lobes: queries (n, K); wide, mirror (n, 3) and free (n,), of ViewPoints."""
 
     queries: Rows
     wide: Rows

@@ -109,7 +109,7 @@ def part_views(asset: Asset, visibility: Sequence[Harmonics | None] = ()) -> lis
 
 
 class PartViews:
-    """What viewers see of one part of an asset.
+    """Points of one part of an asset that viewers see.
 
     Attributes:
         part: the part.

@@ -17,7 +17,7 @@ _LEAST = 0.1  # minutes that are worth going on for
 
 @dataclass(frozen=True)
 class CarriedOptions:
-    """What a run takes over: see `MakeOptions`. settings: but for those that are given."""
+    """Options that a run takes over: see `MakeOptions`. settings: all except the given ones."""
 
     presets: tuple[str, ...]
     arguments: tuple[str, ...]

@@ -1,4 +1,4 @@
-"""Goes on with what an earlier `rna-make` left: more minutes, or a changed material."""
+"""Continues an earlier `rna-make`: more minutes, or a changed material."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def begin_update(work: Path) -> None:
 
 
 def same_parts(work: Path, dataset: Dataset) -> tuple[str, ...]:
-    """Names of the parts whose geometry is that of the models before."""
+    """Names of the parts with the same geometry as in the models before."""
     before = work / _BEFORE / _GEOMETRY
     return tuple(
         part.name
@@ -78,7 +78,7 @@ def starts_of(state: State, work: Path, preset: str, dataset: Dataset) -> dict[s
 
 
 def finish(state: State, work: Path, best: dict[str, tuple[Path, Score]]) -> None:
-    """Keep what later runs go on from: the rays, and the best model of each preset.
+    """Keep the start of later runs: the rays, and the best model of each preset.
 
     best: folder and score by preset.
     """

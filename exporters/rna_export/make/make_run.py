@@ -324,7 +324,7 @@ class Make:
             self._seconds[what] += monotonic() - begun
 
     def _times_text(self) -> str:
-        """What this run used, how long, and what took longest."""
+        """Resources that this run used, its duration, and its longest part."""
         capture, training = self._seconds["capture"] / 60, self._seconds["training"] / 60
         workers, device = self._options.workers, device_name(self._options.device)
         images = self._state.image_seconds / max(self._spent(), 1e-3)

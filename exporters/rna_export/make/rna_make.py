@@ -86,6 +86,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     from rna_export.capture.capture_run import CaptureWorkers
     from rna_export.capture.capture_settings import CaptureSettings
     from rna_export.export.export_summary import closing_lines
+    from rna_export.fallback_error import complete_fallback
     from rna_export.lobes.environment_training import add_lobes
     from rna_export.machine import keep_freed_memory
     from rna_export.make.carried_options import carried_options
@@ -142,6 +143,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
             )
         marked = _saved_picture(options, args.out)
         lines = [*closing_lines(args.out, manifest, made.trained(), made.dataset), *lobes]
+        lines += complete_fallback(args.out, made.dataset, args.model)
         others = folder.dissolve(*WRITTEN) if args.discard else []
     if others:
         print(f"kept {work}: rna-make did not write {', '.join(others)}")
@@ -152,7 +154,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
         line = f"kept {work}, {size_of([work]) / 1e6:,.0f} MB of rays and models"
         print(f"{line}: --more 10 goes on from them, --discard deletes them")
     if marked is not None:
-        print(f"note: the exported geometry is not what Cycles renders; {marked} marks it")
+        print(f"note: the exported geometry differs from Cycles' renders; {marked} marks it")
     _tell_next(args)
 
 

@@ -12,8 +12,8 @@ from rna_export.make.capture_rounds import Rays
 from rna_export.make.make_progress import Stage
 from rna_export.make.state import State
 
-_A_REST = IMAGE_SHARE / (1.0 - IMAGE_SHARE)  # time of images over that of all else, at most
-_ROUND = 1.5  # time of a first round over that of its rays, at least
+_A_REST = IMAGE_SHARE / (1.0 - IMAGE_SHARE)  # time of images over the time of all else, at most
+_ROUND = 1.5  # time of a first round over the time of its rays, at least
 _FEW_PATHS = 64  # a pixel: of the toy their noise has 43 dB alone (docs/decisions/capture.md)
 _WORTH = 2.0  # times as many paths, from which new images are worth their time
 _CHANGED = "validation_resolution", "validation_samples", "validation_views"

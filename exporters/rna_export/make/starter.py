@@ -1,4 +1,4 @@
-"""What `rna-make` leaves beside a package for the next step: a scene file that shows it."""
+"""The scene file that `rna-make` leaves beside a package, as a next step: it shows the package."""
 
 from __future__ import annotations
 

@@ -34,7 +34,7 @@ class RunSettings(BaseModel, extra="forbid", frozen=True):
 class Score(BaseModel, extra="forbid", frozen=True):
     """Score over the validation images, all parts together; flip: of the asset's pixels.
 
-    without_noise: whether that of the images does not count in psnr, as it never does in flip.
+    without_noise: whether the images' noise does not count in psnr, as it never does in flip.
     """
 
     psnr: float

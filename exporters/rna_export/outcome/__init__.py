@@ -1,1 +1,1 @@
-"""What came true of a pre-flight: errors by material, highlights, outlines, the worst place."""
+"""Outcomes of a pre-flight: errors by material, highlights, outlines, the worst place."""

@@ -1,4 +1,4 @@
-"""A picture, judged pixel by pixel: FLIP, what each pixel shows, where outlines are."""
+"""A picture, judged pixel by pixel: FLIP, the object in each pixel, outlines."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What came true: errors by material, of highlights and of outlines, beside what was promised."""
+"""The outcome of a bake: errors by material, of highlights, of outlines, beside the promises."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ class MaterialOutcome:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What lit images say of an asset.
+    """The findings of an asset's lit images.
 
     images: how many there are. materials: the worst first. brightest: light of the brightest 1% of
     the pixels over Cycles'. outline, outline_light, outline_share: FLIP of the outlines' pixels,
@@ -190,7 +190,7 @@ def _luminance(images: Sequence[JudgedImage]) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _of_brightest(ours: np.ndarray, halves: np.ndarray) -> float | None:
-    """Light of the pixels that are the brightest in one reference, over that of the other one.
+    """Light of the pixels that are the brightest in one reference, over the other's light.
 
     The noise by which a pixel comes to be among the brightest is not in the other one.
     """

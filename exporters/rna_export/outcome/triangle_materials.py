@@ -1,4 +1,4 @@
-"""The material of captured points: that of the triangle which they lie on."""
+"""The material of captured points: the material of their triangle."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class TriangleMaterials:
         for part, geometry in zip(whole.parts, self._scene.geometries, strict=True):
             of_part = numbers.get(part.name)
             if of_part is not None and not self._fits(of_part, geometry):
-                raise CaptureError(f"{whole.folder}: its materials are not those of its triangles")
+                raise CaptureError(f"{whole.folder}: its materials do not fit its triangles")
         self._numbers = [numbers.get(part.name) for part in whole.parts]
         self._step = _STEP * np.float32(self._scene.diagonal)
 
@@ -45,7 +45,7 @@ class TriangleMaterials:
         return numbers.dtype == np.int16 and bool(known.all())
 
     def is_part(self, material: int) -> bool:
-        """Whether a number is that of a part."""
+        """Whether a number is a part's."""
         return material >= self._first_part
 
     def of_image(self, view: CapturedImage) -> np.ndarray:

@@ -45,7 +45,7 @@ def smallest_factor(views: Sequence[CapturedImage]) -> int:
 
 
 def picture_exposures(views: Sequence[CapturedImage]) -> list[Exposure]:
-    """Exposure of each view: of a scene, or where the 99th percentile of what glows is white."""
+    """Exposure of each view: of a scene, or with the 99th percentile of glow at white."""
     references = [view.reference for view in views]
     if all(isinstance(view, EmissionView) for view in views):
         return [Exposure(emission_exposure(references))] * len(views)

@@ -21,7 +21,7 @@ from rna_sdk.files.atomic_file import write_atomically
 
 @dataclass(frozen=True)
 class Trained:
-    """A trained model and what its checkpoint says of its making."""
+    """A trained model and its checkpoint's record of the training."""
 
     model: NeuralAsset
     preset: Preset
@@ -67,7 +67,7 @@ def load_progress(path: Path, model_class: type[NeuralAsset] = NeuralAsset) -> d
 def save_checkpoint(
     path: Path, model: NeuralAsset, record: dict[str, Any], progress: dict[str, Any] | None = None
 ) -> None:
-    """Write a model with what made it, under a temporary name first.
+    """Write a model with the record of its training, under a temporary name first.
 
     progress: what an interrupted run resumes from.
     """

@@ -1,4 +1,4 @@
-"""Whether a model counts nearby light: two short trainings tell what an asset gains by it.
+"""Whether a model counts nearby light: two short trainings tell the asset's gain by it.
 
 Translucent assets gain; opaque ones lose, since all that it tells them is noise
 (docs/decisions/model.md). Those are told by their materials, without a training.

@@ -64,7 +64,7 @@ class ModelConfig(BaseModel, extra="forbid", frozen=True):
     )
     material: Material = Field(
         "learned",
-        description="what the decoder's outputs are: colours, or parameters of glTF's material, "
+        description="meaning of the decoder's outputs: colours, or parameters of glTF's material, "
         "whose shadows are black: to bake it; packages have no such decoder",
     )
     uses_base_color: bool = Field(

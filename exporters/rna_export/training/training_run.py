@@ -148,7 +148,7 @@ def _for_base_color(run: Run) -> Preset:
 
 @contextmanager
 def _memory_reported(run: Run, model: NeuralAsset) -> Iterator[None]:
-    """Raises TrainingError where the GPU's memory is too small for a step, with what would fit."""
+    """Raises TrainingError where the GPU's memory is too small; names a batch that fits."""
     free = torch.cuda.mem_get_info()[0] if run.device == "cuda" else 0
     try:
         yield

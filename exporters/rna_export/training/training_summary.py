@@ -85,7 +85,7 @@ def _told(done: int, usual: int, what: str) -> str:
 
 
 def closing_lines(best: Path, part: DatasetPart) -> list[str]:
-    """Error, albedo, steps and lights of a part's best checkpoint, warnings, and what came true.
+    """Error, albedo, steps and lights of a part's best checkpoint, warnings, and the outcome.
 
     Writes `worst.png` beside the checkpoint: see `Outcome`.
     """

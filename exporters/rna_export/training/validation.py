@@ -78,7 +78,7 @@ def answer(model: NeuralAsset, queries: dict[str, np.ndarray]) -> tuple[np.ndarr
 def in_batches(
     model: NeuralAsset, queries: dict[str, np.ndarray], of: Callable[[Tensor], Tensor]
 ) -> np.ndarray:
-    """What `of` makes of the model's output y, (n, k, 3) float32, with some queries at a time.
+    """The results of `of` for the model's output y, (n, k, 3) float32, some queries at a time.
 
     queries: as `ValidationView.queries` has them, n rows. of: `NeuralAsset.colours` or `transport`.
     """
@@ -128,7 +128,7 @@ def score(radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> Scores:
 
 
 def noiseless_psnr(radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> NoiselessPsnr:
-    """Mean PSNR of shaded rows against what both halves of the captured ones converge to."""
+    """Mean PSNR of shaded rows against the common limit of both halves of the captured ones."""
     pairs, e = zip(radiance, views, strict=True), exposure(views)
     each = [psnr_without_noise(r, v.halves[0], v.halves[1], e) for r, v in pairs]
     return NoiselessPsnr.mean(each)
@@ -143,7 +143,7 @@ def mean_psnr(radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> flo
 def _pictured(
     radiance: list[np.ndarray], views: Sequence[CapturedImage]
 ) -> Iterator[tuple[np.ndarray, CapturedImage, Exposure]]:
-    """The first views, each with what was shaded, and with its exposure among all of them."""
+    """The first views, each with its shaded image, and with its exposure among all of them."""
     every = zip(radiance, views, picture_exposures(views), strict=True)
     return islice(every, _PICTURED)
 

@@ -192,7 +192,7 @@ def _rows(info: Info) -> Iterator[tuple[str, str]]:
 
 
 def _glb_text(glb: Info) -> str:
-    """The file about the package, and what viewers show that do not know RNA."""
+    """The file about the package, and its look in viewers that do not know RNA."""
     size = f"a glTF of {glb['bytes'] / 1e6:.2f} MB, {_counted(glb['instances'], 'instance')}"
     meshes = _counted(glb["fallback_meshes"], "mesh", "es")
     skinned = ", skinned" if glb["fallback_skinned"] else ""

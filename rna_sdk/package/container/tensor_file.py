@@ -94,7 +94,7 @@ def tensors_to_bytes(tensors: Mapping[str, NDArray[Any]]) -> bytes:
 
 
 def tensors_header(forms: Mapping[str, tuple[str, tuple[int, ...]]]) -> bytes:
-    """What stands before the data of tensors, by name: of these dtypes, of _DTYPES, and shapes."""
+    """The bytes before the data of tensors, by name: of these dtypes, of _DTYPES, and shapes."""
     header: dict[str, Any] = {}
     end = 0
     for name, (dtype, shape) in forms.items():

@@ -68,7 +68,7 @@ class Container:
         return cls(data, {entry.name: entry for entry in entries})
 
     def view(self, name: str) -> memoryview:
-        """The read-only bytes of an entry: in place, or what `put_decoded` gave."""
+        """The read-only bytes of an entry: in place, or from `put_decoded`."""
         return self._decoded[name] if name in self._decoded else self.stored(name)
 
     def put_decoded(self, name: str, data: bytes) -> None:
@@ -85,7 +85,7 @@ class Container:
         return None if name in self._decoded else self.entries[name].offset
 
     def check_crc(self, name: str) -> None:
-        """Raises PackageError (ZIP_CRC) where the data is not what its header says."""
+        """Raises PackageError (ZIP_CRC) where the data differs from its header."""
         entry = self.entries[name]
         crc = zlib.crc32(self.stored(name))
         if crc != entry.crc:

@@ -45,7 +45,7 @@ def zipped_entries(path: str | PathLike[str], manifest: str) -> list[tuple[str, 
 
 
 def _traces(path: str | PathLike[str], manifest: str) -> list[str]:
-    """What shows that another program wrote this archive; none if it holds no manifest."""
+    """Signs that another program wrote this archive; none if it holds no manifest."""
     try:
         check_regular(Path(path))
         with zipfile.ZipFile(path) as archive:

@@ -1,1 +1,1 @@
-"""The decoder: what an ONNX graph may be, read and checked without onnxruntime."""
+"""The decoder: the profile of its ONNX graph, read and checked without onnxruntime."""

@@ -61,7 +61,7 @@ class ProfileDecoder:
         top: upper limit of the logarithm.
         unit: factor of the result; 1 if there is a matrix.
         matrix: (n, outputs) float32, or None.
-        output: name of the result, that of the decoder's form.
+        output: name of the result, by the decoder's form.
     """
 
     low: float

@@ -15,7 +15,7 @@ not."""
 
 
 def pair_sums(weight: NDArray[np.int8]) -> NDArray[np.int64]:
-    """(ceil(inputs / 2), outputs) int64: what each pair of rows can add up to, by magnitude.
+    """(ceil(inputs / 2), outputs) int64: the largest sum of each pair of rows, by magnitude.
 
     weight: (inputs, outputs) int8. Weights of unlike sign never sum to more than one of them alone.
     """

@@ -15,7 +15,7 @@ SPECIFICATION = Path(__file__).parents[3] / "spec" / "RNA.md"
 VECTOR, SCALAR, FLAG = "vector", "scalar", "flag"
 ARGUMENTS = {"p": VECTOR, "n": VECTOR, "t": VECTOR, "h": SCALAR}
 ARGUMENTS |= {"f": VECTOR, "wo": VECTOR, "wi": VECTOR}
-"""Name -> type of what formulas are of."""
+"""Name -> type of the arguments of formulas."""
 _KINDS = {"n": "surface", "t": "fiber", "h": "fiber"}
 """Arguments that one kind of part alone has."""
 FUNCTIONS = {
@@ -107,7 +107,7 @@ class BlockFormulas:
         return [a for a in ARGUMENTS if any(a in self.needs(name) for name in names)]
 
     def needs(self, name: str, of: Iterable[str] = (), *given: str) -> list[str]:
-        """What of `of`, or of all arguments and terms, a block or a term needs, in order.
+        """The names of `of`, or of all arguments and terms, that a block or a term needs, in order.
 
         What is given, and what that alone needs, is left out.
         """

@@ -1,4 +1,4 @@
-"""Strands in integers: each point by its steps from the one before, and what readers restore."""
+"""Strands in integers: each point by its steps from the one before, and restored curves."""
 
 from __future__ import annotations
 

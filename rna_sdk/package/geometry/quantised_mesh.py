@@ -1,4 +1,4 @@
-"""A mesh in integers: 16 bits an axis, and what every reader restores from them."""
+"""A mesh in integers, 16 bits an axis, and the mesh that every reader restores."""
 
 from __future__ import annotations
 

@@ -45,7 +45,7 @@ class Carrier:
         return self.instances > 1 or sum("mesh" in node for node in nodes) > own
 
     def facts(self) -> dict[str, Any]:
-        """How often the file shows the package, and what its fallback is: JSON's types alone."""
+        """The package's number of instances in the file, and its fallback: JSON's types alone."""
         below = [node for number in self.nodes for node in self._fallback(number)]
         record = _members(self.document["nodes"][self.nodes[0]]["extensions"], EXTENSION)
         flip = record.get("fallbackFlip")
@@ -53,7 +53,7 @@ class Carrier:
             "instances": self.instances,
             "fallback_meshes": len({str(node["mesh"]) for node in below if "mesh" in node}),
             "fallback_skinned": any("skin" in node for node in below),
-            "fallback_flip": flip if isinstance(flip, int | float) else None,
+            "fallback_flip": flip if _is_share(flip) else None,
         }
 
     def warnings(self) -> Iterator[Issue]:
@@ -199,6 +199,10 @@ def _span(document: dict[str, Any], number: int, blob: slice) -> slice:
 
 def _is_size(value: object) -> TypeGuard[int]:
     return isinstance(value, int) and not isinstance(value, bool) and value >= 0
+
+
+def _is_share(value: object) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool) and 0 <= value <= 1
 
 
 def _item(document: dict[str, Any], name: str, number: object) -> dict[str, Any] | None:

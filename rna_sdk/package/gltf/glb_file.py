@@ -8,12 +8,11 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rna_sdk.files.atomic_file import write_atomically
 from rna_sdk.files.file_kinds import glass_of
 from rna_sdk.package.gltf.carrier_writer import with_package
-from rna_sdk.package.gltf.fallback import glb_of
+from rna_sdk.package.gltf.fallback import VertexColors, glb_of
 from rna_sdk.package.manifest.extensions import Standin, of_part
 from rna_sdk.package.package import Package
 
@@ -56,14 +55,15 @@ def package_to_write(out: Path) -> Iterator[Path]:
             write_atomically(glass_of(out), glass.read_bytes())
 
 
-def _colors(path: Path, package: Package) -> dict[int, NDArray[np.float32]]:
-    """What the first tier reflects at the vertices of surfaces that are not metal, by part."""
+def _colors(path: Path, package: Package) -> dict[int, VertexColors]:
+    """The first tier's reflectance at the vertices of surfaces that are not metal, by part."""
     from rna_sdk.runtime import load  # slow to import
-    from rna_sdk.runtime.standin_colors import surface_colors
+    from rna_sdk.runtime.standin_colors import surface_colors, vertex_base_colors
 
     colors = {}
     for i, part in enumerate(load(path).parts):
         standin = of_part(package.manifest, Standin, i)
         if part.kind == "surface" and not (standin and standin.metallic):
-            colors[i] = np.minimum(surface_colors(part), 1)
+            color = np.minimum(surface_colors(part), 1)
+            colors[i] = VertexColors(color, vertex_base_colors(part))
     return colors

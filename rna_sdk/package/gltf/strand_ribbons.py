@@ -62,7 +62,7 @@ def _swept(points: Array, radii: Array) -> Mesh:
 
 
 def _tangents(points: Array) -> Array:
-    """Unit directions at points (s, n, 3); that of a segment where those on both sides cancel."""
+    """Unit directions at points (s, n, 3); a segment's where both sides cancel."""
     steps = _unit(np.diff(points, axis=1))
     sums = np.concatenate([steps[:, :1], steps[:, 1:] + steps[:, :-1], steps[:, -1:]], axis=1)
     directions = np.concatenate([steps, steps[:, -1:]], axis=1)

@@ -1,4 +1,4 @@
-"""What must hold of the extensions that the specification defines."""
+"""Checks of the extensions that the specification defines."""
 
 from __future__ import annotations
 

@@ -313,7 +313,7 @@ class Variants(Extension):
 
 
 def variant_records(manifest: Manifest, part: int) -> list[BaseColorFields]:
-    """What all variants have in the place of records of a part."""
+    """The records of all variants in the place of a part's own records."""
     data = extension(manifest, Variants)
     changes = [variant.parts[part] or () for variant in data.variants] if data else []
     return [change for of_variant in changes for change in of_variant if change is not None]
@@ -358,7 +358,7 @@ class _ByPartExtension(Protocol[Item]):
 
 
 def of_part(manifest: Manifest, of: type[_ByPartExtension[Item]], part: int) -> Item | None:
-    """What an extension with members by part has of this one; None without."""
+    """An extension's data about this part, if it has members by part; None without."""
     data: Any = extension(manifest, cast(type[Extension], of))
     item: Item | None = data.parts[part] if data else None
     return item

@@ -1,4 +1,4 @@
-"""What spans the members of a manifest: names, blocks, ranges and references."""
+"""Rules that span members of a manifest: names, blocks, ranges and references."""
 
 from __future__ import annotations
 

@@ -31,7 +31,7 @@ class _Generator(GenerateJsonSchema):
         return result | _NO_LINE_BREAK if "pattern" in result else result
 
     def dict_schema(self, schema: core_schema.DictSchema) -> JsonSchemaValue:
-        """Keys of another pattern than that of `patternProperties` would be let through."""
+        """Keys that do not match `patternProperties` would be let through."""
         result = super().dict_schema(schema)
         if "patternProperties" in result:
             ((pattern, values),) = result.pop("patternProperties").items()

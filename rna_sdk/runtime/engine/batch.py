@@ -20,7 +20,7 @@ class Batch:
         arrays: one for each of INPUT_ARRAYS, (n, 3) or (n,) float32.
         results: written by the evaluation: those of the decoder's form, each (n, 3) float32.
         base_color: (n, 3) float32 where the decoder has a factor of each result, behind them.
-        nearby: of a decoder with nearby light that of each result, (n, 3) float32.
+        nearby: nearby light of each result, if the decoder takes it, (n, 3) float32.
     """
 
     arrays: tuple[Rows, ...]
@@ -42,7 +42,7 @@ class Batch:
         return len(self.arrays[0])
 
     def complete(self, tile: slice, queries: Rows, valid: NDArray[np.bool_]) -> None:
-        """Write what stands in `queries` (m, K) behind the input blocks, for m rows: nothing."""
+        """Write the columns of `queries` (m, K) behind the input blocks, for m rows: none here."""
 
     def write(self, tile: slice, output: Rows, valid: NDArray[np.bool_]) -> None:
         """Write the results of a tile from the decoder's output."""

@@ -77,7 +77,7 @@ class Graph:
     """A graph in a session, and the required form of its queries."""
 
     def __init__(self, model: bytes, entry: Entry | None = None, optimized: bool = True) -> None:
-        """entry: what makes the graph's input of queries, where that is not queries themselves."""
+        """entry: makes the graph's input from queries, where the graph does not take queries."""
         self._entry, self._model, self._optimized = entry, model, optimized
         self._session, self._process = self._opened(), os.getpid()
         source = self._session.get_inputs()[0]

@@ -171,7 +171,7 @@ def strand_rotations(
 
     first, stop, segment: (s,), of each strand the first point, the one behind its last, and the
     first segment. roots: (s, 4) float64, of each strand's root. From there on the rotation of a
-    segment is that of the one before it, turned by the smallest angle that takes tangent to
+    segment is the rotation of the one before it, turned by the smallest angle that takes tangent to
     tangent.
     """
     for strand in range(len(first)):

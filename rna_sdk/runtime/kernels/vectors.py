@@ -1,4 +1,4 @@
-"""What kernels calculate with: vectors of three, float64 or lanes (`dot` and `cross`)."""
+"""Vectors of kernels: three components, float64 or lanes (`dot` and `cross`)."""
 
 from __future__ import annotations
 

@@ -49,6 +49,7 @@ SURFACE = Record(
     Field("clear_coat_roughness", "<f4"),
     Field("second_uvs", "<u4", (), "place in `images`"),
     Field("tangents", "<u4", (), "likewise"),
+    Field("colors", "<u4", (), "likewise"),
     Field("textures", "<u4", (2, 4), "numbers, NONE for none"),
     Field("through", "<u4", (), "texture of what is let through"),
     Field("cutoff", "<f4"),

@@ -1,4 +1,4 @@
-"""`rna-run --device gpu`: what renders bands of a scene on the GPU."""
+"""`rna-run --device gpu`: the renderer of bands of a scene on the GPU."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ class GpuRenderer:
     @property
     def samples(self) -> int:
         """Largest number of samples of a pixel that are rendered at once."""
-        one = self._cameras or self._gpu.is_software  # a motion is that of one sample
+        one = self._cameras or self._gpu.is_software  # a motion is of one sample
         return 1 if one else _MOST_SAMPLES
 
     def render(self, pixels: NDArray[np.uint32], sampler: Sampler) -> Layers:

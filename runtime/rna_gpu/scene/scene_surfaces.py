@@ -74,7 +74,7 @@ class Surfaces:
         """(n, 4): all rows; attributes of points begin at those of their bodies."""
         rows = SURFACE.stacked(self.rows)
         first = np.array([first_points[body] for body in self.bodies], np.uint32)
-        for name, width in (("second_uvs", 2), ("tangents", 4)):
+        for name, width in (("second_uvs", 2), ("tangents", 4), ("colors", 3)):
             places = rows[name]
             moved = places - np.uint32(width) * first  # modulo 2^32, as in the shader
             rows[name] = np.where(places == NONE, NONE, moved)
@@ -85,7 +85,7 @@ class Surfaces:
         materials = mesh.materials[:1] if catches else mesh.materials
         places = [
             NONE if values is None else np.uint32(self.images.add(values.astype(np.float32)))
-            for values in (mesh.second_uvs, mesh.tangents)
+            for values in (mesh.second_uvs, mesh.tangents, mesh.colors)
         ]
         numbers = np.array([self._material(material, catches, places) for material in materials])
         material_of_triangle = numbers[np.minimum(mesh.material_numbers, len(materials) - 1)]
@@ -97,7 +97,7 @@ class Surfaces:
         row = _surface(OF_MATERIAL, 0)
         for name in _FACTORS:
             row[name] = getattr(material, name)
-        row["second_uvs"], row["tangents"] = places
+        row["second_uvs"], row["tangents"], row["colors"] = places
         textures = [getattr(material, name) for name in MATERIAL_TEXTURES.values()]
         numbers = [NONE if t is None else self.images.add_texture(t) for t in textures]
         row["textures"] = np.array(numbers, np.uint32).reshape(-1, 4)
@@ -182,6 +182,6 @@ class Surfaces:
 def _surface(kind: int, part: int, emits: bool = False) -> Row:
     row = np.zeros((), SURFACE.dtype)
     row["kind"], row["part"], row["flags"] = kind, part, EMITS if emits else 0
-    for name in ("normal_map", "second_uvs", "tangents", "textures"):
+    for name in ("normal_map", "second_uvs", "tangents", "colors", "textures"):
         row[name] = NONE
     return row

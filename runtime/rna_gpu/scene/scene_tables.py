@@ -21,7 +21,7 @@ from rna_render.lights import Light, PlacedLight
 from rna_render.materials import ALBEDO_MEANS, ALBEDO_TABLE
 from rna_sdk.runtime import Asset
 
-_ROUNDING = 1e-6  # that of rna_sdk.runtime.in_region
+_ROUNDING = 1e-6  # as in rna_sdk.runtime.in_region
 
 
 @dataclass

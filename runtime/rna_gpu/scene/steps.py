@@ -86,7 +86,7 @@ class Steps:
     def fill(
         self, scene: Scene, tables: SceneTables, clamp: float | None, sums: int, words: int
     ) -> None:
-        """Write what all steps have in common. words: of a list of paths, uint32."""
+        """Write the data that all steps share. words: of a list of paths, uint32."""
         camera = Camera(scene.camera, scene.resolution, scene.samples)
         common = {
             "camera": camera.position,
@@ -126,7 +126,7 @@ class Steps:
         return [*stages, [self._step("accumulate")]]
 
     def _continued(self, max_depth: int) -> list[list[Step]]:
-        """What follows the samples of lights at the first points."""
+        """The steps after the samples of lights at the first points."""
         stages = []
         for depth in range(1, max_depth + 1):
             if depth > 1:

@@ -124,9 +124,9 @@ class Denoiser:
 def blended(rgb: np.ndarray, filtered: np.ndarray, variance: np.ndarray) -> np.ndarray:
     """An image and its filtered form, weighted by their errors: (height, width, 3) float32.
 
-    The square of their difference is that of the filter's bias, which is lost texture, and the
-    image's variance, (height, width, 3). Both are averaged over a few pixels, and relative to the
-    brightness there; a bias within two standard errors of its mean does not count. The filtered
+    The square of their difference is the squared bias of the filter, which is lost texture, plus
+    the image's variance, (height, width, 3). Both are averaged over a few pixels, and relative to
+    the brightness there; a bias within two standard errors of its mean does not count. The filtered
     form counts where the variance is large beside the bias, and large enough to be seen. A speck,
     whose own variance is far above that about it, is taken out by its own.
     """

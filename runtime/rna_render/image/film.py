@@ -34,8 +34,8 @@ class Layers:
     catcher: (n,) float, coverage by shadow catchers.
     clamped: (n,) float, mean of RGB of the radiance that the clamp on indirect light took.
     squares: (n, 3) float64, squares of the RGB of beauty, of each sample by itself.
-    asset: (n,) uint32, number of the object, from 1; 0 for none. Of several samples that of the
-        first that hit one.
+    asset: (n,) uint32, number of the object, from 1; 0 for none. Of several samples the
+        first hit counts.
     """
 
     beauty: np.ndarray
@@ -145,7 +145,7 @@ class Film:
     def variance(self) -> np.ndarray | None:
         """Variance of RGB, the mean of all samples, (height, width, 3) float32; None of one sample.
 
-        See `Halves`. The variance in `channels` is that of independent samples, several times
+        See `Halves`. The variance in `channels` is of independent samples, several times
         larger.
         """
         if self._halves.samples < 2:
@@ -173,7 +173,7 @@ class Film:
         variances of these means, taken as if samples were independent; light.<group>.R/G/B the
         parts of groups of lights. The other channels are means over the samples that hit a
         object: normal.X/Y/Z (unit, or zero), position.X/Y/Z, forward.u/v (pixels to the right and
-        up, to the next frame) and visibility; assetId is that of the first sample that did.
+        up, to the next frame) and visibility; assetId is of the first of these.
         """
         total, count = self._sum, max(self.samples, 1)
         lit = self._lit()

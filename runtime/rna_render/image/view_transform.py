@@ -43,7 +43,7 @@ def _aces_curve(x: np.ndarray) -> np.ndarray:
 
 
 def encode_srgb(linear: np.ndarray) -> np.ndarray:
-    """Linear light as sRGB values (IEC 61966-2-1), both in [0, 1]. Clamps what lies outside."""
+    """Linear light as sRGB values (IEC 61966-2-1), both in [0, 1]. Clamps other values."""
     linear = np.clip(linear, 0.0, 1.0)
     return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
 

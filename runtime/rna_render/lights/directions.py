@@ -55,7 +55,7 @@ def cone_direction(
     """A direction within a cone about the unit axis (x, y, z), uniform for u in [0, 1)^2.
 
     one_minus_cosine: of the angle from the axis to the rim. It comes as a difference because
-    narrow cones, as that of the sun, would lose it to the rounding of the cosine.
+    narrow cones, such as the sun's, would lose it to the rounding of the cosine.
     """
     height = u1 * one_minus_cosine
     sin_theta = np.sqrt(max(0.0, height * (2.0 - height)))

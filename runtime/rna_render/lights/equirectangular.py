@@ -13,7 +13,7 @@ the poles, where that is constant along t, points are uniform in cos(theta) inst
 density per steradian would grow without bound.
 
 A light that shares its directions with rays leaves to them what is dim: each cell's weight is then
-max(L - mean / 2, 0), with L its mean luminance and the mean that of the image. Karlik, Sik, Vevoda,
+max(L - mean / 2, 0), with L its mean luminance and `mean` the image's. Karlik, Sik, Vevoda,
 Skrivan and Krivanek, MIS Compensation (TOG 38(6), 2019), take the whole mean off; docs/decisions/
 renderer.md has why half.
 """
@@ -44,7 +44,7 @@ LEFT_TO_RAYS = 0.5
 
 @dataclass(frozen=True)
 class _Choice:
-    """Tables by which directions are chosen, and what kernels read of them.
+    """Tables by which directions are chosen, and their form for kernels.
 
     held: the arrays that addresses in `words` point into. words, numbers: see the image.
     """

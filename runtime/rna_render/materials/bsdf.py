@@ -57,7 +57,7 @@ _WEIGHTS = 0.5 * _WEIGHTS * 4.0 * _NODES**3
 
 
 Point = tuple[Vector, float, float, float, float, float, float, float]
-"""What `bsdf_point` returns."""
+"""The results of `bsdf_point`."""
 
 Parameters = tuple[np.ndarray, ...]
 """Parameters of Scattering: an array per value of a point, and `ggx_albedo.ALBEDO_ADDRESSES`."""

@@ -18,7 +18,7 @@ from rna_render.scene.model_base import Vector
 
 @dataclass(frozen=True, slots=True)
 class Inside:
-    """What solid glass encloses: its index of refraction, and its absorption, 1/m."""
+    """The inside of solid glass: its index of refraction, and its absorption, 1/m."""
 
     ior: float
     absorption: Vector

@@ -30,7 +30,7 @@ EMISSION_FLOOR = 0.05
 
 @dataclass(frozen=True, eq=False)
 class MeshObject:
-    """A mesh, and what each of its triangles is made of.
+    """A mesh, and the material of each of its triangles.
 
     positions, normals: (v, 3) float32; normals are unit, or 0 where the file's are unusable.
     uvs: (v, 2) float32, (0, 0) the upper left corner of images; None if no part has any.
@@ -40,6 +40,7 @@ class MeshObject:
     catches_shadows: it shows nothing but the shadows on it, and its materials mean nothing.
     second_uvs: as uvs, of textures that ask for them. tangents: (v, 4) float32, unit, towards +u,
     with the sign of the bitangent; 0 or None where they follow from the texture coordinates.
+    colors: (v, 3) float32, linear, factors of the base colour; None for 1.
 
     Attributes:
         transmittance: of its triangles; None if they are all opaque.
@@ -54,6 +55,7 @@ class MeshObject:
     catches_shadows: bool = False
     second_uvs: np.ndarray | None = None
     tangents: np.ndarray | None = None
+    colors: np.ndarray | None = None
     transmittance: Transmittance | None = field(init=False)
     _factors: dict[str, np.ndarray] = field(init=False)
 
@@ -80,6 +82,8 @@ class MeshObject:
         roughness = self._factors["roughness"][number]
         for row, values in self._looked_up("base_color_texture", number, triangle, u, v):
             base_color[row] *= values
+        if self.colors is not None:
+            base_color *= self._interpolated(self.colors, triangle, u, v)
         texture = "metallic_roughness_texture"
         for row, values in self._looked_up(texture, number, triangle, u, v):
             roughness[row] *= values[:, 1]
@@ -248,16 +252,18 @@ class MeshObject:
             for place in np.flatnonzero(np.bincount(number)):
                 if (texture := textures[place]) is not None:
                     row = np.flatnonzero(number == place)
-                    uv = np.empty((len(row), 2), np.float32)
-                    _interpolate(
-                        self.uv_set(texture.uv_set),
-                        self.triangles,
-                        triangle[row],
-                        np.asarray(u[row], np.float64),
-                        np.asarray(v[row], np.float64),
-                        uv,
-                    )
+                    uvs = self.uv_set(texture.uv_set)
+                    uv = self._interpolated(uvs, triangle[row], u[row], v[row])
                     yield row, texture.lookup(uv)
+
+    def _interpolated(
+        self, values: np.ndarray, triangle: np.ndarray, u: np.ndarray, v: np.ndarray
+    ) -> np.ndarray:
+        """An attribute of vertices, (v, k), at barycentrics: (n, k) float32."""
+        result = np.empty((len(triangle), values.shape[1]), np.float32)
+        u, v = np.asarray(u, np.float64), np.asarray(v, np.float64)
+        _interpolate(values, self.triangles, triangle, u, v, result)
+        return result
 
 
 def _factors_of(materials: Sequence[Material]) -> dict[str, np.ndarray]:
@@ -286,7 +292,7 @@ def _mean_emission(material: Material) -> np.ndarray:
 
 @compiled(rows="triangle u v result", fastmath=())
 def _interpolate(
-    uvs: np.ndarray,
+    values: np.ndarray,
     triangles: np.ndarray,
     triangle: np.ndarray,
     u: np.ndarray,
@@ -296,6 +302,6 @@ def _interpolate(
     for i in range(len(triangle)):
         row = triangle[i]
         a, b, c = triangles[row, 0], triangles[row, 1], triangles[row, 2]
-        for axis in range(2):
-            value = (1.0 - u[i] - v[i]) * uvs[a, axis] + u[i] * uvs[b, axis] + v[i] * uvs[c, axis]
-            result[i, axis] = value
+        for k in range(values.shape[1]):
+            at_a, at_b, at_c = values[a, k], values[b, k], values[c, k]
+            result[i, k] = (1.0 - u[i] - v[i]) * at_a + u[i] * at_b + v[i] * at_c

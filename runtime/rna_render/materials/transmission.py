@@ -1,4 +1,4 @@
-"""What materials let through: cut-outs, partial coverage and thin glass, as textures for rays.
+"""Transmission of materials: cut-outs, partial coverage, thin glass, as textures for rays.
 
 Glass is KHR_materials_transmission without a volume: a smooth wall without thickness. Of what its
 coat does not reflect (Schlick), a share goes straight on, tinted by the base colour. So

@@ -1,4 +1,4 @@
-"""The animation of a glTF 2.0 file: what its nodes and weights are at a time (section 3.11)."""
+"""The animation of a glTF 2.0 file: its nodes and weights at a time (section 3.11)."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _KINDS = ("LINEAR", "STEP", "CUBICSPLINE")
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Track:
-    """What moves one property of a node.
+    """The keys that move one property of a node.
 
     path: translation, rotation, scale or weights. times: (k,) float64, seconds, ascending.
     values: (k, 1, width), or (k, 3, width) of CUBICSPLINE: tangents in, values, tangents out.

@@ -279,7 +279,7 @@ def _influences(
 
 
 def _skinned(p: np.ndarray, bones: np.ndarray, piece: _Piece) -> np.ndarray:
-    """Section 3.7.3.3: the mean of what the joints' matrices make of each vertex."""
+    """Section 3.7.3.3: the mean of each vertex under the joints' matrices."""
     result = np.zeros_like(p)
     for k in range(piece.joints.shape[1]):
         matrices = bones[piece.joints[:, k]]

@@ -1,4 +1,4 @@
-"""From a scene and its world to what renders it: the CPU, or a device that another package offers.
+"""From a scene and its world to their renderer: the CPU, or a device that another package offers.
 
 A device is an entry point of the group `rna_render.devices`, by the name that `--device` takes; it
 gives an OpenRenderer.

@@ -1,4 +1,4 @@
-"""Samples of lights at points of the scene: which lights get one, and what stands in its way.
+"""Samples of lights at points of the scene: the lights that get one, and occlusion of the way.
 
 Shadow catchers compare that light with what an empty scene would have.
 """
@@ -159,7 +159,7 @@ def _aim(
 def caught_light(
     lighting: LightSampling, vertices: Vertices, d_world: np.ndarray, numbers: PathNumbers
 ) -> np.ndarray:
-    """Light that arrives, and what would if nothing were in the way: (n, 2) float32.
+    """Light that arrives, and the light without occlusion: (n, 2) float32.
 
     Irradiance, mean of RGB, on the side that rays along d hit: no sky shines up through a floor.
     d_world: (n, 3) float32, of the rays that hit the vertices.

@@ -51,7 +51,7 @@ class Sampler:
 
         pixels: (n,) uint32. dimension: which decision of the sample they are for. The
         parts are spread as well as if they were samples of their own. number: (n,) int64, of the
-        row among all that a pixel has in this dimension; None for that of the sample.
+        row among all that a pixel has in this dimension; None for the sample's own.
         """
         points = np.empty((len(pixels), parts, 2), np.float64)
         if number is None:
@@ -150,7 +150,7 @@ class PathNumbers:
     """The random numbers of some paths at one of their points.
 
     pixels: (n,) uint32, of the paths. depth: number of the point, from 1. number: (n,) int64, of
-    the path among all of its pixel that have come to this point; None for that of the sample.
+    the path among all of its pixel that have come to this point; None for the sample's own.
     """
 
     sampler: Sampler

@@ -66,7 +66,7 @@ def _turned(light: LightModel, degrees: float, pivot: np.ndarray) -> LightModel:
 
 
 def lit(scene: Scene, lighting: Lighting, degrees: float) -> Scene:
-    """The scene under `lighting`, turned by `degrees` about what its camera looks at.
+    """The scene under `lighting`, turned by `degrees` about its camera's target.
 
     Lights with a shape are objects of the scene: they stay, where they are.
     """

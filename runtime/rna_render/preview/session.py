@@ -94,7 +94,7 @@ class Session:
         self._thread.join()
 
     def join(self) -> None:
-        """Wait until the session ends. Raises what ended it, if that was not `stop`."""
+        """Wait until the session ends. Raises the error that ended it, if that was not `stop`."""
         # Ctrl-C interrupts this wait, not Thread.join: Python 3.11 takes a thread whose join was
         # interrupted for ended, and `stop` would not wait for it.
         with self._changed:

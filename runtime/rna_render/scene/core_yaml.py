@@ -100,7 +100,7 @@ for _name in ("str", "seq", "map"):
 
 
 class _CoreDumper(yaml.SafeDumper):
-    """Quotes what this loader would not read as text."""
+    """Quotes text that this loader would read as another type."""
 
     yaml_implicit_resolvers = CoreLoader.yaml_implicit_resolvers
 

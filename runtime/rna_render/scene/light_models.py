@@ -167,7 +167,7 @@ class EnvironmentModel(_LightModel):
         description="Equirectangular image, EXR or HDR, relative to the scene file. Its centre is "
         "direction -z, its top edge +y, its right half +x. Negative values are clamped to 0. "
         "Infinite ones, as a sun above 65,504 is in half floats, are cut to 65,504 with a warning; "
-        "what is no number or above 1e18 is rejected.",
+        "values above 1e18 and NaN are rejected.",
     )
     rotation_deg: Number = Field(
         default=0.0,

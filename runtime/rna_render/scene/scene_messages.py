@@ -176,7 +176,7 @@ def _close(name: str, known: Sequence[str]) -> str | None:
 
 
 def _of(place: _Place, key: Key) -> str:
-    """What the list should be that an item is missing of."""
+    """The expected form of the list that an item lacks."""
     assert place.around is not None  # every list of the scene is the value of a key
     name = next(part for part in reversed(key) if isinstance(part, str))
     return _expected(place.around.model_fields[name].annotation)
@@ -264,7 +264,7 @@ def _types(kind: Any) -> list[str]:
 
 
 def _tags(kind: Any) -> tuple[str, ...]:
-    """The values of a model's `type`; none for what has no such field."""
+    """The values of a model's `type`; none for a model without such a field."""
     field = kind.model_fields.get("type") if _is_model(kind) else None
     return () if field is None else get_args(field.annotation)
 

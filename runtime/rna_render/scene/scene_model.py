@@ -233,7 +233,7 @@ class Scene(Model):
         default="auto",
         description="Clamp on per-path indirect radiance. Removes fireflies and their energy. "
         "`auto` is 10 times the mean radiance of a white sphere as large as the scene, without "
-        "what extends beyond 100 times the distance of `look_at`, under its lights; null disables "
+        "objects beyond 100 times the distance of `look_at`, under its lights; null disables "
         "the clamp and its bias. `rna-run` says how much light it took, above 0.1%; not with "
         "`--device gpu`.",
     )

@@ -148,7 +148,7 @@ def scene_text(scene: dict[str, Any]) -> str:
     text = dump_yaml(scene)
     for line, note in _NOTES.items():
         text = text.replace(line, f"{line}  # {note}", 1)
-    return f"# A first scene. Change what you like: docs/scene.md lists all keys.\n{text}"
+    return f"# A first scene. docs/scene.md lists all keys.\n{text}"
 
 
 def _is_level(towards_eye: np.ndarray) -> bool:

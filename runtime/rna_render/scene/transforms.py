@@ -16,7 +16,7 @@ _PLACES = ("position", "look_at")
 def world_from_object(model: TransformModel, origin: np.ndarray | None = None) -> np.ndarray:
     """Scale, then rotation, then translation: (4, 4) float64.
 
-    origin: of the world, (3,) float64, in the scene file's space; None for that of the file.
+    origin: of the world, (3,) float64, in the scene file's space; None for the file's.
     """
     matrix = np.eye(4)
     matrix[:3, :3] = model.scale * _rotation(model)

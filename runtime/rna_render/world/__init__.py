@@ -1,1 +1,1 @@
-"""What stands in a scene: assets, meshes and lights, loaded and placed."""
+"""Contents of a scene: assets, meshes and lights, loaded and placed."""

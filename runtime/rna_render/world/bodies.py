@@ -47,7 +47,7 @@ RestMaps = Sequence[NormalMaps | None]
 
 
 class AssetBody:
-    """All parts of an asset. Its transport holds what happens inside it, among all parts.
+    """All parts of an asset. Its transport holds all scattering inside it, among all parts.
 
     Normals of meshes are interpolated from the corners, and not turned to the viewer; those of
     strands are those of the round cones, outward.

@@ -1,4 +1,4 @@
-"""Bodies of a scene's worlds, frame after frame: what does not move is made once."""
+"""Bodies of a scene's worlds, frame after frame: parts that do not move are made once."""
 
 from __future__ import annotations
 
@@ -39,5 +39,5 @@ class BodyCache:
 
 
 def body_key(placement: Placement) -> Key:
-    """What placements of one body share."""
+    """Data that placements of one body share."""
     return id(placement.object), id(placement.indirect), id(placement.shapes)

@@ -94,7 +94,7 @@ class MotionLoader:
 
 
 def _key(model: MotionModel, package: Path) -> tuple[object, ...]:
-    """What an asset has its motion by: all tiers of a package have its vertices."""
+    """The motion source of an asset: all tiers of a package have its vertices."""
     return package, model.path, model.clip, model.rate
 
 

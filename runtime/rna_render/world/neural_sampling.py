@@ -154,7 +154,7 @@ def _rows(row: np.ndarray | None, points: np.ndarray) -> np.ndarray:
 
 
 Frame = tuple[Vector, Vector, Vector]
-"""What `lobe_frame` returns."""
+"""The results of `lobe_frame`."""
 
 
 @compiled(inline=True, fastmath=())

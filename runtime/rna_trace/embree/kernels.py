@@ -38,7 +38,7 @@ BLOCK = 32
 
 
 class Rays(NamedTuple):
-    """ray_id: (n,) uint32, what a ray passes through, as one of the `filters` has it. mask: (n,)
+    """ray_id: (n,) uint32, the geometry that a ray passes, as in one of the `filters`. mask: (n,)
     uint32; rays meet instances that share a bit. origins, directions: (n, 3) float32. tnear, tfar:
     (n,) float32. All but the vectors may be (1,), for all rays.
     """

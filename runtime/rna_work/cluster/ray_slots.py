@@ -134,7 +134,7 @@ def _answer(do: Callable[[], Any]) -> tuple[Any, Exception | None]:
 
 
 def _settled(reference: Any) -> Future[Any]:
-    """A future of what an actor answers; WorkerLost if it answers no more."""
+    """A future of an actor's answer; WorkerLost if it answers no more."""
     future: Future[Any] = Future()
 
     def settle(done: Future[tuple[Any, Exception | None]]) -> None:

@@ -11,7 +11,7 @@ export function* inSteps(first, end, work) {
   }
 }
 
-/** What a generator returns; others have their turn whenever it took a slice of time. */
+/** The result of a generator; others have their turn whenever it took a slice of time. */
 export async function finished(steps) {
   for (let since = performance.now(); ;) {
     const { done, value } = steps.next();

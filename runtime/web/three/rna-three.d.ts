@@ -3,7 +3,7 @@ import type { WebGLRenderer } from "three";
 import type { Camera, ColorRepresentation, Euler, Group, InstancedMesh, Loader, LoadingManager, Mesh, NodeMaterial, Scene, Texture, WebGPURenderer } from "three/webgpu";
 
 export interface RnaOptions {
-  /** What hides light from the asset itself: rays through its own hierarchy, or the light's shadow map. Default "rays". */
+  /** The shadow of the asset on itself: by rays through its own hierarchy, or by the light's shadow map. Default "rays". */
   visibility?: "rays" | "shadow-map";
   /** Directions a pixel for scene.environment, HemisphereLight and AmbientLight; each lengthens the shader. Default 4. */
   environmentSamples?: number;
@@ -33,7 +33,7 @@ export class RnaLoader extends Loader<RnaAsset> {
 
 /**
  * A plugin of three.js' GLTFLoader: shows the packages of glTF files (RNA_relightable_asset) in place of their fallback.
- * `loader.register((parser) => new RNAExtension(parser, { renderer }))`. Of what is loaded, `userData.rnaAssets` has the assets.
+ * `loader.register((parser) => new RNAExtension(parser, { renderer }))`. Of what is loaded, `userData.rnaAssets` has the assets, and `userData.fallbackFlip` of an asset the error of its fallback, if the file has it.
  */
 export class RNAExtension {
   constructor(parser: unknown, options: RNAExtensionOptions);
@@ -41,7 +41,7 @@ export class RNAExtension {
 }
 
 export interface RNAExtensionOptions extends RnaOptions {
-  /** What draws the scene: one without WebGPU shows the fallback. */
+  /** The renderer of the scene; one without WebGPU shows the fallback. */
   renderer: WebGPURenderer | WebGLRenderer;
   /** As setTier and setVariant of RnaLoader. */
   tier?: string | null;
@@ -59,7 +59,7 @@ export class RnaAsset extends Group {
   tier: string;
   /** Names of the package's variants, for the loader's setVariant. */
   readonly variants: string[];
-  /** What the images of base colour are called, for setMap. */
+  /** The names of the images of base colour, for setMap. */
   readonly maps: string[];
   /** Another picture for the images with that label; null: the package's own. Copies share it. Rejects for another label. */
   setMap(label: string, picture: Blob | ImageBitmap | CanvasImageSource | Texture | null): Promise<void>;

@@ -234,7 +234,7 @@ def _decoder(
 ) -> Decoder | Int8Decoder:
     rows = Maker(rng, part.is_fiber, part.bounds).ordinary(_CALIBRATION_ROWS)
     blocks = decoder_inputs(Points.of(arrays_of(rows, ALL), part.bounds), tier.inputs, planes)
-    blocks = np.clip(blocks, -20, 20)  # but for loud texels, which would drown the others
+    blocks = np.clip(blocks, -20, 20)  # except loud texels, which would drown the others
     first = None
     if tier.int8 == "saturating":
         first = decoders.saturating_weights(rng, blocks, tier.widths[0])

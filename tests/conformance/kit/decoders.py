@@ -129,7 +129,7 @@ def make_decoder(
     """Random layers whose outputs on these (n, K) blocks are colours of 0.02 to 2 or so.
 
     mixing: outputs of the last layer that a matrix makes the colours of; 0 for none. first:
-    (K, outputs), the first layer's weights but for a factor an output. colours: columns of the
+    (K, outputs), the first layer's weights up to a factor an output. colours: columns of the
     output, where its name does not say so.
     """
     colours = colours or OUTPUTS[output]

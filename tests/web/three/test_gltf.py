@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from tests.render.chromium import Page
-from tests.web.gltf_files import GltfFile, asset_node
+from tests.web.gltf_files import EXTENSION, GltfFile, asset_node
 from tests.web.pages import TIMEOUT
 from tests.web.three.pages import PAGE, REPOSITORY, installed, opened
 
@@ -45,9 +45,11 @@ def scene_file() -> GltfFile:
     file = GltfFile()
     surface, strands = (file.view(path.read_bytes()) for path in (SURFACE, STRANDS))
     far = {"translation": [0.0, 0.0, -3.0]}
+    fox = asset_node(surface, children=[2], name="fox")
+    fox["extensions"][EXTENSION]["fallbackFlip"] = 0.25
     file.document["nodes"] = [
         {"children": [1, 3, 4, 5]},
-        asset_node(surface, children=[2], name="fox"),
+        fox,
         {"mesh": 0, "translation": [0.0, 1.0, 0.0]},
         asset_node(surface, **MIRRORED),
         {"mesh": 0, "scale": [0.3] * 3, "translation": [-2.0, 0.0, 0.0], "name": "cube"},
@@ -114,6 +116,7 @@ def test_a_scene_has_the_same_bits_as_its_packages(page):
         const facts = [
           root.children.map(({{ type }}) => type), own.children.length, own.name,
           gltf.userData.rnaAssets.length, root.children[1].content === own.content,
+          gltf.userData.rnaAssets.map(({{ userData }}) => userData.fallbackFlip ?? null),
         ];
         const pictures = [await picture(gltf.scene, 96, 60, view)];
         const mirrored = at(fox.clone(), {{
@@ -128,7 +131,7 @@ def test_a_scene_has_the_same_bits_as_its_packages(page):
         """,
     )
     types = ["RnaAsset", "RnaAsset", "Mesh", "RnaAsset"]
-    assert actual[0] == [types, 1, "fox", 2, True]
+    assert actual[0] == [types, 1, "fox", 2, True, [0.25, None]]
     assert actual[1] == actual[2]
     assert actual[3] == [0, 0]  # all disposed of
 

@@ -22,7 +22,7 @@ PAPER_CHANNELS = (4, 8, 16, 32)
 
 _PLANES = {"surface": (256, (128, 512, 1024)), "fiber": (32, (16, 64, 128))}
 _CHANNELS = {"surface": (8, (4, 16, 32)), "fiber": (16, (4, 8, 32))}
-"""Kind -> that of our presets, and the others."""
+"""Kind -> the kind of our presets, and the others."""
 
 _WIDTHS = (16, 32, 64, 128, 256, 512, 1024)
 _LAYERS = (2, 3, 4, 5)
@@ -103,14 +103,14 @@ def nrhints(kind: str) -> Trial:
 
 
 def with_our_optimizer(trial: Trial) -> Trial:
-    """A model of others under Muon: what it gains by that is not its own, nor ours."""
+    """A model of others under Muon: the gain by Muon is neither its own nor ours."""
     preset = trial.preset.with_training(optimizer="muon")
     named = {"name": f"{trial.name}-muon", "family": "ablation", "tables": ("our-optimizer",)}
     return trial.model_copy(update={"preset": preset, **named})
 
 
 def ablations(kind: str, widths: tuple[int, ...]) -> list[Trial]:
-    """Our preset's shape at these widths without what we or the paper added to it."""
+    """Our preset's shape at these widths, without additions of ours or the paper's."""
     trials = []
     for width in widths:
         preset = ours(kind, width).preset

@@ -156,9 +156,9 @@ def sections(rays: Rays, edges: Tensor) -> tuple[Tensor, Tensor]:
 def single_bounce(
     emitted: Tensor, density: Tensor, lengths: Tensor, from_light: Tensor | None
 ) -> Tensor:
-    """Radiance of rays, (n, 3), of what their sections reflect of unweakened light, (n, m, 3).
+    """Radiance of rays, (n, 3), from unweakened reflected light of their sections, (n, m, 3).
 
-    from_light: transmittance from the light (n, m); None: that of the ray, whose light is at its
+    from_light: transmittance from the light (n, m); None: the ray's own, whose light is at its
     origin.
     """
     tau = transmittances(density, lengths)

@@ -34,7 +34,7 @@ _COLOUR_LAYERS = 4
 class DistanceNetwork(FeatureNetwork):
     """Signed distance and features of a point in the unit sphere.
 
-    The trunk is that of `rna-bench frontier`'s model `nrhints`; here it starts as a sphere (Atzmon
+    The trunk is the one in `rna-bench frontier`'s `nrhints`; here it starts as a sphere (Atzmon
     and Lipman 2020), and a distance stands before its features.
     """
 

@@ -41,10 +41,10 @@ def measure(fixtures: Fixtures) -> list[Row]:
 def binned(answers: Answers, samples: dict[str, np.ndarray], halves: np.ndarray) -> list[Row]:
     """The error in each bin of the angle of wo, and of wi, to the axis.
 
-    `error` is relative to the bin's mean radiance, `of_all` to that of all bins: along a surface
-    there is next to no light, and a part of nothing is not seen. The axis is the normal, where the
-    light is visible and above the surface; for fibers the plane across the tangent. 90 degrees are
-    along the surface, or along the fiber.
+    `error` is relative to the bin's mean radiance, `of_all` to the mean of all bins: along a
+    surface there is next to no light, and a part of nothing is not seen. The axis is the normal,
+    where the light is visible and above the surface; for fibers the plane across the tangent. 90
+    degrees are along the surface, or along the fiber.
     """
     radiance, rows = picked(answers, samples), []
     lit = is_lit(samples["visible"])

@@ -46,7 +46,7 @@ def measure(fixtures: Fixtures) -> list[Row]:
 
 
 def row_of(radiance: list[np.ndarray], views: list[ValidationView]) -> Row:
-    """PSNR without noise, and by what part the sum of all radiance is off."""
+    """PSNR without noise, and the relative error of the sum of all radiance."""
     scores = score(radiance, views)
     true = np.concatenate([view.samples["radiance"] for view in views]).mean(dtype=np.float64)
     bias = float(np.concatenate(radiance).mean(dtype=np.float64) / true) - 1.0

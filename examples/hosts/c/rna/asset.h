@@ -1,4 +1,4 @@
-/* What a package becomes. */
+/* A loaded package. */
 #ifndef RNA_ASSET_H
 #define RNA_ASSET_H
 

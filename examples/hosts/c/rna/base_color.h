@@ -167,7 +167,7 @@ static RnaWrap wrap_of(const Json *word) {
     return is_string(word, "clamp") ? RNA_CLAMP : is_string(word, "mirror") ? RNA_MIRROR : RNA_REPEAT;
 }
 
-/* What the manifest says of a record, but for its image. */
+/* The members of a record in the manifest, except its image. */
 static RnaBaseColor base_color_of(const Json *json) {
     const Json *factor = member(json, "factor"), *wrap = member(json, "wrap"), *space = member(json, "colorSpace");
     const Json *transform = member(json, "transform");

@@ -60,7 +60,7 @@ static bool read_plain_curves(Span file, const Json *header, RnaCurves *curves, 
 typedef struct Steps {
     double step, unit;
     const float *origins; /* one a strand */
-    const uint8_t *steps; /* one a point, but for the first of each strand */
+    const uint8_t *steps; /* one a point, except the first of each strand */
     const uint8_t *radii;
     unsigned step_size, radius_size; /* bytes of a number */
 } Steps;

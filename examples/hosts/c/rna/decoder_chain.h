@@ -5,7 +5,7 @@
 #include "decoder.h"
 #include "onnx.h"
 
-/* What makes a value: a constant of the model, or a node; the queries have neither. */
+/* The source of a value: a constant of the model, or a node; the queries have neither. */
 typedef struct Value {
     Span name;
     OnnxTensor *tensor;

@@ -19,7 +19,7 @@ static bool is_version(Span text) {
     return span_is(minor, "0") || (minor.size && number_size(minor) == minor.size);
 }
 
-/* Whether the version is that of this text.  What is no version is a wrong value. */
+/* Whether the version is this text's.  Any other string is a wrong value. */
 static bool check_version(const Json *version, RnaReport *report) {
     if (!version || version->type != JSON_STRING || !is_version(version->string) || is_string(version, "2.0"))
         return true;
@@ -28,7 +28,7 @@ static bool check_version(const Json *version, RnaReport *report) {
     return refuse(report, code, "/version", "2.0", "%s", text);
 }
 
-/* What must hold before the members of this version mean anything. */
+/* The checks that come before the members of this version. */
 static bool manifest_is_readable(const Json *root, RnaReport *report) {
     if (!is_string(member(root, "format"), "rna"))
         return refuse(report, "FORMAT_UNKNOWN", "/format", "\"rna\"", "something else");

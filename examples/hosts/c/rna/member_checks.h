@@ -1,4 +1,4 @@
-/* What the rules of members do not say (section 3), and the blocks of a query (6.3). */
+/* Checks of members beyond their rules (section 3), and the blocks of a query (6.3). */
 #ifndef RNA_MEMBER_CHECKS_H
 #define RNA_MEMBER_CHECKS_H
 

@@ -1,4 +1,4 @@
-/* What is read of a decoder's ONNX model: nodes, constants, the interface (section 6.2). */
+/* The fields of a decoder's ONNX model: nodes, constants, the interface (section 6.2). */
 #ifndef RNA_ONNX_H
 #define RNA_ONNX_H
 
@@ -7,7 +7,7 @@
 /* TensorProto.DataType */
 enum { ONNX_FLOAT = 1, ONNX_UINT8 = 2, ONNX_INT8 = 3, ONNX_INT32 = 6 };
 
-/* What a decoder must be, by the manifest. */
+/* The manifest's requirements on a decoder. */
 typedef struct Interface {
     int columns;
     bool is_int8;

@@ -1,4 +1,4 @@
-/* What is wrong with a package. */
+/* The issues of a package. */
 #ifndef RNA_REPORT_H
 #define RNA_REPORT_H
 

@@ -4,7 +4,7 @@
 
 #include "json.h"
 
-/* What values a member may have. */
+/* The values that a member may have. */
 typedef enum RuleKind {
     END,
     ANYTHING,

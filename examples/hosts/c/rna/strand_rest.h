@@ -78,7 +78,7 @@ static void root_rotation(const RnaShape *shape, const Root *roots, size_t place
     fitted_rotation(c, r);
 }
 
-/* The rotations of a strand's segments, from that of its root on. */
+/* The rotations of a strand's segments, from its root's rotation on. */
 static void turn_strand(RnaShape *shape, uint32_t strand, double r[9]) {
     const uint32_t *offsets = shape->curves->offsets;
     for (uint32_t k = offsets[strand]; k + 1 < offsets[strand + 1]; k++) {

@@ -6,7 +6,7 @@
 
 enum { MAX_RANK = 4 };
 
-/* What a tensor must be, and where it was found. */
+/* The requirements on a tensor, and its place. */
 typedef struct Tensor {
     const char *name, *dtypes; /* dtypes: those that it may have, with spaces between them */
     int rank;

@@ -1,4 +1,4 @@
-/* What records of a range of triangles with a texture have in common (sections 4.4 and 4.5). */
+/* Records of a range of triangles with a texture: their common members (sections 4.4 and 4.5). */
 #ifndef RNA_TEXTURES_H
 #define RNA_TEXTURES_H
 
@@ -27,7 +27,7 @@ static Range range_of(const Json *record) {
     return (Range){(uint32_t)fmin(first->number, UINT32_MAX), (uint32_t)fmin(first->next->number, UINT32_MAX)};
 }
 
-/* The range lies behind that of the record before, which ends at `start`, and in the mesh. */
+/* The range lies in the mesh, behind the range of the record before, which ends at `start`. */
 static bool check_range(Range range, uint64_t start, const RnaMesh *mesh, const char *code,
                         const char *where, RnaReport *report) {
     return (range.first >= start && (uint64_t)range.first + range.count <= mesh->triangle_count) ||

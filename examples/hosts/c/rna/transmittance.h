@@ -12,7 +12,7 @@ static bool read_texture(Span file, RnaTransmittance *record, const char *entry,
            refuse(report, code, entry, "1 or 3 channels, 1 with a cutoff", "%u", (unsigned)channels);
 }
 
-/* What the manifest says of a record. */
+/* The members of a record in the manifest. */
 static RnaTransmittance record_of(const Json *json) {
     const Json *cutoff = member(json, "cutoff"), *ior = member(json, "ior");
     const Range range = range_of(json);

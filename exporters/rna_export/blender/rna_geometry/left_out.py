@@ -43,7 +43,7 @@ def notes() -> list[str]:
     """Notes for the user about left-out objects and backdrops; within `as_rendered`."""
     result, names = [], unrendered()
     if names is not None:
-        result.append(f"what renders do not show is left out: {names}")
+        result.append(f"left out, since renders do not show them: {names}")
     large = _much_the_longest()
     if large is not None:
         name, times = large

@@ -1,4 +1,4 @@
-"""Refuses what Cycles alone shapes, while it renders: its geometry cannot be exported."""
+"""Refuses shapes that only Cycles makes while it renders: their geometry cannot be exported."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from rna_materials.object_materials import materials_of
 
 
 def refuse() -> None:
-    """Raise ValueError for true displacement and adaptive subdivision of what cameras see."""
+    """Raise ValueError for true displacement and adaptive subdivision of visible objects."""
     for instance in shown_objects.seen():
         item = instance.object.original
         if item.type in SURFACES:

@@ -33,7 +33,7 @@ class _Geometry(bpy.types.RenderEngine):  # type: ignore[misc]
 
 
 def as_rendered(work: Callable[[], Result]) -> Result:
-    """What `work` returns while `depsgraph()` is that of a render. It may not change the scene."""
+    """Calls `work` while `depsgraph()` is a render's; returns its result. It may change nothing."""
     answers: list[Result] = []
     errors: list[Exception] = []
 

@@ -25,7 +25,7 @@ _FLIP = np.array([(1.0, 0.0, 0.0), (0.0, -1.0, 1.0), (0.0, 0.0, 1.0)])  # of v, 
 
 
 def wrap_of(node: bpy.types.Node) -> str:
-    """What lies beyond the edges of an image node's image, in a package's words."""
+    """The extension of an image node beyond the image's edges, in a package's words."""
     return _WRAPS[node.extension]
 
 
@@ -82,7 +82,7 @@ def texels_of(
 
 
 def baked(colour: ColourOfUv, points: UvPoints, largest: int) -> tuple[np.ndarray, Chart]:
-    """(h, w, 3) uint8 sRGB, repeated, over a chart, which fits what nodes give. Raises NotOfUv.
+    """(h, w, 3) uint8 sRGB, repeated, over a chart that fits the nodes. Raises NotOfUv.
 
     largest: texels a side, at most.
     """

@@ -64,7 +64,7 @@ class Wish:
 
 @dataclass
 class _Found:
-    """One material's base colour. shown: what its source gives; None of a factor alone."""
+    """One material's base colour. shown: its source's colours; None of a factor alone."""
 
     material: bpy.types.Material
     base: BaseColour

@@ -15,7 +15,7 @@ from rna_materials.object_materials import materials_of
 
 _OF_EEVEE = {"SHADERTORGB": "Shader to RGB", "EEVEE_SPECULAR": "Specular BSDF"}
 FIND = "use File > External Data > Find Missing Files, and save"
-"""What helps where a file that a .blend names is gone."""
+"""The remedy where a file that a .blend names is gone."""
 
 
 def problems() -> list[str]:

@@ -22,7 +22,7 @@ def normal_source(material: bpy.types.Material) -> Source | None:
 
 
 def problem_of(source: Source) -> str | None:
-    """What keeps a normal from being a map, or None."""
+    """The obstacle that keeps a normal from being a map, or None."""
     node, _, inside = source
     before = [node, *(each for s in node.inputs for each, _, _ in sources(s, inside))]
     if any(each.type == "BUMP" for each in before):

@@ -115,7 +115,7 @@ def _of_threshold(
 ) -> bpy.types.NodeSocket:
     """Value of a factor; for a threshold node, the value that is compared.
 
-    negate: whether the transmittance is 1 - factor. The cutoff is that of the transmittance.
+    negate: whether the transmittance is 1 - factor. The cutoff applies to the transmittance.
     """
     compared = _comparison(socket) if reading.thresholds else None
     if compared is None:

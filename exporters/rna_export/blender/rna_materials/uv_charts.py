@@ -22,7 +22,7 @@ SMALLEST, LARGEST = 4, 4096  # Blender renders no fewer than 4 pixels a side
 class Chart:
     """layer: the UV map, "" for the one that renders use by default.
 
-    matrix: (2, 3), from its (u, v, 1) to (s, t); the texture is that of [0, 1] x [0, 1], t upwards.
+    matrix: (2, 3), from its (u, v, 1) to (s, t); the texture covers [0, 1] x [0, 1], t upwards.
     tiles: of UDIM, by which triangles are told apart (see `udim_tiles.numbers_of`).
     """
 

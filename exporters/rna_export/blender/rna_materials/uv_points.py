@@ -29,7 +29,7 @@ class UvPoints:
 
     @classmethod
     def of(cls, uses: list[Use], colour: ColourOfUv) -> UvPoints:
-        """Also tells the colour what its quads need. Raises NotOfUv."""
+        """Also passes the colour the data that its quads need. Raises NotOfUv."""
         if colour.depends.problems:
             raise NotOfUv(colour.depends.problems[0])
         attributes = {n for use in uses for n in colour.depends.attributes if n in use.layers and n}
@@ -37,7 +37,7 @@ class UvPoints:
         maps = [joined(uses, name) for name in names] or [joined(uses, None)]
         for name, other in zip(names[1:], maps[1:], strict=False):
             if not np.allclose(other, maps[0], atol=1e-6):
-                shown = [repr(each or "that of renders") for each in (names[0], name)]
+                shown = [repr(each or "the map of renders") for each in (names[0], name)]
                 raise NotOfUv(f"the UV maps {shown[0]} and {shown[1]} at once")
         colour.layers = set(names)
         colour.constants = {}

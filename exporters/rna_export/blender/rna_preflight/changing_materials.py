@@ -10,7 +10,7 @@ from rna_materials.uv_render import surface_sources
 
 
 def changing() -> list[str]:
-    """Which shown materials change with the frame, and by what; within `as_rendered`."""
+    """The shown materials that change with the frame, each with its cause; within `as_rendered`."""
     names = sorted(name for each in shown_materials() for name in each)
     materials = (bpy.data.materials.get(name) for name in names)
     found = ((m, next(_changes(m), None)) for m in materials if m is not None)

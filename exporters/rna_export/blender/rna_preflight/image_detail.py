@@ -13,7 +13,7 @@ _LARGEST = 4096 * 4096  # texels: the spectrum of larger images is not read
 def period(image: bpy.types.Image, of_slopes: bool) -> float:
     """From one detail of an image to the next, the image being 1 long; infinite without details.
 
-    Nine tenths of the image's variance, or of that of its slopes, are coarser. Two texels where
+    Nine tenths of the variance, of the image or of its slopes, are coarser. Two texels where
     the image cannot be read.
     """
     width, height = image.size

@@ -1,4 +1,4 @@
-"""What each shown material is, read from its nodes: the pre-flight of a capture judges it."""
+"""Facts about each shown material, read from its nodes: a capture's pre-flight judges them."""
 
 from __future__ import annotations
 
@@ -172,5 +172,5 @@ def _of_inputs(shaders: Iterable[Shader], names: Iterable[str]) -> Iterator[Shad
 
 
 def _called(node: bpy.types.Node) -> str:
-    """What an artist sees on the node."""
+    """The node's name in the node editor."""
     return str(node.label or node.bl_label)

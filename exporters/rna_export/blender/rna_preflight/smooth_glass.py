@@ -20,7 +20,7 @@ _LEAST_WEIGHT = 0.9  # of transmission, from which the rest of a material does n
 
 
 class Glass(TypedDict):
-    """What hosts show of a smooth refracting material.
+    """A smooth refracting material, as hosts show it.
 
     ior: index of refraction. tint: of light that passes one interface, linear. roughness: as in
     glTF. absorption: of the inside, 1/m.
@@ -58,7 +58,7 @@ def leave_to_hosts(how: str) -> list[Glass]:
 
 
 def _shown() -> list[bpy.types.Material]:
-    """The materials of what cameras see, each once."""
+    """The materials that cameras see, each once."""
     shown = shown_objects.as_rendered(
         lambda: {
             material.name_full

@@ -1,4 +1,4 @@
-"""A floor for the roughness of materials: what Cycles in float32 can light with a sun.
+"""A floor for the roughness of materials: the least that Cycles in float32 can light with a sun.
 
 Needs `bpy`.
 """

@@ -38,7 +38,7 @@ def configure(
     """Cycles as a teacher, once `render_settings` are ours: no clamping but the named one.
 
     `separate_direct` adds the passes that tell direct light from scattered light. Returns the names
-    of the materials that emit light, which is switched off but for renders without the sun.
+    of the materials that emit light, which is switched on only for renders without the sun.
     """
     scene, layer = bpy.context.scene, bpy.context.view_layer
     scene.render.threads = threads

@@ -8,7 +8,7 @@ from rna_geometry.shown_objects import HAIR, SURFACES
 
 
 def leave_out_unseen() -> list[str]:
-    """Make what holds out, or catches shadows, invisible to camera rays alone.
+    """Make holdouts and shadow catchers invisible to camera rays alone.
 
     Before, it would cut holes into what lies behind it. Returns a note for each reason.
     """
@@ -34,7 +34,7 @@ def leave_out_unseen() -> list[str]:
 
 
 def _reason(item: bpy.types.Object, layer: bpy.types.ViewLayer) -> str | None:
-    """What keeps camera rays from seeing an object; None if they do."""
+    """The reason why camera rays do not see an object; None if they do."""
     if item.is_shadow_catcher:
         return "a shadow catcher"
     if item.holdout_get(view_layer=layer):

@@ -1,4 +1,4 @@
-"""Imports glTF, with what Blender's importer passes over in silence."""
+"""Imports glTF, with the members that Blender's importer ignores in silence."""
 
 from __future__ import annotations
 

@@ -30,7 +30,7 @@ material of each pair."""
 
 @dataclass
 class Variant:
-    """materials: by the full name of a material, that of the one in its place."""
+    """materials: by the full name of a material, the full name of its replacement."""
 
     name: str
     materials: dict[str, str]
@@ -113,7 +113,7 @@ def _why_not(
         if others == {base}:
             continue
         if base is None or None in others:
-            return "it changes what has no material"
+            return "it changes primitives without a material"
         if len(others) > 1:
             return f"it changes material {_name(data, base)!r} here and there only, or to several"
         (other,) = others
@@ -166,5 +166,5 @@ def _differing(base: dict[str, Any], other: dict[str, Any]) -> list[str]:
         if alphas[0] != alphas[1] or base.get("baseColorTexture") != other.get("baseColorTexture"):
             differ.append("alpha")
     if "KHR_materials_transmission" in (base.get("extensions") or {}):
-        differ.append("the colour of what it lets through")
+        differ.append("the colour of its transmitted light")
     return differ

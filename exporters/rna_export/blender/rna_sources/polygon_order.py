@@ -9,7 +9,7 @@ import bpy
 def sort_polygons() -> None:
     """Sort the polygons of all meshes by their vertices.
 
-    Operators, such as that of UV spheres, make them in the order of addresses in memory.
+    Operators, such as the one for UV spheres, make them in the order of addresses in memory.
     """
     for mesh in bpy.data.meshes:
         keys = [tuple(polygon.vertices) for polygon in mesh.polygons]

@@ -14,7 +14,7 @@ _opened: set[str] = set()  # by Python
 
 
 def watch() -> None:
-    """Remember from now on what Python opens."""
+    """Remember from now on the files that Python opens."""
     sys.addaudithook(_hear)
 
 

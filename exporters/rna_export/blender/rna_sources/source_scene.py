@@ -146,7 +146,7 @@ def keep_only_the_asset() -> list[str]:
 
 
 def _what_surprises() -> list[str]:
-    """Notes on what an artist may not have meant."""
+    """Notes on likely mistakes of an artist."""
     return [*left_out.notes(), *missing_uvs.problems(), *material_check.problems()]
 
 
@@ -178,7 +178,7 @@ def _refuse_volumes() -> None:
 
 
 def _held_by_none() -> dict[str, tuple[bpy.types.Object, str]]:
-    """Such objects by name, and what each is."""
+    """Such objects by name, and the kind of each."""
     result = {}
     for instance in shown_objects.instances():
         item = instance.object

@@ -116,7 +116,7 @@ class BlenderProcess:
             raise
 
     def _launch(self) -> subprocess.Popen[str]:
-        """A process that has opened nothing yet; what Blender writes for itself is in `folder`."""
+        """A process that has opened nothing yet; Blender's own files are in `folder`."""
         folder = str(self._folder.resolve())
         return subprocess.Popen(
             [str(self._python), str(_WORKER), str(self._threads), str(os.getpid())],
@@ -216,7 +216,7 @@ class BlenderProcess:
 
 
 def _signal_of(process: subprocess.Popen[str]) -> str:
-    """What ended it, in words: " by SIGSEGV"; "" where it ended itself, or goes on."""
+    """The signal that ended it, in words: " by SIGSEGV"; "" if it ended itself, or goes on."""
     with contextlib.suppress(subprocess.TimeoutExpired, ValueError):
         status = process.wait(10.0)
         return f" by {signal.Signals(-status).name}" if status < 0 else ""

@@ -70,7 +70,7 @@ class BlenderWorker(BlenderProcess):
         self._holds_scene = False  # what `render_scene` made of the source
 
     def restart(self) -> None:
-        """See `BlenderProcess`; what `render_scene` made is gone."""
+        """See `BlenderProcess`; the scene of `render_scene` is gone."""
         self._holds_scene = False
         super().restart()
 

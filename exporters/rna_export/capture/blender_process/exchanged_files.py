@@ -1,4 +1,4 @@
-"""Files that go to a Blender process or come from it, and what Cycles answers along rays."""
+"""Files that go to a Blender process or come from it, and Cycles' results along rays."""
 
 from __future__ import annotations
 

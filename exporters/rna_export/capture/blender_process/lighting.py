@@ -1,4 +1,4 @@
-"""What lights a render of rays: a sun, a white world, or the asset itself; as Blender is asked."""
+"""The light of a render of rays: a sun, a white world, or the asset itself; as Blender is asked."""
 
 from __future__ import annotations
 

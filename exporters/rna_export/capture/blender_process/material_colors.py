@@ -56,7 +56,7 @@ class MaterialColors:
 
     @classmethod
     def of(cls, arrays: dict[str, np.ndarray], answer: dict[str, Any]) -> MaterialColors:
-        """What `base_colors.py` answers."""
+        """The answer of `base_colors.py`."""
         colors = {}
         for record in answer["colors"]:
             image = None

@@ -52,7 +52,7 @@ class Disagreement:
         normals: bool,
         firm: np.ndarray | None = None,
     ) -> Disagreement:
-        """Compare what Cycles rendered along rays from outside.
+        """Compare Cycles' renders along rays from outside.
 
         samples: of each ray. normals: whether the exported ones are to be Cycles'. firm: (n,) bool,
         rays to compare; None for all.

@@ -1,4 +1,4 @@
-"""A picture that marks where the exported geometry is not what Cycles renders."""
+"""A picture that marks where the exported geometry differs from Cycles' renders."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def disagreement_picture(
     name: str,
     said: Mapping[str, str],
 ) -> bytes:
-    """PNG of three labelled images: Cycles', the exported geometry, and what differs, in colours.
+    """PNG of three labelled images: Cycles', the exported geometry, their differences, in colours.
 
     rays: of a square image, by rows. said: what to write of each kind of disagreement.
     """
@@ -46,7 +46,7 @@ def disagreement_picture(
     width, top = 3 * side, 2 * line
     sheet = Image.new("RGB", (width, top + side + line * (len(said) + 1)), _PAPER)
     draw = ImageDraw.Draw(sheet)
-    title = f"{name}: the exported geometry is not what Cycles renders"
+    title = f"{name}: the exported geometry differs from Cycles' renders"
     draw.text((line // 2, line // 2), title, _INK, font, anchor="lm")
     for k, (label, image) in enumerate(zip(labels, images, strict=True)):
         draw.text((k * side + line // 2, line + line // 2), label, _INK, font, anchor="lm")

@@ -47,7 +47,7 @@ _CLUSTER = np.cos(np.radians(40.0))
 _CANDIDATES = 64
 _WORDS = {
     MISSING: "of the exported geometry is not in Cycles' images",
-    EXTRA: "of what Cycles shows is not exported",
+    EXTRA: "of the surfaces that Cycles shows is not exported",
     ELSEWHERE: "of the hits are elsewhere in Cycles",
     TURNED: "of the normals differ by more than 30 degrees",
 }
@@ -143,7 +143,7 @@ class SelfCheck:
             self._towards.append(-rays.directions[differ])
 
     def worth_telling(self) -> dict[str, str]:
-        """Kinds of disagreement, and what to say of each."""
+        """Kinds of disagreement, and the words for each."""
         return {
             kind: f"{share:.1%} {_WORDS[kind]}"
             for kind, share in self.shares.items()
@@ -151,9 +151,9 @@ class SelfCheck:
         }
 
     def note(self) -> str | None:
-        """A sentence on what differs, None if all agrees."""
+        """A sentence on the differences, None if all agrees."""
         differs = "; ".join(self.worth_telling().values())
-        said = [f"the exported geometry is not what Cycles renders: {differs}"] if differs else []
+        said = [f"the exported geometry differs from Cycles' renders: {differs}"] if differs else []
         if abs(self.brightness - 1.0) >= WORTH_A_NOTE:
             said.append(
                 f"a white card is {self.brightness:.3g} times as bright as it should be: a setting "

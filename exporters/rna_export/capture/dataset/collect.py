@@ -39,7 +39,7 @@ class Collector:
         return cls(dataset, executor, store.below(_name(dataset)))
 
     def carried(self) -> Carried:
-        """The manifest for workers, with what they read if they do not see the folder."""
+        """The manifest for workers, with their inputs if they do not see the folder."""
         folder = self.dataset.folder.resolve()
         if self.store is None:
             return InPlace(folder / "manifest.json")

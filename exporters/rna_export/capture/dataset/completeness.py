@@ -1,4 +1,4 @@
-"""Compares the files of a dataset with what its manifest plans, and with what captures recorded."""
+"""Compares the files of a dataset with its manifest's plan, and with the captures' records."""
 
 from __future__ import annotations
 
@@ -90,7 +90,7 @@ def record_files(dataset: Dataset) -> None:
 
 
 def forget(dataset: Dataset, paths: Iterable[Path]) -> None:
-    """Drop what was noted of files that are going to be captured anew."""
+    """Drop the records of files that are going to be captured anew."""
     names = {path.relative_to(dataset.folder).as_posix() for path in paths}
     recorded = _recorded(dataset.folder)
     if names & recorded.keys():

@@ -82,7 +82,7 @@ class Dataset:
 
         geometries: of each part. textures: by the names that records have, the texels of all
         transmittance and normal maps, and the files of images of base colour.
-        poses: by frame, but for the rest frame: positions of each part, (v, 3) float32.
+        poses: by frame, except the rest frame: positions of each part, (v, 3) float32.
         sources: vertices of the source, of those parts that have any. glass: a .glb of the glass
         that is left to hosts. exact: meshes before they were quantised, of parts that were.
         materials: of each surface, (t,) int16, places of its triangles' materials in those of the

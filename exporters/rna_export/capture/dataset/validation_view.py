@@ -113,7 +113,7 @@ class EmissionView(ValidationView):
 class WhiteView(ValidationView):
     """Samples of one part in a white world: rays from outside, each with several directions wi.
 
-    `radiance` is that of the ray in light of radiance 1 from all sides of the domain; `weight`
+    `radiance` is the ray's in light of radiance 1 from all sides of the domain; `weight`
     (n,), times what a model has for wi, is an unbiased estimate of it. Rows are no pixels.
     """
 

@@ -1,9 +1,9 @@
 """The speed over Cycles that a pilot lets expect, by assets whose speed was measured.
 
 At equal error the speedup is (time of a path x its variance) / (time of a sample of ours x its
-variance). A path's variance is that of its walk inside the asset and that of where in the pixel it
-starts; ours has the latter alone. The times keep nearly the same ratio: what makes a path dear,
-strands above all, makes our rays dear. So the speedup is the pilot's noise ratio times a constant.
+variance). A path's variance comes from its walk inside the asset and from its place in the pixel;
+ours has the latter alone. The times keep nearly the same ratio: assets with expensive paths, above
+all strands, have expensive rays. So the speedup is the pilot's noise ratio times a constant.
 """
 
 from __future__ import annotations
@@ -89,7 +89,7 @@ def gain_text(pilot: Pilot, assets: dict[str, MeasuredAsset]) -> str:
     """Cost of a path in Cycles and of a query here, and the gain: two lines."""
     cost = (
         f"a path of Cycles takes {pilot.path_us:.2g} us, and its variance is "
-        f"{pilot.noise_ratio:.2g} times that of its pixel; here a query of {PRESET} takes "
+        f"{pilot.noise_ratio:.2g} times its pixel's variance; here a query of {PRESET} takes "
         f"{pilot.query_us:.2g} us and its ray {pilot.ray_us:.2g} us (processor time)"
     )
     return f"{cost}\ngain: {_in_words(gain(pilot, assets))}"

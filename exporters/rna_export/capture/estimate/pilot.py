@@ -1,4 +1,4 @@
-"""A pilot: small renders that tell how noisy a path of Cycles is, and what rays cost here."""
+"""A pilot: small renders that tell the noise of a path of Cycles, and the cost of rays here."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ class Pilot(BaseModel, extra="forbid", frozen=True):
 
     @property
     def noise_ratio(self) -> float:
-        """Variance of a path through a pixel, over what remains of it if T is known."""
+        """Variance of a path through a pixel, over the variance that remains if T is known."""
         return 1.0 + self.path_variance / max(self.pixel_variance, 1e-9)
 
 
@@ -141,7 +141,7 @@ def variances(luminance: np.ndarray, samples: int) -> tuple[float, float]:
 
 
 def _luminance(traced: TracedRays) -> np.ndarray:
-    """(n,) float32, of what a pixel shows of points; black where there is no sample."""
+    """(n,) float32, the values of points in a pixel; black where there is no sample."""
     return np.where(traced.valid, traced.rendered.radiance @ _LUMINANCE, np.float32(0.0))
 
 

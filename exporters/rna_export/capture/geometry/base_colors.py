@@ -236,14 +236,14 @@ class BaseColors:
 
 @dataclass
 class Variant:
-    """Base colours of a variant's materials. materials: by name, that of the one in its place."""
+    """Base colours of a variant's materials. materials: by name, its replacement's name."""
 
     colors: BaseColors
     materials: dict[str, str]
 
 
 def blurred(mesh: Mesh, color: BaseColor) -> float:
-    """RMS difference, linear, of a base colour from what texels of planes would show of it."""
+    """RMS difference, linear, of a base colour from its values at texels of planes."""
     low, high = mesh.box()
     corners = mesh.positions[mesh.triangles[color.first : color.first + color.count]]
     corners = corners.astype(np.float64)

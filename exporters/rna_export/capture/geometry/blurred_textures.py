@@ -17,7 +17,7 @@ _FINER = 1.5  # times, from which it is noted
 def blurred_note(
     part: str, corners: Mapping[str, np.ndarray], textures: Mapping[str, Mapping[str, float]]
 ) -> str | None:
-    """What planes blur of a part's textures; None if none of them is finer.
+    """The textures of a part that planes blur; None if none of them is finer.
 
     corners: see `BlenderWorker.export_corners`. textures: by material, the inputs of its shaders
     -> texels in a unit square of texture coordinates.

@@ -1,1 +1,1 @@
-"""What each material of a source is, and how well it will be learnt, before the first ray."""
+"""The materials of a source, and how well each will be learnt, before the first ray."""

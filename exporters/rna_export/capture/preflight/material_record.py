@@ -1,4 +1,4 @@
-"""What Blender says of the materials of a source: `blender/rna_preflight/material_facts.py`."""
+"""Blender's facts about a source's materials: `blender/rna_preflight/material_facts.py`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Verdicts on materials: learnt well, roughly or not, and what to do."""
+"""Verdicts on materials: learnt well, roughly or not, with remedies."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ class MaterialVerdict(DatasetModel):
     @property
     def lines(self) -> list[str]:
         """The verdict in the terminal and on the contact sheet."""
-        seen = "" if self.share >= 1.0 else f" ({share_text(self.share)} of what is seen)"
+        seen = "" if self.share >= 1.0 else f" ({share_text(self.share)} of the visible surface)"
         first = f"  {self.name!r}: {self.is_}: {self.promise}{seen}"
         return [first, *(f"    {reason}" for reason in self.reasons)]
 
@@ -90,7 +90,7 @@ def verdicts(
 
     texel: side of a texel of the planes, m. mapped, coloured: full names of materials whose relief,
     and whose colour, are textures of the package. obstacles: of "relief" and "colour", by material,
-    what keeps it from being one. shares: of what is seen, by material; None for 1 each.
+    what keeps it from being one. shares: of the visible surface, by material; None for 1 each.
     """
     textures = {"relief": set(mapped), "colour": set(coloured)}
     result, obstacles = [], obstacles or {}
@@ -109,7 +109,7 @@ def not_learnt(
     """Materials that are not learnt, or lose only `loses`, and their share of the visible area."""
     those = [each for each in of if each.learnt == "not" and each.loses == loses]
     share = sum(each.share for each in those)
-    seen = f" ({share_text(share)} of what is seen)" if share < 1.0 else ""
+    seen = f" ({share_text(share)} of the visible surface)" if share < 1.0 else ""
     return ", ".join(repr(each.name) for each in those) + seen, share
 
 
@@ -174,13 +174,13 @@ def _of_kinds(facts: MaterialFacts) -> Iterator[_Reason]:
     if "glass" in kinds:
         yield _Reason(
             "not",
-            "what stands behind it is not seen through it: give the glass a material of its own, "
+            "the scene behind it is not seen through it: give the glass a material of its own, "
             "which is then left to the host",
         )
     if "refracting" in kinds:
         yield _Reason(
             "roughly",
-            "it is learnt as a frosted surface: what stands behind it in a scene is not seen "
+            "it is learnt as a frosted surface: objects of a scene behind it are not seen "
             "through it",
         )
     if "varied" in kinds:
@@ -192,7 +192,7 @@ def _of_kinds(facts: MaterialFacts) -> Iterator[_Reason]:
     if "volume" in kinds:
         yield _Reason(
             "roughly",
-            "the light that leaves its surface is learnt; what stands behind it in a scene is not "
+            "the light that leaves its surface is learnt; objects of a scene behind it are not "
             "seen through it",
         )
     if facts.roughness is not None and facts.roughness < _SOFTENED and "glass" not in kinds:
@@ -239,7 +239,7 @@ def _of_detail(detail: Detail, least: float, obstacle: str | None) -> _Reason | 
 
 
 def _remedy(obstacle: str | None, texture: str) -> str:
-    """What makes a texture of its UVs of a detail; texture: "an image"."""
+    """The remedy for a texture of a detail; texture: "an image"."""
     bake = f"bake it into {texture} of its UVs"
     return bake if obstacle is None else f"{obstacle} keeps it from being {texture}: {bake}"
 

@@ -17,7 +17,7 @@ _RAYS = 16384
 def visible_shares(
     exported: ExportedParts, scene: AssetScene, facts: Iterable[MaterialFacts]
 ) -> dict[str, float]:
-    """Share of each material, by its full name, of what rays from all sides meet.
+    """Share of each material, by its full name, of the hits of rays from all sides.
 
     Those of strands have a share of them each that is the same.
     """

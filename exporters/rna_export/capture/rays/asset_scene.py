@@ -29,7 +29,7 @@ class PartRows:
     """Ray hits on one part.
 
     rows: (k,) int64, which of the rays. points: (k) of them. fields: what a sample records of the
-    point, but for its directions: name -> (k,) or (k, c) rows. rest: of a deformed part, the points
+    point, except its directions: name -> (k,) or (k, c) rows. rest: of a deformed part, the points
     at rest, whose rotations take directions there.
     """
 
@@ -131,7 +131,7 @@ class AssetScene:
         return np.asarray(self._scene.intersect(origins, directions).geometry >= 0)
 
     def coverage(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
-        """The alpha of rays (n, 3) from outside: 1 less what all layers let through, (n,)."""
+        """The alpha of rays (n, 3) from outside: 1 less the transmittance of all layers, (n,)."""
         return np.asarray(1.0 - self._scene.transmitted(origins, directions).mean(axis=1))
 
     def free_distance(self, points: np.ndarray, normals: np.ndarray, wo: np.ndarray) -> np.ndarray:

@@ -88,7 +88,7 @@ def ggx_of_all_widths(cosine: np.ndarray, sine: np.ndarray, narrowest: float) ->
     """Mean of GGX's D over alpha from `narrowest` to 0.8, alike in its logarithm.
 
     D is alpha^2 / (pi (cos^2 alpha^2 + sin^2)^2), and d alpha / alpha is d(alpha^2) / (2 alpha^2),
-    so the integral over s = alpha^2 is that of 1 / (cos^2 s + sin^2)^2.
+    so the integral over s = alpha^2 has the integrand 1 / (cos^2 s + sin^2)^2.
     """
     low, high = narrowest**2, WIDEST**2
     scale = np.pi * np.log(high / low)

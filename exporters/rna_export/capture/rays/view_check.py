@@ -1,4 +1,4 @@
-"""Whether random view rays meet an asset at all, and what keeps them from it."""
+"""Whether random view rays meet an asset at all, and the reasons if not."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _MOST_STRAY = 0.01  # of the pieces
 def check_seen(
     source: Path, scene: AssetScene, geometries: Mapping[str, Mesh | Curves], wo: Region
 ) -> list[str]:
-    """Notes on what makes most view rays miss; CaptureError if hardly any meets the asset.
+    """Notes on the reason why most view rays miss; CaptureError if hardly any meets the asset.
 
     wo: the region of the rays' view directions.
     """

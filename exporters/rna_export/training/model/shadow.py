@@ -16,7 +16,7 @@ from rna_sdk.package import query_width
 HIDDEN_LAYERS = 3
 
 RELATIVE_UNIT = 0.1
-"""The radiance that its loss calls 1, over that of visible light: shadows are dark."""
+"""The unit of its loss over the unit of visible light's loss: shadows are dark."""
 
 
 class ShadowDecoder(nn.Module):

@@ -145,7 +145,7 @@ class Fitting:
 
 
 def multiplies_in_bfloat16(preset: Preset, device: str) -> bool:
-    """What `TrainingConfig.products` comes to here."""
+    """Whether wide layers multiply in bfloat16 there: see `TrainingConfig.products`."""
     if preset.training.products == "float32" or preset.model.width < _WIDE:
         return False
     return torch.cuda.is_bf16_supported() if device == "cuda" else multiplies_bfloat16()

@@ -126,7 +126,7 @@ _LOSSES = {"log": log_l2, "unbiased": unbiased_l2}
 def darkening(dataset: DatasetPart, unit: float) -> float:
     """Relative darkening that the log loss would cause, to second order in the noise.
 
-    The mean of log(x / unit + 1) over noisy x is lower than that of their mean, by half their
+    The mean of log(x / unit + 1) over noisy x is lower than at their mean, by half their
     variance over (x + unit)^2. The variance of a training sample follows from both halves of the
     validation images, which have more paths.
     """

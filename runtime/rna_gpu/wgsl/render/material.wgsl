@@ -24,7 +24,7 @@ fn bsdf_of(v: Vertex) -> Bsdf {
     let clear_roughness = surface_clear_coat_roughness(v.surface) * values[CLEAR_ROUGH].y;
     let coat = surface_coat_weight(v.surface) * values[COAT].x;
     var b: Bsdf;
-    b.base = surface_base_color(v.surface) * values[BASE];
+    b.base = surface_base_color(v.surface) * values[BASE] * vertex_color(v.surface, v.record, v.b1, v.b2);
     b.alpha = max(roughness * roughness, MIN_ALPHA);
     b.metallic = surface_metallic(v.surface) * values[METAL].z;
     b.f0 = surface_coat_f0(v.surface);

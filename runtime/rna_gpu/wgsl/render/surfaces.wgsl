@@ -24,6 +24,21 @@ fn corner_uvs(record: RnaPrimitive, uv_set: u32) -> mat3x2f {
     );
 }
 
+fn point_color(base: u32, point: u32) -> vec3f {
+    let at = base + 3u * point;
+    return bitcast<vec3f>(vec3<u32>(images[at], images[at + 1u], images[at + 2u]));
+}
+
+// The colour of the vertices, interpolated; 1 without.
+fn vertex_color(surface: u32, record: RnaPrimitive, b1: f32, b2: f32) -> vec3f {
+    let base = surface_colors(surface);
+    if base == NONE {
+        return vec3f(1.0);
+    }
+    let corners = mat3x3f(point_color(base, record.a), point_color(base, record.b), point_color(base, record.c));
+    return corners * weights_of(b1, b2);
+}
+
 fn weights_of(b1: f32, b2: f32) -> vec3f {
     return vec3f(1.0 - b1 - b2, b1, b2);
 }

@@ -45,76 +45,79 @@ fn object_free(k: u32) -> u32 {
 }
 
 fn surface_kind(k: u32) -> u32 {
-    return bitcast<u32>(table[frame.surfaces + 11u * k + 0u].x);
+    return bitcast<u32>(table[frame.surfaces + 12u * k + 0u].x);
 }
 fn surface_part(k: u32) -> u32 {
-    return bitcast<u32>(table[frame.surfaces + 11u * k + 0u].y);
+    return bitcast<u32>(table[frame.surfaces + 12u * k + 0u].y);
 }
 fn surface_flags(k: u32) -> u32 {
-    return bitcast<u32>(table[frame.surfaces + 11u * k + 0u].z);
+    return bitcast<u32>(table[frame.surfaces + 12u * k + 0u].z);
 }
 fn surface_normal_map(k: u32) -> u32 {
-    return bitcast<u32>(table[frame.surfaces + 11u * k + 0u].w);
+    return bitcast<u32>(table[frame.surfaces + 12u * k + 0u].w);
 }
 fn surface_base_color(k: u32) -> vec3f {
-    return table[frame.surfaces + 11u * k + 1u].xyz;
+    return table[frame.surfaces + 12u * k + 1u].xyz;
 }
 fn surface_roughness(k: u32) -> f32 {
-    return table[frame.surfaces + 11u * k + 1u].w;
+    return table[frame.surfaces + 12u * k + 1u].w;
 }
 fn surface_metallic(k: u32) -> f32 {
-    return table[frame.surfaces + 11u * k + 2u].x;
+    return table[frame.surfaces + 12u * k + 2u].x;
 }
 fn surface_coat_f0(k: u32) -> f32 {
-    return table[frame.surfaces + 11u * k + 2u].y;
+    return table[frame.surfaces + 12u * k + 2u].y;
 }
 fn surface_coat_weight(k: u32) -> f32 {
-    return table[frame.surfaces + 11u * k + 2u].z;
+    return table[frame.surfaces + 12u * k + 2u].z;
 }
 fn surface_transmission(k: u32) -> f32 {
-    return table[frame.surfaces + 11u * k + 2u].w;
+    return table[frame.surfaces + 12u * k + 2u].w;
 }
 fn surface_emission(k: u32) -> vec3f {
-    return table[frame.surfaces + 11u * k + 3u].xyz;
+    return table[frame.surfaces + 12u * k + 3u].xyz;
 }
 fn surface_normal_scale(k: u32) -> f32 {
-    return table[frame.surfaces + 11u * k + 3u].w;
+    return table[frame.surfaces + 12u * k + 3u].w;
 }
 fn surface_clear_coat(k: u32) -> f32 {
-    return table[frame.surfaces + 11u * k + 4u].x;
+    return table[frame.surfaces + 12u * k + 4u].x;
 }
 fn surface_clear_coat_roughness(k: u32) -> f32 {
-    return table[frame.surfaces + 11u * k + 4u].y;
+    return table[frame.surfaces + 12u * k + 4u].y;
 }
 fn surface_second_uvs(k: u32) -> u32 {
-    return bitcast<u32>(table[frame.surfaces + 11u * k + 4u].z);
+    return bitcast<u32>(table[frame.surfaces + 12u * k + 4u].z);
 }
 fn surface_tangents(k: u32) -> u32 {
-    return bitcast<u32>(table[frame.surfaces + 11u * k + 4u].w);
+    return bitcast<u32>(table[frame.surfaces + 12u * k + 4u].w);
+}
+fn surface_colors(k: u32) -> u32 {
+    return bitcast<u32>(table[frame.surfaces + 12u * k + 5u].x);
 }
 fn surface_textures(k: u32, i: u32) -> u32 {
-    return bitcast<u32>(table[frame.surfaces + 11u * k + 5u + i / 4u][i % 4u]);
+    return bitcast<u32>(table[frame.surfaces + 12u * k + 6u + i / 4u][i % 4u]);
 }
 fn surface_through(k: u32) -> u32 {
-    return bitcast<u32>(table[frame.surfaces + 11u * k + 7u].x);
+    return bitcast<u32>(table[frame.surfaces + 12u * k + 8u].x);
 }
 fn surface_cutoff(k: u32) -> f32 {
-    return table[frame.surfaces + 11u * k + 7u].y;
+    return table[frame.surfaces + 12u * k + 8u].y;
 }
 fn surface_ior(k: u32) -> vec2f {
-    return table[frame.surfaces + 11u * k + 7u].zw;
+    return table[frame.surfaces + 12u * k + 8u].zw;
 }
 fn surface_absorption(k: u32) -> vec3f {
-    return table[frame.surfaces + 11u * k + 8u].xyz;
+    return table[frame.surfaces + 12u * k + 9u].xyz;
 }
 fn surface_f0(k: u32) -> f32 {
-    return table[frame.surfaces + 11u * k + 8u].w;
+    return table[frame.surfaces + 12u * k + 9u].w;
 }
 fn surface_lobe_shares(k: u32) -> vec4f {
-    return table[frame.surfaces + 11u * k + 9u].xyzw;
+    return table[frame.surfaces + 12u * k + 10u].xyzw;
 }
 fn surface_lobe_widths(k: u32) -> vec4f {
-    return table[frame.surfaces + 11u * k + 10u].xyzw;
+    return table[frame.surfaces + 12u * k + 11u].xyzw;
 }
 
 fn texture_place(k: u32) -> u32 {

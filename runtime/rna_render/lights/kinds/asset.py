@@ -1,4 +1,4 @@
-"""What an asset sends out without other light, as a light of the scene."""
+"""The emission of an asset, as a light of the scene."""
 
 from __future__ import annotations
 

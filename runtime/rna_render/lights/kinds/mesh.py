@@ -1,4 +1,4 @@
-"""Triangles that shine: a mesh whose material does, and what all such lights have in common."""
+"""Triangles that shine: a mesh with an emissive material, and the base of all such lights."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class TriangleLight(ShapeLight):
     it uniformly. The triangles stay those of the object they belong to, which says whether a camera
     sees them.
 
-    positions: (v, 3) float32, world space, or that of the points and directions which
+    positions: (v, 3) float32, world space, or the space of the points and directions which
     the light is asked for. triangles: (t, 3) uint32; t may be 0. luminance: (t,)
     float, the mean over each triangle; a triangle of luminance 0 is never chosen.
 
@@ -93,7 +93,7 @@ class TriangleLight(ShapeLight):
         return place
 
     def sent(self, place: np.ndarray, d_world: np.ndarray) -> np.ndarray:
-        """Radiance (n, 3) float32 against d, (n, 3) float32, of what stops rays along d.
+        """Radiance (n, 3) float32 against d, (n, 3) float32, of the hits that stop rays along d.
 
         place: see `fill_directions`.
         """
@@ -104,7 +104,7 @@ class TriangleLight(ShapeLight):
     def _sent(
         self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray, d_world: np.ndarray
     ) -> np.ndarray:
-        """Radiance (n, 3) float32 against d, of what stops a ray along d.
+        """Radiance (n, 3) float32 against d, of the hit that stops a ray along d.
 
         At barycentrics u, v (n,) float32 of triangles (n,) int32; the point is
         (1 - u - v) p0 + u p1 + v p2, as in ClosestHits. d_world: (n, 3) float32, unit.

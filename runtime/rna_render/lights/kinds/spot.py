@@ -31,7 +31,7 @@ class SpotLight(Light):
         inner, outer = np.cos(np.radians([model.inner_angle_deg, model.outer_angle_deg])).tolist()
         cone = {"place": model.position, "axis": axis, "cos_inner": inner, "cos_outer": outer}
         super().__init__(model.group, colour=model.intensity, **cone)
-        # The integral of smoothstep(t) is half that of 1.
+        # The integral of smoothstep(t) is half the integral of 1.
         self._cap = 1.0 - inner + (inner - outer) / 2.0
 
     def power(self, scene_radius: float) -> float:

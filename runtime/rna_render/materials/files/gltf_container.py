@@ -71,7 +71,7 @@ class GltfContainer:
         return count
 
     def image(self, number: int) -> tuple[Path | bytes, object]:
-        """An image's file or bytes, and what to call it."""
+        """An image's file or bytes, and its name in messages."""
         image = self._item("images", number)
         if "bufferView" in image:
             view = self._item("bufferViews", image["bufferView"])

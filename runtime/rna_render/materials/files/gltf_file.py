@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -46,18 +47,13 @@ def read_gltf(path: Path, with_materials: bool) -> MeshFile:
     primitives = list(_primitives(container, left_out))
     _check_size(container, primitives)
     if not with_materials:
-        parts = [part for part, _ in (_part(container, *item, 0) for item in primitives)]
+        parts = [replace(_part(container, *item, 0), colors=None) for item in primitives]
         return MeshFile(parts, [Material()], sorted(left_out))
     used = dict.fromkeys(data.get("material") for _, data in primitives)
     materials = GltfMaterials(container)
     read = materials.read(used)
     places = {number: place for place, number in enumerate(read)}
-    parts = []
-    for matrix, data in primitives:
-        part, coloured = _part(container, matrix, data, places[data.get("material")])
-        parts.append(part)
-        if coloured:
-            left_out.add("vertex colours")
+    parts = [_part(container, *item, places[item[1].get("material")]) for item in primitives]
     return MeshFile(parts, list(read.values()), sorted(left_out | materials.left_out))
 
 
@@ -135,8 +131,8 @@ def _finite(matrix: np.ndarray) -> np.ndarray:
 
 def _part(
     container: GltfContainer, matrix: np.ndarray, data: dict[str, Any], material: int
-) -> tuple[Part, bool]:
-    """A primitive in the world, and whether it has colours of its own."""
+) -> Part:
+    """A primitive in the world."""
     attributes = data["attributes"]
     count = container.count(attributes["POSITION"])
     vectors = {
@@ -161,8 +157,10 @@ def _part(
         tangents = np.column_stack([tangents[:, :3] @ linear.T, sign])
     positions = positions @ linear.T + matrix[:3, 3]
     uvs, second_uvs = vectors.get("TEXCOORD_0"), vectors.get("TEXCOORD_1")
-    part = Part(positions, normals, uvs, triangles, material, second_uvs, tangents)
-    return part, "COLOR_0" in attributes
+    colors = None
+    if "COLOR_0" in attributes:  # of the alpha that it may have, only 1 is usual
+        colors = container.accessor(attributes["COLOR_0"])[:, :3]
+    return Part(positions, normals, uvs, triangles, material, second_uvs, tangents, colors)
 
 
 def _cofactors(matrix: np.ndarray) -> np.ndarray:

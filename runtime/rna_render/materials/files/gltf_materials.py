@@ -36,7 +36,7 @@ READ_EXTENSIONS = {
     "KHR_materials_volume",
 }
 
-# Transmission is that of a smooth wall; up to this roughness it is taken for one.
+# Transmission is for smooth walls; up to this roughness a wall counts as smooth.
 SMOOTH = 0.1
 
 Json = dict[str, Any]
@@ -92,7 +92,7 @@ class GltfMaterials:
         return material
 
     def _opacity(self, data: Json, metal_rough: Json) -> Json:
-        """Section 3.9.4: what alphaMode makes of the base colour's alpha."""
+        """Section 3.9.4: the effect of alphaMode on the base colour's alpha."""
         mode = data.get("alphaMode", "OPAQUE")
         if mode == "OPAQUE":
             return {}
@@ -127,7 +127,7 @@ class GltfMaterials:
     def _glass(self, material: Material, data: Json, volume: Json, ior: float) -> Material:
         """Adds KHR_materials_transmission and _volume, as far as smooth glass shows them."""
         if any(material.emission):
-            self.left_out.add("transmission of what shines")
+            self.left_out.add("transmission of emissive materials")
             return material
         texture = self._texture(data.get("transmissionTexture"), LINEAR)
         placed = [material.base_color_texture, material.metallic_roughness_texture, texture]
@@ -137,18 +137,18 @@ class GltfMaterials:
         rough = material.metallic_roughness_texture
         most = 1.0 if rough is None else rough.texels[..., 1].max() / 255
         if material.roughness * most > SMOOTH:
-            self.left_out.add("roughness of what is transmitted")
+            self.left_out.add("roughness of transmission")
         if transmitted_by(material) is not None:
-            self.left_out.add("alphaMode of what transmits")
+            self.left_out.add("alphaMode of transmissive materials")
         if material.clear_coat > 0:
-            self.left_out.add("clear coats of what transmits")
+            self.left_out.add("clear coats of transmissive materials")
         share = float(data["transmissionFactor"])
         opaque = replace(material, opacity=1.0, cutoff=None, opacity_texture=None, clear_coat=0.0)
         glass = replace(opaque, transmission=share, transmission_texture=texture)
         if not volume.get("thicknessFactor", 0) > 0:
             return glass
         if share < 1.0 or material.metallic > 0 or any(t is not None for t in placed) or ior < 1.0:
-            self.left_out.add("refraction of what transmits in part")
+            self.left_out.add("refraction of partly transmissive materials")
             return glass
         return replace(glass, inside=Inside(float(ior), _absorption(volume)))
 

@@ -20,7 +20,8 @@ class Part:
 
     positions: (v, 3) float. normals: the same, of any length, or None. uvs: (v, 2) float, (0, 0)
     the upper left corner of images, or None. triangles: (t, 3) integers. material: place in the
-    file's list of materials. second_uvs: as uvs. tangents: (v, 4) float, as in MeshObject, or None.
+    file's list of materials. second_uvs: as uvs. tangents: (v, 4) float, colors: (v, 3) float, as
+    in MeshObject, or None.
     """
 
     positions: np.ndarray
@@ -30,6 +31,7 @@ class Part:
     material: int
     second_uvs: np.ndarray | None = None
     tangents: np.ndarray | None = None
+    colors: np.ndarray | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -69,6 +71,7 @@ def join_parts(
         catches_shadows=catches_shadows,
         second_uvs=_joined([part.second_uvs for part in parts], parts, 2),
         tangents=_joined([part.tangents for part in parts], parts, 4),
+        colors=_joined([part.colors for part in parts], parts, 3, missing=1.0),
     )
 
 
@@ -82,14 +85,14 @@ def check_mesh_size(vertices: int, triangles: int) -> None:
 
 
 def _joined(
-    values: Sequence[np.ndarray | None], parts: Sequence[Part], width: int
+    values: Sequence[np.ndarray | None], parts: Sequence[Part], width: int, missing: float = 0.0
 ) -> np.ndarray | None:
-    """Attribute of all parts, 0 for those without it; None if no part has it."""
+    """Attribute of all parts, `missing` for those without it; None if no part has it."""
     if all(value is None for value in values):
         return None
-    zeros = (np.zeros((len(part.positions), width), np.float32) for part in parts)
-    pairs = zip(values, zeros, strict=True)
-    return np.concatenate([zero if value is None else value for value, zero in pairs])
+    others = (np.full((len(part.positions), width), missing, np.float32) for part in parts)
+    pairs = zip(values, others, strict=True)
+    return np.concatenate([other if value is None else value for value, other in pairs])
 
 
 def fans(faces: np.ndarray) -> np.ndarray:
@@ -120,17 +123,36 @@ def _checked(path: Path, part: Part, materials: Sequence[Material]) -> Part:
     for texture in materials[part.material].textures:
         if uvs[texture.uv_set] is None:
             raise SceneError("a texture needs texture coordinates, but there are none", file=path)
+    colors = None if part.colors is None else _checked_colors(path, part.colors, count)
     if part.normals is not None:
         tangents = None
         if part.tangents is not None:
             tangents = _unit_tangents(_numbers(part.tangents, count, 4, "tangents"))
         normals = _unit(_numbers(part.normals, count, 3, "normals"))
-        return Part(positions, normals, uvs[0], triangles, part.material, uvs[1], tangents)
+        return Part(
+            positions=positions,
+            normals=normals,
+            uvs=uvs[0],
+            triangles=triangles,
+            material=part.material,
+            second_uvs=uvs[1],
+            tangents=tangents,
+            colors=colors,
+        )
     corners = triangles.ravel()
     normals = np.repeat(flat_normals(positions, triangles), 3, axis=0).astype(np.float32)
     uvs = [None if values is None else values[corners] for values in uvs]
+    colors = None if colors is None else colors[corners]
     apart = np.arange(len(corners)).reshape(-1, 3)
-    return Part(positions[corners], normals, uvs[0], apart, part.material, uvs[1])
+    return Part(
+        positions=positions[corners],
+        normals=normals,
+        uvs=uvs[0],
+        triangles=apart,
+        material=part.material,
+        second_uvs=uvs[1],
+        colors=colors,
+    )
 
 
 def _numbers(values: np.ndarray, count: int, width: int, name: str) -> np.ndarray:
@@ -146,6 +168,13 @@ def _checked_uvs(path: Path, uvs: np.ndarray) -> np.ndarray:
         message = f"texture coordinates must be finite and at most {MAX_NUMBER:g}"
         raise SceneError(message, file=path)
     return uvs
+
+
+def _checked_colors(path: Path, colors: np.ndarray, count: int) -> np.ndarray:
+    colors = _numbers(colors, count, 3, "colours")
+    if not ((colors >= 0) & (colors <= 1)).all():
+        raise SceneError("a vertex has a colour outside [0, 1]", file=path)
+    return colors
 
 
 def _unit_tangents(tangents: np.ndarray) -> np.ndarray:

@@ -69,7 +69,7 @@ def _integers(text: str) -> np.ndarray:
 
 
 def _plain(corner: str, counts: dict[str, int], so_far: dict[str, int]) -> str:
-    """A corner with all indices from 1 on. so_far: what there is before its face."""
+    """A corner with all indices from 1 on. so_far: the counts before its face."""
     parts = corner.split("/")
     if len(parts) > len(_KINDS):
         raise ValueError(

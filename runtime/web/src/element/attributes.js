@@ -33,7 +33,7 @@ const choice = (...names) => (text) => (names.includes(text) ? text : expected(n
 const text = (value) => value;
 /** Of a file; an empty one, as templates write it, is none. */
 const address = (value) => value.trim() || null;
-/** On where it is there, but for "false", which Vue and Svelte write of a value that is false. */
+/** True where the attribute is present, except for "false", which Vue and Svelte write for a false value. */
 export const flag = (value) => value !== "false";
 
 function cameraOrbit(value) {

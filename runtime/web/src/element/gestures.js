@@ -9,7 +9,7 @@ export function isForPicture(stage, event) {
   return !disableZoom && (wheelZoom === "always" || isFocused || event.ctrlKey || event.metaKey);
 }
 
-/** What gestures do to a stage: see ui/pointer.js. */
+/** Effects of gestures on a stage: see ui/pointer.js. */
 export function actions(stage) {
   const moved = (change, hindrance) => (...values) => {
     if (stage.settings[hindrance]) return;

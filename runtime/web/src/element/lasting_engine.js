@@ -12,7 +12,7 @@ const MOST_PIXELS = 2.2e6;  // of the picture, whatever the screen: memory of ph
 const MOST_LOSSES = 4;      // of engines, one soon after the other, until the poster is shown instead
 const LONG_MS = 60000;      // of an engine's life, after which a loss is the first
 
-/** What is drawn is a subclass's: restore(engine) shows it again; resized() and pictured() hear of the canvas. */
+/** The contents are a subclass's: restore(engine) shows them again; resized() and pictured() hear of the canvas. */
 export class LastingEngine extends EventTarget {
   /** place: what the canvas fills. notices: lines for people. settings: by property, the attributes' values. */
   constructor(place, notices, settings) {

@@ -92,7 +92,7 @@ export class Orbit {
     this.target = plus(plus(this.target, side, right * height), above, up * height);
   }
 
-  /** What shaders make rays of, for an image of this size. */
+  /** The view from which shaders make rays, for an image of this size. */
   camera(width, height) {
     const { forward, side, above } = this._axes(), half = Math.tan((this.fov * Math.PI) / 360);
     const wide = (half * width) / height;

@@ -71,7 +71,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     this._begin();
   }
 
-  /** It has come to another document, as that of an iframe. */
+  /** It has come to another document, such as an iframe's. */
   adoptedCallback() {
     dress(this.shadowRoot);
   }
@@ -115,7 +115,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     return this.stage.opened?.variants ?? [];
   }
 
-  /** What images of base colour in the package are called, once it is shown. */
+  /** The names of the package's images of base colour, once it is shown. */
   get availableMaps() {
     return this.stage.arrays?.surfaces.labels ?? [];
   }
@@ -188,7 +188,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     }
   }
 
-  /** What an attribute changes of what is there. */
+  /** Applies an attribute to the shown asset. */
   _apply(name) {
     const { stage, settings } = this;
     if (name === "src" && settings.src === null && !stage.scene?.asset) this._clear();
@@ -240,7 +240,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     this.stage.open(this.requestedSrc);
   }
 
-  /** Nothing is to be shown any more, but for a poster. */
+  /** Nothing is shown any more, except a poster. */
   _clear() {
     Object.assign(this, { loaded: false, isBegun: false });
     this.turntable.switch(false);
@@ -262,7 +262,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     else this.stage.chooseImage(environment ?? "studio");
   }
 
-  /** The background colour as it is now: that of the page's theme, which may change. */
+  /** The present background colour: it may follow the page's theme. */
   _tint() {
     this.stage.setBackdrop(linearColour(getComputedStyle(this.parts.tint).backgroundColor));
   }
@@ -381,7 +381,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     if ((this.loaded || this.stage.standIn.isPlain) && isWanted && (isOther || this._isAsSharp())) this._hidePoster();
   }
 
-  /** Of a poster in a slot the size is not known: as that of the canvas. */
+  /** The size of a poster in a slot is not known: it takes the canvas'. */
   _isAsSharp() {
     const { viewer, canvas } = this.stage, { image } = this.parts, { isSharp, scale } = viewer?.stats ?? {};
     if (!isSharp) return false;
@@ -428,7 +428,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     }
   }
 
-  /** What a finger does to the page; two zoom it where they do not zoom the asset. */
+  /** The effect of a finger on the page; two zoom it where they do not zoom the asset. */
   _touchAction() {
     const { cameraControls, touchAction, disableZoom } = this.settings;
     if (!cameraControls) return "auto";
@@ -441,7 +441,7 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
   }
 }
 
-/** What is shown now, in the words of the attributes, which stay as they were written. */
+/** The present view, in the words of the attributes, which stay as they were written. */
 const LIVE = {
   cameraOrbit: ({ stage }) => cameraText(stage.view).cameraOrbit,
   cameraTarget: ({ stage }) => cameraText(stage.view).cameraTarget,

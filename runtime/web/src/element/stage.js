@@ -314,7 +314,7 @@ export class Stage extends LastingEngine {
     this.restart();
   }
 
-  /** What `place` does to the camera, gliding there where it is seen. */
+  /** Moves the camera by `place`; it glides there where it is seen. */
   glideTo(place) {
     if (!this.standIn.isShown && (!this.viewer?.hasShown || this.isNew)) return place();
     this.glide.to(place, this.isStill ? 0 : this.settings.interpolationDecay ?? DECAY_MS);
@@ -386,7 +386,7 @@ export class Stage extends LastingEngine {
     this._setLook({ view }, this.ground);
   }
 
-  /** What is behind the asset: linearColour. */
+  /** The background behind the asset: linearColour. */
   setBackdrop(backdrop) {
     this._setLook({ backdrop }, this.ground);
   }
@@ -473,7 +473,7 @@ export class Stage extends LastingEngine {
     return false;
   }
 
-  /** What was shown, on a new engine. */
+  /** Shows the former picture on a new engine. */
   async restore(engine) {
     this.uploaded = null;
     if (!this.shown) return;

@@ -31,7 +31,7 @@ export class StandIn {
     }
   }
 
-  /** What was shown, once more. */
+  /** Shows the former picture again. */
   again(takesPlain = false) {
     if (this.opened && !this.isShown) return this.show(this.opened, takesPlain);
   }

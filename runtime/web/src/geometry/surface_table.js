@@ -71,7 +71,7 @@ export class SurfaceTable {
     };
   }
 
-  /** What images of base colour are called. */
+  /** The names of the images of base colour. */
   get labels() {
     return [...new Set(this.textures.map(({ label }) => label).filter((label) => label !== undefined))];
   }

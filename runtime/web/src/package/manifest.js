@@ -28,7 +28,7 @@ export function readManifest(bytes) {
   return { ...manifest, warnings: unknown.map((name) => `unknown extension ${name}`) };
 }
 
-/** What is looked at before all other members. */
+/** The checks before all other members. */
 function checkFirst(manifest) {
   if (manifest.format !== "rna") fail("FORMAT_UNKNOWN", "/format", "this is no RNA package");
   const { version } = manifest;

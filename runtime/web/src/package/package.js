@@ -246,7 +246,7 @@ export class Package {
   }
 }
 
-/** What an image is called: of textures/label.png, label. */
+/** The name of an image: of textures/label.png, label. */
 const stemOf = (entry) => entry.split("/").pop().replace(/\.[^.]*$/, "");
 
 /** more: columns behind those of the blocks. */

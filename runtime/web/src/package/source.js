@@ -69,7 +69,7 @@ export class UrlSource {
     return part;
   }
 
-  /** What is read next: progress counts these ranges alone. */
+  /** The ranges of the next reads: progress counts these alone. */
   expect(ranges) {
     if (!this.ranged) return;
     const isThere = ([start, end]) => end <= this.head.length || start >= this.size - TAIL;

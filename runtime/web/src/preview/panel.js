@@ -71,7 +71,7 @@ export class Panel {
   }
 }
 
-/** What is shown, as the scene file has it, on the clipboard. */
+/** Copies the present state to the clipboard, as the scene file has it. */
 async function copy(button, text) {
   const label = button.textContent;
   try {

@@ -12,7 +12,7 @@ import { chooseTier } from "./tiers.js";
 const HEIGHT = 1080;  // of a first picture in a worker, pixels
 const centre = /*@__PURE__*/ new Vector3(), eye = /*@__PURE__*/ new Vector3(), size = /*@__PURE__*/ new Vector2();
 
-/** What copies of an asset share. */
+/** Data that copies of an asset share. */
 class Content {
   constructor(data, options) {
     Object.assign(this, { data, options, users: new Set(), materials: new Map(), rays: [] });
@@ -79,7 +79,7 @@ export class RnaAsset extends Group {
     return variantsOf(this.manifest).map(({ name }) => name);
   }
 
-  /** What images of base colour are called: those that `setMap` takes. */
+  /** The names of the images of base colour, for `setMap`. */
   get maps() {
     return this.content.buffers.surfaces.labels;
   }
@@ -103,7 +103,7 @@ export class RnaAsset extends Group {
     buffers.print();
   }
 
-  /** Chooses the tier; the picture's height is that of the one before, at first the window's. */
+  /** Chooses the tier; the picture's height is the previous picture's, at first the window's. */
   update(camera) {
     if (isShadowPass(rootOf(this))) return;
     const wanted = this.choice === "auto" ? chooseTier(this.content.data.tiers, this.content.options.maxError, this.pixels(camera)) : this.choice;

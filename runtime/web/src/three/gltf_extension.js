@@ -10,7 +10,7 @@ const INSTANCING = "EXT_mesh_gpu_instancing", PLACES = ["TRANSLATION", "ROTATION
 const INSTEAD = "glTF files show their fallback";
 
 export class RNAExtension {
-  /** options: renderer, that of the scene; tier and variant, as RnaLoader has them; those of RnaAsset. */
+  /** options: renderer, the scene's; tier and variant, as RnaLoader has them; those of RnaAsset. */
   constructor(parser, { renderer, tier = null, variant = null, ...options } = {}) {
     if (!renderer) throw new Error("RNAExtension: expected the option renderer, as in loader.register((parser) => new RNAExtension(parser, { renderer }))");
     Object.assign(this, { name: EXTENSION, parser, renderer, tier, variant, options: optionsOf(options), assets: new Map(), unused: new Set() });
@@ -40,8 +40,12 @@ export class RNAExtension {
     return Promise.resolve(this.unused.delete(asset) ? asset : asset.clone());
   }
 
-  /** userData.rnaAssets: of each package the asset, of which the scene has copies or instances. */
+  /** userData.rnaAssets: of each package the asset, of which the scene has copies or instances; its userData.fallbackFlip: what the fallback lacks. */
   afterRoot(gltf) {
+    for (const node of this.parser.json.nodes ?? []) {
+      const asset = this._assetOf(node), { fallbackFlip } = node.extensions?.[EXTENSION] ?? {};
+      if (asset && fallbackFlip !== undefined) asset.userData.fallbackFlip = fallbackFlip;
+    }
     gltf.userData.rnaAssets = [...this.assets.values()];
   }
 

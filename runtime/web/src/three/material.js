@@ -9,7 +9,7 @@ import { LETTERS, partSource } from "./shader_source.js";
 import { instanceColumns } from "./spaces.js";
 import { canShow, hasSmallUniforms, STAND_IN, standInNode } from "./stand_in.js";
 
-/** What the name of each function that three.js calls begins with. */
+/** The prefix of the name of each function that three.js calls. */
 export const MARK = "rna_three_";
 
 /** Buffers of all parts and tiers of an asset; `renderers`: those that have drawn it. */

@@ -8,7 +8,7 @@ const inverse = /*@__PURE__*/ new Matrix4(), box = /*@__PURE__*/ new Box3(), ray
 const weights = /*@__PURE__*/ new Vector3();
 const [start, end, point, beside] = /*@__PURE__*/ [0, 1, 2, 3].map(() => new Vector3());
 
-/** What the rays of a part need. geometry: of the whole asset; drawn: the part's own. */
+/** A part's data for its rays. geometry: of the whole asset; drawn: the part's own. */
 export class PartRays {
   constructor({ nodes, primitives, points, normalsAt }, { kind, primitive, hasUVs }) {
     Object.assign(this, { nodes, primitives, points, normalsAt, hasUVs, isFiber: kind === "fiber" });

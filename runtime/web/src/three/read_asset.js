@@ -7,7 +7,7 @@ import { Package } from "../package/package.js";
 import { BlobSource } from "../package/source.js";
 import { cross, times, unit } from "../vectors.js";
 
-/** What `RnaAsset` shows. wanted: a tier's name, or null for all. variant: its name, or null for the package's own print. */
+/** The data that `RnaAsset` shows. wanted: a tier's name, or null for all. variant: its name, or null for the package's own print. */
 export async function readAsset(bytes, name, wanted = null, variant = null) {
   const opened = await Package.open(new BlobSource(new Blob([bytes]), name));
   if (variant !== null && !opened.variants.includes(variant)) {
@@ -42,7 +42,7 @@ function shared({ nodes, primitives, points, normals, surfaces, extent, strands 
   return { nodes, primitives, points: both, surfaces: { ...surfaces }, normalsAt: points.length / 4, extent, hasSegments: strands > 0 };
 }
 
-/** What is rasterised of a part: `primitive` has the number of each corner's triangle or segment. */
+/** The rasterised geometry of a part: `primitive` has the number of each corner's triangle or segment. */
 function drawn(k, arrays) {
   const { first, fiber } = arrays.parts[k], next = arrays.parts.map((part) => part.first).filter((start) => start > first);
   const count = Math.min(arrays.primitives.length / 4, ...next) - first;
@@ -117,7 +117,7 @@ function decoders(part) {
   return { lengths: part.lengths, planes: new Uint32Array(planes.buffer), decoders: Object.fromEntries(Object.entries(part.decoders).map(([form, decoder]) => [form, make(decoder)])) };
 }
 
-/** What the package has and this module does not show. */
+/** The contents of the package that this module does not show. */
 function notesOf(parts) {
   const notes = [];
   if (parts.some(({ transmittance }) => transmittance.length)) notes.push("holes and panes are shown opaque");

@@ -6,7 +6,7 @@ import workerSource from "worker_source";  // by build.mjs
 const waiting = new Map();
 let worker, count = 0;
 
-/** What `readAsset` gives; an AbortSignal lets go of it. */
+/** The result of `readAsset`; an AbortSignal lets go of it. */
 export async function read(bytes, name, { tier, variant }, signal) {
   signal?.throwIfAborted();
   worker ??= openWorker();

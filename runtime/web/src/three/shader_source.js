@@ -12,7 +12,7 @@ import sentApartFile from "./shaders/sent_apart.wgsl";
 import surfaceFile from "./shaders/surface.wgsl";
 import vertexFile from "./shaders/vertex.wgsl";
 
-/** What the names of a decoder have in them: nothing of the first, which the others share the planes with. */
+/** The suffix in a decoder's names: none for the first, with which the others share the planes. */
 export const LETTERS = { transport: "", visible: "", shadowed: "s", emission: "e" };
 
 // Buffers of three.js are members `value` of structs; it declares them itself. Geometry is in one of them.

@@ -72,7 +72,7 @@ export class StillPicture {
   }
 }
 
-/** What fills a target with this colour, as it is. */
+/** A material that fills a target with this colour, as it is. */
 function quadOf(colorNode) {
   return new QuadMesh(Object.assign(new MeshBasicNodeMaterial(), { colorNode, blending: NoBlending, depthTest: false, depthWrite: false, fog: false }));
 }

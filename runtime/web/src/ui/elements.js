@@ -43,13 +43,13 @@ export const clamp = (x, low, high) => Math.min(Math.max(x, low), high);
 /** An equal angle in [-180, 180). */
 export const wrappedDegrees = (degrees) => ((((degrees + 180) % 360) + 360) % 360) - 180;
 
-/** With a sign, but for zero. */
+/** With a sign, except for zero. */
 export function signed(x, digits) {
   const text = Math.abs(x).toFixed(digits);
   return Number(text) === 0 ? text : (x < 0 ? "\u2212" : "+") + text;
 }
 
-/** What an <output> of a slider shows of its value. */
+/** The text of a slider's <output> for its value. */
 export function showValue(id, value, text) {
   element(id).value = value;
   element(`${id}-value`).textContent = text;

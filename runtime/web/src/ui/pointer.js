@@ -9,7 +9,7 @@ const WHEEL_MS = 250;   // turns of the wheel that follow sooner are one movemen
 /** By touch-action: whether one finger that moves so is the page's. */
 const SCROLLS = { "pan-y": (x, y) => Math.abs(y) > Math.abs(x), "pan-x": (x, y) => Math.abs(x) > Math.abs(y) };
 
-/** What pointers do that move by dx, dy. path: of that pointer, { before, now }, the place of another one, and the picture's height. */
+/** The effect of pointers that move by dx, dy. path: of that pointer, { before, now }, the place of another one, and the picture's height. */
 const MOVES = {
   orbit: (actions, dx, dy) => actions.orbit(-dx * RADIANS_A_PIXEL, dy * RADIANS_A_PIXEL, true),
   light: (actions, dx, dy) => actions.light(dx * RADIANS_A_PIXEL, -dy * RADIANS_A_PIXEL, true),

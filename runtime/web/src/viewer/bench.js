@@ -39,7 +39,7 @@ async function queriesPerSecond(reader, parts, k = 0) {
   return { rate: median(rates), count };
 }
 
-/** What a query of the part costs: multiply-adds and bytes of planes. */
+/** The cost of a query of the part: multiply-adds and bytes of planes. */
 function costOf({ decoders, planes }) {
   const { transport, visible } = decoders, { layers } = transport ?? visible;
   const multiplyAdds = layers.reduce((sum, { rows, columns }) => sum + rows * columns, 0);

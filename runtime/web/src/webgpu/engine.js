@@ -194,7 +194,7 @@ export class WebGPUEngine {
     this._run((pass) => dispatch(pass, this.kernels.hit, this.groups.rays, this.span.pixels));
   }
 
-  /** What one light brings to the band. */
+  /** Adds one light to the band. */
   light(light, { isFirst, countsCoverage, number }) {
     this._writeLight(light);
     this.view = { ...light, isFirst, countsCoverage, number };

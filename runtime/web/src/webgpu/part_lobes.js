@@ -9,7 +9,7 @@ import { sources } from "./sources.js";
 
 const [uniform, storage, readOnly] = ["uniform", "storage", "read-only-storage"];
 
-/** What the lobes of all parts share: harmonics of the visibility, and the environment. */
+/** Data that the lobes of all parts share: harmonics of the visibility, and the environment. */
 export class LobeLight {
   constructor(engine) {
     const { device, bandPixels } = engine;
