@@ -15,7 +15,7 @@ const centre = /*@__PURE__*/ new Vector3(), eye = /*@__PURE__*/ new Vector3(), s
 /** Data that copies of an asset share. */
 class Content {
   constructor(data, options) {
-    Object.assign(this, { data, options, users: new Set(), materials: new Map(), rays: [] });
+    Object.assign(this, { data, options, users: new Set(), materials: new Map(), renderers: new Set(), rays: [] });
     this.buffers = new SharedBuffers(data.geometry);
     this.geometries = data.parts.map(geometryOf);
     this.sphere = new Box3(new Vector3(...data.box.min), new Vector3(...data.box.max)).getBoundingSphere(new Sphere());
@@ -34,10 +34,11 @@ class Content {
   }
 
   dispose() {
-    for (const renderer of this.buffers.renderers) keepPipelines(renderer, MARK);
+    for (const renderer of this.renderers) keepPipelines(renderer, MARK);
+    this.renderers.clear();
+    this.buffers.dispose();
     for (const geometry of this.geometries) geometry.dispose();
     for (const materials of this.materials.values()) for (const material of materials) material.dispose();
-    this.buffers.dispose();
     this.materials.clear();
   }
 }
@@ -163,7 +164,7 @@ export class RnaAsset extends Group {
     mesh.raycast = (raycaster, hits) => this.content.raysOf(k).raycast(mesh, mesh.matrixWorld, raycaster, hits);
     mesh.onBeforeRender = (renderer, scene) => {
       if (!isShadowPass(scene)) this.height = renderer.getRenderTarget()?.height ?? renderer.getDrawingBufferSize(size).y;
-      if (hasWebGPU(renderer)) this.content.buffers.renderers.add(renderer);
+      if (hasWebGPU(renderer)) this.content.renderers.add(renderer);
     };
     return mesh;
   }

@@ -12,10 +12,8 @@ import { canShow, hasSmallUniforms, STAND_IN, standInNode } from "./stand_in.js"
 /** The prefix of the name of each function that three.js calls. */
 export const MARK = "rna_three_";
 
-/** Buffers of all parts and tiers of an asset; `renderers`: those that have drawn it. */
+/** Buffers of all parts and tiers of an asset. */
 export class SharedBuffers {
-  renderers = new Set();
-
   constructor({ nodes, primitives, points, surfaces, ...facts }) {
     const { words, places } = sceneOf(nodes, primitives, points);
     this.facts = { ...facts, ...places, mixtures: surfaces.surfaces };
@@ -28,7 +26,7 @@ export class SharedBuffers {
 
   /** Takes the images and the tint of `surfaces` over. */
   print() {
-    this.free(this.images.value);
+    this.images.value.dispose();
     this.images.value = this._printed();
   }
 
@@ -39,15 +37,8 @@ export class SharedBuffers {
     return new StorageBufferAttribute(words, 1);
   }
 
-  /** Lets go of an attribute on the GPU. three.js 0.183 has no `dispose` of attributes. */
-  free(attribute) {
-    if (attribute.dispose) attribute.dispose();
-    else for (const { _attributes } of this.renderers) _attributes.delete(attribute);
-  }
-
   dispose() {
-    for (const stored of [this.scene, this.images?.value]) if (stored) this.free(stored);
-    this.renderers.clear();
+    for (const stored of [this.scene, this.images?.value]) stored?.dispose();
   }
 }
 
@@ -115,7 +106,7 @@ export class RnaMaterial extends NodeMaterial {
   }
 
   _letGo() {
-    for (const attribute of this.stored.splice(0)) this.given[0].free(attribute);
+    for (const attribute of this.stored.splice(0)) attribute.dispose();
   }
 
   /** Materials have buffers of their own, which three.js keeps with the program. */
