@@ -67,8 +67,10 @@ const stamp = {
 };
 const times = { "rna-viewer": [], "model-viewer": [] }, names = Object.keys(times);
 for (let pair = 0; pair < Number(values.pairs); pair++) {
-  for (const name of pair % 2 ? names.toReversed() : names) times[name].push(await seconds(browser, name));
-  console.error(names.map((name) => `${name} ${times[name].at(-1)} s`).join(", "));
+  for (const name of pair % 2 ? names.toReversed() : names) {
+    times[name].push(await seconds(browser, name));
+    console.error(`${name} ${times[name].at(-1)} s`);
+  }
 }
 const ratios = times["rna-viewer"].map((time, k) => Number((time / times["model-viewer"][k]).toFixed(3)));
 const text = `${JSON.stringify({ stamp, seconds: times, medians: Object.fromEntries(names.map((name) => [name, median(times[name])])), ratios, ratio: median(ratios) }, null, 1)}\n`;
