@@ -84,6 +84,14 @@ def test_images_of_few_paths_are_noisy_unless_they_were_asked_for(
     assert RoundImages(rays, state, given).are_noisy == noisy
 
 
+def test_images_that_took_longer_than_planned_stay_small() -> None:
+    dataset = SimpleNamespace(manifest=SimpleNamespace(settings=CaptureSettings()))
+    rays: Any = SimpleNamespace(dataset=dataset)
+    state: Any = SimpleNamespace(images=(64, 176, 128), image_seconds=40.0, image_paths=10_000)
+    assert not RoundImages(rays, state, ()).grow(spent=90.0)
+    assert state.images is None
+
+
 def test_noise_of_few_paths_does_not_count_against_a_goal_in_rounds(dataset: NoisyPart) -> None:
     """`rna-make --min-psnr` judges its small images by what they would converge to."""
     true = [view.samples["radiance"] for view in dataset.validation_views()]

@@ -135,7 +135,7 @@ def test_hits_are_those_of_embree(device: Device) -> None:
 
 
 def test_hits_of_tapered_strands_are_placed_as_by_embree(device: Device) -> None:
-    """The place of the sphere that touches a cone whose radius changes by half of its length."""
+    """u belongs to the sphere that touches there, on cones whose radii change by half."""
     points = np.array([[0, 0, 0], [0, 0, 0.2], [0.1, 0.1, 0.3]], np.float32)
     curves = Curves(points, np.array([0.12, 0.02, 0.05], np.float32), np.array([0, 3], np.uint32))
     geometry = build_geometry([[Strands(curves, 1)]], [Placed(0, np.eye(4), 7)])

@@ -32,8 +32,8 @@ WHOLE = "`8`, `8.0` and `8e0` are the same."
 LARGEST = "from -(2^53 - 1) to 2^53 - 1"
 CONVERTED = '`"8"`, `true` and `null` are not numbers.'
 NULL = '`null` is a value only where a table lists "null"'
-NOT_RECORDED = "left out and null mean the same: not recorded."
-FINITE = "It must be finite: `1e400` is an error"
+NOT_RECORDED = "an absent member and null mean the same: not recorded."
+FINITE = "It must be finite: `1e400`, `NaN` and `Infinity` are errors."
 PATTERN = 'A pattern matches the whole string: `"2.0\\n"` does not match'
 VERSION = 'but not `"02.0"`, `"2.00"` or `"2"`'
 COORDINATE = "each number from -1e18 to 1e18"
@@ -43,13 +43,13 @@ ROUNDED = "A reader rounds the six numbers to binary32"
 BLOCKS = "one block at least, each at most once"
 TWICE = "may be empty; a repeated name counts once"
 NAMES = "matches `[A-Za-z0-9][A-Za-z0-9._-]*` with at most 64 characters"
-EMPTY = "A string may be empty unless that is excluded"
+EMPTY = "A string may be empty unless a rule excludes it"
 HALF_ANGLE = "`halfAngle` from 0 to the binary64 3.141592653589793"
 AXIS = "`axis` of length 1 within 0.001"
 ENTRY = "`digest` the SHA-256 (FIPS 180-4) of the data as 64 lower-case hex digits"
 HEIGHTS = "each height below the one before"
 ALBEDO = "`ratio`, and optionally `facing`, `at60` and `at80`, numbers of 0 or more"
-TABLE_OF_ERRORS = "Where the array is left out or empty, `flip` of `validation` is the error"
+TABLE_OF_ERRORS = "Where the array is absent or empty, `flip` of `validation` is the error"
 FREE = "and within `extras`, `extensions` and the two free objects"
 CHARACTERS = "and may contain any character, including U+0000"
 
@@ -145,13 +145,18 @@ VALUES = [
     ("/domain/wo", '[{"axis": [0, 1.0011, 0], "halfAngle": 1}]', "*FIELD_VALUE", AXIS),
     ("/entries/features~1small.safetensors/sha256", json.dumps("A" * 64), "FIELD_VALUE", ENTRY),
     ("/entries/features~1small.safetensors/sha256", json.dumps("a" * 65), "FIELD_VALUE", ENTRY),
-    ("/entries/a b", '{"size": 1, "sha256": ""}', "FIELD_VALUE", "**Names** are ASCII and match"),
+    (
+        "/entries/a b",
+        '{"size": 1, "sha256": ""}',
+        "FIELD_VALUE",
+        "**Names** are ASCII, have at most 200 bytes and match",
+    ),
     ("/parts/0/geometry", '"geometry/mesh.glb\\n"', "FIELD_VALUE", PATTERN),
 ]
 
 
 PARTS_NAME = "`[A-Za-z0-9][A-Za-z0-9._-]*`, at most 64"
-RECORDS = "array of 1 to 64 records, optional, of a `surface` alone"
+RECORDS = "array of 1 to 64 records, optional, only of a `surface`"
 CUTOFF = "greater than 0 and less than 1: a hole or none, with a sharp outline"
 IOR = "two numbers from 0.01 to 100: light is also reflected by Fresnel's law"
 TRIANGLES = "integers, `count` at least 1; ranges ascend, do not overlap, and lie inside the mesh"

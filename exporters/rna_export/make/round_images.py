@@ -64,10 +64,12 @@ class RoundImages:
         usual, state.images = state.images, None
         rest = spent - state.image_seconds
         seconds = _A_REST * rest - state.image_seconds
+        if seconds <= 0.0:  # the small ones took longer than planned
+            return False
         paths = seconds * state.image_paths / max(state.image_seconds, 1e-3)
         full = now.model_copy(update=dict(zip(_CHANGED, usual, strict=True)))
         larger = with_smaller_images(full, paths, self._given)
-        if paths <= 0.0 or larger.held_out_paths < _WORTH * now.held_out_paths:
+        if larger.held_out_paths < _WORTH * now.held_out_paths:
             return False
         self._change(larger)
         return True
