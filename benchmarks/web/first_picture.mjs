@@ -28,7 +28,7 @@ const VIEWERS = {
 };
 
 const pageOf = (name) => `<!doctype html><script>
-  addEventListener("${VIEWERS[name].event}", ({ target }) => {
+  document.addEventListener("${VIEWERS[name].event}", ({ target }) => {
     if (target.localName === "${name}") requestAnimationFrame(() => { globalThis.seen = performance.now(); });
   }, true);
 </script><script type="module" src="${name}.js"></script>
