@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -123,35 +123,40 @@ def _checked(path: Path, part: Part, materials: Sequence[Material]) -> Part:
     for texture in materials[part.material].textures:
         if uvs[texture.uv_set] is None:
             raise SceneError("a texture needs texture coordinates, but there are none", file=path)
-    colors = None if part.colors is None else _checked_colors(path, part.colors, count)
-    if part.normals is not None:
-        tangents = None
-        if part.tangents is not None:
-            tangents = _unit_tangents(_numbers(part.tangents, count, 4, "tangents"))
-        normals = _unit(_numbers(part.normals, count, 3, "normals"))
-        return Part(
-            positions=positions,
-            normals=normals,
-            uvs=uvs[0],
-            triangles=triangles,
-            material=part.material,
-            second_uvs=uvs[1],
-            tangents=tangents,
-            colors=colors,
-        )
-    corners = triangles.ravel()
-    normals = np.repeat(flat_normals(positions, triangles), 3, axis=0).astype(np.float32)
-    uvs = [None if values is None else values[corners] for values in uvs]
-    colors = None if colors is None else colors[corners]
-    apart = np.arange(len(corners)).reshape(-1, 3)
-    return Part(
-        positions=positions[corners],
-        normals=normals,
+    checked = replace(
+        part,
+        positions=positions,
         uvs=uvs[0],
-        triangles=apart,
-        material=part.material,
+        triangles=triangles,
         second_uvs=uvs[1],
-        colors=colors,
+        colors=None if part.colors is None else _checked_colors(path, part.colors, count),
+    )
+    if part.normals is None:
+        return _flat(checked)
+    tangents = None
+    if part.tangents is not None:
+        tangents = _unit_tangents(_numbers(part.tangents, count, 4, "tangents"))
+    normals = _unit(_numbers(part.normals, count, 3, "normals"))
+    return replace(checked, normals=normals, tangents=tangents)
+
+
+def _flat(part: Part) -> Part:
+    """The part with the normals of its triangles, each of which has vertices of its own."""
+    corners = part.triangles.ravel()
+
+    def apart(values: np.ndarray | None) -> np.ndarray | None:
+        return None if values is None else values[corners]
+
+    normals = np.repeat(flat_normals(part.positions, part.triangles), 3, axis=0)
+    return replace(
+        part,
+        positions=part.positions[corners],
+        normals=normals.astype(np.float32),
+        uvs=apart(part.uvs),
+        triangles=np.arange(len(corners)).reshape(-1, 3),
+        second_uvs=apart(part.second_uvs),
+        tangents=None,
+        colors=apart(part.colors),
     )
 
 
