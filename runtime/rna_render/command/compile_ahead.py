@@ -3,8 +3,8 @@
     python -m rna_render.command.compile_ahead SCENE FOLDER
 
 One process compiles one kernel at a time, whatever its threads. So this one begins with what the
-render comes to after the decoder: closest hits, rays that leave assets, and the queries of those of
-the scene. Then it renders a triangle, whose files it writes into the folder, for what is left.
+render comes to late: rays that leave assets, and the queries of those of the scene. Then it
+renders a triangle, whose files it writes into the folder, for what is left.
 """
 
 from __future__ import annotations
@@ -65,19 +65,10 @@ def main() -> None:
 
     limit_kernel_threads(1)
     scene, folder = map(Path, sys.argv[1:])
-    _meet_a_triangle()
     _leave_assets()
     with suppress(RnaError):  # which the render will tell of
         _ask_assets(scene)
     _render_triangle(folder)
-
-
-def _meet_a_triangle() -> None:
-    from rna_trace.embree.scenes import TriangleScene
-
-    corners, rows = np.eye(3, dtype=np.float32), np.ones((1, 3), np.float32)
-    triangle = np.arange(3, dtype=np.uint32)[None]
-    TriangleScene([(corners, triangle)]).intersect(rows, -rows)
 
 
 def _leave_assets() -> None:
