@@ -1,7 +1,5 @@
 """Checks of callers' arrays before compiled code reads them."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

@@ -3,8 +3,6 @@
 python scripts/lowest_versions.py > lowest.txt
 """
 
-from __future__ import annotations
-
 import re
 import sys
 import tomllib

@@ -6,8 +6,6 @@ The pages keep their places, so that links between them hold on the site as they
 repository. A page of all commands' help is added.
 """
 
-from __future__ import annotations
-
 import re
 import shutil
 import subprocess

@@ -5,8 +5,6 @@
 Asks pip, for the versions in constraints.txt and Python 3.11, and downloads nothing.
 """
 
-from __future__ import annotations
-
 import json
 import os
 import re

@@ -1,7 +1,5 @@
 """Tests that need something outside the repository are skipped with a reason."""
 
-from __future__ import annotations
-
 import signal
 from collections import Counter
 from pathlib import Path

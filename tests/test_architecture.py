@@ -1,7 +1,5 @@
 """docs/architecture.md: its layers, its files, and the files that a render goes through."""
 
-from __future__ import annotations
-
 import ast
 import re
 import sys

@@ -1,7 +1,5 @@
 """Files that appear whole or not at all, by every part of the tree that writes one."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

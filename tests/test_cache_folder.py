@@ -1,7 +1,5 @@
 """All caches are in one folder, that of the XDG Base Directory Specification."""
 
-from __future__ import annotations
-
 import importlib.util
 import sys
 from collections.abc import Callable

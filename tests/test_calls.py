@@ -1,7 +1,5 @@
 """Calls say what they pass: no tuple is made only to be unpacked in a call."""
 
-from __future__ import annotations
-
 import ast
 from collections.abc import Iterator
 

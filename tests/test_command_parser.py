@@ -1,7 +1,5 @@
 """What every command has: --version, short errors of usage; next commands that can be copied."""
 
-from __future__ import annotations
-
 import shlex
 import tomllib
 from importlib import import_module

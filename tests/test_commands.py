@@ -1,7 +1,5 @@
 """All console scripts: their --help, and what they say where an extra is not installed."""
 
-from __future__ import annotations
-
 import argparse
 import json
 import os

@@ -1,7 +1,5 @@
 """The kernels' code on disk, and the threads of parallel kernels."""
 
-from __future__ import annotations
-
 import os
 import re
 import shutil

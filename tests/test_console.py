@@ -1,7 +1,5 @@
 """What all commands have in common: errors of the system, and readers that end early."""
 
-from __future__ import annotations
-
 import errno
 import os
 import signal

@@ -1,7 +1,5 @@
 """How many cores there are: of the affinity, and of the quotas of control groups."""
 
-from __future__ import annotations
-
 import math
 import os
 from pathlib import Path

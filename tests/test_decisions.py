@@ -1,7 +1,5 @@
 """docs/decisions/: every record has the same form, and the first page leads to every page."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Every public name of the SDK that does something has an example, and the examples run."""
 
-from __future__ import annotations
-
 import doctest
 import inspect
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """Documents stay short, their anchors exist, and docstrings name their subject."""
 
-from __future__ import annotations
-
 import re
 import subprocess
 from collections.abc import Iterable

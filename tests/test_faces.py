@@ -1,7 +1,5 @@
 """Public names of packages: each is in the stub, and is loaded on first use."""
 
-from __future__ import annotations
-
 import ast
 import importlib
 import pickle

@@ -1,7 +1,5 @@
 """Mistakes of a first hour at the command line: one line that says what to do."""
 
-from __future__ import annotations
-
 import tomllib
 from importlib import import_module
 from pathlib import Path

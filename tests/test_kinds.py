@@ -1,7 +1,5 @@
 """A kind that one table knows, all others know: lights, materials, input blocks, precisions."""
 
-from __future__ import annotations
-
 import re
 from pkgutil import iter_modules
 from typing import Any, get_args

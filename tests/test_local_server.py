@@ -1,7 +1,5 @@
 """The servers of pages: whom they answer, how many at a time, what they make of odd requests."""
 
-from __future__ import annotations
-
 import socket
 import threading
 import time

@@ -3,8 +3,6 @@
 What is not stopped runs in this process: a new one imports for longer than it works.
 """
 
-from __future__ import annotations
-
 import os
 import signal
 import subprocess

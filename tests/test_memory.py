@@ -1,7 +1,5 @@
 """What does not fit into memory is refused before it is allocated."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

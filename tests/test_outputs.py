@@ -1,7 +1,5 @@
 """Outputs that are checked before time is spent: inputs are not replaced."""
 
-from __future__ import annotations
-
 import os
 from pathlib import Path
 

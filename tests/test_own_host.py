@@ -1,7 +1,5 @@
 """The tutorial on writing a host: its code runs, and shows what it says."""
 
-from __future__ import annotations
-
 import re
 import subprocess
 import sys

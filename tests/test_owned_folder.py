@@ -1,7 +1,5 @@
 """Folders of commands: none of the user's files is touched, and one process writes at a time."""
 
-from __future__ import annotations
-
 import os
 import signal
 import subprocess

@@ -1,7 +1,5 @@
 """One thread takes one core: no pool of a library is as large as the machine."""
 
-from __future__ import annotations
-
 import os
 from pathlib import Path
 from runpy import run_path

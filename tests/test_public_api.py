@@ -3,8 +3,6 @@
 Any other renderer has the same of the SDK, and the inside of a package can change alone.
 """
 
-from __future__ import annotations
-
 import ast
 import importlib
 

@@ -1,7 +1,5 @@
 """The five files of a release, made by one script and installed where nothing else of ours is."""
 
-from __future__ import annotations
-
 import json
 import os
 import shutil

@@ -1,7 +1,5 @@
 """What pyproject.toml requires: the base of what the SDK imports, and all with a lowest version."""
 
-from __future__ import annotations
-
 import ast
 import subprocess
 import sys

@@ -3,8 +3,6 @@
 They run in this process: a new one imports for seconds.
 """
 
-from __future__ import annotations
-
 import json
 from dataclasses import dataclass
 from functools import partial

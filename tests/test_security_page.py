@@ -1,7 +1,5 @@
 """docs/security.md: its limits are those of the code."""
 
-from __future__ import annotations
-
 import importlib
 import re
 

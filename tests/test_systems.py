@@ -3,8 +3,6 @@
 Ours are imported and run in a Python without what the other system lacks.
 """
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from pathlib import Path

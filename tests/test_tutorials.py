@@ -6,8 +6,6 @@ parser, not run: tests/test_road.py runs them, shortened. tests/test_own_host.py
 "Your own host".
 """
 
-from __future__ import annotations
-
 import contextlib
 import io
 import re

@@ -1,7 +1,5 @@
 """A limit on the time that tests and fuzzers give a reader: a hang is a failure."""
 
-from __future__ import annotations
-
 import signal
 from collections.abc import Iterator
 from contextlib import contextmanager

@@ -1,7 +1,5 @@
 """Shared options, and a help formatter that shows type and default."""
 
-from __future__ import annotations
-
 import argparse
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Where the repository is: benchmarks run from a checkout, beside its examples and tests."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]

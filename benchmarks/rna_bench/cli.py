@@ -1,7 +1,5 @@
 """`rna-bench NAME`: all benchmarks of the project as one command."""
 
-from __future__ import annotations
-
 import argparse
 import sys
 from collections.abc import Sequence

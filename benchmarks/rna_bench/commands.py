@@ -1,7 +1,5 @@
 """Every command of `rna-bench`: its name and the module that measures."""
 
-from __future__ import annotations
-
 import ast
 from dataclasses import dataclass
 from importlib.util import find_spec

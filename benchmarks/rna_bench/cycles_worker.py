@@ -1,7 +1,5 @@
 """Cycles with an original open, as all comparisons start it."""
 
-from __future__ import annotations
-
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager

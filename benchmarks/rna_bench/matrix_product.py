@@ -1,7 +1,5 @@
 """The machine's own rate of matrix products, which timings are compared with."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable
 

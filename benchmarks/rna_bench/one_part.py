@@ -1,7 +1,5 @@
 """Packages of one part, which can be evaluated as they are."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from rna_sdk.errors import QueryError

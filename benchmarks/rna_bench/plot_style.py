@@ -1,7 +1,5 @@
 """One look for all charts: import it before drawing; colours mean the same everywhere."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import matplotlib

@@ -1,7 +1,5 @@
 """Results of commands: JSON with the stamp first, written atomically."""
 
-from __future__ import annotations
-
 import argparse
 import json
 import sys

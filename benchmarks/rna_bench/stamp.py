@@ -1,7 +1,5 @@
 """Conditions of a result: commit, machine, load, date, command."""
 
-from __future__ import annotations
-
 import os
 import platform
 import shlex

@@ -7,8 +7,6 @@ as a photograph is. The search starts with a white sun from elsewhere and follow
 rna_mitsuba's pictures.
 """
 
-from __future__ import annotations
-
 import argparse
 from pathlib import Path
 

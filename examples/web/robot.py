@@ -3,8 +3,6 @@
 python examples/web/robot.py robot.glb
 """
 
-from __future__ import annotations
-
 import sys
 
 import numpy as np

@@ -4,8 +4,6 @@ Validation lights are suns and end at display white, so no other score sees how 
 there is above that.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """`rna-bench`: starts the benchmarks, which are in the repository and not in the wheel."""
 
-from __future__ import annotations
-
 import sys
 
 _WHERE = (

@@ -1,7 +1,5 @@
 """Brightness of a model relative to Cycles, in lit and shadowed regions."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import dataclass
 

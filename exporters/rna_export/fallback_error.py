@@ -1,7 +1,5 @@
 """Error of what viewers show that do not know RNA: a .glb's fallback beside the references."""
 
-from __future__ import annotations
-
 import json
 import warnings
 from collections.abc import Sequence

@@ -1,7 +1,5 @@
 """The machine: its memory and clock."""
 
-from __future__ import annotations
-
 import ctypes
 import time
 from collections.abc import Callable

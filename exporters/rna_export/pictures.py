@@ -1,7 +1,5 @@
 """Pictures: PNG files, and sheets in labelled columns with FLIP in its colours and a scale."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from io import BytesIO
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The parser of every command: --version, --debug, and errors of usage in two lines."""
 
-from __future__ import annotations
-
 import argparse
 import re
 import sys

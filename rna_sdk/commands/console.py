@@ -1,7 +1,5 @@
 """Shared by the command-line tools: help layout, error output, exit status."""
 
-from __future__ import annotations
-
 import argparse
 import re
 import shlex

@@ -1,7 +1,5 @@
 """An asset's error and albedo in words: docs/error-in-words.md."""
 
-from __future__ import annotations
-
 GOOD, FAIR = 0.07, 0.11
 """Mean FLIP below which an asset is good, and below which it is fair."""
 

@@ -1,7 +1,5 @@
 """Remedies for a glTF whose compression a reader lacks: commands that make a readable file."""
 
-from __future__ import annotations
-
 _REMEDIES = {
     "KHR_texture_basisu": ("ktxdecompress", "with PNG in place of its KTX2 textures"),
     "EXT_meshopt_compression": ("cp", "without meshopt's compression"),

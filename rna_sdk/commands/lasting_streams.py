@@ -1,7 +1,5 @@
 """Standard output and error of commands whose reader may end before them, such as `head`."""
 
-from __future__ import annotations
-
 import os
 import sys
 from collections.abc import Callable, Iterator

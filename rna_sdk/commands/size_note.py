@@ -1,7 +1,5 @@
 """Whether an asset's size looks like another unit than metres."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

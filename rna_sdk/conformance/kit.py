@@ -1,7 +1,5 @@
 """The conformance kit on disk: `kit.json` and the files that it lists."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Reader programs: calls and valid results (spec/conformance/README.md)."""
 
-from __future__ import annotations
-
 import subprocess
 import tempfile
 from dataclasses import dataclass

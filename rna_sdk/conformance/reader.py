@@ -3,8 +3,6 @@
 It has no rays, and so no visibility; `rna_render.conformance_reader` has.
 """
 
-from __future__ import annotations
-
 import sys
 from typing import Any
 

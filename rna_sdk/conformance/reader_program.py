@@ -3,8 +3,6 @@
 spec/conformance/README.md defines the protocol.
 """
 
-from __future__ import annotations
-
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path

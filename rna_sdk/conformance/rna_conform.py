@@ -1,7 +1,5 @@
 """`rna-conform`: run a reader on the conformance kit and print the verdict of each level."""
 
-from __future__ import annotations
-
 import argparse
 import json
 import math

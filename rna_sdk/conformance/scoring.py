@@ -1,7 +1,5 @@
 """Scores of a reader: each case of the kit against its expected values."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import numpy as np

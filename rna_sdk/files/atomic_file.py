@@ -4,8 +4,6 @@ Whoever writes holds a shared lock on the folder, so that what killed processes 
 told from what is being written.
 """
 
-from __future__ import annotations
-
 import errno
 import os
 import re

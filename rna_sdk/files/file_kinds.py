@@ -1,7 +1,5 @@
 """Kinds of files by their names, for errors that name another kind, and files beside it."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Literal
 

@@ -1,7 +1,5 @@
 """Checks of the files that a command is to write, before it spends time on them."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterable
 from pathlib import Path

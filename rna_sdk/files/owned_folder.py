@@ -8,8 +8,6 @@ system releases the lock of a process that ends in any way. Names that start wit
 So is the folder of the user's caches, which all commands share.
 """
 
-from __future__ import annotations
-
 import os
 import shutil
 import socket

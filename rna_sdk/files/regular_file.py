@@ -1,7 +1,5 @@
 """Input files have to be regular files: opening a pipe or a device may wait forever."""
 
-from __future__ import annotations
-
 import errno
 import os
 import stat

@@ -1,7 +1,5 @@
 """Compilation of all kernels, and invalidation of cached code."""
 
-from __future__ import annotations
-
 import inspect
 import os
 import pickle

@@ -1,7 +1,5 @@
 """The processor of this process."""
 
-from __future__ import annotations
-
 import platform
 from functools import cache
 from hashlib import sha256

@@ -4,8 +4,6 @@ They are Python's, not OpenMP's: they wait without spinning, are as many as each
 a forked process makes its own.
 """
 
-from __future__ import annotations
-
 import os
 import threading
 from collections.abc import Callable, Iterator, Sequence

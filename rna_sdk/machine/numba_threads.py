@@ -3,8 +3,6 @@
 Only kernels that no host calls have them: those of training.
 """
 
-from __future__ import annotations
-
 import os
 from typing import Any
 

@@ -5,8 +5,6 @@ of the source each of its own is; else that is found by its rest position: the n
 the source, and the barycentric place on it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any

@@ -5,8 +5,6 @@ the triangles of a mesh as they are stored, or of the offsets of curves; `part.K
 3] float32, object space of the package, metres.
 """
 
-from __future__ import annotations
-
 import hashlib
 import mmap
 import os

@@ -1,7 +1,5 @@
 """The nearest place on a mesh within a reach, by a grid of its triangles; compiled."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -7,8 +7,6 @@ length, largest, sqrt, log2, clamped, at_least, where. The others are those of 6
 # fmt: off
 # isort: skip_file
 # ruff: noqa: E501
-from __future__ import annotations
-
 from typing import Any
 
 

@@ -3,8 +3,6 @@
 `spec/RNA.md`, 6.3, declares them with their formulas.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 from rna_sdk.package.block_table import BLOCK_TABLE

@@ -1,8 +1,6 @@
 """Files of the repository that are generated from the code: write them, or check that they are
 current. `scripts/generate` does so with all of them."""
 
-from __future__ import annotations
-
 import argparse
 from collections.abc import Mapping
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The list of issue codes; `python -m rna_sdk.package.issue_list` writes it."""
 
-from __future__ import annotations
-
 import sys
 
 from rna_sdk.package.generated import generate

@@ -1,7 +1,5 @@
 """Check a whole package: container, manifest, entries, then the contents of each entry."""
 
-from __future__ import annotations
-
 import hashlib
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager

@@ -93,7 +93,7 @@ def _arrays(formulas: BlockFormulas) -> str:
         f"{argument}: Any = None" for argument in formulas.arguments(*formulas.values)
     )
     return text + _lines(
-        "from __future__ import annotations\n\nfrom typing import Any\n\n",
+        "from typing import Any\n\n",
         f"def input_blocks(of: Any, inputs: tuple[str, ...], *, {typed}) -> dict[str, Any]:",
         '    """Block -> its vectors and numbers, for `inputs`, but not `features`.',
         "",
@@ -109,7 +109,7 @@ def _lanes(formulas: BlockFormulas) -> str:
     language = Lanes(formulas)
     text = _lines(
         f'"""Compiled: input blocks, LANES rows at a time. {_NOTE}"""\n\n{_RAW}',
-        "from __future__ import annotations\n\nfrom typing import Any\n",
+        "from typing import Any\n",
         "from rna_sdk.machine.compiled import compiled",
         "from rna_sdk.package.block_table import "
         + ", ".join(sorted(block.upper() for block, values in formulas.values.items() if values)),

@@ -1,7 +1,5 @@
 """Write a package: the same input gives the same bytes, and never a file that is not valid."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 import os

@@ -1,7 +1,5 @@
 """Base colour of a part's surface, ready to be looked up at ray hits."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Whether directions are within the domain of training."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

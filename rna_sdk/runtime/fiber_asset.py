@@ -1,7 +1,5 @@
 """Loaded fibers, which evaluate transport, emission and lobes."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from functools import cached_property
 from typing import ClassVar, Literal

@@ -1,7 +1,5 @@
 """Offset of a ray across a fiber's width."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

@@ -1,7 +1,5 @@
 """Load a package for evaluation."""
 
-from __future__ import annotations
-
 from os import PathLike
 
 from rna_sdk.errors import QueryError

@@ -1,7 +1,5 @@
 """Colours of an asset for plain materials: its reflectance under light from the side."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

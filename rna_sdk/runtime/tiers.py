@@ -1,7 +1,5 @@
 """Selection of one of a package's tiers."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 

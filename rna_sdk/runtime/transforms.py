@@ -1,7 +1,5 @@
 """Transforms between an asset's object space and world space."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 

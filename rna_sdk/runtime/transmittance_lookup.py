@@ -3,8 +3,6 @@
 For tests, tools and readers in Python; renderers have their own kernels for the same formula.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

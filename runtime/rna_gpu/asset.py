@@ -1,7 +1,5 @@
 """Assets on the GPU, with the interface of `rna_sdk.runtime`."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 

@@ -3,8 +3,6 @@
 Wald, On fast Construction of SAH-based Bounding Volume Hierarchies (2007).
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

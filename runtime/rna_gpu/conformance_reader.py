@@ -3,8 +3,6 @@
 It has all levels that a GPU answers; packages are checked by the SDK on the CPU.
 """
 
-from __future__ import annotations
-
 import sys
 from functools import cache
 

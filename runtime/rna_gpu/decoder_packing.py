@@ -1,7 +1,5 @@
 """A decoder as vec4f, in the layout of `wgsl/README.md`."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 

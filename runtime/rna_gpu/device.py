@@ -1,7 +1,5 @@
 """An open GPU: buffers, pipelines and transfers of `wgpu`."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager

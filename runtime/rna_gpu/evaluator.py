@@ -1,7 +1,5 @@
 """Evaluates the decoder of one part on the GPU: query rows in, RGB out."""
 
-from __future__ import annotations
-
 import time
 from dataclasses import dataclass
 from typing import Any

@@ -1,7 +1,5 @@
 """Meshes and curves for `wgsl/geometry.wgsl`: bodies with a tree each, and instances of them."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any

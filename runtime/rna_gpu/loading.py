@@ -1,7 +1,5 @@
 """Loading of packages onto the GPU."""
 
-from __future__ import annotations
-
 from os import PathLike
 
 from rna_gpu.asset import GpuAsset, GpuFiber, GpuSurface

@@ -1,7 +1,5 @@
 """The bindings of the shaders' group 0: a tier part's uniform, weights and planes."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -4,8 +4,6 @@ The files in `wgsl/` hold one concept each; `wgsl/compositions.json` names what 
 web viewer composes the same files in the same way: `wgsl/README.md`.
 """
 
-from __future__ import annotations
-
 import json
 from functools import cache
 from importlib.resources import files

@@ -1,7 +1,5 @@
 """Base colour of triangles in Dr.Jit: spec/RNA.md, 4.6."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import drjit as dr

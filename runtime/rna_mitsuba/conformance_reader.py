@@ -3,8 +3,6 @@
 rna-conform -- python -m rna_mitsuba.conformance_reader
 """
 
-from __future__ import annotations
-
 import sys
 
 import drjit as dr

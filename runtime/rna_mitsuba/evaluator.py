@@ -1,7 +1,5 @@
 """Transport and emission of a part in Dr.Jit, as rna_sdk.runtime's `evaluate` in numpy."""
 
-from __future__ import annotations
-
 import drjit as dr
 import mitsuba as mi
 

@@ -5,8 +5,6 @@ gives the outgoing radiance; the visibility ray against the asset selects its ou
 starts on an asset passes through it (spec/RNA.md, 7.1). All other shapes are shaded by Mitsuba.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import drjit as dr

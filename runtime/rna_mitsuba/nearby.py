@@ -1,7 +1,5 @@
 """Nearby light (spec/RNA.md, 7.3) in Dr.Jit; `tests/reference/nearby.py` has it in numpy."""
 
-from __future__ import annotations
-
 import drjit as dr
 import mitsuba as mi
 

@@ -1,7 +1,5 @@
 """Decoders (spec/RNA.md, 6.2) in Dr.Jit, by drjit.nn's matrix-vector products."""
 
-from __future__ import annotations
-
 import drjit as dr
 import drjit.nn as nn
 import mitsuba as mi

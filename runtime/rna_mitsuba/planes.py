@@ -1,7 +1,5 @@
 """The triplane of a part in Dr.Jit: spec/RNA.md, 5."""
 
-from __future__ import annotations
-
 import drjit as dr
 import mitsuba as mi
 import numpy as np

@@ -1,7 +1,5 @@
 """Geometry of a part at a hit, in object space: spec/RNA.md, 4.1 to 4.6, 7.1."""
 
-from __future__ import annotations
-
 import os
 import tempfile
 from typing import Any, ClassVar

@@ -1,7 +1,5 @@
 """The decoder's queries of a deformed part, in Dr.Jit: spec/RNA.md, 8.3."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import drjit as dr

@@ -1,7 +1,5 @@
 """The shape plug-in `rna`: an instance of a package."""
 
-from __future__ import annotations
-
 import itertools
 import os
 from os import PathLike

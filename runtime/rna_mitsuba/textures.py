@@ -1,7 +1,5 @@
 """Textures of triangles in Dr.Jit: transmittance and normal maps, spec/RNA.md, 4.4, 4.5."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import drjit as dr

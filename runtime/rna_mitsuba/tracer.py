@@ -1,7 +1,5 @@
 """One step of a path: light at a vertex, and the ray to the next one."""
 
-from __future__ import annotations
-
 from typing import Any, ClassVar
 
 import drjit as dr

@@ -1,7 +1,5 @@
 """Rays against one package, in its object space: closest hits and visibility."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any, ClassVar
 

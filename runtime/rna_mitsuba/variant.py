@@ -1,7 +1,5 @@
 """Which variants of Mitsuba assets work in."""
 
-from __future__ import annotations
-
 import mitsuba as mi
 
 from rna_sdk.errors import QueryError

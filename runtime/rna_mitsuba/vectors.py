@@ -1,7 +1,5 @@
 """Vectors in Dr.Jit, in float32, with the functions of the input blocks' formulas (spec, 6.3)."""
 
-from __future__ import annotations
-
 import drjit as dr
 import mitsuba as mi
 

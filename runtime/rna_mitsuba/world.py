@@ -1,7 +1,5 @@
 """All assets of a scene, placed, beside the shapes that Mitsuba itself traces."""
 
-from __future__ import annotations
-
 from typing import Any, ClassVar
 
 import drjit as dr

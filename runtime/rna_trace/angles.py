@@ -1,7 +1,5 @@
 """Sines and arctangents in turns: compiled, of polynomials, several times as fast as libm's."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rna_sdk.machine.compiled import compiled

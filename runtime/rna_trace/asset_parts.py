@@ -1,7 +1,5 @@
 """An asset and its parts, as rays need them, at rest and in motion."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

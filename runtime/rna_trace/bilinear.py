@@ -1,7 +1,5 @@
 """Position of a coordinate between the texels of an image, and its wrapping."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rna_sdk.machine.compiled import compiled

@@ -1,7 +1,5 @@
 """A hash of 32 bits, of random numbers that depend on places alone."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rna_sdk.machine.compiled import compiled

@@ -1,7 +1,5 @@
 """Memory by its address, for compiled code that Embree calls: it gets nothing but addresses."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any
 

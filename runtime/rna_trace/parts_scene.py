@@ -1,7 +1,5 @@
 """An asset as rays meet it: all its parts, meshes and strands, in one Embree scene."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import cached_property
 

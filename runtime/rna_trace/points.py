@@ -1,7 +1,5 @@
 """Points that rays have hit, and how they scatter light; one interface for all kinds of bodies."""
 
-from __future__ import annotations
-
 from abc import ABC, abstractmethod
 from enum import Enum, auto
 from typing import Protocol

@@ -1,7 +1,5 @@
 """Checks that every batch of rays passes before compiled code reads it."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rna_sdk.errors import QueryError

@@ -5,8 +5,6 @@ where tau is a texture's value, without its parts below a cutoff, times what a s
 does not reflect.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any

@@ -1,7 +1,5 @@
 """Vectors of three float64 in compiled code, and the frame that a surface scatters in."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rna_sdk.machine.compiled import compiled

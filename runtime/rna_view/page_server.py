@@ -3,8 +3,6 @@
 Only the names that the site has are answered: nothing here reads a path from a request.
 """
 
-from __future__ import annotations
-
 import hashlib
 import os
 import re

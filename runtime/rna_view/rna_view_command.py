@@ -1,7 +1,5 @@
 """`rna-view`: an asset or a scene in a browser page."""
 
-from __future__ import annotations
-
 import argparse
 import sys
 import webbrowser

@@ -1,7 +1,5 @@
 """A scene file as the viewer shows it: its first asset, its camera, suns and environment."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

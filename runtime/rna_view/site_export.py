@@ -1,7 +1,5 @@
 """A page as a folder that any static web server can serve."""
 
-from __future__ import annotations
-
 import json
 import shutil
 from collections.abc import Iterator

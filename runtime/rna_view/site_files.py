@@ -1,7 +1,5 @@
 """The files of a viewer page: the viewer, the asset, its lighting."""
 
-from __future__ import annotations
-
 import hashlib
 import io
 import json

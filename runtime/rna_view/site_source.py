@@ -1,7 +1,5 @@
 """From a file that a person names to the page that shows it."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from pathlib import Path
 

@@ -2,8 +2,6 @@
 holds one worker.
 """
 
-from __future__ import annotations
-
 from concurrent.futures import Future
 from dataclasses import dataclass
 from typing import Any, Literal, Protocol

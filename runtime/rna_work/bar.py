@@ -1,7 +1,5 @@
 """Progress bars on a terminal; in a pipe or a log, lines."""
 
-from __future__ import annotations
-
 import sys
 from time import monotonic
 from typing import Any

@@ -1,7 +1,5 @@
 """Folders that a machine keeps between commands, each made once and whole; and a lock."""
 
-from __future__ import annotations
-
 import hashlib
 import shutil
 from collections.abc import Callable, Iterator

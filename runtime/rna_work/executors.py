@@ -1,7 +1,5 @@
 """Where work runs, which only the option `--cluster` of a command decides."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Processor time of threads and processes, as Linux reports it in /proc."""
 
-from __future__ import annotations
-
 import os
 from collections import defaultdict
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Files that workers read, wherever they are."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol

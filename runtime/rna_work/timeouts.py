@@ -1,7 +1,5 @@
 """How long an item may take: many times as long as its fellows, measured by their cost."""
 
-from __future__ import annotations
-
 from bisect import insort
 from collections.abc import Callable
 from dataclasses import dataclass, field

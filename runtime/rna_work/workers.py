@@ -1,7 +1,5 @@
 """Workers, and the outcomes of their items."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any, Generic, Protocol, TypeVar, runtime_checkable
 

@@ -7,8 +7,6 @@ onnxruntime is made to see such a CPU (`masked.py`); numba, Embree, PyTorch and 
 for it.
 """
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

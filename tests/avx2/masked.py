@@ -5,8 +5,6 @@ there: without VNNI, products of uint8 and int8 are summed two by two in 16 bits
 The copy's cpuid instructions trap into `cpuid.c`. All else runs at the machine's own speed.
 """
 
-from __future__ import annotations
-
 import platform
 import re
 import shutil

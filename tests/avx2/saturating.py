@@ -1,7 +1,5 @@
 """What onnxruntime does with int8 on the CPU at hand."""
 
-from __future__ import annotations
-
 import numpy as np
 import onnxruntime
 

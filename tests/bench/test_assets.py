@@ -1,7 +1,5 @@
 """`rna-bench assets`: errors as the commands of the SDK say them."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Every command of rna-bench: its help, its options, and how its modules import one another."""
 
-from __future__ import annotations
-
 import argparse
 import ast
 import re

@@ -1,7 +1,5 @@
 """`rna-bench cores`, and with it: one thread of whatever it measures takes one core."""
 
-from __future__ import annotations
-
 import os
 
 import pytest

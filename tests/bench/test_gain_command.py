@@ -1,7 +1,5 @@
 """`rna-bench gain`: the table of measured assets."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 

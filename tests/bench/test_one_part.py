@@ -1,7 +1,5 @@
 """Benchmarks of one part: what they say of a package of several."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """`rna-bench scenes`: its figures on known answers, and one tiny run beside Cycles."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import replace
 from pathlib import Path

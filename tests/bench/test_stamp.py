@@ -1,7 +1,5 @@
 """What stands beside a result: commit, command, machine."""
 
-from __future__ import annotations
-
 import json
 import subprocess
 from pathlib import Path

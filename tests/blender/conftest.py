@@ -1,7 +1,5 @@
 """Blender with the extension, installed from its zip as a user would."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

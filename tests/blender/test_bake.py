@@ -1,7 +1,5 @@
 """The bake: what it writes for the capture, and how its process is started, stopped and resumed."""
 
-from __future__ import annotations
-
 import json
 import runpy
 import sys

@@ -1,7 +1,5 @@
 """What Blender's import asks the SDK of a package, of one inside a .glb too."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The extension from its zip: import, render, scene files, and what it says of mistakes."""
 
-from __future__ import annotations
-
 import json
 import re
 import sys

@@ -1,8 +1,6 @@
 """The extension needs Blender's Python alone, and of the SDK its public names
 and the functions that write files whole, say errors in words and give stand-ins their colours."""
 
-from __future__ import annotations
-
 import ast
 import sys
 

@@ -1,7 +1,5 @@
 """Lamps, worlds, exposure and diffuse materials: the engine and Cycles give one picture."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """docs/blender.md: its Python runs in Blender, word for word except the user's folders."""
 
-from __future__ import annotations
-
 import re
 import subprocess
 import sys

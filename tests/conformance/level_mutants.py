@@ -6,8 +6,6 @@ tries all, and writes what passes to level_mutants.json. The readers are the kit
 mutant of the validator leaves out one of its checks. How many pass for no reason is `MOST_MISSED`.
 """
 
-from __future__ import annotations
-
 import ast
 import importlib
 import json

@@ -7,8 +7,6 @@ where a case of the kit fails, or it ends in an exception or not at all. What pa
 ALLOWED, with the clause of the format that allows it.
 """
 
-from __future__ import annotations
-
 import ast
 import json
 import sys

@@ -1,7 +1,5 @@
 """Readers that get base colour, or a decoder of shadowed light, wrong do not pass the kit."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """`rna-conform`: its table, its verdicts, and what it says of readers that cannot be run."""
 
-from __future__ import annotations
-
 import json
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """The kit is what its script makes, and covers what it says."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator
 

@@ -1,7 +1,5 @@
 """Mutants of the hosts in Python: a few of what `python -m tests.conformance.mutants` tries."""
 
-from __future__ import annotations
-
 import json
 
 import pytest

@@ -1,7 +1,5 @@
 """Readers pass the kit (the minimal host: test_cli.py); those wrong in one formula do not."""
 
-from __future__ import annotations
-
 import shutil
 import subprocess
 import sys

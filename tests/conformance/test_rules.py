@@ -1,7 +1,5 @@
 """Rules that readers are known to get wrong: each is caught by a package that is made for it."""
 
-from __future__ import annotations
-
 import json
 
 import pytest

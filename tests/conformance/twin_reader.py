@@ -1,7 +1,5 @@
 """The references as a reader of base colours and lobes, with the decoder as the package has it."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

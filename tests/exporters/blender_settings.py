@@ -4,8 +4,6 @@ A capture sets those of `rna_export.blender.rna_renders.render_settings.OWNED`. 
 here: a property that is in neither is new, and has to be decided on.
 """
 
-from __future__ import annotations
-
 SET_FOR_EACH_RENDER = {
     "Scene": "camera world",
     "RenderSettings": "resolution_x resolution_y threads filepath",

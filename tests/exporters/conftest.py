@@ -1,7 +1,5 @@
 """Blender workers for the tests of the exporters, and quick exports."""
 
-from __future__ import annotations
-
 import subprocess
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, suppress

@@ -1,7 +1,5 @@
 """Rays through our Embree scene and through Cycles."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

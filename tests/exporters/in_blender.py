@@ -1,7 +1,5 @@
 """Runs Python inside Blender, beside the modules of the capture worker, and reads its answer."""
 
-from __future__ import annotations
-
 import json
 import subprocess
 from pathlib import Path

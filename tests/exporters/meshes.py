@@ -1,7 +1,5 @@
 """Meshes whose surface is known in closed form."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rna_sdk.package import Mesh

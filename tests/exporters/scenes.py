@@ -4,8 +4,6 @@ Vertices and faces are spelled out, without Blender's operators: those number th
 differently from process to process.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Datasets that numpy makes: a ball of translucent plastic with known transport."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cache

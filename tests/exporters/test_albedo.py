@@ -1,7 +1,5 @@
 """Light returned from a white world: its samples, the figure, and where it is said."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Analytic materials: against the renderer's own, in closed form, and fitted to samples."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """The asset is captured alone: no light but ours, no emission; and cut-outs are known."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """FLIP of the asset's pixels: exposure, pixels, noise of references, emission."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Base colours of materials: images as they are, on the samples as Cycles shows them."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Print finer than the planes is learnt through the base colour, and exported with it."""
 
-from __future__ import annotations
-
 import itertools
 from pathlib import Path
 from types import SimpleNamespace

@@ -1,7 +1,5 @@
 """How bright answers are over the references."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

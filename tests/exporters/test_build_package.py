@@ -1,7 +1,5 @@
 """From checkpoints to a package: two tiers, measured through the runtime, valid."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """`rna-capture` before Blender starts: what it refuses, and how."""
 
-from __future__ import annotations
-
 import hashlib
 import sys
 from pathlib import Path

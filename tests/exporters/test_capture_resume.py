@@ -1,7 +1,5 @@
 """A capture can be stopped in any way; finished shards are kept, and the result is the same."""
 
-from __future__ import annotations
-
 import os
 import signal
 import subprocess

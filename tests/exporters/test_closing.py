@@ -1,7 +1,5 @@
 """Last lines of rna-train and rna-export: the work beside the usual work, and its meaning."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The standard pictures of a comparison, and its page."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 from dataclasses import replace

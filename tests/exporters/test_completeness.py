@@ -1,7 +1,5 @@
 """Datasets whose files are not those that their manifest names."""
 
-from __future__ import annotations
-
 import json
 import shutil
 from pathlib import Path

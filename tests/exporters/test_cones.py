@@ -1,7 +1,5 @@
 """Cones of directions, towards balls and merged."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """A surface cut into pieces with planes of their own: what each has, and that no seam shows."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Our hit and Cycles' hit are the same point, whatever the scene is made of."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """What Cycles answers is the transport of the contract, and our normals and visibility fit it."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """The ONNX decoder is the trained one, and another is refused."""
 
-from __future__ import annotations
-
 import contextlib
 
 import numpy as np

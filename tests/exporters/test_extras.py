@@ -1,7 +1,5 @@
 """What an export adds to a package: poster, stand-in materials and proxies."""
 
-from __future__ import annotations
-
 import io
 
 import numpy as np

@@ -1,7 +1,5 @@
 """fallbackFlip: the error of the mesh that other viewers show, beside validation images."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

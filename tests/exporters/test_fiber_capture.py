@@ -1,7 +1,5 @@
 """What a capture of fibers records: points on strands, and direct light apart from the rest."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

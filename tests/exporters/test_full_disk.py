@@ -1,7 +1,5 @@
 """A full disk ends a command with one line that names the file, and nothing half-written."""
 
-from __future__ import annotations
-
 import errno
 import os
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The predicted speed of an asset in scenes before its capture: arithmetic and words."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """The strands we export are those that Cycles renders: the same rays give the same hits."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

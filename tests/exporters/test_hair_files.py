@@ -1,7 +1,5 @@
 """Groom files: written strands are read back, faults are named."""
 
-from __future__ import annotations
-
 import struct
 from collections.abc import Callable
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Strands grown between guides, and changes of single strands."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import numpy as np

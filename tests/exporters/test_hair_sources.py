@@ -1,7 +1,5 @@
 """Every kind of source with hair loads, and its hair is what Cycles will render."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path

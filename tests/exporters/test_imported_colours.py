@@ -1,7 +1,5 @@
 """Colours by point, face or strand of PLY, OBJ and USD files are base colours."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

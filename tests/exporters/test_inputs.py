@@ -1,7 +1,5 @@
 """Decoder inputs in PyTorch against the runtime's plain twin."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 import torch

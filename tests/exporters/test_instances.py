@@ -1,7 +1,5 @@
 """Instances, hierarchies and linked files are captured as Cycles renders them."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

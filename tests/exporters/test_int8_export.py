@@ -1,7 +1,5 @@
 """int8 tiers: the decoder is its twin's, near the trained one; planes and names are right."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Tuning brings an int8 decoder's brightness back to the trained one's; weights stay."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import pytest

@@ -1,7 +1,5 @@
 """The loss touches only the output that matches the sample's visibility."""
 
-from __future__ import annotations
-
 import pytest
 import torch
 

@@ -1,7 +1,5 @@
 """Several models in one `rna-make`, and options that are carried on from an earlier run."""
 
-from __future__ import annotations
-
 import shutil
 from argparse import Namespace
 from pathlib import Path

@@ -1,7 +1,5 @@
 """When a make stops, and how it shares lights, steps and minutes among its rounds."""
 
-from __future__ import annotations
-
 import math
 from itertools import pairwise
 

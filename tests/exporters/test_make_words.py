@@ -1,7 +1,5 @@
 """What rna-make says and leaves for the next step: time left, a picture in training, a scene."""
 
-from __future__ import annotations
-
 import io
 from pathlib import Path
 from types import SimpleNamespace

@@ -1,7 +1,5 @@
 """Materials that Cycles cannot show as meant are named, each in one line."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """The geometry that leaves Blender: axes, normals, seams."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

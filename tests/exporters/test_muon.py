@@ -1,7 +1,5 @@
 """Muon against its definition and PyTorch's, and what of a model it takes."""
 
-from __future__ import annotations
-
 import pytest
 import torch
 

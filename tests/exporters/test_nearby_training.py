@@ -1,7 +1,5 @@
 """Nearby light is traced from captured rows, kept, learnt linearly, and exported."""
 
-from __future__ import annotations
-
 import itertools
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """The loss is chosen by how noisy the capture is."""
 
-from __future__ import annotations
-
 import dataclasses
 from pathlib import Path
 from types import SimpleNamespace

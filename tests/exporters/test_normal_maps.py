@@ -1,7 +1,5 @@
 """Normal maps of materials: read from their nodes, and on the samples as Cycles shades them."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

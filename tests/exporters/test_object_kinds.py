@@ -1,7 +1,5 @@
 """Each kind of object that Cycles shows is exported once, with the material that it shows."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Geometry that files have and renders leave out: it is left out with a note, not with an error."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """What a step of training does in kernels of its own, against PyTorch's."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 from typing import Literal
 

@@ -1,7 +1,5 @@
 """What a bake's log says came true: by material, of highlights and outlines, at the worst place."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

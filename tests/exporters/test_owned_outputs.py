@@ -1,7 +1,5 @@
 """Commands delete and replace nothing of the user's, and one of them writes a folder at a time."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 from collections.abc import Callable

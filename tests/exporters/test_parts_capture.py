@@ -1,7 +1,5 @@
 """A ball with strands on it: rays, samples and images of both parts together."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

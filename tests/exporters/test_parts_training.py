@@ -1,7 +1,5 @@
 """A ball with strands, from a dataset of two parts to a package of two parts."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Before the first ray each material is named: what it is, how well it is learnt, what to do."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 from types import SimpleNamespace

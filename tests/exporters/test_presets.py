@@ -1,7 +1,5 @@
 """The paper's presets are the paper's."""
 
-from __future__ import annotations
-
 import pytest
 import torch
 

@@ -1,7 +1,5 @@
 """Files that travel with a source to another machine."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """The recipes build in Blender, and have what their documents say."""
 
-from __future__ import annotations
-
 import json
 import subprocess
 from pathlib import Path

@@ -1,7 +1,5 @@
 """A capture owns its render settings, whatever the file's are."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

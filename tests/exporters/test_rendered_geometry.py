@@ -1,7 +1,5 @@
 """The exported geometry is that of renders for camera rays, not of a viewport."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 

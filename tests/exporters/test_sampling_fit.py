@@ -1,7 +1,5 @@
 """Lobes for rays that are fitted to what an asset scatters."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

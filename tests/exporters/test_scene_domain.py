@@ -1,7 +1,5 @@
 """What a scene can ask an asset about, and captures that keep to it."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

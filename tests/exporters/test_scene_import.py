@@ -1,7 +1,5 @@
 """Strands and materials of Alembic and USD files: places, units, widths, splines, looks."""
 
-from __future__ import annotations
-
 import subprocess
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """What an artist may not have meant is said before the first ray, with what to do."""
 
-from __future__ import annotations
-
 import pytest
 
 from rna_sdk.errors import CaptureError

@@ -1,7 +1,5 @@
 """How a source is divided into parts: by kinds, or by its top objects."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Cycles and our renderer on the same scenes of diffuse things: each is a check of the other."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

@@ -1,7 +1,5 @@
 """The check of a capture against Cycles, with a teacher that renders geometry of its own."""
 
-from __future__ import annotations
-
 import io
 from dataclasses import dataclass, replace
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Every kind of source file loads, and stands where its format says."""
 
-from __future__ import annotations
-
 import subprocess
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Notes on sizes: details below the package's steps, places far away, units that look wrong."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Stand-in textures that an export makes by itself."""
 
-from __future__ import annotations
-
 import io
 import math
 from dataclasses import replace

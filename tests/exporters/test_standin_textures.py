@@ -1,7 +1,5 @@
 """Textures of stand-ins: baked at the right texels, in glTF's frame, and where they cannot be."""
 
-from __future__ import annotations
-
 import io
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Steps as graphs; where there is no GPU, with a recorder that only runs them again."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import numpy as np

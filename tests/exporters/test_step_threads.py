@@ -1,7 +1,5 @@
 """Threads of training steps: all on a quiet machine, one on a busy one, the same bits with both."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 import torch

@@ -1,7 +1,5 @@
 """What a task writes, with a teacher of our own in Blender's place."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Masks and normal maps on whatever UV map, transform and image extension: as Cycles shows them."""
 
-from __future__ import annotations
-
 import pytest
 
 from rna_export.capture.capture_settings import CaptureSettings

@@ -1,7 +1,5 @@
 """Batch, optimizer and device of a training; the error if a GPU's memory is too small."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

@@ -1,7 +1,5 @@
 """`--minutes` of a training: kept whatever steps and validations take, by a clock of the test's."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from itertools import pairwise
 from pathlib import Path

@@ -1,7 +1,5 @@
 """What materials let through and emit: read from their nodes, and captured."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

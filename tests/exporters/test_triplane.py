@@ -1,7 +1,5 @@
 """The planes in PyTorch against the runtime's plain twin, and against PyTorch's own sampler."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 import torch

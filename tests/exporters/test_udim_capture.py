@@ -1,7 +1,5 @@
 """Base colours of UDIM tiles: each tile's own file, what crosses them baked."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

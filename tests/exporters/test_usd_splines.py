@@ -1,7 +1,5 @@
 """Curves of USD as polylines: ends, bases, widths."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Variants of a glTF file: kept where base colour alone differs, shown in turn, told where not."""
 
-from __future__ import annotations
-
 import base64
 import json
 from pathlib import Path

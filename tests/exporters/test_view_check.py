@@ -1,7 +1,5 @@
 """Assets that view rays hardly meet: why is said before a capture begins."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

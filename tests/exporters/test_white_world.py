@@ -1,7 +1,5 @@
 """A white world in Cycles: radiance 1 from all directions, or from those of a region."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

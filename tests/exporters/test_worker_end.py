@@ -1,7 +1,5 @@
 """A Blender worker ends with the process that started it, also while Blender is still loading."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """Datasets of two parts, a ball with strands on it, with a teacher in Blender's place."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Quick trials, where no test looks at how long they take."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from contextlib import contextmanager
 

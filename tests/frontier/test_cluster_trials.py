@@ -1,7 +1,5 @@
 """Trials on a cluster of three nodes: the same bits as on one machine; workers that share a GPU."""
 
-from __future__ import annotations
-
 import time
 from importlib.util import find_spec
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Cycles on the chart: which sample counts it is rendered with."""
 
-from __future__ import annotations
-
 from rna_bench.frontier.cycles_curve import _doubling
 
 

@@ -1,7 +1,5 @@
 """The features of NRHints' network: what they see, in which arithmetic, and who trains them."""
 
-from __future__ import annotations
-
 import pytest
 import torch
 

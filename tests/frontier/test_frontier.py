@@ -1,7 +1,5 @@
 """`rna-bench frontier` from a dataset to its chart, on a tiny grid."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The grids of models: what they hold, and how they are named."""
 
-from __future__ import annotations
-
 import pytest
 import torch
 

@@ -1,7 +1,5 @@
 """The paper's tables beside ours: each row where it belongs."""
 
-from __future__ import annotations
-
 from rna_bench.frontier.paper_tables import paper_tables
 from rna_bench.frontier.trials.grid import full_grid
 from rna_bench.frontier.trials.trial import Trial

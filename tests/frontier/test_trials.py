@@ -1,7 +1,5 @@
 """A trial from training to record, and a grid of them in processes."""
 
-from __future__ import annotations
-
 import shutil
 from collections.abc import Iterator
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Valid models of each format that Blender opens, for `models.py` to mutate, and hostile ones."""
 
-from __future__ import annotations
-
 import json
 import struct
 from collections.abc import Iterator

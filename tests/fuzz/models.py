@@ -8,8 +8,6 @@ an exception that is not of the project's, a message of several lines or with a 
 that has run, or a file that is left outside of the capture's own folder.
 """
 
-from __future__ import annotations
-
 import argparse
 import os
 import resource

@@ -1,7 +1,5 @@
 """Small files of motions, for `scenes.py` to mutate, and how it checks what they became."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Mutations of files: of bytes, of numbers in text, of values in JSON, of floats in data."""
 
-from __future__ import annotations
-
 import base64
 import json
 import re

@@ -1,7 +1,5 @@
 """Mutations of packages: of one entry, most with sizes and hashes that fit again, or of the ZIP."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 import re

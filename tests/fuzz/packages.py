@@ -11,8 +11,6 @@ base colour, emission, quantised geometry, proxies, coded entries. Readers:
 - `viewer`: the reader of the viewer's page, in Node.
 """
 
-from __future__ import annotations
-
 import argparse
 import json
 import struct

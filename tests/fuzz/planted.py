@@ -1,7 +1,5 @@
 """Faults planted in copies of the readers, to prove that their fuzzers find such."""
 
-from __future__ import annotations
-
 import shutil
 from dataclasses import dataclass
 from pathlib import Path

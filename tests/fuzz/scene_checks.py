@@ -1,7 +1,5 @@
 """What `scenes.py` asks of a file: it is read and usable, or refused in one line."""
 
-from __future__ import annotations
-
 import warnings
 from collections.abc import Callable
 from pathlib import Path

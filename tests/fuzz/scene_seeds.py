@@ -1,7 +1,5 @@
 """Small valid files of every kind that a scene reads, for `scenes.py` to mutate."""
 
-from __future__ import annotations
-
 import base64
 import io
 import json

@@ -14,8 +14,6 @@ With NUMBA_BOUNDSCHECK an index outside an array is an IndexError in kernels, ex
 read memory by address. Decoders of others (OpenEXR, PIL) run as they are.
 """
 
-from __future__ import annotations
-
 import argparse
 import faulthandler
 import resource

@@ -1,7 +1,5 @@
 """Some hostile models; `tests.fuzz.models` opens some 300."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

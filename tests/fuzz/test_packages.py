@@ -1,7 +1,5 @@
 """Mutated packages through the readers: nothing goes wrong, and planted faults are found."""
 
-from __future__ import annotations
-
 import shutil
 import subprocess
 from pathlib import Path

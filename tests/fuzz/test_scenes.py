@@ -1,7 +1,5 @@
 """Some hundred mutations of meshes, pictures and scenes; `tests.fuzz.scenes` runs many more."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.fuzz import scene_checks

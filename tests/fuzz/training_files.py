@@ -1,7 +1,5 @@
 """A checkpoint and a dataset for `scenes.py` to mutate, and how it checks what they became."""
 
-from __future__ import annotations
-
 import copy
 from collections.abc import Iterator
 from pathlib import Path

@@ -1,7 +1,5 @@
 """A GPU for the tests: a real one, or the software driver of Mesa."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from pathlib import Path
 

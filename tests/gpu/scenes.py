@@ -1,7 +1,5 @@
 """Scenes for the tests of the GPU renderer, rendered on both devices."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any

@@ -1,7 +1,5 @@
 """Assets with holes, glass and emission, and queries outside their domain."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable
 

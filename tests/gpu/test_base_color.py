@@ -1,7 +1,5 @@
 """Base colour on the GPU: as a factor of transport, and looked up at hits."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Rays meet on the GPU what they meet in Embree."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

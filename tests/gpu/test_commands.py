@@ -1,7 +1,5 @@
 """`rna-run --device gpu`: stills, sequences, pieces of an image, and refusals."""
 
-from __future__ import annotations
-
 from importlib.metadata import EntryPoint
 from pathlib import Path
 

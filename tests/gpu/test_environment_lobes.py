@@ -1,7 +1,5 @@
 """Lobes for whole environments in WGSL, against numpy and onnxruntime."""
 
-from __future__ import annotations
-
 import numpy as np
 import onnxruntime as ort
 import pytest

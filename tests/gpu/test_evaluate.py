@@ -1,7 +1,5 @@
 """The GPU answers as the runtime does, to the conformance kit and to any rows."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The GPU knows every material of objects as the CPU does."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Nearby light on the GPU: the columns of the CPU, and pictures of packages that count it."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Records of the GPU: their members are where WGSL has them, and every input block has a slot."""
 
-from __future__ import annotations
-
 import importlib
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The GPU renders what the CPU renders; and what it does about losses and limits."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from pathlib import Path
 

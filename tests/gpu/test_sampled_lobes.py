@@ -1,7 +1,5 @@
 """Directions for rays that leave assets, in WGSL: they follow their densities, those of rna-run."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

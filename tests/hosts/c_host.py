@@ -1,7 +1,5 @@
 """The C host from Python: compiled with the machine's C compiler, called through ctypes."""
 
-from __future__ import annotations
-
 import ctypes
 import shutil
 import subprocess

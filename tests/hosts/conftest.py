@@ -1,7 +1,5 @@
 """The C host, compiled once for all its tests."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

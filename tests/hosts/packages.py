@@ -1,7 +1,5 @@
 """Small packages for the readers written by hand: any width, precision and kind."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any

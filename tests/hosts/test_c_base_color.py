@@ -1,7 +1,5 @@
 """Base colour and decoders of shadowed light in the C host; its reader of PNG."""
 
-from __future__ import annotations
-
 import subprocess
 from contextlib import closing
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The C host opens packages in .glb files, and refuses what the SDK refuses, by the same codes."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

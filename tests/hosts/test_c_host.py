@@ -1,7 +1,5 @@
 """The C host beside the runtime: the same numbers and pictures."""
 
-from __future__ import annotations
-
 import ctypes
 import json
 import os

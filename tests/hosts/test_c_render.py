@@ -1,7 +1,5 @@
 """Pictures of the C host: whole assets, light through glass, and errors that are named."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Mitsuba with LLVM, for the tests of `rna_mitsuba` alone."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterator
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Four scenes, each for rna-run and for Mitsuba with rna_mitsuba: what the two have to agree on."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any

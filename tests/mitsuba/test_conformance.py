@@ -1,7 +1,5 @@
 """`rna_mitsuba` as a reader: transport and emission in Dr.Jit, rays, normals, base colours."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 

@@ -1,7 +1,5 @@
 """Derivatives of pictures by the light and by where the asset is, against finite differences."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any
 

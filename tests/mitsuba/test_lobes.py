@@ -1,8 +1,6 @@
 """Directions for rays that leave assets: the plugin's samples follow its densities, which are
 those of rna-run."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

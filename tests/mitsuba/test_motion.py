@@ -1,7 +1,5 @@
 """Assets in motion in Mitsuba: rest points as those of the SDK, pictures as those of rna-run."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The plug-ins as users write them: in XML, in dictionaries, with mistakes; and the docs' code."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 from typing import Any

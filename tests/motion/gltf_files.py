@@ -1,7 +1,5 @@
 """Small glTF files that move: nodes, skins and morph targets."""
 
-from __future__ import annotations
-
 import base64
 import json
 from pathlib import Path

@@ -1,7 +1,5 @@
 """A package's geometry follows a source mesh, whatever became of the order of its vertices."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

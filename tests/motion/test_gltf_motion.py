@@ -1,7 +1,5 @@
 """Animated glTF: closed forms of nodes, interpolation, morph targets and skins."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Motion files: a written motion comes back, mapped; wrong ones are refused in one line."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path

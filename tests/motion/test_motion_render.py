@@ -1,7 +1,5 @@
 """`rna-run` with assets in motion: pictures, frames, motion blur, and refusals."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Motion vectors, `forward.u` and `forward.v`, in pixels, against points projected by hand."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """`rna-motion`: motion files of glTF, and of what Blender evaluates."""
 
-from __future__ import annotations
-
 import base64
 import json
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Small good packages, and the pieces to make bad ones of."""
 
-from __future__ import annotations
-
 import io
 from collections.abc import Iterable, Sequence
 from itertools import pairwise

@@ -1,7 +1,5 @@
 """Small .glb files that carry a package, good and broken."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable
 from pathlib import Path

@@ -1,7 +1,5 @@
 """A good package of each kind for the tests here."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

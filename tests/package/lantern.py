@@ -1,7 +1,5 @@
 """A small good package of two parts with emission, holes and glass."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Small packages with lobes (RNA_environment), from random decoders."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Decoders as ONNX's own reference implementation runs them."""
 
-from __future__ import annotations
-
 import numpy as np
 import onnx
 from onnx.reference import ReferenceEvaluator

@@ -1,7 +1,5 @@
 """A small good package of one part with base colour, and with a decoder for shadowed light."""
 
-from __future__ import annotations
-
 import io
 from collections.abc import Mapping
 from pathlib import Path

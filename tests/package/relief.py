@@ -1,7 +1,5 @@
 """A small good package of one part with normal maps."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Base colour in packages: images of every sort decoded, records written and read again."""
 
-from __future__ import annotations
-
 import io
 import struct
 import zlib

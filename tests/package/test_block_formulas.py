@@ -1,7 +1,5 @@
 """Formulas of input blocks: what a new block takes, and mistakes in them."""
 
-from __future__ import annotations
-
 import pytest
 
 from rna_sdk.package.formulas.block_formulas import SPECIFICATION, BlockFormulas

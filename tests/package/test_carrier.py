@@ -1,7 +1,5 @@
 """RNA_relightable_asset: packages in .glb files, their bytes, fallbacks and refusals."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 from typing import Any

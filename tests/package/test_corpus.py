@@ -1,7 +1,5 @@
 """Every broken package is refused with its code, and every code has a broken package."""
 
-from __future__ import annotations
-
 import os
 import time
 import zipfile

@@ -1,7 +1,5 @@
 """Fiber packages: curves come back as they were written, and each kind keeps to its own."""
 
-from __future__ import annotations
-
 import hashlib
 from collections.abc import Callable
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Decoder forms and the query record; that of lobes has a width that varies."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """The decoder profile: its graphs come back and run as in ONNX; other graphs are refused."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import replace
 

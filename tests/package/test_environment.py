@@ -1,7 +1,5 @@
 """Lobes of parts (RNA_environment): written, read again, replaced, left out."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """rna-info: what a package says of itself."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 

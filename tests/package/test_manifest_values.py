@@ -1,7 +1,5 @@
 """One table of values: reader, schema and text of the spec agree on each."""
 
-from __future__ import annotations
-
 import json
 import re
 from pathlib import Path

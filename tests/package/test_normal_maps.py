@@ -1,7 +1,5 @@
 """Packages with normal maps are read as written, in any form of the file."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Coded entries, posters, stand-ins and proxies: written, read again, and left out again."""
 
-from __future__ import annotations
-
 import io
 import os
 import tracemalloc

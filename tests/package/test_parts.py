@@ -1,7 +1,5 @@
 """Packages of several parts are read as written, one tier after the other."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import replace
 from pathlib import Path

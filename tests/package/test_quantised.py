@@ -1,7 +1,5 @@
 """Quantised geometry: near the original, the same arrays from every file, opened by others."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Packages are read as written, byte for byte the same each time, and never copied."""
 
-from __future__ import annotations
-
 import hashlib
 import struct
 import zipfile

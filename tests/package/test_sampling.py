@@ -1,7 +1,5 @@
 """RNA_sampling: lobes for rays that leave the parts of a package."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """RNA_source: vertices of the source in a package."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

@@ -1,7 +1,5 @@
 """The spec's generated files are current, its lists complete, and its worked example right."""
 
-from __future__ import annotations
-
 import json
 import os
 import re

@@ -1,7 +1,5 @@
 """rna-info --glb: packages as ordinary glTF files."""
 
-from __future__ import annotations
-
 import io
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """RNA_standin_textures: pictures of a stand-in material in a package and in its .glb."""
 
-from __future__ import annotations
-
 import io
 from pathlib import Path
 from typing import Any

@@ -1,7 +1,5 @@
 """The USD form that docs/decisions/format.md describes, opened by the USD of Blender's module."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

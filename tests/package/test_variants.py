@@ -1,7 +1,5 @@
 """Variants of a package: other base colours by name, read, chosen and told."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

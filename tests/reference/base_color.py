@@ -1,7 +1,5 @@
 """Base colour at hits, word for word as spec/RNA.md, 4.6, has it: slow, in float64."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

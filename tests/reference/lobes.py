@@ -3,8 +3,6 @@
 The formulas of `spec/RNA.md`, 12, RNA_environment.
 """
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

@@ -1,7 +1,5 @@
 """Nearby light word for word as spec/RNA.md, 7.3, has it: in numpy and float64."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

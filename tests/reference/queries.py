@@ -4,8 +4,6 @@ Arguments: planes, (3, R, R, C); bounds, (2, 3), corners of the box; names of bl
 normals or tangents, wo and wi, (n, 3), finite, in object space; h, (n,). Results: (n, K) float32.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Assets with a known transport, and meshes to put them on."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Whether directions follow a density: Pearson's chi-squared test over cells of a cone."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import numpy as np

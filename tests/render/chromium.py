@@ -5,8 +5,6 @@ Chrome DevTools Protocol: https://chromedevtools.github.io/devtools-protocol/. W
 to 4, each JSON with a zero byte at its end.
 """
 
-from __future__ import annotations
-
 import atexit
 import base64
 import fcntl

@@ -3,8 +3,6 @@
 `cases(folder)` writes them all; each is either a picture or a message.
 """
 
-from __future__ import annotations
-
 import struct
 from collections.abc import Callable
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """A block on a floor in the sun, at any size and anywhere, with whatever lies far away."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

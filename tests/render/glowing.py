@@ -1,7 +1,5 @@
 """Assets that emit, let light through or have several parts, with a known transport."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Small glTF files of glass."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Sequence
 

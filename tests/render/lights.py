@@ -1,7 +1,5 @@
 """Lights for tests, made as scene files make them, and what rays that are traced find of them."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

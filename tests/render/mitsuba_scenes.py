@@ -3,8 +3,6 @@
 Nothing here uses the renderer under test. Mitsuba's variant is scalar_rgb, which needs no LLVM.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

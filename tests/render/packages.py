@@ -1,7 +1,5 @@
 """Package files with a known transport."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any

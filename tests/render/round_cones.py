@@ -4,8 +4,6 @@ A round cone is the convex hull of two spheres. Its surface is a cone that touch
 of each; a ray enters it once at most.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from rna_sdk.package import Curves

@@ -1,7 +1,5 @@
 """What a pixel is measured against to tell whether it is a speck."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 

@@ -1,7 +1,5 @@
 """Small scenes of given assets, and their images."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rna_render.paths.bands import render

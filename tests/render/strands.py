@@ -1,7 +1,5 @@
 """Strands to trace rays against."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rna_sdk.package import Curves

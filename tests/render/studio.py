@@ -1,7 +1,5 @@
 """Scenes of things of every kind, built in place, and their images with a known error."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass

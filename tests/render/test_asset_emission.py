@@ -1,7 +1,5 @@
 """Light that assets send out: seen, thrown on other things, never on themselves."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

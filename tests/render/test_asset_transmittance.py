@@ -1,7 +1,5 @@
 """Holes and thin glass of assets: the view through them, their shadows, their own light."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """How an image is cut into bands, and which samples are rendered together."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Rays of the camera."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Packages in .glb files in scenes: the same pixels as from the .rna."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any

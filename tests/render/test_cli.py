@@ -1,7 +1,5 @@
 """rna-run, from a scene file to images."""
 
-from __future__ import annotations
-
 import json
 import signal
 import subprocess

@@ -1,7 +1,5 @@
 """The message while kernels are compiled, and its absence at a second start."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

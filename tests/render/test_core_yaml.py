@@ -1,7 +1,5 @@
 """Scene files are YAML 1.2 of the core schema."""
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 

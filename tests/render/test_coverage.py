@@ -1,7 +1,5 @@
 """Strands far thinner than a pixel: how much of the image they cover, and how evenly."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

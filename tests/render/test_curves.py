@@ -1,7 +1,5 @@
 """Rays against round curves, next to an exact twin."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """The scene of a package that is shown without a scene file."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Intel Open Image Denoise, if it is installed, and the message if it is not."""
 
-from __future__ import annotations
-
 import sys
 
 import numpy as np

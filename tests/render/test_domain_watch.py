@@ -1,7 +1,5 @@
 """A warning where an asset is asked for directions that it was not trained for."""
 
-from __future__ import annotations
-
 import warnings
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Rays against triangles, next to a plain twin."""
 
-from __future__ import annotations
-
 import gc
 import resource
 import weakref

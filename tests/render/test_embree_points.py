@@ -1,7 +1,5 @@
 """Embree's spheres and discs against closed forms."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -4,8 +4,6 @@ Of 20,000 rays, the distance to a triangle differs by at most 3 units in the las
 curve by 170; half of the distances are the same to the bit.
 """
 
-from __future__ import annotations
-
 import gc
 from pathlib import Path
 

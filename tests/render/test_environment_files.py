@@ -1,7 +1,5 @@
 """Environments as other programs write them, read by `rna-run`; tests/web has the viewer."""
 
-from __future__ import annotations
-
 import pytest
 
 from rna_render.lights.files.environment_file import EnvironmentWarning, read_environment

@@ -1,7 +1,5 @@
 """The largest numbers that a scene may have give finite images, and say nothing on the way."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Pictures do not change with the size of a scene, its place, or what lies far away."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

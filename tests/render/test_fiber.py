@@ -1,7 +1,5 @@
 """Points on fibers, and rays that leave a strand."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

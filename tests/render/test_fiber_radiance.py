@@ -1,7 +1,5 @@
 """Radiance of images of fibers, alone and among surfaces."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """The variance of an image, from the halves of its samples."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Files made to crash, hang or fill the memory: one line each, before anything is allocated."""
 
-from __future__ import annotations
-
 import json
 import os
 import struct

@@ -1,7 +1,5 @@
 """Image files and the film behind them."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 

@@ -1,7 +1,5 @@
 """A scene file is read without the renderer: no Embree, no compiled code."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 

@@ -1,7 +1,5 @@
 """The clamp that keeps specks out of pictures: how large it is, and that one key turns it off."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

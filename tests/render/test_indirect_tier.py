@@ -1,7 +1,5 @@
 """An asset may answer camera rays with one tier and all other rays with another."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rna_render.paths.bands import render

@@ -1,7 +1,5 @@
 """Instances of an asset cost its memory once."""
 
-from __future__ import annotations
-
 import ctypes
 
 import numpy as np

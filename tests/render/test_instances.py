@@ -1,7 +1,5 @@
 """Placed scenes: where rays hit them, and which of them block."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """A package of two parts with emission, holes and glass, from its file to the image."""
 
-from __future__ import annotations
-
 import warnings
 from dataclasses import replace
 from pathlib import Path

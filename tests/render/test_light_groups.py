@@ -1,7 +1,5 @@
 """Groups of lights, lights that the camera does not see, and lights that stand in the way."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Images as environments: where texels are, how directions are chosen, and what they bring."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

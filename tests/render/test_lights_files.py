@@ -1,7 +1,5 @@
 """Images of environments: read files and refused files."""
 
-from __future__ import annotations
-
 import struct
 from pathlib import Path
 

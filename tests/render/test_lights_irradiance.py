@@ -1,7 +1,5 @@
 """What lights bring to a plane with nothing in the way, against closed forms."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

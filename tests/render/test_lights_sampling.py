@@ -1,7 +1,5 @@
 """Every light that rays can meet: its samples follow its density, and rays agree with both."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

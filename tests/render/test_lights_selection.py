@@ -1,7 +1,5 @@
 """Which light a sample goes to, and what makes a light of a scene file's words."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any

@@ -1,7 +1,5 @@
 """Reflection at meshes: the formulas, their energy, and samples of them."""
 
-from __future__ import annotations
-
 from itertools import product
 
 import numpy as np

@@ -1,7 +1,5 @@
 """What glTF files say of relief, holes and layers, as it is read."""
 
-from __future__ import annotations
-
 import io
 from dataclasses import replace
 

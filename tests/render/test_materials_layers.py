@@ -1,7 +1,5 @@
 """The clear coat and the weights of layers: energy, and reciprocity."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Textures, and what meshes are made of at the points that rays hit."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from PIL import Image

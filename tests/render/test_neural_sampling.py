@@ -1,7 +1,5 @@
 """Directions that rays leave assets in, against their densities."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

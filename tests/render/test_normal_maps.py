@@ -1,7 +1,5 @@
 """Normals with the relief of normal maps, compiled, against the runtime's plain twin."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Assets of several parts as rays meet them."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """The preview's camera and lights: where changes lead them."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """`rna-run --preview` from the command to the page, in headless Chromium."""
 
-from __future__ import annotations
-
 import re
 import signal
 import socket

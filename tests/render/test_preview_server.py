@@ -1,7 +1,5 @@
 """The preview's server: what it answers, and whom it does not."""
 
-from __future__ import annotations
-
 import http.client
 import io
 import json

@@ -1,7 +1,5 @@
 """The preview's render thread: it accumulates, starts again, and shows nothing that is over."""
 
-from __future__ import annotations
-
 import io
 import signal
 import threading

@@ -1,7 +1,5 @@
 """The preview's text for a scene file: what it shows, read back."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Radiance of whole images against integrals with a known value."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

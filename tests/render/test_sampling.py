@@ -1,7 +1,5 @@
 """Random numbers: how they are spread, and what they depend on."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

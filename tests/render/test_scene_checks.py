@@ -1,7 +1,5 @@
 """Checks of a scene beside its file: the files that it names, and whether it has light."""
 
-from __future__ import annotations
-
 import warnings
 from pathlib import Path
 

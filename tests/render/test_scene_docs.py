@@ -1,7 +1,5 @@
 """docs/scene.md says of every key what the models say."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 from pathlib import Path

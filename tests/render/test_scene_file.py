@@ -1,7 +1,5 @@
 """Scene files, good and bad."""
 
-from __future__ import annotations
-
 import re
 from datetime import date
 from pathlib import Path

@@ -5,8 +5,6 @@ Welch's t of every pixel, of every tile of 4 x 4 and of the whole image is teste
 that Sidak's correction makes 1% for all of a scene together.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any

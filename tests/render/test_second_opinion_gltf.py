@@ -1,7 +1,5 @@
 """Materials that only glTF files have, against Mitsuba 3; see test_second_opinion."""
 
-from __future__ import annotations
-
 import io
 from pathlib import Path
 from typing import Any

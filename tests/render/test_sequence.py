@@ -1,7 +1,5 @@
 """Sequences: what moves from frame to frame, and frames that are rendered once only."""
 
-from __future__ import annotations
-
 import json
 import os
 import signal

@@ -1,7 +1,5 @@
 """What a shadow catcher shows: alpha where light is blocked, against cases with a known part."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

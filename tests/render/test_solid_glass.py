@@ -1,7 +1,5 @@
 """Light through solid glass: reflected, refracted and absorbed as closed forms say."""
 
-from __future__ import annotations
-
 import json
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Points on meshes, and rays that leave them."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

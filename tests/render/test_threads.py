@@ -1,7 +1,5 @@
 """Images are the same bits on any number of threads, in fresh processes."""
 
-from __future__ import annotations
-
 import ast
 import os
 import subprocess

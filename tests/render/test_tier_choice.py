@@ -1,7 +1,5 @@
 """Tiers of a scene's assets: by size in the image, and what happens when none is good enough."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """What rna-run says of its tiers' cost on the processor at hand."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """A time limit, with a clock of the test's own."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

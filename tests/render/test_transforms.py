@@ -1,7 +1,5 @@
 """Matrices of scene files' transforms."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Rays through what lets light through: against a plain twin, and against sums by hand."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Light between neural assets: what rays pass through, and what the transport holds already."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Light between surfaces: furnaces, cavities, bleeding colours, and how paths end."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

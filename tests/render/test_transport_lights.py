@@ -1,7 +1,5 @@
 """Every kind of light on a white plane, by every way of finding it, against closed forms."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Light through things that are there in part: coverage, cut-outs and thin glass."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """From linear radiance to the values of a screen."""
 
-from __future__ import annotations
-
 from typing import get_args
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The integrator's compiled steps against plain numpy, and how an image is cut into bands."""
 
-from __future__ import annotations
-
 from types import SimpleNamespace
 from typing import Any
 

@@ -5,8 +5,6 @@
 writes each as FOLDER/NAME/scene.yaml, with its files.
 """
 
-from __future__ import annotations
-
 import sys
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Packages and assets for the tests here."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Decoder inputs from the compiled kernel, for tests of it."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

@@ -1,7 +1,5 @@
 """Points to ask an asset about."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass, fields
 from typing import Self

@@ -1,7 +1,5 @@
 """Base colour: what `evaluate` makes of it, and its lookup at hits against the reference."""
 
-from __future__ import annotations
-
 import math
 from itertools import product
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The compiled decoder against ONNX's own evaluation of the same graph."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from dataclasses import replace

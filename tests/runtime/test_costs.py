@@ -1,7 +1,5 @@
 """What a query costs on the processor at hand: measured once, kept, renewed when it must be."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """The decoder in the form the runtime gives it."""
 
-from __future__ import annotations
-
 import numpy as np
 import onnx
 import pytest

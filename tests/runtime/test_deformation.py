@@ -1,7 +1,5 @@
 """Rest points of deformed shapes: rigid motion, bending, stretching, triangles without area."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from pathlib import Path
 

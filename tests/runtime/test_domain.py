@@ -1,7 +1,5 @@
 """Which directions a domain holds."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """`evaluate` of either kind: right, the same to the bit however called, safe for any input."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import fields, replace

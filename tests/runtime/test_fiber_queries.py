@@ -1,7 +1,5 @@
 """The blocks of fibers: kernel against numpy twin, and both against the optics of a cylinder."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from itertools import product
 

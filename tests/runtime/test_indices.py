@@ -1,7 +1,5 @@
 """Indices of triangles and segments are checked alike wherever hits are taken."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import numpy as np

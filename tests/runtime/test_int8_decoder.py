@@ -1,7 +1,5 @@
 """int8 decoders in the form the runtime gives them."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

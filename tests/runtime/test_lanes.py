@@ -1,7 +1,5 @@
 """What kernels calculate with on lanes, against numpy."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rna_sdk.machine.compiled import compiled

@@ -1,7 +1,5 @@
 """Opening an asset: tier, threads, memory, and what comes with the import."""
 
-from __future__ import annotations
-
 import copy
 import os
 import pickle

@@ -1,7 +1,5 @@
 """Lobes of a whole environment: as by hand, and safe for any input."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

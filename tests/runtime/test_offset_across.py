@@ -1,7 +1,5 @@
 """h from the geometry of a hit."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

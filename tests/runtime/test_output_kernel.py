@@ -1,7 +1,5 @@
 """What callers get whatever a decoder gives."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rna_sdk.runtime.kernels.output_kernel import write_results

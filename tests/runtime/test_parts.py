@@ -1,7 +1,5 @@
 """Assets of several parts, and what they emit: as by hand, and safe for any input."""
 
-from __future__ import annotations
-
 from dataclasses import fields
 from pathlib import Path
 

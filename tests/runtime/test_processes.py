@@ -1,7 +1,5 @@
 """Processes that are forked or started beside one that evaluates: no hang, and the same bits."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

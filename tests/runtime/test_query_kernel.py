@@ -1,7 +1,5 @@
 """The compiled query kernel against its numpy twin: features, and the blocks of surfaces."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

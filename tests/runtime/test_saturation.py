@@ -1,7 +1,5 @@
 """int8 weights that engines may sum two by two in 16 bits: found from the weights, and exact."""
 
-from __future__ import annotations
-
 import itertools
 from dataclasses import replace
 

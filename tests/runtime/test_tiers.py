@@ -1,7 +1,5 @@
 """Tiers by the error that an asset may have at its size in the image."""
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 

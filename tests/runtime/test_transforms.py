@@ -1,7 +1,5 @@
 """Between object space and world space."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

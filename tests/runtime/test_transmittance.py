@@ -1,7 +1,5 @@
 """Transmittance of a hit: texture, cutoff and Fresnel, with values worked out by hand."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

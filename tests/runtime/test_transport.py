@@ -1,7 +1,5 @@
 """`transport` is `evaluate` with a visibility, in tiers of one decoder and of two."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """int8 decoders on a CPU without VNNI, which onnxruntime is made to see."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from collections.abc import Mapping

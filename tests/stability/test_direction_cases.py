@@ -1,7 +1,5 @@
 """Cases about directions: an exact model passes, one that is broken there fails."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """The case about energy: on a ball whose integral is known."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Cases about places: edges of shadows, folded texels, zoom."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

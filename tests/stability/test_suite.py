@@ -1,7 +1,5 @@
 """The suite's frame: finished cases are kept, skipped cases have a reason."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import replace
 from pathlib import Path

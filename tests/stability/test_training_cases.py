@@ -1,7 +1,5 @@
 """Cases about training data and chance."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """A folder on a plain server with the element and packages, and a browser's page for it."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from pathlib import Path
 

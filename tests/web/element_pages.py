@@ -1,7 +1,5 @@
 """Pages of others with `<rna-viewer>`, for the fixtures of conftest.py."""
 
-from __future__ import annotations
-
 from itertools import count
 from pathlib import Path
 from typing import ClassVar

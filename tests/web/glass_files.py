@@ -1,7 +1,5 @@
 """A ball of smooth glass, as rna-capture writes glass beside a package."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Binary glTF files with packages inside, beside a cube that stands for them."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Sequence
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The viewer in headless Chromium, and what tests do with it."""
 
-from __future__ import annotations
-
 import base64
 import io
 import json

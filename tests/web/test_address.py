@@ -1,7 +1,5 @@
 """What the page's address asks for, and an exported page on any other server."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import pytest

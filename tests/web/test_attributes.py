@@ -1,7 +1,5 @@
 """Attributes that change after the picture is there, and those that cannot be used."""
 
-from __future__ import annotations
-
 import json
 
 import pytest

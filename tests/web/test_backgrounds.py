@@ -1,7 +1,5 @@
 """The background of the asset: any colour of CSS, changes of it, or the page."""
 
-from __future__ import annotations
-
 import io
 
 import numpy as np

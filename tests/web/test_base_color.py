@@ -1,7 +1,5 @@
 """Base colour in the viewer: as a factor of transport, and looked up in images at the hits."""
 
-from __future__ import annotations
-
 import base64
 from pathlib import Path
 

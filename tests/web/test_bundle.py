@@ -1,7 +1,5 @@
 """The pages shipped are what their sources give; the viewer's decoder is rna_gpu's WGSL."""
 
-from __future__ import annotations
-
 import json
 import shutil
 import subprocess

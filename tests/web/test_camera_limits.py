@@ -1,7 +1,5 @@
 """Limits of the element's camera, in model-viewer's syntax."""
 
-from __future__ import annotations
-
 import json
 import shutil
 import subprocess

@@ -1,7 +1,5 @@
 """The viewer gives the answers of the conformance kit (spec/conformance)."""
 
-from __future__ import annotations
-
 import base64
 from collections.abc import Iterator
 from pathlib import Path

@@ -1,7 +1,5 @@
 """`<rna-viewer>` on pages of others: what it loads and when, its events, what goes wrong."""
 
-from __future__ import annotations
-
 import json
 import re
 import shutil

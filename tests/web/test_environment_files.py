@@ -1,7 +1,5 @@
 """Environments as other programs write them: the viewer reads what `rna-run` reads."""
 
-from __future__ import annotations
-
 import base64
 import json
 import shutil

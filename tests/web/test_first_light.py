@@ -1,7 +1,5 @@
 """An environment for the viewer's first look: bright directions, and the rest prefiltered."""
 
-from __future__ import annotations
-
 import base64
 import json
 import shutil

@@ -3,8 +3,6 @@
 `scripts/web-frameworks` builds all of them; the suite two. Nuxt takes Node 22 from npm.
 """
 
-from __future__ import annotations
-
 import os
 import shutil
 import subprocess

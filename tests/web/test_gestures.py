@@ -1,7 +1,5 @@
 """Fingers, mouse and wheel: what they do is known before anything moves."""
 
-from __future__ import annotations
-
 import json
 import shutil
 import subprocess

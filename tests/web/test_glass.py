@@ -1,7 +1,5 @@
 """Smooth glass beside a package: the picture is rna-run's, and other files are named."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """`<rna-viewer src="x.glb">`: the package inside a binary glTF."""
 
-from __future__ import annotations
-
 import io
 import json
 import shutil

@@ -1,7 +1,5 @@
 """Packages on servers of others: other origins, pages in the place of a package, requests."""
 
-from __future__ import annotations
-
 import re
 import shutil
 from collections.abc import Iterator

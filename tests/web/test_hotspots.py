@@ -1,7 +1,5 @@
 """Places of the asset under the pointer, and children of the element that stay at such places."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

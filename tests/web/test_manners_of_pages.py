@@ -1,7 +1,5 @@
 """Elements as pages of others treat them: made early, hidden, moved."""
 
-from __future__ import annotations
-
 import base64
 import io
 import re

@@ -1,7 +1,5 @@
 """The packed rna-viewer: types, the manifest of its element, places of import."""
 
-from __future__ import annotations
-
 import json
 import subprocess
 import tarfile

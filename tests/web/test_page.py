@@ -1,7 +1,5 @@
 """The viewer's page: files dropped on it, pointer, size, tiers, what goes wrong."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from pathlib import Path
 

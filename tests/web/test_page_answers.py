@@ -1,7 +1,5 @@
 """The page answers while an asset is read and its hierarchy built."""
 
-from __future__ import annotations
-
 import shutil
 from itertools import pairwise
 

@@ -1,7 +1,5 @@
 """docs/viewer.md and docs/preview.md, word for word: commands, parameters, the line to embed."""
 
-from __future__ import annotations
-
 import re
 import shlex
 from html import escape

@@ -1,7 +1,5 @@
 """The viewer's picture is rna-run's, of the same camera, rays and light."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

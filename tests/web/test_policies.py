@@ -1,7 +1,5 @@
 """Pages whose policy refuses what the element could have been made with."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.web.element_pages import SMALL, line, loads, show

@@ -1,7 +1,5 @@
 """The poster and the first view are one camera; the poster stays until a picture is as sharp."""
 
-from __future__ import annotations
-
 import io
 import json
 import shutil

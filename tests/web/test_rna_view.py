@@ -1,7 +1,5 @@
 """`rna-view`: what it serves, what it exports, what it refuses."""
 
-from __future__ import annotations
-
 import errno
 import hashlib
 import json

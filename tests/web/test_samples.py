@@ -1,7 +1,5 @@
 """Pictures that are taken while samples are under way."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

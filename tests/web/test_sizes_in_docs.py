@@ -1,7 +1,5 @@
 """Sizes of the scripts as the documents tell them."""
 
-from __future__ import annotations
-
 import gzip
 import re
 import tarfile

@@ -1,7 +1,5 @@
 """Bytes that the viewer fetches: never more than it asked for, nor more than fit."""
 
-from __future__ import annotations
-
 import json
 import shutil
 import subprocess

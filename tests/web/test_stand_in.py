@@ -1,7 +1,5 @@
 """The stand-in of a package: seen and turned before the network, and in its place."""
 
-from __future__ import annotations
-
 import io
 import shutil
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """An element that is taken out of the page while it loads, and put back."""
 
-from __future__ import annotations
-
 import json
 
 import numpy as np

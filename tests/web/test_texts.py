@@ -1,7 +1,5 @@
 """What the element says: to visitors in their language, to makers of pages in the console."""
 
-from __future__ import annotations
-
 import json
 import shutil
 import subprocess

@@ -1,7 +1,5 @@
 """The viewer's reader refuses what the specification refuses, with its codes."""
 
-from __future__ import annotations
-
 import shutil
 
 import numpy as np

@@ -1,7 +1,5 @@
 """What the viewer makes of its samples: view transforms, less noise, a saved picture."""
 
-from __future__ import annotations
-
 import base64
 import io
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """What visitors without WebGPU see: a poster, and a calm line in their language."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import pytest

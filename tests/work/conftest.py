@@ -1,7 +1,5 @@
 """A Ray cluster of three nodes on this machine; its tests are skipped where Ray is missing."""
 
-from __future__ import annotations
-
 import importlib.util
 import os
 import warnings

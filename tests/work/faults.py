@@ -7,8 +7,6 @@ raylet of a node, a worker, or the command itself gets SIGKILL, a worker hangs, 
 Every file has to be there with the right bytes, and none may have been made twice.
 """
 
-from __future__ import annotations
-
 import argparse
 import os
 import random

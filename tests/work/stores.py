@@ -1,7 +1,5 @@
 """Stand-ins for object storage."""
 
-from __future__ import annotations
-
 import importlib.util
 from collections.abc import Iterator
 from contextlib import contextmanager

@@ -1,7 +1,5 @@
 """Addresses of clusters that cannot be."""
 
-from __future__ import annotations
-
 import pytest
 
 from rna_sdk.errors import WorkError

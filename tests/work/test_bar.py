@@ -1,7 +1,5 @@
 """Progress in a pipe: lines that follow one another, ten seconds apart."""
 
-from __future__ import annotations
-
 import io
 import re
 

@@ -1,7 +1,5 @@
 """The pool of workers on a Ray cluster of three nodes."""
 
-from __future__ import annotations
-
 import time
 from pathlib import Path
 from types import SimpleNamespace

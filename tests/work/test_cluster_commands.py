@@ -1,7 +1,5 @@
 """Commands on a cluster of three nodes: the same bits as on one machine."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

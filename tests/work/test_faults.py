@@ -1,7 +1,5 @@
 """One run with each fault on a cluster; `python -m tests.work.faults` makes more of them."""
 
-from __future__ import annotations
-
 import random
 from pathlib import Path
 from typing import Any

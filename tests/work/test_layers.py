@@ -1,7 +1,5 @@
 """What `rna_work` imports, and that nothing imports Ray before it is asked for."""
 
-from __future__ import annotations
-
 import ast
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """Captures by processors of other instructions: other bits, and the same radiance within noise."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Pieces of an image are kept over a stop."""
 
-from __future__ import annotations
-
 import os
 import signal
 from contextlib import nullcontext

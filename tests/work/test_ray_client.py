@@ -1,7 +1,5 @@
 """Commands on a cluster elsewhere, by its ray:// address and with its token."""
 
-from __future__ import annotations
-
 import os
 import random
 import shutil

@@ -1,7 +1,5 @@
 """The memory of a driver does not grow with the number of items."""
 
-from __future__ import annotations
-
 import tracemalloc
 
 from rna_work.pool import Pool

@@ -1,7 +1,5 @@
 """Object storage between workers and the folder of a dataset."""
 
-from __future__ import annotations
-
 import os
 import shutil
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """When an item counts as hanging, and whose processor time is counted."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 import threading

@@ -7,8 +7,6 @@ each package, the error is measured anew on their validation images, and by itse
 from the front and from behind: at least 120 degrees from the camera.
 """
 
-from __future__ import annotations
-
 import argparse
 from collections.abc import Sequence
 from pathlib import Path

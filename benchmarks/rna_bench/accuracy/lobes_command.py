@@ -8,8 +8,6 @@ three turns about the vertical. Training sees none of them. Strands are measured
 points, as of a picture of 256 squared, and at single points, too.
 """
 
-from __future__ import annotations
-
 import argparse
 from collections.abc import Container
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Points of a chart: every model at every precision, with its cost and its error, as JSON."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any

@@ -1,7 +1,5 @@
 """Cycles at several sample counts: its error on the validation images, its time a shaded point."""
 
-from __future__ import annotations
-
 import tempfile
 import time
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """Summary of a frontier: our models against the paper's two."""
 
-from __future__ import annotations
-
 from typing import Any
 
 Points = list[dict[str, Any]]

@@ -1,7 +1,5 @@
 """Frontiers as a picture: FLIP against cost, and against bytes."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from textwrap import wrap
 from typing import Any

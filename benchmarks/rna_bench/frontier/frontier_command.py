@@ -5,8 +5,6 @@
 Decode cost against accuracy of our models, the paper's and ablations: see docs/frontier.md.
 """
 
-from __future__ import annotations
-
 import argparse
 from pathlib import Path
 

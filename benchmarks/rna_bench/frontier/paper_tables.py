@@ -4,8 +4,6 @@ The paper's numbers are of its Lego asset, its own images and its own definition
 within themselves, not with each other.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 from rna_bench.frontier.chart_points import label_of

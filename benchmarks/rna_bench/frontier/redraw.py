@@ -6,8 +6,6 @@
 Reports of one asset share a row.
 """
 
-from __future__ import annotations
-
 import argparse
 import json
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The paper's tables and our ablations as one picture: a render and its FLIP map a row."""
 
-from __future__ import annotations
-
 import textwrap
 from pathlib import Path
 from typing import Any

@@ -5,8 +5,6 @@ Parameters by place, the analytic BRDF, times the visibility. Of surfaces it is 
 the other peers here.
 """
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 

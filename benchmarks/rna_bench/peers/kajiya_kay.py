@@ -4,8 +4,6 @@ Kajiya and Kay, "Rendering Fur with Three Dimensional Textures", 1989, with the 
 highlight, and a colour of its own, as parameters of a point.
 """
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

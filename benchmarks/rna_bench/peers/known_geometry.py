@@ -1,7 +1,5 @@
 """First hits and shadow rays on a package's geometry, in units of the views' sphere."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """A method on known geometry: one point a ray, with its exact normal and visibility."""
 
-from __future__ import annotations
-
 from abc import abstractmethod
 from dataclasses import dataclass, replace
 from typing import Any

@@ -1,7 +1,5 @@
 """The interface between `rna-bench peers` and a method."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol

@@ -3,8 +3,6 @@
 Rays are rows: places (n, m) along them, distances there (n, m), lengths of their sections (n, m).
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import torch

@@ -1,7 +1,5 @@
 """Our package on the cameras and lights of views."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Sequence
 from pathlib import Path

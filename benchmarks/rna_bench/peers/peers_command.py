@@ -7,8 +7,6 @@ Lambertian sphere under a point light, which every method must fit. Writes `peer
 `curves.svg` and sheets like the paper's; the same command resumes. See docs/peers.md.
 """
 
-from __future__ import annotations
-
 import argparse
 from pathlib import Path
 from typing import Any

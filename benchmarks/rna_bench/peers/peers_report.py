@@ -1,7 +1,5 @@
 """The report of `rna-bench peers`: JSON, curves and sheets like the paper's."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Sheets like the paper's: reference, ours and other methods, whole and close, PSNR below."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
 from textwrap import wrap

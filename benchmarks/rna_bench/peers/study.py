@@ -1,7 +1,5 @@
 """Trains one method in steps and measures it after each step; finished steps are kept."""
 
-from __future__ import annotations
-
 import time
 from dataclasses import dataclass
 from functools import partial

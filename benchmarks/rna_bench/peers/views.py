@@ -1,7 +1,5 @@
 """Images of an asset from known cameras under known point lights."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

@@ -6,8 +6,6 @@ Writes the layout that NRHints reads: `transforms_train.json`, `_val` and `_test
 Train them with `rna-bench peers`; see docs/peers.md. The same command resumes.
 """
 
-from __future__ import annotations
-
 import argparse
 from pathlib import Path
 

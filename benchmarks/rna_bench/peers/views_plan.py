@@ -9,8 +9,6 @@ and `test` have the camera and the light in places of their own, as Zeng et al. 
 `train_collocated` and `val_collocated` have both in one place, as Bi et al. 2020.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from typing import Any

@@ -1,7 +1,5 @@
 """Reads a folder of views, as `rna-bench peers-data` writes it."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 

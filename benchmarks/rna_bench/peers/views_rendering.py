@@ -1,7 +1,5 @@
 """Renders the views of a plan with Cycles; a stopped run goes on with the first missing image."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Where Cycles reaches the error that an image of ours has, and how long that takes it."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

@@ -1,7 +1,5 @@
 """The camera's distance at which the asset covers a given share of the picture."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 from rna_bench.scenes.beside_cycles import OurScene

@@ -1,7 +1,5 @@
 """Errors of a measured scene: noise apart from the package's own error, equal error."""
 
-from __future__ import annotations
-
 from dataclasses import asdict, dataclass
 from typing import Any
 

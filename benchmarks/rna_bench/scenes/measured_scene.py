@@ -1,7 +1,5 @@
 """Renders one scene all the ways that are compared; finished steps are not repeated."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """The scenes: environments, a lamp, a wall beside the asset, instances near and far."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any

@@ -12,8 +12,6 @@ on a machine that may be busy. The rest needs an idle one. Arguments after -- ar
 that is a Python script.
 """
 
-from __future__ import annotations
-
 import argparse
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """All scenes as one picture: renders, FLIP below them, and the charts."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any

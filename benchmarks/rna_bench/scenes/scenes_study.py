@@ -1,7 +1,5 @@
 """All scenes of one asset: the measurements, their settings and the written result."""
 
-from __future__ import annotations
-
 import argparse
 import hashlib
 import json

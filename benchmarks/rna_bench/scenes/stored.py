@@ -1,7 +1,5 @@
 """Results of finished steps, which a resumed run does not make again."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable
 from pathlib import Path

@@ -1,7 +1,5 @@
 """One scene as two charts: PSNR and FLIP over time."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from matplotlib.axes import Axes

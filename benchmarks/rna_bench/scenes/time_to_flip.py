@@ -8,8 +8,6 @@ samples that were measured the curve is a line in logarithms. A picture of the f
 is good enough gives an upper limit.
 """
 
-from __future__ import annotations
-
 import argparse
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """The images of one scene whose time counts: ours and Cycles', raw and denoised, by turns."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from itertools import zip_longest
 

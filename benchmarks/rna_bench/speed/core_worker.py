@@ -6,8 +6,6 @@ It writes a line when it is ready. For each line that comes in, a number of seco
 line of JSON: `rate`, a second. It is warm before the first one counts.
 """
 
-from __future__ import annotations
-
 import json
 import sys
 import tempfile

@@ -10,8 +10,6 @@ of threads has a process of its own and takes 2 minutes; the machine has to be i
 needs Blender (`rna-capture --setup-blender`); without it, the rest is measured.
 """
 
-from __future__ import annotations
-
 import argparse
 import json
 import os

@@ -8,8 +8,6 @@ on all cores the process may use, and medians are compared; so `share_of_gemm` i
 idle machines. The packages hold random weights.
 """
 
-from __future__ import annotations
-
 import argparse
 import tempfile
 from collections.abc import Callable

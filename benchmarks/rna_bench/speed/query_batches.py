@@ -1,7 +1,5 @@
 """Batches of queries: scattered over an asset, and coherent as from a camera."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

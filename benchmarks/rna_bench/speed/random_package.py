@@ -1,7 +1,5 @@
 """Packages of random weights, for the speed of evaluation alone."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """One interface for all that answers queries: a trained model or a package."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import numpy as np

@@ -1,7 +1,5 @@
 """A part of a dataset, or one altered, that trains like a dataset of its own."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Makes the data of the cases, once: captures, trainings, references from Cycles, packages."""
 
-from __future__ import annotations
-
 import shutil
 import subprocess
 import sys

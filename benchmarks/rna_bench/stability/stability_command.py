@@ -5,8 +5,6 @@
 One chart per failure mode: see docs/stability.md.
 """
 
-from __future__ import annotations
-
 import argparse
 from pathlib import Path
 from typing import Any

@@ -1,7 +1,5 @@
 """The suite's results as charts, a table in Markdown, and JSON."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Sequence
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Runs the cases, one after the other, and keeps their results."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable, Sequence
 from importlib import import_module

@@ -1,7 +1,5 @@
 """Errors on validation images: of a model, and of shaded samples over any choice of rows."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Limits Blender's thread pools to the requested number of threads."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress

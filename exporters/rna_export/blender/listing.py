@@ -1,7 +1,5 @@
 """Short lists of possibly many names."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 _NAMED = 3

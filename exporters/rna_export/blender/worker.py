@@ -6,8 +6,6 @@ Requests come as one JSON object a line on standard input; each is answered by o
 standard output that begins with `RNA `. Whatever else Blender prints there is not for us.
 """
 
-from __future__ import annotations
-
 import ctypes
 import json
 import os

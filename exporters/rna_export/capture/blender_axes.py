@@ -1,7 +1,5 @@
 """Blender's axes (+Z up) and the package's (+Y up, as glTF), side by side; cameras and scenes."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

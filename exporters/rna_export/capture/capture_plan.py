@@ -1,7 +1,5 @@
 """Lines about the plan of a capture before it starts."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Runs a capture: opens the source, plans, renders missing tasks; resumable at any time."""
 
-from __future__ import annotations
-
 import hashlib
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field

@@ -1,7 +1,5 @@
 """Tasks of a capture: each renders one file of the dataset."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path

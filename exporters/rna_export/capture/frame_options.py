@@ -1,7 +1,5 @@
 """The options for frames of an animated source: at rest, and the poses to learn."""
 
-from __future__ import annotations
-
 import argparse
 import re
 

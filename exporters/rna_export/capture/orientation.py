@@ -1,7 +1,5 @@
 """Front and up axes: the options, and the rotation to +Z and +Y."""
 
-from __future__ import annotations
-
 import re
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The view and light directions that a scene uses on an asset."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Plan of a time-limited capture: reduced validation images, then lights and their rays."""
 
-from __future__ import annotations
-
 from collections.abc import Collection
 from dataclasses import dataclass, field
 from time import monotonic

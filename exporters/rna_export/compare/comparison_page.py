@@ -1,7 +1,5 @@
 """The report of a comparison: a table of images, the numbers as JSON, and one sheet as PNG."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import asdict
 from datetime import UTC, datetime

@@ -1,7 +1,5 @@
 """Renders the same images from the source with Cycles and from the package with ours."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace

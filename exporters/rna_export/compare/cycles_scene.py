@@ -8,8 +8,6 @@ The description is JSON in the renderer's own space, +Y up:
 - `bounces`: how often light may scatter, or null for what the source itself sets.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

@@ -1,7 +1,5 @@
 """`rna-compare`: a package against the original in Cycles."""
 
-from __future__ import annotations
-
 import argparse
 import sys
 import tempfile

@@ -1,7 +1,5 @@
 """Standard views and lights of a comparison, derived from the asset's bounding sphere."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The decoder as an ONNX graph (spec/RNA.md, Decoder), and the check that it is the trained one."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Protocol

@@ -1,7 +1,5 @@
 """Last lines of commands that write a package: files, error, shares of the usual work."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Poster, stand-in materials and compression of an exported package."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from pathlib import Path
 

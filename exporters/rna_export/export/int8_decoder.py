@@ -5,8 +5,6 @@ the smallest activation, so that storing one in uint8 is the ReLU, too. No two w
 engine may multiply as a pair can saturate 16 bits (`rna_sdk/package/decoder/saturation.py`).
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

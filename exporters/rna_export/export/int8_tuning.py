@@ -5,8 +5,6 @@ asset's brightness moves by up to some percent. Scales and biases bring it back.
 weights stay as they are, and with them the limit of their pairs.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Error and cost of a package's tiers, through the runtime, all parts together."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 
 import numpy as np

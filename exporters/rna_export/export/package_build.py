@@ -1,7 +1,5 @@
 """Checkpoints to one package: one tier each, with measured error and cost."""
 
-from __future__ import annotations
-
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path

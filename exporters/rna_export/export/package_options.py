@@ -1,7 +1,5 @@
 """Options of commands that write a package: name, credit, and the form `environment`."""
 
-from __future__ import annotations
-
 import unicodedata
 from argparse import ArgumentParser, ArgumentTypeError, Namespace
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The poster image of a package."""
 
-from __future__ import annotations
-
 from itertools import product
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Number formats of a tier: planes and decoder."""
 
-from __future__ import annotations
-
 from argparse import ArgumentParser, ArgumentTypeError
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass

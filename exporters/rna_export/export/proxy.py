@@ -1,7 +1,5 @@
 """Simplified proxy meshes, for an asset that is small in the image."""
 
-from __future__ import annotations
-
 import fast_simplification
 import numpy as np
 import trimesh

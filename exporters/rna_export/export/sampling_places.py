@@ -6,8 +6,6 @@ its price (Viterbi's algorithm). The mixtures are those that the points of each 
 turns, as with k-means.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Shares of lobes of many widths, and the few of them that a package has."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

@@ -1,7 +1,5 @@
 """Stand-in textures that an export makes by itself: a short fit of glTF's material."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 
 import torch

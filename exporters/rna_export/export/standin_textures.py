@@ -1,7 +1,5 @@
 """Stand-in materials: estimated from samples, or textures of an analytic training."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """A trained tier in package form: planes and decoders of each part and precision."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path

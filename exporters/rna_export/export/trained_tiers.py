@@ -1,7 +1,5 @@
 """Groups checkpoints into tiers: one checkpoint per part and preset."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path

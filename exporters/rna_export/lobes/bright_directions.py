@@ -10,8 +10,6 @@ at its mean, across the axis along which it is longest. A cluster is one directi
 excess, with its flux. Excess in no cluster stays in the rest.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Sets of directions, random rotations, and real spherical harmonics up to degree 3."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

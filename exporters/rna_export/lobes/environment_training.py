@@ -1,7 +1,5 @@
 """Lobes of a package's parts: trained from the package, measured, and written into a copy of it."""
 
-from __future__ import annotations
-
 import re
 import tempfile
 from collections.abc import Callable, Sequence

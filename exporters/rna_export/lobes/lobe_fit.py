@@ -1,7 +1,5 @@
 """Training of lobes from a package: its transport along random directions is the target."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor

@@ -1,7 +1,5 @@
 """The loss of lobes under random lights, and its gradient: compiled, a point at a time."""
 
-from __future__ import annotations
-
 import math
 from typing import Any, NamedTuple
 

@@ -1,7 +1,5 @@
 """The decoder of a part's lobes in PyTorch, and the meaning of its outputs."""
 
-from __future__ import annotations
-
 import math
 
 import torch

@@ -1,7 +1,5 @@
 """Queries of the form `environment` at points of a part."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

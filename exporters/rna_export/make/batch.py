@@ -1,7 +1,5 @@
 """Several models in one `rna-make`: one plan, one contact sheet, and failures at the end."""
 
-from __future__ import annotations
-
 import argparse
 import io
 from argparse import ArgumentParser, Namespace

@@ -1,7 +1,5 @@
 """The rays of an `rna-make` run: a dataset that grows by rounds."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Options of an `rna-make` that continues an earlier one: omitted options keep their values."""
 
-from __future__ import annotations
-
 import argparse
 from dataclasses import dataclass
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Continues an earlier `rna-make`: more minutes, or a changed material."""
 
-from __future__ import annotations
-
 import shutil
 from collections.abc import Sequence
 from pathlib import Path

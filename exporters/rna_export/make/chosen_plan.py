@@ -1,7 +1,5 @@
 """The plan of a run of `rna-make`, by its options and by earlier work."""
 
-from __future__ import annotations
-
 import math
 
 from rna_export.capture.dataset.dataset_folder import Dataset

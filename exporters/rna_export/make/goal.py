@@ -1,7 +1,5 @@
 """The error that a package is to have, on a scale where training's power law is linear."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from math import log10
 from typing import Literal, Protocol

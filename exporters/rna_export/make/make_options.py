@@ -1,7 +1,5 @@
 """The options of an `rna-make` run."""
 
-from __future__ import annotations
-
 import hashlib
 from dataclasses import dataclass
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The options of `rna-make`."""
 
-from __future__ import annotations
-
 import argparse
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Runs `rna-make`: alternates capture and training until the stopping criterion, then exports."""
 
-from __future__ import annotations
-
 import math
 import shutil
 from collections.abc import Callable, Iterator, Mapping, Sequence

@@ -1,7 +1,5 @@
 """Trainings of `rna-make`: from scratch in rounds, since texels keep the noise of early samples."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import suppress

@@ -1,7 +1,5 @@
 """Size of each capture and training round, by goal or by time limit."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar, Literal

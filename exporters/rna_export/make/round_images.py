@@ -1,7 +1,5 @@
 """Validation images of an `rna-make` run: small ones in its rounds, larger ones at its end."""
 
-from __future__ import annotations
-
 from collections.abc import Collection
 from time import monotonic
 

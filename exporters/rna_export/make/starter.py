@@ -1,7 +1,5 @@
 """The scene file that `rna-make` leaves beside a package, as a next step: it shows the package."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from rna_render.scene import default_scene, scene_text

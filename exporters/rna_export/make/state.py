@@ -1,7 +1,5 @@
 """`make.json`: settings and progress of an `rna-make` run."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from pydantic import BaseModel, ValidationError

@@ -1,7 +1,5 @@
 """The fewest training steps of a package: a model of fewer is a blur, whose error says nothing."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from pathlib import Path

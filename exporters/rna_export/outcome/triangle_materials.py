@@ -1,7 +1,5 @@
 """The material of captured points: the material of their triangle."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rna_export.capture.dataset.dataset_folder import Dataset

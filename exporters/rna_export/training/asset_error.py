@@ -1,7 +1,5 @@
 """An asset's error over its validation images: of reflected light and of emission."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

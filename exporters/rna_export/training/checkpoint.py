@@ -1,7 +1,5 @@
 """A trained model as a file; reading never unpickles."""
 
-from __future__ import annotations
-
 import zipfile
 from dataclasses import dataclass
 from io import BytesIO

@@ -4,8 +4,6 @@ Translucent assets gain; opaque ones lose, since all that it tells them is noise
 (docs/decisions/model.md). Those are told by their materials, without a training.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable
 from contextlib import suppress

@@ -1,7 +1,5 @@
 """Division of training time and folder among the parts of an asset."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from pathlib import Path
 

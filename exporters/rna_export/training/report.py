@@ -1,7 +1,5 @@
 """Validation during training: metrics and written files."""
 
-from __future__ import annotations
-
 import csv
 import gc
 import io

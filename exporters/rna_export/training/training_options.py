@@ -1,7 +1,5 @@
 """Options of commands that train."""
 
-from __future__ import annotations
-
 import argparse
 
 from rna_export.training.presets import NEARBY_MODES

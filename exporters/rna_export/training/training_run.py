@@ -1,7 +1,5 @@
 """Runs a training: length, checkpoints, curves, resume."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager

@@ -1,7 +1,5 @@
 """Shades whole captured images in PyTorch: the paper's deferred shading, and its scores."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import islice

@@ -1,7 +1,5 @@
 """Facts of a package: size, parts, tiers, error, cost and origin, as data and as text."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any

@@ -1,7 +1,5 @@
 """`rna-info`: facts of a package."""
 
-from __future__ import annotations
-
 import argparse
 import json
 import sys

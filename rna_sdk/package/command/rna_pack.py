@@ -1,7 +1,5 @@
 """`rna-pack`: writes a package again, its entries coded or plain, with a poster."""
 
-from __future__ import annotations
-
 import argparse
 import sys
 from pathlib import Path

@@ -1,7 +1,5 @@
 """`rna-validate`: check packages and print their faults."""
 
-from __future__ import annotations
-
 import argparse
 import json
 import sys

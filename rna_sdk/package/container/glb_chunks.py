@@ -1,7 +1,5 @@
 """The header and the chunks of a binary glTF (glTF 2.0, 4.4)."""
 
-from __future__ import annotations
-
 import struct
 
 MAGIC = b"glTF"

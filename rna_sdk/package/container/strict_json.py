@@ -3,8 +3,6 @@
 Numbers are their values, however they are spelt: `8.0` and `8e0` are the integer 8.
 """
 
-from __future__ import annotations
-
 import json
 import math
 from collections import Counter

@@ -5,8 +5,6 @@ gap, as that format asks, in the order of the caller; the first starts on a 64-b
 which the header's padding sees to.
 """
 
-from __future__ import annotations
-
 import json
 import math
 import struct

@@ -1,7 +1,5 @@
 """The ZIP records of the container, as fixed structs (PKWARE APPNOTE 6.3.10, section 4.3)."""
 
-from __future__ import annotations
-
 import struct
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """Write the container: a ZIP of stored, aligned entries, with nothing that varies."""
 
-from __future__ import annotations
-
 import struct
 import zlib
 from collections.abc import Iterable

@@ -1,7 +1,5 @@
 """Recognise a package whose archive another ZIP program wrote again, and take its entries out."""
 
-from __future__ import annotations
-
 import json
 import os
 import zipfile

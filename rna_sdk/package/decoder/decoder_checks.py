@@ -1,7 +1,5 @@
 """Check a decoder: its file, its declaration in the manifest, its cost, and its results."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

@@ -4,8 +4,6 @@ The one reader of decoders: the validator, the runtime and the renderers on othe
 what it returns. Fields and rules: spec/RNA.md, 6.2.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass

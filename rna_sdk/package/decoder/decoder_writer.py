@@ -1,7 +1,5 @@
 """The ONNX file of a decoder: the inverse of `decoder_from_bytes`."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rna_sdk.package.decoder.decoder_form import INPUT_NAME

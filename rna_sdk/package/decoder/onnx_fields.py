@@ -3,8 +3,6 @@
 From onnx.proto of ONNX 1.16 (IR version 10); the names are those of that file.
 """
 
-from __future__ import annotations
-
 
 class ModelProto:
     IR_VERSION, PRODUCER_NAME, GRAPH, OPSET_IMPORT = 1, 2, 7, 8

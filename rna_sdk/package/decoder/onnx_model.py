@@ -1,7 +1,5 @@
 """The members of ONNX messages that a decoder has, read without the onnx package (spec, 6.2)."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from typing import Any

@@ -1,7 +1,5 @@
 """A decoder: the layers of the one chain that the format allows (spec/RNA.md, 6.2)."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 

@@ -4,8 +4,6 @@ Whatever lists them reads this: batches and their kernel, decoder forms, the fil
 conformance kit and the readers that answer it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 

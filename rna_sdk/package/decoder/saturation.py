@@ -4,8 +4,6 @@ x86 CPUs without VNNI multiply uint8 by int8 so (vpmaddubsw): the products of ro
 a weight matrix are added in 16 bits, and a sum beyond them is clamped.
 """
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

@@ -1,7 +1,5 @@
 """Statements of formulas in the languages of readers, of which `write_blocks` makes files."""
 
-from __future__ import annotations
-
 import ast
 from collections.abc import Iterable, Sequence
 

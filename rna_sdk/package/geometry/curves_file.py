@@ -1,7 +1,5 @@
 """The curves of a fiber asset, as a safetensors file: write them, read them from hostile bytes."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rna_sdk.package.container.tensor_file import (

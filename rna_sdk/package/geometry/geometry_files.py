@@ -1,7 +1,5 @@
 """The geometry of a part, whatever its kind: its arrays from and to the bytes of its entry."""
 
-from __future__ import annotations
-
 from rna_sdk.package.geometry.curves import Curves
 from rna_sdk.package.geometry.curves_file import curves_from_bytes, curves_to_bytes
 from rna_sdk.package.geometry.glb_reader import mesh_from_glb

@@ -1,7 +1,5 @@
 """Forms of the accessors of the package's glTF: float32 throughout, or quantised throughout."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any, Final
 

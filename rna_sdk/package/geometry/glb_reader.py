@@ -1,7 +1,5 @@
 """Read the package's binary glTF from hostile bytes; `glb_writer` is the inverse."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

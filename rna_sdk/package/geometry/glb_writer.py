@@ -1,7 +1,5 @@
 """Write a mesh as the binary glTF of the package; `glb_reader` is the inverse."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 

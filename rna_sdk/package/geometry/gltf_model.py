@@ -4,8 +4,6 @@ Names and meanings: glTF 2.0 specification, chapter 5, and KHR_mesh_quantization
 not here (materials, rotations, other extensions, sparse accessors, ...) are refused.
 """
 
-from __future__ import annotations
-
 from typing import Annotated, Final, Literal
 
 from pydantic import AfterValidator, Field, JsonValue

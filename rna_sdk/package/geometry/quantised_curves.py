@@ -1,7 +1,5 @@
 """Strands in integers: each point by its steps from the one before, and restored curves."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

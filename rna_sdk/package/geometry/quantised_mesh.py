@@ -1,7 +1,5 @@
 """A mesh in integers, 16 bits an axis, and the mesh that every reader restores."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 

@@ -1,7 +1,5 @@
 """RNA_source: which vertex of its source each vertex of a mesh came from."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

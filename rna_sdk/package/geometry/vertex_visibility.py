@@ -1,7 +1,5 @@
 """The visibility about the vertices of a geometry (RNA_environment), as a tensor file."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

@@ -1,7 +1,5 @@
 """Find the package in a hostile binary glTF: spec/RNA_relightable_asset.md."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, TypeGuard

@@ -1,7 +1,5 @@
 """Write a package into a binary glTF; `carrier` is the inverse."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Sequence
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The file of a fallback while it grows: the package first, then what the package does not hold."""
 
-from __future__ import annotations
-
 import io
 from pathlib import PurePosixPath
 from typing import Any

@@ -1,7 +1,5 @@
 """The materials of a fallback: a stand-in with holes, normal maps and images of base colour."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import PurePosixPath

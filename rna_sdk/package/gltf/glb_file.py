@@ -1,7 +1,5 @@
 """The file in which a package travels, by its name: a `.rna`, or a `.glb` with a fallback."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path

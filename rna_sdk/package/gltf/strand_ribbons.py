@@ -1,7 +1,5 @@
 """Strands as a mesh of flat ribbons, for programs that show triangles alone."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

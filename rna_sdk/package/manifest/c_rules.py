@@ -1,7 +1,5 @@
 """The JSON Schema of the manifest as tables of C: `python -m rna_sdk.package.manifest.c_rules`."""
 
-from __future__ import annotations
-
 import json
 import re
 import sys

@@ -3,8 +3,6 @@
 Elements minus those some places before, lowest bytes first, then zlib.
 """
 
-from __future__ import annotations
-
 import hashlib
 import zlib
 from typing import Any

@@ -1,7 +1,5 @@
 """Checks of the extensions that the specification defines."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from pydantic import ValidationError

@@ -1,7 +1,5 @@
 """The extensions that the specification defines: models of their data in the manifest."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 from typing import Annotated, Any, ClassVar, Protocol, TypeVar, cast
 

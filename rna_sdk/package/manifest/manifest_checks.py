@@ -1,7 +1,5 @@
 """Rules that span members of a manifest: names, blocks, ranges and references."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from itertools import pairwise
 

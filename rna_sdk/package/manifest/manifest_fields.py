@@ -4,8 +4,6 @@ Fields are snake_case here and camelCase in the file. Everything not said otherw
 object space (right-handed, +Y up), metres, linear.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from typing import Annotated, Any, Literal, cast, get_args

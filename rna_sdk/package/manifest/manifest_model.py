@@ -1,7 +1,5 @@
 """The model of manifest.json: one class an object, one field a member."""
 
-from __future__ import annotations
-
 from typing import Annotated, Literal
 
 from pydantic import Field, JsonValue, field_validator

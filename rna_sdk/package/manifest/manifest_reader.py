@@ -1,7 +1,5 @@
 """From the bytes of manifest.json to a Manifest, or to the issues that stand against it."""
 
-from __future__ import annotations
-
 import json
 import re
 from typing import Any

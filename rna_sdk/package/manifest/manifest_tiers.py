@@ -1,7 +1,5 @@
 """The manifest's tiers: choices of speed and accuracy, each with one tier part for every part."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from itertools import pairwise
 from typing import Annotated

@@ -1,7 +1,5 @@
 """Pictures in packages: the size in the header of a PNG (PNG specification, 11.2.2)."""
 
-from __future__ import annotations
-
 import struct
 
 _START = b"\x89PNG\r\n\x1a\n\x00\x00\x00\rIHDR"

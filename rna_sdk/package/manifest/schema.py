@@ -1,7 +1,5 @@
 """The JSON Schema of manifest.json; `python -m rna_sdk.package.manifest.schema` writes it."""
 
-from __future__ import annotations
-
 import json
 import sys
 from typing import Any

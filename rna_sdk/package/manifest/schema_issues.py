@@ -1,7 +1,5 @@
 """Faults that a model of JSON finds, as issues."""
 
-from __future__ import annotations
-
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 

@@ -1,7 +1,5 @@
 """Another print for a part: replacements of its package's images, and a tint."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 

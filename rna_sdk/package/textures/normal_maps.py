@@ -1,7 +1,5 @@
 """Normal maps of a part: the form of their textures, and records with them."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from rna_sdk.package.issues import Code

@@ -1,7 +1,5 @@
 """The triplane of a tier part, as a safetensors file: write it, read it."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 

@@ -1,7 +1,5 @@
 """A texture over a mesh's triangles as an entry: a tensor file of one uint8 image."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 

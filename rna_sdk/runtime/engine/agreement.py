@@ -1,7 +1,5 @@
 """When two evaluations of a decoder count as the same (spec/RNA.md, 8.2)."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

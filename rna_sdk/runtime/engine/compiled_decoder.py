@@ -4,8 +4,6 @@ PANEL rows go through all layers while they are in the first-level cache, and no
 its own, as each node of a graph in onnxruntime has.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from functools import cache
 

@@ -1,7 +1,5 @@
 """Cost of queries on this processor: measured once, then stored in the user's cache folder."""
 
-from __future__ import annotations
-
 import json
 import time
 from collections.abc import Callable

@@ -22,8 +22,6 @@ these (`package/decoder/saturation.py`) are therefore handed over as uint8 with 
 whose products are added in 32 bits on every CPU, if more slowly.
 """
 
-from __future__ import annotations
-
 import platform
 from typing import Any
 

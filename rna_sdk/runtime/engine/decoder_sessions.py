@@ -1,7 +1,5 @@
 """A decoder of transport or of emission, ready to run."""
 
-from __future__ import annotations
-
 import os
 import warnings
 

@@ -1,7 +1,5 @@
 """The arrays of a query of lobes."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The compiled kernel that looks up base colours: spec/RNA.md, 4.6."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Compiled: which columns of `queries` a block has, and their writing, LANES rows at a time."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -3,8 +3,6 @@
 # fmt: off
 # isort: skip_file
 # ruff: noqa: E501
-from __future__ import annotations
-
 from typing import Any
 
 from rna_sdk.machine.compiled import compiled

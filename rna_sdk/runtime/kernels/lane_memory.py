@@ -1,7 +1,5 @@
 """Compiled: lanes from and to arrays, a row a lane."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from llvmlite import ir

@@ -1,7 +1,5 @@
 """Compiled arithmetic of the query kernel on lanes; a vector is three of them."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

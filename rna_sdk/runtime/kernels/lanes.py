@@ -5,8 +5,6 @@ comparisons work lane by lane, with a float on either side, too; so what is writ
 such as `vectors.dot`, works on lanes. There is no branch a lane: `where` chooses.
 """
 
-from __future__ import annotations
-
 import operator
 from collections.abc import Callable
 from typing import Any

@@ -5,8 +5,6 @@ at a time and keeps their sums for three registers of rows in registers: 12 sums
 AVX2 has. Its weights come packed: for each such block BLOCK biases, then BLOCK weights an input.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

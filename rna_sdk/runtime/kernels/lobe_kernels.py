@@ -3,8 +3,6 @@
 spec/RNA.md, 12, RNA_environment; `tests/reference/lobes.py` says the same in numpy.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

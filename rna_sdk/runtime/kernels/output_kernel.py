@@ -1,7 +1,5 @@
 """The compiled kernel that copies a decoder's output to the caller: finite, not negative."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

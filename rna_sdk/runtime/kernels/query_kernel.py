@@ -5,8 +5,6 @@ through together; only texels are weighed row by row. Positions and lengths are 
 float64, the rest in float32.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from functools import cache
 from typing import Any

@@ -3,8 +3,6 @@
 A quaternion is (w, x, y, z); all calculations are in float64.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

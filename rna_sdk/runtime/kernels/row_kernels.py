@@ -1,7 +1,5 @@
 """The compiled kernels of `Transform` and `offset_across`: one result for each row."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

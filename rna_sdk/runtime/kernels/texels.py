@@ -4,8 +4,6 @@ Texel coordinates are computed in float64, LANES rows at a time; texels are weig
 float32, all channels of a row at a time.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

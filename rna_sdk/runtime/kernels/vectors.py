@@ -1,7 +1,5 @@
 """Vectors of kernels: three components, float64 or lanes (`dot` and `cross`)."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """What rays read of bodies: nodes of trees, primitives, and instances."""
 
-from __future__ import annotations
-
 from rna_gpu.records.part import NONE
 from rna_gpu.records.record import Field, Record
 

@@ -1,7 +1,5 @@
 """What the shaders of decoders read: a part of a tier, its layers, limits of both, and queries."""
 
-from __future__ import annotations
-
 from rna_gpu.records.record import Field, Record
 from rna_sdk.package import INPUT_BLOCKS
 

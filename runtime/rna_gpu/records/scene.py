@@ -1,7 +1,5 @@
 """Data of the renderer's steps: their numbers, paths and queries."""
 
-from __future__ import annotations
-
 from rna_gpu.records.part import NONE
 from rna_gpu.records.record import Field, Record
 from rna_render.paths.sampling import (

@@ -1,7 +1,5 @@
 """The sections of a scene's table: objects, surfaces, textures and lights, and their flags."""
 
-from __future__ import annotations
-
 from math import prod
 
 from rna_gpu.records.record import Field, Record

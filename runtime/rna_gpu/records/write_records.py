@@ -1,7 +1,5 @@
 """The records in WGSL, and for JavaScript: `python -m rna_gpu.records.write_records`."""
 
-from __future__ import annotations
-
 import json
 import re
 import sys

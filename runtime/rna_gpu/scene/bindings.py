@@ -1,7 +1,5 @@
 """Buffers and pipelines of the shaders in `wgsl/render/`."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Visibility, mapped normals and base colour at hits of a package on the GPU, for the kit."""
 
-from __future__ import annotations
-
 from os import PathLike
 from types import SimpleNamespace
 from typing import Any

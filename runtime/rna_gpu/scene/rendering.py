@@ -1,7 +1,5 @@
 """`rna-run --device gpu`: the renderer of bands of a scene on the GPU."""
 
-from __future__ import annotations
-
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Numbers that shaders look up: skies, textures, attributes of points, one behind the other."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

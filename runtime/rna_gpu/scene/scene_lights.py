@@ -1,7 +1,5 @@
 """The lights of a scene, as rows of LIGHT."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

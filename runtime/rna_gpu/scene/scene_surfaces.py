@@ -1,7 +1,5 @@
 """The surfaces of a scene, as rows of SURFACE."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from typing import Any
 

@@ -1,7 +1,5 @@
 """A scene as the tables of `wgsl/render/`: things, surfaces, textures, lights, domains, images."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, cast

@@ -1,7 +1,5 @@
 """The steps of a sample of a band: which shaders run, with which numbers."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any

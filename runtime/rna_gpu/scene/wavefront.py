@@ -4,8 +4,6 @@ The steps are those of rna_render.paths.integrator, which says why; each is a sh
 `wgsl/render/`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

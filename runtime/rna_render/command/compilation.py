@@ -1,7 +1,5 @@
 """Compilation of kernels before a first render: its progress is shown, and it runs in parallel."""
 
-from __future__ import annotations
-
 import sys
 import time
 from collections.abc import Iterator

@@ -7,8 +7,6 @@ render comes to late: rays that leave assets, and the queries of those of the sc
 renders a triangle, whose files it writes into the folder, for what is left.
 """
 
-from __future__ import annotations
-
 import subprocess
 import sys
 import tempfile

@@ -1,7 +1,5 @@
 """Finished pieces of an image, stored in a folder beside it until the image is complete."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator
 from contextlib import suppress

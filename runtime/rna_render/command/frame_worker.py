@@ -1,7 +1,5 @@
 """Workers that open a scene, and one that renders frames with all threads that it has."""
 
-from __future__ import annotations
-
 import sys
 import threading
 import time

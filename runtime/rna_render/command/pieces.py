@@ -4,8 +4,6 @@ A pixel's samples are added in the order in which one machine adds them, so the 
 to the bit. Finished pieces are kept in files, so an image that was stopped goes on.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from contextlib import closing
 from functools import partial

@@ -1,7 +1,5 @@
 """Sequences: the frames of a scene's animation, each written as it is finished."""
 
-from __future__ import annotations
-
 import sys
 import warnings
 from collections.abc import Callable, Iterator, Sequence

@@ -1,7 +1,5 @@
 """Image files. Each is written beside its place and then renamed, so none is ever half there."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any

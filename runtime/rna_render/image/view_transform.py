@@ -1,7 +1,5 @@
 """View transforms: from linear radiance to displayed values."""
 
-from __future__ import annotations
-
 import numpy as np
 
 # Stephen Hill's fit of the ACES reference rendering transform and its sRGB output transform, in

@@ -1,7 +1,5 @@
 """Directions, colours and densities that several lights share."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rna_sdk.machine.compiled import compiled

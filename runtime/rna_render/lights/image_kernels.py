@@ -4,8 +4,6 @@ Directions are sampled and looked up in blocks, one access at a time for a whole
 do not fit a core's cache, and so a core waits for many numbers at once.
 """
 
-from __future__ import annotations
-
 import numpy as np
 from numba import carray  # type: ignore[attr-defined]
 

@@ -5,8 +5,6 @@ the numbers: nearby ones stay neighbours, so that well spread ones stay so. An i
 length is never found, unless all that follow have none.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from rna_sdk.machine.compiled import compiled

@@ -3,8 +3,6 @@
 A light that a scene file may have is in the file that is named as its `type`; `make` makes it.
 """
 
-from __future__ import annotations
-
 from functools import cache
 from importlib import import_module
 from pkgutil import iter_modules

@@ -1,7 +1,5 @@
 """Which light a sample goes to."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

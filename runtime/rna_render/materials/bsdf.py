@@ -30,8 +30,6 @@ of glTF add to this:
 - KHR_materials_transmission takes a share off the diffuse part; see `transmission`.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from rna_render.materials.ggx import (

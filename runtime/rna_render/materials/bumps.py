@@ -4,8 +4,6 @@ Tangents are the file's, interpolated; where there are none they follow from the
 coordinates of each triangle, not from MikkTSpace, which smooths them over the corners.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from rna_sdk.machine.compiled import compiled

@@ -5,8 +5,6 @@ Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs (JCGT 3(2
 Directions are local: the normal is +z. Scalars are float64.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The directional albedo of a GGX surface, as a table that compiled code reads by address."""
 
-from __future__ import annotations
-
 import numpy as np
 from numba import carray  # type: ignore[attr-defined]
 

@@ -5,8 +5,6 @@
 writes the table anew that `ggx_albedo` reads.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from rna_render.materials.ggx import (

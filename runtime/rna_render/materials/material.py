@@ -1,7 +1,5 @@
 """Material of a part of a mesh: factors and textures, as in glTF 2.0, section 3.9."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, fields, replace
 from typing import assert_never
 

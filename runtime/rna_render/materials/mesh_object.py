@@ -1,7 +1,5 @@
 """A mesh that is not neural, with its materials."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property

@@ -4,8 +4,6 @@ Exact Fresnel equations for unpolarised light, and Snell's law: Born and Wolf, P
 section 1.5.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 

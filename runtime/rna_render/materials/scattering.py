@@ -1,7 +1,5 @@
 """The material at points of a mesh: evaluation, sampling, density; `bsdf` has the formulas."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

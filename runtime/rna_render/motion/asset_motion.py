@@ -1,7 +1,5 @@
 """The motion of an asset: a motion file, or an animated glTF that its geometry is bound to."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from pathlib import Path
 

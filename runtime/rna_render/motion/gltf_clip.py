@@ -1,7 +1,5 @@
 """The animation of a glTF 2.0 file: its nodes and weights at a time (section 3.11)."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any

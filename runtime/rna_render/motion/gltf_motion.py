@@ -1,7 +1,5 @@
 """The mesh of a glTF 2.0 file in motion: nodes, morph targets and skins, at any time."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager

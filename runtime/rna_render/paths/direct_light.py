@@ -1,7 +1,5 @@
 """Light that a mesh sends along given rays, lit directly from one direction each."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rna_render.materials import MeshObject

@@ -10,8 +10,6 @@ direction free, else the `shadowed` one; so both sorts of rays pass through the 
 start on, and are stopped by every other.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Literal

@@ -4,8 +4,6 @@ A device is an entry point of the group `rna_render.devices`, by the name that `
 gives an OpenRenderer.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from importlib.metadata import EntryPoint, entry_points
 from typing import Literal, Protocol

@@ -3,8 +3,6 @@
 Shadow catchers compare that light with what an empty scene would have.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

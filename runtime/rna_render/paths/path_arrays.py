@@ -1,7 +1,5 @@
 """State of a band's paths between two steps of the integrator."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

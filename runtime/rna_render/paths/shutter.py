@@ -1,7 +1,5 @@
 """Motion blur: samples of an image at several times while the shutter is open."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

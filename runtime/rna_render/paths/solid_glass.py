@@ -4,8 +4,6 @@ Smooth interfaces scatter into single directions, so nothing is sampled there, a
 passes: light that comes through glass is what rays find behind it. `docs/scene.md` says so.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

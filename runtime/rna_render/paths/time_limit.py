@@ -1,7 +1,5 @@
 """How long a sample of an image takes, measured on some of its pixels."""
 
-from __future__ import annotations
-
 import time
 from contextlib import closing
 

@@ -1,7 +1,5 @@
 """The world of a scene file, with the tiers that the scene's `quality` requires."""
 
-from __future__ import annotations
-
 import math
 import warnings
 from collections.abc import Callable, Sequence

@@ -1,7 +1,5 @@
 """Requests that the page may send."""
 
-from __future__ import annotations
-
 from typing import Annotated, Literal
 
 from pydantic import BaseModel, Field

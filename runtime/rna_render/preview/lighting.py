@@ -1,7 +1,5 @@
 """Lighting of the preview, and its rotation."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path

@@ -1,7 +1,5 @@
 """A picture as it was rendered, and its facts, for the page."""
 
-from __future__ import annotations
-
 import io
 from collections.abc import Callable
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """`rna-run --preview`, from a scene file to a page that is served until Ctrl-C."""
 
-from __future__ import annotations
-
 import sys
 import threading
 from importlib.util import find_spec

@@ -1,7 +1,5 @@
 """The preview's view as text for the scene file."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

@@ -13,8 +13,6 @@ from the page itself are refused: other names for this computer (DNS rebinding),
 whatever the browser says is from another site. Nothing here reads a path from a request.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable
 from dataclasses import asdict

@@ -5,8 +5,6 @@ then with all, of which samples are added up. Every change of camera or light ma
 once `change` has returned, `wait` hands out no picture of an older one.
 """
 
-from __future__ import annotations
-
 import threading
 import time
 from collections.abc import Callable, Iterator, Mapping

@@ -1,7 +1,5 @@
 """The scene of one frame of a sequence."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rna_render.scene.light_models import DirectionalModel, EnvironmentModel, LightModel

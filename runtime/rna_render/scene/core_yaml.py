@@ -4,8 +4,6 @@ PyYAML's own loader is of YAML 1.1, where 1e3 is text, 010 is 8 and 1:30 is 90. 
 1.2, still has dates, binary text and 1_000, and raises KeyError for `!!bool abc`.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable
 from typing import Any, ClassVar

@@ -1,7 +1,5 @@
 """The scene file's schema of materials: materials of glTF 2.0, and the shadow catcher."""
 
-from __future__ import annotations
-
 from typing import Annotated, Literal
 
 from pydantic import Field

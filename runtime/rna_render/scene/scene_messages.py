@@ -1,7 +1,5 @@
 """Errors of a scene file in plain words: pydantic's, described by the model's types."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches

@@ -3,8 +3,6 @@
 `rna-run` renders these values, and `rna-make` writes them beside a package as a scene file.
 """
 
-from __future__ import annotations
-
 import json
 import math
 from dataclasses import dataclass

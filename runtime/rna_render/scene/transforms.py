@@ -1,7 +1,5 @@
 """The matrix that a scene file's transform means."""
 
-from __future__ import annotations
-
 from typing import TypeVar
 
 import numpy as np

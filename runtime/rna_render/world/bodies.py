@@ -4,8 +4,6 @@ One class a kind of object holds its geometry in Embree, and one holds points on
 the renderer does not ask which kind it has.
 """
 
-from __future__ import annotations
-
 from abc import abstractmethod
 from collections.abc import Sequence
 from dataclasses import replace

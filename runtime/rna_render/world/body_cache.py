@@ -1,7 +1,5 @@
 """Bodies of a scene's worlds, frame after frame: parts that do not move are made once."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from typing import cast
 

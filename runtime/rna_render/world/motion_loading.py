@@ -1,7 +1,5 @@
 """The shapes of a scene's assets that move, at the frame that the scene shows."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from pathlib import Path
 

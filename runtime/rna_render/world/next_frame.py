@@ -1,7 +1,5 @@
 """Where points of an asset in motion are in the next frame."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Objects, their placement and their emission."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property

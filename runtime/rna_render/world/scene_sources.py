@@ -1,7 +1,5 @@
 """The files that a scene is made of: to bring them to other machines, and to tell them apart."""
 
-from __future__ import annotations
-
 import hashlib
 import re
 from collections.abc import Iterator

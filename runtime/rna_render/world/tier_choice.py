@@ -5,8 +5,6 @@ all views. Assets that no view shows are seen in reflections and by the light th
 all, and count as the smallest.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple

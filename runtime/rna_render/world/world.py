@@ -1,7 +1,5 @@
 """The scene as it is traced: instances of bodies, whose hits come sorted by part of a body."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass

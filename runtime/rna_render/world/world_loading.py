@@ -1,7 +1,5 @@
 """From a scene file to its world: packages, meshes and lights, loaded and placed."""
 
-from __future__ import annotations
-
 import warnings
 from collections.abc import Sequence
 from pathlib import Path

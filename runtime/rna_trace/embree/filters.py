@@ -5,8 +5,6 @@ What to refuse stands in the ray's id; what a ray carries through refused hits s
 query's context, see `kernels`.
 """
 
-from __future__ import annotations
-
 from functools import cache
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Placed copies of scenes: one acceleration structure a geometry, however often it is used."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

@@ -5,8 +5,6 @@ into the code. So addresses (of the function, of the scene) come in as integers,
 intrinsics below turn them into calls and memory accesses. All kernels are cached on disk.
 """
 
-from __future__ import annotations
-
 from typing import Any, NamedTuple
 
 import numpy as np

@@ -5,8 +5,6 @@ C API (https://github.com/RenderKit/embree, include/embree4). Only set-up goes t
 rays are traced by the compiled loops of `kernels`.
 """
 
-from __future__ import annotations
-
 import ctypes
 import functools
 import importlib.util

@@ -1,7 +1,5 @@
 """Geometry that rays are traced against in one space: meshes, spheres or discs."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

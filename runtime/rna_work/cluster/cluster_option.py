@@ -1,7 +1,5 @@
 """The option `--cluster` of commands. It imports nothing: `--help` stays fast."""
 
-from __future__ import annotations
-
 import argparse
 
 

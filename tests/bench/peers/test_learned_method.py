@@ -1,7 +1,5 @@
 """Training of peers: resuming, budgets, records, rays of cameras."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Facts of NRHints: sizes, initialisation, weights of its volume rendering, hints, losses."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

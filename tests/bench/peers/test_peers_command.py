@@ -1,7 +1,5 @@
 """`rna-bench peers` and `peers-data`, at their smallest; NRHints' networks on known geometry."""
 
-from __future__ import annotations
-
 import ast
 import json
 from dataclasses import replace

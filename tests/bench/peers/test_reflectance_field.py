@@ -1,7 +1,5 @@
 """Neural Reflectance Fields: its network, transmittance, relighting and single bounce."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Views in NRHints' layout: read folders, and one line for broken ones."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 from typing import Any

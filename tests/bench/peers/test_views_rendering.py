@@ -1,7 +1,5 @@
 """Views of `rna-bench peers-data`, rendered by Cycles."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from pathlib import Path
 

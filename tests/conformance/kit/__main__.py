@@ -1,7 +1,5 @@
 """Write `spec/conformance/`, or compare it with what this script would write."""
 
-from __future__ import annotations
-
 import sys
 
 from rna_sdk.commands.console import command_parser

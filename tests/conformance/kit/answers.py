@@ -1,7 +1,5 @@
 """The answers to one question of the kit, and what their tolerances are made of."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The packages of the kit as files, and what every tier of them answers in float64."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import NamedTuple

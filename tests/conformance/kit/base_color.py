@@ -1,7 +1,5 @@
 """Base colours: spec/RNA.md, 4.6, in float64, hit by hit as the text has it; and their hits."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace

@@ -1,7 +1,5 @@
 """The last three columns of queries of surfaces, the base colour, and rows that are about it."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rna_sdk.package.decoder.query_arrays import column_count

@@ -1,7 +1,5 @@
 """Broken packages: one for each constraint of the schemas, and what of the corpus is small."""
 
-from __future__ import annotations
-
 import io
 import json
 import zipfile

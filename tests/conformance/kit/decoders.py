@@ -1,7 +1,5 @@
 """Decoders of the kit: random layers, in float32 or in int8, their float64 reading, their file."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

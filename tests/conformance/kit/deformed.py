@@ -1,7 +1,5 @@
 """Hits on deformed shapes, and their rest points and rotations: spec/RNA.md, 8.3, in float64."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 

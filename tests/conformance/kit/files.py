@@ -1,7 +1,5 @@
 """The files of the kit: made in memory, written, compared with those that are there."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 import os

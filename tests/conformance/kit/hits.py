@@ -1,7 +1,5 @@
 """Hits of the kit, class by class: where readers get the visibility wrong."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Lobes of the kit (RNA_environment): their data, queries, and answers in float64."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Nearby light in the last three columns of queries, and rows that are about it."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rna_sdk.package.decoder.query_arrays import NEARBY

@@ -1,7 +1,5 @@
 """Mapped normals: spec/RNA.md, 4.5, in float64, hit by hit as the text has it; and their hits."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass

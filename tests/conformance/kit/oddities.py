@@ -1,7 +1,5 @@
 """A package in a form that no exporter writes, and every reader must take."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 from pathlib import Path

@@ -1,7 +1,5 @@
 """What a triangle lets through: spec/RNA.md, 4.4, in float64, hit by hit as the text has it."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 

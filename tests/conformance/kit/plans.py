@@ -1,7 +1,5 @@
 """The packages of the kit: what each is made of."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 

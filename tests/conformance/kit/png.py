@@ -3,8 +3,6 @@
 `png_bytes` writes them, `decoded` is a short reader of them.
 """
 
-from __future__ import annotations
-
 import struct
 import zlib
 from dataclasses import dataclass

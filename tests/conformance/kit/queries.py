@@ -5,8 +5,6 @@ what a reader may stumble over. Rows stay clear of the thresholds of 6.3 by 10%:
 decides, there are two answers.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Geometry as readers have it, mostly restored from integers: spec/RNA.md, 4.1 and 4.2."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

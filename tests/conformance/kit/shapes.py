@@ -1,7 +1,5 @@
 """Geometry of the kit: small meshes and strands on which visibility can go wrong."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from itertools import pairwise
 

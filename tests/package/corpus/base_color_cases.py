@@ -1,7 +1,5 @@
 """Packages whose base colour or whose decoder of shadowed light is wrong."""
 
-from __future__ import annotations
-
 import io
 from dataclasses import replace
 from typing import Any

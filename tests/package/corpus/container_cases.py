@@ -1,7 +1,5 @@
 """Files whose ZIP container is wrong."""
 
-from __future__ import annotations
-
 from typing import Any
 from unittest import mock
 

@@ -1,7 +1,5 @@
 """Packages whose mesh, planes or decoder is wrong, though declared with its true hash."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Packages of fibers whose curves are wrong, though declared with their true hash."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable
 from typing import Any

@@ -1,7 +1,5 @@
 """Packages whose decoder leaves the chain of the profile at one node."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Every case of the corpus: the modules that register them, and their list."""
 
-from __future__ import annotations
-
 from tests.package.corpus import (
     base_color_cases,
     container_cases,

@@ -1,7 +1,5 @@
 """Packages whose extensions of the specification's text are wrong."""
 
-from __future__ import annotations
-
 import hashlib
 import struct
 import zlib

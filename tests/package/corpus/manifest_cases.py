@@ -1,7 +1,5 @@
 """Packages whose manifest is wrong, or does not fit the entries."""
 
-from __future__ import annotations
-
 import json
 
 from rna_sdk.package.container.zip_container import MANIFEST_NAME

@@ -1,7 +1,5 @@
 """Packages whose record of nearby light is wrong, or not that of their decoder."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from tests.package.corpus.registry import Corpus, Entries, in_manifest, tier_part, with_manifest

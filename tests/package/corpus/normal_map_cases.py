@@ -1,7 +1,5 @@
 """Packages whose normal maps are wrong."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Packages of parts that are wrong: parts that differ, emission, holes and glass."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Packages whose quantised mesh or curves are wrong, though declared with their true hash."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any
 

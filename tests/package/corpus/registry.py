@@ -1,7 +1,5 @@
 """Where the cases are listed, and what they have in common."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 from collections.abc import Callable

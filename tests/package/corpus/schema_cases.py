@@ -1,7 +1,5 @@
 """Packages each of whose manifests breaks one constraint of a schema: no member is unguarded."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 import re

@@ -1,7 +1,5 @@
 """The constraints of a JSON Schema: which a value breaks, and values that break one each."""
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Callable, Iterator

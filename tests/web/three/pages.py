@@ -1,7 +1,5 @@
 """Pages that import the packed rna-three, in headless Chromium."""
 
-from __future__ import annotations
-
 import os
 import shutil
 import subprocess

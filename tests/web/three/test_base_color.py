@@ -1,7 +1,5 @@
 """Base colour in three.js is that of rna-run: the package's own print, and another one."""
 
-from __future__ import annotations
-
 import shutil
 from collections.abc import Iterator
 

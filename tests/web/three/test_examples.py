@@ -1,7 +1,5 @@
 """The examples for web developers, installed from the packed tarball."""
 
-from __future__ import annotations
-
 import io
 import json
 import shutil

@@ -1,7 +1,5 @@
 """Packages in glTF files that GLTFLoader loads: their pictures, and omitted loads."""
 
-from __future__ import annotations
-
 import shutil
 from base64 import b64decode
 from collections.abc import Iterator

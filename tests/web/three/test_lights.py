@@ -1,7 +1,5 @@
 """Under each kind of light of three.js an asset's picture is that of rna-run."""
 
-from __future__ import annotations
-
 import base64
 import json
 import shutil

@@ -1,7 +1,5 @@
 """The packed rna-three: its files, its size, its imports."""
 
-from __future__ import annotations
-
 import json
 import re
 import subprocess

@@ -1,7 +1,5 @@
 """Pages that require trusted types: packages are read in the page, without a worker."""
 
-from __future__ import annotations
-
 import shutil
 
 import pytest

@@ -1,7 +1,5 @@
 """An asset in a scene of three.js: how it is loaded, its picture, what it leaves behind."""
 
-from __future__ import annotations
-
 import shutil
 from collections.abc import Iterator
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Means of pictures of a scene that rests: less noise of lights from all sides, and a new start."""
 
-from __future__ import annotations
-
 import base64
 import shutil
 

@@ -1,7 +1,5 @@
 """Releases of three.js that rna-three is for: instances of an asset are what its clones are."""
 
-from __future__ import annotations
-
 import base64
 import json
 import shutil

@@ -2,8 +2,6 @@
 the asset itself.
 """
 
-from __future__ import annotations
-
 import shutil
 from collections.abc import Iterator
 

@@ -1,7 +1,5 @@
 """Decode cost of packages, measured beside the machine's own rate of matrix products."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from pathlib import Path
 

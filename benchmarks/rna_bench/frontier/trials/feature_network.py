@@ -5,8 +5,6 @@ Shadow and Highlight Hints", 2023, github.com/iamNCJ/NRHints, `SDFNetConfig` and
 `ReflectanceNetConfig`. The decoder of such a model is their reflectance network, 4 layers of 256.
 """
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

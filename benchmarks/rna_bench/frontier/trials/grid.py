@@ -1,7 +1,5 @@
 """The grids of models: our shapes, the paper's tables, ablations."""
 
-from __future__ import annotations
-
 from itertools import product
 
 from rna_bench.frontier.trials.trial import Family, Trial, name_of

@@ -1,7 +1,5 @@
 """Scores of a model's shaded validation images, in total and per image."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """A trained model as packages of one tier each, one for each precision."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from pathlib import Path
 

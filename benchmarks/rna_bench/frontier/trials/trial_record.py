@@ -1,7 +1,5 @@
 """The record of a finished trial: `record.json`."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from pydantic import BaseModel, Field

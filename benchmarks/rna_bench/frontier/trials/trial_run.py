@@ -1,7 +1,5 @@
 """One trial from training to record."""
 
-from __future__ import annotations
-
 import time
 from pathlib import Path
 

@@ -7,8 +7,6 @@ the position by 10 octaves without the factor pi, and that it comes in again beh
 layer. The density is a softplus, which cannot die as NeRF's ReLU can.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import torch

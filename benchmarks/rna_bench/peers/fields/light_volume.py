@@ -4,8 +4,6 @@ Bi et al. 2020, section on relighting: rays through the pixels of a camera at th
 of the light arrives at places along them; shading looks it up between them.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 

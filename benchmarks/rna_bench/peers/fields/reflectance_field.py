@@ -7,8 +7,6 @@ squared error of pixels, 4,096 rays a step, 64 even and 128 importance samples, 
 falls to a tenth. One network serves both kinds of samples, where NeRF has two.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
 

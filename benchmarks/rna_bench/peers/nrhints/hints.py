@@ -1,7 +1,5 @@
 """The hints of NRHints: how visible a point's light is, and highlights of four roughnesses."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 

@@ -4,8 +4,6 @@ Zeng et al., "Relighting Neural Radiance Fields with Shadow and Highlight Hints"
 github.com/iamNCJ/NRHints.
 """
 
-from __future__ import annotations
-
 import math
 from itertools import pairwise
 

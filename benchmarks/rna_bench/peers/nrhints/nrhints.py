@@ -4,8 +4,6 @@ Zeng et al. 2023. Facts are from the paper and the authors' published code; diff
 docs/peers.md.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

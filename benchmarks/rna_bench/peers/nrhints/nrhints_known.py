@@ -5,8 +5,6 @@ The paper's first variant keeps its own data and inputs: that is the model `nrhi
 and gets the hints of NRHints.
 """
 
-from __future__ import annotations
-
 import torch
 from torch import Tensor, nn
 from torch.nn.functional import normalize

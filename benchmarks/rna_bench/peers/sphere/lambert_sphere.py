@@ -1,7 +1,5 @@
 """A Lambertian sphere under a point light, in closed form: a scene that every method must fit."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

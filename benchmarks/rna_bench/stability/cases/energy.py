@@ -1,7 +1,5 @@
 """More light out than in, or less than in Cycles."""
 
-from __future__ import annotations
-
 import numpy as np
 from matplotlib.figure import FigureBase
 

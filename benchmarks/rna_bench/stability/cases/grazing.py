@@ -1,7 +1,5 @@
 """Directions along the surface, or along the fiber."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Few light directions, few samples."""
 
-from __future__ import annotations
-
 import numpy as np
 import torch
 from matplotlib.figure import FigureBase

@@ -1,7 +1,5 @@
 """Trainings that differ in their random numbers alone."""
 
-from __future__ import annotations
-
 from matplotlib.figure import FigureBase
 
 from rna_bench.stability.case import Case, Row, Verdict, values

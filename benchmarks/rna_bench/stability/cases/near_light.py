@@ -5,8 +5,6 @@ middle, in sizes, the longest side of the bounding box: at 0.87 sizes it is a co
 about the asset. Its intensity goes with the square of the distance.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Few paths a sample, many samples, or the other way round."""
 
-from __future__ import annotations
-
 import numpy as np
 from matplotlib.figure import FigureBase
 

@@ -4,8 +4,6 @@ Errors of radiance are larger there than elsewhere in any picture, as brightness
 pixel; FLIP tells what of them is seen. Without the hint edges are smeared: 0.25 on the toy.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Highlights narrower than the decoder's inputs can tell apart."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import partial
 from typing import Any

@@ -1,7 +1,5 @@
 """Directions that no sample of the training has."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 
 import numpy as np

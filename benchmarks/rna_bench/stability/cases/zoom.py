@@ -4,8 +4,6 @@ What a picture may lose there is what a texture loses: Cycles' own image with on
 straight lines between them, as any renderer shows a texture from too near.
 """
 
-from __future__ import annotations
-
 import base64
 import io
 from functools import partial

@@ -1,7 +1,5 @@
 """Blender's attributes as arrays."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Exports every strand of hair in the scene, as Cycles will render it."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Any
 

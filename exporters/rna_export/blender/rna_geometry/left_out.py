@@ -1,7 +1,5 @@
 """Objects that a capture leaves out because renders do, and objects far larger than the rest."""
 
-from __future__ import annotations
-
 import bpy
 import numpy as np
 from listing import listed

@@ -1,7 +1,5 @@
 """Exports every mesh of the scene, as Cycles will render it, into one triangle soup."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Refuses shapes that only Cycles makes while it renders: their geometry cannot be exported."""
 
-from __future__ import annotations
-
 import bpy
 from rna_geometry import shown_objects
 from rna_geometry.shown_objects import SURFACES

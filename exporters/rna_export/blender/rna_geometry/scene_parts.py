@@ -1,7 +1,5 @@
 """Divides the rendered objects into the parts of the package."""
 
-from __future__ import annotations
-
 import re
 from typing import TypedDict
 

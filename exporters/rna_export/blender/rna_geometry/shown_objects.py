@@ -3,8 +3,6 @@
 The viewport's may be another one.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from typing import TypeVar
 

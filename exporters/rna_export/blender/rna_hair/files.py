@@ -8,8 +8,6 @@ Axes. `.hair` is right-handed with +Z up, as Yuksel's models are: (x, y, z) beco
 a head that looks along -z there to +z, where glTF has its front. Units stay the file's.
 """
 
-from __future__ import annotations
-
 import struct
 import warnings
 from pathlib import Path

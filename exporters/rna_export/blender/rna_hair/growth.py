@@ -1,7 +1,5 @@
 """Grows many strands between few guides."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from .strands import Strands, of_equal_length, resample

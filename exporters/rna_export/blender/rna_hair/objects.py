@@ -1,7 +1,5 @@
 """Hair in Blender's scene: curves objects and the Chiang material. Needs `bpy`."""
 
-from __future__ import annotations
-
 import bpy
 import numpy as np
 

@@ -3,8 +3,6 @@
 Values in sRGB are interpolated, as Cycles does with images of 8 bits, and then made linear.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import bpy

@@ -1,7 +1,5 @@
 """Nodes of a material's base colour: a factor, times the value of one socket."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import bpy

@@ -1,7 +1,5 @@
 """Emissive materials: disabled for transport captures, the only light of emission captures."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import bpy

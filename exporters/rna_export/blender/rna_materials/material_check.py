@@ -3,8 +3,6 @@
 Only what a shown object uses counts, and only nodes that lead to the output.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from pathlib import Path
 

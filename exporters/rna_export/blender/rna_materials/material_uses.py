@@ -1,7 +1,5 @@
 """The triangles that show a material: their texture coordinates and attributes."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 
 import bpy

@@ -1,7 +1,5 @@
 """Which nodes a socket's value comes from: through groups, reroutes and muted nodes."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import bpy

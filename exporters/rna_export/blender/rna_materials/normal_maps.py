@@ -1,7 +1,5 @@
 """The normal that a material's surface shader is given, in the tangent frame of its UVs."""
 
-from __future__ import annotations
-
 import bpy
 import numpy as np
 from rna_materials.node_sources import Source, lifted, linked, origin, sources

@@ -1,7 +1,5 @@
 """The materials of rendered geometry."""
 
-from __future__ import annotations
-
 import bpy
 from rna_geometry.shown_objects import HAIR, SURFACES
 

@@ -1,7 +1,5 @@
 """Images that shaders read beside base colour and normals: planes learn them."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import bpy

@@ -1,7 +1,5 @@
 """The normals of a height over texture coordinates: of Bump nodes, and of displacement as bump."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple

@@ -1,7 +1,5 @@
 """Materials that have holes or a normal map, with the colours of their nodes and their uses."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path

@@ -5,8 +5,6 @@ what the nodes say is measured: Cycles shows their colour at points of the surfa
 is compared with it.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any

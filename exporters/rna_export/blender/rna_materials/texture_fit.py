@@ -1,7 +1,5 @@
 """A texture that a package repeats, fitted to a colour that Cycles shows, and how far it is off."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 

@@ -3,8 +3,6 @@
 It comes from transparent shaders, mixes of them, and the Alpha of a Principled BSDF.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import partial
 

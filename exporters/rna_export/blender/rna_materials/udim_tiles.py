@@ -1,7 +1,5 @@
 """Tiles of a UDIM image: which one a triangle lies in, their sizes and files."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import bpy

@@ -1,7 +1,5 @@
 """Inputs of a colour of a material's nodes: texture coordinates, attributes, images."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 

@@ -4,8 +4,6 @@ The nodes, wired to an emission shader, are rendered on quads, one sample at eac
 centre.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Materials that look otherwise in another frame: no model of several poses can follow them."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import bpy

@@ -1,7 +1,5 @@
 """How fine the details of an image are that can be seen: where the energy of its spectrum ends."""
 
-from __future__ import annotations
-
 import bpy
 import numpy as np
 

@@ -1,7 +1,5 @@
 """Facts about each shown material, read from its nodes: a capture's pre-flight judges them."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Images that lie on UV coordinates which an object has not: renders show one colour of them."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import bpy

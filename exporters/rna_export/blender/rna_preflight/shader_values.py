@@ -1,7 +1,5 @@
 """Shaders that a material's output is made of, and constants of their inputs."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import bpy

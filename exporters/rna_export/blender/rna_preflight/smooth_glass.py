@@ -3,8 +3,6 @@
 A ray through smooth glass shows what is behind it, which no asset can know.
 """
 
-from __future__ import annotations
-
 from typing import TypedDict
 
 import bpy

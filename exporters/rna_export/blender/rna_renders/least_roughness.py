@@ -3,8 +3,6 @@
 Needs `bpy`.
 """
 
-from __future__ import annotations
-
 import bpy
 from rna_materials.emission import nodes_of
 from rna_materials.node_sources import combined

@@ -1,7 +1,5 @@
 """Renders individual rays with stock Cycles, under one sun or by the asset's emission."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

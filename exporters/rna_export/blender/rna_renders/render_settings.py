@@ -4,8 +4,6 @@ Not set is what belongs to the asset's look, such as the numbers of bounces and 
 changes no radiance. tests/exporters/blender_settings.py lists all properties of Blender.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import bpy

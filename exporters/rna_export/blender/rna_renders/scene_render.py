@@ -4,8 +4,6 @@ The scene comes as JSON in Blender's axes, metres and linear colours; lights as 
 describes them. Units of Blender's lamps stand here and nowhere else.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from typing import Any

@@ -1,7 +1,5 @@
 """A white card under the capture's sun, whose radiance is known: 1 / pi."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import bpy

@@ -1,7 +1,5 @@
 """A world of radiance 1 in all directions, or in some cones."""
 
-from __future__ import annotations
-
 import bpy
 from rna_materials.node_sources import combined
 

@@ -1,7 +1,5 @@
 """Python modules that the bpy wheel ships in a folder outside sys.path."""
 
-from __future__ import annotations
-
 import sys
 from pathlib import Path
 

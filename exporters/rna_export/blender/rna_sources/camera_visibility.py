@@ -1,7 +1,5 @@
 """Objects that camera rays do not see: they light and shadow the asset, and are no part of it."""
 
-from __future__ import annotations
-
 import bpy
 from listing import listed
 from rna_geometry.shown_objects import HAIR, SURFACES

@@ -1,7 +1,5 @@
 """Imports glTF, with the members that Blender's importer ignores in silence."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import bpy

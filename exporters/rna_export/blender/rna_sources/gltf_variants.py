@@ -3,8 +3,6 @@
 A package's variants differ by base colour alone, so the rest of two materials is compared here.
 """
 
-from __future__ import annotations
-
 import copy
 from dataclasses import dataclass
 from typing import Any

@@ -1,7 +1,5 @@
 """Loads a groom, `.hair` or `.tfx`: strand geometry with few material properties."""
 
-from __future__ import annotations
-
 import argparse
 import warnings
 from pathlib import Path

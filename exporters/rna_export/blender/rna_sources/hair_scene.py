@@ -1,7 +1,5 @@
 """Converts the hair of a loaded scene for capture: curves, Chiang's model, round segments."""
 
-from __future__ import annotations
-
 import bpy
 import numpy as np
 from rna_sources import shown_frame

@@ -1,7 +1,5 @@
 """Colours by point, face or strand of imported files, for objects without a material."""
 
-from __future__ import annotations
-
 import argparse
 
 import bpy

@@ -1,7 +1,5 @@
 """Meshes whose faces name vertices that they lack: Python and Cycles would read beyond arrays."""
 
-from __future__ import annotations
-
 import bpy
 import numpy as np
 from rna_geometry.attributes import read

@@ -1,7 +1,5 @@
 """Rotates a loaded source to Blender's front and up axes: -Y and +Z."""
 
-from __future__ import annotations
-
 import bpy
 import mathutils
 

@@ -1,7 +1,5 @@
 """One order of polygons for every process: sums over them, such as normals, depend on it."""
 
-from __future__ import annotations
-
 import bmesh
 import bpy
 

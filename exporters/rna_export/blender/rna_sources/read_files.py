@@ -1,7 +1,5 @@
 """Files that a source references: needed to open it on another machine."""
 
-from __future__ import annotations
-
 import os
 import re
 import sys

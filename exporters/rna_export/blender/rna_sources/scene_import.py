@@ -1,7 +1,5 @@
 """Loads Alembic and USD files, and adds missing properties of their strands."""
 
-from __future__ import annotations
-
 import argparse
 import tempfile
 from itertools import pairwise

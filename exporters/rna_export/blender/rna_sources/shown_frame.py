@@ -1,7 +1,5 @@
 """The frame of the source that is shown, and whether it can be changed in an opened source."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import bpy

@@ -3,8 +3,6 @@
 A reader is in `source_scene`.
 """
 
-from __future__ import annotations
-
 import argparse
 from typing import Literal, NamedTuple, NoReturn
 

@@ -1,7 +1,5 @@
 """Loads the source (a scene, model, groom or script) and removes everything but the asset."""
 
-from __future__ import annotations
-
 import contextlib
 import io
 import runpy

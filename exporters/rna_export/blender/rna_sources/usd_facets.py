@@ -1,7 +1,5 @@
 """Gives meshes of a USD file without normals their facets, which Blender's importer smooths."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import bpy

@@ -1,7 +1,5 @@
 """Curves of USD as polylines, by the rules of UsdGeomBasisCurves (OpenUSD, "Basis Curves")."""
 
-from __future__ import annotations
-
 import numpy as np
 
 _STEPS = 4  # straight segments a piece of a spline

@@ -3,8 +3,6 @@
 `bpy` needs numpy below 2 and is GPL; so it stays out of the SDK's own environment and process.
 """
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

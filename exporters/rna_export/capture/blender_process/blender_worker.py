@@ -1,7 +1,5 @@
 """Requests to a Blender process: exports of its source, and renders by Cycles."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Collection
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """The light of a render of rays: a sun, a white world, or the asset itself; as Blender is asked."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 

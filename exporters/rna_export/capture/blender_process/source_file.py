@@ -1,7 +1,5 @@
 """Is a path a model that Blender is to open? Asked before Blender starts."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from rna_export.blender.rna_sources.source_formats import SOURCE_FORMATS

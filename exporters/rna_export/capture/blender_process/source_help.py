@@ -1,7 +1,5 @@
 """Help on the arguments after `--`: the source's own `--help`."""
 
-from __future__ import annotations
-
 import subprocess
 from pathlib import Path
 

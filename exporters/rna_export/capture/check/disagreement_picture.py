@@ -1,7 +1,5 @@
 """A picture that marks where the exported geometry differs from Cycles' renders."""
 
-from __future__ import annotations
-
 import io
 from collections.abc import Mapping
 

@@ -4,8 +4,6 @@ Radiance is recorded at the hits of our own scene. Where Cycles shows another su
 the record is wrong, and nothing later can tell: training and validation know our hits alone.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Captured samples as the positional arguments of the runtime's `evaluate` and `emission`."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """Compares the files of a dataset with its manifest's plan, and with the captures' records."""
 
-from __future__ import annotations
-
 import json
 import sys
 from collections.abc import Iterable, Sequence

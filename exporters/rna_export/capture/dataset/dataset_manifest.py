@@ -1,7 +1,5 @@
 """`manifest.json` of a dataset: parts, source, plan."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Mapping
 from pathlib import Path

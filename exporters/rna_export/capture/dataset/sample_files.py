@@ -3,8 +3,6 @@
 Arrays are named PART/FIELD; those of one part have a row for each sample of that part.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Captured images under one light: of one part, and of all parts together."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property

@@ -6,8 +6,6 @@ ours has the latter alone. The times keep nearly the same ratio: assets with exp
 all strands, have expensive rays. So the speedup is the pilot's noise ratio times a constant.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Sequence
 from dataclasses import dataclass

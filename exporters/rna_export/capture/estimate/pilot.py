@@ -1,7 +1,5 @@
 """A pilot: small renders that tell the noise of a path of Cycles, and the cost of rays here."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable
 from itertools import pairwise

@@ -1,7 +1,5 @@
 """Textures that planes learn, and that are finer than these."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The exported scene as parts of an asset: geometry and transmittance."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 

@@ -1,7 +1,5 @@
 """The vertices of a package at other frames of its source, and the poses of a capture."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The glass that is left to hosts, as a .glb: KHR_materials_transmission, _volume and _ior."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Mapping, Sequence
 from typing import Any

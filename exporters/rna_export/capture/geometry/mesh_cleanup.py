@@ -1,7 +1,5 @@
 """Converts a triangle soup to an indexed mesh, and finds the connected pieces of one."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Notes on a source: sizes that its numbers cannot hold, wrong units, doubled surfaces."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 import numpy as np

@@ -1,7 +1,5 @@
 """A part's geometry as file arrays: quantised integers or float32."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

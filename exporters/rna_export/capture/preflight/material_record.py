@@ -1,7 +1,5 @@
 """Blender's facts about a source's materials: `blender/rna_preflight/material_facts.py`."""
 
-from __future__ import annotations
-
 from typing import Literal
 
 from pydantic import Field

@@ -1,7 +1,5 @@
 """Roughness of the sharpest highlights that view rays look for."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 from rna_export.capture.capture_settings import LEAST_ROUGHNESS, SHARPEST

@@ -1,7 +1,5 @@
 """Verdicts on materials: learnt well, roughly or not, with remedies."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import Literal, NamedTuple
 

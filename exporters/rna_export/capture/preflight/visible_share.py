@@ -1,7 +1,5 @@
 """Share of each material in the visible area of an asset."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 import numpy as np

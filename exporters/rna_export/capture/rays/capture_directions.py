@@ -1,7 +1,5 @@
 """Direction sampling and frames for view rays and lights."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Strands for ray sampling."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import numpy as np

@@ -6,8 +6,6 @@ scale.
 The weights of a lobe of any width between them stay small, at grazing views too.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import NamedTuple
 

@@ -4,8 +4,6 @@ Close-ups and other views, and images lit from behind and others, each have a se
 so that each kind is spread over all directions at any number of images.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from rna_export.capture.capture_settings import CaptureSettings

@@ -1,7 +1,5 @@
 """Whether random view rays meet an asset at all, and the reasons if not."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from pathlib import Path
 

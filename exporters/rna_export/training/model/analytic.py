@@ -5,8 +5,6 @@ material gives, fitted to the captured radiance: what a neural asset has to be b
 `rna_render.materials.bsdf` shades the same.
 """
 
-from __future__ import annotations
-
 import math
 from functools import cache
 from typing import NamedTuple

@@ -1,7 +1,5 @@
 """Emission of an asset: a separate decoder on the planes of the transport."""
 
-from __future__ import annotations
-
 import torch
 from torch import Tensor, nn
 

@@ -1,7 +1,5 @@
 """Compiled CPU kernels of decoder inputs and their gradient; PyTorch reference: `inputs.py`."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Decoder input blocks: on the CPU the runtime's compiled ones, else in PyTorch; spec 6.3."""
 
-from __future__ import annotations
-
 import torch
 from torch import Tensor
 

@@ -1,7 +1,5 @@
 """The decoder's layers as one autograd function, faster for small batches."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 from typing import Any
 

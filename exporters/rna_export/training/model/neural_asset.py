@@ -1,7 +1,5 @@
 """The neural asset in PyTorch: planes, input blocks, decoder."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import torch

@@ -5,8 +5,6 @@ decoder that gives both cases puts a rest of the highlight into this one: a ghos
 from behind. So this one is not given what tells highlights (docs/decisions/model.md).
 """
 
-from __future__ import annotations
-
 import torch
 from torch import Tensor, nn
 

@@ -3,8 +3,6 @@
 No derivative is NaN or infinite where `where` and `at_least` of a formula set a value aside.
 """
 
-from __future__ import annotations
-
 import torch
 from torch import Tensor
 

@@ -1,7 +1,5 @@
 """The feature grid: three planes, channel-last, summed. Twin of `rna_sdk.runtime`'s gather."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 from typing import Any
 

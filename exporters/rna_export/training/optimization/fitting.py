@@ -1,7 +1,5 @@
 """A model and its optimizers: a step of training."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

@@ -3,8 +3,6 @@
 Which one a training takes follows from the noise of the captured radiance.
 """
 
-from __future__ import annotations
-
 import numpy as np
 import torch
 from torch import Tensor

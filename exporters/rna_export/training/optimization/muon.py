@@ -5,8 +5,6 @@ Jordan et al., "Muon: An optimizer for hidden layers in neural networks", 2024. 
 otherwise, and its rate may be a tensor: the step can be part of a CUDA graph.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable
 

@@ -1,7 +1,5 @@
 """The optimizers of a model: Muon or Adam for its decoders, Adam for its planes."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any

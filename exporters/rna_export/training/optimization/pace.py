@@ -1,7 +1,5 @@
 """Progress of a run, 0 to 1, by steps or time; schedules learning rate and blur."""
 
-from __future__ import annotations
-
 from time import monotonic
 
 _MOST_A_STEP = 0.02

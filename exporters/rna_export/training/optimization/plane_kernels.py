@@ -4,8 +4,6 @@ Every element is written by one thread and summed in the order of the samples, s
 to the bit whatever the number of threads. `triplane.py` holds the PyTorch twins.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Products of matrices whose bits do not depend on the number of threads."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterable
 from typing import NamedTuple

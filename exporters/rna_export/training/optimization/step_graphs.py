@@ -4,8 +4,6 @@ A step of `small` is some 230 kernels of a few microseconds each; launched one b
 the card idle for nine tenths of the time.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Callable, Hashable
 

@@ -3,8 +3,6 @@
 `runtime/web/src/light/exr_file.js` does the same for the viewer; docs/scene.md has the table.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any

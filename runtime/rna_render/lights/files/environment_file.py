@@ -1,7 +1,5 @@
 """Images of environments: EXR or Radiance HDR in, radiance out."""
 
-from __future__ import annotations
-
 import warnings
 from functools import lru_cache
 from pathlib import Path

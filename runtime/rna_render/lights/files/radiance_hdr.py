@@ -4,8 +4,6 @@ Format: G. Ward, The RADIANCE Picture File Format,
 https://radsite.lbl.gov/radiance/refer/filefmts.pdf, and Real Pixels (Graphics Gems II, 1991).
 """
 
-from __future__ import annotations
-
 import re
 from dataclasses import dataclass
 from pathlib import Path

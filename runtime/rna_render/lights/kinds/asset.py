@@ -1,7 +1,5 @@
 """The emission of an asset, as a light of the scene."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from itertools import pairwise
 

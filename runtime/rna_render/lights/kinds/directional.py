@@ -1,7 +1,5 @@
 """Light from far away: from one direction, or from a small disk of the sky as the sun's."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rna_render.lights.base import InfiniteLight, Light, LightSamples, light_numbers

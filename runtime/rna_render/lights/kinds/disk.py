@@ -1,7 +1,5 @@
 """A disk that sends light from its front."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Light from all around: one colour, or an image."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rna_render.lights.base import InfiniteLight, Light, LightSamples, light_numbers

@@ -1,7 +1,5 @@
 """Triangles that shine: a mesh with an emissive material, and the base of all such lights."""
 
-from __future__ import annotations
-
 from abc import abstractmethod
 from collections.abc import Callable
 

@@ -1,7 +1,5 @@
 """Light from one point to all sides."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rna_render.lights.base import Light, LightSamples, light_numbers

@@ -3,8 +3,6 @@
 Ureña, Fajardo and King, An Area-Preserving Parametrization for Spherical Rectangles (EGSR 2013).
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

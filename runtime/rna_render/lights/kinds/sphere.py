@@ -1,7 +1,5 @@
 """A sphere that sends light outwards."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rna_render.lights.base import PlacedLight, light_numbers

@@ -5,8 +5,6 @@ drops images that it cannot read, texture coordinates without a material and how
 without a word. What is wrong raises whatever Python raises for it; `read_mesh_object` says where.
 """
 
-from __future__ import annotations
-
 import base64
 import json
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Meshes of glTF 2.0 files, with the whole hierarchy of nodes baked into them."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path

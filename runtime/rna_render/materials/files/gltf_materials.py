@@ -7,8 +7,6 @@ occlusion textures have no place in a path tracer; all else that changes the loo
 out.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any

@@ -1,7 +1,5 @@
 """Mesh files: glTF, OBJ and PLY in, a mesh with materials out."""
 
-from __future__ import annotations
-
 import warnings
 from collections.abc import Callable
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Parts of a mesh as a file holds them, and the one mesh that they make."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path

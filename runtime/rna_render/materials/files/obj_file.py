@@ -5,8 +5,6 @@ Pr and Pm (the common extension for metals) make it one of glTF, with Ni for its
 highlights (Ks, Ns) have no equal there and are left out, as Ka is.
 """
 
-from __future__ import annotations
-
 import io
 import re
 import warnings

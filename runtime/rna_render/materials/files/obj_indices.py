@@ -6,8 +6,6 @@ the face on, is right at the end of a file alone. It drops texture coordinates a
 is not there.
 """
 
-from __future__ import annotations
-
 import re
 import warnings
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Meshes of PLY files, by trimesh; they have no materials but may name an image."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 
