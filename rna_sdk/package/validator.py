@@ -217,17 +217,14 @@ class _Contents:
         self._result.issues += _outside(geometry, part.bounds, pointer("parts", k, "bounds"))
         if isinstance(geometry, Mesh):
             with self._result.collect():
-                self._check_source(k, geometry)
+                data = extension(self._manifest, Source)
+                if data is not None and (name := data.parts[k]) is not None:
+                    view = self._view(name)
+                    source_vertices_from_bytes(view, name, len(geometry.positions), data.vertices)
             self._check_standin_textures(k, geometry)
             for member, records in part.ranges.items():
                 with self._result.collect():
                     self.check_textures(k, part, geometry, member, records)
-
-    def _check_source(self, k: int, mesh: Mesh) -> None:
-        data = extension(self._manifest, Source)
-        if data is not None and (name := data.parts[k]) is not None:
-            view = self._view(name)
-            source_vertices_from_bytes(view, name, len(mesh.positions), data.vertices)
 
     def _check_standin_textures(self, k: int, mesh: Mesh) -> None:
         textures = of_part(self._manifest, StandinTextures, k)

@@ -31,8 +31,9 @@ _EXAMPLE = (
 def files(formulas: BlockFormulas) -> dict[str, str]:
     """Path below the repository -> text."""
     blocks = [_Block.of(name, formulas) for name in formulas.values]
+    rows = ",\n    ".join(json.dumps(block._asdict()) for block in blocks)
     return {
-        "spec/blocks.json": _json(blocks),
+        "spec/blocks.json": f'{{\n  "blocks": [\n    {rows}\n  ]\n}}\n',
         "rna_sdk/package/block_table.py": _table(blocks),
         "rna_sdk/package/array_blocks.py": _arrays(formulas),
         "rna_sdk/runtime/kernels/input_blocks.py": _lanes(formulas),
@@ -55,11 +56,6 @@ class _Block(NamedTuple):
     def of(cls, name: str, formulas: BlockFormulas) -> _Block:
         light = "wi" in formulas.needs(name)
         return cls(name, formulas.width(name), formulas.kinds(name), light)
-
-
-def _json(blocks: list[_Block]) -> str:
-    rows = ",\n    ".join(json.dumps(block._asdict()) for block in blocks)
-    return f'{{\n  "blocks": [\n    {rows}\n  ]\n}}\n'
 
 
 def _table(blocks: list[_Block]) -> str:

@@ -20,7 +20,8 @@ Rows = NDArray[np.float32]
 
 def evaluate(form: str, package: str, tier: str, part: int, arrays: dict[str, Rows]) -> Rows:
     """(n, width)."""
-    result = _part(package, tier, part).decode(form, arrays)
+    asset = load(package, tier, _device())
+    result = (asset if isinstance(asset, GpuPart) else asset.parts[part]).decode(form, arrays)
     return result.reshape(len(result), 3 * result.shape[1])
 
 
@@ -47,11 +48,6 @@ def _device() -> Device:
 
 def _probe(package: str) -> Probe:
     return Probe(package, _device())
-
-
-def _part(package: str, tier: str, part: int) -> GpuPart:
-    asset = load(package, tier, _device())
-    return asset if isinstance(asset, GpuPart) else asset.parts[part]
 
 
 if __name__ == "__main__":

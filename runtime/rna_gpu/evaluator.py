@@ -78,7 +78,9 @@ class Evaluator:
         results = np.empty((len(rows), self._own.stop - self._own.start, 3), np.float32)
         for start in range(0, len(rows), self.batch):
             some = rows[start : start + self.batch]
-            buffers = self._buffers(len(some))
+            if self._workspace is None or self._workspace.capacity < len(some):
+                self._workspace = self.new_rows(len(some))
+            buffers = self._workspace
             self._device.write(buffers.rows, some)
             self._device.write(buffers.count, np.array([len(some)], np.uint32))
             self.dispatch(buffers, len(some))
@@ -143,11 +145,6 @@ class Evaluator:
             for size, name in zip(sizes, names, strict=True)
         )
         return GpuRows(rows, results, number, capacity)
-
-    def _buffers(self, count: int) -> GpuRows:
-        if self._workspace is None or self._workspace.capacity < count:
-            self._workspace = self.new_rows(count)
-        return self._workspace
 
     def _bind(self, group: int, buffers: list[Any]) -> Any:
         entries = [{"binding": k, "resource": {"buffer": b}} for k, b in enumerate(buffers)]

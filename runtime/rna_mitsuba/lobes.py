@@ -56,7 +56,7 @@ class Lobes:
 
     def __post_init__(self) -> None:
         self.is_fiber = self.mixture.is_fiber
-        self.axis = _some(self.axis)
+        self.axis = dr.select(dr.dot(self.axis, self.axis) > 0.25, self.axis, mi.Vector3f(0, 1, 0))
         cosine = dr.dot(self.axis, self.wo)
         turned = dr.select(cosine < 0, -self.axis, self.axis)
         self.axis = dr.select(self.is_fiber, self.axis, turned)
@@ -136,10 +136,6 @@ class Lobes:
         low, high = self._cone_limits(scale)
         p = _logistic((sine - self.middle) / scale)
         return p * (1 - p) / (scale * (high - low) * 2 * dr.pi)
-
-
-def _some(axis: mi.Vector3f) -> mi.Vector3f:
-    return dr.select(dr.dot(axis, axis) > 0.25, axis, mi.Vector3f(0, 1, 0))
 
 
 def _fisher(u: mi.Float, kappa: mi.Float) -> mi.Float:

@@ -30,7 +30,7 @@ def plan_lines(dataset: Dataset, geometries: Mapping[str, Mesh | Curves], rate: 
         f"validation: {settings.validation_views} images of {settings.validation_resolution}"
         f"x{settings.validation_resolution}, {settings.validation_samples} paths a pixel\n"
         f"about {paths / rate / 60.0:.1f} minutes at {rate / 1e6:.2f} M paths/s, "
-        f"{samples * 4 * _widest(dataset) / 1e6:,.0f} MB"
+        f"{samples * 4 * max(sum(part.fields.values()) for part in dataset.parts) / 1e6:,.0f} MB"
     )
 
 
@@ -41,11 +41,6 @@ def parts_lines(name: str, geometries: Mapping[str, Mesh | Curves]) -> str:
         return f"{name}: {next(iter(sizes.values()))}\n"
     lines = (f"  {part}: {size}\n" for part, size in sizes.items())
     return f"{name}, {len(sizes)} parts:\n{''.join(lines)}"
-
-
-def _widest(dataset: Dataset) -> int:
-    """Columns of the samples that have the most."""
-    return max(sum(part.fields.values()) for part in dataset.parts)
 
 
 def _domain_line(manifest: CaptureManifest) -> str:

@@ -47,7 +47,8 @@ def write_page(
     folder.mkdir(parents=True, exist_ok=True)
     shots, strips = [], []
     for number, pair in enumerate(pairs):
-        images = _images(pair)
+        pictures = pictures_of(pair.ours, pair.cycles, pair.exposure)
+        images = dict(zip(("ours", "cycles", "difference", "flip"), pictures, strict=True))
         strips.append((list(images.values()), f"{pair.shot.name}: {pair.error}"))
         files = {kind: f"{number}-{kind}.png" for kind in images}
         for kind, image in images.items():
@@ -121,11 +122,6 @@ def _facts(made: Made | None) -> dict[str, str]:
         "tier": origin.tier,
         "trained": ", ".join(training),
     }
-
-
-def _images(pair: Pair) -> dict[str, np.ndarray]:
-    pictures = pictures_of(pair.ours, pair.cycles, pair.exposure)
-    return dict(zip(("ours", "cycles", "difference", "flip"), pictures, strict=True))
 
 
 def _summary(pairs: list[Pair]) -> dict[str, object]:

@@ -11,7 +11,7 @@ from rna_export.export.standin_fit import textures_within
 from rna_export.export.standin_textures import standin_material, textures_of
 from rna_export.training.checkpoint import Trained
 from rna_sdk.errors import ExportError
-from rna_sdk.package import Package, SourceVertices
+from rna_sdk.package import Package
 from rna_sdk.package.geometry.geometry_files import Geometry
 from rna_sdk.package.manifest.extensions import Standin, Variant, Variants
 from rna_sdk.package.manifest.pictures import png_size
@@ -57,7 +57,13 @@ def add_extras(
     if any(levels):
         unpacked = unpacked.with_proxies(levels)
     if source:
-        unpacked = unpacked.with_source(_sources(dataset))
+        result = [part.source_vertices() for part in dataset.parts]
+        if not any(result):
+            raise ExportError(
+                f"{dataset.folder}: has no numbers of the source's vertices, expected a surface "
+                "that is not cut, captured by this version (--source-vertices)"
+            )
+        unpacked = unpacked.with_source(result)
     (unpacked.deflated() if deflate else unpacked).write(package)
 
 
@@ -105,16 +111,6 @@ def _proxies(
             continue
         say(f"{whole}, proxy at {pixels} pixels: {len(proxy.triangles):,}")
         result.append((proxy, pixels))
-    return result
-
-
-def _sources(dataset: Dataset) -> list[SourceVertices | None]:
-    result = [part.source_vertices() for part in dataset.parts]
-    if not any(result):
-        raise ExportError(
-            f"{dataset.folder}: has no numbers of the source's vertices, expected a surface "
-            "that is not cut, captured by this version (--source-vertices)"
-        )
     return result
 
 

@@ -10,7 +10,6 @@ import torch
 import rna_sdk
 from rna_export.albedo import white_views
 from rna_export.capture.dataset.dataset_folder import Dataset
-from rna_export.capture.dataset.dataset_manifest import CapturedPart
 from rna_export.compare.origin import SOURCE_SHA256
 from rna_export.export.measure import check_loss, measured
 from rna_export.export.precision import MAX_LOSS, Precision
@@ -89,26 +88,21 @@ def _parts(model: TrainedTier, dataset: Dataset) -> tuple[Part, ...]:
     for part, one in zip(dataset.parts, model.parts, strict=True):
         low, high = one.model.triplane.low, one.model.triplane.high
         usual = GEOMETRY_ENTRIES[part.kind]
+        members = {
+            "transmittance": part.captured.transmittance,
+            "normal_maps": part.captured.normal_maps,
+            "base_color": part.captured.base_color,
+        }
         parts.append(
             Part(
                 name=part.name,
                 kind=part.kind,
                 bounds=Bounds(min=tuple(low.tolist()), max=tuple(high.tolist())),
                 geometry=f"geometry/{part.name}{Path(usual).suffix}" if several else usual,
-                **_textured(part.captured),
+                **{name: records for name, records in members.items() if records},
             )
         )
     return tuple(parts)
-
-
-def _textured(part: CapturedPart) -> dict[str, Any]:
-    """Textures of a part's materials in the package, by member of `Part`."""
-    members = {
-        "transmittance": part.transmittance,
-        "normal_maps": part.normal_maps,
-        "base_color": part.base_color,
-    }
-    return {name: records for name, records in members.items() if records}
 
 
 def _measure(

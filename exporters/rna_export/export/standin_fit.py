@@ -1,6 +1,6 @@
 """Stand-in textures that an export makes by itself: a short fit of glTF's material."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 import torch
 
@@ -37,7 +37,10 @@ def textures_within(dataset: Dataset, size: int, say: Callable[[str], None]) -> 
     if not any(models):
         return [None] * len(parts)
     for side in _SIDES:
-        textures = _baked(parts, models, side)
+        textures = [
+            standin_textures(model, texture_mesh(part), side) if part and model else None
+            for part, model in zip(parts, models, strict=True)
+        ]
         added = sum(len(png) for one in textures if one for png in one.values())
         if added <= LARGEST_SHARE * size:
             share = 100.0 * added / size
@@ -45,15 +48,6 @@ def textures_within(dataset: Dataset, size: int, say: Callable[[str], None]) -> 
             return textures
     say(f"stand-in: no textures, they exceed {LARGEST_SHARE:.0%} of the package")
     return [None] * len(parts)
-
-
-def _baked(
-    parts: Sequence[DatasetPart | None], models: Sequence[NeuralAsset | None], side: int
-) -> Textures:
-    return [
-        standin_textures(model, texture_mesh(part), side) if part and model else None
-        for part, model in zip(parts, models, strict=True)
-    ]
 
 
 def _is_bare(part: DatasetPart) -> bool:

@@ -97,7 +97,10 @@ class Outcome:
     ) -> Outcome:
         """is_of_strands: whether all that they show is strands. names: of materials, by number."""
         outline = _joined(images, lambda image: image.outline).astype(bool)
-        light, halves = _luminance(images)
+        light = _joined(images, lambda image: image.ours @ LUMINANCE)
+        first = _joined(images, lambda image: image.halves[0] @ LUMINANCE)
+        second = _joined(images, lambda image: image.halves[1] @ LUMINANCE)
+        halves = np.stack([first, second])
         has_outline = outline.any() and not is_of_strands  # of strands all is outline
         return cls(
             images=len(images),
@@ -179,14 +182,6 @@ def _flip_of(images: Sequence[JudgedImage], rows: np.ndarray) -> float:
     errors = _joined(images, lambda image: image.errors)[rows].mean()
     noisier = _joined(images, lambda image: image.noisier.mean(axis=0))[rows].mean()
     return float(without_noise(errors, noisier))
-
-
-def _luminance(images: Sequence[JudgedImage]) -> tuple[np.ndarray, np.ndarray]:
-    """Luminance of all pixels: (n,) of ours, (2, n) of both references."""
-    ours = _joined(images, lambda image: image.ours @ LUMINANCE)
-    first = _joined(images, lambda image: image.halves[0] @ LUMINANCE)
-    second = _joined(images, lambda image: image.halves[1] @ LUMINANCE)
-    return ours, np.stack([first, second])
 
 
 def _of_brightest(ours: np.ndarray, halves: np.ndarray) -> float | None:

@@ -58,7 +58,9 @@ class BlockFormulas:
         self.values: dict[str, tuple[ast.expr, ...]] = {}
         for name, width, kinds, values in _ROW.findall(section):
             expressions = re.findall("`([^`]*)`", values) if width != "C" else []
-            self.values[name] = tuple(_parsed(expression) for expression in expressions)
+            self.values[name] = tuple(
+                ast.parse(expression, mode="eval").body for expression in expressions
+            )
             of = self.kinds(name)
             expected = str(self.width(name) or "C"), "both" if len(of) == 2 else of[0]
             if (width, kinds) != expected:
@@ -119,7 +121,3 @@ class BlockFormulas:
                     needed.add(node.id)
                     waiting += filter(None, [self.terms.get(node.id)])
         return [name for name in of or (*ARGUMENTS, *self.terms) if name in needed]
-
-
-def _parsed(expression: str) -> ast.expr:
-    return ast.parse(expression, mode="eval").body

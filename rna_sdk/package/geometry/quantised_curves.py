@@ -103,11 +103,12 @@ def quantise_curves(curves: Curves) -> Curves:
     is_first[offsets[:-1]] = True
     steps = (sums[1:] - sums[:-1])[~is_first[1:]]
     radii, unit = _quantised_radii(curves.radii[distinct])
+    fits = np.abs(steps).max() <= np.iinfo(np.int16).max
     return QuantisedCurves(
         scales=np.array([length, unit], np.float32),
         origins=np.ascontiguousarray(origins),
         offsets=offsets.astype(np.uint32),
-        steps=_narrowest(steps),
+        steps=steps.astype(np.int16) if fits else steps.astype(np.int32),
         radii=radii,
     ).restored()
 
@@ -132,11 +133,6 @@ def _distinct(
     distinct[offsets[:-1]] = True
     counts = np.add.reduceat(distinct.astype(np.int64), offsets[:-1])
     return distinct, np.concatenate([[0], np.cumsum(counts)])
-
-
-def _narrowest(steps: NDArray[np.int64]) -> NDArray[np.int16] | NDArray[np.int32]:
-    fits = np.abs(steps).max() <= np.iinfo(np.int16).max
-    return steps.astype(np.int16) if fits else steps.astype(np.int32)
 
 
 def _quantised_radii(

@@ -93,7 +93,9 @@ class GpuRenderer:
                 samples = range(sampler.sample, sampler.sample + sampler.count)
                 layers = self._gpu.render(pixels, samples)
                 if self._watched:
-                    self._count_outside()
+                    counts = self._gpu.outside_domains()
+                    for k, scene_object in self._watched.items():
+                        scene_object.add(*counts[k].tolist())
                 return layers
             except DeviceLostError as error:
                 self._losses += 1
@@ -119,11 +121,6 @@ class GpuRenderer:
             for k, scene_object in enumerate(scene_objects)
             if isinstance(scene_object, WatchedAsset)
         }
-
-    def _count_outside(self) -> None:
-        counts = self._gpu.outside_domains()
-        for k, scene_object in self._watched.items():
-            scene_object.add(*counts[k].tolist())
 
 
 class _OpenDevice:

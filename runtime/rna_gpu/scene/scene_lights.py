@@ -42,7 +42,9 @@ def light_rows(
     for k, (row, light) in enumerate(zip(rows, lights, strict=False)):
         row["kind"] = LIGHT_KINDS.index(light.kind)
         row["group"] = names.index(light.group) if light.group else NONE
-        row["flags"] = _flags(light)
+        seen = LIGHT_SEEN * getattr(light, "visible_to_camera", False)
+        infinite = LIGHT_INFINITE * isinstance(light, InfiniteLight)
+        row["flags"] = int(seen + LIGHT_DELTA * light.delta + infinite)
         numbers = light.numbers.view(np.float64)
         row["numbers"].flat[: len(numbers)] = numbers
         row["probability"] = probability[k]
@@ -54,12 +56,6 @@ def light_rows(
         elif isinstance(light, EnvironmentImageLight):
             row["places"] = [images.add(a.astype(np.float32)) for a in light.image.tables]
     return rows.view(np.float32).reshape(-1, 4)
-
-
-def _flags(light: Light) -> int:
-    seen = LIGHT_SEEN * getattr(light, "visible_to_camera", False)
-    infinite = LIGHT_INFINITE * isinstance(light, InfiniteLight)
-    return int(seen + LIGHT_DELTA * light.delta + infinite)
 
 
 class _Triangles:

@@ -138,10 +138,6 @@ def _words(region: Any, cones: list[list[float]], heads: int) -> tuple[int, int]
         return HEMISPHERE, 0
     first = heads + len(cones)
     for cone in region:
-        cones.append(_cone(cone))
+        axis = np.asarray(cone.axis, np.float64)
+        cones.append([*(axis / np.linalg.norm(axis)), float(np.cos(cone.half_angle)) - _ROUNDING])
     return len(region), first
-
-
-def _cone(cone: Any) -> list[float]:
-    axis = np.asarray(cone.axis, np.float64)
-    return [*(axis / np.linalg.norm(axis)), float(np.cos(cone.half_angle)) - _ROUNDING]

@@ -50,7 +50,6 @@ from rna_render.paths.weighing import (
 from rna_render.world.camera import Camera
 from rna_render.world.world import Vertices, World
 from rna_trace.embree.instances import CAMERA_RAY, INDIRECT_RAY
-from rna_trace.embree.tracing import ClosestHits
 from rna_trace.points import Role
 
 # Paths are ended at random from this many points on.
@@ -227,15 +226,12 @@ class Integrator:
         of_light = np.where(owner >= 0, self._world.light[owner], -1)
         for k in np.flatnonzero(np.bincount(of_light + 1)[1:]).tolist():
             hit = np.flatnonzero(of_light == k)
-            radiance, pdf = self._world.lights[k].eval_hit(*self._meeting(rays, hit))
+            hits = rays.hits.take(hit)
+            ng_world = self._world.to_world_directions(hits.instance, hits.ng)
+            radiance, pdf = self._world.lights[k].eval_hit(
+                rays.origin[hit], rays.direction[hit], hits, ng_world
+            )
             self._add_hit(band, rays, depth, hit, k, radiance, pdf)
-
-    def _meeting(
-        self, rays: Rays, hit: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray, ClosestHits, np.ndarray]:
-        """The arguments of ShapeLight.eval_hit."""
-        hits, lines = rays.hits.take(hit), (rays.origin[hit], rays.direction[hit])
-        return (*lines, hits, self._world.to_world_directions(hits.instance, hits.ng))
 
     def _add_hit(
         self,

@@ -166,7 +166,8 @@ def prepare(address: str) -> None:
         and scheme in _HANDSHAKES
         and _asks(rest, _HANDSHAKES[scheme])
     ):
-        if not _has_token():
+        named = any(os.environ.get(name) for name in ("RAY_AUTH_TOKEN", "RAY_AUTH_TOKEN_PATH"))
+        if not (named or (Path.home() / ".ray" / "auth_token").is_file()):
             raise WorkError(
                 f"--cluster {address}: requires a token: copy ~/.ray/auth_token from its head node "
                 "to this machine"
@@ -186,8 +187,3 @@ def _asks(target: str, method: str) -> bool:
         except grpc.RpcError as error:
             return bool(error.code() == grpc.StatusCode.UNAUTHENTICATED)
     return False
-
-
-def _has_token() -> bool:
-    named = any(os.environ.get(name) for name in ("RAY_AUTH_TOKEN", "RAY_AUTH_TOKEN_PATH"))
-    return named or (Path.home() / ".ray" / "auth_token").is_file()

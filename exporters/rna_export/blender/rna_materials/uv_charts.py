@@ -77,7 +77,11 @@ class Chart:
 
 def charts(depends: Dependence, layer: str, uvs: np.ndarray) -> Iterator[Chart]:
     """Charts to try, the likeliest first. uvs: (n, 2), all that are used."""
-    maps = [image.mapping for image in depends.images if _is_regular(image.mapping)]
+    maps = [
+        image.mapping
+        for image in depends.images
+        if abs(np.linalg.det(image.mapping[:, :2])) > 1e-12
+    ]
     maps = _distinct(maps or [IDENTITY])
     extensions = {image.extension for image in depends.images}
     result: list[np.ndarray] = []
@@ -89,10 +93,6 @@ def charts(depends: Dependence, layer: str, uvs: np.ndarray) -> Iterator[Chart]:
     result += [IDENTITY, 0.5 * IDENTITY]
     for matrix in _distinct(result):
         yield Chart(layer, matrix)
-
-
-def _is_regular(matrix: np.ndarray) -> bool:
-    return bool(abs(np.linalg.det(matrix[:, :2])) > 1e-12)
 
 
 def _distinct(maps: list[np.ndarray]) -> list[np.ndarray]:

@@ -43,7 +43,11 @@ def configure(
     for lobe in _LOBES:
         setattr(layer, f"use_pass_{lobe}_direct", separate_direct)
         setattr(layer, f"use_pass_{lobe}_color", separate_direct)
-    _set_up_lamp(scene)
+    sun = bpy.data.lights.new(SUN, "SUN")
+    sun.energy, sun.angle = 1.0, 0.0
+    lamp = bpy.data.objects.new(SUN, sun)
+    lamp.rotation_mode = "QUATERNION"
+    scene.collection.objects.link(lamp)
     emission = Emission()
     near = max(_CLIP_START * as_rendered(shown_objects.longest_side), _NEAR)
     _lighting.update(
@@ -138,14 +142,6 @@ def _render(request: dict[str, Any]) -> None:
     scene.render.resolution_x, scene.render.resolution_y = request["width"], request["height"]
     scene.render.filepath = request["out"]
     bpy.ops.render.render(write_still=True)
-
-
-def _set_up_lamp(scene: bpy.types.Scene) -> None:
-    sun = bpy.data.lights.new(SUN, "SUN")
-    sun.energy, sun.angle = 1.0, 0.0
-    lamp = bpy.data.objects.new(SUN, sun)
-    lamp.rotation_mode = "QUATERNION"
-    scene.collection.objects.link(lamp)
 
 
 def _camera(name: str, kind: str) -> bpy.types.Camera:

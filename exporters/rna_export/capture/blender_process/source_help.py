@@ -24,14 +24,10 @@ def show(source: Path) -> None:
     elif suffix == ".py":
         if not source.is_file():
             raise CaptureError(f"{source}: no such file")
-        _show_script(source)
+        command = [str(find_python()), str(_SCRIPT_HELP), str(source.resolve()), "--help"]
+        if subprocess.run(command).returncode != 0:
+            raise CaptureError(f"{source}: the script has no --help of its own")
     else:
         raise CaptureError(
             f"{source}: nothing can follow --, only for .py, {', '.join(_WITH_OPTIONS)}"
         )
-
-
-def _show_script(source: Path) -> None:
-    command = [str(find_python()), str(_SCRIPT_HELP), str(source.resolve()), "--help"]
-    if subprocess.run(command).returncode != 0:
-        raise CaptureError(f"{source}: the script has no --help of its own")

@@ -97,7 +97,15 @@ def verdicts(
         stored = [s for s, names in textures.items() if each.full_name in names and s not in why]
         share = 1.0 if shares is None else shares.get(each.full_name, 0.0)
         result.append(_verdict(each, texel, stored, why).model_copy(update={"share": share}))
-    result += [_of_glass(each) for each in glass]
+    result += [
+        MaterialVerdict(
+            name=each.name,
+            is_=f"smooth glass (index {each.ior:.3g})",
+            learnt="left to the host",
+            reasons=("an ordinary mesh of glTF beside the package, which a scene places with it",),
+        )
+        for each in glass
+    ]
     return tuple(sorted(result, key=lambda each: -_WORSE[each.learnt]))
 
 
@@ -240,12 +248,3 @@ def _remedy(obstacle: str | None, texture: str) -> str:
     """The remedy for a texture of a detail; texture: "an image"."""
     bake = f"bake it into {texture} of its UVs"
     return bake if obstacle is None else f"{obstacle} keeps it from being {texture}: {bake}"
-
-
-def _of_glass(glass: Glass) -> MaterialVerdict:
-    return MaterialVerdict(
-        name=glass.name,
-        is_=f"smooth glass (index {glass.ior:.3g})",
-        learnt="left to the host",
-        reasons=("an ordinary mesh of glTF beside the package, which a scene places with it",),
-    )

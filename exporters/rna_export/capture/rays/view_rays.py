@@ -63,7 +63,16 @@ def sample_view_rays(
     light = np.zeros(3, np.float32) if wi is None else wi  # without one no highlight is drawn
 
     def highlight(k: int, among: np.ndarray | None) -> ViewRays:
-        return _highlight(scene, light, draw.seen(2 * k, among), k, rng)
+        seen = draw.seen(2 * k, among)
+        hits = scene.shade_points(seen.origins, seen.directions)
+        rows, wo = scene.highlight_views(hits, light, rng)
+        above = np.sum(wo * hits.geometric_normal[rows], axis=1) > 0.02
+        rows, wo = rows[above][:k], wo[above][:k]
+        points, ng = hits.position[rows], hits.geometric_normal[rows]
+        free = scene.free_distance(points, ng, wo)
+        open_enough = free > 0.01 * scene.radius
+        distance = 0.95 * np.minimum(free, 2.0 * scene.radius)
+        return ViewRays(points + distance[:, None] * wo, -wo)[open_enough]
 
     lit = 0 if wi is None else round(n * HIGHLIGHT)
     highlights = draw.both_ways(highlight, part_counts(lit, shares), tries=8)
@@ -71,14 +80,10 @@ def sample_view_rays(
     counts = highlights.of_parts + close.of_parts
     wanted = np.maximum(part_counts(n, shares) - counts, 0)
     outside = draw.both_ways(draw.seen, wanted, tries=200)
-    return _mixed(n, draw, [outside, close, highlights], rng)
-
-
-def _mixed(n: int, draw: _Draw, kinds: list[_DrawnRays], rng: np.random.Generator) -> ViewRays:
-    """Rays of all kinds; outside rays at any part replace those that were not found."""
+    kinds = [outside, close, highlights]
     lacking = n - sum(len(drawn.rays) for drawn in kinds)
-    rest = draw.hits(draw.seen, np.array([lacking]), tries=200)
-    mixed = _joined([drawn.rays for drawn in [*kinds, rest]])
+    kinds.append(draw.hits(draw.seen, np.array([lacking]), tries=200))
+    mixed = _joined([drawn.rays for drawn in kinds])
     return mixed[rng.permutation(len(mixed))]
 
 
@@ -114,14 +119,34 @@ class _Draw:
     rng: np.random.Generator
 
     def seen(self, n: int, among: np.ndarray | None) -> ViewRays:
-        """Outside rays, uniform over all chords, or over those that hit the given parts."""
+        """Outside rays, uniform over all chords, or over those that hit the given parts.
+
+        Of parts, at points by area times the cosine; hidden points get none.
+        """
         if among is None:
             return outside_rays(self.scene, n, self.region, self.rng)
-        return _aimed(self.scene, n, among, self.region, self.rng)
+        points, normals = self.scene.sample_points(n, self.rng, among)
+        wo = directions_in(self.region, self.rng.random((n, 2)))
+        accepted = self.rng.random(n) < np.sum(wo * normals, axis=1)
+        points, normals, wo = points[accepted], normals[accepted], wo[accepted]
+        free = np.isinf(self.scene.free_distance(points, normals, wo))
+        away = np.float32(2.0 * self.scene.radius)
+        return ViewRays(points[free] + away * wo[free], -wo[free])
 
     def close(self, n: int, among: np.ndarray | None) -> ViewRays:
         """Rays from the free space over points."""
-        return _close(self.scene, n, among, self.region, self.rng)
+        points, normals = self.scene.sample_points(n, self.rng, among)
+        wo = directions_in(self.region, self.rng.random((n, 2)))
+        # As a diffuse surface sends light.
+        facing = self.rng.random(n) < np.sum(wo * normals, axis=1)
+        points, normals, wo = points[facing], normals[facing], wo[facing]
+        n = len(points)
+        free = self.scene.free_distance(points, normals, wo)
+        open_enough = free > 0.01 * self.scene.radius  # skips what lies inside solids
+        distance = self.rng.random(n).astype(np.float32) * np.minimum(free, 2.0 * self.scene.radius)
+        distance = np.maximum(distance, 0.005 * self.scene.radius)
+        origins = points + distance[:, None] * wo
+        return ViewRays(origins, -wo)[open_enough]
 
     def both_ways(self, draw: Drawing, wanted: np.ndarray, tries: int) -> _DrawnRays:
         """Without aim first, which is cheap; then at the parts of which rays are lacking."""
@@ -176,49 +201,3 @@ def hitting_rays(scene: AssetScene, count: int, wo: Region, rng: np.random.Gener
         if sum(map(len, found)) >= count:
             break
     return _joined(found)[np.arange(min(count, sum(map(len, found))))]
-
-
-def _aimed(
-    scene: AssetScene, n: int, among: np.ndarray, region: Region, rng: np.random.Generator
-) -> ViewRays:
-    """The chords of `outside_rays` that meet the parts: at points by area times the cosine.
-
-    A point that something hides from outside gets none.
-    """
-    points, normals = scene.sample_points(n, rng, among)
-    wo = directions_in(region, rng.random((n, 2)))
-    accepted = rng.random(n) < np.sum(wo * normals, axis=1)
-    points, normals, wo = points[accepted], normals[accepted], wo[accepted]
-    free = np.isinf(scene.free_distance(points, normals, wo))
-    away = np.float32(2.0 * scene.radius)
-    return ViewRays(points[free] + away * wo[free], -wo[free])
-
-
-def _close(
-    scene: AssetScene, n: int, among: np.ndarray | None, region: Region, rng: np.random.Generator
-) -> ViewRays:
-    points, normals = scene.sample_points(n, rng, among)
-    wo = directions_in(region, rng.random((n, 2)))
-    facing = rng.random(n) < np.sum(wo * normals, axis=1)  # as a diffuse surface sends light
-    points, normals, wo = points[facing], normals[facing], wo[facing]
-    n = len(points)
-    free = scene.free_distance(points, normals, wo)
-    open_enough = free > 0.01 * scene.radius  # skips what lies inside solids
-    distance = rng.random(n).astype(np.float32) * np.minimum(free, 2.0 * scene.radius)
-    distance = np.maximum(distance, 0.005 * scene.radius)
-    origins = points + distance[:, None] * wo
-    return ViewRays(origins, -wo)[open_enough]
-
-
-def _highlight(
-    scene: AssetScene, wi: np.ndarray, seen: ViewRays, n: int, rng: np.random.Generator
-) -> ViewRays:
-    hits = scene.shade_points(seen.origins, seen.directions)
-    rows, wo = scene.highlight_views(hits, wi, rng)
-    above = np.sum(wo * hits.geometric_normal[rows], axis=1) > 0.02
-    rows, wo = rows[above][:n], wo[above][:n]
-    points, ng = hits.position[rows], hits.geometric_normal[rows]
-    free = scene.free_distance(points, ng, wo)
-    open_enough = free > 0.01 * scene.radius
-    distance = 0.95 * np.minimum(free, 2.0 * scene.radius)
-    return ViewRays(points + distance[:, None] * wo, -wo)[open_enough]

@@ -132,17 +132,14 @@ class AssetLight(ShapeLight):
     def eval_hit(
         self, x_world: np.ndarray, d_world: np.ndarray, hits: ClosestHits, ng_world: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
+        moved = vectors("x_world", x_world) - self._place
         radiance, pdf = self._emission.eval_hit(
-            x_world=self._in_object(x_world),
+            x_world=((moved @ self._rotation) / self._scale).astype(np.float32),
             d_world=d_world @ self._rotation,
             hits=hits,
             ng_world=hits.ng,
         )
         return self.factor * radiance, pdf
-
-    def _in_object(self, x_world: np.ndarray) -> np.ndarray:
-        moved = vectors("x_world", x_world) - self._place
-        return ((moved @ self._rotation) / self._scale).astype(np.float32)
 
 
 class _MeshEmitter:
