@@ -6,6 +6,7 @@ unit in the last place of its coordinates, however far the ray came from.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -40,16 +41,16 @@ class Mesh(Protocol):
     def triangles(self) -> np.ndarray: ...
 
 
-def interpolate_positions(
-    positions: np.ndarray, triangles: np.ndarray, triangle: np.ndarray, u: np.ndarray, v: np.ndarray
+def interpolate(
+    values: np.ndarray, triangles: np.ndarray, triangle: np.ndarray, u: np.ndarray, v: np.ndarray
 ) -> np.ndarray:
-    """The points at barycentrics (u, v) of the given triangles: (n, 3) float32.
+    """An attribute of vertices at barycentrics (u, v) of the given triangles: (n, k) float32.
 
-    positions: (v, 3) float32. triangles: (t, 3) uint32. triangle: (n,) int32, each within
+    values: (v, k) float32. triangles: (t, 3) uint32. triangle: (n,) int32, each within
     [0, t). u, v: (n,) float32 or float64. Raises QueryError for other shapes, or a triangle out of
     range.
     """
-    return _at_hits(positions, triangles, triangle, u, v, normalise=False)
+    return _at_hits(_interpolate, values, triangles, triangle, u, v)
 
 
 def interpolate_normals(
@@ -57,10 +58,10 @@ def interpolate_normals(
 ) -> np.ndarray:
     """Unit shading normals, interpolated from the corners' (v, 3) float32: (n, 3) float32.
 
-    Other arguments and errors are those of `interpolate_positions`. They are not turned towards
+    Other arguments and errors are those of `interpolate`. They are not turned towards
     the viewer. Corner normals that cancel give (0, 0, 0).
     """
-    return _at_hits(normals, triangles, triangle, u, v, normalise=True)
+    return _at_hits(_interpolate_normals, normals, triangles, triangle, u, v)
 
 
 def geometric_normals(
@@ -68,7 +69,7 @@ def geometric_normals(
 ) -> np.ndarray:
     """Unit normals of the flat triangles, counter-clockwise side: (n, 3) float32.
 
-    Arguments and errors are those of `interpolate_positions`; a triangle without area gives
+    Arguments and errors are those of `interpolate`; a triangle without area gives
     (0, 0, 0).
     """
     check_numbers("triangle", triangle, len(triangles))
@@ -151,24 +152,17 @@ def leaving_origins(
 
 
 def _at_hits(
+    kernel: Callable[..., None],
     values: np.ndarray,
     triangles: np.ndarray,
     triangle: np.ndarray,
     u: np.ndarray,
     v: np.ndarray,
-    normalise: bool,
 ) -> np.ndarray:
     _check_hits(triangles, triangle, u, v)
-    result = np.empty((len(triangle), 3), np.float32)
-    _interpolate(
-        values,
-        triangles,
-        triangle,
-        np.asarray(u, np.float64),
-        np.asarray(v, np.float64),
-        normalise,
-        result,
-    )
+    result = np.empty((len(triangle), values.shape[1]), np.float32)
+    u, v = np.asarray(u, np.float64), np.asarray(v, np.float64)
+    kernel(values, triangles, triangle, u, v, result)
     return result
 
 
@@ -181,13 +175,15 @@ def _check_hits(triangles: np.ndarray, triangle: np.ndarray, u: np.ndarray, v: n
 @compiled(fastmath=())
 def mixed_at(values: np.ndarray, corners: np.ndarray, u: float, v: float) -> Vector:
     """The corners' rows of (v, 3) float32 at barycentrics (u, v): three float64."""
-    a, b, c = corners[0], corners[1], corners[2]
-    w = 1.0 - u - v
-    return (
-        w * values[a, 0] + u * values[b, 0] + v * values[c, 0],
-        w * values[a, 1] + u * values[b, 1] + v * values[c, 1],
-        w * values[a, 2] + u * values[b, 2] + v * values[c, 2],
-    )
+    x, y = component_at(values, corners, 0, u, v), component_at(values, corners, 1, u, v)
+    return x, y, component_at(values, corners, 2, u, v)
+
+
+@compiled(inline=True, fastmath=())
+def component_at(values: np.ndarray, corners: np.ndarray, k: int, u: float, v: float) -> float:
+    """Column k of the corners' rows at barycentrics (u, v): float64."""
+    a, b, c = values[corners[0], k], values[corners[1], k], values[corners[2], k]
+    return float((1.0 - u - v) * a + u * b + v * c)
 
 
 @compiled(fastmath=())
@@ -231,13 +227,25 @@ def _interpolate(
     triangle: np.ndarray,
     u: np.ndarray,
     v: np.ndarray,
-    normalise: bool,
     result: np.ndarray,
 ) -> None:
     for i in range(len(triangle)):
-        value = mixed_at(values, triangles[triangle[i]], u[i], v[i])
-        value = unit(value) if normalise else value
-        result[i, 0], result[i, 1], result[i, 2] = value
+        for k in range(values.shape[1]):
+            result[i, k] = component_at(values, triangles[triangle[i]], k, u[i], v[i])
+
+
+@compiled(rows="triangle u v result", fastmath=())
+def _interpolate_normals(
+    normals: np.ndarray,
+    triangles: np.ndarray,
+    triangle: np.ndarray,
+    u: np.ndarray,
+    v: np.ndarray,
+    result: np.ndarray,
+) -> None:
+    for i in range(len(triangle)):
+        normal = unit(mixed_at(normals, triangles[triangle[i]], u[i], v[i]))
+        result[i, 0], result[i, 1], result[i, 2] = normal
 
 
 @compiled(fastmath=())

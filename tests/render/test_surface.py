@@ -11,8 +11,8 @@ from rna_trace.parts_scene import PartsScene
 from rna_trace.surface import (
     SurfacePoints,
     geometric_normals,
+    interpolate,
     interpolate_normals,
-    interpolate_positions,
     leaving_origins,
 )
 from tests.render.assets import merged, sphere, square
@@ -49,7 +49,7 @@ def test_interpolation_is_the_barycentric_sum():
     weights = np.array([0.3, 0.2, 0.5])
     at = mesh.triangles, triangle, u, v
     expected = np.einsum("c,tck->tk", weights, mesh.positions[mesh.triangles].astype(np.float64))
-    np.testing.assert_allclose(interpolate_positions(mesh.positions, *at), expected, atol=1e-7)
+    np.testing.assert_allclose(interpolate(mesh.positions, *at), expected, atol=1e-7)
     n = interpolate_normals(mesh.normals, *at)
     np.testing.assert_allclose(n, expected / np.linalg.norm(expected, axis=1)[:, None], atol=1e-6)
 
@@ -65,7 +65,7 @@ def test_triangles_that_are_not_there_are_refused():
     u = np.zeros(1, np.float32)
     for number in (-1, 2):
         with pytest.raises(QueryError, match="outside"):
-            interpolate_positions(mesh.positions, mesh.triangles, np.int32([number]), u, u)
+            interpolate(mesh.positions, mesh.triangles, np.int32([number]), u, u)
 
 
 # Sizes and places of an asset, in metres: as modelled, a grain of rice, a stadium, and a chair
@@ -172,7 +172,7 @@ def test_points_in_one_pass_are_what_each_formula_gives():
     u, v = rng.dirichlet([1, 1, 1], 300)[:, :2].T.astype(np.float32)
     at, corners = (mesh.triangles, triangle, u, v), mesh.triangles[triangle]
     points = SurfacePoints.of(mesh, triangle, u, v)
-    np.testing.assert_array_equal(points.x, interpolate_positions(mesh.positions, *at))
+    np.testing.assert_array_equal(points.x, interpolate(mesh.positions, *at))
     np.testing.assert_array_equal(points.n, interpolate_normals(mesh.normals, *at))
     ng = geometric_normals(mesh.positions, mesh.triangles, triangle)
     np.testing.assert_array_equal(points.ng, ng)

@@ -12,8 +12,7 @@ from rna_render.materials.material import Material
 from rna_render.materials.scattering import ClearCoat, Scattering
 from rna_render.materials.textures import Texture
 from rna_render.materials.transmission import object_transmittance
-from rna_sdk.machine.compiled import compiled
-from rna_trace.surface import interpolate_normals
+from rna_trace.surface import interpolate, interpolate_normals
 from rna_trace.transmittance import Transmittance
 
 # Luminance of linear sRGB: ITU-R BT.709-6, section 3.2.
@@ -81,7 +80,7 @@ class MeshObject:
         for row, values in self._looked_up("base_color_texture", number, triangle, u, v):
             base_color[row] *= values
         if self.colors is not None:
-            base_color *= self._interpolated(self.colors, triangle, u, v)
+            base_color *= interpolate(self.colors, self.triangles, triangle, u, v)
         texture = "metallic_roughness_texture"
         for row, values in self._looked_up(texture, number, triangle, u, v):
             roughness[row] *= values[:, 1]
@@ -251,17 +250,8 @@ class MeshObject:
                 if (texture := textures[place]) is not None:
                     row = np.flatnonzero(number == place)
                     uvs = self.uv_set(texture.uv_set)
-                    uv = self._interpolated(uvs, triangle[row], u[row], v[row])
+                    uv = interpolate(uvs, self.triangles, triangle[row], u[row], v[row])
                     yield row, texture.lookup(uv)
-
-    def _interpolated(
-        self, values: np.ndarray, triangle: np.ndarray, u: np.ndarray, v: np.ndarray
-    ) -> np.ndarray:
-        """An attribute of vertices, (v, k), at barycentrics: (n, k) float32."""
-        result = np.empty((len(triangle), values.shape[1]), np.float32)
-        u, v = np.asarray(u, np.float64), np.asarray(v, np.float64)
-        _interpolate(values, self.triangles, triangle, u, v, result)
-        return result
 
 
 def _factors_of(materials: Sequence[Material]) -> dict[str, np.ndarray]:
@@ -286,20 +276,3 @@ def _mean_emission(material: Material) -> np.ndarray:
     """Mean radiance over the whole texture: (3,) float64."""
     texture = material.emission_texture
     return np.asarray(material.emission) * (1.0 if texture is None else texture.mean())
-
-
-@compiled(rows="triangle u v result", fastmath=())
-def _interpolate(
-    values: np.ndarray,
-    triangles: np.ndarray,
-    triangle: np.ndarray,
-    u: np.ndarray,
-    v: np.ndarray,
-    result: np.ndarray,
-) -> None:
-    for i in range(len(triangle)):
-        row = triangle[i]
-        a, b, c = triangles[row, 0], triangles[row, 1], triangles[row, 2]
-        for k in range(values.shape[1]):
-            at_a, at_b, at_c = values[a, k], values[b, k], values[c, k]
-            result[i, k] = (1.0 - u[i] - v[i]) * at_a + u[i] * at_b + v[i] * at_c

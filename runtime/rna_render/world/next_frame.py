@@ -8,7 +8,7 @@ import numpy as np
 from rna_sdk.runtime import DeformedCurves
 from rna_trace.asset_parts import Shape
 from rna_trace.embree.tracing import ClosestHits
-from rna_trace.surface import interpolate_positions
+from rna_trace.surface import interpolate
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,7 +26,7 @@ class NextFrame:
         shape, moved = self.shapes[part], self.positions[part]
         primitive, u, v = hits.primitive[ray], hits.u[ray], hits.v[ray]
         if not isinstance(shape, DeformedCurves):
-            return interpolate_positions(moved, shape.mesh.triangles, primitive, u, v)
+            return interpolate(moved, shape.mesh.triangles, primitive, u, v)
         first = shape.curves.segments()[primitive]
         way = _along(moved, first, u) - _along(shape.curves.points, first, u)
         return np.asarray(x + way, np.float32)
