@@ -11,12 +11,12 @@ from .embree.scenes import TriangleScene as TriangleScene
 from .embree.tracing import ClosestHits as ClosestHits
 from .fiber import FiberPoints as FiberPoints
 from .fiber import tangents as tangents
+from .nearby import R2 as R2
 from .nearby import nearby_light as nearby_light
 from .normal_maps import NormalMaps as NormalMaps
 from .normal_maps import texture_numbers as texture_numbers
 from .parts_scene import PartPoints as PartPoints
 from .parts_scene import PartsScene as PartsScene
-from .surface import OFFSET as OFFSET
 from .surface import SurfacePoints as SurfacePoints
 from .surface import geometric_normals as geometric_normals
 from .transmittance import TransmittanceTexture as TransmittanceTexture

@@ -23,9 +23,10 @@ _OF_LENGTHS, _SHAPE = 1.2, 1.5
 _LEAST = 2.0**-24  # of a random number
 _FAR = 2.0  # times the diagonal of the asset: where columns of distant light begin
 _CHUNK = 1 << 17  # rows at a time
-# Two irrational steps whose multiples fill the square evenly: Roberts, "The Unreasonable
-# Effectiveness of Quasirandom Sequences", 2018.
-_STEPS = np.array([0.7548776662466927, 0.5698402909980532])
+
+R2 = 1.0 / np.array([1.32471795724474602596, 1.32471795724474602596**2])
+"""Two steps whose multiples fill the square evenly, by the two-dimensional golden ratio: M.
+Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018."""
 
 
 def nearby_estimate(
@@ -62,7 +63,7 @@ def nearby_light(
         points, towards = np.ascontiguousarray(x[rows]), np.ascontiguousarray(wi[rows])
         shift = rng.random((len(points), 2))
         for ray in range(rays):
-            u = (shift + ray * _STEPS) % 1.0
+            u = (shift + ray * R2) % 1.0
             _add_estimate(scene, every, points, towards, u, np.inf, result[rows])
     result /= np.float32(rays)
     return result

@@ -5,10 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from rna_sdk.package.manifest.manifest_fields import Region
-
-# R2, the two-dimensional golden ratio: M. Roberts, "The Unreasonable Effectiveness of
-# Quasirandom Sequences", 2018.
-_R2 = 1.0 / np.array([1.32471795724474602596, 1.32471795724474602596**2])
+from rna_trace import R2
 
 GOLDEN = (np.sqrt(5.0) - 1.0) / 2.0
 """Share of a turn whose multiples are spread evenly, beside any multiples of R2."""
@@ -25,7 +22,7 @@ def spread_point(index: int, key: Sequence[int]) -> np.ndarray:
     key: seed of the sequence.
     """
     shift = np.random.default_rng(key).random(2)
-    return np.asarray((shift + (index + 1) * _R2) % 1.0)
+    return np.asarray((shift + (index + 1) * R2) % 1.0)
 
 
 def light_direction(index: int, seed: int, region: Region) -> np.ndarray:
