@@ -1,6 +1,5 @@
 """Error of what viewers show that do not know RNA: a .glb's fallback beside the references."""
 
-import json
 import warnings
 from collections.abc import Sequence
 from pathlib import Path
@@ -12,12 +11,10 @@ from rna_export.capture.dataset.validation_view import WholeView
 from rna_export.metrics import plain
 from rna_export.training.asset_error import asset_error
 from rna_render import DirectLight, read_mesh_object
+from rna_render.materials import open_gltf
 from rna_sdk.commands.console import command_line
-from rna_sdk.errors import PackageError
 from rna_sdk.files.atomic_file import write_atomically
 from rna_sdk.files.file_kinds import is_gltf
-from rna_sdk.files.regular_file import read_regular
-from rna_sdk.package.gltf.carrier import split_carrier
 from rna_sdk.package.gltf.carrier_writer import with_fallback_flip
 
 
@@ -60,12 +57,7 @@ def fallback_flip(glb: Path, views: Sequence[WholeView]) -> float:
 
 def _moves(source: Path) -> bool:
     """Whether a source is glTF with animations."""
-    if not is_gltf(source):
-        return False
     try:
-        data = read_regular(source)
-        is_text = source.suffix.lower() == ".gltf"
-        document = json.loads(data) if is_text else split_carrier(memoryview(data))[0]
-        return bool(document.get("animations"))
-    except (OSError, ValueError, AttributeError, PackageError):
+        return is_gltf(source) and bool(open_gltf(source).json.get("animations"))
+    except (OSError, ValueError, LookupError, TypeError):
         return False
