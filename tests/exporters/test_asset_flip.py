@@ -131,13 +131,13 @@ def test_the_worse_of_light_and_emission_counts_and_a_black_board_does_not() -> 
     sign = np.zeros_like(reference)
     sign[: SIDE * 4] = 3.0
     wrong = 0.5 * sign
-    light = [1.02 * reference], [view_of(reference)]
+    light = asset_error([1.02 * reference], [view_of(reference)])
     glow = view_of(sign, kind=EmissionView)
     expected = asset_error([wrong], [glow])
     assert expected.mean > 0.15  # of the sign's pixels, which are 8% of the picture
-    assert worse_error(*light, [(wrong, glow)]) == expected
-    assert worse_error(*light, [(sign, glow)]) == asset_error(*light)
-    assert worse_error(*light, []) == asset_error(*light)
+    assert worse_error(light, [(wrong, glow)]) == expected
+    assert worse_error(light, [(sign, glow)]) == light
+    assert worse_error(light, []) == light
 
 
 def test_words_get_worse_with_the_error() -> None:

@@ -115,7 +115,7 @@ def _measured(path: Path, tier: Tier, dataset: Dataset) -> Row:
         if chosen:
             error = asset_error([radiance[k] for k in chosen], [views[k] for k in chosen])
             lit[name] = _figures(error)
-    error = worse_error(radiance, views, emitted)
+    error = worse_error(asset_error(radiance, views), emitted)
     returned = None
     if (white := white_views(dataset.parts)) is not None:
         pairs = zip(asset.parts, white, strict=True)

@@ -18,7 +18,7 @@ from rna_export.capture.dataset.validation_view import (
 from rna_export.export.trained_tiers import TrainedTier
 from rna_export.machine import seconds_of
 from rna_export.metrics import PSNR_DEFINITION, plain, psnr, relative_mse
-from rna_export.training.asset_error import smallest_factor, worse_error
+from rna_export.training.asset_error import asset_error, smallest_factor, worse_error
 from rna_export.training.validation import exposure, mean_psnr, shade
 from rna_sdk.errors import ExportError
 from rna_sdk.machine.cores import core_count
@@ -131,7 +131,7 @@ def _validation(
     brighter = f"; both {brightest:.3g} times as bright, since the asset is dark"
     size = smallest_factor(views)
     pixels = f", in pixels of {size} x {size} rays" if size > 1 else ""
-    error = worse_error(radiance, views, emitted)
+    error = worse_error(asset_error(radiance, views), emitted)
     unlit = f"; images without light: {error.unlit}" if error.unlit else ""
     return Validation(
         psnr=mean_psnr(radiance, views),
@@ -186,6 +186,6 @@ def flip_at_heights(
         height = views[0].resolution // (factor * smallest_factor(views))
         if height < _SMALLEST and factor > 1:
             break
-        error = worse_error(radiance, views, emitted, factor)
+        error = worse_error(asset_error(radiance, views, factor), emitted, factor)
         result.append(FlipAtHeight(height=height, flip=error.mean))
     return tuple(result)

@@ -15,7 +15,7 @@ from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.make.make_progress import Stage, quiet
 from rna_export.make.plan import Length
 from rna_export.make.state import Score
-from rna_export.training.asset_error import worse_error
+from rna_export.training.asset_error import asset_error, worse_error
 from rna_export.training.checkpoint import Trained, load_checkpoint
 from rna_export.training.nearby_choice import run_on
 from rna_export.training.part_runs import part_folder, shared_minutes
@@ -117,7 +117,7 @@ def score(trained: Sequence[Trained], dataset: Dataset, is_noisy: bool = False) 
         for one, part in zip(trained, dataset.parts, strict=True)
         for view in part.emission_views()
     ]
-    error = worse_error(radiance, views, emitted)
+    error = worse_error(asset_error(radiance, views), emitted)
     psnr = noiseless_psnr(radiance, views).db if is_noisy else mean_psnr(radiance, views)
     return Score(psnr=psnr, flip=error.mean, without_noise=is_noisy)
 

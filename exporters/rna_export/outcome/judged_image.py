@@ -81,6 +81,11 @@ class JudgedImage:
         )
 
     @property
+    def flip(self) -> ImageFlip:
+        """FLIP of the asset's pixels."""
+        return ImageFlip(self.errors[self.asset], self.noisier[:, self.asset].ravel())
+
+    @property
     def reference(self) -> np.ndarray:
         """Radiance (h, w, 3) of Cycles."""
         return np.asarray(self.halves.mean(axis=0))

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from rna_export.asset_flip import without_noise
+from rna_export.asset_flip import AssetFlip, asset_flip, without_noise
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.validation_view import CapturedImage
 from rna_export.capture.preflight.verdicts import MaterialVerdict, share_text
@@ -62,13 +62,12 @@ class MaterialOutcome:
 class Outcome:
     """The findings of an asset's lit images.
 
-    images: how many there are. materials: the worst first. brightest: light of the brightest 1% of
-    the pixels over Cycles'. outline, outline_light, outline_share: FLIP of the outlines' pixels,
-    their light over Cycles', and how many they are of all; None without any. worst: None of no
-    image.
+    error: of them together. materials: the worst first. brightest: light of the brightest 1% of the
+    pixels over Cycles'. outline, outline_light, outline_share: FLIP of the outlines' pixels, their
+    light over Cycles', and how many they are of all; None without any. worst: None of no image.
     """
 
-    images: int
+    error: AssetFlip
     materials: tuple[MaterialOutcome, ...]
     brightest: float | None
     outline: float | None
@@ -85,7 +84,8 @@ class Outcome:
         images = judged_images(radiance, views, materials)
         told = _by_material(images, materials, dataset.manifest.materials)
         is_of_strands = all(view.is_of_strands for view in views)
-        return cls.of_images(images, is_of_strands, told, materials.names)
+        unlit = len(views) - len(images)
+        return cls.of_images(images, is_of_strands, told, materials.names, unlit)
 
     @classmethod
     def of_images(
@@ -94,8 +94,12 @@ class Outcome:
         is_of_strands: bool,
         materials: tuple[MaterialOutcome, ...] = (),
         names: Sequence[str] = (),
+        unlit: int = 0,
     ) -> Outcome:
-        """is_of_strands: whether all that they show is strands. names: of materials, by number."""
+        """is_of_strands: whether all that they show is strands. names: of materials, by number.
+
+        unlit: how many further images are without light.
+        """
         outline = _joined(images, lambda image: image.outline).astype(bool)
         light = _joined(images, lambda image: image.ours @ LUMINANCE)
         first = _joined(images, lambda image: image.halves[0] @ LUMINANCE)
@@ -103,7 +107,7 @@ class Outcome:
         halves = np.stack([first, second])
         has_outline = outline.any() and not is_of_strands  # of strands all is outline
         return cls(
-            images=len(images),
+            error=asset_flip([image.flip for image in images], unlit),
             materials=materials,
             brightest=_of_brightest(light, halves),
             outline=_flip_of(images, outline) if has_outline else None,
@@ -123,7 +127,7 @@ class Outcome:
             return []
         told, more = self.materials[:_LISTED], self.materials[_LISTED:]
         came_true = f"what came true{' so far' if is_sketch else ''}, " if self.materials else ""
-        lines = [f"{came_true}in {self.images} lit {what}:"]
+        lines = [f"{came_true}in {self.error.images} lit {what}:"]
         lines += [each.told(is_sketch) for each in told]
         if more:
             worst = max((each.flip for each in more if each.flip is not None), default=0.0)

@@ -63,16 +63,12 @@ def image_flip(rows: np.ndarray, view: CapturedImage, exposure: float, factor: i
 
 
 def worse_error(
-    radiance: Sequence[np.ndarray],
-    views: Sequence[CapturedImage],
-    emitted: Sequence[tuple[np.ndarray, EmissionView]],
-    factor: int = 1,
+    transport: AssetFlip, emitted: Sequence[tuple[np.ndarray, EmissionView]], factor: int = 1
 ) -> AssetFlip:
-    """`asset_error` of reflected light, or of emission where that is larger.
+    """The error of reflected light, or `asset_error` of emission where that is larger.
 
     emitted: rows and views of all parts that emit.
     """
-    transport = asset_error(radiance, views, factor)
     if not emitted:
         return transport
     rows, glowing = zip(*emitted, strict=True)

@@ -10,7 +10,7 @@ from time import monotonic
 from rna_export.albedo import albedo
 from rna_export.brightness import Brightness, brightness
 from rna_export.capture.dataset.dataset_part import DatasetPart
-from rna_export.training.asset_error import worse_error
+from rna_export.training.asset_error import asset_error, worse_error
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.validation import (
     mean_psnr,
@@ -117,7 +117,7 @@ class Report:
         if not is_last and self._seconds > _SHARE * (begun - self._pictured):
             return row
         glowing = list(zip(emitted, self._emission_views, strict=True))
-        row["flip"] = worse_error(radiance, views, glowing).mean
+        row["flip"] = worse_error(asset_error(radiance, views), glowing).mean
         if self._white is not None:
             returned = albedo([(shade(model, self._white), self._white)])
             row |= {} if returned is None else {"albedo": returned.ratio}

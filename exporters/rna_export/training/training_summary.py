@@ -93,8 +93,8 @@ def closing_lines(best: Path, part: DatasetPart) -> list[str]:
     effort, views = Effort.of([trained], part.dataset), part.validation_views()
     radiance = [shade(trained.model, view) for view in views]
     emitted = [(shade_emission(trained.model, view), view) for view in part.emission_views()]
-    error = worse_error(radiance, views, emitted)
-    lines = []
+    outcome, lines = Outcome.of(radiance, views, part.dataset), []
+    error = worse_error(outcome.error, emitted)
     if rows:
         psnr = max(row["psnr"] for row in rows)
         lines.append(f"{trained.preset_name}: {error}, PSNR {psnr:.2f} dB; {effort}")
@@ -103,6 +103,5 @@ def closing_lines(best: Path, part: DatasetPart) -> list[str]:
         if returned is not None:
             text = albedo_text(returned.ratio, returned.at80)
             lines.append(f"{trained.preset_name}: {text}")
-    outcome, worst = Outcome.of(radiance, views, part.dataset), best.parent / "worst.png"
-    lines += outcome.told(worst, is_sketch=effort.is_little)
+    lines += outcome.told(best.parent / "worst.png", is_sketch=effort.is_little)
     return [*lines, *reference_warnings(views), *effort.warnings(error.mean)]
