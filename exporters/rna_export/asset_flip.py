@@ -1,7 +1,5 @@
 """How far an asset is from its reference: FLIP of its pixels alone, exposed as in a scene."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -78,7 +76,7 @@ class ImageFlip:
     @classmethod
     def of(
         cls, image: np.ndarray, halves: np.ndarray, covered: np.ndarray, exposure: float
-    ) -> ImageFlip:
+    ) -> "ImageFlip":
         """image: (h, w, 3) radiance at irradiance 1. halves: (2, h, w, 3), independent references.
 
         covered: (h, w), the asset's share of each pixel.

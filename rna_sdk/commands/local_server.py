@@ -5,8 +5,6 @@ its scripts from reading the answers, unless the page's own name leads here (DNS
 requests that name a host which may be another site's are refused.
 """
 
-from __future__ import annotations
-
 import ipaddress
 import socket
 import sys
@@ -43,7 +41,7 @@ class LocalServer(ThreadingHTTPServer):
     block_on_close = False
     request_queue_size = MAX_CONNECTIONS  # a client that finds the queue full tries again after 1 s
 
-    def __init__(self, host: str, port: int, handler: type[LocalHandler]) -> None:
+    def __init__(self, host: str, port: int, handler: type["LocalHandler"]) -> None:
         self._free = threading.BoundedSemaphore(MAX_CONNECTIONS)
         self._waiting: dict[socket.socket, float] = {}  # for a request, and since when
         self._lock = threading.Lock()

@@ -1,7 +1,5 @@
 """Queries of lobes in the kit: rows of a file (spec/conformance/README.md)."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
@@ -36,7 +34,7 @@ class LobeQueries:
     v: Rows
 
     @classmethod
-    def of(cls, rows: Rows) -> LobeQueries:
+    def of(cls, rows: Rows) -> "LobeQueries":
         """rows: (n, COLUMNS) float32."""
         column = np.ascontiguousarray(rows.T)
         position, axis, wo = (np.ascontiguousarray(rows[:, k : k + 3]) for k in (0, 3, 7))

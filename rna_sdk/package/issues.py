@@ -1,7 +1,5 @@
 """Everything that can be wrong with a package: the table of codes, and one finding."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import Enum, StrEnum
@@ -176,7 +174,7 @@ class Issue:
     expected: str
 
     @classmethod
-    def of(cls, code: Code, where: str | int, found: object, expected: object) -> Issue:
+    def of(cls, code: Code, where: str | int, found: object, expected: object) -> "Issue":
         """The issue with this code, its severity and sentence taken from the table."""
         return cls(code.name, code.severity, where, code.meaning, _shown(found), _shown(expected))
 

@@ -1,7 +1,5 @@
 """An opened package: the public way to read a `.rna` file."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -97,7 +95,7 @@ class Package:
         self.manifest, self.carrier = manifest, carrier
 
     @classmethod
-    def open(cls, path: str | PathLike[str]) -> Package:
+    def open(cls, path: str | PathLike[str]) -> "Package":
         """Read and fully validate the file at `path`: a `.rna`, or a `.glb` that carries one.
 
         Raises:
@@ -151,7 +149,7 @@ class Package:
         """Release the file. Further calls have no effect."""
         self._container = None
 
-    def __enter__(self) -> Package:
+    def __enter__(self) -> "Package":
         return self
 
     def __exit__(

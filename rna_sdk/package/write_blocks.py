@@ -3,8 +3,6 @@
 `python -m rna_sdk.package.write_blocks`, in a checkout. The web pages read spec/blocks.json.
 """
 
-from __future__ import annotations
-
 import ast
 import json
 import sys
@@ -53,7 +51,7 @@ class _Block(NamedTuple):
     light: bool
 
     @classmethod
-    def of(cls, name: str, formulas: BlockFormulas) -> _Block:
+    def of(cls, name: str, formulas: BlockFormulas) -> "_Block":
         light = "wi" in formulas.needs(name)
         return cls(name, formulas.width(name), formulas.kinds(name), light)
 

@@ -4,8 +4,6 @@ A point of the deformed shape is the same place of the same triangle, or of the 
 rest. Its decoder is evaluated there, with directions turned by the rotation of the deformation.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
@@ -91,7 +89,7 @@ class RestMesh:
         _, group = np.unique(keys, return_inverse=True)
         self.group = group.reshape(-1).astype(np.int64)
 
-    def deformed(self, positions: Float32) -> DeformedMesh:
+    def deformed(self, positions: Float32) -> "DeformedMesh":
         """The shape with other positions; see `SurfaceAsset.deformed`."""
         return DeformedMesh(self, positions)
 
@@ -165,7 +163,7 @@ class RestCurves:
         self.offsets = curves.offsets.astype(np.int64)
         self.order = _curve_order(curves.points[self.offsets[:-1]])
 
-    def deformed(self, points: Float32) -> DeformedCurves:
+    def deformed(self, points: Float32) -> "DeformedCurves":
         """The shape with other points; see `FiberAsset.deformed`."""
         return DeformedCurves(self, points)
 

@@ -5,8 +5,6 @@ and cones about the tangent that specular reflection and transmission lie on. Al
 have the share that these leave; see rna_render.world.neural_sampling.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -28,7 +26,7 @@ class PointMixture:
     }
 
     @classmethod
-    def of(cls, mixture: Mixture, kind: str) -> PointMixture:
+    def of(cls, mixture: Mixture, kind: str) -> "PointMixture":
         """The same at all points. kind: of the part."""
         result = cls()
         result.is_fiber = mi.Bool(kind == "fiber")

@@ -5,8 +5,6 @@ there (by its place u along the segment) and the normal. Centre plus radius time
 point, with an error of a few units in the last place however far the ray came from.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
@@ -73,7 +71,7 @@ class FiberPoints:
         segment: np.ndarray,
         u: np.ndarray,
         normals: np.ndarray,
-    ) -> FiberPoints:
+    ) -> "FiberPoints":
         """The points of hits; arguments as for `hit_points`, first: `curves.segments()`."""
         x = hit_points(curves.points, curves.radii, first, segment, u, normals)
         return cls(x, normals, tangents(curves.points, first, segment), segment)
@@ -81,7 +79,7 @@ class FiberPoints:
     def __len__(self) -> int:
         return len(self.x)
 
-    def take(self, row: np.ndarray) -> FiberPoints:
+    def take(self, row: np.ndarray) -> "FiberPoints":
         """The given rows."""
         x, n, tangent = (a.take(row, axis=0) for a in (self.x, self.n, self.tangent))
         return FiberPoints(x, n, tangent, self.segment[row])

@@ -13,8 +13,6 @@ own coordinates, which fails near the origin of large triangles; Pharr, Jakob an
 Physically Based Rendering (section 6.8), bound the error of the point.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np
@@ -57,7 +55,7 @@ class Lines(NamedTuple):
     instance: np.ndarray
     frames: Frames
 
-    def rows(self, row: slice | np.ndarray) -> Lines:
+    def rows(self, row: slice | np.ndarray) -> "Lines":
         """The given rays."""
         return Lines(self.origins[row], self.directions[row], self.instance[row], self.frames)
 

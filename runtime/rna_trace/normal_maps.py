@@ -3,8 +3,6 @@
 `rna_sdk.runtime.normal_maps` says the same in numpy and is what tests compare with.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from copy import copy
 
@@ -36,7 +34,7 @@ class NormalMaps:
         starts = np.cumsum([0, *(h * w for h, w in sizes)])[:-1]
         self._sizes = np.column_stack([starts, sizes]).astype(np.int64)
 
-    def on(self, mesh: Mesh) -> NormalMaps:
+    def on(self, mesh: Mesh) -> "NormalMaps":
         """The same maps on a mesh in motion, with the same triangles and coordinates."""
         result = copy(self)
         result._mesh = mesh.positions, *self._mesh[1:]

@@ -1,7 +1,5 @@
 """Workers in processes of this machine."""
 
-from __future__ import annotations
-
 import multiprocessing
 import os
 import pickle
@@ -29,7 +27,7 @@ class Processes:
     def width(self) -> int:
         return self.count
 
-    def slot(self, make: MakeWorker, name: str) -> ProcessSlot:
+    def slot(self, make: MakeWorker, name: str) -> "ProcessSlot":
         return ProcessSlot(make, name)
 
 

@@ -1,7 +1,5 @@
 """One bar for all workers: rate and time left of the whole, places of work, failures."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -23,7 +21,7 @@ class Progress:
         self._is_spread = False  # over nodes, or was
         self._bar = bars(total=total, initial=done, unit=unit, desc=what, **scaled)
 
-    def __enter__(self) -> Progress:
+    def __enter__(self) -> "Progress":
         return self
 
     def __exit__(self, *_: object) -> None:

@@ -1,7 +1,5 @@
 """Workers in threads of this process."""
 
-from __future__ import annotations
-
 import threading
 from concurrent.futures import Future
 from dataclasses import dataclass
@@ -24,7 +22,7 @@ class Threads:
     def width(self) -> int:
         return self.count
 
-    def slot(self, make: MakeWorker, name: str) -> ThreadSlot:
+    def slot(self, make: MakeWorker, name: str) -> "ThreadSlot":
         return ThreadSlot(make, name)
 
 

@@ -1,7 +1,5 @@
 """The kit, and readers to run on it within this process."""
 
-from __future__ import annotations
-
 import contextlib
 import importlib.util
 import io
@@ -48,7 +46,7 @@ def host_module(name: str) -> ModuleType:
     return module
 
 
-def with_geometry(host: ModuleType) -> InProcess:
+def with_geometry(host: ModuleType) -> "InProcess":
     """The host of deformed shapes, or a changed one, as a reader."""
 
     def geometry(package: str, part: int) -> np.ndarray:

@@ -1,7 +1,5 @@
 """Ctrl-C and failures in a capture, with stand-ins for Blender and for the tasks."""
 
-from __future__ import annotations
-
 import threading
 from contextlib import closing
 from dataclasses import dataclass, field
@@ -29,7 +27,7 @@ class Blender:
     restarts: int = 0
     killed: threading.Event = field(default_factory=threading.Event)
 
-    def __enter__(self) -> Blender:
+    def __enter__(self) -> "Blender":
         self.starts += 1
         return self
 

@@ -1,7 +1,5 @@
 """Shards of a capture; the plan of `--minutes`, and that it is kept."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import dataclass
 from pathlib import Path
@@ -131,7 +129,7 @@ def dataset(tmp_path: Path) -> Dataset:
 class WithoutBlender(CaptureWorker):
     """Runs tasks that need no Blender."""
 
-    def __enter__(self) -> WithoutBlender:
+    def __enter__(self) -> "WithoutBlender":
         self._dataset = Dataset(self._job.dataset.here().parent)
         self._scene: Any = None
         self._blender: Any = object()

@@ -1,7 +1,5 @@
 """A make by turns, without Blender: rays of a known ball take the place of Cycles'."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
@@ -302,7 +300,7 @@ class Bar:
     def __init__(self, left: int):
         self._left = left
 
-    def __enter__(self) -> Bar:
+    def __enter__(self) -> "Bar":
         return self
 
     def __exit__(self, *_: object) -> None:

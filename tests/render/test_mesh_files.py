@@ -1,7 +1,5 @@
 """Mesh files: geometry, placement, and messages about files that cannot be shown."""
 
-from __future__ import annotations
-
 import base64
 import json
 from dataclasses import replace
@@ -85,7 +83,7 @@ class Gltf:
         self.json["accessors"].append({"bufferView": self.view(values.tobytes())} | entry | more)
         return len(self.json["accessors"]) - 1
 
-    def square(self, normals=True, uvs=True, **primitive) -> Gltf:
+    def square(self, normals=True, uvs=True, **primitive) -> "Gltf":
         """A mesh of one square; `primitive` replaces what it says."""
         attributes = {"POSITION": self.accessor(CORNERS)}
         if normals:
@@ -97,7 +95,7 @@ class Gltf:
         self.json["meshes"].append({"primitives": [entry]})
         return self
 
-    def node(self, **data) -> Gltf:
+    def node(self, **data) -> "Gltf":
         self.json["nodes"].append(data)
         return self
 

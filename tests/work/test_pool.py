@@ -1,7 +1,5 @@
 """The pool of workers, on threads and on processes."""
 
-from __future__ import annotations
-
 import threading
 import time
 from collections.abc import Iterator
@@ -52,7 +50,7 @@ class OutOfTurn:
     def width(self) -> int:
         return 1
 
-    def slot(self, make: object, name: str) -> OutOfTurn:
+    def slot(self, make: object, name: str) -> "OutOfTurn":
         return self
 
     def give(self, item: int) -> Future[int]:
@@ -182,7 +180,7 @@ def test_no_room_for_workers_is_an_error(monkeypatch: pytest.MonkeyPatch) -> Non
 
 def test_a_worker_that_does_not_start_is_told_of_once(monkeypatch: pytest.MonkeyPatch) -> None:
     class Late(Doubling):
-        def __enter__(self) -> Late:
+        def __enter__(self) -> "Late":
             time.sleep(0.8)
             return self
 

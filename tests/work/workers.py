@@ -1,7 +1,5 @@
 """Workers for tests: what they do is in their items."""
 
-from __future__ import annotations
-
 import errno
 import os
 import signal
@@ -22,7 +20,7 @@ class Doubling:
         self.name = name
         self._killed = threading.Event()
 
-    def __enter__(self) -> Doubling:
+    def __enter__(self) -> "Doubling":
         return self
 
     def __exit__(self, *_: object) -> None:
@@ -100,7 +98,7 @@ class Writing:
     def __init__(self, folder: Path, seconds: float, name: str) -> None:
         self._folder, self._seconds = folder, seconds
 
-    def __enter__(self) -> Writing:
+    def __enter__(self) -> "Writing":
         (self._folder / "pids").mkdir(exist_ok=True)
         (self._folder / "pids" / str(os.getpid())).touch()
         return self

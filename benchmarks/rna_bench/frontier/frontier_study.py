@@ -1,7 +1,5 @@
 """The parts of a frontier's work, in the order in which they need each other."""
 
-from __future__ import annotations
-
 import argparse
 from dataclasses import dataclass
 from pathlib import Path
@@ -48,7 +46,7 @@ class Study:
     stamp: dict[str, Any]
 
     @classmethod
-    def of(cls, args: argparse.Namespace, executor: Executor) -> Study:
+    def of(cls, args: argparse.Namespace, executor: Executor) -> "Study":
         """The study that the options describe.
 
         Raises `TrainingError` for names that are not in the grid.

@@ -1,7 +1,5 @@
 """A method that is a PyTorch module: its training, checkpoints and rendering."""
 
-from __future__ import annotations
-
 import math
 import time
 from abc import abstractmethod
@@ -43,7 +41,7 @@ class Targets:
     depth: Tensor | None
 
     @classmethod
-    def of(cls, batch: PixelBatch, device: torch.device) -> Targets:
+    def of(cls, batch: PixelBatch, device: torch.device) -> "Targets":
         def there(array: np.ndarray) -> Tensor:
             return torch.from_numpy(np.ascontiguousarray(array)).to(device)
 

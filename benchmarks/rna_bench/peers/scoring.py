@@ -1,7 +1,5 @@
 """Errors of rendered views."""
 
-from __future__ import annotations
-
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
@@ -41,7 +39,7 @@ class HeldOut:
     exposure: float
 
     @classmethod
-    def of(cls, views: Views) -> HeldOut:
+    def of(cls, views: Views) -> "HeldOut":
         covered = [image[image[..., 3] > 0.0][:, :3] / IRRADIANCE for image in views.rgba]
         return cls(views, exposure_of(covered))
 

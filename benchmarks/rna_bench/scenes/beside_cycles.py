@@ -1,7 +1,5 @@
 """A scene rendered by us and, with the original in the asset's place, by Cycles."""
 
-from __future__ import annotations
-
 import time
 from dataclasses import dataclass
 from pathlib import Path
@@ -32,7 +30,7 @@ class Beside:
     asset: np.ndarray  # (h, w) bool: pixels that the asset covers, in part at least
 
     @classmethod
-    def of(cls, halves: np.ndarray, asset: np.ndarray) -> Beside:
+    def of(cls, halves: np.ndarray, asset: np.ndarray) -> "Beside":
         return cls(halves, SHOWN_AT / luminance_level(halves.mean(axis=0)[asset]), asset)
 
     @property

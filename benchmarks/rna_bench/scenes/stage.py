@@ -1,7 +1,5 @@
 """Scenes about one asset of any size: a ground, an environment or a lamp, a coloured wall."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -38,7 +36,7 @@ class Stage:
     margin: float = 1.35
 
     @classmethod
-    def of(cls, asset: Asset, package: Path, tier: str | None, **view: Any) -> Stage:
+    def of(cls, asset: Asset, package: Path, tier: str | None, **view: Any) -> "Stage":
         points = [p.curves.points if p.kind == "fiber" else p.mesh.positions for p in asset.parts]
         return cls(package, tier, np.concatenate(points), **view)
 

@@ -1,7 +1,5 @@
 """Capture settings and their defaults; imports no capture code."""
 
-from __future__ import annotations
-
 from pydantic import BaseModel, ConfigDict, Field, field_validator
 from pydantic.alias_generators import to_camel
 
@@ -123,7 +121,7 @@ class CaptureSettings(DatasetModel):
             raise ValueError(f"expected frames of Blender's, each once, up to {MAX_FRAME:,}")
         return frames
 
-    def shared_out(self) -> CaptureSettings:
+    def shared_out(self) -> "CaptureSettings":
         """These settings with smaller shards where there would be too few for many workers.
 
         However many there are: a dataset does not depend on the machine.
@@ -157,7 +155,7 @@ class CaptureSettings(DatasetModel):
         return self.validation_views * self.validation_paths + self.white_paths
 
     @classmethod
-    def usual(cls, kind: str, **given: object) -> CaptureSettings:
+    def usual(cls, kind: str, **given: object) -> "CaptureSettings":
         """The defaults for "surface", "fiber" or "both", overridden by `given`."""
         return cls(**{**_DEFAULTS.get(kind, {}), **given})
 

@@ -1,7 +1,5 @@
 """A source that Blender has open, before its capture: its geometry, checked, and its speed."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -61,7 +59,7 @@ class OpenedSource:
     @classmethod
     def of(
         cls, worker: BlenderWorker, given: dict[str, Any], name: str, for_scene: SceneFile | None
-    ) -> OpenedSource:
+    ) -> "OpenedSource":
         """Export the geometry. name: of the asset in the scene."""
         facts = [MaterialFacts(**each) for each in worker.opened["materials"]]
         sharpest, of = sharpest_of(facts)

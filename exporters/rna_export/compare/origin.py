@@ -1,7 +1,5 @@
 """Origin of a package, for a comparison: source, training, recorded error."""
 
-from __future__ import annotations
-
 import hashlib
 import re
 from dataclasses import dataclass
@@ -39,7 +37,7 @@ class Origin:
     validation: Validation | None
 
     @classmethod
-    def of(cls, package: Path, tier: str | None) -> Origin:
+    def of(cls, package: Path, tier: str | None) -> "Origin":
         """tier: None for the first."""
         with Package.open(package) as opened:
             manifest = opened.manifest

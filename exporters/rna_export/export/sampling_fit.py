@@ -6,8 +6,6 @@ found from evaluations of the package itself; `mixtures_by_triangle` finds the t
 a mixture of their own. docs/decisions/renderer.md, "Rays leave assets in a mixture of lobes".
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -43,7 +41,7 @@ class Scattered:
     sampled: NDArray[np.float64]
 
     @classmethod
-    def of(cls, views: PartViews, rng: np.random.Generator) -> Scattered:
+    def of(cls, views: PartViews, rng: np.random.Generator) -> "Scattered":
         """At random points that random viewers see."""
         points, lobes = views.points(_POINTS, rng), LOBES[views.part.kind]
         row = np.tile(np.repeat(np.arange(_POINTS), _DIRECTIONS), len(lobes))

@@ -1,7 +1,5 @@
 """Error of lobes against the whole integral of transport and environment."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -62,7 +60,7 @@ class LobePictures:
     lobes: np.ndarray
     both: np.ndarray
 
-    def of_pixels(self) -> LobePictures:
+    def of_pixels(self) -> "LobePictures":
         """The same with the mean over each pixel in place of its points."""
         pixel, place = np.unique(self.pixel, return_inverse=True)
         order = np.argsort(place, kind="stable")

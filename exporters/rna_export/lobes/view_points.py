@@ -1,7 +1,5 @@
 """Points of a part that viewers see, the transport at them, and the visibility about them."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -97,7 +95,7 @@ LobesAt = Callable[[ViewPoints], tuple[Rows, Rows]]
 """Amplitudes and axes of lobes at points, (n, L, 3) float32 each."""
 
 
-def part_views(asset: Asset, visibility: Sequence[Harmonics | None] = ()) -> list[PartViews]:
+def part_views(asset: Asset, visibility: Sequence[Harmonics | None] = ()) -> list["PartViews"]:
     """Views of each part of a loaded asset. visibility: of earlier views, to save its rays."""
     scene = PartsScene(
         [part_geometry(part) for part in asset.parts],

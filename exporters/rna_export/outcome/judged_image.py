@@ -1,7 +1,5 @@
 """A picture, judged pixel by pixel: FLIP, the object in each pixel, outlines."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -41,7 +39,7 @@ class JudgedImage:
         exposure: float,
         factor: int,
         materials: TriangleMaterials,
-    ) -> JudgedImage:
+    ) -> "JudgedImage":
         """Image of a view's shaded rows (n, 3), in pixels of `factor` x `factor` of the image's."""
         flip = image_flip(rows, view, exposure, factor)
         shown, ours, *halves = (
@@ -64,7 +62,7 @@ class JudgedImage:
         covered: np.ndarray,
         flip: ImageFlip,
         material: np.ndarray | None = None,
-    ) -> JudgedImage:
+    ) -> "JudgedImage":
         """covered: (h, w), the asset's share of each pixel. flip: of the picture."""
         asset = covered >= COVERED
         return cls(

@@ -1,7 +1,5 @@
 """The outcome of a bake: errors by material, of highlights, of outlines, beside the promises."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -78,7 +76,7 @@ class Outcome:
     @classmethod
     def of(
         cls, radiance: Sequence[np.ndarray], views: Sequence[CapturedImage], dataset: Dataset
-    ) -> Outcome:
+    ) -> "Outcome":
         """The outcome of validation images. radiance: shaded rows of the views, (n, 3) each."""
         materials = TriangleMaterials(dataset)
         images = judged_images(radiance, views, materials)
@@ -95,7 +93,7 @@ class Outcome:
         materials: tuple[MaterialOutcome, ...] = (),
         names: Sequence[str] = (),
         unlit: int = 0,
-    ) -> Outcome:
+    ) -> "Outcome":
         """is_of_strands: whether all that they show is strands. names: of materials, by number.
 
         unlit: how many further images are without light.

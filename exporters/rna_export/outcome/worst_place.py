@@ -1,7 +1,5 @@
 """Where a model is furthest from Cycles, and a picture of it."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -35,7 +33,7 @@ class WorstPlace:
     light: float
 
     @classmethod
-    def of(cls, images: Sequence[JudgedImage], names: Sequence[str]) -> WorstPlace | None:
+    def of(cls, images: Sequence[JudgedImage], names: Sequence[str]) -> "WorstPlace | None":
         """That of all images; None where none shows the asset. names: of materials."""
         found: list[tuple[float, JudgedImage, int, int]] = []
         for image in images:

@@ -1,7 +1,5 @@
 """Last lines of a training: the error of the model, and its training."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -31,7 +29,7 @@ class Effort:
     usual_lights: int
 
     @classmethod
-    def of(cls, trained: Sequence[Trained], dataset: Dataset) -> Effort:
+    def of(cls, trained: Sequence[Trained], dataset: Dataset) -> "Effort":
         """Effort of the models of all parts in one preset; steps of the part with the fewest."""
         least = min(trained, key=lambda one: one.steps)
         kinds = {part.kind for part in dataset.parts}

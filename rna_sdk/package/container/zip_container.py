@@ -1,7 +1,5 @@
 """Read the container: a hostile ZIP, checked record by record, in memory."""
 
-from __future__ import annotations
-
 import os
 import re
 import stat
@@ -53,7 +51,7 @@ class Container:
         self.data, self.entries = data, entries
 
     @classmethod
-    def of(cls, data: memoryview, path: str | PathLike[str]) -> Container:
+    def of(cls, data: memoryview, path: str | PathLike[str]) -> "Container":
         """Check every ZIP record in the bytes of a `.rna`; the entries' data is not read.
 
         path: of the file that they are from.

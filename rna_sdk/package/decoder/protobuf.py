@@ -4,8 +4,6 @@ https://protobuf.dev/programming-guides/encoding. Parsers merge a message field 
 twice, so that two readers may see two different models; `Message.one` refuses it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 MAX_ITEMS = 2**18
@@ -64,13 +62,13 @@ class Message:
         """A repeated string field."""
         return [_text(value, number) for value in self.fields.get(number, [])]
 
-    def message(self, number: int) -> Message:
+    def message(self, number: int) -> "Message":
         """A message field, empty where it is absent."""
         value = self.one(number)
         data = memoryview(b"") if value is None else _bytes(value, number)
         return Message(data, self._budget)
 
-    def messages(self, number: int) -> list[Message]:
+    def messages(self, number: int) -> list["Message"]:
         """A repeated message field."""
         values = self.fields.get(number, [])
         return [Message(_bytes(value, number), self._budget) for value in values]

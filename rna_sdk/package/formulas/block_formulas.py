@@ -3,8 +3,6 @@
 Both are expressions in the syntax of Python: `+ - * / < ==`, numbers, names and calls of FUNCTIONS.
 """
 
-from __future__ import annotations
-
 import ast
 import re
 from collections.abc import Iterable
@@ -67,7 +65,7 @@ class BlockFormulas:
                 raise ValueError(f"{name}: found {width}, {kinds} in 6.3, expected {expected}")
 
     @classmethod
-    def read(cls) -> BlockFormulas:
+    def read(cls) -> "BlockFormulas":
         """Formulas of the specification in this checkout."""
         return cls(SPECIFICATION.read_text(encoding="utf-8"))
 

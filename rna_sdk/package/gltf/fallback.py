@@ -5,8 +5,6 @@ what the network knows, the fallback has a colour at each vertex, at most. Geome
 that the package holds are not stored again.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple
@@ -89,7 +87,7 @@ def _without_prints(
     return result
 
 
-def _mesh(file: FallbackFile, package: Package, part: int) -> _PartMesh:
+def _mesh(file: FallbackFile, package: Package, part: int) -> "_PartMesh":
     """The geometry of a part, in place if the package has it in a form that glTF knows."""
     geometry, name = package.geometry(part), package.manifest.parts[part].geometry
     if isinstance(geometry, Curves):

@@ -1,7 +1,5 @@
 """The arrays of one evaluation."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
@@ -34,7 +32,7 @@ class Batch:
         arrays: Mapping[str, Rows],
         results: tuple[Rows, ...],
         nearby: tuple[Rows, ...] | None = None,
-    ) -> Batch:
+    ) -> "Batch":
         """arrays: by name, those that the decoder's blocks are made of, and the base colour."""
         return cls(in_order(arrays), results, base_color=arrays.get("base_color"), nearby=nearby)
 

@@ -3,8 +3,6 @@
 onnxruntime takes four passes over the queries for it, 38 ns/query; the kernel takes one.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
@@ -30,7 +28,7 @@ class Entry:
     offset: NDArray[np.float32]
 
     @classmethod
-    def of(cls, decoder: ProfileDecoder) -> Entry | None:
+    def of(cls, decoder: ProfileDecoder) -> "Entry | None":
         """Entry of a decoder in int8; None for a decoder in float32."""
         if decoder.gain is None or decoder.offset is None:
             return None

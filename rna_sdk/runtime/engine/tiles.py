@@ -1,7 +1,5 @@
 """Evaluate a batch in tiles that stay in a core's cache, on several threads."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from copy import copy
 from functools import partial
@@ -60,7 +58,7 @@ class QueryFiller:
         self.largest_query = _largest_query(planes)
         self._kernel = query_kernel(kind, part.channels, part.plane_precision)
 
-    def laying_out(self, inputs: tuple[str, ...]) -> QueryFiller:
+    def laying_out(self, inputs: tuple[str, ...]) -> "QueryFiller":
         """A filler for other input blocks, on the same planes."""
         other = copy(self)
         other._columns = block_columns(inputs, self._channels)

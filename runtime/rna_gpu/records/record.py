@@ -1,7 +1,5 @@
 """A record of a buffer: a numpy dtype, laid out as WGSL has it, that can say itself in WGSL."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import prod
@@ -23,7 +21,7 @@ class Field:
     """
 
     name: str
-    form: str | Record
+    form: "str | Record"
     shape: tuple[int, ...] = ()
     meaning: str = ""
 

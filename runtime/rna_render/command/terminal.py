@@ -1,7 +1,5 @@
 """Rendering with a progress bar, which Ctrl-C ends early; printed lines about a scene."""
 
-from __future__ import annotations
-
 import signal
 import sys
 import time
@@ -40,7 +38,7 @@ class Interrupt:
     def requested(self) -> bool:
         return self._stop_requested
 
-    def __enter__(self) -> Interrupt:
+    def __enter__(self) -> "Interrupt":
         self._previous = signal.signal(signal.SIGINT, self._ask)
         return self
 

@@ -1,7 +1,5 @@
 """Noise taken out of finished images by Intel Open Image Denoise, where it is installed."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Literal
 
@@ -58,7 +56,7 @@ class Denoiser:
         numbers = f"{version // 10000}.{version // 100 % 100}.{version % 100}"
         self.name = f"Intel Open Image Denoise {numbers}"
 
-    def __reduce__(self) -> tuple[type[Denoiser], tuple[int, Quality]]:
+    def __reduce__(self) -> tuple[type["Denoiser"], tuple[int, Quality]]:
         """Made anew in another process."""
         return type(self), (self._threads, self._quality)
 

@@ -4,8 +4,6 @@ The transport T of an asset contains the cosine, so there is none here: a light 
 of the scene, directions towards itself, and what arrives from there.
 """
 
-from __future__ import annotations
-
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from typing import Any, ClassVar, NamedTuple
@@ -44,7 +42,7 @@ class LightSamples(NamedTuple):
     pdf: np.ndarray
 
     @classmethod
-    def zeros(cls, n: int) -> LightSamples:
+    def zeros(cls, n: int) -> "LightSamples":
         """Samples to be filled in."""
         return cls(_vectors(n), np.zeros(n, np.float32), _vectors(n), np.zeros(n, np.float32))
 
@@ -95,7 +93,7 @@ class Light(ABC):
         Only for choosing among lights.
         """
 
-    def mis_compensated(self) -> Light:
+    def mis_compensated(self) -> "Light":
         """This light as it is sampled where rays that scatter find it, too."""
         return self
 

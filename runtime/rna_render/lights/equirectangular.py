@@ -18,8 +18,6 @@ Skrivan and Krivanek, MIS Compensation (TOG 38(6), 2019), take the whole mean of
 renderer.md has why half.
 """
 
-from __future__ import annotations
-
 from copy import copy
 from dataclasses import dataclass
 
@@ -117,13 +115,13 @@ class EquirectangularImage:
         texels, heights, rows, _, columns, _ = self._held
         return texels, heights, rows, columns
 
-    def turned(self, angle: float) -> EquirectangularImage:
+    def turned(self, angle: float) -> "EquirectangularImage":
         """This image, sharing its memory, at another angle."""
         result = copy(self)
         result._turn(angle)
         return result
 
-    def compensated(self) -> EquirectangularImage:
+    def compensated(self) -> "EquirectangularImage":
         """This image, sharing its memory, with MIS compensation.
 
         `sample` skips texels darker than LEFT_TO_RAYS of the mean.

@@ -6,8 +6,6 @@ threads are in their loops. Threads that share each loop instead wait for one an
 and for Python.
 """
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
 from contextlib import closing
@@ -147,7 +145,7 @@ class _BandWorker:
     renderer: BandRenderer
     name: str
 
-    def __enter__(self) -> _BandWorker:
+    def __enter__(self) -> "_BandWorker":
         limit_kernel_threads(1)  # of calls of this thread
         return self
 

@@ -5,8 +5,6 @@ the number of threads nor on how it was cut into bands. Every prefix of 2^k samp
 a (0, k, 2)-net in each dimension, so an image that was stopped early is well distributed too.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
@@ -158,7 +156,7 @@ class PathNumbers:
     depth: int
     number: np.ndarray | None = None
 
-    def take(self, row: np.ndarray) -> PathNumbers:
+    def take(self, row: np.ndarray) -> "PathNumbers":
         """The numbers of some of the paths."""
         number = None if self.number is None else self.number[row]
         return PathNumbers(self.sampler, self.pixels[row], self.depth, number)

@@ -1,7 +1,5 @@
 """Weights of found light in the integrator: its selection, its weight, its sum."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np
@@ -28,7 +26,7 @@ class Tried(NamedTuple):
     distance: np.ndarray
     start_instance: np.ndarray
 
-    def where_visible(self, visibility: np.ndarray) -> tuple[Tried, np.ndarray]:
+    def where_visible(self, visibility: np.ndarray) -> tuple["Tried", np.ndarray]:
         """Samples that are not fully blocked, and their transmittance: (j, 1) or (j, 3) float32.
 
         visibility: (k, 1) or (k, 3) float32, see LightSampling.visibility.

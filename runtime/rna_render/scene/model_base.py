@@ -1,7 +1,5 @@
 """Base model and value types of the scene file's schema."""
 
-from __future__ import annotations
-
 import math
 import os
 from pathlib import Path
@@ -117,7 +115,7 @@ class TransformModel(Model):
         return value
 
     @model_validator(mode="after")
-    def _one_rotation(self) -> TransformModel:
+    def _one_rotation(self) -> "TransformModel":
         if self.rotation_deg is not None and self.quaternion is not None:
             raise ValueError("has rotation_deg and quaternion; give one of them")
         return self

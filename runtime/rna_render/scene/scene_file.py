@@ -1,7 +1,5 @@
 """Scene files: YAML in, a validated scene out, and every error with its file, line and key."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -43,7 +41,7 @@ class SceneFile:
     next_camera: CameraModel | None = None
     first_camera: CameraModel | None = None
 
-    def at(self, frame: float) -> SceneFile:
+    def at(self, frame: float) -> "SceneFile":
         """The file with the scene of one frame of its animation; this one if it has none."""
         scene, after = frame_scene(self.scene, frame), frame_scene(self.scene, frame + 1.0)
         return replace(self, scene=scene, next_camera=after.camera, first_camera=self.viewpoint)
@@ -87,7 +85,7 @@ class SceneFile:
         if is_asset and (wrong := not_a("package", path)) is not None:
             raise self.error(key, f"{path.name} is {wrong}")
 
-    def with_changes(self, tier: str | None = None, **changes: Any) -> SceneFile:
+    def with_changes(self, tier: str | None = None, **changes: Any) -> "SceneFile":
         """This scene with other values for top-level keys, and `tier` for every asset."""
         assets = self.scene.assets
         if tier is not None:

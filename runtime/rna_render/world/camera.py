@@ -1,7 +1,5 @@
 """The camera, a pinhole or a thin lens: from points of the image to rays."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rna_render.scene.scene_model import CameraModel
@@ -73,7 +71,7 @@ class Camera:
         depth = np.where(z < 0.0, -z, np.nan) * self._half_height * 2.0 / self.height
         return np.stack([self.width / 2 + x / depth, self.height / 2 - y / depth], axis=1)
 
-    def motion_to(self, after: Camera, points: np.ndarray, moved: np.ndarray) -> np.ndarray:
+    def motion_to(self, after: "Camera", points: np.ndarray, moved: np.ndarray) -> np.ndarray:
         """Pixels to the right and down that points move by in the image: (n, 2) float32.
 
         after: the camera of the next frame. points, moved: (n, 3), now and then. 0 where a point is

@@ -1,7 +1,5 @@
 """Counts how often an asset is queries for directions that it was not trained for."""
 
-from __future__ import annotations
-
 import warnings
 from collections.abc import Callable, Iterable
 from threading import Lock
@@ -35,7 +33,7 @@ class WatchedAsset:
     def __getattr__(self, name: str) -> object:
         return getattr(self._asset, name)
 
-    def with_base_color(self, *arguments: Any) -> WatchedAsset:
+    def with_base_color(self, *arguments: Any) -> "WatchedAsset":
         """Like the asset's own, watched as well."""
         return WatchedAsset(self._asset.with_base_color(*arguments), self._name)
 

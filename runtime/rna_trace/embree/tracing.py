@@ -1,7 +1,5 @@
 """Batches of rays against any Embree scene."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field, fields
 from typing import Any
 
@@ -35,7 +33,7 @@ class ClosestHits:
     ng: np.ndarray
     weight: np.ndarray | None = None
 
-    def take(self, row: np.ndarray) -> ClosestHits:
+    def take(self, row: np.ndarray) -> "ClosestHits":
         """The given rows."""
         values: list[Any] = [getattr(self, field.name) for field in fields(self)]
         taken: list[Any] = [None if a is None else a.take(row, axis=0) for a in values]

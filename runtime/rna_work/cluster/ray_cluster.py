@@ -3,8 +3,6 @@
 What its address needs is found out before Ray is imported, which reads it then.
 """
 
-from __future__ import annotations
-
 import os
 import socket
 from collections.abc import Callable, Iterator, Sequence
@@ -35,7 +33,7 @@ _NODE_SECONDS = 1800.0  # for what each node does before work begins, such as in
 
 
 @contextmanager
-def connected(address: str) -> Iterator[RayCluster]:
+def connected(address: str) -> Iterator["RayCluster"]:
     """The cluster of an address, as `--cluster` takes it.
 
     Raises WorkError where Ray is not installed, or where no cluster answers.

@@ -1,7 +1,5 @@
 """Nodes of a Ray cluster, and workers in actors on them."""
 
-from __future__ import annotations
-
 import os
 import socket
 from collections.abc import Callable
@@ -52,7 +50,7 @@ class RayWorkers:
             for node in alive_nodes()
         )
 
-    def slot(self, make: MakeWorker, name: str) -> RaySlot:
+    def slot(self, make: MakeWorker, name: str) -> "RaySlot":
         return RaySlot(self.options(), max(1, int(self.needs.cpus)), make, name)
 
     def options(self) -> dict[str, Any]:

@@ -1,7 +1,5 @@
 """Object storage for clusters without a shared file system."""
 
-from __future__ import annotations
-
 import argparse
 import shutil
 from dataclasses import dataclass
@@ -85,7 +83,7 @@ class Store:
         names = (str(path)[len(root) :].lstrip("/") for path in paths)
         return {self._checked(name) for name in names if not is_temporary(Path(name))}
 
-    def below(self, folder: str) -> Store:
+    def below(self, folder: str) -> "Store":
         """The part of the store from a folder on."""
         return Store(f"{self.url.rstrip('/')}/{folder}")
 

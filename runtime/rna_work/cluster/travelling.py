@@ -1,7 +1,5 @@
 """A source on its way to the machines of a cluster: once a machine, by the hash of its content."""
 
-from __future__ import annotations
-
 import hashlib
 import os
 from collections.abc import Sequence
@@ -27,7 +25,7 @@ class Travelling:
     contents: Any  # of a list of bytes, in the same order; a Ray reference
 
     @classmethod
-    def of(cls, path: Path, others: Sequence[Path]) -> Travelling:
+    def of(cls, path: Path, others: Sequence[Path]) -> "Travelling":
         """A file and others. Raises WorkError where one cannot be read."""
         import ray
 

@@ -3,8 +3,6 @@
 Directions come in as float32 and are normalised here.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -26,13 +24,13 @@ class Points:
     wi: np.ndarray
 
     @classmethod
-    def of(cls, arrays: dict[str, np.ndarray], bounds: np.ndarray) -> Points:
+    def of(cls, arrays: dict[str, np.ndarray], bounds: np.ndarray) -> "Points":
         """arrays: of queries, rows that are valid. bounds: (2, 3) float64."""
         position, axis, h, wo, wi = (rows.astype(np.float64) for rows in in_order(arrays))
         p = np.clip((position - bounds[0]) / (bounds[1] - bounds[0]), 0, 1)
         return cls(p, unit(axis), np.clip(h, -1, 1), unit(wo), unit(wi))
 
-    def rounded(self, rng: np.random.Generator) -> Points:
+    def rounded(self, rng: np.random.Generator) -> "Points":
         """As a reader has them who rounds to float32: components moved by one unit, either way."""
         p = np.clip(_moved(self.p, rng, 1), 0, 1)
         axis, wo, wi = (unit(_moved(v, rng, 1)) for v in (self.axis, self.wo, self.wi))

@@ -1,7 +1,5 @@
 """The visibility rays of spec/RNA.md, 7.1, in float64 against every triangle and every segment."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -76,7 +74,7 @@ class MeshHits:
         rows[:, 1:6] = numbers.view(np.uint32)
         return rows.astype("<u4").tobytes()
 
-    def take(self, rows: np.ndarray) -> MeshHits:
+    def take(self, rows: np.ndarray) -> "MeshHits":
         return MeshHits(self.triangle[rows], self.b1[rows], self.b2[rows], self.wi[rows])
 
     def normals(self, mesh: Mesh) -> tuple[np.ndarray, np.ndarray]:
@@ -156,7 +154,7 @@ class FiberHits:
         rows[:, 1:7] = numbers.view(np.uint32)
         return rows.astype("<u4").tobytes()
 
-    def take(self, rows: np.ndarray) -> FiberHits:
+    def take(self, rows: np.ndarray) -> "FiberHits":
         return FiberHits(self.segment[rows], self.position[rows], self.wi[rows])
 
     def x(self, curves: Curves) -> np.ndarray:

@@ -1,7 +1,5 @@
 """A trial: one model of a grid, by name."""
 
-from __future__ import annotations
-
 from typing import Literal
 
 from pydantic import BaseModel, Field
@@ -30,7 +28,7 @@ class Trial(BaseModel, extra="forbid", frozen=True):
     )
     seed: int = 0
 
-    def of_length(self, steps: int) -> Trial:
+    def of_length(self, steps: int) -> "Trial":
         """This trial with another number of steps."""
         return self.model_copy(update={"preset": self.preset.with_training(steps=steps)})
 

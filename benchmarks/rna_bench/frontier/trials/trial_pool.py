@@ -1,7 +1,5 @@
 """Runs trials concurrently, in workers that keep the dataset's samples loaded."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
@@ -41,7 +39,7 @@ class TrialWorkers:
         workers: int | None = None,
         executor: Executor | None = None,
         dataset: Path | None = None,
-    ) -> TrialWorkers:
+    ) -> "TrialWorkers":
         """A worker for each core of a CPU, or one for a GPU; a machine's cores are shared evenly.
 
         device: `auto` is the GPU if there is one. dataset: that each worker of a cluster
@@ -87,7 +85,7 @@ class TrialPool:
         make = partial(TrialWorker, dataset.resolve(), workers.threads, workers.device)
         self._pool: Pool[Job, Record] = Pool(workers.backend(), make, tell=tell)
 
-    def __enter__(self) -> TrialPool:
+    def __enter__(self) -> "TrialPool":
         return self
 
     def __exit__(self, *exception: object) -> None:

@@ -1,7 +1,5 @@
 """A worker that trains trials of one dataset, wherever it is."""
 
-from __future__ import annotations
-
 import traceback
 from collections.abc import Iterator
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
@@ -44,7 +42,7 @@ class TrialWorker:
         self._folder, self._threads, self._device = dataset, threads, device
         self._table: SampleTable | None = None
 
-    def __enter__(self) -> TrialWorker:
+    def __enter__(self) -> "TrialWorker":
         from rna_export.machine import keep_freed_memory
         from rna_export.training.optimization.product_kernels import use_threads
 

@@ -1,7 +1,5 @@
 """Surfaces so near to one another that the triplane gives them the same features."""
 
-from __future__ import annotations
-
 import numpy as np
 import torch
 from matplotlib.figure import FigureBase
@@ -73,7 +71,7 @@ class Cells:
         self._low, self._scale, self._resolution = low, resolution / (high - low), resolution
 
     @classmethod
-    def of(cls, low: torch.Tensor, high: torch.Tensor, resolution: int) -> Cells:
+    def of(cls, low: torch.Tensor, high: torch.Tensor, resolution: int) -> "Cells":
         return cls(low.numpy(), high.numpy(), resolution)
 
     def numbers(self, positions: np.ndarray) -> np.ndarray:

@@ -1,7 +1,5 @@
 """Strands of hair as arrays, and changes of single strands: resample, taper."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
@@ -44,7 +42,7 @@ class Strands:
         """Points of each strand, (s,) int64."""
         return np.diff(self.offsets)
 
-    def moved(self, scale: float, offset: np.ndarray) -> Strands:
+    def moved(self, scale: float, offset: np.ndarray) -> "Strands":
         """The strands, points and radii times `scale`, then moved by `offset` (3,)."""
         points = self.points * np.float32(scale) + np.asarray(offset, np.float32)
         return Strands(points, self.radii * np.float32(scale), self.offsets)

@@ -4,8 +4,6 @@ Whether an image is what the nodes say is measured by the caller: it gets the co
 shows at points of the surfaces.
 """
 
-from __future__ import annotations
-
 from collections.abc import Collection
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -56,7 +54,7 @@ class Wish:
     only: Collection[str] | None = None
 
     @classmethod
-    def of(cls, request: dict[str, Any]) -> Wish:
+    def of(cls, request: dict[str, Any]) -> "Wish":
         """The wish in a worker's request."""
         as_texels = {(name, tile) for name, tile in request["asTexels"]}
         return cls(request["largest"], as_texels, request["whole"], request["only"])

@@ -5,8 +5,6 @@ material's nodes read to coordinates in which that is so: those of a repeated im
 mirrored one, or the box of all that the mesh uses.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
@@ -31,7 +29,7 @@ class Chart:
     tiles: dict[str, Any] | None = None
 
     @classmethod
-    def of(cls, record: dict[str, Any]) -> Chart:
+    def of(cls, record: dict[str, Any]) -> "Chart":
         """The inverse of `record`."""
         return cls(record["layer"], np.array(record["matrix"]), record.get("tiles"))
 

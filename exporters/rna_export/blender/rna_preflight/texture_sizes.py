@@ -1,7 +1,5 @@
 """How large the details of texture nodes are in the world, as their coordinates place them."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 
@@ -27,7 +25,7 @@ class Extent:
     object: float = math.inf
     uv: float = math.inf
 
-    def smaller(self, other: Extent) -> None:
+    def smaller(self, other: "Extent") -> None:
         """Take the smaller ones."""
         self.generated = min(self.generated, other.generated)
         self.object = min(self.object, other.object)

@@ -1,7 +1,5 @@
 """A source, and a Blender process that has it open: start, JSON lines, stop, restart."""
 
-from __future__ import annotations
-
 import contextlib
 import json
 import os
@@ -33,7 +31,9 @@ class Source:
     least_roughness: float = 0.0  # of reflecting lobes: see CaptureSettings
 
     @classmethod
-    def captured(cls, path: Path, arguments: tuple[str, ...], settings: CaptureSettings) -> Source:
+    def captured(
+        cls, path: Path, arguments: tuple[str, ...], settings: CaptureSettings
+    ) -> "Source":
         """The source as a capture of these settings opens it."""
         return cls(
             path,

@@ -1,7 +1,5 @@
 """Workers that render the tasks of a dataset, each with its own Blender process."""
 
-from __future__ import annotations
-
 import shutil
 import tempfile
 import threading
@@ -50,7 +48,7 @@ class CaptureWorker:
         self._blender: BlenderWorker | None = None
         self._temporary: Path | None = None
 
-    def __enter__(self) -> CaptureWorker:
+    def __enter__(self) -> "CaptureWorker":
         keep_freed_memory()
         limit_kernel_threads(1)  # each worker has a core
         job = self._job

@@ -1,7 +1,5 @@
 """Files that go to a Blender process or come from it, and Cycles' results along rays."""
 
-from __future__ import annotations
-
 import contextlib
 import errno
 import os
@@ -89,7 +87,7 @@ class RenderedRays:
     normal: np.ndarray | None = None
 
     @classmethod
-    def of_passes(cls, passes: Passes, n: int, has_fibers: bool) -> RenderedRays:
+    def of_passes(cls, passes: Passes, n: int, has_fibers: bool) -> "RenderedRays":
         """The first n pixels of a render with the passes of `needed_passes`."""
         rgba = channels(passes, "Combined", "RGBA")[:n]
         position = from_blender(channels(passes, "Position", "XYZ")[:n])

@@ -1,7 +1,5 @@
 """Base colours of materials, as Blender exports them."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 
@@ -55,7 +53,7 @@ class MaterialColors:
     notes: list[str]
 
     @classmethod
-    def of(cls, arrays: dict[str, np.ndarray], answer: dict[str, Any]) -> MaterialColors:
+    def of(cls, arrays: dict[str, np.ndarray], answer: dict[str, Any]) -> "MaterialColors":
         """The answer of `base_colors.py`."""
         colors = {}
         for record in answer["colors"]:

@@ -1,7 +1,5 @@
 """Where Cycles' image of the source and ours of the exported geometry differ."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
@@ -51,7 +49,7 @@ class Disagreement:
         samples: int,
         normals: bool,
         firm: np.ndarray | None = None,
-    ) -> Disagreement:
+    ) -> "Disagreement":
         """Compare Cycles' renders along rays from outside.
 
         samples: of each ray. normals: whether the exported ones are to be Cycles'. firm: (n,) bool,

@@ -1,7 +1,5 @@
 """Transfer of finished dataset files from workers to the dataset's folder."""
 
-from __future__ import annotations
-
 import hashlib
 from dataclasses import dataclass
 
@@ -30,7 +28,7 @@ class Collector:
     store: Store | None
 
     @classmethod
-    def of(cls, dataset: Dataset, executor: Executor, store: Store | None) -> Collector:
+    def of(cls, dataset: Dataset, executor: Executor, store: Store | None) -> "Collector":
         """Raises WorkError if a machine cannot write finished files."""
         if store is None:
             check_shared(executor, dataset.folder)

@@ -17,8 +17,6 @@ toy.rays/
   nearby/1f0c.safetensors     nearby light of some rows, which trainings trace and keep
 """
 
-from __future__ import annotations
-
 import hashlib
 from collections.abc import Iterable, Mapping
 from functools import cached_property
@@ -77,7 +75,7 @@ class Dataset:
         glass: bytes | None = None,
         exact: Mapping[str, Mesh] | None = None,
         materials: Mapping[str, np.ndarray] | None = None,
-    ) -> Dataset:
+    ) -> "Dataset":
         """Write geometry and textures, and the manifest, that last: with one it is a dataset.
 
         geometries: of each part. textures: by the names that records have, the texels of all

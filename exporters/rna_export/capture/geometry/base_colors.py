@@ -1,7 +1,5 @@
 """Base colours of the materials of a source, checked against Cycles, as records of parts."""
 
-from __future__ import annotations
-
 import io
 import itertools
 import re
@@ -58,11 +56,11 @@ class BaseColors:
     files: dict[str, bytes] = field(default_factory=dict)
     images: dict[str, np.ndarray] = field(default_factory=dict)
     known: dict[tuple[bytes, int], str] = field(default_factory=dict)
-    variants: dict[str, Variant] = field(default_factory=dict)
+    variants: dict[str, "Variant"] = field(default_factory=dict)
     obstacles: dict[str, str] = field(default_factory=dict)
 
     @classmethod
-    def of(cls, worker: BlenderWorker, charts: dict[str, Any], largest: int) -> BaseColors:
+    def of(cls, worker: BlenderWorker, charts: dict[str, Any], largest: int) -> "BaseColors":
         """Base colours of all materials of the source and of its variants.
 
         charts: that other textures have taken. largest: texels a side of what is baked, at most.

@@ -3,8 +3,6 @@
 The pieces are parts of the package. What lies near a seam is learnt by the pieces on both sides.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from functools import cached_property
 from typing import Any
@@ -80,7 +78,7 @@ class Piece(DatasetPart):
         dataset: CutDataset,
         whole: DatasetPart,
         number: int,
-        seams: _Seams,
+        seams: "_Seams",
         colors: dict[str, Any],
     ):
         bounds = _with_margin(seams, number, whole)

@@ -1,7 +1,5 @@
 """The exported geometry in Embree, with the renderer's intersection code."""
 
-from __future__ import annotations
-
 import copy
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -196,11 +194,11 @@ class AssetScene:
         rest = shape.rest_points(triangle, u, v)
         return rest if maps is None else replace(rest, axes=maps.at(rest.axes, triangle, u, v))
 
-    def in_pose(self, number: int) -> AssetScene:
+    def in_pose(self, number: int) -> "AssetScene":
         """The asset in one of its poses; 0 for this one."""
         return self if number == 0 else self.poses[number - 1]
 
-    def printed(self, number: int) -> AssetScene:
+    def printed(self, number: int) -> "AssetScene":
         """The asset in one of its prints; 0 for the first."""
         other = copy.copy(self)
         other._colors = self._prints[number]

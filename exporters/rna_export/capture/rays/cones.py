@@ -1,7 +1,5 @@
 """Cones of directions: towards spheres, and few instead of many."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import combinations
@@ -23,13 +21,13 @@ class Cap:
     axis: np.ndarray
     half_angle: float
 
-    def angle_to(self, other: Cap) -> float:
+    def angle_to(self, other: "Cap") -> float:
         """Between the axes, radians."""
         # arccos would lose small angles.
         apart = np.linalg.norm(np.cross(self.axis, other.axis))
         return float(np.arctan2(apart, self.axis @ other.axis))
 
-    def holds(self, other: Cap) -> bool:
+    def holds(self, other: "Cap") -> bool:
         """Whether all directions of another are among these."""
         angle = self.angle_to(other) + other.half_angle
         return self.half_angle >= min(angle, np.pi) - 1e-9

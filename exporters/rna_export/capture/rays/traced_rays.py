@@ -1,7 +1,5 @@
 """View rays answered twice: geometry by our scene, radiance by Cycles."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
@@ -44,7 +42,7 @@ class TracedRays:
         rng: np.random.Generator,
         opaque_cutouts: bool,
         normals: bool = False,
-    ) -> TracedRays:
+    ) -> "TracedRays":
         """Trace rays under one light.
 
         wi: towards the light, or another kind of it. rng: chooses which rays go on behind what lets

@@ -10,8 +10,6 @@ Half of each kind is divided among the parts of the asset as they are seen, half
 thin part has to be learnt as well.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -34,7 +32,7 @@ class ViewRays:
     origins: np.ndarray  # (n, 3) float32, object space
     directions: np.ndarray  # (n, 3) float32, unit
 
-    def __getitem__(self, index: np.ndarray) -> ViewRays:
+    def __getitem__(self, index: np.ndarray) -> "ViewRays":
         return ViewRays(self.origins[index], self.directions[index])
 
     def __len__(self) -> int:

@@ -1,7 +1,5 @@
 """Batches of emission samples, beside those of transport."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -26,7 +24,7 @@ class EmissionBatches:
     @classmethod
     def of(
         cls, part: DatasetPart, batch: int, seed: int, device: str, done: int
-    ) -> EmissionBatches:
+    ) -> "EmissionBatches":
         """Without the first `done`: a stopped run saw them."""
         table = SampleTable(part.emission_samples(), batch // SHARE, seed, device, done)
         return cls(table, iter(table))

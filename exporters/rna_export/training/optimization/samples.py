@@ -1,7 +1,5 @@
 """Training batches: all samples in one table, one per row."""
 
-from __future__ import annotations
-
 import copy
 import itertools
 from collections.abc import Iterator
@@ -53,7 +51,7 @@ class SampleTable(IterableDataset[Tensor]):
         self._kinds = [k.to(self.rows.device) for k in _kinds(samples)]
         self._batch, self._seed, self._done = min(batch, n), seed, done
 
-    def shuffled(self, batch: int, seed: int, done: int) -> SampleTable:
+    def shuffled(self, batch: int, seed: int, done: int) -> "SampleTable":
         """These rows, not copied, in batches of another size and order."""
         other = copy.copy(self)
         other._batch, other._seed, other._done = min(batch, len(self)), seed, done

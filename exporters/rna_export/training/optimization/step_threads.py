@@ -6,8 +6,6 @@ for the thread that lost it, and a step takes up to a hundred times as long. The
 hard to see, least of all from a container, so both are timed.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from time import perf_counter
@@ -59,7 +57,7 @@ class StepThreads:
         self._is_trial, self._is_warm = False, False
 
     @classmethod
-    def of(cls, fitting: Fitting, batches: tuple[int, int]) -> StepThreads:
+    def of(cls, fitting: Fitting, batches: tuple[int, int]) -> "StepThreads":
         """Threads of a model's steps, from the number that the calling thread has.
 
         batches: rows of a step, of transport and of emission. On a GPU, or where results would
@@ -73,7 +71,7 @@ class StepThreads:
         repeat = products_repeat(products, fitting.stacks(), most)
         return cls(most if repeat else 1)
 
-    def __enter__(self) -> StepThreads:
+    def __enter__(self) -> "StepThreads":
         self._take(1)  # the cheaper mistake
         return self
 
