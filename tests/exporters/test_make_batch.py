@@ -10,7 +10,7 @@ from PIL import Image
 
 from rna_export.make import rna_make
 from rna_export.make.batch import SHEET, jobs_of, make_all
-from rna_export.make.carried_options import carried_options
+from rna_export.make.carry_on import carried_options
 from rna_export.make.state import RunSettings, State
 from rna_sdk.errors import RnaError, TrainingError
 from rna_sdk.package import Package

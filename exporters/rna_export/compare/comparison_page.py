@@ -6,16 +6,25 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 import numpy as np
+from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from rna_export.asset_flip import DEFINITION, AssetFlip, asset_flip
 from rna_export.compare.comparison_run import Pair, returned_light
 from rna_export.compare.origin import Origin
-from rna_export.html_pages import write_html
 from rna_export.metrics import PSNR_DEFINITION, WITHOUT_NOISE_DEFINITION, NoiselessPsnr
 from rna_export.outcome.outcome import Outcome
 from rna_export.pictures import comparison_sheet, pictures_of, write_picture
 from rna_sdk.commands.error_words import albedo_text, error_in_words, error_text
 from rna_sdk.files.atomic_file import write_atomically
+
+_TEMPLATES = Environment(
+    loader=PackageLoader("rna_export"),
+    autoescape=True,
+    undefined=StrictUndefined,
+    trim_blocks=True,
+    lstrip_blocks=True,
+)
+_TEMPLATES.policies["json.dumps_kwargs"] = {"sort_keys": False}  # pages show things in order
 
 _NUMBERS = ("psnr", "coverage", "exposure", "seconds_ours", "seconds_cycles")
 
@@ -55,9 +64,7 @@ def write_page(
             write_picture(folder / files[kind], image)
         shots.append({"pair": pair, "files": files})
     summary = _summary(pairs)
-    write_html(
-        folder / "index.html",
-        "compare.html",
+    page = _TEMPLATES.get_template("compare.html").render(
         title=title,
         settings={_WORDS.get(name, name): value for name, value in settings.items()},
         facts=_facts(made),
@@ -76,6 +83,7 @@ def write_page(
         flip_definition=DEFINITION,
         without_noise_definition=WITHOUT_NOISE_DEFINITION,
     )
+    write_atomically(folder / "index.html", f"{page}\n".encode())
     results = {"title": title, "settings": settings, **summary, "pictures": _numbers(pairs)}
     write_atomically(folder / "results.json", (json.dumps(results, indent=1) + "\n").encode())
     write_picture(folder / "sheet.png", comparison_sheet(strips))

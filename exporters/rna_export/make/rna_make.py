@@ -89,8 +89,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     from rna_export.fallback_error import complete_fallback
     from rna_export.lobes.environment_training import add_lobes
     from rna_export.machine import keep_freed_memory
-    from rna_export.make.carried_options import carried_options
-    from rna_export.make.carry_on import size_of
+    from rna_export.make.carry_on import carried_options, size_of
     from rna_export.make.make_options import MakeOptions
     from rna_export.make.make_run import Make, export
     from rna_export.make.state import WRITTEN

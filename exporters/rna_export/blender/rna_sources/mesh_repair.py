@@ -1,12 +1,16 @@
-"""Meshes whose faces name vertices that they lack: Python and Cycles would read beyond arrays."""
+"""Loaded meshes are made whole, and their polygons sorted."""
 
+import bmesh
 import bpy
 import numpy as np
 from rna_geometry.attributes import read
 
 
 def repair() -> list[str]:
-    """Remove such faces from all meshes; a note for each mesh."""
+    """Remove faces that name vertices which the mesh lacks; a note for each mesh.
+
+    Python and Cycles would read beyond arrays.
+    """
     notes = []
     for mesh in bpy.data.meshes:
         if not _is_whole(mesh):
@@ -30,3 +34,24 @@ def _is_whole(mesh: bpy.types.Mesh) -> bool:
         not len(index) or (index.min() >= 0 and index.max() < limit)
         for index, limit in ((corners, vertices), (edges, vertices), (ends - 1, loops))
     )
+
+
+def sort_polygons() -> None:
+    """Sort the polygons of all meshes by their vertices.
+
+    Operators, such as the one for UV spheres, make them in the order of addresses in memory.
+    """
+    for mesh in bpy.data.meshes:
+        keys = [tuple(polygon.vertices) for polygon in mesh.polygons]
+        order = sorted(range(len(keys)), key=keys.__getitem__)
+        if order == list(range(len(keys))):
+            continue
+        sorted_mesh = bmesh.new()
+        sorted_mesh.from_mesh(mesh)
+        sorted_mesh.faces.ensure_lookup_table()
+        faces = list(sorted_mesh.faces)
+        for rank, place in enumerate(order):
+            faces[place].index = rank
+        sorted_mesh.faces.sort()
+        sorted_mesh.to_mesh(mesh)
+        sorted_mesh.free()

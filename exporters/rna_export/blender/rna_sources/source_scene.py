@@ -21,7 +21,6 @@ from rna_sources import (
     imported_colours,
     mesh_repair,
     orientation,
-    polygon_order,
     scene_import,
     shown_frame,
     usd_curves,
@@ -72,7 +71,7 @@ def _open(source: str, suffix: str, arguments: list[str], frame: int | None) -> 
             notes = scene_import.load(source, arguments, frame)
         case "script":
             _run_script(source, arguments)
-            polygon_order.sort_polygons()
+            mesh_repair.sort_polygons()
     if SOURCE_FORMATS[suffix].reader in ("obj", "ply", "scene"):
         imported_colours.show_on_meshes()
     return notes
