@@ -11,11 +11,19 @@ import pytest
 
 from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
+from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_sdk.errors import CaptureError
 from tests.exporters.scenes import write_scene
+from tests.exporters.synthetic import make_dataset
 
 OpenWorker = Callable[..., BlenderWorker]
 SaveBlend = Callable[..., Path]
+
+
+@pytest.fixture(scope="module")
+def dataset(tmp_path_factory: pytest.TempPathFactory) -> DatasetPart:
+    """The ball of `synthetic`."""
+    return make_dataset(tmp_path_factory.mktemp("data") / "ball.rays")
 
 
 @pytest.fixture(scope="module", autouse=True)

@@ -16,12 +16,7 @@ from rna_export.training.rna_train import main
 from rna_export.training.training_options import device_name
 from rna_export.training.training_run import Run, train
 from rna_sdk.errors import RnaError, TrainingError
-from tests.exporters.synthetic import make_dataset, tiny
-
-
-@pytest.fixture(scope="module")
-def dataset(tmp_path_factory: pytest.TempPathFactory) -> DatasetPart:
-    return make_dataset(tmp_path_factory.mktemp("data") / "ball.rays")
+from tests.exporters.synthetic import tiny
 
 
 @pytest.fixture(autouse=True)

@@ -24,11 +24,6 @@ from tests.exporters.synthetic import make_dataset, tiny
 
 
 @pytest.fixture(scope="module")
-def dataset(tmp_path_factory: pytest.TempPathFactory) -> DatasetPart:
-    return make_dataset(tmp_path_factory.mktemp("data") / "ball.rays")
-
-
-@pytest.fixture(scope="module")
 def trained(dataset: DatasetPart, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The folder of a finished run of 40 steps."""
     return train(plan(dataset, tmp_path_factory.mktemp("run"))).parent

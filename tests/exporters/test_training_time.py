@@ -18,7 +18,7 @@ from rna_export.training.optimization.pace import TimePace
 from rna_export.training.report import Curves, Report
 from rna_export.training.training_run import Run, train
 from rna_sdk.errors import TrainingError
-from tests.exporters.synthetic import make_dataset, tiny
+from tests.exporters.synthetic import tiny
 
 MINUTES = 1.0
 
@@ -38,11 +38,6 @@ class Clock:
 
     def __call__(self) -> float:
         return self.now
-
-
-@pytest.fixture(scope="module")
-def dataset(tmp_path_factory: pytest.TempPathFactory) -> DatasetPart:
-    return make_dataset(tmp_path_factory.mktemp("data") / "ball.rays")
 
 
 def ticking(monkeypatch: pytest.MonkeyPatch) -> Clock:

@@ -126,8 +126,23 @@ class FixedPlan:
         return Length(steps=self.steps)
 
 
+class _WithinTime:
+    """The end of a plan that a time limits."""
+
+    seconds: float
+    tiers: int
+    end: ClassVar[Verdict] = "time is up"
+
+    def last_phase(self, left: float, models: int) -> Length:
+        """Length of a model's last phase, with `models` left to train, itself included."""
+        return _minutes(self._usable(left) / models)
+
+    def _usable(self, left: float) -> float:
+        return max(left - self.tiers * min(_EXPORT_SECONDS, _EXPORT_SHARE * self.seconds), 1.0)
+
+
 @dataclass(frozen=True)
-class TimedPlan:
+class TimedPlan(_WithinTime):
     """Rounds that fill a time: each stage gets its share of the time left.
 
     seconds: in all. lights: that fit into the share of it that is for capture. tiers: to export.
@@ -142,7 +157,6 @@ class TimedPlan:
     has_goal: bool = True
     capture: float = CAPTURE
     overlaps: bool = False
-    end: ClassVar[Verdict] = "time is up"
 
     @property
     def image_seconds(self) -> float:
@@ -172,14 +186,6 @@ class TimedPlan:
         share = self._between / (self._ahead(round_) - self.capture / self.rounds)
         return _minutes(self._usable(left) * share)
 
-    def last_phase(self, left: float, models: int) -> Length:
-        """Length of a model's last phase, with `models` left to train, itself included."""
-        return _minutes(self._usable(left) / models)
-
-    def _usable(self, left: float) -> float:
-        export = self.tiers * min(_EXPORT_SECONDS, _EXPORT_SHARE * self.seconds)
-        return max(left - export, 1.0)
-
     def _ahead(self, round_: int) -> float:
         """Shares of the stages from a round's capture on."""
         between = 0.0 if self.overlaps else self._between
@@ -192,7 +198,7 @@ class TimedPlan:
 
 
 @dataclass(frozen=True)
-class MorePlan:
+class MorePlan(_WithinTime):
     """One more capture, then the last phase on all rays, within more minutes.
 
     seconds: more of them. captured: what earlier captures took. lights: that those had. before:
@@ -209,7 +215,6 @@ class MorePlan:
     whole: float
     tiers: int = 1
     image_seconds = None
-    end: ClassVar[Verdict] = "time is up"
 
     @property
     def rounds(self) -> int:
@@ -233,13 +238,6 @@ class MorePlan:
 
     def phase(self, round_: int, left: float) -> Length | None:
         """No training between captures."""
-
-    def last_phase(self, left: float, models: int) -> Length:
-        """Length of a model's last phase, with `models` left to train, itself included."""
-        return _minutes(self._usable(left) / models)
-
-    def _usable(self, left: float) -> float:
-        return max(left - self.tiers * min(_EXPORT_SECONDS, _EXPORT_SHARE * self.seconds), 1.0)
 
 
 Plan = OpenPlan | FixedPlan | TimedPlan | MorePlan
