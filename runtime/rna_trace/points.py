@@ -2,7 +2,7 @@
 
 from abc import ABC, abstractmethod
 from enum import Enum, auto
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
@@ -59,6 +59,21 @@ class Role(Enum):
     SHINE = auto()  # a light, and black
 
 
+class Arrived(NamedTuple):
+    """Rays that have hit a part of a body: `ray`, (m,), of those of `hits`.
+
+    wo: (m, 3) float32, object space. seen: whether they are camera rays. widths: (m,) float32, of a
+    pixel at each hit, object space. lines: the rays.
+    """
+
+    hits: ClosestHits
+    ray: np.ndarray
+    wo: np.ndarray
+    seen: bool
+    widths: np.ndarray
+    lines: Lines
+
+
 class Body(Protocol):
     """An object with its geometry in Embree, in its object space.
 
@@ -77,19 +92,6 @@ class Body(Protocol):
     @property
     def scene(self) -> GeometryScene: ...
 
-    def points(
-        self,
-        part: int,
-        hits: ClosestHits,
-        ray: np.ndarray,
-        wo: np.ndarray,
-        seen: bool,
-        widths: np.ndarray,
-        lines: Lines,
-    ) -> Points:
-        """The points of a part that the given rays, (m,), have hit. A body that shines has none.
-
-        wo: (m, 3) float32, object space. seen: whether they are camera rays. widths: (m,) float32,
-        of a pixel at each hit, object space. lines: the rays.
-        """
+    def points(self, part: int, arrived: Arrived) -> Points:
+        """The points of a part that rays have hit. A body that shines has none."""
         ...

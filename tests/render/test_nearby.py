@@ -10,6 +10,7 @@ from rna_sdk.runtime import load
 from rna_trace import PartsScene, mesh_transmittance, nearby_light
 from rna_trace.hit_points import Frames, Lines
 from rna_trace.nearby import nearby_estimate
+from rna_trace.points import Arrived
 from tests.conftest import REPOSITORY
 from tests.reference.nearby import across, nearby_offsets, nearby_shares
 
@@ -109,7 +110,7 @@ def test_one_ray_a_sample_gives_the_right_light_in_the_mean(name: str, tier: str
     assert body.counts_nearby and len(ray) == n
     at_rest = Frames(np.eye(3)[None], np.ones(1), np.zeros((1, 3)))
     lines = Lines(origin[ray], d[ray], np.zeros(n, np.int32), at_rest)
-    points = body.points(0, hits, ray, -d[ray], True, np.zeros(n, np.float32), lines)
+    points = body.points(0, Arrived(hits, ray, -d[ray], True, np.zeros(n, np.float32), lines))
 
     wi, far = d[-n:], np.full(n, np.inf, np.float32)
     lengths = asset.nearby_lengths

@@ -33,11 +33,11 @@ from rna_trace.asset_parts import (
 from rna_trace.embree import TriangleScene
 from rna_trace.embree.tracing import ClosestHits
 from rna_trace.fiber import FiberPoints
-from rna_trace.hit_points import Lines, hit_points
+from rna_trace.hit_points import hit_points
 from rna_trace.nearby import nearby_estimate
 from rna_trace.normal_maps import NormalMaps
 from rna_trace.parts_scene import PartPoints, PartsScene
-from rna_trace.points import Body, Points, Role
+from rna_trace.points import Arrived, Body, Points, Role
 from rna_trace.surface import SurfacePoints
 
 RestMaps = Sequence[NormalMaps | None]
@@ -80,16 +80,8 @@ class AssetBody:
         maps = [m.on(s.mesh) if m and isinstance(s, DeformedMesh) else m for m, s in placed]
         self.scene = PartsScene([part_geometry(*pair) for pair in pairs], tables, maps)
 
-    def points(
-        self,
-        part: int,
-        hits: ClosestHits,
-        ray: np.ndarray,
-        wo: np.ndarray,
-        seen: bool,
-        widths: np.ndarray,
-        lines: Lines,
-    ) -> Points:
+    def points(self, part: int, arrived: Arrived) -> Points:
+        hits, ray, wo, seen, widths, _ = arrived
         primitive, u, v = hits.primitive[ray], hits.u[ray], hits.v[ray]
         points = self.scene.points(part, primitive, u, v, hits.ng[ray])
         asset = (self._parts if seen else self._indirect)[part]
@@ -246,23 +238,13 @@ class ObjectBody:
         self.scene = TriangleScene(geometry, [mesh.transmittance])
         self.role = Role.CATCH_SHADOWS if mesh.catches_shadows else Role.SCATTER
 
-    def points(
-        self,
-        part: int,
-        hits: ClosestHits,
-        ray: np.ndarray,
-        wo: np.ndarray,
-        seen: bool,
-        widths: np.ndarray,
-        lines: Lines,
-    ) -> Points:
-        return _ObjectPoints(self.mesh, hits, ray, wo, lines)
+    def points(self, part: int, arrived: Arrived) -> Points:
+        return _ObjectPoints(self.mesh, arrived)
 
 
 class _ObjectPoints(Points):
-    def __init__(
-        self, mesh: MeshObject, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray, lines: Lines
-    ) -> None:
+    def __init__(self, mesh: MeshObject, arrived: Arrived) -> None:
+        hits, ray, wo, _, _, lines = arrived
         triangle = hits.primitive[ray]
         at = hit_points(mesh.positions, mesh.triangles, triangle, hits.u[ray], hits.v[ray], lines)
         self.x, self.found = at.x, at
@@ -304,16 +286,7 @@ class LightBody:
     def __init__(self, light: PlacedLight) -> None:
         self.scene = light.scene
 
-    def points(
-        self,
-        part: int,
-        hits: ClosestHits,
-        ray: np.ndarray,
-        wo: np.ndarray,
-        seen: bool,
-        widths: np.ndarray,
-        lines: Lines,
-    ) -> Points:
+    def points(self, part: int, arrived: Arrived) -> Points:
         raise NotImplementedError("a light scatters nothing")
 
 

@@ -16,7 +16,7 @@ from rna_sdk.runtime import Asset, Transform
 from rna_trace.embree.instances import ALL_RAYS, CAMERA_RAY, NO_INSTANCE, Instance, InstanceScene
 from rna_trace.embree.tracing import ClosestHits
 from rna_trace.hit_points import Frames, Lines, stepped
-from rna_trace.points import Body, Points, Role
+from rna_trace.points import Arrived, Body, Points, Role
 
 
 @dataclass(frozen=True, slots=True)
@@ -167,9 +167,8 @@ class World:
         parts = []
         for body, part, rows in groups:
             widths = np.float32(spread) * hits.t[ray[rows]] / self.scale[instance[rows]]
-            points = self._bodies[body].points(
-                part, hits, ray[rows], wo[rows], seen, widths, lines.rows(rows)
-            )
+            arrived = Arrived(hits, ray[rows], wo[rows], seen, widths, lines.rows(rows))
+            points = self._bodies[body].points(part, arrived)
             x[rows], n[rows] = points.x, points.n
             parts.append((rows, points))
             after = self._after[body] if seen else None
