@@ -16,6 +16,8 @@ import pytest
 from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.metrics import psnr
+from rna_render import Camera
+from rna_render.scene import read_scene
 from tests.exporters.scenes import fur, write_scene
 
 pytestmark = pytest.mark.blender
@@ -70,15 +72,6 @@ def run_command(capsys: pytest.CaptureFixture[str], name: str, *arguments: objec
     return capsys.readouterr().out
 
 
-def camera_to_world() -> np.ndarray:
-    back = EYE / np.linalg.norm(EYE)
-    right = np.cross([0.0, 1.0, 0.0], back)
-    right /= np.linalg.norm(right)
-    matrix = np.eye(4)
-    matrix[:3] = np.stack([right, np.cross(back, right), back, EYE], axis=1)
-    return matrix
-
-
 def read_rgba(path: Path) -> np.ndarray:
     with OpenEXR.File(str(path), separate_channels=True) as file:
         return np.stack([file.channels()[c].pixels for c in "RGBA"], axis=-1).astype(np.float32)
@@ -105,8 +98,9 @@ def test_from_a_scene_to_a_relit_image(
 
     with BlenderWorker(blender_python, Source(source), tmp_path / "scratch", 1) as worker:
         wi = (WI / np.linalg.norm(WI)).astype(np.float32)
-        fov = np.radians(FOV_Y_DEG)
-        cycles = worker.render_view(camera_to_world(), fov, wi, 64, 0, SIZE, SIZE)
+        file = read_scene(scene)
+        camera = Camera(file.scene.camera, file.scene.resolution)
+        cycles = worker.render_view(camera, wi, 64, seed=0)
 
     assert np.abs(ours[..., 3] - cycles[..., 3]).mean() < 0.01  # the same silhouette
     inside = (ours[..., 3] > 0.99) & (cycles[..., 3] > 0.99)

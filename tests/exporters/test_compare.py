@@ -41,7 +41,7 @@ def test_three_cameras_by_three_suns_and_a_white_world() -> None:
 
 def test_every_full_view_holds_the_whole_asset() -> None:
     for shot in shots([MESH], 32)[:8]:
-        local = np.c_[CORNERS, np.ones(4)] @ np.linalg.inv(shot.to_world).T
+        local = np.c_[CORNERS, np.ones(4)] @ np.linalg.inv(shot.view.to_world).T
         extent = np.abs(local[:, :2]) / -local[:, 2:3]
         assert extent.max() < np.tan(np.radians(15.0))
 
@@ -69,7 +69,7 @@ def test_front_and_up_turn_the_camera_and_keep_it_upright(frame: tuple[str, str]
     for usual, shot in zip(shots([MESH], 32), shots([turned], 32, frame), strict=True):
         expected = np.eye(4)
         expected[:3, :3] = turn
-        np.testing.assert_allclose(shot.to_world, expected @ usual.to_world, atol=1e-6)
+        np.testing.assert_allclose(shot.view.to_world, expected @ usual.view.to_world, atol=1e-6)
         if not shot.is_white:
             np.testing.assert_allclose(shot.light, turn @ usual.light, atol=1e-12)
 

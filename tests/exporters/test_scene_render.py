@@ -120,7 +120,7 @@ def test_the_original_stands_where_the_scene_puts_the_asset(
 @pytest.mark.blender
 def test_a_scene_leaves_later_renders_as_they_were(open_worker: OpenWorker, tmp_path: Path) -> None:
     worker = open_worker("add(*BALL, diffuse((0.9, 0.5, 0.1)))")
-    view = Camera(_scene(LIGHTS["sun"]).camera, (16, 12)).to_world, 0.6, unit(0, 1, 0), 4, 1, 16, 12
+    view = Camera(_scene(LIGHTS["sun"]).camera, (16, 12)), unit(0, 1, 0), 4, 1
     before = worker.render_view(*view)
     scene = _scene(LIGHTS["sun"])
     _cycles(worker, scene, tmp_path, seed=1)
@@ -177,11 +177,8 @@ def _both(
 def _cycles(worker: BlenderWorker, scene: Scene, folder: Path, seed: int) -> np.ndarray:
     actual = SceneFile(folder / "scene.yaml", scene, {}).resolved
     described = cycles_scene(actual, bounces=scene.max_depth - 1)
-    view = (
-        Camera(scene.camera, scene.resolution).to_world,
-        np.radians(scene.camera.vertical_fov_deg),
-    )
-    image, _ = worker.render_scene(described, *view, 128, seed, *scene.resolution)
+    camera = Camera(scene.camera, scene.resolution)
+    image, _ = worker.render_scene(described, camera, 128, seed)
     return image[..., :3]
 
 

@@ -18,8 +18,6 @@ from rna_export.capture.rays.asset_scene import AssetScene
 from rna_export.capture.rays.traced_rays import TracedRays
 from rna_export.capture.rays.view_rays import ViewRays, sample_view_rays
 from rna_export.make.rna_make import _saved_picture
-from rna_render.scene.scene_model import CameraModel
-from rna_render.world.camera import Camera
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Mesh
 from rna_sdk.package.textures.transmittance import Transmittance
@@ -55,14 +53,8 @@ class Cycles:
         answers = np.abs(directions), alpha.astype(np.float32), points.position, None, normal
         return RenderedRays(*answers)
 
-    def render_pixel_centres(self, to_world, fov_y, wi, samples, seed, width, height):
-        model = CameraModel(
-            position=tuple(to_world[:3, 3]),
-            look_at=tuple(to_world[:3, 3] - to_world[:3, 2]),
-            up=tuple(to_world[:3, 1]),
-            vertical_fov_deg=np.degrees(fov_y),
-        )
-        camera, pixels = Camera(model, (width, height)), np.arange(width * height, dtype=np.uint32)
+    def render_pixel_centres(self, camera, wi, samples, seed):
+        pixels = np.arange(camera.width * camera.height, dtype=np.uint32)
         u = 0.5 + self._width * (self._rng.random((len(pixels), 2)) - 0.5)
         directions = camera.directions(pixels, u)
         return self.render_rays(

@@ -18,6 +18,16 @@ class PeerCamera:
     size: tuple[int, int]
 
     @property
+    def width(self) -> int:
+        """Pixels."""
+        return self.size[0]
+
+    @property
+    def height(self) -> int:
+        """Pixels."""
+        return self.size[1]
+
+    @property
     def fov_y(self) -> float:
         """Radians."""
         width, height = self.size

@@ -113,7 +113,7 @@ def _render(
     scene = {"assets": still, "meshes": [], "lights": [light], "bounces": None}
     camera = PeerCamera(to_world, FOV_X, (plan.resolution, plan.resolution))
     samples, seed = plan.samples_of(split), 1000 * SPLITS.index(split) + number
-    rgba, points = worker.render_scene(scene, to_world, camera.fov_y, samples, seed, *camera.size)
+    rgba, points = worker.render_scene(scene, camera, samples, seed)
     depth = np.linalg.norm(points - to_world[:3, 3], axis=-1) / radius
     depth[~points.any(axis=-1)] = 0.0
     write_exr(path.with_name(path.stem + DEPTH + path.suffix), {"Z": depth.astype(np.float32)}, {})

@@ -105,16 +105,12 @@ class CyclesScene:
     """A scene in a worker that has the original open, with the bounces of the original's file."""
 
     def __init__(self, worker: BlenderWorker, scene: Scene):
-        self._worker, self._size = worker, scene.resolution
-        self._described = cycles_scene(scene)
-        fov = np.radians(scene.camera.vertical_fov_deg)
-        self._view = Camera(scene.camera, scene.resolution).to_world, fov
+        self._worker, self._described = worker, cycles_scene(scene)
+        self._camera = Camera(scene.camera, scene.resolution)
         self.render(1, seed=1)  # builds the scene
 
     def render(self, samples: int, seed: int, denoise: bool = False) -> Timed:
         """RGB, and the time of the request without any building of the scene."""
         begun = time.perf_counter()
-        image, _ = self._worker.render_scene(
-            self._described, *self._view, samples, seed, *self._size, denoise
-        )
+        image, _ = self._worker.render_scene(self._described, self._camera, samples, seed, denoise)
         return Timed(image[..., :3], time.perf_counter() - begun)

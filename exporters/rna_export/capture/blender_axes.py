@@ -1,6 +1,6 @@
 """Blender's axes (+Z up) and the package's (+Y up, as glTF), side by side; cameras and scenes."""
 
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -15,12 +15,28 @@ def from_blender(vectors: np.ndarray) -> np.ndarray:
     return np.stack([vectors[..., 0], vectors[..., 2], -vectors[..., 1]], axis=-1)
 
 
-def pinhole(to_world: np.ndarray, fov_y: float, width: int, height: int) -> dict[str, Any]:
+class Pinhole(Protocol):
+    """A camera: to_world, (4, 4), from its space, which looks along -z; fov_y in radians."""
+
+    @property
+    def to_world(self) -> np.ndarray: ...
+
+    @property
+    def fov_y(self) -> float: ...
+
+    @property
+    def width(self) -> int: ...
+
+    @property
+    def height(self) -> int: ...
+
+
+def pinhole(camera: Pinhole) -> dict[str, Any]:
     """A camera, which looks along its -z in Blender too, as a request has it."""
     matrix = np.eye(4)
-    matrix[:3] = to_blender(np.asarray(to_world, np.float64)[:3].T).T
-    size = {"width": width, "height": height}
-    return {"matrix": matrix.tolist(), "fovY": float(fov_y), **size}
+    matrix[:3] = to_blender(np.asarray(camera.to_world, np.float64)[:3].T).T
+    size = {"width": camera.width, "height": camera.height}
+    return {"matrix": matrix.tolist(), "fovY": camera.fov_y, **size}
 
 
 def scene_to_blender(scene: dict[str, Any]) -> dict[str, Any]:

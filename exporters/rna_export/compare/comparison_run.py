@@ -9,7 +9,7 @@ import numpy as np
 
 from rna_export.asset_flip import Exposure, ImageFlip, luminance_level, scene_exposures
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
-from rna_export.compare.views import FOV_Y, Frame, Shot, shots_of
+from rna_export.compare.views import Frame, Shot, shots_of
 from rna_export.metrics import NoiselessPsnr, exposure_of, psnr, psnr_without_noise
 from rna_export.outcome.judged_image import JudgedImage
 from rna_render import World, make_integrator, place_asset, render
@@ -148,15 +148,11 @@ def render_cycles(shot: Shot, worker: BlenderWorker, samples: int, emits: bool) 
     emits: whether its materials emit light.
     """
     start = time.perf_counter()
-    n = shot.resolution
-    seeds = 2 * shot.number, 2 * shot.number + 1
-    halves = np.stack(
-        [
-            worker.render_view(shot.to_world, FOV_Y, shot.light, samples // 2, seed, n, n, emits)
-            for seed in seeds
-        ]
-    )
-    return Timed(halves, time.perf_counter() - start)
+    halves = [
+        worker.render_view(shot.view, shot.light, samples // 2, seed, emits)
+        for seed in (2 * shot.number, 2 * shot.number + 1)
+    ]
+    return Timed(np.stack(halves), time.perf_counter() - start)
 
 
 def judge(rendered: Rendered, exposure: Exposure, of_psnr: float) -> Pair:

@@ -57,9 +57,9 @@ class Shot:
         )
 
     @property
-    def to_world(self) -> np.ndarray:
-        """(4, 4) camera (looking along -z) to world."""
-        return Camera(self.camera, (self.resolution, self.resolution)).to_world
+    def view(self) -> Camera:
+        """The camera with its image."""
+        return Camera(self.camera, (self.resolution, self.resolution))
 
     def scene(self, package: Path, samples: int) -> Scene:
         """This picture as a scene of the renderer."""

@@ -11,7 +11,8 @@ class Camera:
 
     model: where it stands and looks. resolution: width, height in pixels. samples: of a pixel.
 
-    to_world: (4, 4) float64, from the camera's space, which looks along -z with +y up.
+    to_world: (4, 4) float64, from the camera's space, which looks along -z with +y up. fov_y:
+    radians.
     corner, step_x, step_y: (3,) float64, direction through the image's top left corner, and the
     steps of a pixel. has_lens: whether rays start all over a lens.
     lens_x, lens_y: (3,) float64, to the right and up, as long as the lens's radius. focus: distance
@@ -22,7 +23,8 @@ class Camera:
 
     def __init__(self, model: CameraModel, resolution: tuple[int, int], samples: int = 1) -> None:
         self.width, self.height = resolution
-        self._half_height = np.tan(np.radians(model.vertical_fov_deg) / 2.0)
+        self.fov_y = float(np.radians(model.vertical_fov_deg))
+        self._half_height = np.tan(self.fov_y / 2.0)
         self.position = np.asarray(model.position, np.float32)
         forward = _unit(np.subtract(model.look_at, model.position))
         right = _unit(np.cross(forward, model.up))

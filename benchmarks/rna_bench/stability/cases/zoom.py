@@ -75,12 +75,8 @@ def _scene(fixtures: Fixtures, camera: CameraModel, wi: np.ndarray) -> Scene:
 
 
 def _cycles(worker: BlenderWorker, camera: CameraModel, wi: np.ndarray) -> dict[str, np.ndarray]:
-    to_world = Camera(camera, (PIXELS, PIXELS)).to_world
-    fov_y = np.radians(camera.vertical_fov_deg)
-    halves = [
-        worker.render_view(to_world, fov_y, wi, _CYCLES_SAMPLES, seed, PIXELS, PIXELS)[..., :3]
-        for seed in (4, 5)
-    ]
+    view = Camera(camera, (PIXELS, PIXELS))
+    halves = [worker.render_view(view, wi, _CYCLES_SAMPLES, seed)[..., :3] for seed in (4, 5)]
     return {"halves": np.stack(halves)}
 
 

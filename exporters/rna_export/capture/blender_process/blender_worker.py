@@ -8,7 +8,13 @@ from typing import Any
 
 import numpy as np
 
-from rna_export.capture.blender_axes import from_blender, pinhole, scene_to_blender, to_blender
+from rna_export.capture.blender_axes import (
+    Pinhole,
+    from_blender,
+    pinhole,
+    scene_to_blender,
+    to_blender,
+)
 from rna_export.capture.blender_process.blender_process import BlenderProcess, Source
 from rna_export.capture.blender_process.exchanged_files import (
     RenderedRays,
@@ -172,8 +178,9 @@ class BlenderWorker(BlenderProcess):
         }
         write_rays(paths["origins"], to_blender(origins), width, height)
         write_rays(paths["directions"], to_blender(directions), width, height)
-        request = {k: str(p) for k, p in paths.items()} | {"reach": reach, "normals": normals}
-        self._render("renderRays", request, wi, samples, seed, width, height)
+        options = {"reach": reach, "normals": normals, "width": width, "height": height}
+        request = {k: str(p) for k, p in paths.items()} | options
+        self._render("renderRays", request, wi, samples, seed)
         passes = read_render(paths["out"], *needed_passes(self._has_fibers))
         for path in paths.values():
             path.unlink(missing_ok=True)
@@ -188,14 +195,7 @@ class BlenderWorker(BlenderProcess):
         return float(channels(passes, "Combined", "RGB").mean())
 
     def render_pixel_centres(
-        self,
-        to_world: np.ndarray,
-        fov_y: float,
-        wi: np.ndarray,
-        samples: int,
-        seed: int,
-        width: int,
-        height: int,
+        self, camera: Pinhole, wi: np.ndarray, samples: int, seed: int
     ) -> RenderedRays:
         """A pinhole image whose pixels are points, by rows from the top; with normals.
 
@@ -203,46 +203,32 @@ class BlenderWorker(BlenderProcess):
         """
         out = self._folder / f"view-{self._name}-{self._renders}.exr"
         options = {"out": str(out), "emits": False, "normals": True, "points": True}
-        request = {**options, **pinhole(to_world, fov_y, width, height)}
-        self._render("renderView", request, wi, samples, seed, width, height)
+        self._render("renderView", {**options, **pinhole(camera)}, wi, samples, seed)
         passes = read_render(out, *needed_passes(self._has_fibers))
         out.unlink()
-        return RenderedRays.of_passes(passes, width * height, self._has_fibers)
+        return RenderedRays.of_passes(passes, camera.width * camera.height, self._has_fibers)
 
     def render_view(
-        self,
-        to_world: np.ndarray,
-        fov_y: float,
-        wi: Light,
-        samples: int,
-        seed: int,
-        width: int,
-        height: int,
-        emits: bool = False,
+        self, camera: Pinhole, wi: Light, samples: int, seed: int, emits: bool = False
     ) -> np.ndarray:
         """An ordinary pinhole image, (height, width, 4) float32 premultiplied RGBA.
 
-        `to_world`: (4, 4) camera (looks along -z) to +Y-up world; `fov_y` in radians; `wi` as in
-        `render_rays`; `emits`:
-        whether the materials emit light.
+        `camera`: in a world of +Y up. `wi`: as in `render_rays`. `emits`: whether the materials
+        emit light.
         """
         out = self._folder / f"view-{self._name}-{self._renders}.exr"
         options = {"out": str(out), "emits": emits, "normals": False, "points": False}
-        request = {**options, **pinhole(to_world, fov_y, width, height)}
-        self._render("renderView", request, wi, samples, seed, width, height)
+        self._render("renderView", {**options, **pinhole(camera)}, wi, samples, seed)
         passes = read_render(out)
         out.unlink()
-        return channels(passes, "Combined", "RGBA").reshape(height, width, 4)
+        return channels(passes, "Combined", "RGBA").reshape(camera.height, camera.width, 4)
 
     def render_scene(
         self,
         scene: dict[str, Any],
-        to_world: np.ndarray,
-        fov_y: float,
+        camera: Pinhole,
         samples: int,
         seed: int,
-        width: int,
-        height: int,
         denoise: bool = False,
     ) -> tuple[np.ndarray, np.ndarray]:
         """A pinhole image of the source in a scene, and the points that it shows.
@@ -254,8 +240,8 @@ class BlenderWorker(BlenderProcess):
         scene: see `rna_export.compare.cycles_scene`. No clamping. `denoise`: by Cycles' own
         denoiser, Open Image Denoise with albedo and normals. What the scene describes is
         built anew when it is another one than in the render before; the numbers of samples may
-        differ without a fresh process, so the same render need not repeat to the bit. `to_world`
-        and `fov_y` as in `render_view`; the source emits nothing.
+        differ without a fresh process, so the same render need not repeat to the bit. The source
+        emits nothing.
         """
         self._holds_scene = True
         out = self._folder / f"scene-{self._name}-{self._renders}.exr"
@@ -264,33 +250,23 @@ class BlenderWorker(BlenderProcess):
             op="renderScene",
             out=str(out),
             scene=scene_to_blender(scene),
-            **pinhole(to_world, fov_y, width, height),
+            **pinhole(camera),
             samples=samples,
             seed=seed,
             denoise=denoise,
         )
         passes = read_render(out, "Position")
         out.unlink()
-        rgba = channels(passes, "Combined", "RGBA").reshape(height, width, 4)
-        points = from_blender(channels(passes, "Position", "XYZ")).reshape(height, width, 3)
+        size = camera.height, camera.width
+        rgba = channels(passes, "Combined", "RGBA").reshape(*size, 4)
+        points = from_blender(channels(passes, "Position", "XYZ")).reshape(*size, 3)
         return rgba, points
 
-    def _render(
-        self,
-        op: str,
-        request: dict[str, Any],
-        wi: Light,
-        samples: int,
-        seed: int,
-        width: int,
-        height: int,
-    ) -> None:
+    def _render(self, op: str, request: dict[str, Any], wi: Light, samples: int, seed: int) -> None:
         if self._holds_scene or self._samples not in (None, samples):
             # Cycles keeps its table of sample points, whose size follows the sample count: without
             # a fresh process the same render would not repeat.
             self.restart()
         self._samples = samples
         self._renders += 1
-        size = {"width": width, "height": height}
-        how = {"light": asked_light(wi), "samples": samples, "seed": seed}
-        self._ask(op=op, **{**request, **size, **how})
+        self._ask(op=op, **request, light=asked_light(wi), samples=samples, seed=seed)

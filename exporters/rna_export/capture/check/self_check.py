@@ -102,15 +102,7 @@ class SelfCheck:
         camera = self._camera()
         wi = _unit(camera.to_world[:3, 2] + 0.7 * camera.to_world[:3, 1]).astype(np.float32)
         side = self.side
-        rendered = worker.render_pixel_centres(
-            to_world=camera.to_world,
-            fov_y=_FOV,
-            wi=wi,
-            samples=self.samples,
-            seed=0,
-            width=side,
-            height=side,
-        )
+        rendered = worker.render_pixel_centres(camera, wi, self.samples, seed=0)
         pixels = np.arange(side**2, dtype=np.uint32)
         directions = camera.directions(pixels, np.full((side**2, 2), 0.5))
         rays = ViewRays(np.tile(camera.position, (side**2, 1)), directions)
